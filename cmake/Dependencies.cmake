@@ -1,0 +1,18 @@
+# Finds the libraries that come without one CMake name for all releases of Debian and Ubuntu.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet)
+pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
+pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
+
+# libsdformat has its major version in its name: 9 is what Ubuntu 20.04 has, 12 what Debian 12 has.
+foreach(version 14 13 12 11 10 9)
+  find_package(sdformat${version} QUIET)
+  if(sdformat${version}_FOUND)
+    set(SDFORMAT_LIBRARIES sdformat${version}::sdformat${version})
+    break()
+  endif()
+endforeach()
+if(NOT SDFORMAT_LIBRARIES)
+  message(FATAL_ERROR "libsdformat 9 or newer is needed: apt-get install libsdformat-dev")
+endif()

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace synthetic_dataset {
+inline namespace v1 {
+
+/// Anything that the user can mend: the message names the parameter or the file, says what was
+/// found and what would be right.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Several errors found in one go, so that the user mends them in one go.
+class ErrorList : public Error {
+ public:
+  /// @param messages  at least one
+  explicit ErrorList(std::vector<std::string> messages);
+
+  [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
+
+ private:
+  std::vector<std::string> messages_;
+};
+
+}  // namespace v1
+}  // namespace synthetic_dataset

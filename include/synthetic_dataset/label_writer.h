@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "synthetic_dataset/output.h"
+#include "synthetic_dataset/parameters.h"
+#include "synthetic_dataset/scene.h"
+
+namespace synthetic_dataset {
+inline namespace v1 {
+
+/// The parameters below a writer's name, and what the core knows of the writer.
+class WriterParameters : public Parameters {
+ public:
+  /// @param writer_name  the writer's name in the parameter `writers`
+  /// @param output_folder  absolute, ending in `/`
+  WriterParameters(Parameters parameters, std::string writer_name, std::string output_folder);
+
+  [[nodiscard]] const std::string& writerName() const { return writer_name_; }
+
+  /// Where this writer's files go: absolute, ending in `/`.
+  [[nodiscard]] const std::string& outputFolder() const { return output_folder_; }
+
+  /// The path of a file that the user names in a parameter, for DatasetOutput::addFileAtParameter;
+  /// a relative one is relative to the writer's output folder.
+  /// The core checks before the first scene that the file can be made.
+  [[nodiscard]] std::string requiredFile(const std::string& name) const;
+
+  /// The files read with `requiredFile`: parameter name to path.
+  [[nodiscard]] const std::map<std::string, std::string>& files() const { return *files_; }
+
+ private:
+  std::string writer_name_;
+  std::string output_folder_;
+  std::shared_ptr<std::map<std::string, std::string>> files_;
+};
+
+/// What is known of an object before the first scene.
+struct ObjectInfo {
+  std::string name;
+  std::string class_name;
+  std::string id;
+  std::size_t keypoint_count = 0;
+};
+
+/// What is known of the dataset before the first scene.
+struct DatasetInfo {
+  std::vector<ObjectInfo> objects;  ///< in the order of `robot_list`
+  std::int64_t scene_count = 0;
+  std::string global_frame;
+  std::string camera_frame;
+  int image_width = 0;   ///< [px]
+  int image_height = 0;  ///< [px]
+};
+
+/// What a writer needs to be computed. What no writer asks for is not computed.
+struct Requirements {
+  bool instance_masks = false;      ///< SceneObject::mask
+  std::vector<std::string> frames;  ///< TF frames that Scene::transform must know at every scene
+};
+
+/// A dataset format: turns scenes into files. The base class of every writer plugin.
+///
+/// A writer is a pure function from a scene to files: it opens no file, holds no state from scene
+/// to scene and starts no thread. The life cycle, which the public methods check: one `initialize`,
+/// then `requirements`, then `writeScene` for each scene, in any order and from any one thread at a
+/// time, then one `finalize`. A resumed run skips scenes that are already there, so `finalize`
+/// learns about scenes from the records alone.
+///
+/// Errors: throw Error (or any std::exception); the public methods add the writer's name.
+/// Export with PLUGINLIB_EXPORT_CLASS(my_package::MyWriter, synthetic_dataset::LabelWriter).
+class LabelWriter {
+ public:
+  LabelWriter() = default;
+  LabelWriter(const LabelWriter&) = delete;
+  LabelWriter& operator=(const LabelWriter&) = delete;
+  virtual ~LabelWriter();
+
+  void initialize(const WriterParameters& parameters, const DatasetInfo& dataset);
+  [[nodiscard]] Requirements requirements() const;
+  void writeScene(const Scene& scene, SceneOutput& output) const;
+  void finalize(const SceneRecords& records, DatasetOutput& output) const;
+
+ private:
+  /// Reads the writer's parameters. Errors noted in `parameters` need not be thrown again.
+  virtual void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset);
+
+  virtual Requirements doRequirements() const;
+
+  /// Says which files the scene becomes. The only method that every writer has.
+  virtual void doWriteScene(const Scene& scene, SceneOutput& output) const = 0;
+
+  /// Says which files the whole dataset has.
+  virtual void doFinalize(const SceneRecords& records, DatasetOutput& output) const;
+
+  std::string name_;
+  bool initialized_ = false;
+};
+
+}  // namespace v1
+}  // namespace synthetic_dataset

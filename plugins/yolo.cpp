@@ -1,0 +1,65 @@
+#include <ostream>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+
+/// Darknet's YOLO: `N.png` and, with a line an object, `N.txt`: class, then centre and size of the
+/// loose box as fractions of the image. The main list names all images, for `train` in Darknet's
+/// data file. https://github.com/AlexeyAB/darknet#how-to-train-to-detect-your-custom-objects
+class YoloWriter : public LabelWriter {
+ private:
+  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+    parameters.ignore("tf_timeout");           // of nn_data_collection
+    (void)parameters.requiredFile(kMainList);  // the core knows it from here on
+    cut_to_image_ = parameters.optional("cut_to_image", true);
+    output_folder_ = parameters.outputFolder();
+    width_ = dataset.image_width;
+    height_ = dataset.image_height;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    std::string labels;
+    for (const SceneObject& object : scene.objects) labels += label(object);
+
+    const std::string name = sceneNumber(scene.index);
+    output.addImage(name + ".png", scene.image);
+    output.addText(name + ".txt", labels);
+    output.addRecord(name + ".png");
+  }
+
+  void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
+    output.addFileAtParameter(kMainList, [&](std::ostream& list) {
+      records.forEach([&](std::int64_t /*scene*/, const std::string& image) {
+        list << output_folder_ << image << '\n';
+      });
+    });
+  }
+
+  /// An object's line; nothing for one of which no area is in view.
+  [[nodiscard]] std::string label(const SceneObject& object) const {
+    if (!object.in_view || !object.loose_box) return "";
+    // Fractions as in nn_data_collection, u / width: the image is taken to begin at its first
+    // pixel's centre, half a pixel off the pixel's edge.
+    const auto in_image = intersection(*object.loose_box, {0.0, 0.0, width_, height_});
+    if (!in_image) return "";
+    const Box box = cut_to_image_ ? *in_image : *object.loose_box;
+    return object.class_name + " " + fixed((box.left + box.right) / 2.0 / width_, 5) + " " +
+           fixed((box.top + box.bottom) / 2.0 / height_, 5) + " " + fixed(box.width() / width_, 5) +
+           " " + fixed(box.height() / height_, 5) + "\n";
+  }
+
+  static constexpr const char* kMainList = "main_list";
+
+  bool cut_to_image_ = true;
+  std::string output_folder_;
+  double width_ = 0.0;   // [px]
+  double height_ = 0.0;  // [px]
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::YoloWriter, synthetic_dataset::LabelWriter)

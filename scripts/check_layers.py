@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Holds the includes of include/, src/ and plugins/ against the table of docs/architecture.md.
+
+    ./scripts/check_layers.py [REPOSITORY]
+
+Exit code 1 when a folder includes what it may not, with a line for each such include.
+"""
+import pathlib
+import re
+import sys
+
+API = 'synthetic_dataset'
+
+# What a folder may include of this repository, by the first part of the path between the quotes.
+MAY_INCLUDE = {
+    'include': {API},
+    'src/api': {API},
+    'src/config': {API, 'config'},
+    'src/motion': {API, 'motion'},
+    'src/world': {API, 'world'},
+    'src/render': {API, 'render', 'world'},
+    'src/annotate': {API, 'annotate'},
+    'src/output': {API, 'output'},
+    'src/writers': {API, 'writers', 'output'},
+    'src': {API, 'config', 'motion', 'world', 'render', 'annotate', 'output', 'writers', 'src'},
+    'plugins': {API},
+}
+
+# Libraries that only some folders may know, by how the path of the include begins.
+CONFINED = [
+    ('OpenGL', re.compile(r'GL/'), {'src/render'}),
+    ('Bullet', re.compile(r'(bullet/)?(bt[A-Z]|LinearMath/|BulletCollision/|BulletDynamics/)'),
+     {'src/world'}),
+    ('libsdformat', re.compile(r'sdf/'), {'src/world'}),
+    ('assimp', re.compile(r'assimp/'), {'src/world'}),
+    ('rosbag', re.compile(r'rosbag/'), {'src/motion'}),
+    ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion'}),
+    ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/config'}),
+    ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),
+    ('pluginlib', re.compile(r'pluginlib/'), {'src/writers', 'plugins'}),
+    ("ROS's time", re.compile(r'ros/(time|duration)\.h$'), {'src/motion', 'src'}),
+    ('roscpp', re.compile(r'ros/(?!(time|duration)\.h$)'), {'src'}),
+]
+
+SOURCES = {'.h', '.hpp', '.cpp'}
+INCLUDE = re.compile(r'\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
+
+
+def folder_of(file):
+    """The row of the table that a file, relative to the repository, belongs to."""
+    if file.parts[0] != 'src':
+        return file.parts[0]
+    return 'src' if len(file.parts) == 2 else f'src/{file.parts[1]}'
+
+
+def includes_of(path):
+    """Line number, path and whether it is in quotes, of each include."""
+    for number, line in enumerate(path.read_text(encoding='utf-8').splitlines(), start=1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match[1] or match[2], match[1] is not None
+
+
+def forbidden(folder, included, quoted):
+    """What the folder reaches for and may not, or None."""
+    for library, beginning, folders in CONFINED:
+        if beginning.match(included):
+            return None if folder in folders else library
+    first, slash, _ = included.partition('/')
+    if not quoted and first not in MAY_INCLUDE['src']:
+        return None  # somebody else's
+    target = first if slash else 'src'  # without a folder: a file at the top of src/
+    return None if target in MAY_INCLUDE.get(folder, set()) else target
+
+
+def main():
+    if len(sys.argv) > 2:
+        sys.exit(__doc__.strip())
+    default = pathlib.Path(__file__).resolve().parent.parent
+    repository = pathlib.Path(sys.argv[1]) if len(sys.argv) == 2 else default
+    files = sorted(path for top in ('include', 'src', 'plugins')
+                   for path in (repository / top).rglob('*') if path.suffix in SOURCES)
+    include_count = 0
+    arrows = []
+    for path in files:
+        file = path.relative_to(repository)
+        folder = folder_of(file)
+        for number, included, quoted in includes_of(path):
+            include_count += 1
+            target = forbidden(folder, included, quoted)
+            if target is not None:
+                arrows.append(f'{file}:{number}: {folder} -> {target} ({included})')
+    for arrow in arrows:
+        print(arrow)
+    print(f'layers: {len(files)} files, {include_count} includes, {len(arrows)} forbidden')
+    return 1 if arrows or not files else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

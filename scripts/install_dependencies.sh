@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Installs what is missing of Debian's packages; quick when nothing is. As root, or with sudo.
+set -euo pipefail
+
+packages=(
+  build-essential cmake pkg-config catkin
+  libroscpp-dev libroslib-dev librosbag-storage-dev libtf2-dev libtf2-ros-dev libtf2-msgs-dev
+  libgeometry-msgs-dev libxmlrpcpp-dev pluginlib-dev rosbash
+  python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools
+  libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-video-dev
+  libopencv-calib3d-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev
+  libsdformat-dev libassimp-dev libsqlite3-dev libconsole-bridge-dev libtinyxml2-dev
+  libgtest-dev libgmock-dev
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
+  [ "$status" = "install ok installed" ] || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+echo "Installing ${#missing[@]} packages: ${missing[*]}"
+as_root=()
+[ "$(id -u)" -eq 0 ] || as_root=(sudo)
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"

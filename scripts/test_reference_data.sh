@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Checks label files, masks and recordings against reference data outside the repository:
+#   ./scripts/test_reference_data.sh FOLDER
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=workspace.sh
+source "$here/workspace.sh"
+SYNTHETIC_DATASET_REFERENCE=$(realpath "$1")
+export SYNTHETIC_DATASET_REFERENCE
+
+build_workspace --target test_reference_data
+use_workspace
+"$workspace/devel/lib/synthetic_dataset/test_reference_data"

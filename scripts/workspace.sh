@@ -1,0 +1,28 @@
+# Sourced by the other scripts: where the repository and its catkin workspace are, and how to build it.
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# Outside the sources would do as well; git ignores it here.
+workspace=${SYNTHETIC_DATASET_WORKSPACE:-$repository/workspace}
+
+# ROS's tools are Debian's own; another Python in front of it on PATH would not find their modules.
+export PATH="/usr/bin:/bin:$PATH"
+
+# build_workspace [make arguments...]: configures the workspace where needed and builds it.
+build_workspace() {
+  mkdir -p "$workspace/src"
+  ln -sfn "$repository" "$workspace/src/synthetic_dataset"
+  [ -f "$workspace/.catkin_workspace_ready" ] || {
+    (cd "$workspace" && catkin_make --cmake-args -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+      -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
+      -DCMAKE_EXPORT_COMPILE_COMMANDS=ON --make-args cmake_check_build_system)
+    touch "$workspace/.catkin_workspace_ready"
+  }
+  cmake --build "$workspace/build" --parallel "$(nproc)" "$@"
+}
+
+use_workspace() {
+  set +u  # catkin's file reads variables that may be unset
+  # shellcheck disable=SC1091
+  source "$workspace/devel/setup.bash"
+  set -u
+}

@@ -1,0 +1,70 @@
+#include "annotate/mask.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace synthetic_dataset::annotate {
+namespace {
+
+constexpr unsigned char kForeground = 255;
+
+/// A box edge as a pixel's index, kept within the image before it becomes an integer.
+int pixelIndex(double edge, int limit) {
+  return static_cast<int>(std::clamp(edge, 0.0, static_cast<double>(limit)));
+}
+
+/// Sets every connected region of `value` with at most `largest` pixels to `replacement`.
+/// @return the number of regions of `value` that were left
+int replaceSmallRegions(cv::Mat& mask, unsigned char value, int largest, int connectivity,
+                        unsigned char replacement) {
+  cv::Mat regions;
+  cv::Mat statistics;
+  cv::Mat centroids;
+  const int count = cv::connectedComponentsWithStats(mask == value, regions, statistics, centroids,
+                                                     connectivity, CV_32S);
+  int left = 0;
+  for (int region = 1; region < count; ++region) {  // 0 is everything else
+    if (statistics.at<int>(region, cv::CC_STAT_AREA) > largest) {
+      ++left;
+      continue;
+    }
+    const cv::Rect place(statistics.at<int>(region, cv::CC_STAT_LEFT),
+                         statistics.at<int>(region, cv::CC_STAT_TOP),
+                         statistics.at<int>(region, cv::CC_STAT_WIDTH),
+                         statistics.at<int>(region, cv::CC_STAT_HEIGHT));
+    mask(place).setTo(replacement, regions(place) == region);
+  }
+  return left;
+}
+
+}  // namespace
+
+cv::Rect pixelsOf(const Box& box, const cv::Size& image) {
+  const int left = pixelIndex(std::floor(box.left), image.width);
+  const int right = pixelIndex(std::ceil(box.right), image.width);
+  const int top = pixelIndex(std::floor(box.top), image.height);
+  const int bottom = pixelIndex(std::ceil(box.bottom), image.height);
+  if (left >= right || top >= bottom) return {};
+  return {left, top, right - left, bottom - top};
+}
+
+cv::Mat cutToBox(const cv::Mat& mask, const Box& box) {
+  cv::Mat result = cv::Mat::zeros(mask.size(), mask.type());
+  const cv::Rect inside = pixelsOf(box, mask.size());
+  if (!inside.empty()) mask(inside).copyTo(result(inside));
+  return result;
+}
+
+cv::Mat cleanMask(const cv::Mat& raw) {
+  cv::Mat mask = raw == kForeground;
+  // A hole is closed when it touches the outside at most by a corner: 4-connected background,
+  // 8-connected object.
+  replaceSmallRegions(mask, 0, kLargestHole, 4, kForeground);
+  cv::Mat without_specks = mask.clone();
+  const int left = replaceSmallRegions(without_specks, kForeground, kLargestSpeck, 8, 0);
+  return left == 0 ? mask : without_specks;
+}
+
+}  // namespace synthetic_dataset::annotate

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <opencv2/video/background_segm.hpp>
+
+namespace synthetic_dataset::annotate {
+
+/// Settings of the background subtraction, under OpenCV's names.
+struct Mog2Options {
+  int history_length = 100;      ///< pictures of the background that the model is trained on
+  double var_threshold = 500.0;  ///< on the squared Mahalanobis distance of a pixel to the model
+  bool detect_shadows = false;   ///< mark what is only darker than the background as shadow
+};
+
+/// Finds an object by what changed in the picture: the paper's way to masks.
+///
+/// Zivkovic, "Improved adaptive Gaussian mixture model for background subtraction" (ICPR 2004), as
+/// OpenCV has it: cv::BackgroundSubtractorMOG2. Each pixel is judged by itself.
+class Mog2Segmenter {
+ public:
+  explicit Mog2Segmenter(const Mog2Options& options) : options_(options) {}
+
+  /// Learns the picture without objects anew: it is shown history_length times, with OpenCV's
+  /// default learning rate. Our pictures have no noise, so they would all be equal.
+  /// @param background  CV_8UC3
+  void train(const cv::Mat& background);
+
+  /// The pixels that differ from the background: CV_8UC1, 255 foreground, 127 shadow, 0 background.
+  /// The model does not learn from the picture (learning rate 0).
+  /// @throws Error before the first train()
+  [[nodiscard]] cv::Mat segment(const cv::Mat& image);
+
+ private:
+  Mog2Options options_;
+  cv::Ptr<cv::BackgroundSubtractorMOG2> subtractor_;
+};
+
+}  // namespace synthetic_dataset::annotate

@@ -1,0 +1,77 @@
+#include "synthetic_dataset/label_writer.h"
+
+#include <utility>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset {
+inline namespace v1 {
+namespace {
+
+/// Runs a writer's own code so that whatever it throws names the writer.
+template <class Work>
+auto named(const std::string& writer, Work work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    throw Error("writer '" + writer + "': " + error.what());
+  } catch (...) {
+    throw Error("writer '" + writer + "': threw something that is not a std::exception");
+  }
+}
+
+}  // namespace
+
+WriterParameters::WriterParameters(Parameters parameters, std::string writer_name,
+                                   std::string output_folder)
+    : Parameters(std::move(parameters)),
+      writer_name_(std::move(writer_name)),
+      output_folder_(std::move(output_folder)),
+      files_(std::make_shared<std::map<std::string, std::string>>()) {}
+
+std::string WriterParameters::requiredFile(const std::string& name) const {
+  const std::size_t errors_before = errors().size();
+  std::string file = required<std::string>(name);
+  if (errors().size() != errors_before) return file;
+  if (file.empty() || file.back() == '/') {
+    addError(name, "found '" + file + "'; it should be the path of a file");
+    return file;
+  }
+  if (file.front() != '/') file = output_folder_ + file;
+  (*files_)[name] = file;
+  return file;
+}
+
+LabelWriter::~LabelWriter() = default;
+
+void LabelWriter::initialize(const WriterParameters& parameters, const DatasetInfo& dataset) {
+  if (initialized_) throw Error("writer '" + name_ + "': initialised twice");
+  name_ = parameters.writerName();
+  named(name_, [&] { doInitialize(parameters, dataset); });
+  initialized_ = true;
+}
+
+Requirements LabelWriter::requirements() const {
+  if (!initialized_) throw Error("a writer was asked for its requirements before initialize");
+  return named(name_, [&] { return doRequirements(); });
+}
+
+void LabelWriter::writeScene(const Scene& scene, SceneOutput& output) const {
+  if (!initialized_) throw Error("a writer was given a scene before initialize");
+  named(name_, [&] { doWriteScene(scene, output); });
+}
+
+void LabelWriter::finalize(const SceneRecords& records, DatasetOutput& output) const {
+  if (!initialized_) throw Error("a writer was finalised before initialize");
+  named(name_, [&] { doFinalize(records, output); });
+}
+
+void LabelWriter::doInitialize(const WriterParameters& /*parameters*/,
+                               const DatasetInfo& /*dataset*/) {}
+
+Requirements LabelWriter::doRequirements() const { return {}; }
+
+void LabelWriter::doFinalize(const SceneRecords& /*records*/, DatasetOutput& /*output*/) const {}
+
+}  // namespace v1
+}  // namespace synthetic_dataset

@@ -1,0 +1,48 @@
+#include "synthetic_dataset/nearest_name.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace synthetic_dataset {
+inline namespace v1 {
+namespace {
+
+/// Levenshtein's distance: insertions, deletions and replacements, one row of the table at a time.
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::optional<std::string> nearestName(const std::string& name,
+                                       const std::vector<std::string>& candidates) {
+  std::optional<std::string> nearest;
+  std::size_t smallest = std::max<std::size_t>(name.size() / 3, 1) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = editDistance(name, candidate);
+    if (distance < smallest) {
+      smallest = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+std::string didYouMean(const std::string& name, const std::vector<std::string>& candidates) {
+  const auto nearest = nearestName(name, candidates);
+  return nearest ? "; did you mean '" + *nearest + "'?" : "";
+}
+
+}  // namespace v1
+}  // namespace synthetic_dataset

@@ -1,0 +1,262 @@
+#include "synthetic_dataset/parameters.h"
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace synthetic_dataset {
+inline namespace v1 {
+namespace {
+
+/// Converts a value, or says in `problem` what would be right.
+template <class T>
+std::optional<T> convert(const Value& value, std::string& problem);
+
+template <>
+std::optional<Value> convert(const Value& value, std::string& /*problem*/) {
+  return value;
+}
+
+template <>
+std::optional<bool> convert(const Value& value, std::string& problem) {
+  if (const bool* flag = value.as<bool>()) return *flag;
+  problem = "it should be true or false";
+  return std::nullopt;
+}
+
+template <>
+std::optional<std::int64_t> convert(const Value& value, std::string& problem) {
+  if (const auto* number = value.as<std::int64_t>()) return *number;
+  problem = "it should be a whole number";
+  return std::nullopt;
+}
+
+template <>
+std::optional<int> convert(const Value& value, std::string& problem) {
+  const auto number = convert<std::int64_t>(value, problem);
+  if (number && *number >= -2147483648LL && *number <= 2147483647LL) {
+    return static_cast<int>(*number);
+  }
+  problem = "it should be a whole number";
+  return std::nullopt;
+}
+
+template <>
+std::optional<double> convert(const Value& value, std::string& problem) {
+  if (const auto* number = value.as<std::int64_t>()) return static_cast<double>(*number);
+  if (const auto* number = value.as<double>(); number && std::isfinite(*number)) return *number;
+  problem = "it should be a finite number";
+  return std::nullopt;
+}
+
+template <>
+std::optional<std::string> convert(const Value& value, std::string& problem) {
+  if (const auto* text = value.as<std::string>()) return *text;
+  problem = "it should be a text";
+  return std::nullopt;
+}
+
+/// Converts each entry of a list; the problem names the entry.
+template <class T>
+std::optional<std::vector<T>> convertList(const Value& value, const std::string& should,
+                                          std::string& problem) {
+  const auto* list = value.as<Value::List>();
+  if (list == nullptr) {
+    problem = "it should be " + should;
+    return std::nullopt;
+  }
+  std::vector<T> result;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    std::string entry_problem;
+    auto entry = convert<T>((*list)[i], entry_problem);
+    if (!entry) {
+      problem = "entry " + std::to_string(i + 1) + " is " + (*list)[i].text() + "; it should be " +
+                should;
+      return std::nullopt;
+    }
+    result.push_back(std::move(*entry));
+  }
+  return result;
+}
+
+template <>
+std::optional<std::vector<double>> convert(const Value& value, std::string& problem) {
+  return convertList<double>(value, "a list of numbers", problem);
+}
+
+template <>
+std::optional<std::vector<std::string>> convert(const Value& value, std::string& problem) {
+  if (const auto* text = value.as<std::string>()) return std::vector<std::string>{*text};
+  return convertList<std::string>(value, "a list of texts", problem);
+}
+
+template <>
+std::optional<Eigen::Vector3d> convert(const Value& value, std::string& problem) {
+  const auto numbers = convert<std::vector<double>>(value, problem);
+  if (numbers && numbers->size() == 3) {
+    return Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  }
+  return std::nullopt;
+}
+
+template <>
+std::optional<std::vector<Eigen::Vector3d>> convert(const Value& value, std::string& problem) {
+  return convertList<Eigen::Vector3d>(value, "a list of points, each [x, y, z] in metres", problem);
+}
+
+/// Long lists would hide what the message has to say.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kLongest = 80;
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+
+}  // namespace
+
+/// What all groups of one root share.
+struct Parameters::Notes {
+  std::vector<std::string> errors;
+  std::vector<std::string> defaults;
+  std::map<std::string, std::set<std::string>> known;  // by the group's full name
+};
+
+Parameters::Parameters(Value values, std::string name)
+    : owned_(std::make_shared<const Value>(std::move(values))),
+      values_(owned_->as<Value::Map>()),
+      name_(std::move(name)),
+      notes_(std::make_shared<Notes>()) {
+  if (values_ == nullptr && !owned_->isNull()) {
+    notes_->errors.push_back((name_.empty() ? "the parameters" : name_) + ": found " +
+                             owned_->kind() + "; it should be a group of named values");
+  }
+}
+
+Parameters::Parameters(const Value::Map* values, std::string name, std::shared_ptr<Notes> notes)
+    : values_(values), name_(std::move(name)), notes_(std::move(notes)) {}
+
+const Value* Parameters::find(const std::string& name) const {
+  notes_->known[name_].insert(name);
+  if (values_ == nullptr) return nullptr;
+  const auto entry = values_->find(name);
+  return entry == values_->end() || entry->second.isNull() ? nullptr : &entry->second;
+}
+
+bool Parameters::has(const std::string& name) const { return find(name) != nullptr; }
+
+template <class T>
+std::optional<T> Parameters::maybe(const std::string& name) const {
+  const Value* value = find(name);
+  if (value == nullptr) return std::nullopt;
+  std::string problem;
+  std::optional<T> result = convert<T>(*value, problem);
+  if (!result) {
+    addError(name, "found " + shortened(value->text()) + " (" + value->kind() + "); " + problem);
+  }
+  return result;
+}
+
+template <class T>
+T Parameters::required(const std::string& name) const {
+  if (find(name) == nullptr) {
+    addError(name, "required, but missing");
+    return T{};
+  }
+  return maybe<T>(name).value_or(T{});
+}
+
+template <class T>
+T Parameters::optional(const std::string& name, const T& fallback) const {
+  if (find(name) == nullptr) {
+    notes_->defaults.push_back(fullName(name) + ": " + Value(fallback).text());
+    return fallback;
+  }
+  return maybe<T>(name).value_or(fallback);
+}
+
+// The types that the header promises; lists have no printable default.
+template std::optional<bool> Parameters::maybe(const std::string&) const;
+template std::optional<int> Parameters::maybe(const std::string&) const;
+template std::optional<std::int64_t> Parameters::maybe(const std::string&) const;
+template std::optional<double> Parameters::maybe(const std::string&) const;
+template std::optional<std::string> Parameters::maybe(const std::string&) const;
+template std::optional<Value> Parameters::maybe(const std::string&) const;
+template std::optional<std::vector<double>> Parameters::maybe(const std::string&) const;
+template std::optional<std::vector<std::string>> Parameters::maybe(const std::string&) const;
+template std::optional<std::vector<Eigen::Vector3d>> Parameters::maybe(const std::string&) const;
+template bool Parameters::required(const std::string&) const;
+template int Parameters::required(const std::string&) const;
+template std::int64_t Parameters::required(const std::string&) const;
+template double Parameters::required(const std::string&) const;
+template std::string Parameters::required(const std::string&) const;
+template Value Parameters::required(const std::string&) const;
+template std::vector<double> Parameters::required(const std::string&) const;
+template std::vector<std::string> Parameters::required(const std::string&) const;
+template std::vector<Eigen::Vector3d> Parameters::required(const std::string&) const;
+template bool Parameters::optional(const std::string&, const bool&) const;
+template int Parameters::optional(const std::string&, const int&) const;
+template std::int64_t Parameters::optional(const std::string&, const std::int64_t&) const;
+template double Parameters::optional(const std::string&, const double&) const;
+template std::string Parameters::optional(const std::string&, const std::string&) const;
+
+Parameters Parameters::group(const std::string& name) const {
+  const Value* value = find(name);
+  const Value::Map* map = value == nullptr ? nullptr : value->as<Value::Map>();
+  if (value != nullptr && map == nullptr) {
+    addError(name, "found " + value->text() + " (" + value->kind() +
+                       "); it should be a group of named values");
+  }
+  Parameters result(map, fullName(name), notes_);
+  result.owned_ = owned_;  // the group's values live in the root's
+  notes_->known[result.name_];
+  return result;
+}
+
+void Parameters::addError(const std::string& name, const std::string& message) const {
+  notes_->errors.push_back(fullName(name) + ": " + message);
+}
+
+void Parameters::ignore(const std::string& name) const { notes_->known[name_].insert(name); }
+
+std::string Parameters::fullName(const std::string& name) const {
+  if (name_.empty()) return name;
+  return name.empty() ? name_ : name_ + "/" + name;
+}
+
+std::vector<std::string> Parameters::names() const {
+  std::vector<std::string> result;
+  if (values_ != nullptr) {
+    for (const auto& [name, value] : *values_) result.push_back(name);
+  }
+  return result;
+}
+
+std::vector<std::string> Parameters::unknownNames() const {
+  std::vector<std::string> result;
+  const auto& known = notes_->known[name_];
+  for (const std::string& name : names()) {
+    if (known.count(name) == 0) {
+      result.push_back(fullName(name));
+      continue;
+    }
+    const auto* map = values_->at(name).as<Value::Map>();
+    if (map == nullptr || notes_->known.count(fullName(name)) == 0) continue;
+    const Parameters below(map, fullName(name), notes_);
+    for (std::string& unknown : below.unknownNames()) result.push_back(std::move(unknown));
+  }
+  return result;
+}
+
+std::vector<std::string> Parameters::knownNeighbours(const std::string& full_name) const {
+  const std::size_t slash = full_name.rfind('/');
+  const auto group =
+      notes_->known.find(slash == std::string::npos ? "" : full_name.substr(0, slash));
+  if (group == notes_->known.end()) return {};
+  return {group->second.begin(), group->second.end()};
+}
+
+const std::vector<std::string>& Parameters::errors() const { return notes_->errors; }
+
+const std::vector<std::string>& Parameters::defaultsTaken() const { return notes_->defaults; }
+
+}  // namespace v1
+}  // namespace synthetic_dataset

@@ -1,0 +1,54 @@
+#include "motion/frame_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <iterator>
+
+#include "synthetic_dataset/nearest_name.h"
+
+namespace synthetic_dataset::motion {
+namespace {
+
+constexpr std::size_t kMostSuggestions = 3;
+
+std::string lettersAndDigits(const std::string& name) {
+  std::string plain;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0) plain += static_cast<char>(std::tolower(byte));
+  }
+  return plain;
+}
+
+bool hasPrefixBefore(const std::string& name, const std::string& rest) {
+  const std::string end = "/" + rest;
+  return !rest.empty() && name.size() > end.size() &&
+         name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+bool isSameInOtherWriting(const std::string& a, const std::string& b) {
+  const std::string plain = lettersAndDigits(a);
+  return (!plain.empty() && plain == lettersAndDigits(b)) || hasPrefixBefore(a, b) ||
+         hasPrefixBefore(b, a);
+}
+
+}  // namespace
+
+std::string withoutLeadingSlashes(const std::string& frame) {
+  return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
+}
+
+std::string didYouMeanFrame(const std::string& name, const std::vector<std::string>& frames) {
+  std::vector<std::string> same;
+  std::copy_if(frames.begin(), frames.end(), std::back_inserter(same),
+               [&](const std::string& frame) { return isSameInOtherWriting(name, frame); });
+  if (same.empty()) return didYouMean(name, frames);
+  std::sort(same.begin(), same.end());
+  same.resize(std::min(same.size(), kMostSuggestions));
+  std::string choice;
+  for (const std::string& frame : same) choice += (choice.empty() ? "'" : " or '") + frame + "'";
+  return "; did you mean " + choice + "?";
+}
+
+}  // namespace synthetic_dataset::motion

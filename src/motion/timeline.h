@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::motion {
+
+/// When scenes are made.
+struct TimelineOptions {
+  Duration period{0};                  ///< between scenes, > 0
+  Duration start_offset{0};            ///< left out at the recording's start, >= 0
+  std::optional<Duration> duration;    ///< of the part that is used, counted from start_offset
+  std::optional<Duration> max_tf_gap;  ///< scenes interpolated across a longer gap are left out
+};
+
+/// The times of all scenes of a run, found before the first one is made.
+struct Timeline {
+  std::vector<Stamp> stamps;          ///< of the scenes to make, ascending
+  std::int64_t left_out_gap = 0;      ///< scenes left out because of max_tf_gap
+  std::int64_t left_out_unknown = 0;  ///< scenes left out because a transform was not known
+};
+
+/// 1/rate cut to whole nanoseconds, as the original does: 30 Hz is 33333333 ns.
+/// Where the rate means a whole number of nanoseconds it is that number: 10 Hz is 100000000 ns.
+/// @param rate  [Hz], > 0
+/// @throws Error for a rate that has no such period
+[[nodiscard]] Duration periodOf(double rate);
+
+}  // namespace synthetic_dataset::motion

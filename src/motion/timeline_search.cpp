@@ -1,0 +1,153 @@
+#include "motion/timeline_search.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "motion/time_text.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::motion {
+namespace {
+
+constexpr Duration kTick{1};
+constexpr std::int64_t kMostScenes = 100000000;  // file names have eight digits
+
+/// Whole periods, the last one begun.
+std::int64_t periodsIn(Duration length, Duration period) {
+  return (length + period - kTick) / period;
+}
+
+/// The wanted frames' connections with the global frame. Asked for times that lie close together,
+/// it seldom has to climb the tree.
+class Connections {
+ public:
+  Connections(const FrameTree& tree, const FramesToKnow& wanted) : tree_(tree), wanted_(wanted) {
+    for (const FrameIndex frame : wanted.frames) {
+      connections_.push_back(tree.connection(wanted.global_frame, frame, Stamp{0}));
+    }
+  }
+
+  /// Of all wanted frames, in their order.
+  const std::vector<Connection>& at(Stamp time) {
+    for (std::size_t i = 0; i < connections_.size(); ++i) {
+      const Validity& validity = connections_[i].validity;
+      if (time >= validity.from && time <= validity.until) continue;
+      connections_[i] = tree_.connection(wanted_.global_frame, wanted_.frames[i], time);
+    }
+    return connections_;
+  }
+
+  bool allKnownAt(Stamp time) {
+    const std::vector<Connection>& now = at(time);
+    return std::all_of(now.begin(), now.end(), [](const Connection& c) { return c.known; });
+  }
+
+  bool gapAbove(Duration longest, Stamp time) {
+    for (const Connection& connection : at(time)) {
+      for (const FrameIndex child : connection.links) {
+        if (tree_.link(child).gapAt(time) > longest) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  const FrameTree& tree_;
+  const FramesToKnow& wanted_;
+  std::vector<Connection> connections_;
+};
+
+/// The first of time, time + period, ... before `limit` at which all are known. Whole stretches in
+/// which one of them stays unknown are taken in one step.
+std::optional<Stamp> firstKnown(Connections& connections, Stamp time, Stamp limit,
+                                Duration period) {
+  while (time < limit) {
+    Stamp next = time;
+    for (const Connection& connection : connections.at(time)) {
+      if (connection.known) continue;
+      if (connection.validity.until >= limit) return std::nullopt;
+      next = std::max(next, connection.validity.until + kTick);
+    }
+    if (next == time) return time;
+    time += periodsIn(next - time, period) * period;
+  }
+  return std::nullopt;
+}
+
+/// The same backwards: the first of time, time - period, ... after `limit`.
+std::optional<Stamp> lastKnown(Connections& connections, Stamp time, Stamp limit, Duration period) {
+  while (time > limit) {
+    Stamp next = time;
+    for (const Connection& connection : connections.at(time)) {
+      if (connection.known) continue;
+      if (connection.validity.from <= limit) return std::nullopt;
+      next = std::min(next, connection.validity.from - kTick);
+    }
+    if (next == time) return time;
+    time -= periodsIn(time - next, period) * period;
+  }
+  return std::nullopt;
+}
+
+void checkCount(std::int64_t scenes, Duration period) {
+  if (scenes <= kMostScenes) return;
+  throw ErrorList({"one scene every " + secondsText(period) + " makes " + std::to_string(scenes) +
+                   " scenes; at most " + std::to_string(kMostScenes) +
+                   " can be numbered: lower the rate or the duration"});
+}
+
+}  // namespace
+
+std::vector<std::string> optionErrors(const RecordedTimes& recorded,
+                                      const TimelineOptions& options) {
+  const Duration length = recorded.end - recorded.start;
+  const std::string lasts = "; the recording lasts " + secondsText(length);
+  std::vector<std::string> errors;
+  if (options.period <= Duration{0}) {
+    errors.push_back("the period is " + secondsText(options.period) + "; it has to be above 0");
+  }
+  if (options.start_offset < Duration{0} || options.start_offset >= length) {
+    errors.push_back("the start offset of " + secondsText(options.start_offset) +
+                     " leaves nothing of the recording" + lasts);
+  }
+  if (options.duration && *options.duration <= Duration{0}) {
+    errors.push_back("the duration is " + secondsText(*options.duration) +
+                     "; it has to be above 0" + lasts);
+  }
+  return errors;
+}
+
+RecordedTimes usedPart(const RecordedTimes& recorded, const TimelineOptions& options) {
+  const Stamp start = recorded.start + options.start_offset;
+  const Duration rest = recorded.end - start;
+  return {start, start + std::min(rest, options.duration.value_or(rest))};
+}
+
+std::optional<Timeline> findTimeline(const FrameTree& tree, const FramesToKnow& wanted,
+                                     const RecordedTimes& part, const TimelineOptions& options) {
+  const Duration period = options.period;
+  Connections connections(tree, wanted);
+  const auto start = firstKnown(connections, part.start, part.end, period);
+  if (!start) return std::nullopt;
+  const auto end = lastKnown(connections, part.end, *start, period);
+  if (!end) return std::nullopt;
+
+  const std::int64_t scenes = periodsIn(*end - *start, period);
+  checkCount(scenes, period);
+  Timeline timeline;
+  timeline.stamps.reserve(static_cast<std::size_t>(scenes));
+  for (std::int64_t i = 0; i < scenes; ++i) {
+    const Stamp time = *start + i * period;
+    if (!connections.allKnownAt(time)) {
+      ++timeline.left_out_unknown;
+    } else if (options.max_tf_gap && connections.gapAbove(*options.max_tf_gap, time)) {
+      ++timeline.left_out_gap;
+    } else {
+      timeline.stamps.push_back(time);
+    }
+  }
+  return timeline;
+}
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/bag_reader.h"
+#include "motion/frame_tree.h"
+#include "motion/timeline.h"
+
+namespace synthetic_dataset::motion {
+
+/// What a timeline is looked for: frames that have to be known in the global frame.
+struct FramesToKnow {
+  FrameIndex global_frame = kNoFrame;
+  std::vector<FrameIndex> frames;
+};
+
+/// What is wrong with the options: they leave nothing of the recording, ...
+[[nodiscard]] std::vector<std::string> optionErrors(const RecordedTimes& recorded,
+                                                    const TimelineOptions& options);
+
+/// The part of the recording that the options leave: from its start + start_offset, for at most
+/// `duration`.
+/// @param options  without optionErrors()
+[[nodiscard]] RecordedTimes usedPart(const RecordedTimes& recorded, const TimelineOptions& options);
+
+/// The timeline by the rules of BagMotion::timeline(), or nothing when there is no time at which
+/// all frames are known.
+/// @param part  of usedPart()
+/// @throws ErrorList: more scenes than file names can number
+[[nodiscard]] std::optional<Timeline> findTimeline(const FrameTree& tree,
+                                                   const FramesToKnow& wanted,
+                                                   const RecordedTimes& part,
+                                                   const TimelineOptions& options);
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,54 @@
+#include "output/image_encoder.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+
+std::optional<ImageFormat> imageFormat(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] == '/') return std::nullopt;
+  std::string extension = path.substr(dot + 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (extension == "png") return ImageFormat::kPng;
+  if (extension == "jpg" || extension == "jpeg") return ImageFormat::kJpeg;
+  return std::nullopt;
+}
+
+std::optional<std::string> imageProblem(const std::string& path, const cv::Mat& image) {
+  const std::optional<ImageFormat> format = imageFormat(path);
+  if (!format) return "an image file's name should end in .png, .jpg or .jpeg";
+  if (image.empty()) return "the image has no pixels";
+  if (image.dims != 2) return "the image should have two dimensions";
+  const int type = image.type();
+  if (type != CV_8UC1 && type != CV_16UC1 && type != CV_8UC3) {
+    return "the pixels are " + cv::typeToString(type) +
+           "; they should be CV_8UC1, CV_16UC1 or CV_8UC3";
+  }
+  if (*format == ImageFormat::kJpeg && type == CV_16UC1) {
+    return "JPEG has no 16 bit pixels; the name should end in .png";
+  }
+  return std::nullopt;
+}
+
+std::vector<uchar> encodeImage(const cv::Mat& image, ImageFormat format,
+                               const ImageQuality& quality) {
+  const bool png = format == ImageFormat::kPng;
+  const std::vector<int> settings =
+      png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, quality.png_compression}
+          : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, quality.jpeg_quality};
+  std::vector<uchar> bytes;
+  try {
+    if (cv::imencode(png ? ".png" : ".jpg", image, bytes, settings)) return bytes;
+  } catch (const cv::Exception& exception) {
+    throw Error("the image could not be encoded: " + exception.err);
+  }
+  throw Error("the image could not be encoded");
+}
+
+}  // namespace synthetic_dataset::output

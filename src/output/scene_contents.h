@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "output/dataset_store.h"
+#include "output/image_encoder.h"
+
+namespace synthetic_dataset::output {
+
+/// The bytes of one or, for pixels that are asked for more than once, several files of a scene.
+struct SceneContent {
+  std::vector<uchar> encoded;      ///< of an image
+  std::string_view text;           ///< of a text file; lives as long as the scene's files
+  std::vector<std::size_t> files;  ///< indices of the files that have it, at least one
+
+  [[nodiscard]] std::string_view bytes() const;
+};
+
+/// What the files of a scene hold, in the order of their first mention. Each picture is encoded
+/// once a format: pixels are the same when they are the same memory, seen in the same way.
+/// @throws Error naming the file whose image cannot be encoded
+[[nodiscard]] std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
+                                                    const ImageQuality& quality);
+
+}  // namespace synthetic_dataset::output

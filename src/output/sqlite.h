@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace synthetic_dataset::output {
+
+/// An open SQLite file; closed when it goes out of scope.
+class SqliteDatabase {
+ public:
+  enum class Mode { kCreate, kExisting };
+
+  /// @throws Error naming the file, also in every other method and in SqliteStatement
+  SqliteDatabase(const std::string& file, Mode mode);
+
+  /// Runs statements that have neither parameters nor results.
+  void execute(const std::string& sql) const;
+
+  /// Throws what SQLite says about its last failure.
+  [[noreturn]] void fail() const;
+
+  [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
+
+ private:
+  struct Close {
+    void operator()(sqlite3* handle) const;
+  };
+  std::string file_;
+  std::unique_ptr<sqlite3, Close> handle_;
+};
+
+/// A prepared statement. Must not outlive its database.
+class SqliteStatement {
+ public:
+  SqliteStatement(const SqliteDatabase& database, const std::string& sql);
+
+  /// Starts again with these values for the statement's `?`, in order.
+  template <class... Values>
+  void start(const Values&... values) {
+    reset();
+    int index = 0;
+    (bind(++index, values), ...);
+  }
+
+  /// start() and run to the end, for statements without results.
+  template <class... Values>
+  void run(const Values&... values) {
+    start(values...);
+    while (step()) {
+    }
+    reset();
+  }
+
+  /// Goes on to the next row of the result.
+  /// @returns false when there is none
+  bool step();
+
+  void reset();
+
+  // Columns of the current row, from 0.
+  [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] std::string text(int column) const;
+
+ private:
+  void bind(int index, std::int64_t value);
+  void bind(int index, const std::string& value);
+  template <class T>
+  void bind(int index, const std::optional<T>& value) {
+    if (value) {
+      bind(index, *value);
+    } else {
+      bindNull(index);
+    }
+  }
+  void bindNull(int index);
+
+  struct Finalize {
+    void operator()(sqlite3_stmt* handle) const;
+  };
+  const SqliteDatabase& database_;
+  std::unique_ptr<sqlite3_stmt, Finalize> handle_;
+};
+
+/// Changes that are made together or, unless they are committed, not at all.
+class SqliteTransaction {
+ public:
+  explicit SqliteTransaction(const SqliteDatabase& database);
+  ~SqliteTransaction();
+  SqliteTransaction(const SqliteTransaction&) = delete;
+  SqliteTransaction& operator=(const SqliteTransaction&) = delete;
+
+  void commit();
+
+ private:
+  const SqliteDatabase& database_;
+  bool open_ = true;
+};
+
+}  // namespace synthetic_dataset::output

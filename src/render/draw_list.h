@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "render/light_setup.h"
+#include "render/mesh_library.h"
+#include "render/texture_library.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::render {
+
+/// Which links take part in a pass: one flag a link, in the world's order.
+using LinkSelection = std::vector<bool>;
+
+/// One surface of one link, ready to be drawn.
+struct Part {
+  const MeshBuffers* mesh = nullptr;
+  const world::Material* material = nullptr;
+  GLuint texture = 0;  ///< 0: none
+  std::size_t link = 0;
+  std::uint32_t identifier = 0;  ///< the object's index + 1; 0 for the world
+  Pose X_LV = Pose::Identity();
+  Bounds bounds_V;
+  bool casts_shadow = true;
+
+  [[nodiscard]] bool transparent() const { return material->diffuse.w() < 1.0F; }
+};
+
+/// All that can be drawn, uploaded once.
+class DrawList {
+ public:
+  /// @param links  have to outlive the list
+  DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links);
+
+  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+
+  /// Round all selected parts that cast shadows.
+  [[nodiscard]] Bounds casterBounds(const std::vector<Pose>& X_WL,
+                                    const LinkSelection& casting) const;
+
+  /// The selected parts that one can see through, farthest first.
+  [[nodiscard]] std::vector<const Part*> transparentParts(const Pose& X_CW,
+                                                          const std::vector<Pose>& X_WL,
+                                                          const LinkSelection& drawn) const;
+
+ private:
+  MeshLibrary meshes_;
+  TextureLibrary textures_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace synthetic_dataset::render

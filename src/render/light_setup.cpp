@@ -1,0 +1,180 @@
+#include "render/light_setup.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+constexpr int kMaxLights = SYNTHETIC_DATASET_MAX_LIGHTS;
+constexpr int kMaxShadows = SYNTHETIC_DATASET_MAX_SHADOWS;
+
+bool castsShadow(const world::Light& light) {
+  // A point light would need a map for each of six directions.
+  return light.casts_shadow && light.type != world::LightType::kPoint;
+}
+
+/// World from a frame whose +z is where the light shines.
+Pose lightFrame(const world::Light& light) {
+  const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
+  Pose X_WS = Pose::Identity();
+  X_WS.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), direction).toRotationMatrix();
+  X_WS.translation() = light.X_WL.translation();
+  return X_WS;
+}
+
+/// The corners of what the camera sees up to `distance`.
+std::array<Eigen::Vector3d, 8> viewCorners(const View& view, double distance) {
+  const Box image = view.camera.imageBounds();
+  const Intrinsics& k = view.camera.intrinsics();
+  const double far = std::max(std::min(view.camera.far(), distance), 2.0 * view.camera.near());
+  std::array<Eigen::Vector3d, 8> corners;
+  std::size_t i = 0;
+  for (const double z : {view.camera.near(), far}) {
+    for (const double u : {image.left, image.right}) {
+      for (const double v : {image.top, image.bottom}) {
+        corners[i++] = view.X_WC * Eigen::Vector3d((u - k.cx) / k.fx * z, (v - k.cy) / k.fy * z, z);
+      }
+    }
+  }
+  return corners;
+}
+
+std::array<Eigen::Vector3d, 8> corners(const Bounds& bounds) {
+  std::array<Eigen::Vector3d, 8> result;
+  for (int i = 0; i < 8; ++i) {
+    result[static_cast<std::size_t>(i)] = bounds.corner(static_cast<Bounds::CornerType>(i));
+  }
+  return result;
+}
+
+Bounds boundsIn(const Pose& X_SW, const std::array<Eigen::Vector3d, 8>& points_W) {
+  Bounds bounds;
+  for (const Eigen::Vector3d& point : points_W) bounds.extend(X_SW * point);
+  return bounds;
+}
+
+/// Parallel light: the map covers what is both seen and near something that casts.
+void fitDirectional(const world::Light& light, const View& view, const Bounds& casters,
+                    double shadow_distance, int size, ShadowProjection& projection) {
+  constexpr double kMargin = 0.02;  // of the casters' depth, so that none lies on the map's border
+  const Pose X_SW = lightFrame(light).inverse();
+  const Bounds casting = boundsIn(X_SW, corners(casters));
+  const Bounds seen = boundsIn(X_SW, viewCorners(view, shadow_distance));
+  Eigen::Vector3d low = casting.min().cwiseMax(seen.min());
+  Eigen::Vector3d high = casting.max().cwiseMin(seen.max());
+  if (low.x() >= high.x() || low.y() >= high.y()) {  // nothing that casts is near what is seen
+    low = casting.min();
+    high = casting.max();
+  }
+  const double depth = std::max(casting.max().z() - casting.min().z(), 1e-3);
+  const double nearest = casting.min().z() - kMargin * depth;
+  const double range = (1.0 + 2.0 * kMargin) * depth;
+  const Eigen::Vector2d extent = (high - low).head<2>().cwiseMax(1e-3);
+  const Eigen::Vector2d middle = 0.5 * (low + high).head<2>();
+  Eigen::Matrix4d clip_from_light = Eigen::Matrix4d::Identity();
+  clip_from_light(0, 0) = 2.0 / extent.x();
+  clip_from_light(1, 1) = 2.0 / extent.y();
+  clip_from_light(0, 3) = -2.0 * middle.x() / extent.x();
+  clip_from_light(1, 3) = -2.0 * middle.y() / extent.y();
+  clip_from_light(2, 2) = 1.0 / range;
+  clip_from_light(2, 3) = -nearest / range;
+  projection.shadow_from_world = clip_from_light * X_SW.matrix();
+  projection.texel = extent.maxCoeff() / size;
+}
+
+/// A spot light's map is what the lamp sees within its outer angle.
+void fitSpot(const world::Light& light, int size, ShadowProjection& projection) {
+  constexpr double kNear = 0.05;                 // [m] things nearer to the lamp cast nothing
+  constexpr double kWidest = 0.48 * 3.14159265;  // [rad] half angle; a plane cannot hold more
+  const double half_angle = std::clamp(0.5 * light.spot_outer_angle, 0.01, kWidest);
+  const double far = std::max(light.range, 2.0 * kNear);
+  const double scale = 1.0 / std::tan(half_angle);
+  Eigen::Matrix4d clip_from_light = Eigen::Matrix4d::Zero();
+  clip_from_light(0, 0) = scale;
+  clip_from_light(1, 1) = scale;
+  clip_from_light(2, 2) = far / (far - kNear);
+  clip_from_light(2, 3) = -far * kNear / (far - kNear);
+  clip_from_light(3, 2) = 1.0;
+  projection.shadow_from_world = clip_from_light * lightFrame(light).inverse().matrix();
+  projection.texel = 2.0 / (scale * size);
+}
+
+int layerOf(const std::vector<ShadowProjection>& shadows, int light) {
+  for (const ShadowProjection& shadow : shadows) {
+    if (shadow.light == light) return shadow.layer;
+  }
+  return -1;
+}
+
+}  // namespace
+
+int shadowCount(const std::vector<world::Light>& lights) {
+  const auto count = std::count_if(lights.begin(), lights.end(), castsShadow);
+  return std::min(static_cast<int>(count), kMaxShadows);
+}
+
+void checkLightCount(const std::vector<world::Light>& lights) {
+  if (lights.size() > kMaxLights) {
+    throw Error("world: found " + std::to_string(lights.size()) + " lights; at most " +
+                std::to_string(kMaxLights) + " can be drawn");
+  }
+}
+
+std::vector<ShadowProjection> shadowProjections(const std::vector<world::Light>& lights,
+                                                const View& view, const Bounds& casters,
+                                                double shadow_distance, int size) {
+  std::vector<ShadowProjection> result;
+  if (casters.isEmpty()) return result;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (!castsShadow(lights[i]) || static_cast<int>(result.size()) == kMaxShadows) continue;
+    ShadowProjection projection;
+    projection.light = static_cast<int>(i);
+    projection.layer = static_cast<int>(result.size());
+    if (lights[i].type == world::LightType::kSpot) {
+      fitSpot(lights[i], size, projection);
+    } else {
+      fitDirectional(lights[i], view, casters, shadow_distance, size, projection);
+    }
+    result.push_back(projection);
+  }
+  return result;
+}
+
+void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
+               const std::vector<ShadowProjection>& shadows, const View& view) {
+  const Pose X_CW = view.X_WC.inverse();
+  program.set("light_count", static_cast<int>(lights.size()));
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const world::Light& light = lights[i];
+    const std::string name = "lights[" + std::to_string(i) + "].";
+    const Eigen::Vector3d position = X_CW * light.X_WL.translation();
+    const Eigen::Vector3d direction =
+        (X_CW.linear() * light.X_WL.linear() * light.direction_L).normalized();
+    const Eigen::Vector3d attenuation(light.attenuation_constant, light.attenuation_linear,
+                                      light.attenuation_quadratic);
+    const Eigen::Vector3d cone(std::cos(0.5 * light.spot_inner_angle),
+                               std::cos(0.5 * light.spot_outer_angle), light.spot_falloff);
+    program.set(name + "type", static_cast<int>(light.type));
+    program.set(name + "position_C", Eigen::Vector3f(position.cast<float>()));
+    program.set(name + "direction_C", Eigen::Vector3f(direction.cast<float>()));
+    program.set(name + "intensity", light.diffuse);
+    program.set(name + "attenuation", Eigen::Vector3f(attenuation.cast<float>()));
+    program.set(name + "range", static_cast<float>(light.range));
+    program.set(name + "cone", Eigen::Vector3f(cone.cast<float>()));
+    program.set(name + "shadow_layer", layerOf(shadows, static_cast<int>(i)));
+  }
+  for (const ShadowProjection& shadow : shadows) {
+    const std::string index = "[" + std::to_string(shadow.layer) + "]";
+    const Eigen::Matrix4d shadow_from_camera = shadow.shadow_from_world * view.X_WC.matrix();
+    program.set("shadow_from_camera" + index, Eigen::Matrix4f(shadow_from_camera.cast<float>()));
+    program.set("shadow_texel" + index, static_cast<float>(shadow.texel));
+  }
+}
+
+}  // namespace synthetic_dataset::render

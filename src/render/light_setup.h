@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "render/shader_program.h"
+#include "render/view.h"
+#include "world/description.h"
+
+namespace synthetic_dataset::render {
+
+/// A box in the world along its axes; empty until something is in it.
+using Bounds = Eigen::AlignedBox3d;
+
+/// How one light's shadow map is made and read.
+struct ShadowProjection {
+  int light = 0;  ///< index in the description's lights
+  int layer = 0;
+  Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Identity();
+  double texel = 0.0;  ///< a texel's size [m], for spot lights at a distance of 1 m
+};
+
+/// The lights that cast shadows, each with a projection that holds what the view may see shaded.
+/// @param casters  round all that casts shadows; nothing casts where it is empty
+/// @param shadow_distance  from the camera up to which directional shadows are drawn [m]
+/// @param size  of a map's side [texel]
+[[nodiscard]] std::vector<ShadowProjection> shadowProjections(
+    const std::vector<world::Light>& lights, const View& view, const Bounds& casters,
+    double shadow_distance, int size);
+
+/// How many shadow maps these lights take, at most as many as the shader has.
+[[nodiscard]] int shadowCount(const std::vector<world::Light>& lights);
+
+/// @throws Error when there are more lights than the shader has
+void checkLightCount(const std::vector<world::Light>& lights);
+
+/// Tells the colour shader of the lights, in the camera's frame.
+void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
+               const std::vector<ShadowProjection>& shadows, const View& view);
+
+}  // namespace synthetic_dataset::render

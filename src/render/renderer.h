@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/draw_list.h"
+#include "render/render_target.h"
+#include "render/view.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::render {
+
+struct RenderOptions {
+  int samples = 4;                ///< of the colour image, a pixel
+  int shadow_map_size = 2048;     ///< [texel]
+  double shadow_distance = 50.0;  ///< [m] from the camera; sunlight casts shadows up to it
+};
+
+/// Where a colour pass looks at each pixel.
+enum class Sampling {
+  kSmooth,  ///< at several places (RenderOptions::samples), averaged: pictures to look at
+  kCentre,  ///< at its centre alone, as labels do: outlines fall exactly on those of the labels
+};
+
+/// What a colour pass shows.
+struct ColourPass {
+  LinkSelection drawn;    ///< the links that are seen
+  LinkSelection casting;  ///< the links that cast shadows
+  Sampling sampling = Sampling::kSmooth;
+
+  /// The pixels that are drawn; all others have the background's colour. None: the whole image.
+  std::optional<cv::Rect> region = std::nullopt;
+};
+
+/// Draws the world's links offscreen. The same calls give the same pixels.
+///
+/// Every pixel is sampled where OpenCV's convention has its centre, at whole coordinates; colour
+/// and labels share one vertex stage, so their edges are the same.
+class Renderer {
+ public:
+  /// @param description  the lights, ambient light and background; copied
+  /// @param links  what can be drawn; the links pointed to have to outlive the renderer
+  /// @throws Error when there is no OpenGL context to be had, or the world has too many lights
+  Renderer(const world::Description& description, const std::vector<world::LinkInstance>& links,
+           const RenderOptions& options);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// The picture: CV_8UC3, blue green red.
+  /// @param X_WL  the pose of each link
+  [[nodiscard]] cv::Mat colour(const View& view, const std::vector<Pose>& X_WL,
+                               const ColourPass& pass);
+
+  /// What each pixel's centre sees: objects have their index + 1 as identifier, all else 0.
+  /// World surfaces that one can see through (alpha below 1) do not hide what is behind them.
+  [[nodiscard]] LabelImages labels(const View& view, const std::vector<Pose>& X_WL,
+                                   const LinkSelection& drawn);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace synthetic_dataset::render

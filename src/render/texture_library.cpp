@@ -1,0 +1,44 @@
+#include "render/texture_library.h"
+
+#include <algorithm>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+GLsizei mipmapLevels(int width, int height) {
+  GLsizei levels = 1;
+  for (int side = std::max(width, height); side > 1; side /= 2) ++levels;
+  return levels;
+}
+
+GlTexture upload(const GlFunctions& gl, const world::Texture& texture) {
+  const cv::Mat& pixels = texture.pixels;
+  if (pixels.empty() || pixels.type() != CV_8UC4) {
+    throw Error(texture.file + ": a texture should have pixels of four channels");
+  }
+  GlTexture result = makeTexture(gl, GL_TEXTURE_2D);
+  const GLuint name = result.name();
+  gl.TextureStorage2D(name, mipmapLevels(pixels.cols, pixels.rows), GL_SRGB8_ALPHA8, pixels.cols,
+                      pixels.rows);
+  const cv::Mat packed = pixels.isContinuous() ? pixels : pixels.clone();
+  gl.TextureSubImage2D(name, 0, 0, 0, pixels.cols, pixels.rows, GL_BGRA, GL_UNSIGNED_BYTE,
+                       packed.data);
+  gl.GenerateTextureMipmap(name);
+  gl.TextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl.TextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TextureParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  gl.TextureParameteri(name, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  return result;
+}
+
+}  // namespace
+
+GLuint TextureLibrary::get(const std::shared_ptr<const world::Texture>& texture) {
+  auto entry = textures_.find(texture);
+  if (entry == textures_.end()) entry = textures_.emplace(texture, upload(gl_, *texture)).first;
+  return entry->second.name();
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "synthetic_dataset/camera_model.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::render {
+
+/// From where a picture is taken.
+struct View {
+  CameraModel camera;
+  Pose X_WC = Pose::Identity();  ///< of the optical frame
+};
+
+/// Clip coordinates from points of the optical frame.
+///
+/// The image's first row is OpenGL's first row (v grows upwards there), so that what is read back
+/// needs no turning; front faces are clockwise then. A pixel's centre (u, v) in OpenCV's convention
+/// is OpenGL's (u + 0.5, v + 0.5). Depth is reversed (1 at the near plane, 0 at the far one), which
+/// with floating-point depth keeps its precision nearly the same at all distances.
+[[nodiscard]] Eigen::Matrix4d clipFromCamera(const CameraModel& camera);
+
+}  // namespace synthetic_dataset::render

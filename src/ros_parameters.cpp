@@ -1,0 +1,47 @@
+#include "ros_parameters.h"
+
+#include <string>
+
+#include <ros/param.h>
+#include <ros/this_node.h>
+
+namespace synthetic_dataset {
+
+Value valueFromXmlRpc(XmlRpc::XmlRpcValue& value) {
+  switch (value.getType()) {
+    case XmlRpc::XmlRpcValue::TypeBoolean:
+      return Value(static_cast<bool>(value));
+    case XmlRpc::XmlRpcValue::TypeInt:
+      return Value(static_cast<int>(value));
+    case XmlRpc::XmlRpcValue::TypeDouble:
+      return Value(static_cast<double>(value));
+    case XmlRpc::XmlRpcValue::TypeString:
+      return Value(static_cast<std::string>(value));
+    case XmlRpc::XmlRpcValue::TypeArray: {
+      Value::List list;
+      for (int i = 0; i < value.size(); ++i) list.push_back(valueFromXmlRpc(value[i]));
+      return list;
+    }
+    case XmlRpc::XmlRpcValue::TypeStruct: {
+      Value::Map map;
+      for (auto& [name, entry] : value) map[name] = valueFromXmlRpc(entry);
+      return map;
+    }
+    default:
+      return {};
+  }
+}
+
+Value readRosParameters() {
+  XmlRpc::XmlRpcValue found;
+  Value parameters = Value::Map{};
+  if (ros::param::get(ros::this_node::getName(), found)) parameters = valueFromXmlRpc(found);
+  auto* map = parameters.as<Value::Map>();
+  if (map != nullptr && map->count("robot_list") == 0) {
+    XmlRpc::XmlRpcValue robots;
+    if (ros::param::get("/robot_list", robots)) (*map)["robot_list"] = valueFromXmlRpc(robots);
+  }
+  return parameters;
+}
+
+}  // namespace synthetic_dataset

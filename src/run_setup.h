@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "camera_rig.h"
+#include "config/config.h"
+#include "motion/bag_motion.h"
+#include "output/dataset_store.h"
+#include "synthetic_dataset/value.h"
+#include "world/world.h"
+#include "writers/writer_host.h"
+
+namespace synthetic_dataset {
+
+/// Everything that a run is made of, checked and ready for the first scene.
+struct RunSetup {
+  config::Config config;
+  std::unique_ptr<motion::BagMotion> recording;
+  motion::Timeline timeline;
+  std::unique_ptr<world::World> world;
+  std::unique_ptr<CameraRig> camera;
+  std::unique_ptr<writers::WriterHost> writers;
+  std::vector<std::string> notes;           ///< what the user should know
+  std::vector<std::string> defaults_taken;  ///< "parameter: value"
+};
+
+/// Reads parameters, recording, world, camera and writers. Writes nothing.
+/// @throws ErrorList with all that is wrong
+[[nodiscard]] RunSetup setUpRun(const Value& parameters,
+                                const std::vector<std::string>& plugin_xml_files);
+
+/// Opens the output, which may remove an earlier dataset: the last thing before the first scene.
+/// @throws ErrorList with all that stands in the way; the disk is as it was then
+[[nodiscard]] std::unique_ptr<output::DatasetStore> openOutput(const RunSetup& setup);
+
+}  // namespace synthetic_dataset

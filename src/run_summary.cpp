@@ -1,0 +1,27 @@
+#include "run_summary.h"
+
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+
+std::vector<std::string> summaryLines(const RunSummary& summary) {
+  std::vector<std::string> lines;
+  const double rate =
+      summary.seconds > 0.0 ? static_cast<double>(summary.scenes) / summary.seconds : 0.0;
+  lines.push_back(std::to_string(summary.scenes) + " of " + std::to_string(summary.planned_scenes) +
+                  " scenes in " + fixed(summary.seconds, 1) + " s (" + fixed(rate, 1) +
+                  " scenes/s), " + std::to_string(summary.files) + " files, " +
+                  fixed(static_cast<double>(summary.bytes) / 1e6, 1) + " MB");
+  for (const RunSummary::Object& object : summary.objects) {
+    lines.push_back("object " + object.name + ": in view in " +
+                    std::to_string(object.scenes_in_view) + " scenes");
+  }
+  for (const auto& [kind, count] : summary.warnings) {
+    lines.push_back("warning, " + std::to_string(count) + (count == 1 ? " time: " : " times: ") +
+                    kind);
+  }
+  lines.push_back("manifest: " + summary.manifest);
+  return lines;
+}
+
+}  // namespace synthetic_dataset

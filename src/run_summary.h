@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace synthetic_dataset {
+
+/// What a run made, for its last words.
+struct RunSummary {
+  struct Object {
+    std::string name;
+    std::int64_t scenes_in_view = 0;
+  };
+
+  bool stopped = false;  ///< ended early because the user asked for it
+  std::int64_t scenes = 0;
+  std::int64_t planned_scenes = 0;
+  std::int64_t files = 0;
+  std::int64_t bytes = 0;
+  double seconds = 0.0;  ///< of making scenes
+  std::vector<Object> objects;
+  std::map<std::string, std::int64_t> warnings;  ///< kind to count
+  std::string manifest;
+};
+
+/// The summary as lines of text.
+[[nodiscard]] std::vector<std::string> summaryLines(const RunSummary& summary);
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,147 @@
+#pragma once
+
+/// What there is, in neutral terms: what SDF, URDF and mesh files become before anything is drawn
+/// or simulated. Frames: W world (= global_frame), M model, L link, V visual, C collision. SI
+/// units.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <opencv2/core/mat.hpp>
+
+#include "synthetic_dataset/camera_model.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::world {
+
+/// Triangles with a normal and a texture coordinate at each vertex.
+struct Mesh {
+  std::vector<Eigen::Vector3f> positions;  ///< [m], in the visual's frame, scale applied
+  std::vector<Eigen::Vector3f> normals;    ///< unit length, one a position
+  std::vector<Eigen::Vector2f>
+      texture_coordinates;  ///< (0, 0) is the texture's first row; one a position, or none
+  std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise from outside
+};
+
+/// A decoded picture, shared by all materials that name its file.
+struct Texture {
+  std::string file;  ///< where it came from, for messages
+  cv::Mat pixels;    ///< CV_8UC4, blue green red alpha, sRGB, first row on top
+};
+
+/// Colours are as files give them: sRGB-encoded red, green, blue (0..1), alpha 1 is opaque.
+struct Material {
+  Eigen::Vector4f diffuse{0.7F, 0.7F, 0.7F, 1.0F};  ///< times the texture's colour
+  Eigen::Vector3f specular{0.1F, 0.1F, 0.1F};
+  Eigen::Vector3f emissive{0.0F, 0.0F, 0.0F};
+  float roughness = 0.6F;                  ///< 0 mirror .. 1 chalk
+  float metalness = 0.0F;                  ///< 0 or 1, or between
+  std::shared_ptr<const Texture> texture;  ///< none: the diffuse colour alone
+  bool double_sided = false;
+};
+
+/// A mesh in one material.
+struct Surface {
+  std::shared_ptr<const Mesh> mesh;
+  Material material;
+};
+
+struct Visual {
+  std::string name;
+  Pose X_LV = Pose::Identity();
+  std::vector<Surface> surfaces;
+  bool casts_shadow = true;
+};
+
+struct BoxShape {
+  Eigen::Vector3d size;  ///< whole lengths along x, y, z
+};
+struct SphereShape {
+  double radius;
+};
+struct CylinderShape {  ///< about z, centred
+  double radius;
+  double length;
+};
+struct PlaneShape {  ///< infinite, through the origin; solid on the side away from the normal
+  Eigen::Vector3d normal;
+};
+struct MeshShape {
+  std::shared_ptr<const Mesh> mesh;
+};
+using Shape = std::variant<BoxShape, SphereShape, CylinderShape, PlaneShape, MeshShape>;
+
+struct Collision {
+  std::string name;
+  Pose X_LC = Pose::Identity();
+  Shape shape;
+  double friction = 1.0;     ///< Coulomb's mu
+  double restitution = 0.0;  ///< 0 .. 1
+};
+
+struct Inertia {
+  double mass = 1.0;  ///< [kg], > 0
+  Eigen::Vector3d centre_of_mass_L{0, 0, 0};
+  Eigen::Matrix3d moments_L = Eigen::Matrix3d::Identity();  ///< about the centre of mass [kg m^2]
+};
+
+struct Link {
+  std::string name;  ///< scoped below the model: "arm::wrist"
+  Pose X_ML = Pose::Identity();
+  std::vector<Visual> visuals;
+  std::vector<Collision> collisions;
+  std::optional<Inertia> inertia;
+};
+
+struct Model {
+  std::string name;
+  Pose X_WM = Pose::Identity();
+  bool is_static = false;
+  std::vector<Link> links;  ///< of nested models too
+};
+
+enum class LightType { kDirectional, kPoint, kSpot };
+
+struct Light {
+  std::string name;
+  LightType type = LightType::kDirectional;
+  Pose X_WL = Pose::Identity();
+  Eigen::Vector3d direction_L{0, 0, -1};      ///< where it shines, of directional and spot lights
+  Eigen::Vector3f diffuse{1.0F, 1.0F, 1.0F};  ///< linear intensity, may exceed 1
+  Eigen::Vector3f specular{0.1F, 0.1F, 0.1F};
+  double range = 20.0;                 ///< [m]
+  double attenuation_constant = 1.0;   ///< 1 / (constant + linear d + quadratic d^2)
+  double attenuation_linear = 0.0;     ///< [1/m]
+  double attenuation_quadratic = 0.0;  ///< [1/m^2]
+  double spot_inner_angle = 0.0;       ///< full brightness within [rad]
+  double spot_outer_angle = 0.0;       ///< dark beyond [rad]
+  double spot_falloff = 1.0;
+  bool casts_shadow = false;
+};
+
+/// A camera that the world describes (`<sensor type="camera">`).
+struct CameraSensor {
+  std::string name;              ///< "model::link::sensor", as Gazebo scopes it
+  Pose X_WC = Pose::Identity();  ///< the *optical* frame: x right, y down, z forward
+  CameraModel camera;
+};
+
+/// A whole world as its files describe it.
+struct Description {
+  std::vector<Model> models;
+  std::vector<Light> lights;
+  std::vector<CameraSensor> cameras;
+  Eigen::Vector3f ambient{0.4F, 0.4F, 0.4F};     ///< sRGB-encoded
+  Eigen::Vector3f background{0.7F, 0.7F, 0.7F};  ///< sRGB-encoded
+  Eigen::Vector3d gravity{0, 0, -9.81};          ///< [m/s^2]
+  std::vector<std::string> notes;  ///< what was left out or replaced, for the user to know
+};
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+
+namespace synthetic_dataset::world {
+
+/// The model file of a model folder: of those that its model.config lists, the one with the highest
+/// version of SDF that the library here knows.
+/// @throws Error if the folder has no model.config, or that lists no file that there is
+[[nodiscard]] std::filesystem::path modelFileOf(const std::filesystem::path& folder);
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include <sdf/Model.hh>
+
+#include "world/sdf_loader.h"
+#include "world/sdf_reading.h"
+
+namespace synthetic_dataset::world {
+
+/// A model with what its links carry.
+struct ModelContents {
+  Model model;
+  std::vector<Light> lights;
+  std::vector<CameraSensor> cameras;
+};
+
+/// Reads a model; links of nested models become its own, "child::link". Lights and cameras are
+/// placed in the world by the model's pose.
+/// @param place  the file's
+[[nodiscard]] ModelContents readModel(const sdf::Model& model, const Pose& X_WM,
+                                      const SdfLoadOptions& options, const Place& place,
+                                      SdfReading& reading);
+
+}  // namespace synthetic_dataset::world

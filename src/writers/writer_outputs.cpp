@@ -1,0 +1,71 @@
+#include "writers/writer_outputs.h"
+
+#include <utility>
+
+#include "output/file_name_rules.h"
+#include "output/image_encoder.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::writers {
+
+ClaimedPaths::ClaimedPaths(std::string folder) : folder_(std::move(folder)) {}
+
+std::string ClaimedPaths::claim(const std::string& path) {
+  if (const auto problem = output::relativePathProblem(path)) {
+    throw Error("the path '" + path + "' cannot be used: " + *problem);
+  }
+  if (!claimed_.insert(path).second) throw Error("the path '" + path + "' was used twice");
+  return folder_ + path;
+}
+
+GatheringSceneOutput::GatheringSceneOutput(std::size_t writer, const WriterParameters& parameters,
+                                           output::SceneFiles& files,
+                                           std::vector<std::string>& warnings)
+    : writer_(writer),
+      name_(parameters.writerName()),
+      paths_(output::absolutePath(parameters.outputFolder())),
+      files_(files),
+      warnings_(warnings) {}
+
+void GatheringSceneOutput::addImage(const std::string& path, const cv::Mat& image) {
+  std::string file = paths_.claim(path);
+  if (const auto problem = output::imageProblem(path, image)) {
+    throw Error("the image '" + path + "' cannot be written: " + *problem);
+  }
+  files_.files.push_back({writer_, std::move(file), image, {}});
+}
+
+void GatheringSceneOutput::addText(const std::string& path, std::string text) {
+  files_.files.push_back({writer_, paths_.claim(path), {}, std::move(text)});
+}
+
+void GatheringSceneOutput::addRecord(std::string record) {
+  files_.records.push_back({writer_, std::move(record)});
+}
+
+void GatheringSceneOutput::addWarning(const std::string& kind) {
+  warnings_.push_back("writer '" + name_ + "': " + kind);
+}
+
+StoringDatasetOutput::StoringDatasetOutput(std::size_t writer, const WriterParameters& parameters,
+                                           output::DatasetStore& store)
+    : writer_(writer),
+      parameters_(parameters),
+      paths_(output::absolutePath(parameters.outputFolder())),
+      store_(store) {}
+
+void StoringDatasetOutput::addFile(const std::string& path, const Content& content) {
+  store_.writeDatasetFile(writer_, paths_.claim(path), content);
+}
+
+void StoringDatasetOutput::addFileAtParameter(const std::string& parameter,
+                                              const Content& content) {
+  const auto file = parameters_.files().find(parameter);
+  if (file == parameters_.files().end()) {
+    throw Error("addFileAtParameter(\"" + parameter +
+                "\"): no parameter of this name was read with requiredFile");
+  }
+  store_.writeDatasetFile(writer_, file->second, content);
+}
+
+}  // namespace synthetic_dataset::writers

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "output/dataset_store.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset::writers {
+
+/// The paths in its folder that a writer has asked for so far.
+class ClaimedPaths {
+ public:
+  /// @param folder  absolute, ending in `/`
+  explicit ClaimedPaths(std::string folder);
+
+  /// @returns the absolute path
+  /// @throws Error for a path that leads out of the folder or was claimed before
+  [[nodiscard]] std::string claim(const std::string& path);
+
+ private:
+  std::string folder_;
+  std::set<std::string> claimed_;
+};
+
+/// Gathers what one writer wants for one scene.
+class GatheringSceneOutput : public SceneOutput {
+ public:
+  /// @param writer  its index in the store's writers
+  /// @param files, warnings  where to add; have to outlive this
+  GatheringSceneOutput(std::size_t writer, const WriterParameters& parameters,
+                       output::SceneFiles& files, std::vector<std::string>& warnings);
+
+  void addImage(const std::string& path, const cv::Mat& image) override;
+  void addText(const std::string& path, std::string text) override;
+  void addRecord(std::string record) override;
+  void addWarning(const std::string& kind) override;
+
+ private:
+  std::size_t writer_;
+  std::string name_;
+  ClaimedPaths paths_;
+  output::SceneFiles& files_;
+  std::vector<std::string>& warnings_;
+};
+
+/// Hands a writer's files of the dataset as a whole on to the store.
+class StoringDatasetOutput : public DatasetOutput {
+ public:
+  /// @param writer  its index in the store's writers
+  /// @param parameters, store  have to outlive this
+  StoringDatasetOutput(std::size_t writer, const WriterParameters& parameters,
+                       output::DatasetStore& store);
+
+  void addFile(const std::string& path, const Content& content) override;
+  void addFileAtParameter(const std::string& parameter, const Content& content) override;
+
+ private:
+  std::size_t writer_;
+  const WriterParameters& parameters_;
+  ClaimedPaths paths_;
+  output::DatasetStore& store_;
+};
+
+}  // namespace synthetic_dataset::writers

@@ -1,0 +1,71 @@
+#include "annotate/object_labels.h"
+
+#include <gtest/gtest.h>
+
+namespace synthetic_dataset::annotate {
+namespace {
+
+const CameraModel kCamera(640, 480, {500, 500, 319.5, 239.5}, 0.1, 100.0);
+
+/// A cube of 1 m.
+ObjectShape cube() {
+  ObjectShape shape{"cube", "box", "7", {{0, 0, 0}}, {}};
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      for (const double z : {-0.5, 0.5}) shape.bounding_shape_O.emplace_back(x, y, z);
+    }
+  }
+  return shape;
+}
+
+Pose at(double x, double y, double z) {
+  return makePose({x, y, z}, Eigen::Quaterniond::Identity());
+}
+
+TEST(LabelObject, GivesPosesInBothFrames) {
+  // The camera looks along the global +x from (1, 2, 3): optical z = x, optical x = -y.
+  Eigen::Matrix3d R_GC;
+  R_GC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  const Pose X_GC = makePose({1, 2, 3}, Eigen::Quaterniond(R_GC));
+  const SceneObject object = labelObject(cube(), at(5, 1.5, 3.25), X_GC, kCamera);
+  EXPECT_TRUE(object.X_CO.translation().isApprox(Eigen::Vector3d(0.5, -0.25, 4)));
+  EXPECT_TRUE(object.X_GO.translation().isApprox(Eigen::Vector3d(5, 1.5, 3.25)));
+  EXPECT_EQ(object.name, "cube");
+  EXPECT_EQ(object.class_name, "box");
+  EXPECT_EQ(object.id, "7");
+}
+
+TEST(LabelObject, LooseBoxIsRoundTheProjectedShape) {
+  const SceneObject object = labelObject(cube(), at(0, 0, 3), Pose::Identity(), kCamera);
+  ASSERT_TRUE(object.loose_box);
+  EXPECT_NEAR(object.loose_box->left, 319.5 - 0.5 / 2.5 * 500, 1e-9);
+  EXPECT_NEAR(object.loose_box->bottom, 239.5 + 0.5 / 2.5 * 500, 1e-9);
+  EXPECT_TRUE(object.in_view);
+}
+
+TEST(LabelObject, IsInViewWhileAnyAreaOfItsBoxIs) {
+  const auto inView = [](double x) {
+    return labelObject(cube(), at(x, 0, 3), Pose::Identity(), kCamera).in_view;
+  };
+  // The near face's left edge meets the image's right edge (639.5) at x - 0.5 = 320 / 500 * 2.5;
+  // the far face's at x - 0.5 = 320 / 500 * 3.5, which is reached last.
+  EXPECT_TRUE(inView(0.5 + 2.24 - 1e-6));
+  EXPECT_FALSE(inView(0.5 + 2.24 + 1e-6));
+}
+
+TEST(LabelObject, BehindTheCameraThereIsNoBox) {
+  const SceneObject object = labelObject(cube(), at(0, 0, -3), Pose::Identity(), kCamera);
+  EXPECT_FALSE(object.loose_box);
+  EXPECT_FALSE(object.in_view);
+}
+
+TEST(LabelObject, AroundTheCameraTheBoxCoversTheImage) {
+  const SceneObject object = labelObject(cube(), at(0, 0, 0), Pose::Identity(), kCamera);
+  ASSERT_TRUE(object.loose_box);
+  EXPECT_TRUE(object.in_view);
+  EXPECT_LT(object.loose_box->left, -0.5);
+  EXPECT_GT(object.loose_box->right, 639.5);
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::annotate

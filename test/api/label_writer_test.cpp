@@ -1,0 +1,80 @@
+#include "synthetic_dataset/label_writer.h"
+
+#include <gmock/gmock.h>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+class NullOutput : public SceneOutput {
+ public:
+  void addImage(const std::string&, const cv::Mat&) override {}
+  void addText(const std::string&, std::string) override {}
+  void addRecord(std::string) override {}
+  void addWarning(const std::string&) override {}
+};
+
+class ThrowingWriter : public LabelWriter {
+  void doWriteScene(const Scene&, SceneOutput&) const override {
+    throw std::runtime_error("out of ink");
+  }
+};
+
+class OddWriter : public LabelWriter {
+  void doWriteScene(const Scene&, SceneOutput&) const override { throw 7; }
+};
+
+WriterParameters parameters() { return {Parameters(Value::Map{}), "mine", "/tmp/mine/"}; }
+
+Scene emptyScene() {
+  return {0, Stamp(0), CameraModel(4, 4, {1, 1, 2, 2}, 0.1, 10), Pose::Identity(), {}, {}, {}};
+}
+
+TEST(LabelWriter, AddsItsNameToWhateverIsThrown) {
+  NullOutput output;
+  ThrowingWriter writer;
+  writer.initialize(parameters(), {});
+  EXPECT_THAT([&] { writer.writeScene(emptyScene(), output); },
+              ThrowsMessage<Error>("writer 'mine': out of ink"));
+  OddWriter odd;
+  odd.initialize(parameters(), {});
+  EXPECT_THAT([&] { odd.writeScene(emptyScene(), output); },
+              ThrowsMessage<Error>(HasSubstr("writer 'mine': threw something")));
+}
+
+TEST(LabelWriter, KeepsItsLifeCycle) {
+  NullOutput output;
+  ThrowingWriter writer;
+  EXPECT_THROW(writer.writeScene(emptyScene(), output), Error);
+  EXPECT_THROW((void)writer.requirements(), Error);
+  writer.initialize(parameters(), {});
+  EXPECT_THROW(writer.initialize(parameters(), {}), Error);
+}
+
+TEST(LabelWriter, NeedsNothingUnlessItSaysSo) {
+  ThrowingWriter writer;
+  writer.initialize(parameters(), {});
+  EXPECT_FALSE(writer.requirements().instance_masks);
+  EXPECT_TRUE(writer.requirements().frames.empty());
+}
+
+TEST(WriterParameters, RememberTheFilesThatTheUserNamed) {
+  const WriterParameters writer(Parameters(Value::Map{{"main_list", Value("/tmp/list.txt")},
+                                                      {"inside", Value("list.txt")},
+                                                      {"folder", Value("/tmp/")}},
+                                           "yolo"),
+                                "yolo", "/tmp/yolo/");
+  EXPECT_EQ(writer.requiredFile("main_list"), "/tmp/list.txt");
+  EXPECT_EQ(writer.requiredFile("inside"), "/tmp/yolo/list.txt");
+  (void)writer.requiredFile("folder");
+  EXPECT_EQ(writer.files().size(), 2U);
+  EXPECT_THAT(writer.errors(),
+              testing::ElementsAre("yolo/folder: found '/tmp/'; it should be the path of a file"));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset

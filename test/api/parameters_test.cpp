@@ -1,0 +1,90 @@
+#include "synthetic_dataset/parameters.h"
+
+#include <gmock/gmock.h>
+
+namespace synthetic_dataset {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+Parameters example() {
+  return Parameters(Value::Map{
+      {"rate", Value(4)},
+      {"name", Value("alpha")},
+      {"points", Value::List{Value::List{Value(1), Value(2.5), Value(3)}}},
+      {"yolo", Value::Map{{"output_folder", Value("/tmp")}, {"depth", Value(2)}}},
+  });
+}
+
+TEST(Parameters, GiveValuesOfTheTypeThatIsAskedFor) {
+  const Parameters root = example();
+  EXPECT_EQ(root.required<int>("rate"), 4);
+  EXPECT_EQ(root.required<double>("rate"), 4.0);
+  EXPECT_EQ(root.required<std::string>("name"), "alpha");
+  EXPECT_EQ(root.group("yolo").required<int>("depth"), 2);
+  EXPECT_THAT(root.required<std::vector<Eigen::Vector3d>>("points"),
+              ElementsAre(Eigen::Vector3d(1, 2.5, 3)));
+  EXPECT_THAT(root.errors(), IsEmpty());
+}
+
+TEST(Parameters, ASingleTextCountsAsAListOfOne) {
+  EXPECT_THAT(example().required<std::vector<std::string>>("name"), ElementsAre("alpha"));
+}
+
+TEST(Parameters, NoteEveryErrorWithItsFullName) {
+  const Parameters root = example();
+  (void)root.required<std::string>("bag_file");
+  (void)root.required<double>("name");
+  (void)root.group("yolo").required<std::string>("main_list");
+  (void)root.group("yolo").required<bool>("depth");
+  EXPECT_THAT(root.errors(),
+              ElementsAre("bag_file: required, but missing",
+                          "name: found alpha (a text); it should be a finite number",
+                          "yolo/main_list: required, but missing",
+                          "yolo/depth: found 2 (a whole number); it should be true or false"));
+}
+
+TEST(Parameters, NameTheEntryOfAListThatIsWrong) {
+  const Parameters root(
+      Value::Map{{"keypoints", Value::List{Value::List{Value(1), Value(2), Value(3)},
+                                           Value::List{Value(1), Value(2)}}}});
+  (void)root.required<std::vector<Eigen::Vector3d>>("keypoints");
+  EXPECT_THAT(root.errors(),
+              ElementsAre("keypoints: found [[1, 2, 3], [1, 2]] (a list); entry 2 is [1, 2]; it "
+                          "should be a list of points, each [x, y, z] in metres"));
+}
+
+TEST(Parameters, RefuseNumbersThatAreNotFinite) {
+  const Parameters root(Value::Map{{"rate", Value(NAN)}});
+  (void)root.required<double>("rate");
+  EXPECT_THAT(root.errors(),
+              ElementsAre("rate: found nan (a number); it should be a finite number"));
+}
+
+TEST(Parameters, ListTheDefaultsThatWereTaken) {
+  const Parameters root = example();
+  EXPECT_EQ(root.optional("rate", 30.0), 4.0);
+  EXPECT_EQ(root.optional<std::string>("global_frame", "map"), "map");
+  EXPECT_EQ(root.group("image").optional("png_compression", 3), 3);
+  EXPECT_THAT(root.defaultsTaken(), ElementsAre("global_frame: map", "image/png_compression: 3"));
+}
+
+TEST(Parameters, KnowWhichOnesNobodyAskedFor) {
+  const Parameters root = example();
+  (void)root.required<int>("rate");
+  (void)root.group("yolo").required<int>("depth");
+  root.ignore("name");
+  EXPECT_THAT(root.unknownNames(), ElementsAre("points", "yolo/output_folder"));
+  EXPECT_THAT(root.knownNeighbours("yolo/output_folder"), ElementsAre("depth"));
+}
+
+TEST(Parameters, AGroupThatIsNoGroupIsAnError) {
+  const Parameters root(Value::Map{{"yolo", Value(3)}});
+  (void)root.group("yolo");
+  EXPECT_THAT(root.errors(), ElementsAre("yolo: found 3 (a whole number); it should be a group of "
+                                         "named values"));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset

@@ -1,0 +1,194 @@
+#include "config/config.h"
+
+#include <gmock/gmock.h>
+
+#include "config/yaml_value.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
+
+constexpr char kMinimal[] = R"(
+bag_file: /data/run.bag
+world: /data/hall.world
+camera: {info_file: /data/camera.yaml, pose: [0, 0, 2, 0, 0, 0, 1]}
+robot_list: alpha
+output_folder: /out
+yolo: {main_list: /out/list.txt}
+bounding_shape: {output_frame: map}
+alpha:
+  class: summit
+  id: 7
+  keypoints: []
+  bounding_shape: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+)";
+
+/// The settings with one line of the minimal file replaced, or a line added.
+struct Reading {
+  explicit Reading(const std::string& text) : root(parseYaml(text, "test")) {
+    config = readConfig(root);
+  }
+  Parameters root;
+  Config config;
+};
+
+std::string with(const std::string& old_text, const std::string& new_text) {
+  std::string text = kMinimal;
+  return text.replace(text.find(old_text), old_text.size(), new_text);
+}
+
+std::string plus(const std::string& lines) { return kMinimal + lines; }
+
+TEST(ReadConfig, AMinimalFileTakesTheOriginalsDefaults) {
+  const Reading reading(kMinimal);
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  const Config& config = reading.config;
+  EXPECT_EQ(config.motion.rate, 30.0);
+  EXPECT_EQ(config.global_frame, "map");
+  EXPECT_EQ(config.camera.frame, "camera/optical_link");
+  EXPECT_EQ(config.masks.history_length, 100);
+  EXPECT_EQ(config.masks.var_threshold, 500.0);
+  EXPECT_FALSE(config.masks.detect_shadows);
+  ASSERT_EQ(config.objects.size(), 1U);
+  EXPECT_EQ(config.objects[0].frame, "alpha/base_link");
+  EXPECT_EQ(config.objects[0].class_name, "summit");
+  EXPECT_EQ(config.objects[0].id, "7");
+  EXPECT_THAT(reading.root.defaultsTaken(), Contains("simulated_rate: 30.0"));
+}
+
+TEST(ReadConfig, LeftOutWritersAreTheOriginalsThree) {
+  const Config config = Reading(kMinimal).config;
+  ASSERT_EQ(config.writers.size(), 3U);
+  EXPECT_EQ(config.writers[0].name, "bounding_shape");
+  EXPECT_EQ(config.writers[1].type, "synthetic_dataset/Yolo");
+  EXPECT_EQ(config.writers[2].output_folder, "/out/stvnet/");
+}
+
+TEST(ReadConfig, WritersMayShareATypeUnderTwoNames) {
+  const Reading reading(plus("writers: [{name: a, type: p/Yolo}, {name: b, type: p/Yolo}]\n"));
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  ASSERT_EQ(reading.config.writers.size(), 2U);
+  EXPECT_EQ(reading.config.writers[1].output_folder, "/out/b/");
+}
+
+TEST(ReadConfig, WithoutAnOutputFolderTheManifestLiesAboveTheWriters) {
+  const Reading reading(
+      with("output_folder: /out\nyolo: {main_list: /out/list.txt}\nbounding_shape: {output_frame: "
+           "map}",
+           "yolo: {main_list: /out/list.txt, output_folder: /out/yolo/data}\n"
+           "stvnet: {output_folder: /out/stvnet}\n"
+           "bounding_shape: {output_frame: map, output_folder: /out/bounding_shape}"));
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_EQ(reading.config.output.folder, "/out");
+  EXPECT_EQ(reading.config.writers[1].output_folder, "/out/yolo/data/");
+}
+
+TEST(ReadConfig, AllMissingParametersAreNamedAtOnce) {
+  const Reading reading("alpha: {}\nrobot_list: [alpha]\n");
+  EXPECT_THAT(reading.root.errors(),
+              UnorderedElementsAre(
+                  "bag_file: required, but missing", "world: required, but missing",
+                  HasSubstr("camera: no intrinsics"), "alpha/class: required, but missing",
+                  "alpha/id: required, but missing", "alpha/keypoints: required, but missing",
+                  "alpha/bounding_shape: required, but missing",
+                  HasSubstr("bounding_shape/output_folder: required, but missing"),
+                  HasSubstr("yolo/output_folder: required, but missing"),
+                  HasSubstr("stvnet/output_folder: required, but missing")));
+}
+
+TEST(ReadConfig, WorldMayBeAGroup) {
+  const Config config =
+      Reading(with("world: /data/hall.world",
+                   "world: {file: /data/hall.world, model_folders: [/models, /more]}"))
+          .config;
+  EXPECT_EQ(config.world.file, "/data/hall.world");
+  EXPECT_THAT(config.world.model_folders, ElementsAre("/models", "/more"));
+}
+
+TEST(ReadConfig, WorldFileReplacesTheWorldsFileAlone) {
+  const Reading reading(with("world: /data/hall.world",
+                             "world: {file: /data/hall.world, model_folders: [/models]}\n"
+                             "world_file: /data/yard.world"));
+  EXPECT_EQ(reading.config.world.file, "/data/yard.world");
+  EXPECT_THAT(reading.config.world.model_folders, ElementsAre("/models"));
+  EXPECT_THAT(Reading(with("world: /data/hall.world", "world_file: /a.world")).root.errors(),
+              IsEmpty());
+}
+
+struct BadSetting {
+  std::string old_text;
+  std::string new_text;
+  std::string message;
+};
+
+class BadSettings : public ::testing::TestWithParam<BadSetting> {};
+
+TEST_P(BadSettings, AreNamedWithWhatWouldBeRight) {
+  const Reading reading(with(GetParam().old_text, GetParam().new_text));
+  EXPECT_THAT(reading.root.errors(), ElementsAre(HasSubstr(GetParam().message)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ReadConfig, BadSettings,
+    ::testing::Values(
+        BadSetting{"robot_list: alpha", "robot_list: []", "robot_list: found an empty list"},
+        BadSetting{"robot_list: alpha", "robot_list: [alpha, alpha]", "more than once"},
+        BadSetting{"keypoints: []", "keypoints: [[1, 2]]", "alpha/keypoints: found [[1, 2]]"},
+        BadSetting{"keypoints: []", "keypoints: [[1, 2, x]]", "entry 1 is [1, 2, x]"},
+        BadSetting{"keypoints: []", "keypoints: nose", "alpha/keypoints: found nose (a text)"},
+        BadSetting{"[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]", "[]", "circumscribe"},
+        BadSetting{"class: summit", "class: [summit]", "alpha/class: found a list"},
+        BadSetting{"world:", "simulated_rate: 0\nworld:",
+                   "simulated_rate: found 0.0; it should be above 0"},
+        BadSetting{"world:", "simulated_rate: -5.0\nworld:", "simulated_rate: found -5.0"},
+        BadSetting{"world:", "simulated_rate: fast\nworld:", "simulated_rate: found fast (a text)"},
+        BadSetting{"world:", "start_offset: -1\nworld:", "start_offset: found -1.0 s"},
+        BadSetting{"world:", "if_exists: append\nworld:", "it should be error or overwrite"},
+        BadSetting{"world:", "background_subtractor: {history_length: 0}\nworld:",
+                   "background_subtractor/history_length: found 0; it should be 1 to"},
+        BadSetting{"world:", "rendering: {samples: 3}\nworld:", "it should be 1 or 4"},
+        BadSetting{"world:", "writers: []\nworld:", "writers: found an empty list"},
+        BadSetting{"[0, 0, 2, 0, 0, 0, 1]", "[0, 0, 2]", "camera/pose: found 3 numbers"},
+        BadSetting{"[0, 0, 2, 0, 0, 0, 1]", "[0, 0, 2, 0, 0, 0, 0]",
+                   "camera/pose: found a quaternion of length 0.0000"}));
+
+TEST(ReadConfig, TwoObjectsCannotShareAnId) {
+  const Reading reading(with("robot_list: alpha", R"(robot_list: [alpha, beta]
+beta: {class: summit, id: "7", keypoints: [], bounding_shape: [[0, 0, 0]]})"));
+  EXPECT_THAT(reading.root.errors(),
+              ElementsAre(HasSubstr("beta/id: found 7, which is also the id of 'alpha'")));
+}
+
+TEST(ReadConfig, AnObjectCannotHaveAWritersName) {
+  const Reading reading(plus("writers: [{name: alpha, type: p/T}]\n"));
+  EXPECT_THAT(reading.root.errors(), Contains(HasSubstr("which is also a writer's name")));
+}
+
+TEST(UnknownParameters, AreErrorsThatSayWhatTheyMayHaveMeant) {
+  const Reading reading(plus("simulated_rte: 5\nbackground_subtractor: {history_lenght: 3}\n"));
+  EXPECT_THAT(
+      unknownParameterErrors(reading.root),
+      UnorderedElementsAre("simulated_rte: unknown parameter; did you mean 'simulated_rate'?",
+                           "background_subtractor/history_lenght: unknown parameter; did you mean "
+                           "'history_length'?",
+                           // The writers, which are not part of this test, would have read these.
+                           HasSubstr("yolo/main_list"), HasSubstr("bounding_shape/output_frame")));
+}
+
+TEST(UnknownParameters, BlocksOfUnusedObjectsAndWritersAreLeftInPeace) {
+  const Reading reading(
+      plus("writers: [{name: mine, type: p/T}]\n"
+           "bravo: {class: drone, id: 3, keypoints: [], bounding_shape: [[0, 0, 0]]}\n"
+           "old_writer: {output_folder: /somewhere, main_list: x}\n"));
+  EXPECT_THAT(
+      unknownParameterErrors(reading.root),
+      UnorderedElementsAre(HasSubstr("yolo: unknown"), HasSubstr("bounding_shape: unknown")));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,177 @@
+#include <chrono>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "motion/recorded.h"
+
+namespace synthetic_dataset::motion {
+namespace {
+
+using test::BagBuilder;
+using test::milliseconds;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+TEST(Timeline, GoesFromTheRecordingsStartAndStopsBeforeItsEnd) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
+  const Timeline timeline = motion.timeline("map", {"alpha"}, everyMilliseconds(250));
+  EXPECT_THAT(timeline.stamps, ElementsAre(milliseconds(1000), milliseconds(1250),
+                                           milliseconds(1500), milliseconds(1750)));
+  EXPECT_EQ(timeline.left_out_unknown, 0);
+  EXPECT_EQ(timeline.left_out_gap, 0);
+}
+
+TEST(Timeline, StartsOnItsGridWhenTheLastFrameAppears) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "alpha", 1000, 3000);
+    moveAlongX(bag, "map", "bravo", 1600, 3000);
+  });
+  const Timeline timeline = motion.timeline("map", {"alpha", "bravo"}, everyMilliseconds(500));
+  EXPECT_THAT(timeline.stamps, ElementsAre(milliseconds(2000), milliseconds(2500)));
+}
+
+TEST(Timeline, FindsItsEndInStepsBackFromTheRecordingsEnd) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "alpha", 1000, 2700);
+    bag.say("/chatter", milliseconds(3300));
+  });
+  // 3300, 2800, 2300 is the first known: scenes before 2300.
+  const Timeline timeline = motion.timeline("map", {"alpha"}, everyMilliseconds(500));
+  EXPECT_THAT(timeline.stamps,
+              ElementsAre(milliseconds(1000), milliseconds(1500), milliseconds(2000)));
+}
+
+TEST(Timeline, MakesNoSceneAtTheEndItself) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
+  EXPECT_THAT(motion.timeline("map", {"alpha"}, everyMilliseconds(500)).stamps,
+              ElementsAre(milliseconds(1000), milliseconds(1500)));
+}
+
+TEST(Timeline, DoesNotDriftWithAPeriodThatWasCut) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 101000, 1000); });
+  TimelineOptions options;
+  options.period = periodOf(30.0);
+  const Timeline timeline = motion.timeline("map", {"alpha"}, options);
+  ASSERT_THAT(timeline.stamps, SizeIs(3001));  // 100 s / 33333333 ns, begun periods
+  EXPECT_EQ(timeline.stamps[3000], Stamp(1000000000 + 3000 * 33333333LL));
+}
+
+TEST(Timeline, KeepsToThePartThatIsAskedFor) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 9000); });
+  TimelineOptions options = everyMilliseconds(500);
+  options.start_offset = milliseconds(1200);
+  options.duration = milliseconds(1000);
+  EXPECT_THAT(motion.timeline("map", {"alpha"}, options).stamps,
+              ElementsAre(milliseconds(2200), milliseconds(2700)));
+}
+
+TEST(Timeline, EndsWithTheRecordingWhenTheDurationIsLonger) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
+  TimelineOptions options = everyMilliseconds(500);
+  options.duration = Duration::max();
+  EXPECT_THAT(motion.timeline("map", {"alpha"}, options).stamps, SizeIs(2));
+}
+
+TEST(Timeline, LeavesOutScenesAtWhichATransformIsNotKnown) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "alpha", 1000, 1400);
+    bag.move("elsewhere", "alpha", milliseconds(1500));
+    moveAlongX(bag, "map", "alpha", 1700, 2000);
+  });
+  const Timeline timeline = motion.timeline("map", {"alpha"}, everyMilliseconds(100));
+  EXPECT_THAT(timeline.stamps, SizeIs(8));  // of ten, not at 1500 and 1600
+  EXPECT_EQ(timeline.left_out_unknown, 2);
+}
+
+TEST(Timeline, LeavesOutScenesAcrossLongGaps) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    bag.fix("alpha", "mast", milliseconds(1000));
+    moveAlongX(bag, "map", "alpha", 1000, 1500);
+    moveAlongX(bag, "map", "alpha", 1900, 2200);
+  });
+  TimelineOptions options = everyMilliseconds(100);
+  options.max_tf_gap = milliseconds(100);
+  const Timeline timeline = motion.timeline("map", {"mast"}, options);
+  EXPECT_EQ(timeline.left_out_gap, 3);  // 1600, 1700, 1800: 1500 and 1900 are samples
+  EXPECT_THAT(timeline.stamps, SizeIs(9));
+  options.max_tf_gap = milliseconds(400);
+  EXPECT_EQ(motion.timeline("map", {"mast"}, options).left_out_gap, 0);
+}
+
+TEST(Timeline, MindsGapsOnTheGlobalFramesSideToo) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "earth", "map", 1000, 3000, 1000);
+    moveAlongX(bag, "earth", "alpha", 1000, 3000);
+  });
+  TimelineOptions options = everyMilliseconds(500);
+  options.max_tf_gap = milliseconds(999);
+  const Timeline timeline = motion.timeline("map", {"alpha"}, options);
+  EXPECT_THAT(timeline.stamps, ElementsAre(milliseconds(1000), milliseconds(2000)));
+  EXPECT_EQ(timeline.left_out_gap, 2);
+}
+
+TEST(Timeline, IgnoresGapsAboveTheCommonAncestor) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "earth", "map", 1000, 3000, 2000);
+    moveAlongX(bag, "map", "alpha", 1000, 3000);
+  });
+  TimelineOptions options = everyMilliseconds(500);
+  options.max_tf_gap = milliseconds(100);
+  EXPECT_EQ(motion.timeline("map", {"alpha"}, options).left_out_gap, 0);
+}
+
+TEST(Timeline, TellsWhenGapsLeaveNoScene) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "alpha", 1050, 3050, 1000);
+    bag.say("/chatter", milliseconds(1000));
+  });
+  TimelineOptions options = everyMilliseconds(100);
+  options.max_tf_gap = milliseconds(500);
+  EXPECT_THAT(messageOf([&] { static_cast<void>(motion.timeline("map", {"alpha"}, options)); }),
+              AllOf(HasSubstr("no scene is left"), HasSubstr("max_tf_gap, 0.500000000 s")));
+}
+
+TEST(Timeline, KnowsTheGlobalFrameItselfAtAllTimes) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
+  EXPECT_THAT(motion.timeline("/map", {"map"}, everyMilliseconds(500)).stamps, SizeIs(2));
+}
+
+TEST(Timeline, IsFoundQuicklyInLongRecordings) {
+  constexpr std::int64_t kTenHours = 36000000;  // [ms]
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "alpha", 1000, 2000);
+    moveAlongX(bag, "map", "bravo", kTenHours, kTenHours + 1000);
+    moveAlongX(bag, "map", "charlie", 1000, kTenHours, kTenHours / 10);
+  });
+  // In steps of 1 ns there are 3.6e13 times to look at.
+  TimelineOptions options;
+  options.period = Duration(1);
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_THROW(static_cast<void>(motion.timeline("map", {"alpha", "bravo"}, options)),
+               std::runtime_error);
+  EXPECT_THROW(static_cast<void>(motion.timeline("map", {"charlie", "delta"}, options)),
+               std::runtime_error);
+  EXPECT_THAT(motion.timeline("map", {"bravo"}, everyMilliseconds(1)).stamps, SizeIs(1000));
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(2));
+}
+
+TEST(Timeline, RefusesMoreScenesThanFileNamesCanNumber) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
+  TimelineOptions options;
+  options.period = Duration(1);
+  EXPECT_THAT(messageOf([&] { static_cast<void>(motion.timeline("map", {"alpha"}, options)); }),
+              AllOf(HasSubstr("1000000000 scenes"), HasSubstr("lower the rate")));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::motion

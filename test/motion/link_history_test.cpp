@@ -1,0 +1,72 @@
+#include "motion/link_history.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace synthetic_dataset::motion {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr FrameIndex kA = 1;
+constexpr FrameIndex kB = 2;
+
+const LinkHistory& movingLink() {
+  static const LinkHistory link = LinkHistory::sampledAt(
+      {{Stamp(10), kA}, {Stamp(20), kA}, {Stamp(30), kB}, {Stamp(60), kB}, {Stamp(70), kA}});
+  return link;
+}
+
+void expectParent(Stamp time, FrameIndex frame, Stamp from, Stamp until) {
+  const LinkHistory::Parent parent = movingLink().parentAt(time);
+  EXPECT_EQ(parent.frame, frame) << time.count();
+  EXPECT_EQ(parent.validity.from, from) << time.count();
+  EXPECT_EQ(parent.validity.until, until) << time.count();
+}
+
+TEST(LinkHistory, KnowsNoParentOutsideItsSamples) {
+  expectParent(Stamp(9), kNoFrame, Stamp::min(), Stamp(9));
+  expectParent(Stamp(71), kNoFrame, Stamp(71), Stamp::max());
+}
+
+TEST(LinkHistory, KeepsTheEarlierSamplesParentUntilTheNextSample) {
+  expectParent(Stamp(10), kA, Stamp(10), Stamp(29));
+  expectParent(Stamp(29), kA, Stamp(10), Stamp(29));
+  expectParent(Stamp(30), kB, Stamp(30), Stamp(69));
+  expectParent(Stamp(70), kA, Stamp(70), Stamp(70));
+}
+
+TEST(LinkHistory, MeasuresTheGapRoundATime) {
+  EXPECT_EQ(movingLink().gapAt(Stamp(31)), Duration(30));
+  EXPECT_EQ(movingLink().gapAt(Stamp(59)), Duration(30));
+  EXPECT_EQ(movingLink().gapAt(Stamp(61)), Duration(10));
+}
+
+TEST(LinkHistory, HasNoGapAtASample) {
+  EXPECT_EQ(movingLink().gapAt(Stamp(10)), Duration(0));
+  EXPECT_EQ(movingLink().gapAt(Stamp(30)), Duration(0));
+  EXPECT_EQ(movingLink().gapAt(Stamp(70)), Duration(0));
+}
+
+TEST(LinkHistory, HoldsAStaticLinkAtAllTimes) {
+  const LinkHistory link = LinkHistory::fixedTo(kB);
+  EXPECT_EQ(link.parentAt(Stamp(5)).frame, kB);
+  EXPECT_EQ(link.parentAt(Stamp(5)).validity.from, Stamp::min());
+  EXPECT_EQ(link.parentAt(Stamp(5)).validity.until, Stamp::max());
+  EXPECT_EQ(link.gapAt(Stamp(5)), Duration(0));
+}
+
+TEST(LinkHistory, HasNoParentForARoot) {
+  EXPECT_EQ(LinkHistory().parentAt(Stamp(5)).frame, kNoFrame);
+  EXPECT_EQ(LinkHistory().parentAt(Stamp(5)).validity.until, Stamp::max());
+}
+
+TEST(LinkHistory, ListsItsParentsInOrderOfTime) {
+  EXPECT_THAT(movingLink().parents(), ElementsAre(kA, kB, kA));
+  EXPECT_THAT(LinkHistory::fixedTo(kB).parents(), ElementsAre(kB));
+  EXPECT_THAT(LinkHistory().parents(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::motion

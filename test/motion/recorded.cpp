@@ -1,0 +1,51 @@
+#include "motion/recorded.h"
+
+#include <gtest/gtest.h>
+
+#include "support/temporary_folder.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::motion {
+
+BagMotion recorded(const std::function<void(test::BagBuilder&)>& write) {
+  const test::TemporaryFolder folder;
+  test::BagBuilder bag(folder / "recorded.bag");
+  write(bag);
+  return BagMotion({bag.close()});
+}
+
+TimelineOptions everyMilliseconds(std::int64_t period_ms) {
+  TimelineOptions options;
+  options.period = test::milliseconds(period_ms);
+  return options;
+}
+
+void moveAlongX(test::BagBuilder& bag, const std::string& parent, const std::string& child,
+                std::int64_t first_ms, std::int64_t last_ms, std::int64_t step_ms) {
+  for (std::int64_t ms = first_ms; ms <= last_ms; ms += step_ms) {
+    bag.move(parent, child, test::milliseconds(ms),
+             test::poseAt(static_cast<double>(ms) / 1000.0, 0.0, 0.0));
+  }
+}
+
+std::string messageOf(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "no error was thrown";
+  return "";
+}
+
+std::vector<std::string> messagesOf(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const ErrorList& error) {
+    return error.messages();
+  }
+  ADD_FAILURE() << "no list of errors was thrown";
+  return {};
+}
+
+}  // namespace synthetic_dataset::motion

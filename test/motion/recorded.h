@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "motion/bag_motion.h"
+#include "support/bag_builder.h"
+
+namespace synthetic_dataset::motion {
+
+/// The motion of a bag that lives only as long as it is read.
+[[nodiscard]] BagMotion recorded(const std::function<void(test::BagBuilder&)>& write);
+
+/// One scene every `period_ms` from the recording's start to its end.
+[[nodiscard]] TimelineOptions everyMilliseconds(std::int64_t period_ms);
+
+/// A frame's transforms from `first_ms` to `last_ms`, both included; at time t its x is t in
+/// seconds.
+void moveAlongX(test::BagBuilder& bag, const std::string& parent, const std::string& child,
+                std::int64_t first_ms, std::int64_t last_ms, std::int64_t step_ms = 100);
+
+/// What the call's Error says; fails the test when there is none.
+[[nodiscard]] std::string messageOf(const std::function<void()>& call);
+
+/// The single messages of the call's ErrorList; fails the test when there is none.
+[[nodiscard]] std::vector<std::string> messagesOf(const std::function<void()>& call);
+
+}  // namespace synthetic_dataset::motion

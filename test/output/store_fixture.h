@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "output/dataset_store.h"
+#include "support/temporary_folder.h"
+
+namespace synthetic_dataset::output {
+
+/// A folder with a store of two writers, `a` and `b`, of which `a` has the user file `list.txt`.
+class StoreFixture : public testing::Test {
+ protected:
+  [[nodiscard]] std::vector<StoreWriter> writers() const;
+  std::unique_ptr<DatasetStore> makeStore(IfExists if_exists = IfExists::kError);
+
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+  [[nodiscard]] OutputFile text(const std::string& name, const std::string& content) const;
+  [[nodiscard]] OutputFile image(const std::string& name, const cv::Mat& pixels) const;
+
+  /// Every file and folder below the folder but the manifest, relative to it, sorted.
+  [[nodiscard]] std::vector<std::string> tree() const;
+
+  /// A query's rows, columns joined with `|`, NULL as "NULL"; read past our own code for files.
+  [[nodiscard]] std::vector<std::string> query(const std::string& sql) const;
+
+  test::TemporaryFolder folder_;
+};
+
+/// Messages of the ErrorList that making the store throws; none where it throws none.
+[[nodiscard]] std::vector<std::string> errorsOf(const StoreOptions& options,
+                                                const std::vector<StoreWriter>& writers);
+
+}  // namespace synthetic_dataset::output

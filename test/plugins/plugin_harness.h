@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/temporary_folder.h"
+#include "synthetic_dataset/parameters.h"
+#include "synthetic_dataset/scene.h"
+#include "writers/writer_host.h"
+
+namespace synthetic_dataset {
+
+/// Loads one writer as users do, from the plugin library, and gives it scenes.
+///
+/// The camera has an image of 640 x 480, f = 500 px, its centre at (320, 240) and looks along the
+/// global frame's z axis from its origin.
+class PluginTest : public testing::Test {
+ protected:
+  explicit PluginTest(std::string type) : type_(std::move(type)) {}
+
+  static void SetUpTestSuite();
+
+  /// Loads the writer with these parameters, under the name `w`.
+  writers::WriterHost& load(const Value::Map& parameters);
+
+  [[nodiscard]] static Scene scene(std::int64_t index, std::vector<SceneObject> objects);
+
+  /// An object at p_GO = (0, 0, 10) without turn, in view, with a mask of its own.
+  [[nodiscard]] static SceneObject object(const std::string& name);
+
+  /// What became of a scene: path in the writer's folder to text, or to "<image>" / "<mask NAME>".
+  [[nodiscard]] std::map<std::string, std::string> filesOf(const Scene& scene) const;
+
+  /// Runs these scenes and the end of the dataset.
+  void runAll(const std::vector<Scene>& scenes) const;
+
+  [[nodiscard]] std::string folder() const { return (folder_ / "w/").string(); }
+
+  test::TemporaryFolder folder_;
+  Parameters parameters_{Value::Map{}};
+  std::unique_ptr<writers::WriterHost> host_;
+
+ private:
+  std::string type_;
+};
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,93 @@
+#include <gmock/gmock.h>
+
+#include "plugins/plugin_harness.h"
+
+namespace synthetic_dataset {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+
+class StvNet : public PluginTest {
+ protected:
+  StvNet() : PluginTest("synthetic_dataset/StvNet") {}
+
+  [[nodiscard]] static SceneObject keyed(const std::string& name,
+                                         const std::vector<Eigen::Vector3d>& keypoints_O) {
+    SceneObject result = object(name);
+    result.keypoints_O = keypoints_O;
+    return result;
+  }
+
+  /// The label file of a scene with one object that has these keypoints.
+  [[nodiscard]] std::string labelOf(const std::vector<Eigen::Vector3d>& keypoints_O) const {
+    return filesOf(scene(0, {keyed("a", keypoints_O)})).at("a/labels/00000000.txt");
+  }
+};
+
+TEST_F(StvNet, WritesIdAndKeypointsAsFractionsEachWithASpaceBehind) {
+  load({});
+  // At z = 10 m a metre is 50 px: (320, 240) and (320 + 64, 240 - 96) px.
+  EXPECT_EQ(labelOf({{0.0, 0.0, 0.0}, {1.28, -1.92, 0.0}}),
+            "a_id 0.50000 0.50000 0.60000 0.30000 \n");
+}
+
+TEST_F(StvNet, DividesByTheKeypointsOwnDepth) {
+  load({});
+  // z = 20 m: 25 px a metre, hence (320 + 32, 240 + 24) px.
+  EXPECT_EQ(labelOf({{1.28, 0.96, 10.0}}), "a_id 0.55000 0.55000 \n");
+}
+
+TEST_F(StvNet, KeepsKeypointsOutsideTheImage) {
+  load({});
+  // 320 - 640 and 240 + 480 px.
+  EXPECT_EQ(labelOf({{-12.8, 9.6, 0.0}}), "a_id -0.50000 1.50000 \n");
+}
+
+TEST_F(StvNet, PrintsANegativeZeroAsPrintfDoes) {
+  load({});
+  // u = 320 - 50 * 6.40001 = -0.0005 px, a fraction of -7.8e-7.
+  EXPECT_EQ(labelOf({{-6.40001, 0.0, 0.0}}), "a_id -0.00000 0.50000 \n");
+}
+
+TEST_F(StvNet, WritesTheIdAloneWithoutKeypoints) {
+  load({});
+  EXPECT_EQ(labelOf({}), "a_id \n");
+}
+
+TEST_F(StvNet, GivesEveryObjectAFolderWithImageMaskAndLabel) {
+  load({});
+  EXPECT_THAT(
+      filesOf(scene(3, {keyed("a", {}), keyed("b", {})})),
+      ElementsAre(
+          Pair("a/JPEGImages/00000003.png", "<image>"), Pair("a/labels/00000003.txt", "a_id \n"),
+          Pair("a/mask/00000003.png", "<mask a>"), Pair("b/JPEGImages/00000003.png", "<image>"),
+          Pair("b/labels/00000003.txt", "b_id \n"), Pair("b/mask/00000003.png", "<mask b>")));
+}
+
+TEST_F(StvNet, WritesNothingForAnObjectOutOfView) {
+  load({});
+  SceneObject outside = keyed("a", {});
+  outside.in_view = false;
+  EXPECT_THAT(filesOf(scene(0, {outside})), IsEmpty());
+}
+
+TEST_F(StvNet, LeavesOutAnObjectWithAKeypointBehindTheCameraAndWarns) {
+  const writers::WriterHost& host = load({});
+  const Scene half_behind = scene(0, {keyed("a", {{0.0, 0.0, 0.0}, {0.0, 0.0, -10.5}})});
+  EXPECT_THAT(filesOf(half_behind), IsEmpty());
+  EXPECT_THAT(host.writeScene(half_behind).warnings,
+              ElementsAre(HasSubstr("writer 'w': a: a keypoint is behind the camera")));
+}
+
+TEST_F(StvNet, NeedsMasks) { EXPECT_TRUE(load({}).requirements().instance_masks); }
+
+TEST_F(StvNet, IgnoresTheOriginalsTimeout) {
+  load({{"tf_timeout", 1.0}});
+  EXPECT_THAT(parameters_.unknownNames(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace synthetic_dataset

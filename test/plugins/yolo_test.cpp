@@ -1,0 +1,112 @@
+#include <gmock/gmock.h>
+
+#include "plugins/plugin_harness.h"
+
+namespace synthetic_dataset {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+
+class Yolo : public PluginTest {
+ protected:
+  Yolo() : PluginTest("synthetic_dataset/Yolo") {}
+
+  [[nodiscard]] static SceneObject boxed(const std::string& name, const Box& box) {
+    SceneObject result = object(name);
+    result.loose_box = box;
+    return result;
+  }
+
+  [[nodiscard]] Value::Map parameters() const {
+    return {{"main_list", (folder_ / "lists/main.txt").string()}};
+  }
+
+  /// The label file of a scene with one object that has this box.
+  [[nodiscard]] std::string labelOf(const Box& box) const {
+    return filesOf(scene(0, {boxed("a", box)})).at("00000000.txt");
+  }
+};
+
+TEST_F(Yolo, WritesClassCentreAndSizeAsFractions) {
+  load(parameters());
+  // Centre (160, 120), size 64 x 96 in an image of 640 x 480.
+  EXPECT_EQ(labelOf({128.0, 72.0, 192.0, 168.0}), "a_class 0.25000 0.25000 0.10000 0.20000\n");
+}
+
+TEST_F(Yolo, RoundsToFiveDecimals) {
+  load(parameters());
+  // Centre (100.5, 50.25), size 1 x 0.5: 0.15703125, 0.1046875, 0.0015625, 0.00104166...
+  EXPECT_EQ(labelOf({100.0, 50.0, 101.0, 50.5}), "a_class 0.15703 0.10469 0.00156 0.00104\n");
+}
+
+TEST_F(Yolo, WritesImageAndLabelsUnderTheScenesNumber) {
+  load(parameters());
+  EXPECT_THAT(filesOf(scene(12, {})),
+              ElementsAre(Pair("00000012.png", "<image>"), Pair("00000012.txt", "")));
+}
+
+TEST_F(Yolo, KeepsTheOrderOfObjects) {
+  load(parameters());
+  const Box box{0.0, 0.0, 640.0, 480.0};
+  EXPECT_EQ(filesOf(scene(0, {boxed("z", box), boxed("a", box)})).at("00000000.txt"),
+            "z_class 0.50000 0.50000 1.00000 1.00000\n"
+            "a_class 0.50000 0.50000 1.00000 1.00000\n");
+}
+
+TEST_F(Yolo, CutsBoxesToTheImage) {
+  load(parameters());
+  // What is left of it: (0, 0) to (64, 48); and (576, 432) to (640, 480).
+  EXPECT_EQ(labelOf({-100.0, -50.0, 64.0, 48.0}), "a_class 0.05000 0.05000 0.10000 0.10000\n");
+  EXPECT_EQ(labelOf({576.0, 432.0, 900.0, 900.0}), "a_class 0.95000 0.95000 0.10000 0.10000\n");
+}
+
+TEST_F(Yolo, KeepsBoxesWholeWhenAskedTo) {
+  Value::Map whole = parameters();
+  whole["cut_to_image"] = false;
+  load(whole);
+  // Centre (0, 0), size 128 x 96.
+  EXPECT_EQ(labelOf({-64.0, -48.0, 64.0, 48.0}), "a_class 0.00000 0.00000 0.20000 0.20000\n");
+}
+
+TEST_F(Yolo, LeavesOutWhatIsNotInView) {
+  load(parameters());
+  SceneObject outside = boxed("outside", {700.0, 0.0, 800.0, 100.0});
+  outside.in_view = false;
+  SceneObject behind = object("behind");
+  behind.in_view = false;
+  EXPECT_EQ(filesOf(scene(0, {outside, behind})).at("00000000.txt"), "");
+}
+
+TEST_F(Yolo, LeavesOutWhatReachesOnlyTheFirstPixelsOuterHalf) {
+  load(parameters());
+  EXPECT_EQ(labelOf({-20.0, 10.0, -0.25, 20.0}), "");
+}
+
+TEST_F(Yolo, ListsAllImagesInSceneOrder) {
+  load(parameters());
+  runAll({scene(1, {}), scene(0, {}), scene(10, {})});
+  EXPECT_EQ(
+      test::readFile(folder_ / "lists/main.txt"),
+      folder() + "00000000.png\n" + folder() + "00000001.png\n" + folder() + "00000010.png\n");
+}
+
+TEST_F(Yolo, NeedsNoMasks) { EXPECT_FALSE(load(parameters()).requirements().instance_masks); }
+
+TEST_F(Yolo, NeedsAMainList) {
+  load({});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("w/main_list: required")));
+}
+
+TEST_F(Yolo, IgnoresTheOriginalsTimeout) {
+  Value::Map old = parameters();
+  old["tf_timeout"] = 1.0;
+  load(old);
+  EXPECT_THAT(parameters_.errors(), IsEmpty());
+  EXPECT_THAT(parameters_.unknownNames(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace synthetic_dataset

@@ -1,0 +1,58 @@
+/// Masks against those of the original tool, from the pictures that it saw.
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "annotate/mask.h"
+#include "annotate/mog2_segmenter.h"
+#include "reference/golden_case.h"
+
+namespace synthetic_dataset {
+namespace {
+
+namespace fs = std::filesystem;
+
+class GoldenMasks : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(GoldenMasks, AreTheOriginalsPixelByPixel) {
+  const test::GoldenCase golden(GetParam());
+  const fs::path inputs = golden.folder() / "mask_inputs";
+  // The case's own settings; simtime_trunc takes the defaults.
+  const bool defaults = GetParam() == "simtime_trunc";
+  annotate::Mog2Segmenter segmenter({defaults ? 100 : 1, 500.0, false});
+  segmenter.train(cv::imread((inputs / "background.png").string()));
+  int compared = 0;
+  for (const auto& object : fs::directory_iterator(inputs)) {
+    if (!object.is_directory()) continue;
+    const std::string name = object.path().filename().string();
+    for (const auto& file : fs::directory_iterator(object.path())) {
+      const std::string stem = file.path().stem().string();
+      if (stem.rfind("alone_", 0) != 0) continue;
+      const std::string number = stem.substr(6);
+      const auto read = [](const fs::path& path) {
+        return cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+      };
+      const cv::Mat raw = segmenter.segment(cv::imread(file.path().string()));
+      EXPECT_EQ(cv::norm(raw, read(object.path() / ("rawmask_" + number + ".png")), cv::NORM_INF),
+                0)
+          << name << " " << number;
+
+      const auto& box = golden.frames().at(std::stoul(number)).objects.at(name).box;
+      const cv::Mat mask = annotate::cutToBox(raw, {box[0], box[1], box[2], box[3]});
+      const fs::path relative = fs::path("masks") / name / (number + ".png");
+      const fs::path mended = golden.folder() / "expected_fixed" / relative;
+      const cv::Mat original = read(fs::exists(mended) ? mended : golden.folder() / relative);
+      ASSERT_FALSE(original.empty()) << relative;
+      EXPECT_EQ(cv::norm(mask, original, cv::NORM_INF), 0) << name << " " << number;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, GoldenMasks,
+                         ::testing::Values("example", "nested_late_early", "simtime_trunc"),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace synthetic_dataset

@@ -1,0 +1,99 @@
+#include "support/bag_builder.h"
+
+#include <cstdint>
+
+#include <rosbag/bag.h>
+#include <std_msgs/String.h>
+#include <tf2_msgs/TFMessage.h>
+
+namespace synthetic_dataset::test {
+namespace {
+
+ros::Time toRosTime(Stamp stamp) {
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp.count()));
+}
+
+rosbag::CompressionType toRosbag(Compression compression) {
+  switch (compression) {
+    case Compression::kBz2:
+      return rosbag::compression::BZ2;
+    case Compression::kLz4:
+      return rosbag::compression::LZ4;
+    case Compression::kNone:
+      break;
+  }
+  return rosbag::compression::Uncompressed;
+}
+
+BagBuilder::Transform describe(const std::string& topic, const std::string& parent,
+                               const std::string& child, Stamp stamp, const Pose& X_PC) {
+  const Eigen::Vector3d p = X_PC.translation();
+  const Eigen::Quaterniond q(X_PC.linear());
+  return {topic, parent, child, stamp, stamp, p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
+}
+
+}  // namespace
+
+struct BagBuilder::Impl {
+  rosbag::Bag bag;
+};
+
+Pose poseAt(double x, double y, double z, double yaw) {
+  return makePose({x, y, z}, Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())));
+}
+
+BagBuilder::BagBuilder(const std::filesystem::path& file, Compression compression)
+    : impl_(new Impl) {
+  impl_->bag.open(file.string(), rosbag::bagmode::Write);
+  impl_->bag.setCompression(toRosbag(compression));
+}
+
+BagBuilder::~BagBuilder() = default;
+
+BagBuilder& BagBuilder::move(const std::string& parent, const std::string& child, Stamp stamp,
+                             const Pose& X_PC) {
+  return add(describe("/tf", parent, child, stamp, X_PC));
+}
+
+BagBuilder& BagBuilder::fix(const std::string& parent, const std::string& child, Stamp stamp,
+                            const Pose& X_PC) {
+  return add(describe("/tf_static", parent, child, stamp, X_PC));
+}
+
+BagBuilder& BagBuilder::add(const Transform& transform) {
+  geometry_msgs::TransformStamped stamped;
+  stamped.header.frame_id = transform.parent;
+  stamped.header.stamp = toRosTime(transform.stamp);
+  stamped.child_frame_id = transform.child;
+  stamped.transform.translation.x = transform.x;
+  stamped.transform.translation.y = transform.y;
+  stamped.transform.translation.z = transform.z;
+  stamped.transform.rotation.x = transform.qx;
+  stamped.transform.rotation.y = transform.qy;
+  stamped.transform.rotation.z = transform.qz;
+  stamped.transform.rotation.w = transform.qw;
+  tf2_msgs::TFMessage message;
+  message.transforms.push_back(stamped);
+  impl_->bag.write(transform.topic, toRosTime(transform.recorded), message);
+  return *this;
+}
+
+BagBuilder& BagBuilder::say(const std::string& topic, Stamp recorded, const std::string& text) {
+  std_msgs::String message;
+  message.data = text;
+  impl_->bag.write(topic, toRosTime(recorded), message);
+  return *this;
+}
+
+BagBuilder& BagBuilder::splitChunks() {
+  impl_->bag.setChunkThreshold(1);
+  return *this;
+}
+
+std::string BagBuilder::close() {
+  const std::string file = impl_->bag.getFileName();
+  impl_->bag.close();
+  return file;
+}
+
+}  // namespace synthetic_dataset::test

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::test {
+
+enum class Compression { kNone, kBz2, kLz4 };
+
+/// A pose turned about z only: position [m], yaw [rad].
+[[nodiscard]] Pose poseAt(double x, double y, double z, double yaw = 0.0);
+
+/// A time in whole milliseconds since the epoch.
+[[nodiscard]] inline Stamp milliseconds(std::int64_t count) {
+  return std::chrono::milliseconds(count);
+}
+
+/// Writes a tiny bag in a line or two:
+///   BagBuilder(file).move("map", "a", milliseconds(1000), poseAt(1, 0, 0)).close();
+class BagBuilder {
+ public:
+  explicit BagBuilder(const std::filesystem::path& file,
+                      Compression compression = Compression::kNone);
+  ~BagBuilder();
+  BagBuilder(const BagBuilder&) = delete;
+  BagBuilder& operator=(const BagBuilder&) = delete;
+
+  /// A transform on `/tf`, recorded at its stamp.
+  BagBuilder& move(const std::string& parent, const std::string& child, Stamp stamp,
+                   const Pose& X_PC = Pose::Identity());
+
+  /// A transform on `/tf_static`, recorded at its stamp.
+  BagBuilder& fix(const std::string& parent, const std::string& child, Stamp stamp,
+                  const Pose& X_PC = Pose::Identity());
+
+  /// A transform with every detail: the quaternion is written as it is.
+  struct Transform {
+    std::string topic = "/tf";
+    std::string parent, child;
+    Stamp stamp{0};
+    Stamp recorded{0};
+    double x = 0.0, y = 0.0, z = 0.0;
+    double qx = 0.0, qy = 0.0, qz = 0.0, qw = 1.0;
+  };
+  BagBuilder& add(const Transform& transform);
+
+  /// A std_msgs/String.
+  BagBuilder& say(const std::string& topic, Stamp recorded, const std::string& text = "hello");
+
+  /// Transforms from now on go into a chunk of their own each, as long recordings have many chunks.
+  BagBuilder& splitChunks();
+
+  /// Completes the file and returns its name.
+  std::string close();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace synthetic_dataset::test

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace synthetic_dataset::test {
+
+/// Sets this process' environment as a sourced workspace does, so that pluginlib finds this
+/// package's plugins and those of the tests.
+void preparePluginEnvironment();
+
+/// The repository's root.
+[[nodiscard]] std::string sourceFolder();
+
+/// The plugin description of this package, as users have it.
+[[nodiscard]] std::string pluginXml();
+
+/// The plugin description of the tests' misbehaving writers.
+[[nodiscard]] std::string testPluginXml();
+
+}  // namespace synthetic_dataset::test
