@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Expected{"nested_late_early", {"bravo", "alpha", "charlie"}, 15, 0},
                       // From 12.34 s exactly, where the original's rounding loses the first one.
                       Expected{"simtime_trunc", {"solo"}, 37, 1}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& golden) { return golden.param.name; });
 
 }  // namespace
 }  // namespace synthetic_dataset

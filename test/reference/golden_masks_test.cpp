@@ -52,7 +52,7 @@ TEST_P(GoldenMasks, AreTheOriginalsPixelByPixel) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, GoldenMasks,
                          ::testing::Values("example", "nested_late_early", "simtime_trunc"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& golden) { return golden.param; });
 
 }  // namespace
 }  // namespace synthetic_dataset
