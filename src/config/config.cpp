@@ -1,71 +1,21 @@
 #include "config/config.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <set>
 #include <utility>
 
+#include "config/checked_values.h"
+#include "config/object_config.h"
+#include "config/output_config.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
 
-/// A number that has to lie in a range; the message says which.
-double numberAbove(const Parameters& group, const std::string& name, double fallback,
-                   double limit) {
-  const double number = group.optional(name, fallback);
-  if (number > limit) return number;
-  group.addError(name,
-                 "found " + Value(number).text() + "; it should be above " + Value(limit).text());
-  return fallback;
-}
-
-int numberBetween(const Parameters& group, const std::string& name, int fallback, int low,
-                  int high) {
-  const int number = group.optional(name, fallback);
-  if (number >= low && number <= high) return number;
-  group.addError(name, "found " + std::to_string(number) + "; it should be " + std::to_string(low) +
-                           " to " + std::to_string(high));
-  return fallback;
-}
-
-/// A length of time in seconds, at most about 30 years, so that nanoseconds stay in range.
-std::optional<double> maybeSeconds(const Parameters& group, const std::string& name) {
-  constexpr double kLongest = 1e9;
-  const auto number = group.maybe<double>(name);
-  if (number && (*number < 0.0 || *number > kLongest)) {
-    group.addError(name, "found " + Value(*number).text() + " s; it should be 0 to 1e9");
-    return std::nullopt;
-  }
-  return number;
-}
-
-/// Absolute, with a leading `~/` taken as the user's home.
-std::string absolutePath(const std::string& path) {
-  if (path.empty()) return path;
-  std::filesystem::path result = path;
-  const char* home = std::getenv("HOME");
-  if (home != nullptr && path.rfind("~/", 0) == 0) {
-    result = std::filesystem::path(home) / path.substr(2);
-  }
-  return std::filesystem::absolute(result).lexically_normal().string();
-}
-
-std::string folderPath(const std::string& path) {
-  std::string result = absolutePath(path);
-  if (!result.empty() && result.back() != '/') result += '/';
-  return result;
-}
-
 MotionConfig readMotion(const Parameters& root) {
   MotionConfig motion;
   motion.bag_files = root.required<std::vector<std::string>>("bag_file");
-  const auto given = root.maybe<Value>("bag_file");
-  if (given && given->is<Value::List>() && given->as<Value::List>()->empty()) {
+  if (isEmptyList(root, "bag_file")) {
     root.addError("bag_file", "found an empty list; it should name at least one bag");
   }
   for (std::string& file : motion.bag_files) file = absolutePath(file);
@@ -79,11 +29,6 @@ MotionConfig readMotion(const Parameters& root) {
   motion.duration = maybeSeconds(root, "duration");
   motion.max_tf_gap = maybeSeconds(root, "max_tf_gap");
   return motion;
-}
-
-/// A path made absolute; a URI as it is.
-std::string pathOrUri(const std::string& text) {
-  return text.find("://") == std::string::npos ? absolutePath(text) : text;
 }
 
 /// `world` is a file's name, or a group with `file` and `model_folders`.
@@ -144,63 +89,6 @@ CameraConfig readCamera(const Parameters& root) {
   return camera;
 }
 
-/// `class` and `id` may be a text or a number. They are words of label files, a line an object.
-std::string readLabel(const Parameters& group, const std::string& name) {
-  const Value value = group.required<Value>(name);
-  std::string text = value.text();
-  if (value.is<Value::List>() || value.is<Value::Map>()) {
-    group.addError(name, "found " + value.kind() + "; it should be a text or a number");
-  } else if (text.empty() || text.find_first_of("\n\r") != std::string::npos) {
-    group.addError(name, "found a text that is empty or has more than one line");
-  }
-  return text;
-}
-
-ObjectConfig readObject(const Parameters& root, const std::string& name) {
-  const Parameters group = root.group(name);
-  ObjectConfig object;
-  object.name = name;
-  object.class_name = readLabel(group, "class");
-  object.id = readLabel(group, "id");
-  object.frame = name + "/" + group.optional<std::string>("frame_id", "base_link");
-  object.model = group.maybe<std::string>("model");
-  if (object.model) object.model = pathOrUri(*object.model);
-  object.keypoints_O = group.required<std::vector<Eigen::Vector3d>>("keypoints");
-  object.bounding_shape_O = group.required<std::vector<Eigen::Vector3d>>("bounding_shape");
-  const auto shape = group.maybe<Value>("bounding_shape");
-  if (shape && shape->is<Value::List>() && shape->as<Value::List>()->empty()) {
-    group.addError("bounding_shape", "found no points; it should circumscribe the object");
-  }
-  return object;
-}
-
-std::vector<ObjectConfig> readObjects(const Parameters& root) {
-  const auto names = root.required<std::vector<std::string>>("robot_list");
-  const auto given = root.maybe<Value>("robot_list");
-  if (given && given->is<Value::List>() && given->as<Value::List>()->empty()) {
-    root.addError("robot_list", "found an empty list; it should name at least one object");
-  }
-  std::vector<ObjectConfig> objects;
-  std::set<std::string> seen;
-  std::map<std::string, std::string> ids;
-  for (std::string name : names) {
-    if (!name.empty() && name.front() == '/') name.erase(0, 1);
-    if (name.empty() || !seen.insert(name).second) {
-      root.addError("robot_list",
-                    name.empty() ? "found an empty name" : "found '" + name + "' more than once");
-      continue;
-    }
-    objects.push_back(readObject(root, name));
-    const ObjectConfig& object = objects.back();
-    const auto [same, added] = ids.emplace(object.id, name);
-    if (!added && root.group(name).has("id")) {
-      root.addError(name + "/id", "found " + object.id + ", which is also the id of '" +
-                                      same->second + "'; each object should have its own");
-    }
-  }
-  return objects;
-}
-
 MaskConfig readMasks(const Parameters& root) {
   MaskConfig masks;
   const Parameters subtractor = root.group("background_subtractor");
@@ -243,95 +131,6 @@ RenderingConfig readRendering(const Parameters& root) {
       numberBetween(group, "shadow_map_size", rendering.shadow_map_size, 64, 8192);
   rendering.shadow_distance = numberAbove(group, "shadow_distance", rendering.shadow_distance, 0.0);
   return rendering;
-}
-
-OutputConfig readOutput(const Parameters& root) {
-  OutputConfig output;
-  output.folder = absolutePath(root.maybe<std::string>("output_folder").value_or(""));
-  const auto if_exists = root.optional<std::string>("if_exists", "error");
-  if (if_exists != "error" && if_exists != "overwrite") {
-    root.addError("if_exists", "found '" + if_exists + "'; it should be error or overwrite");
-  }
-  output.overwrite = if_exists == "overwrite";
-  const Parameters image = root.group("image");
-  output.png_compression = numberBetween(image, "png_compression", output.png_compression, 0, 9);
-  output.jpeg_quality = numberBetween(image, "jpeg_quality", output.jpeg_quality, 1, 100);
-  return output;
-}
-
-/// The text of an entry's member, or nothing.
-std::string memberText(const Value& entry, const std::string& member) {
-  const auto* map = entry.as<Value::Map>();
-  if (map == nullptr) return "";
-  const auto found = map->find(member);
-  const auto* text = found == map->end() ? nullptr : found->second.as<std::string>();
-  return text == nullptr ? "" : *text;
-}
-
-/// Names and types of the writers; left out, the original's three.
-std::vector<std::pair<std::string, std::string>> readWriterNames(const Parameters& root) {
-  const auto given = root.maybe<Value>("writers");
-  if (!given) {
-    return {{"bounding_shape", "synthetic_dataset/BoundingShape"},
-            {"yolo", "synthetic_dataset/Yolo"},
-            {"stvnet", "synthetic_dataset/StvNet"}};
-  }
-  const std::string should = "; it should be a list of {name: ..., type: ...}";
-  const auto* list = given->as<Value::List>();
-  if (list == nullptr || list->empty()) {
-    root.addError("writers",
-                  "found " + (list == nullptr ? given->kind() : "an empty list") + should);
-    return {};
-  }
-  std::vector<std::pair<std::string, std::string>> writers;
-  for (const Value& entry : *list) {
-    const std::string name = memberText(entry, "name");
-    const std::string type = memberText(entry, "type");
-    if (name.empty() || type.empty() || entry.as<Value::Map>()->size() != 2) {
-      root.addError("writers", "found the entry " + entry.text() + should);
-      continue;
-    }
-    writers.emplace_back(name, type);
-  }
-  return writers;
-}
-
-std::vector<WriterConfig> readWriters(const Parameters& root, const std::string& output_folder) {
-  std::vector<WriterConfig> writers;
-  std::set<std::string> seen;
-  for (const auto& [name, type] : readWriterNames(root)) {
-    if (!seen.insert(name).second) {
-      root.addError("writers", "found the name '" + name + "' more than once");
-      continue;
-    }
-    const Parameters group = root.group(name);
-    auto folder = group.maybe<std::string>("output_folder");
-    if (!folder && output_folder.empty()) {
-      group.addError("output_folder",
-                     "required, but missing (or give the whole run an output_folder)");
-    }
-    if (!folder) folder = output_folder + "/" + name;
-    writers.push_back({name, type, folderPath(*folder), group});
-  }
-  return writers;
-}
-
-/// The deepest folder that all the writers' folders share, for the manifest.
-std::string commonFolder(const std::vector<WriterConfig>& writers) {
-  if (writers.empty()) return "";
-  std::filesystem::path common = writers.front().output_folder;
-  for (const WriterConfig& writer : writers) {
-    std::filesystem::path shared;
-    const std::filesystem::path other = writer.output_folder;
-    for (auto a = common.begin(), b = other.begin();
-         a != common.end() && b != other.end() && *a == *b; ++a, ++b) {
-      shared /= *a;
-    }
-    common = shared;
-  }
-  // Folders that share only the root have no place in common for a manifest.
-  if (common == common.root_path()) return writers.front().output_folder;
-  return common.string();
 }
 
 /// Whether a group looks like the block of an object or a writer that this run leaves out.

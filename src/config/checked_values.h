@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "synthetic_dataset/parameters.h"
+
+/// What the readers of several groups of parameters share.
+namespace synthetic_dataset::config {
+
+/// A number that has to lie above a limit; otherwise that is noted, and the fallback taken.
+[[nodiscard]] double numberAbove(const Parameters& group, const std::string& name, double fallback,
+                                 double limit);
+
+/// A whole number that has to lie in a range, both ends included.
+[[nodiscard]] int numberBetween(const Parameters& group, const std::string& name, int fallback,
+                                int low, int high);
+
+/// A length of time in seconds, at most about 30 years, so that nanoseconds stay in range.
+[[nodiscard]] std::optional<double> maybeSeconds(const Parameters& group, const std::string& name);
+
+/// Whether the parameter is a list without entries.
+[[nodiscard]] bool isEmptyList(const Parameters& group, const std::string& name);
+
+/// Absolute, with a leading `~/` taken as the user's home; nothing stays nothing.
+[[nodiscard]] std::string absolutePath(const std::string& path);
+
+/// An absolute path that ends in `/`.
+[[nodiscard]] std::string folderPath(const std::string& path);
+
+/// A path made absolute; a URI as it is.
+[[nodiscard]] std::string pathOrUri(const std::string& text);
+
+}  // namespace synthetic_dataset::config
