@@ -102,15 +102,16 @@ class Builder {
     world::SdfLoadOptions options;
     options.default_near = config().camera.near;
     options.default_far = config().camera.far;
-    description_ =
-        errors_.attempt([&] { return world::loadWorld(config().world.file, finder, options); });
+    world::SdfLoader loader(finder, options);
+    description_ = errors_.attempt([&] { return loader.loadWorld(config().world.file); });
     if (!description_) return;
     world::Description surroundings = *description_;
     std::vector<world::Model> objects;
     for (const config::ObjectConfig& object : config().objects) {
-      auto model = objectModel(surroundings, object, finder);
+      auto model = objectModel(surroundings, object, loader);
       if (model) objects.push_back(std::move(*model));
     }
+    addNotes(loader.modelNotes());
     if (objects.size() != config().objects.size()) return;
     world::PhysicsOptions physics;
     physics.step = durationOf(config().physics.step);
@@ -124,10 +125,10 @@ class Builder {
   /// An object's own model, else the world's of its name, which leaves the world in any case.
   std::optional<world::Model> objectModel(world::Description& surroundings,
                                           const config::ObjectConfig& object,
-                                          const world::ResourceFinder& finder) {
+                                          world::SdfLoader& loader) {
     auto in_world = takeModel(surroundings, object.name);
     if (object.model) {
-      return errors_.attempt([&] { return world::loadModel(*object.model, object.name, finder); });
+      return errors_.attempt([&] { return loader.loadModel(*object.model, object.name); });
     }
     if (!in_world) {
       errors_.add("robot_list: the world '" + config().world.file + "' has no model '" +
