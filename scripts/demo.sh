@@ -14,6 +14,7 @@ roslaunch synthetic_dataset generate.launch \
   config:="$repository/config/example.yaml" output_folder:="$output" if_exists:=overwrite
 
 # roslaunch answers 0 whatever its node returned: the manifest knows whether the run is complete.
-rosrun synthetic_dataset describe_dataset.py "$output"
+"$here/describe_dataset.py" "$output"
 rosrun synthetic_dataset draw_labels "$output" "$output/overview.png"
 echo "Labels drawn into one of its scenes: $output/overview.png"
+echo "To use the package from a shell: source $workspace/devel/setup.bash"

@@ -6,6 +6,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/workspace.sh"
 
 "$here/install_dependencies.sh"
+"$here/check_layers.py"
 build_workspace
 build_workspace --target tests
 use_workspace

@@ -1,8 +1,9 @@
 # Sourced by the other scripts: where the repository and its catkin workspace are, and how to build it.
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-# Outside the sources would do as well; git ignores it here.
-workspace=${SYNTHETIC_DATASET_WORKSPACE:-$repository/workspace}
+# Outside the sources: roslaunch and rosrun search a package's folder with all links in it, and would
+# find everything twice. Each clone has its own.
+workspace=${SYNTHETIC_DATASET_WORKSPACE:-${XDG_CACHE_HOME:-$HOME/.cache}/synthetic_dataset/workspace-$(printf '%s' "$repository" | cksum | cut -d' ' -f1)}
 
 # ROS's tools are Debian's own; another Python in front of it on PATH would not find their modules.
 export PATH="/usr/bin:/bin:$PATH"

@@ -1,0 +1,54 @@
+#include <ostream>
+#include <string>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace box_table {
+
+using namespace synthetic_dataset;
+
+/// `images/N.png`, and a table with a row for each object in view: the box in pixels, cut to the
+/// image.
+class CsvWriter : public LabelWriter {
+ private:
+  void doInitialize(const WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
+    (void)parameters.requiredFile("table");
+    decimals_ = parameters.optional("decimals", 2);
+    if (decimals_ < 0 || decimals_ > 9) {
+      parameters.addError("decimals",
+                          "found " + std::to_string(decimals_) + "; it should be 0 to 9");
+    }
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    const std::string image = "images/" + sceneNumber(scene.index) + ".png";
+    output.addImage(image, scene.image);
+    for (const SceneObject& object : scene.objects) {
+      if (!object.in_view || !object.loose_box) continue;
+      const auto box = intersection(*object.loose_box, scene.camera.imageBounds());
+      if (!box) continue;
+      std::string row = image + "," + object.name;
+      for (const double edge : {box->left, box->top, box->right, box->bottom}) {
+        row += "," + fixed(edge, decimals_);
+      }
+      output.addRecord(row);
+    }
+  }
+
+  void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
+    output.addFileAtParameter("table", [&](std::ostream& table) {
+      table << "image,object,left,top,right,bottom\n";
+      records.forEach(
+          [&](std::int64_t /*scene*/, const std::string& row) { table << row << '\n'; });
+    });
+  }
+
+  int decimals_ = 2;
+};
+
+}  // namespace box_table
+
+PLUGINLIB_EXPORT_CLASS(box_table::CsvWriter, synthetic_dataset::LabelWriter)

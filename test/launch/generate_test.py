@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""generate.launch and the node `generate` on the bundled example."""
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import unittest
+import xmlrpc.client
+
+import rosunit
+import yaml
+
+from dataset_reading import Manifest, yolo_boxes
+import ros_programs
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLE = REPOSITORY / 'config' / 'example.yaml'
+
+# The recording is 8 s long and its drone is known from 0.4 s on: at 0.4, 1.4, ... 7.4 s.
+SCENES_AT_ONE_HERTZ = 8
+
+MISTAKES = {'worlds/example.bag': 'worlds/no_such.bag', 'var_threshold:': 'var_treshold:'}
+
+
+def with_mistakes(text):
+    for right, wrong in MISTAKES.items():
+        assert right in text
+        text = text.replace(right, wrong)
+    return text
+
+
+class ScratchTest(unittest.TestCase):
+    """A temporary folder for a whole test case."""
+
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory(prefix='synthetic_dataset_')
+        cls.addClassCleanup(scratch.cleanup)
+        cls.scratch = pathlib.Path(scratch.name)
+        cls.environ = ros_programs.environment(scratch.name)
+        cls.dataset = cls.scratch / 'dataset'
+
+    @classmethod
+    def launch(cls, config):
+        return ros_programs.output_of(
+            ros_programs.launch_command(f'config:={config}', f'output_folder:={cls.dataset}',
+                                        'rate:=1', 'if_exists:=overwrite'), cls.environ)
+
+
+class LaunchedExample(ScratchTest):
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.log = cls.launch(EXAMPLE)
+        cls.manifest = Manifest(cls.dataset)
+
+    def test_log_ends_with_summary(self):
+        self.assertIn(f'{SCENES_AT_ONE_HERTZ} of {SCENES_AT_ONE_HERTZ} scenes in ', self.log)
+        self.assertRegex(self.log, r'\bdone\b')
+
+    def test_manifest_is_complete(self):
+        self.assertEqual(self.manifest.state, 'complete')
+        self.assertEqual(self.manifest.scenes, SCENES_AT_ONE_HERTZ)
+
+    def test_manifest_lists_exactly_the_files_that_are_there(self):
+        there = {path: path.stat().st_size for path in self.dataset.rglob('*') if path.is_file()}
+        del there[self.dataset / 'manifest.sqlite']
+        self.assertEqual(self.manifest.sizes, there)
+
+    def test_yolo_labels_are_fractions_of_the_image(self):
+        labels = sorted((self.dataset / 'yolo').glob('*[0-9].txt'))
+        self.assertEqual(len(labels), SCENES_AT_ONE_HERTZ)
+        boxes = [box for label in labels for box in yolo_boxes(label)]
+        self.assertGreater(len(boxes), SCENES_AT_ONE_HERTZ)
+        for class_name, *numbers in boxes:
+            self.assertIn(class_name, ('rover', 'drone'))
+            self.assertEqual(len(numbers), 4)
+            self.assertTrue(all(0.0 <= number <= 1.0 for number in numbers), numbers)
+
+    def test_yolo_list_names_every_image(self):
+        listed = (self.dataset / 'yolo' / 'list.txt').read_text(encoding='utf-8').splitlines()
+        self.assertEqual(listed, [str(path) for path in sorted(self.dataset.glob('yolo/*.png'))])
+        self.assertEqual(len(listed), SCENES_AT_ONE_HERTZ)
+
+    def test_stvnet_has_image_and_mask_for_each_label(self):
+        for object_name in ('rover_1', 'rover_2', 'drone_1'):
+            folder = self.dataset / 'stvnet' / object_name
+            labels = {path.stem for path in folder.glob('labels/*.txt')}
+            self.assertTrue(labels, object_name)
+            self.assertEqual({path.stem for path in folder.glob('mask/*.png')}, labels)
+            self.assertEqual({path.stem for path in folder.glob('JPEGImages/*.png')}, labels)
+
+
+class LaunchedMistakes(ScratchTest):
+
+    def test_are_all_reported_and_no_dataset_is_made(self):
+        config = self.scratch / 'mistakes.yaml'
+        config.write_text(with_mistakes(EXAMPLE.read_text(encoding='utf-8')), encoding='utf-8')
+        log = self.launch(config)
+        self.assertRegex(log, r'no_such\.bag: no such file')
+        self.assertRegex(log, r"var_treshold: unknown parameter; did you mean '\S*var_threshold'")
+        self.assertIn('failed: 2 errors', log)
+        self.assertFalse(self.dataset.exists())
+
+
+class ExitCode(ScratchTest):
+    """Of the node by itself: roslaunch has none to pass on."""
+
+    def start(self, rate, change=lambda text: text):
+        text = change(EXAMPLE.read_text(encoding='utf-8'))
+        parameters = yaml.safe_load(text.replace('$(find synthetic_dataset)', str(REPOSITORY)))
+        parameters.update(output_folder=str(self.dataset), simulated_rate=rate,
+                          if_exists='overwrite')
+        master = xmlrpc.client.ServerProxy(os.environ['ROS_MASTER_URI'])
+        master.setParam('/generate_test', '/generate', parameters)
+        node = subprocess.Popen(['rosrun', 'synthetic_dataset', 'generate'], env=self.environ,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                universal_newlines=True)
+        self.addCleanup(node.kill)
+        return node
+
+    def test_is_0_when_done(self):
+        node = self.start(rate=1.0)
+        log, _ = node.communicate(timeout=ros_programs.TIMEOUT)
+        self.assertEqual(node.returncode, 0, log)
+        self.assertEqual(Manifest(self.dataset).state, 'complete')
+
+    def test_is_1_on_errors(self):
+        node = self.start(rate=1.0, change=with_mistakes)
+        log, _ = node.communicate(timeout=ros_programs.TIMEOUT)
+        self.assertEqual(node.returncode, 1, log)
+
+    def test_is_130_when_interrupted(self):
+        node = self.start(rate=50.0)
+        log = ''
+        for line in node.stdout:
+            log += line
+            if 'scene 1 of' in line:
+                node.send_signal(signal.SIGINT)
+                break
+        rest, _ = node.communicate(timeout=ros_programs.TIMEOUT)
+        self.assertEqual(node.returncode, 130, log + rest)
+        self.assertIn('stopped', rest)
+        manifest = Manifest(self.dataset)
+        self.assertEqual(manifest.state, 'running')
+        self.assertGreaterEqual(manifest.scenes, 1)
+        for path, size in manifest.sizes.items():
+            self.assertEqual(path.stat().st_size, size, path)
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('synthetic_dataset', 'generate', '__main__')
