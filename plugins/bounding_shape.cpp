@@ -33,9 +33,8 @@ class BoundingShapeWriter : public LabelWriter {
       }
       labels += "\n";
     }
-    const std::string name = sceneNumber(scene.index);
-    output.addImage(name + ".png", scene.image);
-    output.addText(name + ".txt", labels);
+    output.addImage(scene.name + ".png", scene.image);
+    output.addText(scene.name + ".txt", labels);
   }
 
   std::string output_frame_;

@@ -22,7 +22,6 @@ class StvNetWriter : public LabelWriter {
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
-    const std::string name = sceneNumber(scene.index);
     for (const SceneObject& object : scene.objects) {
       if (!object.in_view) continue;
       const auto text = label(object, scene.camera);
@@ -31,9 +30,9 @@ class StvNetWriter : public LabelWriter {
                           ": a keypoint is behind the camera; samples like this are left out");
         continue;
       }
-      output.addImage(object.name + "/JPEGImages/" + name + ".png", scene.image);
-      output.addImage(object.name + "/mask/" + name + ".png", object.mask);
-      output.addText(object.name + "/labels/" + name + ".txt", *text);
+      output.addImage(object.name + "/JPEGImages/" + scene.name + ".png", scene.image);
+      output.addImage(object.name + "/mask/" + scene.name + ".png", object.mask);
+      output.addText(object.name + "/labels/" + scene.name + ".txt", *text);
     }
   }
 

@@ -12,23 +12,20 @@ namespace synthetic_dataset {
 /// data file. https://github.com/AlexeyAB/darknet#how-to-train-to-detect-your-custom-objects
 class YoloWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+  void doInitialize(const WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
     parameters.ignore("tf_timeout");           // of nn_data_collection
     (void)parameters.requiredFile(kMainList);  // the core knows it from here on
     cut_to_image_ = parameters.optional("cut_to_image", true);
     output_folder_ = parameters.outputFolder();
-    width_ = dataset.image_width;
-    height_ = dataset.image_height;
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     std::string labels;
-    for (const SceneObject& object : scene.objects) labels += label(object);
+    for (const SceneObject& object : scene.objects) labels += label(object, scene.camera);
 
-    const std::string name = sceneNumber(scene.index);
-    output.addImage(name + ".png", scene.image);
-    output.addText(name + ".txt", labels);
-    output.addRecord(name + ".png");
+    output.addImage(scene.name + ".png", scene.image);
+    output.addText(scene.name + ".txt", labels);
+    output.addRecord(scene.name + ".png");
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
@@ -40,24 +37,24 @@ class YoloWriter : public LabelWriter {
   }
 
   /// An object's line; nothing for one of which no area is in view.
-  [[nodiscard]] std::string label(const SceneObject& object) const {
+  [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
     if (!object.in_view || !object.loose_box) return "";
     // Fractions as in nn_data_collection, u / width: the image is taken to begin at its first
     // pixel's centre, half a pixel off the pixel's edge.
-    const auto in_image = intersection(*object.loose_box, {0.0, 0.0, width_, height_});
+    const double width = camera.width();
+    const double height = camera.height();
+    const auto in_image = intersection(*object.loose_box, {0.0, 0.0, width, height});
     if (!in_image) return "";
     const Box box = cut_to_image_ ? *in_image : *object.loose_box;
-    return object.class_name + " " + fixed((box.left + box.right) / 2.0 / width_, 5) + " " +
-           fixed((box.top + box.bottom) / 2.0 / height_, 5) + " " + fixed(box.width() / width_, 5) +
-           " " + fixed(box.height() / height_, 5) + "\n";
+    return object.class_name + " " + fixed((box.left + box.right) / 2.0 / width, 5) + " " +
+           fixed((box.top + box.bottom) / 2.0 / height, 5) + " " + fixed(box.width() / width, 5) +
+           " " + fixed(box.height() / height, 5) + "\n";
   }
 
   static constexpr const char* kMainList = "main_list";
 
   bool cut_to_image_ = true;
   std::string output_folder_;
-  double width_ = 0.0;   // [px]
-  double height_ = 0.0;  // [px]
 };
 
 }  // namespace synthetic_dataset

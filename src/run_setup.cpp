@@ -167,10 +167,9 @@ class Builder {
     }
     info.scene_count = static_cast<std::int64_t>(setup_.timeline.stamps.size());
     info.global_frame = config().global_frame;
-    info.camera_frame = config().camera.frame;
     if (setup_.camera) {
-      info.image_width = setup_.camera->model.width();
-      info.image_height = setup_.camera->model.height();
+      const CameraModel& model = setup_.camera->model;
+      info.cameras = {{"camera", config().camera.frame, model.width(), model.height()}};
     }
     return info;
   }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "annotate/mask.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -42,7 +43,7 @@ SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
 
 Scene SceneMaker::make(std::int64_t index, Stamp stamp, const std::vector<Pose>& X_GO) {
   const render::View view{camera_.model, cameraPose(stamp)};
-  Scene scene{index, stamp, view.camera, view.X_WC, {}, {}, {}};
+  Scene scene{index, sceneNumber(index), "camera", stamp, view.camera, view.X_WC, {}, {}, {}};
   scene.image = renderer_.colour(view, world_.linkPoses(), {everything_, everything_});
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     scene.objects.push_back(annotate::labelObject(shapes_[i], X_GO[i], view.X_WC, view.camera));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,26 +19,51 @@ struct Intrinsics {
   double cy = 0.0;
 };
 
+/// The lens's distortion, by the names of sensor_msgs/CameraInfo.
+enum class DistortionModel {
+  kNone,
+  kPlumbBob,            ///< k1, k2, p1, p2, k3
+  kRationalPolynomial,  ///< k1, k2, p1, p2, k3, k4, k5, k6
+  kEquidistant,         ///< k1, k2, k3, k4 of a fisheye lens
+};
+
+/// Coefficients in the order of CameraInfo's D, which is OpenCV's; those that a model lacks are 0.
+/// Formulas: OpenCV's documentation of calib3d and of its fisheye module.
+struct Distortion {
+  DistortionModel model = DistortionModel::kNone;
+  std::array<double, 8> coefficients{};
+};
+
 /// How points of the optical frame (x right, y down, z forward; metres) fall on the image.
 ///
 /// A pixel's centre has whole coordinates, as with cv::projectPoints: the image spans
 /// (-0.5, -0.5) to (width - 0.5, height - 0.5).
+///
+/// A lens sees no farther from its axis than its distortion is one to one: points beyond have no
+/// place on the image, where the formulas alone would fold them back into it.
 class CameraModel {
  public:
   /// @param width, height  of the image [px], at least 1
-  /// @param near, far  the range of z that the camera sees [m], 0 < near < far
+  /// @param near, far  the range that the camera sees [m], 0 < near < far: of z, with an
+  ///     equidistant lens of the distance
   /// @throws Error where a value is out of its range
-  CameraModel(int width, int height, const Intrinsics& intrinsics, double near, double far);
+  CameraModel(int width, int height, const Intrinsics& intrinsics, double near, double far,
+              const Distortion& distortion = {});
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] const Intrinsics& intrinsics() const { return intrinsics_; }
+  [[nodiscard]] const Distortion& distortion() const { return distortion_; }
   [[nodiscard]] double near() const { return near_; }
   [[nodiscard]] double far() const { return far_; }
 
   /// Where a point of the optical frame falls [px], inside the image or not.
-  /// Nothing for a point nearer than the near plane, or behind the camera.
+  /// Nothing for a point nearer than `near`, behind the camera or beyond what the lens sees.
   [[nodiscard]] std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& p_C) const;
+
+  /// The unit vector along which the camera sees a place of the image [px].
+  /// Nothing where the lens sees nothing (the corners of a fisheye's image).
+  [[nodiscard]] std::optional<Eigen::Vector3d> ray(const Eigen::Vector2d& pixel) const;
 
   /// The box round the projection of the points' convex hull, which is clipped at the near plane
   /// but not at the image's edge. Nothing when all of it is behind the near plane.
@@ -51,6 +77,7 @@ class CameraModel {
   int width_;
   int height_;
   Intrinsics intrinsics_;
+  Distortion distortion_;
   double near_;
   double far_;
 };

@@ -46,14 +46,20 @@ struct ObjectInfo {
   std::size_t keypoint_count = 0;
 };
 
+/// What is known of a camera before the first scene.
+struct CameraDescription {
+  std::string name;
+  std::string frame;     ///< of its optical frame
+  int image_width = 0;   ///< [px]
+  int image_height = 0;  ///< [px]
+};
+
 /// What is known of the dataset before the first scene.
 struct DatasetInfo {
   std::vector<ObjectInfo> objects;  ///< in the order of `robot_list`
   std::int64_t scene_count = 0;
   std::string global_frame;
-  std::string camera_frame;
-  int image_width = 0;   ///< [px]
-  int image_height = 0;  ///< [px]
+  std::vector<CameraDescription> cameras;  ///< at least one
 };
 
 /// What a writer needs to be computed. What no writer asks for is not computed.

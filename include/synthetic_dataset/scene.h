@@ -43,8 +43,16 @@ struct SceneObject {
 /// Everything known about one instant. Valid only during the call that it is given to; its images
 /// share their pixels (cv::Mat), so copy what has to outlive the call.
 struct Scene {
-  /// Place in the run's plan, from 0 without gaps: the number in file names.
+  /// Place in the run's plan, from 0 without gaps. With several cameras, each instant is as many
+  /// scenes in a row.
   std::int64_t index = 0;
+
+  /// What files of this scene are called, without extension: "00000012", and where the run has
+  /// several cameras "<camera>/00000012", the number being that of the instant.
+  std::string name;
+
+  /// The camera's name: "camera" unless the parameters name it.
+  std::string camera_name;
 
   Stamp stamp{0};
 

@@ -26,8 +26,13 @@ void expand(std::optional<Box>& box, const Eigen::Vector2d& point) {
 }  // namespace
 
 CameraModel::CameraModel(int width, int height, const Intrinsics& intrinsics, double near,
-                         double far)
-    : width_(width), height_(height), intrinsics_(intrinsics), near_(near), far_(far) {
+                         double far, const Distortion& distortion)
+    : width_(width),
+      height_(height),
+      intrinsics_(intrinsics),
+      distortion_(distortion),
+      near_(near),
+      far_(far) {
   if (width < 1 || height < 1 || width > kLargestImage || height > kLargestImage) {
     throw Error("image size: found " + std::to_string(width) + " x " + std::to_string(height) +
                 " px; each side should be 1 to " + std::to_string(kLargestImage));
@@ -50,6 +55,12 @@ std::optional<Eigen::Vector2d> CameraModel::project(const Eigen::Vector3d& p_C) 
   if (!(p_C.z() >= near_)) return std::nullopt;
   return Eigen::Vector2d(intrinsics_.fx * p_C.x() / p_C.z() + intrinsics_.cx,
                          intrinsics_.fy * p_C.y() / p_C.z() + intrinsics_.cy);
+}
+
+std::optional<Eigen::Vector3d> CameraModel::ray(const Eigen::Vector2d& pixel) const {
+  return Eigen::Vector3d((pixel.x() - intrinsics_.cx) / intrinsics_.fx,
+                         (pixel.y() - intrinsics_.cy) / intrinsics_.fy, 1.0)
+      .normalized();
 }
 
 std::optional<Box> CameraModel::projectedBounds(

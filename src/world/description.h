@@ -27,7 +27,9 @@ struct Mesh {
   std::vector<Eigen::Vector3f> normals;    ///< unit length, one a position
   std::vector<Eigen::Vector2f>
       texture_coordinates;  ///< (0, 0) is the texture's first row; one a position, or none
-  std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise from outside
+  std::vector<Eigen::Vector4f> colours;  ///< sRGB-encoded red, green, blue, and alpha, that the
+                                         ///< material is multiplied by; one a position, or none
+  std::vector<std::uint32_t> indices;    ///< three a triangle, counter-clockwise from outside
 };
 
 /// A decoded picture, shared by all materials that name its file.
@@ -41,10 +43,21 @@ struct Material {
   Eigen::Vector4f diffuse{0.7F, 0.7F, 0.7F, 1.0F};  ///< times the texture's colour
   Eigen::Vector3f specular{0.1F, 0.1F, 0.1F};
   Eigen::Vector3f emissive{0.0F, 0.0F, 0.0F};
-  float roughness = 0.6F;                  ///< 0 mirror .. 1 chalk
-  float metalness = 0.0F;                  ///< 0 or 1, or between
-  std::shared_ptr<const Texture> texture;  ///< none: the diffuse colour alone
+  float roughness = 0.6F;  ///< 0 mirror .. 1 chalk
+  float metalness = 0.0F;  ///< 0 or 1, or between
+
+  std::shared_ptr<const Texture> texture;        ///< none: the diffuse colour alone
+  std::shared_ptr<const Texture> normal_map;     ///< linear; x right, y up the texture (OpenGL's)
+  std::shared_ptr<const Texture> roughness_map;  ///< linear; its green channel, times `roughness`
+  std::shared_ptr<const Texture> metalness_map;  ///< linear; its blue channel, times `metalness`
+  std::shared_ptr<const Texture> emissive_map;   ///< sRGB-encoded, times `emissive`
+  Eigen::Vector2f texture_scale{1.0F, 1.0F};     ///< coordinates are multiplied by it,
+  Eigen::Vector2f texture_offset{0.0F, 0.0F};    ///< then this is added
+
+  float alpha_threshold = 0.5F;   ///< where the texture's alpha is less, there is a hole
+  bool texture_is_glass = false;  ///< the texture's alpha blends (no holes), like that of `diffuse`
   bool double_sided = false;
+  bool lit = true;  ///< false: shown in its own colour whatever the lights
 };
 
 /// A mesh in one material.
@@ -95,6 +108,10 @@ struct Inertia {
 struct Link {
   std::string name;  ///< scoped below the model: "arm::wrist"
   Pose X_ML = Pose::Identity();
+
+  /// Index in Model::links of the link that a joint holds this one to; none for a root.
+  std::optional<std::size_t> parent;
+
   std::vector<Visual> visuals;
   std::vector<Collision> collisions;
   std::optional<Inertia> inertia;
@@ -133,6 +150,28 @@ struct CameraSensor {
   CameraModel camera;
 };
 
+enum class FogType { kLinear, kExponential, kSquaredExponential };
+
+/// Fog by depth along the view: linear between start and end, or 1 - exp(-density d), or
+/// 1 - exp(-(density d)^2).
+struct Fog {
+  FogType type = FogType::kLinear;
+  Eigen::Vector3f colour{1.0F, 1.0F, 1.0F};  ///< sRGB-encoded
+  double start = 1.0;                        ///< [m]
+  double end = 100.0;                        ///< [m]
+  double density = 1.0;                      ///< [1/m]
+};
+
+/// The sky of SDF's <scene>, seen where nothing else is.
+struct Sky {
+  double time = 10.0;                               ///< of the day [h]
+  double sunrise = 6.0;                             ///< [h]
+  double sunset = 20.0;                             ///< [h]
+  double cloud_humidity = 0.0;                      ///< 0 clear .. 1 overcast
+  double cloud_mean_size = 0.5;                     ///< 0 .. 1
+  Eigen::Vector3f cloud_ambient{0.8F, 0.8F, 0.8F};  ///< sRGB-encoded
+};
+
 /// A whole world as its files describe it.
 struct Description {
   std::vector<Model> models;
@@ -140,8 +179,10 @@ struct Description {
   std::vector<CameraSensor> cameras;
   Eigen::Vector3f ambient{0.4F, 0.4F, 0.4F};     ///< sRGB-encoded
   Eigen::Vector3f background{0.7F, 0.7F, 0.7F};  ///< sRGB-encoded
-  Eigen::Vector3d gravity{0, 0, -9.81};          ///< [m/s^2]
-  std::vector<std::string> notes;  ///< what was left out or replaced, for the user to know
+  std::optional<Fog> fog;
+  std::optional<Sky> sky;                ///< none: the background's colour
+  Eigen::Vector3d gravity{0, 0, -9.81};  ///< [m/s^2]
+  std::vector<std::string> notes;        ///< what was left out or replaced, for the user to know
 };
 
 }  // namespace synthetic_dataset::world

@@ -1,6 +1,7 @@
 #include "plugins/plugin_harness.h"
 
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
@@ -10,9 +11,7 @@ void PluginTest::SetUpTestSuite() { test::preparePluginEnvironment(); }
 writers::WriterHost& PluginTest::load(const Value::Map& parameters) {
   DatasetInfo dataset;
   dataset.global_frame = "map";
-  dataset.camera_frame = "camera/optical_link";
-  dataset.image_width = 640;
-  dataset.image_height = 480;
+  dataset.cameras = {{"camera", "camera/optical_link", 640, 480}};
   parameters_ = Parameters(parameters, "w");
   host_ = std::make_unique<writers::WriterHost>(
       std::vector<writers::WriterChoice>{{"w", type_, folder(), parameters_}}, dataset,
@@ -23,6 +22,8 @@ writers::WriterHost& PluginTest::load(const Value::Map& parameters) {
 Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
   const CameraModel camera(640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0);
   return {index,
+          sceneNumber(index),
+          "camera",
           Stamp{index},
           camera,
           Pose::Identity(),

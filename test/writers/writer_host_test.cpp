@@ -19,8 +19,15 @@ using testing::SizeIs;
 
 Scene emptyScene() {
   const CameraModel camera(64, 48, {50.0, 50.0, 32.0, 24.0}, 0.05, 100.0);
-  return {0,  Stamp{0}, camera, Pose::Identity(), cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(7)),
-          {}, {}};
+  return {0,
+          "00000000",
+          "camera",
+          Stamp{0},
+          camera,
+          Pose::Identity(),
+          cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(7)),
+          {},
+          {}};
 }
 
 class WriterHostTest : public testing::Test {

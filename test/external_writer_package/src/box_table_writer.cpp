@@ -24,7 +24,7 @@ class CsvWriter : public LabelWriter {
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
-    const std::string image = "images/" + sceneNumber(scene.index) + ".png";
+    const std::string image = "images/" + scene.name + ".png";
     output.addImage(image, scene.image);
     for (const SceneObject& object : scene.objects) {
       if (!object.in_view || !object.loose_box) continue;
