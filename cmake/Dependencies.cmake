@@ -4,6 +4,7 @@ pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet)
 pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
+pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom)
 
 # libsdformat has its major version in its name: 9 is what Ubuntu 20.04 has, 12 what Debian 12 has.
 foreach(version 14 13 12 11 10 9)
@@ -15,4 +16,11 @@ foreach(version 14 13 12 11 10 9)
 endforeach()
 if(NOT SDFORMAT_LIBRARIES)
   message(FATAL_ERROR "libsdformat 9 or newer is needed: apt-get install libsdformat-dev")
+endif()
+
+# FreeImage brings neither a CMake nor a pkg-config file.
+find_path(FREEIMAGE_INCLUDE_DIR FreeImage.h)
+find_library(FREEIMAGE_LIBRARY freeimage)
+if(NOT FREEIMAGE_INCLUDE_DIR OR NOT FREEIMAGE_LIBRARY)
+  message(FATAL_ERROR "FreeImage is needed: apt-get install libfreeimage-dev")
 endif()

@@ -14,15 +14,17 @@ API = 'synthetic_dataset'
 # What a folder may include of this repository, by the first part of the path between the quotes.
 MAY_INCLUDE = {
     'include': {API},
-    'src/api': {API},
+    'src/api': {API, 'api'},
     'src/config': {API, 'config'},
     'src/motion': {API, 'motion'},
     'src/world': {API, 'world'},
-    'src/render': {API, 'render', 'world'},
+    'src/sensor': {API, 'sensor'},
+    'src/render': {API, 'render', 'sensor', 'world'},
     'src/annotate': {API, 'annotate'},
     'src/output': {API, 'output'},
     'src/writers': {API, 'writers', 'output'},
-    'src': {API, 'config', 'motion', 'world', 'render', 'annotate', 'output', 'writers', 'src'},
+    'src': {API, 'config', 'motion', 'world', 'sensor', 'render', 'annotate', 'output', 'writers',
+            'src'},
     'plugins': {API},
 }
 
@@ -32,7 +34,9 @@ CONFINED = [
     ('Bullet', re.compile(r'(bullet/)?(bt[A-Z]|LinearMath/|BulletCollision/|BulletDynamics/)'),
      {'src/world'}),
     ('libsdformat', re.compile(r'sdf/'), {'src/world'}),
+    ('urdfdom', re.compile(r'urdf_(model|parser|world)/'), {'src/world'}),
     ('assimp', re.compile(r'assimp/'), {'src/world'}),
+    ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/world'}),
     ('rosbag', re.compile(r'rosbag/'), {'src/motion'}),
     ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion'}),
     ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/config'}),

@@ -5,11 +5,12 @@ set -euo pipefail
 packages=(
   build-essential cmake pkg-config catkin
   libroscpp-dev libroslib-dev librosbag-storage-dev libtf2-dev libtf2-ros-dev libtf2-msgs-dev
-  libgeometry-msgs-dev libxmlrpcpp-dev pluginlib-dev rosbash
+  libgeometry-msgs-dev libsensor-msgs-dev libxmlrpcpp-dev pluginlib-dev rosbash
   librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-video-dev
   libopencv-calib3d-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev
-  libsdformat-dev libassimp-dev libsqlite3-dev libconsole-bridge-dev libtinyxml2-dev
+  libsdformat-dev libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev
+  libconsole-bridge-dev libtinyxml2-dev
   libgtest-dev libgmock-dev
 )
 

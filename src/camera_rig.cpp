@@ -1,53 +1,134 @@
 #include "camera_rig.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "config/camera_info.h"
+#include "motion/recorded_camera_info.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
 namespace {
 
+Duration durationOf(double seconds) {
+  return Duration(static_cast<std::int64_t>(std::llround(seconds * 1e9)));
+}
+
 const world::CameraSensor* findSensor(const config::CameraConfig& config,
-                                      const world::Description& world) {
+                                      const std::vector<world::CameraSensor>& sensors) {
   if (!config.sensor) return nullptr;
   const auto found = std::find_if(
-      world.cameras.begin(), world.cameras.end(),
+      sensors.begin(), sensors.end(),
       [&](const world::CameraSensor& camera) { return camera.name == *config.sensor; });
-  if (found != world.cameras.end()) return &*found;
+  if (found != sensors.end()) return &*found;
   std::string there;
-  for (const world::CameraSensor& camera : world.cameras) {
+  for (const world::CameraSensor& camera : sensors) {
     there += (there.empty() ? "" : ", ") + camera.name;
   }
-  throw Error("camera/sensor: the world has no camera '" + *config.sensor +
+  throw Error(config.group + "/sensor: the world has no camera '" + *config.sensor +
               "' (model::link::sensor); it has " + (there.empty() ? "none" : there));
 }
 
-CameraModel findModel(const config::CameraConfig& config, const world::CameraSensor* sensor) {
-  if (config.info_file) {
-    return config::readCameraInfo(*config.info_file, config.rectified, config.near, config.far);
+/// Reads what the recording tells of a camera: its intrinsics and its frame.
+void readRecordedInfo(const config::CameraConfig& config, const std::vector<std::string>& bag_files,
+                      std::optional<CameraModel>& model, std::string& frame) {
+  const std::string parameter = config.group + "/info_topic: ";
+  try {
+    const motion::RecordedCameraInfo recorded =
+        motion::readCameraInfo(bag_files, *config.info_topic);
+    if (frame.empty()) frame = recorded.frame;
+    model = config::cameraModelOf(recorded.info, parameter + *config.info_topic, config.rectified,
+                                  config.near, config.far);
+  } catch (const ErrorList&) {
+    throw;  // names the parameter already
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    const bool named = message.rfind(parameter, 0) == 0;
+    throw Error((named ? "" : parameter) + message);
   }
-  if (sensor == nullptr) throw Error("camera: no intrinsics");
-  return sensor->camera;
 }
 
-std::optional<Pose> findPose(const config::CameraConfig& config, const world::CameraSensor* sensor,
-                             const motion::BagMotion& recording) {
-  if (config.X_GC) return config.X_GC;
-  if (recording.knowsFrame(config.frame)) return std::nullopt;
-  if (sensor != nullptr) return sensor->X_WC;
-  throw Error("camera_frame_id: found '" + config.frame +
-              "', a frame that the recording does not have (name one of its frames, or give "
-              "camera/pose or camera/sensor)" +
-              recording.suggestFrame(config.frame));
+/// The link that carries a sensor, if it is one that moves.
+std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
+                                        const std::vector<world::LinkInstance>& links) {
+  const auto carries = [&](const world::LinkInstance& link) {
+    return link.role != world::Role::kStatic && link.model == sensor.model() &&
+           link.link->name == sensor.link;
+  };
+  const auto found = std::find_if(links.begin(), links.end(), carries);
+  if (found == links.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - links.begin());
+}
+
+void findPose(const config::CameraConfig& config, const world::CameraSensor* sensor,
+              const std::vector<world::LinkInstance>& links, const motion::BagMotion& recording,
+              CameraRig& rig) {
+  rig.X_GC = config.X_GC;
+  if (rig.X_GC || recording.knowsFrame(rig.frame)) return;
+  if (sensor != nullptr) {
+    rig.link = movingLinkOf(*sensor, links);
+    rig.X_LC = sensor->X_LC;
+    if (!rig.link) rig.X_GC = sensor->X_WC;
+    return;
+  }
+  const std::string parameter =
+      config.group == "camera" ? "camera_frame_id" : config.group + "/frame_id";
+  throw Error(parameter + ": found '" + rig.frame +
+              "', a frame that the recording does not have (name one of its frames, or give " +
+              config.group + "/pose or " + config.group + "/sensor)" +
+              recording.suggestFrame(rig.frame));
+}
+
+Shutter shutterOf(const config::EffectsConfig& config) {
+  return {durationOf(config.exposure_time), config.motion_samples, durationOf(config.readout_time),
+          config.readout_bands};
+}
+
+sensor::SensorEffects effectsOf(const config::EffectsConfig& config,
+                                const world::CameraSensor* sensor) {
+  sensor::SensorEffects effects;
+  effects.exposure = config.exposure;
+  effects.blur = config.blur;
+  effects.vignetting = config.vignetting;
+  effects.full_well = config.full_well;
+  effects.noise_mean = config.noise_mean.value_or(sensor != nullptr ? sensor->noise.mean : 0.0);
+  effects.noise_stddev =
+      config.noise_stddev.value_or(sensor != nullptr ? sensor->noise.stddev : 0.0);
+  return effects;
 }
 
 }  // namespace
 
-CameraRig makeCameraRig(const config::CameraConfig& config, const world::Description& world,
+CameraRig makeCameraRig(const config::CameraConfig& config,
+                        const std::vector<std::string>& bag_files,
+                        const std::vector<world::CameraSensor>& sensors,
+                        const std::vector<world::LinkInstance>& links,
                         const motion::BagMotion& recording) {
-  const world::CameraSensor* sensor = findSensor(config, world);
-  return CameraRig{findModel(config, sensor), config.frame, findPose(config, sensor, recording)};
+  const world::CameraSensor* sensor = findSensor(config, sensors);
+  std::optional<CameraModel> model;
+  std::string frame = config.frame.value_or("");
+  if (config.info_file) {
+    model = config::readCameraInfo(*config.info_file, config.rectified, config.near, config.far);
+  } else if (config.info_topic) {
+    readRecordedInfo(config, bag_files, model, frame);
+  } else if (sensor != nullptr) {
+    model = sensor->camera;
+  }
+  if (!model) throw Error(config.group + ": no intrinsics");
+  CameraRig rig{config.name, *model, frame};
+  findPose(config, sensor, links, recording, rig);
+  rig.shutter = shutterOf(config.effects);
+  rig.effects = effectsOf(config.effects, sensor);
+  return rig;
+}
+
+Pose cameraPose(const CameraRig& camera, const world::World& world,
+                const motion::BagMotion& recording, const std::string& global_frame, Stamp instant,
+                Duration offset) {
+  if (camera.X_GC) return *camera.X_GC;
+  if (camera.link) return world.linkPoses()[*camera.link] * camera.X_LC;
+  const bool known = recording.canTransform(global_frame, camera.frame, instant + offset);
+  return recording.transform(global_frame, camera.frame, known ? instant + offset : instant);
 }
 
 }  // namespace synthetic_dataset

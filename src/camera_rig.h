@@ -2,28 +2,48 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "config/config.h"
+#include "config/camera_config.h"
 #include "motion/bag_motion.h"
+#include "sensor/sensor_effects.h"
+#include "shutter.h"
 #include "synthetic_dataset/camera_model.h"
 #include "world/description.h"
+#include "world/world.h"
 
 namespace synthetic_dataset {
 
-/// The run's camera: what it sees with, and where it is at a time.
+/// A camera of the run: what it sees with, and where it is at a time.
 struct CameraRig {
+  std::string name;
   CameraModel model;
-  std::string frame;         ///< of the optical frame
-  std::optional<Pose> X_GC;  ///< where it stands; none: its pose comes from the recording
+  std::string frame;                        ///< of the optical frame
+  std::optional<Pose> X_GC = std::nullopt;  ///< where it stands; none: it moves
+  std::optional<std::size_t> link =
+      std::nullopt;  ///< of the world's links, on which it rides at X_LC
+  Pose X_LC = Pose::Identity();
+  Shutter shutter = {};
+  sensor::SensorEffects effects = {};
 
-  [[nodiscard]] bool followsRecording() const { return !X_GC.has_value(); }
+  /// Whether its pose is that of its frame in the recording.
+  [[nodiscard]] bool followsRecording() const { return !X_GC && !link; }
 };
 
-/// Finds the intrinsics (a calibration file, else the world's sensor) and the pose (the parameter,
-/// else the recording's TF, else the world's sensor).
+/// Finds the intrinsics (a calibration file, a recorded CameraInfo, else the world's sensor) and
+/// the pose (the parameter, else the recording's TF, else the link that the world's sensor is on).
+/// @param sensors  the cameras of the world and of the objects' models
 /// @throws ErrorList naming the parameters that would mend it
 [[nodiscard]] CameraRig makeCameraRig(const config::CameraConfig& config,
-                                      const world::Description& world,
+                                      const std::vector<std::string>& bag_files,
+                                      const std::vector<world::CameraSensor>& sensors,
+                                      const std::vector<world::LinkInstance>& links,
                                       const motion::BagMotion& recording);
+
+/// X_GC at a time round `instant`, at which the world stands: where the recording does not know it
+/// then, that of the instant.
+[[nodiscard]] Pose cameraPose(const CameraRig& camera, const world::World& world,
+                              const motion::BagMotion& recording, const std::string& global_frame,
+                              Stamp instant, Duration offset = Duration{0});
 
 }  // namespace synthetic_dataset

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ namespace {
 using namespace synthetic_dataset;
 namespace fs = std::filesystem;
 
-/// What the manifest says: where the formats lie, by writer type, and how many scenes there are.
+/// What the manifest says: where the formats lie, by writer type, and which scenes there are.
 struct Dataset {
   explicit Dataset(const fs::path& folder) {
     const output::SqliteDatabase database(output::manifestFile(folder.string()),
@@ -36,14 +37,28 @@ struct Dataset {
     for (writers.start(); writers.step();) {
       folders.emplace(writers.text(0), folder / writers.text(1));
     }
-    output::SqliteStatement count(database, "SELECT count(*) FROM scene");
-    count.start();
-    count.step();
-    scene_count = count.integer(0);
+    output::SqliteStatement scenes(database, "SELECT camera FROM scene ORDER BY \"index\"");
+    for (scenes.start(); scenes.step();) cameras_of_scenes.push_back(scenes.text(0));
+  }
+
+  /// What a scene's files are called.
+  [[nodiscard]] std::string sceneName(std::int64_t index) const {
+    const std::set<std::string> cameras(cameras_of_scenes.begin(), cameras_of_scenes.end());
+    if (index < 0 || index >= sceneCount()) {
+      throw Error("found the scene " + std::to_string(index) + "; the dataset has 0 to " +
+                  std::to_string(sceneCount() - 1));
+    }
+    const std::string number = sceneNumber(index / static_cast<std::int64_t>(cameras.size()));
+    const std::string& camera = cameras_of_scenes[static_cast<std::size_t>(index)];
+    return cameras.size() > 1 ? camera + "/" + number : number;
+  }
+
+  [[nodiscard]] std::int64_t sceneCount() const {
+    return static_cast<std::int64_t>(cameras_of_scenes.size());
   }
 
   std::map<std::string, fs::path> folders;
-  std::int64_t scene_count = 0;
+  std::vector<std::string> cameras_of_scenes;
 };
 
 std::vector<std::string> wordsOf(const std::string& text) {
@@ -81,10 +96,10 @@ std::vector<DrawnBox> readYolo(const fs::path& file, const cv::Size& image) {
 }
 
 /// One object's stvNet files: its mask, and `id x y x y ...` as fractions of the image.
-DrawnObject readStvNet(const fs::path& folder, const std::string& number, const cv::Size& image) {
+DrawnObject readStvNet(const fs::path& folder, const std::string& name, const cv::Size& image) {
   DrawnObject object;
-  object.mask = cv::imread((folder / "mask" / (number + ".png")).string(), cv::IMREAD_GRAYSCALE);
-  std::ifstream stream(folder / "labels" / (number + ".txt"));
+  object.mask = cv::imread((folder / "mask" / (name + ".png")).string(), cv::IMREAD_GRAYSCALE);
+  std::ifstream stream(folder / "labels" / (name + ".txt"));
   std::string line;
   std::getline(stream, line);
   const auto words = wordsOf(line);
@@ -103,16 +118,16 @@ DrawnObject readStvNet(const fs::path& folder, const std::string& number, const 
 }
 
 /// All objects of a scene, in alphabetical order of their folders.
-std::vector<DrawnObject> readObjects(const fs::path& folder, const std::string& number,
+std::vector<DrawnObject> readObjects(const fs::path& folder, const std::string& name,
                                      const cv::Size& image) {
   std::map<std::string, DrawnObject> objects;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (fs::exists(entry.path() / "mask" / (number + ".png"))) {
-      objects.emplace(entry.path().filename().string(), readStvNet(entry.path(), number, image));
+    if (fs::exists(entry.path() / "mask" / (name + ".png"))) {
+      objects.emplace(entry.path().filename().string(), readStvNet(entry.path(), name, image));
     }
   }
   std::vector<DrawnObject> result;
-  for (auto& [name, object] : objects) result.push_back(std::move(object));
+  for (auto& [folder_name, object] : objects) result.push_back(std::move(object));
   return result;
 }
 
@@ -122,15 +137,15 @@ void drawLabelsOf(const fs::path& folder, const std::string& picture, const char
   if (yolo == dataset.folders.end()) {
     throw Error(folder.string() + ": the dataset has no writer of type synthetic_dataset/Yolo");
   }
-  const std::string number =
-      sceneNumber(scene != nullptr ? std::stoll(scene) : dataset.scene_count / 2);
-  const fs::path image_file = yolo->second / (number + ".png");
+  const std::string name =
+      dataset.sceneName(scene != nullptr ? std::stoll(scene) : dataset.sceneCount() / 2);
+  const fs::path image_file = yolo->second / (name + ".png");
   const cv::Mat image = cv::imread(image_file.string(), cv::IMREAD_COLOR);
   if (image.empty()) throw Error(image_file.string() + ": no such image");
   std::vector<DrawnObject> objects;
   const auto stvnet = dataset.folders.find("synthetic_dataset/StvNet");
-  if (stvnet != dataset.folders.end()) objects = readObjects(stvnet->second, number, image.size());
-  const auto boxes = readYolo(yolo->second / (number + ".txt"), image.size());
+  if (stvnet != dataset.folders.end()) objects = readObjects(stvnet->second, name, image.size());
+  const auto boxes = readYolo(yolo->second / (name + ".txt"), image.size());
   if (!cv::imwrite(picture, drawLabels(image, objects, boxes))) {
     throw Error(picture + ": cannot be written");
   }

@@ -1,8 +1,11 @@
 #include "generator.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
+#include "object_motion.h"
+#include "picture_taker.h"
 #include "render/renderer.h"
 #include "run_setup.h"
 #include "scene_maker.h"
@@ -20,43 +23,6 @@ MaskOptions maskOptions(const config::MaskConfig& config) {
   return {{config.history_length, config.var_threshold, config.detect_shadows}, config.clean};
 }
 
-std::vector<annotate::ObjectShape> objectShapes(const config::Config& config) {
-  std::vector<annotate::ObjectShape> shapes;
-  for (const config::ObjectConfig& object : config.objects) {
-    shapes.push_back(
-        {object.name, object.class_name, object.id, object.keypoints_O, object.bounding_shape_O});
-  }
-  return shapes;
-}
-
-/// Where objects are, between scenes too: where the recording says, or, over a gap, where they
-/// were.
-class ObjectPoses {
- public:
-  ObjectPoses(const motion::BagMotion& recording, const config::Config& config)
-      : recording_(recording), config_(config), last_(config.objects.size(), Pose::Identity()) {}
-
-  Pose at(int object, Stamp time) {
-    const auto i = static_cast<std::size_t>(object);
-    const std::string& frame = config_.objects[i].frame;
-    if (recording_.canTransform(config_.global_frame, frame, time)) {
-      last_[i] = recording_.transform(config_.global_frame, frame, time);
-    }
-    return last_[i];
-  }
-
-  /// Of all objects at a time at which the recording knows them.
-  std::vector<Pose> allAt(Stamp time) {
-    for (std::size_t i = 0; i < last_.size(); ++i) (void)at(static_cast<int>(i), time);
-    return last_;
-  }
-
- private:
-  const motion::BagMotion& recording_;
-  const config::Config& config_;
-  std::vector<Pose> last_;
-};
-
 }  // namespace
 
 struct Generator::Impl {
@@ -66,15 +32,24 @@ struct Generator::Impl {
         setup(setUpRun(parameters, plugin_xml_files)),
         renderer(setup.world->description(), setup.world->links(),
                  renderOptions(setup.config.rendering)),
-        scene_maker(*setup.world, renderer, *setup.recording, *setup.camera,
-                    setup.config.global_frame, objectShapes(setup.config),
-                    setup.writers->requirements(), maskOptions(setup.config.masks)),
-        object_poses(*setup.recording, setup.config),
+        scene_maker(*setup.world, renderer, *setup.recording, setup.cameras,
+                    setup.config.global_frame, *setup.shapes, setup.writers->requirements(),
+                    maskOptions(setup.config.masks)),
+        picture_taker(*setup.world, renderer, *setup.recording, setup.cameras,
+                      setup.config.global_frame, setup.config.seed),
+        object_motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links),
         store(openOutput(setup)) {
     for (const config::ObjectConfig& object : setup.config.objects) {
       summary.objects.push_back({object.name, 0});
     }
-    summary.planned_scenes = static_cast<std::int64_t>(setup.timeline.stamps.size());
+    summary.planned_scenes =
+        static_cast<std::int64_t>(setup.timeline.stamps.size() * setup.cameras.size());
+    // A shutter may open before the recording begins: objects are where they are first seen then.
+    const Stamp first = setup.timeline.stamps.front();
+    (void)object_motion.objectPoses(first);
+    motion_start = first + picture_taker.offsets().front();
+    const auto settle = static_cast<std::int64_t>(setup.config.physics.settle * 1e9);
+    if (settle > 0) moveWorld(motion_start - std::min(Stamp(settle), motion_start - Stamp(1)));
     tellPlan();
   }
 
@@ -84,14 +59,20 @@ struct Generator::Impl {
       defaults += (defaults.empty() ? "" : ", ") + taken;
     }
     if (!defaults.empty()) reporter.info("defaults taken: " + defaults);
+    for (const std::string& remark : setup.remarks) reporter.info(remark);
     for (const std::string& note : setup.notes) warnings.add(note);
     countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap",
                  setup.timeline.left_out_gap);
     countLeftOut("scene left out: a transform is not known at its time",
                  setup.timeline.left_out_unknown);
-    reporter.info(std::to_string(summary.planned_scenes) + " scenes from " +
+    reporter.info(std::to_string(summary.planned_scenes) + " scenes" + ofCameras() + " from " +
                   fixed(toSeconds(setup.timeline.stamps.front()), 3) + " s on, every " +
                   fixed(1.0 / setup.config.motion.rate, 4) + " s");
+  }
+
+  [[nodiscard]] std::string ofCameras() const {
+    if (setup.cameras.size() == 1) return "";
+    return " of " + std::to_string(setup.cameras.size()) + " cameras";
   }
 
   void countLeftOut(const std::string& kind, std::int64_t count) {
@@ -100,7 +81,14 @@ struct Generator::Impl {
 
   void moveWorld(Stamp stamp) {
     setup.world->advanceTo(
-        stamp, [this](int object, Stamp time) { return object_poses.at(object, time); });
+        // While things settle, the objects stand where they start.
+        stamp, [this](int object, Stamp time) {
+          return object_motion.at(object, std::max(time, motion_start));
+        });
+    for (const std::string& gap : object_motion.takeGaps()) warnings.add(gap);
+  }
+
+  void warnOfInterpenetrations(Stamp stamp) {
     for (const world::Interpenetration& pair : setup.world->interpenetrations()) {
       warnings.add("'" + pair.first + "' and '" + pair.second + "' are inside one another",
                    "by " + fixed(pair.depth, 3) + " m at " + fixed(toSeconds(stamp), 3) + " s");
@@ -117,16 +105,34 @@ struct Generator::Impl {
 
   void makeScenes() {
     reporter.progress(0, summary.planned_scenes);
+    std::int64_t instant = 0;
     for (const Stamp stamp : setup.timeline.stamps) {
       if (reporter.stopRequested()) {
         summary.stopped = true;
         return;
       }
-      const std::int64_t index = summary.scenes;
-      moveWorld(stamp);
-      const Scene scene = scene_maker.make(index, stamp, object_poses.allAt(stamp));
+      makeInstant(instant++, stamp);
+    }
+  }
+
+  /// The scenes of one time: one a camera.
+  void makeInstant(std::int64_t instant, Stamp stamp) {
+    std::vector<Scene> scenes;
+    for (const Duration offset : picture_taker.offsets()) {
+      moveWorld(stamp + offset);
+      picture_taker.expose(stamp, offset);
+      if (offset != Duration{0}) continue;
+      warnOfInterpenetrations(stamp);
+      const std::vector<Pose> X_GO = object_motion.objectPoses(stamp);
+      for (std::size_t camera = 0; camera < setup.cameras.size(); ++camera) {
+        scenes.push_back(scene_maker.make(camera, instant, stamp, X_GO));
+      }
+    }
+    for (std::size_t camera = 0; camera < scenes.size(); ++camera) {
+      Scene& scene = scenes[camera];
+      scene.image = picture_taker.develop(camera, scene.index);
       const auto written = setup.writers->writeScene(scene);
-      store->commitScene(index, stamp, written.files);
+      store->commitScene(scene.index, scene.stamp, written.files);
       count(scene, written.warnings);
     }
   }
@@ -136,7 +142,9 @@ struct Generator::Impl {
   RunSetup setup;
   render::Renderer renderer;
   SceneMaker scene_maker;
-  ObjectPoses object_poses;
+  PictureTaker picture_taker;
+  ObjectMotion object_motion;
+  Stamp motion_start{0};                        ///< when the first shutter opens
   std::unique_ptr<output::DatasetStore> store;  // last: what fails before leaves the disk alone
   RunSummary summary;
 };

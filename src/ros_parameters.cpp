@@ -5,6 +5,8 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
+#include "synthetic_dataset/errors.h"
+
 namespace synthetic_dataset {
 
 Value valueFromXmlRpc(XmlRpc::XmlRpcValue& value) {
@@ -32,6 +34,30 @@ Value valueFromXmlRpc(XmlRpc::XmlRpcValue& value) {
   }
 }
 
+namespace {
+
+/// Replaces an object's `model: "param:NAME"` by the text of that ROS parameter.
+void takeModelsFromParameters(Value::Map& parameters) {
+  const std::string start = "param:";
+  for (auto& [group, content] : parameters) {
+    auto* settings = content.as<Value::Map>();
+    if (settings == nullptr || settings->count("model") == 0) continue;
+    Value& model = settings->at("model");
+    const auto* text = model.as<std::string>();
+    if (text == nullptr || text->rfind(start, 0) != 0) continue;
+    const std::string name = text->substr(start.size());
+    std::string found;
+    if (!ros::param::get(name, found) || found.empty()) {
+      throw Error(group + "/model: found '" + *text + "', but the ROS parameter '" + name +
+                  "' is not set to a text; it should hold a URDF or SDF model, as "
+                  "/robot_description does");
+    }
+    model = Value(found);
+  }
+}
+
+}  // namespace
+
 Value readRosParameters() {
   XmlRpc::XmlRpcValue found;
   Value parameters = Value::Map{};
@@ -41,6 +67,7 @@ Value readRosParameters() {
     XmlRpc::XmlRpcValue robots;
     if (ros::param::get("/robot_list", robots)) (*map)["robot_list"] = valueFromXmlRpc(robots);
   }
+  if (map != nullptr) takeModelsFromParameters(*map);
   return parameters;
 }
 

@@ -5,31 +5,18 @@
 #include <optional>
 #include <utility>
 
-#include <rospack/rospack.h>
-
 #include "error_collector.h"
-#include "world/resource_finder.h"
-#include "world/sdf_loader.h"
+#include "render/light_setup.h"
+#include "ros_packages.h"
+#include "synthetic_dataset/label_text.h"
+#include "world/files/resource_finder.h"
+#include "world/world_loader.h"
 
 namespace synthetic_dataset {
 namespace {
 
 Duration durationOf(double seconds) {
   return Duration(static_cast<std::int64_t>(std::llround(seconds * 1e9)));
-}
-
-/// Finds ROS packages as ros::package::getPath does, which would print an error about each that is
-/// not there, and look for every one anew.
-world::ResourceFinder::PackageFinder packageFinder() {
-  auto packages = std::make_shared<rospack::Rospack>();
-  packages->setQuiet(true);
-  std::vector<std::string> search_path;
-  if (packages->getSearchPathFromEnv(search_path)) packages->crawl(search_path, false);
-  return [packages](const std::string& package) -> std::optional<std::string> {
-    std::string folder;
-    if (!packages->find(package, folder) || folder.empty()) return std::nullopt;
-    return folder;
-  };
 }
 
 std::string modelNames(const world::Description& description) {
@@ -70,7 +57,7 @@ class Builder {
     setup_.config = config::readConfig(root_);
     openRecording();
     loadWorld();
-    setUpCamera();
+    setUpCameras();
     planScenes();
     loadWriters();
     checkFrames();
@@ -98,20 +85,26 @@ class Builder {
 
   void loadWorld() {
     if (config().world.file.empty()) return;
-    const world::ResourceFinder finder(config().world.model_folders, packageFinder());
-    world::SdfLoadOptions options;
-    options.default_near = config().camera.near;
-    options.default_far = config().camera.far;
-    world::SdfLoader loader(finder, options);
+    const world::ResourceFinder finder(config().world.model_folders, rosPackageFinder());
+    world::LoadOptions options;
+    options.default_near = config().cameras.front().near;
+    options.default_far = config().cameras.front().far;
+    if (config().world.on_missing_asset == config::OnMissingAsset::kWarn) {
+      options.on_missing_asset = world::OnMissingAsset::kWarn;
+    }
+    world::WorldLoader loader(finder, options);
     description_ = errors_.attempt([&] { return loader.loadWorld(config().world.file); });
     if (!description_) return;
     world::Description surroundings = *description_;
-    std::vector<world::Model> objects;
+    std::vector<world::MovingObject> objects;
     for (const config::ObjectConfig& object : config().objects) {
       auto model = objectModel(surroundings, object, loader);
-      if (model) objects.push_back(std::move(*model));
+      if (model) addObject(std::move(*model), object, objects);
     }
     addNotes(loader.modelNotes());
+    sensors_ = description_->cameras;
+    const std::vector<world::CameraSensor>& on_objects = loader.modelCameras();
+    sensors_.insert(sensors_.end(), on_objects.begin(), on_objects.end());
     if (objects.size() != config().objects.size()) return;
     world::PhysicsOptions physics;
     physics.step = durationOf(config().physics.step);
@@ -119,13 +112,37 @@ class Builder {
     setup_.world = attempt([&] {
       return std::make_unique<world::World>(std::move(surroundings), std::move(objects), physics);
     });
-    if (setup_.world) addNotes(setup_.world->description().notes);
+    if (!setup_.world) return;
+    addNotes(setup_.world->description().notes);
+    addNotes(render::shadowNotes(setup_.world->description().lights));
+    setup_.shapes = attempt(
+        [&] { return std::make_unique<ObjectShapes>(config().objects, setup_.world->links()); });
+  }
+
+  /// Without a recording, which is an error already, no link is driven.
+  void addObject(world::Model model, const config::ObjectConfig& object,
+                 std::vector<world::MovingObject>& objects) {
+    Articulation articulation;
+    if (setup_.recording) {
+      auto made =
+          errors_.attempt([&] { return articulate(std::move(model), object, *setup_.recording); });
+      if (!made) return;
+      articulation = std::move(*made);
+    } else {
+      articulation.model = std::move(model);
+    }
+    std::vector<std::size_t> links;
+    for (const DrivenLink& each : articulation.driven) links.push_back(each.link);
+    objects.emplace_back(std::move(articulation.model), std::move(links));
+    setup_.driven_links.push_back(std::move(articulation.driven));
+    setup_.remarks.insert(setup_.remarks.end(), articulation.remarks.begin(),
+                          articulation.remarks.end());
   }
 
   /// An object's own model, else the world's of its name, which leaves the world in any case.
   std::optional<world::Model> objectModel(world::Description& surroundings,
                                           const config::ObjectConfig& object,
-                                          world::SdfLoader& loader) {
+                                          world::WorldLoader& loader) {
     auto in_world = takeModel(surroundings, object.name);
     if (object.model) {
       return errors_.attempt([&] { return loader.loadModel(*object.model, object.name); });
@@ -138,38 +155,96 @@ class Builder {
     return in_world;
   }
 
-  void setUpCamera() {
+  void setUpCameras() {
+    static const std::vector<world::LinkInstance> kNoLinks;
     if (!setup_.recording || !description_) return;
-    if (!config().camera.info_file && !config().camera.sensor) return;  // told by the config
-    setup_.camera = attempt([&] {
-      return std::make_unique<CameraRig>(
-          makeCameraRig(config().camera, *description_, *setup_.recording));
-    });
+    for (const config::CameraConfig& camera : config().cameras) {
+      const bool two_sources = camera.info_file && camera.info_topic;
+      const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
+      if (two_sources || no_source) continue;  // told already
+      auto rig = errors_.attempt([&] {
+        return makeCameraRig(camera, config().motion.bag_files, sensors_,
+                             setup_.world ? setup_.world->links() : kNoLinks, *setup_.recording);
+      });
+      if (!rig) continue;
+      checkShutter(camera, *rig);
+      setup_.cameras.push_back(std::move(*rig));
+    }
+  }
+
+  /// Physics goes forward only, so a picture has to be exposed before the next one begins.
+  void checkShutter(const config::CameraConfig& camera, const CameraRig& rig) {
+    const Duration period = motion::periodOf(config().motion.rate);
+    if (openTime(rig.shutter) <= period) return;
+    errors_.add(camera.group + "/effects: found exposure_time + readout_time of " +
+                fixed(toSeconds(openTime(rig.shutter)), 4) + " s; it should be at most the " +
+                fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate)");
+  }
+
+  [[nodiscard]] bool isCameraFrame(const std::string& frame) const {
+    return std::any_of(setup_.cameras.begin(), setup_.cameras.end(),
+                       [&](const CameraRig& camera) { return camera.frame == frame; });
   }
 
   void planScenes() {
     if (!setup_.recording || config().objects.empty()) return;
     std::vector<std::string> frames;
     for (const config::ObjectConfig& object : config().objects) frames.push_back(object.frame);
-    if (setup_.camera && setup_.camera->followsRecording()) frames.push_back(setup_.camera->frame);
+    for (const CameraRig& camera : setup_.cameras) {
+      if (camera.followsRecording()) frames.push_back(camera.frame);
+    }
     auto timeline = errors_.attempt([&] {
       return setup_.recording->timeline(config().global_frame, frames,
                                         timelineOptions(config().motion));
     });
-    if (timeline) setup_.timeline = std::move(*timeline);
+    if (!timeline) return;
+    setup_.timeline = std::move(*timeline);
+    leaveOutHalfExposed(frames);
+  }
+
+  /// Scenes during whose exposure a frame is not known, as at the recording's ends.
+  void leaveOutHalfExposed(std::vector<std::string> frames) {
+    Duration open{0};
+    for (const CameraRig& camera : setup_.cameras) open = std::max(open, openTime(camera.shutter));
+    if (open.count() == 0) return;
+    for (const auto& object : setup_.driven_links) {
+      for (const DrivenLink& link : object) frames.push_back(link.frame);
+    }
+    const auto known = [&](const std::string& frame, Stamp time) {
+      return setup_.recording->canTransform(config().global_frame, frame, time);
+    };
+    auto& stamps = setup_.timeline.stamps;
+    const std::size_t before = stamps.size();
+    const auto is_half_exposed = [&](Stamp stamp) {
+      return std::any_of(frames.begin(), frames.end(), [&](const std::string& frame) {
+        return known(frame, stamp) &&
+               !(known(frame, stamp - open / 2) && known(frame, stamp + open / 2));
+      });
+    };
+    stamps.erase(std::remove_if(stamps.begin(), stamps.end(), is_half_exposed), stamps.end());
+    setup_.timeline.left_out_unknown += static_cast<std::int64_t>(before - stamps.size());
+    if (stamps.empty()) {
+      errors_.add(
+          "effects/exposure_time, readout_time: no scene of the recording is known over "
+          "its whole exposure of " +
+          fixed(toSeconds(open), 4) + " s");
+    }
   }
 
   [[nodiscard]] DatasetInfo datasetInfo() const {
     DatasetInfo info;
     for (const config::ObjectConfig& object : config().objects) {
-      info.objects.push_back(
-          {object.name, object.class_name, object.id, object.keypoints_O.size()});
+      const std::size_t keypoint_count = object.farthest_points > 0
+                                             ? static_cast<std::size_t>(object.farthest_points)
+                                             : object.keypoints_O.size();
+      info.objects.push_back({object.name, object.class_name, object.id, keypoint_count});
     }
-    info.scene_count = static_cast<std::int64_t>(setup_.timeline.stamps.size());
+    info.scene_count =
+        static_cast<std::int64_t>(setup_.timeline.stamps.size() * setup_.cameras.size());
     info.global_frame = config().global_frame;
-    if (setup_.camera) {
-      const CameraModel& model = setup_.camera->model;
-      info.cameras = {{"camera", config().camera.frame, model.width(), model.height()}};
+    for (const CameraRig& camera : setup_.cameras) {
+      info.cameras.push_back(
+          {camera.name, camera.frame, camera.model.width(), camera.model.height()});
     }
     return info;
   }
@@ -189,7 +264,7 @@ class Builder {
   void checkFrames() {
     if (!setup_.writers || !setup_.recording) return;
     for (const std::string& frame : setup_.writers->requirements().frames) {
-      if (frame == config().camera.frame && setup_.camera) continue;
+      if (isCameraFrame(frame)) continue;
       if (setup_.recording->knowsFrame(frame)) {
         leaveOutScenesWithout(frame);
       } else {
@@ -231,6 +306,7 @@ class Builder {
   const std::vector<std::string>& plugin_xml_files_;
   RunSetup setup_;
   std::optional<world::Description> description_;  ///< as the file has it, objects included
+  std::vector<world::CameraSensor> sensors_;       ///< of the world and of the objects' models
   ErrorCollector errors_;
 };
 

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "articulation.h"
 #include "camera_rig.h"
 #include "config/config.h"
 #include "motion/bag_motion.h"
+#include "object_shapes.h"
 #include "output/dataset_store.h"
 #include "synthetic_dataset/value.h"
 #include "world/world.h"
@@ -20,9 +22,12 @@ struct RunSetup {
   std::unique_ptr<motion::BagMotion> recording;
   motion::Timeline timeline;
   std::unique_ptr<world::World> world;
-  std::unique_ptr<CameraRig> camera;
+  std::vector<CameraRig> cameras;
+  std::vector<std::vector<DrivenLink>> driven_links;  ///< of each object
+  std::unique_ptr<ObjectShapes> shapes;               ///< of the objects
   std::unique_ptr<writers::WriterHost> writers;
   std::vector<std::string> notes;           ///< what the user should know
+  std::vector<std::string> remarks;         ///< what the user may like to know
   std::vector<std::string> defaults_taken;  ///< "parameter: value"
 };
 

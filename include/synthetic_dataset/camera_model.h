@@ -32,6 +32,9 @@ enum class DistortionModel {
 struct Distortion {
   DistortionModel model = DistortionModel::kNone;
   std::array<double, 8> coefficients{};
+
+  /// The lens shows nothing that is farther from its axis than this [rad], in (0, pi].
+  double cutoff_angle = 3.14159265358979323846;
 };
 
 /// How points of the optical frame (x right, y down, z forward; metres) fall on the image.
@@ -40,7 +43,8 @@ struct Distortion {
 /// (-0.5, -0.5) to (width - 0.5, height - 0.5).
 ///
 /// A lens sees no farther from its axis than its distortion is one to one: points beyond have no
-/// place on the image, where the formulas alone would fold them back into it.
+/// place on the image, where the formulas alone would fold them back into it. An equidistant lens
+/// can see past 90 degrees, where z is negative.
 class CameraModel {
  public:
   /// @param width, height  of the image [px], at least 1
@@ -65,8 +69,14 @@ class CameraModel {
   /// Nothing where the lens sees nothing (the corners of a fisheye's image).
   [[nodiscard]] std::optional<Eigen::Vector3d> ray(const Eigen::Vector2d& pixel) const;
 
+  /// How far from its axis the lens sees [rad]: up to pi / 2, an equidistant one up to pi.
+  [[nodiscard]] double largestAngle() const { return largest_angle_; }
+
   /// The box round the projection of the points' convex hull, which is clipped at the near plane
-  /// but not at the image's edge. Nothing when all of it is behind the near plane.
+  /// and at the lens's largest angle but not at the image's edge. Nothing when none of it is left.
+  /// An equidistant lens has no near plane: its box is that of the hull down to the camera, unless
+  /// all of the hull is nearer than `near`. Edges bend with distortion; the box holds them to
+  /// 0.05 px.
   [[nodiscard]] std::optional<Box> projectedBounds(
       const std::vector<Eigen::Vector3d>& points_C) const;
 
@@ -80,6 +90,7 @@ class CameraModel {
   Distortion distortion_;
   double near_;
   double far_;
+  double largest_angle_;
 };
 
 }  // namespace v1

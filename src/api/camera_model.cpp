@@ -1,8 +1,11 @@
 #include "synthetic_dataset/camera_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "api/curved_bounds.h"
+#include "api/lens.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -10,7 +13,19 @@ namespace synthetic_dataset {
 inline namespace v1 {
 namespace {
 
+constexpr double kHalfPi = 1.57079632679489661923;
 constexpr int kLargestImage = 16384;  // OpenGL's and PNG readers' common limit for one side [px]
+
+void checkDistortion(const Distortion& distortion) {
+  const auto& k = distortion.coefficients;
+  if (!std::all_of(k.begin(), k.end(), [](double number) { return std::isfinite(number); })) {
+    throw Error("distortion: all coefficients should be finite numbers");
+  }
+  if (!(distortion.cutoff_angle > 0.0 && distortion.cutoff_angle <= 3.1415926536)) {
+    throw Error("distortion: found a cutoff angle of " + fixed(distortion.cutoff_angle, 3) +
+                " rad; it should be above 0 and at most pi");
+  }
+}
 
 void expand(std::optional<Box>& box, const Eigen::Vector2d& point) {
   if (!box) {
@@ -23,6 +38,38 @@ void expand(std::optional<Box>& box, const Eigen::Vector2d& point) {
   box->bottom = std::max(box->bottom, point.y());
 }
 
+/// Points whose hull is that part of the hull of `points` which is not before the near plane.
+std::vector<Eigen::Vector3d> clippedCorners(const std::vector<Eigen::Vector3d>& points,
+                                            double near) {
+  std::vector<Eigen::Vector3d> corners;
+  std::vector<const Eigen::Vector3d*> behind;
+  for (const Eigen::Vector3d& point : points) {
+    if (point.z() >= near) {
+      corners.push_back(point);
+    } else {
+      behind.push_back(&point);
+    }
+  }
+  // The hull's edges that cross the near plane are among the segments between a point in front and
+  // one behind; the other segments run inside the hull, so their crossings do not widen it.
+  const std::size_t in_front = corners.size();
+  for (std::size_t i = 0; i < in_front; ++i) {
+    for (const Eigen::Vector3d* b : behind) {
+      const Eigen::Vector3d a = corners[i];
+      const double share = (near - a.z()) / (b->z() - a.z());
+      Eigen::Vector3d crossing = a + share * (*b - a);
+      crossing.z() = near;
+      corners.push_back(crossing);
+    }
+  }
+  return corners;
+}
+
+/// Whether straight lines look straight, and to the image's farthest corner.
+bool isStraight(const Distortion& distortion) {
+  return distortion.model == DistortionModel::kNone && distortion.cutoff_angle >= kHalfPi;
+}
+
 }  // namespace
 
 CameraModel::CameraModel(int width, int height, const Intrinsics& intrinsics, double near,
@@ -32,7 +79,8 @@ CameraModel::CameraModel(int width, int height, const Intrinsics& intrinsics, do
       intrinsics_(intrinsics),
       distortion_(distortion),
       near_(near),
-      far_(far) {
+      far_(far),
+      largest_angle_(0.0) {
   if (width < 1 || height < 1 || width > kLargestImage || height > kLargestImage) {
     throw Error("image size: found " + std::to_string(width) + " x " + std::to_string(height) +
                 " px; each side should be 1 to " + std::to_string(kLargestImage));
@@ -49,42 +97,42 @@ CameraModel::CameraModel(int width, int height, const Intrinsics& intrinsics, do
     throw Error("range of sight: found near " + fixed(near, 3) + " m, far " + fixed(far, 3) +
                 " m; it should hold that 0 < near < far");
   }
+  checkDistortion(distortion);
+  largest_angle_ = lens::largestAngle(distortion);
 }
 
 std::optional<Eigen::Vector2d> CameraModel::project(const Eigen::Vector3d& p_C) const {
-  if (!(p_C.z() >= near_)) return std::nullopt;
-  return Eigen::Vector2d(intrinsics_.fx * p_C.x() / p_C.z() + intrinsics_.cx,
-                         intrinsics_.fy * p_C.y() / p_C.z() + intrinsics_.cy);
+  const bool has_near_plane = distortion_.model != DistortionModel::kEquidistant;
+  if (!((has_near_plane ? p_C.z() : p_C.norm()) >= near_)) return std::nullopt;
+  if (isStraight(distortion_)) {
+    return Eigen::Vector2d(intrinsics_.fx * p_C.x() / p_C.z() + intrinsics_.cx,
+                           intrinsics_.fy * p_C.y() / p_C.z() + intrinsics_.cy);
+  }
+  const auto place = lens::distort(distortion_, largest_angle_, p_C);
+  if (!place) return std::nullopt;
+  return Eigen::Vector2d(intrinsics_.fx * place->x() + intrinsics_.cx,
+                         intrinsics_.fy * place->y() + intrinsics_.cy);
 }
 
 std::optional<Eigen::Vector3d> CameraModel::ray(const Eigen::Vector2d& pixel) const {
-  return Eigen::Vector3d((pixel.x() - intrinsics_.cx) / intrinsics_.fx,
-                         (pixel.y() - intrinsics_.cy) / intrinsics_.fy, 1.0)
-      .normalized();
+  return lens::undistort(distortion_, largest_angle_,
+                         {(pixel.x() - intrinsics_.cx) / intrinsics_.fx,
+                          (pixel.y() - intrinsics_.cy) / intrinsics_.fy});
 }
 
 std::optional<Box> CameraModel::projectedBounds(
     const std::vector<Eigen::Vector3d>& points_C) const {
-  std::optional<Box> box;
-  std::vector<const Eigen::Vector3d*> in_front;
-  std::vector<const Eigen::Vector3d*> behind;
-  for (const Eigen::Vector3d& point : points_C) {
-    if (const auto pixel = project(point)) {
-      in_front.push_back(&point);
-      expand(box, *pixel);
-    } else {
-      behind.push_back(&point);
-    }
+  if (distortion_.model == DistortionModel::kEquidistant) {
+    const bool too_near =
+        std::all_of(points_C.begin(), points_C.end(),
+                    [this](const Eigen::Vector3d& point) { return point.norm() < near_; });
+    return too_near ? std::nullopt : lens::curvedBounds(*this, points_C);
   }
-  // The hull's edges that cross the near plane are among the segments between a point in front and
-  // one behind; the other segments run inside the hull, so their crossings do not widen the box.
-  for (const Eigen::Vector3d* a : in_front) {
-    for (const Eigen::Vector3d* b : behind) {
-      const double share = (near_ - a->z()) / (b->z() - a->z());
-      Eigen::Vector3d crossing = *a + share * (*b - *a);
-      crossing.z() = near_;
-      if (const auto pixel = project(crossing)) expand(box, *pixel);
-    }
+  const std::vector<Eigen::Vector3d> corners = clippedCorners(points_C, near_);
+  if (!isStraight(distortion_)) return lens::curvedBounds(*this, corners);
+  std::optional<Box> box;
+  for (const Eigen::Vector3d& corner : corners) {
+    if (const auto pixel = project(corner)) expand(box, *pixel);
   }
   return box;
 }

@@ -1,8 +1,10 @@
 #include "synthetic_dataset/parameters.h"
 
 #include <cmath>
+#include <locale>
 #include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace synthetic_dataset {
@@ -42,10 +44,23 @@ std::optional<int> convert(const Value& value, std::string& problem) {
   return std::nullopt;
 }
 
+/// A number such as 1e-05, which YAML 1.1, and so roslaunch, takes for a text; yaml-cpp writes it.
+std::optional<double> numberIn(const std::string& text) {
+  if (text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double number = 0.0;
+  if (!(stream >> number) || !stream.eof()) return std::nullopt;
+  return number;
+}
+
 template <>
 std::optional<double> convert(const Value& value, std::string& problem) {
   if (const auto* number = value.as<std::int64_t>()) return static_cast<double>(*number);
   if (const auto* number = value.as<double>(); number && std::isfinite(*number)) return *number;
+  if (const auto* text = value.as<std::string>()) {
+    if (const auto number = numberIn(*text)) return number;
+  }
   problem = "it should be a finite number";
   return std::nullopt;
 }

@@ -1,12 +1,11 @@
 #include "config/config.h"
 
-#include <cmath>
 #include <utility>
 
+#include "config/camera_config.h"
 #include "config/checked_values.h"
 #include "config/object_config.h"
 #include "config/output_config.h"
-#include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
@@ -31,7 +30,15 @@ MotionConfig readMotion(const Parameters& root) {
   return motion;
 }
 
-/// `world` is a file's name, or a group with `file` and `model_folders`.
+OnMissingAsset readOnMissingAsset(const Parameters& group) {
+  const std::string found = group.maybe<std::string>("on_missing_asset").value_or("error");
+  if (found != "error" && found != "warn") {
+    group.addError("on_missing_asset", "found '" + found + "'; it should be error or warn");
+  }
+  return found == "warn" ? OnMissingAsset::kWarn : OnMissingAsset::kError;
+}
+
+/// `world` is a file's name, or a group with `file`, `model_folders` and `on_missing_asset`.
 WorldConfig readWorld(const Parameters& root) {
   WorldConfig world;
   const auto replaced = root.maybe<std::string>("world_file");
@@ -43,50 +50,13 @@ WorldConfig readWorld(const Parameters& root) {
     world.model_folders =
         group.maybe<std::vector<std::string>>("model_folders").value_or(std::vector<std::string>{});
     for (std::string& folder : world.model_folders) folder = absolutePath(folder);
+    world.on_missing_asset = readOnMissingAsset(group);
   } else if (given || !replaced) {
     world.file = root.required<std::string>("world");
   }
   if (replaced) world.file = *replaced;
   world.file = pathOrUri(world.file);
   return world;
-}
-
-std::optional<Pose> readPose(const Parameters& group, const std::string& name) {
-  const auto numbers = group.maybe<std::vector<double>>(name);
-  if (!numbers) return std::nullopt;
-  const std::vector<double>& n = *numbers;
-  if (n.size() != 7) {
-    group.addError(name, "found " + std::to_string(n.size()) +
-                             " numbers; it should be [x, y, z, qx, qy, qz, qw]");
-    return std::nullopt;
-  }
-  const Eigen::Quaterniond orientation(n[6], n[3], n[4], n[5]);
-  constexpr double kTolerance = 1e-2;  // a rounded quaternion is meant; a wrong one is not
-  if (std::abs(orientation.norm() - 1.0) > kTolerance) {
-    group.addError(name, "found a quaternion of length " + fixed(orientation.norm(), 4) +
-                             "; qx, qy, qz, qw should have length 1");
-    return std::nullopt;
-  }
-  return makePose({n[0], n[1], n[2]}, orientation);
-}
-
-CameraConfig readCamera(const Parameters& root) {
-  CameraConfig camera;
-  camera.frame = root.optional("camera_frame_id", camera.frame);
-  const Parameters group = root.group("camera");
-  camera.info_file = group.maybe<std::string>("info_file");
-  if (camera.info_file) camera.info_file = absolutePath(*camera.info_file);
-  camera.sensor = group.maybe<std::string>("sensor");
-  camera.X_GC = readPose(group, "pose");
-  camera.rectified = group.maybe<bool>("rectified").value_or(false);
-  camera.near = numberAbove(group, "near", camera.near, 0.0);
-  camera.far = numberAbove(group, "far", camera.far, camera.near);
-  if (!camera.info_file && !camera.sensor) {
-    root.addError("camera",
-                  "no intrinsics; camera/info_file should name a camera_info YAML file, or "
-                  "camera/sensor a camera of the world");
-  }
-  return camera;
 }
 
 MaskConfig readMasks(const Parameters& root) {
@@ -115,6 +85,7 @@ PhysicsConfig readPhysics(const Parameters& root) {
                                             " m; it should not be below 0");
     physics.contact_tolerance = 0.0;
   }
+  physics.settle = maybeSeconds(group, "settle").value_or(0.0);
   return physics;
 }
 
@@ -148,11 +119,12 @@ Config readConfig(const Parameters& root) {
   config.motion = readMotion(root);
   config.global_frame = root.optional("global_frame", config.global_frame);
   config.world = readWorld(root);
-  config.camera = readCamera(root);
+  config.cameras = readCameras(root);
   config.objects = readObjects(root);
   config.masks = readMasks(root);
   config.physics = readPhysics(root);
   config.rendering = readRendering(root);
+  config.seed = root.maybe<std::int64_t>("seed").value_or(config.seed);
   config.output = readOutput(root);
   config.writers = readWriters(root, config.output.folder);
   if (config.output.folder.empty()) config.output.folder = commonFolder(config.writers);

@@ -1,26 +1,37 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "config/camera_config.h"
 #include "synthetic_dataset/parameters.h"
 #include "synthetic_dataset/pose.h"
 
 /// Every setting of a run as a value, with its default; config/params.yaml documents each.
 namespace synthetic_dataset::config {
 
+/// Which TF frame each link of an object has.
+struct LinkFrames {
+  std::string pattern = "{object}/{link}";     ///< for all links
+  std::map<std::string, std::string> by_link;  ///< where not empty: these frames, and no others
+};
+
 struct ObjectConfig {
   std::string name;
   std::string class_name;            ///< `class` as text
   std::string id;                    ///< `id` as text
-  std::string frame;                 ///< "<name>/<frame_id>"
-  std::optional<std::string> model;  ///< URI of its model; none: the world's model of its name
+  std::string frame;                 ///< `frame`, else "<name>/<frame_id>"
+  LinkFrames link_frames;            ///< of an articulated model
+  std::optional<std::string> model;  ///< its model, the URI of it or its text; none: the world's
+                                     ///< model of its name
   std::vector<Eigen::Vector3d> keypoints_O;
-  std::vector<Eigen::Vector3d> bounding_shape_O;
+  int farthest_points = 0;  ///< so many keypoints are chosen on the model instead; 0: as given
+  std::vector<Eigen::Vector3d> bounding_shape_O;  ///< none: the model's own box
 };
 
 struct MotionConfig {
@@ -31,19 +42,13 @@ struct MotionConfig {
   std::optional<double> max_tf_gap;  ///< [s]
 };
 
+/// What becomes of a world with a mesh, picture or model that is missing.
+enum class OnMissingAsset { kError, kWarn };
+
 struct WorldConfig {
   std::string file;
   std::vector<std::string> model_folders;
-};
-
-struct CameraConfig {
-  std::string frame = "camera/optical_link";
-  std::optional<std::string> info_file;
-  std::optional<std::string> sensor;  ///< "model::link::sensor"
-  std::optional<Pose> X_GC;
-  bool rectified = false;
-  double near = 0.05;   ///< [m]
-  double far = 1000.0;  ///< [m]
+  OnMissingAsset on_missing_asset = OnMissingAsset::kError;
 };
 
 struct MaskConfig {
@@ -56,6 +61,7 @@ struct MaskConfig {
 struct PhysicsConfig {
   double step = 0.004;              ///< [s]
   double contact_tolerance = 0.01;  ///< [m]
+  double settle = 0.0;              ///< [s] simulated before the first scene
 };
 
 struct RenderingConfig {
@@ -82,11 +88,12 @@ struct Config {
   std::string global_frame = "map";
   MotionConfig motion;
   WorldConfig world;
-  CameraConfig camera;
+  std::vector<CameraConfig> cameras;  ///< at least one
   std::vector<ObjectConfig> objects;
   MaskConfig masks;
   PhysicsConfig physics;
   RenderingConfig rendering;
+  std::int64_t seed = 0;  ///< of all that is random
   OutputConfig output;
   std::vector<WriterConfig> writers;
 };

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "config/checked_values.h"
 
@@ -20,20 +21,123 @@ std::string readLabel(const Parameters& group, const std::string& name) {
   return text;
 }
 
+/// `frame` as it is, else `frame_id` below the object's name.
+std::string readFrame(const Parameters& group, const std::string& name) {
+  const auto frame = group.maybe<std::string>("frame");
+  if (!frame) return name + "/" + group.optional<std::string>("frame_id", "base_link");
+  if (group.has("frame_id")) {
+    group.addError("frame",
+                   "found together with frame_id; give the whole name of the frame, or "
+                   "frame_id for a frame called '" +
+                       name + "/<frame_id>'");
+  } else if (frame->empty()) {
+    group.addError("frame", "found an empty text; it should be the name of a TF frame");
+  }
+  return *frame;
+}
+
+void checkPattern(const Parameters& group, const std::string& pattern) {
+  std::string rest = pattern;
+  bool names_link = false;
+  for (const std::string placeholder : {"{object}", "{link}"}) {
+    for (std::size_t at = rest.find(placeholder); at != std::string::npos;
+         at = rest.find(placeholder)) {
+      rest.erase(at, placeholder.size());
+      names_link = names_link || placeholder == "{link}";
+    }
+  }
+  if (names_link && rest.find_first_of("{}") == std::string::npos) return;
+  group.addError("link_frames", "found '" + pattern +
+                                    "'; it should hold {link}, may hold {object}, and no other "
+                                    "braces: \"{object}/{link}\"");
+}
+
+/// A pattern for all links, or a map from a link to its frame.
+LinkFrames readLinkFrames(const Parameters& group) {
+  LinkFrames frames;
+  const auto given = group.maybe<Value>("link_frames");
+  if (given && given->is<Value::Map>()) {
+    const Parameters links = group.group("link_frames");
+    for (const std::string& link : links.names()) {
+      frames.by_link[link] = links.required<std::string>(link);
+    }
+    if (frames.by_link.empty()) {
+      group.addError("link_frames", "found an empty map; it should give links their frames");
+    }
+  } else if (given) {
+    frames.pattern = group.required<std::string>("link_frames");
+    if (given->is<std::string>()) checkPattern(group, frames.pattern);
+  }
+  return frames;
+}
+
+/// N of "farthest_points: N", as a map or, by a slip that YAML invites, as one text.
+std::optional<int> farthestPointsOf(const Parameters& group, const Value& keypoints) {
+  if (keypoints.is<Value::Map>()) {
+    return group.group("keypoints").required<int>("farthest_points");
+  }
+  const auto* text = keypoints.as<std::string>();
+  const std::string start = "farthest_points:";
+  if (text == nullptr || text->rfind(start, 0) != 0) return std::nullopt;
+  std::istringstream number(text->substr(start.size()));
+  int count = 0;
+  return number >> count && (number >> std::ws).eof() ? count : 0;
+}
+
+void readKeypoints(const Parameters& group, ObjectConfig& object) {
+  const auto given = group.maybe<Value>("keypoints");
+  if (!given) return;
+  const auto count = farthestPointsOf(group, *given);
+  if (!count) {
+    object.keypoints_O = group.required<std::vector<Eigen::Vector3d>>("keypoints");
+    return;
+  }
+  constexpr int kMost = 10000;
+  object.farthest_points = *count;
+  if (*count >= 1 && *count <= kMost) return;
+  object.farthest_points = 1;
+  if (!given->is<Value::Map>() || group.group("keypoints").has("farthest_points")) {
+    group.addError("keypoints", "found " + given->text() + "; farthest_points should be 1 to " +
+                                    std::to_string(kMost));
+  }
+}
+
+std::vector<Eigen::Vector3d> readBoundingShape(const Parameters& group) {
+  const auto given = group.maybe<Value>("bounding_shape");
+  if (!given || given->is<std::string>()) {
+    const auto text = group.optional<std::string>("bounding_shape", "model_box");
+    if (text != "model_box") {
+      group.addError("bounding_shape", "found '" + text +
+                                           "'; it should be model_box, or a list of points, each "
+                                           "[x, y, z] in metres");
+    }
+    return {};
+  }
+  if (isEmptyList(group, "bounding_shape")) {
+    group.addError("bounding_shape",
+                   "found no points; they should circumscribe the object, or be left out for the "
+                   "model's own box");
+  }
+  return group.required<std::vector<Eigen::Vector3d>>("bounding_shape");
+}
+
+bool isXml(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && text[first] == '<';
+}
+
 ObjectConfig readObject(const Parameters& root, const std::string& name) {
   const Parameters group = root.group(name);
   ObjectConfig object;
   object.name = name;
   object.class_name = readLabel(group, "class");
   object.id = readLabel(group, "id");
-  object.frame = name + "/" + group.optional<std::string>("frame_id", "base_link");
+  object.frame = readFrame(group, name);
+  object.link_frames = readLinkFrames(group);
   object.model = group.maybe<std::string>("model");
-  if (object.model) object.model = pathOrUri(*object.model);
-  object.keypoints_O = group.required<std::vector<Eigen::Vector3d>>("keypoints");
-  object.bounding_shape_O = group.required<std::vector<Eigen::Vector3d>>("bounding_shape");
-  if (isEmptyList(group, "bounding_shape")) {
-    group.addError("bounding_shape", "found no points; it should circumscribe the object");
-  }
+  if (object.model && !isXml(*object.model)) object.model = pathOrUri(*object.model);
+  readKeypoints(group, object);
+  object.bounding_shape_O = readBoundingShape(group);
   return object;
 }
 

@@ -143,7 +143,7 @@ void DatasetStore::commitScene(std::int64_t index, Stamp stamp, const SceneFiles
     impl_->manifest.announce(index, listed);
     try {
       std::vector<PendingFile> pending = publish(files.files, contents);
-      impl_->manifest.listScene(index, stamp, files.records);
+      impl_->manifest.listScene(index, stamp, files);
       for (PendingFile& file : pending) file.keep();
     } catch (...) {
       withdrawAfterFailure(impl_->manifest, listed);

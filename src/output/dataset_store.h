@@ -47,6 +47,7 @@ struct SceneFiles {
   };
   std::vector<OutputFile> files;
   std::vector<Record> records;
+  std::string camera = "camera";  ///< the name of the scene's camera
 };
 
 struct StoreCounts {

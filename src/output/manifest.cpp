@@ -20,7 +20,8 @@ constexpr const char* kTables = R"(
   CREATE TABLE run (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
   CREATE TABLE writer ("index" INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,
                        output_folder TEXT NOT NULL);
-  CREATE TABLE scene ("index" INTEGER PRIMARY KEY, stamp_ns INTEGER NOT NULL);
+  CREATE TABLE scene ("index" INTEGER PRIMARY KEY, stamp_ns INTEGER NOT NULL,
+                      camera TEXT NOT NULL);
   CREATE TABLE file (path TEXT PRIMARY KEY, writer INTEGER NOT NULL, scene INTEGER,
                      bytes INTEGER NOT NULL, linked_to TEXT) WITHOUT ROWID;
   CREATE TABLE record (writer INTEGER NOT NULL, scene INTEGER NOT NULL,
@@ -70,7 +71,7 @@ Manifest::Manifest(const std::string& folder, const std::vector<StoreWriter>& wr
                  "SELECT coalesce('scene ' || scene, 'the whole dataset') || ' of writer ''' || "
                  "name || '''' FROM file JOIN writer ON writer.\"index\" = writer WHERE path = ?"),
       delete_file_(database_, "DELETE FROM file WHERE path = ?"),
-      insert_scene_(database_, "INSERT INTO scene VALUES (?, ?)"),
+      insert_scene_(database_, "INSERT INTO scene VALUES (?, ?, ?)"),
       find_scene_(database_, "SELECT 1 FROM scene WHERE \"index\" = ?"),
       insert_record_(database_, "INSERT INTO record VALUES (?, ?, ?, ?)") {
   SqliteTransaction transaction(database_);
@@ -129,12 +130,11 @@ void Manifest::withdraw(const std::vector<ManifestFile>& files) {
   transaction.commit();
 }
 
-void Manifest::listScene(std::int64_t index, Stamp stamp,
-                         const std::vector<SceneFiles::Record>& records) {
+void Manifest::listScene(std::int64_t index, Stamp stamp, const SceneFiles& scene) {
   SqliteTransaction transaction(database_);
-  insert_scene_.run(index, std::int64_t{stamp.count()});
+  insert_scene_.run(index, std::int64_t{stamp.count()}, scene.camera);
   std::vector<std::int64_t> sequences;  // by writer
-  for (const SceneFiles::Record& record : records) {
+  for (const SceneFiles::Record& record : scene.records) {
     if (record.writer >= sequences.size()) sequences.resize(record.writer + 1, 0);
     insert_record_.run(signedIndex(record.writer), index, sequences[record.writer]++, record.text);
   }

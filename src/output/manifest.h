@@ -40,7 +40,7 @@ class Manifest {
   void withdraw(const std::vector<ManifestFile>& files);
 
   /// Counts a scene as complete.
-  void listScene(std::int64_t index, Stamp stamp, const std::vector<SceneFiles::Record>& records);
+  void listScene(std::int64_t index, Stamp stamp, const SceneFiles& scene);
 
   void setBytes(const std::string& path, std::int64_t bytes);
   void setComplete();

@@ -20,6 +20,19 @@ bool isLargeAndFlat(const Bounds& bounds) {
          bounds.sizes().maxCoeff() > kLargestFlatCaster;
 }
 
+bool seenThrough(const world::Mesh& mesh) {
+  return hasColours(mesh) &&
+         std::any_of(mesh.colours.begin(), mesh.colours.end(),
+                     [](const Eigen::Vector4f& colour) { return colour.w() < 1.0F; });
+}
+
+/// What the diffuse picture's alpha means; nothing where it is 1 everywhere.
+SurfaceFeatures alphaFeatures(const world::Material& material, bool opaque) {
+  if (opaque) return 0;
+  if (material.texture_is_glass) return feature::kGlass;
+  return material.alpha_threshold > 0.0F ? feature::kHoles : 0;
+}
+
 }  // namespace
 
 DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links)
@@ -27,20 +40,48 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
   for (std::size_t link = 0; link < links.size(); ++link) {
     for (const world::Visual& visual : links[link].link->visuals) {
       for (const world::Surface& surface : visual.surfaces) {
-        Part part;
-        part.mesh = &meshes_.get(surface.mesh);
-        part.material = &surface.material;
-        part.texture = surface.material.texture ? textures_.get(surface.material.texture) : 0;
+        Part part = makePart(surface);
         part.link = link;
         part.identifier = static_cast<std::uint32_t>(links[link].object + 1);
         part.X_LV = visual.X_LV;
-        part.bounds_V = boundsOf(*surface.mesh);
         part.casts_shadow =
-            visual.casts_shadow && !part.transparent() && !isLargeAndFlat(part.bounds_V);
+            visual.casts_shadow && !part.transparent && !isLargeAndFlat(part.bounds_V);
         parts_.push_back(part);
       }
     }
   }
+}
+
+Part DrawList::makePart(const world::Surface& surface) {
+  const world::Material& material = surface.material;
+  Part part;
+  part.mesh = &meshes_.get(surface.mesh);
+  part.material = &material;
+  part.bounds_V = boundsOf(*surface.mesh);
+  const auto use = [&](const std::shared_ptr<const world::Texture>& texture, PixelMeaning meaning,
+                       SurfaceFeatures feature, GLuint& name) {
+    if (!texture) return;
+    name = textures_.get(texture, meaning).texture.name();
+    part.features |= feature;
+  };
+  PartTextures& names = part.textures;
+  use(material.texture, PixelMeaning::kColour, feature::kTextured, names.diffuse);
+  if (material.texture) {
+    const auto& uploaded = textures_.get(material.texture, PixelMeaning::kColour);
+    part.features |= alphaFeatures(material, uploaded.opaque);
+  }
+  if (hasColours(*surface.mesh)) part.features |= feature::kTinted;
+  if (material.lit) {
+    use(material.normal_map, PixelMeaning::kData, feature::kNormalMap, names.normal);
+    use(material.roughness_map, PixelMeaning::kData, feature::kRoughnessMap, names.roughness);
+    use(material.metalness_map, PixelMeaning::kData, feature::kMetalnessMap, names.metalness);
+    use(material.emissive_map, PixelMeaning::kColour, feature::kEmissiveMap, names.emissive);
+  } else {
+    part.features |= feature::kUnlit;
+  }
+  part.transparent = material.diffuse.w() < 1.0F || (part.features & feature::kGlass) != 0 ||
+                     seenThrough(*surface.mesh);
+  return part;
 }
 
 Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection& casting) const {
@@ -59,7 +100,7 @@ std::vector<const Part*> DrawList::transparentParts(const Pose& X_CW, const std:
                                                     const LinkSelection& drawn) const {
   std::vector<std::pair<double, const Part*>> sorted;
   for (const Part& part : parts_) {
-    if (!drawn[part.link] || !part.transparent() || part.bounds_V.isEmpty()) continue;
+    if (!drawn[part.link] || !part.transparent || part.bounds_V.isEmpty()) continue;
     const Eigen::Vector3d centre = X_CW * X_WL[part.link] * part.X_LV * part.bounds_V.center();
     sorted.emplace_back(-centre.z(), &part);
   }

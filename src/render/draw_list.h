@@ -4,6 +4,7 @@
 
 #include "render/light_setup.h"
 #include "render/mesh_library.h"
+#include "render/surface_features.h"
 #include "render/texture_library.h"
 #include "world/world.h"
 
@@ -12,18 +13,27 @@ namespace synthetic_dataset::render {
 /// Which links take part in a pass: one flag a link, in the world's order.
 using LinkSelection = std::vector<bool>;
 
+/// A material's pictures as OpenGL names them; 0 for none.
+struct PartTextures {
+  GLuint diffuse = 0;
+  GLuint normal = 0;
+  GLuint roughness = 0;
+  GLuint metalness = 0;
+  GLuint emissive = 0;
+};
+
 /// One surface of one link, ready to be drawn.
 struct Part {
   const MeshBuffers* mesh = nullptr;
   const world::Material* material = nullptr;
-  GLuint texture = 0;  ///< 0: none
+  PartTextures textures;
+  SurfaceFeatures features = 0;
   std::size_t link = 0;
   std::uint32_t identifier = 0;  ///< the object's index + 1; 0 for the world
   Pose X_LV = Pose::Identity();
   Bounds bounds_V;
+  bool transparent = false;  ///< somewhere; it casts no shadow then
   bool casts_shadow = true;
-
-  [[nodiscard]] bool transparent() const { return material->diffuse.w() < 1.0F; }
 };
 
 /// All that can be drawn, uploaded once.
@@ -44,6 +54,8 @@ class DrawList {
                                                           const LinkSelection& drawn) const;
 
  private:
+  [[nodiscard]] Part makePart(const world::Surface& surface);
+
   MeshLibrary meshes_;
   TextureLibrary textures_;
   std::vector<Part> parts_;

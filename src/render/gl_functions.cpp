@@ -42,6 +42,7 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(ClipControl, "glClipControl");
   fill(PixelStorei, "glPixelStorei");
   fill(ReadPixels, "glReadPixels");
+  fill(DrawArrays, "glDrawArrays");
   fill(DrawElements, "glDrawElements");
   fill(CreateBuffers, "glCreateBuffers");
   fill(DeleteBuffers, "glDeleteBuffers");

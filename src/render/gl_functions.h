@@ -26,6 +26,7 @@ struct GlFunctions {
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
   PFNGLPIXELSTOREIPROC PixelStorei = nullptr;
   PFNGLREADPIXELSPROC ReadPixels = nullptr;
+  PFNGLDRAWARRAYSPROC DrawArrays = nullptr;
   PFNGLDRAWELEMENTSPROC DrawElements = nullptr;
 
   PFNGLCREATEBUFFERSPROC CreateBuffers = nullptr;

@@ -60,12 +60,14 @@ Bounds boundsIn(const Pose& X_SW, const std::array<Eigen::Vector3d, 8>& points_W
 }
 
 /// Parallel light: the map covers what is both seen and near something that casts.
-void fitDirectional(const world::Light& light, const View& view, const Bounds& casters,
-                    double shadow_distance, int size, ShadowProjection& projection) {
+void fitDirectional(const world::Light& light, const std::vector<View>& views,
+                    const Bounds& casters, double shadow_distance, int size,
+                    ShadowProjection& projection) {
   constexpr double kMargin = 0.02;  // of the casters' depth, so that none lies on the map's border
   const Pose X_SW = lightFrame(light).inverse();
   const Bounds casting = boundsIn(X_SW, corners(casters));
-  const Bounds seen = boundsIn(X_SW, viewCorners(view, shadow_distance));
+  Bounds seen;
+  for (const View& view : views) seen.extend(boundsIn(X_SW, viewCorners(view, shadow_distance)));
   Eigen::Vector3d low = casting.min().cwiseMax(seen.min());
   Eigen::Vector3d high = casting.max().cwiseMin(seen.max());
   if (low.x() >= high.x() || low.y() >= high.y()) {  // nothing that casts is near what is seen
@@ -119,6 +121,22 @@ int shadowCount(const std::vector<world::Light>& lights) {
   return std::min(static_cast<int>(count), kMaxShadows);
 }
 
+std::vector<std::string> shadowNotes(const std::vector<world::Light>& lights) {
+  std::vector<std::string> notes;
+  int casting = 0;
+  for (const world::Light& light : lights) {
+    if (!light.casts_shadow) continue;
+    if (light.type == world::LightType::kPoint) {
+      notes.push_back("light '" + light.name +
+                      "' casts no shadow: only directional and spot lights do");
+    } else if (++casting > kMaxShadows) {
+      notes.push_back("light '" + light.name + "' casts no shadow: only the first " +
+                      std::to_string(kMaxShadows) + " lights with <cast_shadows> do");
+    }
+  }
+  return notes;
+}
+
 void checkLightCount(const std::vector<world::Light>& lights) {
   if (lights.size() > kMaxLights) {
     throw Error("world: found " + std::to_string(lights.size()) + " lights; at most " +
@@ -127,8 +145,9 @@ void checkLightCount(const std::vector<world::Light>& lights) {
 }
 
 std::vector<ShadowProjection> shadowProjections(const std::vector<world::Light>& lights,
-                                                const View& view, const Bounds& casters,
-                                                double shadow_distance, int size) {
+                                                const std::vector<View>& views,
+                                                const Bounds& casters, double shadow_distance,
+                                                int size) {
   std::vector<ShadowProjection> result;
   if (casters.isEmpty()) return result;
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -139,7 +158,7 @@ std::vector<ShadowProjection> shadowProjections(const std::vector<world::Light>&
     if (lights[i].type == world::LightType::kSpot) {
       fitSpot(lights[i], size, projection);
     } else {
-      fitDirectional(lights[i], view, casters, shadow_distance, size, projection);
+      fitDirectional(lights[i], views, casters, shadow_distance, size, projection);
     }
     result.push_back(projection);
   }

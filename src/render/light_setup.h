@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -21,16 +22,20 @@ struct ShadowProjection {
   double texel = 0.0;  ///< a texel's size [m], for spot lights at a distance of 1 m
 };
 
-/// The lights that cast shadows, each with a projection that holds what the view may see shaded.
+/// The lights that cast shadows, each with a projection that holds what the views may see shaded.
+/// @param views  those that are put together to one picture, so that they share its shadows
 /// @param casters  round all that casts shadows; nothing casts where it is empty
 /// @param shadow_distance  from the camera up to which directional shadows are drawn [m]
 /// @param size  of a map's side [texel]
 [[nodiscard]] std::vector<ShadowProjection> shadowProjections(
-    const std::vector<world::Light>& lights, const View& view, const Bounds& casters,
+    const std::vector<world::Light>& lights, const std::vector<View>& views, const Bounds& casters,
     double shadow_distance, int size);
 
 /// How many shadow maps these lights take, at most as many as the shader has.
 [[nodiscard]] int shadowCount(const std::vector<world::Light>& lights);
+
+/// What the user should know: which lights should cast shadows and do not.
+[[nodiscard]] std::vector<std::string> shadowNotes(const std::vector<world::Light>& lights);
 
 /// @throws Error when there are more lights than the shader has
 void checkLightCount(const std::vector<world::Light>& lights);

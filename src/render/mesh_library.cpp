@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "render/srgb.h"
+
 namespace synthetic_dataset::render {
 namespace {
 
@@ -16,6 +18,7 @@ struct Vertex {
 constexpr GLuint kPosition = 0;
 constexpr GLuint kNormal = 1;
 constexpr GLuint kTextureCoordinates = 2;
+constexpr GLuint kColour = 3;
 
 std::vector<Vertex> interleave(const world::Mesh& mesh) {
   std::vector<Vertex> vertices(mesh.positions.size());
@@ -33,6 +36,10 @@ std::vector<Vertex> interleave(const world::Mesh& mesh) {
 }
 
 }  // namespace
+
+bool hasColours(const world::Mesh& mesh) {
+  return !mesh.colours.empty() && mesh.colours.size() == mesh.positions.size();
+}
 
 MeshBuffers::MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh)
     : gl_(gl),
@@ -58,6 +65,23 @@ MeshBuffers::MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh)
   attribute(kPosition, 3, offsetof(Vertex, position));
   attribute(kNormal, 3, offsetof(Vertex, normal));
   attribute(kTextureCoordinates, 2, offsetof(Vertex, texture_coordinates));
+  if (hasColours(mesh)) addColours(mesh);
+}
+
+/// They have a buffer of their own: most meshes have none.
+void MeshBuffers::addColours(const world::Mesh& mesh) {
+  constexpr GLuint kBinding = 1;
+  std::vector<Eigen::Vector4f> linear;
+  for (const Eigen::Vector4f& colour : mesh.colours) linear.push_back(linearFromSrgb(colour));
+  colours_ = makeBuffer(gl_);
+  gl_.NamedBufferStorage(colours_.name(),
+                         static_cast<GLsizeiptr>(linear.size() * sizeof(Eigen::Vector4f)),
+                         linear.data(), 0);
+  gl_.VertexArrayVertexBuffer(layout_.name(), kBinding, colours_.name(), 0,
+                              sizeof(Eigen::Vector4f));
+  gl_.EnableVertexArrayAttrib(layout_.name(), kColour);
+  gl_.VertexArrayAttribFormat(layout_.name(), kColour, 4, GL_FLOAT, GL_FALSE, 0);
+  gl_.VertexArrayAttribBinding(layout_.name(), kColour, kBinding);
 }
 
 void MeshBuffers::draw() const {

@@ -8,6 +8,9 @@
 
 namespace synthetic_dataset::render {
 
+/// Whether each vertex has a colour.
+[[nodiscard]] bool hasColours(const world::Mesh& mesh);
+
 /// A mesh in the renderer's memory.
 class MeshBuffers {
  public:
@@ -16,8 +19,11 @@ class MeshBuffers {
   void draw() const;
 
  private:
+  void addColours(const world::Mesh& mesh);
+
   const GlFunctions& gl_;
   GlBuffer vertices_;
+  GlBuffer colours_;  // none for meshes without
   GlBuffer indices_;
   GlVertexArray layout_;
   GLsizei index_count_ = 0;

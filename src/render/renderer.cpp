@@ -1,32 +1,28 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "render/lens_map.h"
+#include "render/lens_resampling.h"
 #include "render/light_setup.h"
 #include "render/osmesa_context.h"
-#include "render/shader_program.h"
+#include "render/shader_family.h"
 #include "render/shaders.h"
 #include "render/shadow_maps.h"
+#include "render/sky_painter.h"
+#include "render/srgb.h"
+#include "render/texture_units.h"
+#include "sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
 
 using ImageSize = std::pair<int, int>;
 
-constexpr GLuint kDiffuseUnit = 0;
-constexpr GLuint kShadowUnit = 1;
-
-/// sRGB's transfer function (IEC 61966-2-1).
-float linearFromSrgb(float encoded) {
-  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
-
-Eigen::Vector3f linearFromSrgb(const Eigen::Vector3f& encoded) {
-  return encoded.unaryExpr([](float channel) { return linearFromSrgb(channel); });
-}
+constexpr SurfaceFeatures kAllFeatures = ~SurfaceFeatures{0};
 
 /// The light that a dielectric throws back head-on, from the strength of its specular colour
 /// (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR": 0.16 r^2).
@@ -37,6 +33,31 @@ float reflectance(const world::Material& material) {
 
 ImageSize sizeOf(const CameraModel& camera) { return {camera.width(), camera.height()}; }
 
+/// All that tells one camera's pictures from another's.
+std::vector<double> keyOf(const CameraModel& camera) {
+  const Intrinsics& k = camera.intrinsics();
+  const Distortion& distortion = camera.distortion();
+  std::vector<double> key = {static_cast<double>(camera.width()),
+                             static_cast<double>(camera.height()),
+                             k.fx,
+                             k.fy,
+                             k.cx,
+                             k.cy,
+                             camera.near(),
+                             camera.far(),
+                             static_cast<double>(distortion.model),
+                             distortion.cutoff_angle};
+  key.insert(key.end(), distortion.coefficients.begin(), distortion.coefficients.end());
+  return key;
+}
+
+/// The views of a lens's faces.
+std::vector<View> faceViews(const LensMap& lens, const View& view) {
+  std::vector<View> views;
+  for (const LensFace& face : lens.faces) views.push_back({face.camera, view.X_WC * face.X_CF});
+  return views;
+}
+
 }  // namespace
 
 struct Renderer::Impl {
@@ -46,11 +67,12 @@ struct Renderer::Impl {
         lights(description.lights),
         ambient(linearFromSrgb(description.ambient)),
         background(linearFromSrgb(description.background)),
+        fog(description.fog),
         gl(context.gl()),
-        colour_program(gl, shaders::kMeshVertex, shaders::kColourFragment),
-        label_program(gl, shaders::kMeshVertex, shaders::kLabelFragment),
-        depth_program(gl, shaders::kMeshVertex, shaders::kShadowFragment),
-        shadow_program(gl, shaders::kShadowVertex, shaders::kShadowFragment),
+        colour_programs(gl, shaders::kMeshVertex, shaders::kColourFragment, kAllFeatures),
+        label_programs(gl, shaders::kMeshVertex, shaders::kLabelFragment, feature::kHoles),
+        depth_programs(gl, shaders::kMeshVertex, shaders::kShadowFragment, feature::kHoles),
+        shadow_programs(gl, shaders::kShadowVertex, shaders::kShadowFragment, feature::kHoles),
         draw_list(gl, links),
         shadow_maps(gl, options.shadow_map_size, shadowCount(description.lights)) {
     checkLightCount(lights);
@@ -60,104 +82,191 @@ struct Renderer::Impl {
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl.Enable(GL_DEPTH_TEST);
-    for (const auto* program : {&colour_program, &label_program, &depth_program, &shadow_program}) {
-      program->set("diffuse_map", static_cast<int>(kDiffuseUnit));
-    }
-    colour_program.set("shadow_maps", static_cast<int>(kShadowUnit));
+    if (description.sky) sky.emplace(gl, *description.sky, lights);
   }
 
+  /// The picture with the holes, and where it lies: all that every pass has to know.
   void bindTexture(const ShaderProgram& program, const Part& part) const {
-    program.set("textured", part.texture != 0 ? 1 : 0);
-    if (part.texture != 0) gl.BindTextureUnit(kDiffuseUnit, part.texture);
+    const world::Material& material = *part.material;
+    Eigen::Vector4f placement;
+    placement << material.texture_scale, material.texture_offset;
+    program.set("texture_placement", placement);
+    program.set("alpha_threshold", material.alpha_threshold);
+    if (part.textures.diffuse != 0) gl.BindTextureUnit(kDiffuseUnit, part.textures.diffuse);
   }
 
   void drawShadows(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
-                   const LinkSelection& casting) const {
+                   const LinkSelection& casting) {
     gl.Enable(GL_DEPTH_CLAMP);  // what stands before the map's range still casts
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_CULL_FACE);
-    shadow_program.use();
     for (const ShadowProjection& shadow : shadows) {
       shadow_maps.begin(shadow.layer);
       for (const Part& part : draw_list.parts()) {
         if (!part.casts_shadow || !casting[part.link]) continue;
         const Eigen::Matrix4d shadow_from_mesh =
             shadow.shadow_from_world * (X_WL[part.link] * part.X_LV).matrix();
-        shadow_program.set("shadow_from_mesh", Eigen::Matrix4f(shadow_from_mesh.cast<float>()));
-        bindTexture(shadow_program, part);
+        const ShaderProgram& program = shadow_programs.get(part.features);
+        program.use();
+        program.set("shadow_from_mesh", Eigen::Matrix4f(shadow_from_mesh.cast<float>()));
+        bindTexture(program, part);
         part.mesh->draw();
       }
     }
     gl.Disable(GL_DEPTH_CLAMP);
   }
 
-  /// Starts drawing what the camera sees with a program.
-  void useForCamera(const ShaderProgram& program, const View& view) const {
-    program.use();
-    program.set("clip_from_camera", Eigen::Matrix4f(clipFromCamera(view.camera).cast<float>()));
-  }
-
-  void drawPart(const ShaderProgram& program, const Part& part, const Pose& X_CW,
-                const std::vector<Pose>& X_WL) const {
+  /// Draws a part as the camera sees it.
+  void drawPart(const ShaderProgram& program, const Part& part, const View& view,
+                const Pose& X_WL) const {
     if (part.material->double_sided) {
       gl.Disable(GL_CULL_FACE);
     } else {
       gl.Enable(GL_CULL_FACE);
     }
-    const Pose X_CV = X_CW * X_WL[part.link] * part.X_LV;
+    const Pose X_CV = view.X_WC.inverse() * X_WL * part.X_LV;
+    program.use();
+    program.set("clip_from_camera", Eigen::Matrix4f(clipFromCamera(view.camera).cast<float>()));
     program.set("camera_from_mesh", Eigen::Matrix4f(X_CV.matrix().cast<float>()));
     bindTexture(program, part);
     part.mesh->draw();
   }
 
-  void setMaterial(const world::Material& material) const {
-    Eigen::Vector4f diffuse;
-    diffuse << linearFromSrgb(Eigen::Vector3f(material.diffuse.head<3>())), material.diffuse.w();
-    colour_program.set("diffuse", diffuse);
-    colour_program.set("emissive", linearFromSrgb(material.emissive));
-    colour_program.set("reflectance", reflectance(material));
-    colour_program.set("roughness", material.roughness);
-    colour_program.set("metalness", material.metalness);
+  void setMaterial(const ShaderProgram& program, const Part& part) const {
+    const world::Material& material = *part.material;
+    program.set("diffuse", linearFromSrgb(material.diffuse));
+    program.set("emissive", linearFromSrgb(material.emissive));
+    program.set("reflectance", reflectance(material));
+    program.set("roughness", material.roughness);
+    program.set("metalness", material.metalness);
+    const PartTextures& textures = part.textures;
+    if (textures.normal != 0) gl.BindTextureUnit(kNormalUnit, textures.normal);
+    if (textures.roughness != 0) gl.BindTextureUnit(kRoughnessUnit, textures.roughness);
+    if (textures.metalness != 0) gl.BindTextureUnit(kMetalnessUnit, textures.metalness);
+    if (textures.emissive != 0) gl.BindTextureUnit(kEmissiveUnit, textures.emissive);
+  }
+
+  void setFog(const ShaderProgram& program) const {
+    if (!fog) return;
+    program.set("fog_type", static_cast<int>(fog->type));
+    program.set("fog_colour", linearFromSrgb(fog->colour));
+    program.set("fog_extent",
+                Eigen::Vector3f(Eigen::Vector3d(fog->start, fog->end, fog->density).cast<float>()));
+  }
+
+  /// Tells a program what is the same for all surfaces of a picture.
+  void setSurroundings(const ShaderProgram& program, const View& view,
+                       const std::vector<ShadowProjection>& shadows, float exposure) const {
+    const Eigen::Vector3d up_C = view.X_WC.linear().transpose() * Eigen::Vector3d::UnitZ();
+    program.set("ambient", ambient);
+    program.set("up_C", Eigen::Vector3f(up_C.cast<float>()));
+    setLights(program, lights, shadows, view);
+    setFog(program);
+    program.set("exposure", exposure);
   }
 
   /// Depth first: lighting is the costly part, and is then done only for what is seen.
-  void drawDepth(const View& view, const Pose& X_CW, const std::vector<Pose>& X_WL,
-                 const LinkSelection& drawn) const {
+  void drawDepth(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn) {
     gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl.DepthFunc(GL_GREATER);
-    useForCamera(depth_program, view);
     for (const Part& part : draw_list.parts()) {
-      if (drawn[part.link] && !part.transparent()) drawPart(depth_program, part, X_CW, X_WL);
+      if (!drawn[part.link] || part.transparent) continue;
+      drawPart(depth_programs.get(part.features), part, view, X_WL[part.link]);
     }
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
 
-  /// Draws the selected parts into the bound colour target: solid ones, then those that one can
-  /// see through.
-  void drawColours(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
-                   const std::vector<ShadowProjection>& shadows) const {
-    const Pose X_CW = view.X_WC.inverse();
-    const Eigen::Vector3d up_C = X_CW.linear() * Eigen::Vector3d::UnitZ();
-    drawDepth(view, X_CW, X_WL, drawn);
-    useForCamera(colour_program, view);
-    colour_program.set("ambient", ambient);
-    colour_program.set("up_C", Eigen::Vector3f(up_C.cast<float>()));
-    setLights(colour_program, lights, shadows, view);
+  /// Draws the selected parts into the bound colour target: solid ones, the sky behind them, then
+  /// those that one can see through.
+  void drawColours(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
+                   const std::vector<ShadowProjection>& shadows) {
+    drawDepth(view, X_WL, pass.drawn);
+    const SurfaceFeatures common = (fog ? feature::kFog : SurfaceFeatures{0}) |
+                                   (shadows.empty() ? SurfaceFeatures{0} : feature::kShadows);
+    std::set<const ShaderProgram*> prepared;
+    const auto draw = [&](const Part& part) {
+      const ShaderProgram& program = colour_programs.get(part.features | common);
+      if (prepared.insert(&program).second) {
+        setSurroundings(program, view, shadows, pass.exposure);
+      }
+      setMaterial(program, part);
+      drawPart(program, part, view, X_WL[part.link]);
+    };
     gl.BindTextureUnit(kShadowUnit, shadow_maps.texture());
     gl.DepthMask(GL_FALSE);
     gl.DepthFunc(GL_GEQUAL);
     for (const Part& part : draw_list.parts()) {
-      if (!drawn[part.link] || part.transparent()) continue;
-      setMaterial(*part.material);
-      drawPart(colour_program, part, X_CW, X_WL);
+      if (pass.drawn[part.link] && !part.transparent) draw(part);
     }
+    if (sky) sky->paint(view, pass.exposure);
     gl.Enable(GL_BLEND);
-    for (const Part* part : draw_list.transparentParts(X_CW, X_WL, drawn)) {
-      setMaterial(*part->material);
-      drawPart(colour_program, *part, X_CW, X_WL);
+    for (const Part* part : draw_list.transparentParts(view.X_WC.inverse(), X_WL, pass.drawn)) {
+      draw(*part);
     }
     gl.Disable(GL_BLEND);
     gl.DepthMask(GL_TRUE);
+  }
+
+  /// @param region  the part that is drawn
+  cv::Mat drawPinhole(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
+                      const std::optional<cv::Rect>& region,
+                      const std::vector<ShadowProjection>& shadows) {
+    const ColourTarget& target = colourTarget(view.camera, pass.sampling);
+    const Eigen::Vector3f exposed = pass.exposure * background;
+    gl.Enable(GL_FRAMEBUFFER_SRGB);
+    target.begin(exposed.data());
+    if (region) {
+      gl.Enable(GL_SCISSOR_TEST);
+      gl.Scissor(region->x, region->y, region->width, region->height);
+    }
+    drawColours(view, X_WL, pass, shadows);
+    gl.Disable(GL_SCISSOR_TEST);
+    cv::Mat image = target.read();
+    gl.Disable(GL_FRAMEBUFFER_SRGB);
+    return image;
+  }
+
+  cv::Mat drawThroughLens(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
+                          const std::vector<ShadowProjection>& shadows) {
+    const LensMap& lens = lensMap(view.camera);
+    const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
+    const cv::Rect region = pass.region.value_or(image) & image;
+    const auto encoded = [&](Eigen::Index i) {
+      return sensor::srgbFromLinear(pass.exposure * background[i]);
+    };
+    cv::Mat picture(image.size(), CV_8UC3, cv::Scalar(encoded(2), encoded(1), encoded(0)));
+    picture.setTo(cv::Scalar::all(0), lens.face < 0);
+    const std::vector<View> views = faceViews(lens, view);
+    for (std::size_t face = 0; face < views.size(); ++face) {
+      const cv::Rect needed = neededOf(lens, face, region);
+      if (needed.empty()) continue;
+      const cv::Mat drawn = drawPinhole(views[face], X_WL, pass, needed, shadows);
+      const bool smooth = pass.sampling == Sampling::kSmooth;
+      (smooth ? resampleSmooth : resampleCentres)(lens, face, drawn, region, picture);
+    }
+    return picture;
+  }
+
+  LabelImages drawLabels(const View& view, const std::vector<Pose>& X_WL,
+                         const LinkSelection& drawn) {
+    const LabelTarget& target = labelTarget(view.camera);
+    target.begin();
+    gl.DepthFunc(GL_GREATER);
+    for (const Part& part : draw_list.parts()) {
+      const bool seen_through = part.transparent && part.identifier == 0;
+      if (!drawn[part.link] || seen_through) continue;
+      const ShaderProgram& program = label_programs.get(part.features);
+      program.set("identifier", part.identifier);
+      drawPart(program, part, view, X_WL[part.link]);
+    }
+    return target.read();
+  }
+
+  const LensMap& lensMap(const CameraModel& camera) {
+    std::vector<double> key = keyOf(camera);
+    const auto known = lens_maps.find(key);
+    if (known != lens_maps.end()) return known->second;
+    return lens_maps.emplace(std::move(key), makeLensMap(camera)).first->second;
   }
 
   const ColourTarget& colourTarget(const CameraModel& camera, Sampling sampling) {
@@ -176,18 +285,21 @@ struct Renderer::Impl {
   std::vector<world::Light> lights;
   Eigen::Vector3f ambient;
   Eigen::Vector3f background;
+  std::optional<world::Fog> fog;
 
   OsmesaContext context;  // before all that lives in it
   const GlFunctions& gl;
-  ShaderProgram colour_program;
-  ShaderProgram label_program;
-  ShaderProgram depth_program;
-  ShaderProgram shadow_program;
+  ShaderFamily colour_programs;
+  ShaderFamily label_programs;
+  ShaderFamily depth_programs;
+  ShaderFamily shadow_programs;
   DrawList draw_list;
   ShadowMaps shadow_maps;
+  std::optional<SkyPainter> sky;
   std::map<ImageSize, ColourTarget> smooth_targets;
   std::map<ImageSize, ColourTarget> centre_targets;
   std::map<ImageSize, LabelTarget> label_targets;
+  std::map<std::vector<double>, LensMap> lens_maps;
 };
 
 Renderer::Renderer(const world::Description& description,
@@ -198,41 +310,28 @@ Renderer::~Renderer() = default;
 
 cv::Mat Renderer::colour(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass) {
   Impl& impl = *impl_;
-  const auto shadows =
-      shadowProjections(impl.lights, view, impl.draw_list.casterBounds(X_WL, pass.casting),
-                        impl.options.shadow_distance, impl.options.shadow_map_size);
+  const bool distorted = hasDistortion(view.camera);
+  const auto shadows = shadowProjections(
+      impl.lights, distorted ? faceViews(impl.lensMap(view.camera), view) : std::vector<View>{view},
+      impl.draw_list.casterBounds(X_WL, pass.casting), impl.options.shadow_distance,
+      impl.options.shadow_map_size);
   impl.drawShadows(shadows, X_WL, pass.casting);
-
-  const ColourTarget& target = impl.colourTarget(view.camera, pass.sampling);
-  impl.gl.Enable(GL_FRAMEBUFFER_SRGB);
-  target.begin(impl.background.data());
-  if (pass.region) {
-    const cv::Rect& region = *pass.region;
-    impl.gl.Enable(GL_SCISSOR_TEST);
-    impl.gl.Scissor(region.x, region.y, region.width, region.height);
-  }
-  impl.drawColours(view, X_WL, pass.drawn, shadows);
-  impl.gl.Disable(GL_SCISSOR_TEST);
-  cv::Mat image = target.read();
-  impl.gl.Disable(GL_FRAMEBUFFER_SRGB);
-  return image;
+  return distorted ? impl.drawThroughLens(view, X_WL, pass, shadows)
+                   : impl.drawPinhole(view, X_WL, pass, pass.region, shadows);
 }
 
 LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,
                              const LinkSelection& drawn) {
   Impl& impl = *impl_;
-  const Pose X_CW = view.X_WC.inverse();
-  const LabelTarget& target = impl.labelTarget(view.camera);
-  target.begin();
-  impl.gl.DepthFunc(GL_GREATER);
-  impl.useForCamera(impl.label_program, view);
-  for (const Part& part : impl.draw_list.parts()) {
-    const bool seen_through = part.transparent() && part.identifier == 0;
-    if (!drawn[part.link] || seen_through) continue;
-    impl.label_program.set("identifier", part.identifier);
-    impl.drawPart(impl.label_program, part, X_CW, X_WL);
+  if (!hasDistortion(view.camera)) return impl.drawLabels(view, X_WL, drawn);
+  const cv::Size size(view.camera.width(), view.camera.height());
+  LabelImages labels{cv::Mat::zeros(size, CV_32SC1), cv::Mat::zeros(size, CV_32FC1)};
+  const LensMap& lens = impl.lensMap(view.camera);
+  const std::vector<View> views = faceViews(lens, view);
+  for (std::size_t face = 0; face < views.size(); ++face) {
+    resampleLabels(lens, face, impl.drawLabels(views[face], X_WL, drawn), labels);
   }
-  return target.read();
+  return labels;
 }
 
 }  // namespace synthetic_dataset::render

@@ -33,12 +33,20 @@ struct ColourPass {
 
   /// The pixels that are drawn; all others have the background's colour. None: the whole image.
   std::optional<cv::Rect> region = std::nullopt;
+
+  float exposure = 1.0F;  ///< multiplies all light, before bright light is compressed
 };
 
 /// Draws the world's links offscreen. The same calls give the same pixels.
 ///
 /// Every pixel is sampled where OpenCV's convention has its centre, at whole coordinates; colour
 /// and labels share one vertex stage, so their edges are the same.
+///
+/// A camera with distortion sees through pinhole pictures that are drawn at twice the density and
+/// resampled. Smooth colours are means over each pixel's area; ids, depth and Sampling::kCentre
+/// take the nearest drawn pixel, all of them the same one. Where the lens sees nothing, colour is
+/// black, the identifier and the depth are 0. An equidistant lens can see what is beside and behind
+/// it: depth, which is z of the optical frame, is then 0 or negative.
 class Renderer {
  public:
   /// @param description  the lights, ambient light and background; copied

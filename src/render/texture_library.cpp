@@ -13,14 +13,25 @@ GLsizei mipmapLevels(int width, int height) {
   return levels;
 }
 
-GlTexture upload(const GlFunctions& gl, const world::Texture& texture) {
+bool isOpaque(const cv::Mat& pixels) {
+  for (int row = 0; row < pixels.rows; ++row) {
+    const auto* first = pixels.ptr<cv::Vec4b>(row);
+    if (!std::all_of(first, first + pixels.cols, [](const cv::Vec4b& p) { return p[3] == 255; })) {
+      return false;
+    }
+  }
+  return true;
+}
+
+UploadedTexture upload(const GlFunctions& gl, const world::Texture& texture, PixelMeaning meaning) {
   const cv::Mat& pixels = texture.pixels;
   if (pixels.empty() || pixels.type() != CV_8UC4) {
     throw Error(texture.file + ": a texture should have pixels of four channels");
   }
-  GlTexture result = makeTexture(gl, GL_TEXTURE_2D);
-  const GLuint name = result.name();
-  gl.TextureStorage2D(name, mipmapLevels(pixels.cols, pixels.rows), GL_SRGB8_ALPHA8, pixels.cols,
+  UploadedTexture result{makeTexture(gl, GL_TEXTURE_2D), isOpaque(pixels)};
+  const GLuint name = result.texture.name();
+  gl.TextureStorage2D(name, mipmapLevels(pixels.cols, pixels.rows),
+                      meaning == PixelMeaning::kColour ? GL_SRGB8_ALPHA8 : GL_RGBA8, pixels.cols,
                       pixels.rows);
   const cv::Mat packed = pixels.isContinuous() ? pixels : pixels.clone();
   gl.TextureSubImage2D(name, 0, 0, 0, pixels.cols, pixels.rows, GL_BGRA, GL_UNSIGNED_BYTE,
@@ -35,10 +46,14 @@ GlTexture upload(const GlFunctions& gl, const world::Texture& texture) {
 
 }  // namespace
 
-GLuint TextureLibrary::get(const std::shared_ptr<const world::Texture>& texture) {
-  auto entry = textures_.find(texture);
-  if (entry == textures_.end()) entry = textures_.emplace(texture, upload(gl_, *texture)).first;
-  return entry->second.name();
+const UploadedTexture& TextureLibrary::get(const std::shared_ptr<const world::Texture>& texture,
+                                           PixelMeaning meaning) {
+  const auto key = std::make_pair(texture, meaning);
+  auto entry = textures_.find(key);
+  if (entry == textures_.end()) {
+    entry = textures_.emplace(key, upload(gl_, *texture, meaning)).first;
+  }
+  return entry->second;
 }
 
 }  // namespace synthetic_dataset::render

@@ -112,6 +112,8 @@ struct Link {
   /// Index in Model::links of the link that a joint holds this one to; none for a root.
   std::optional<std::size_t> parent;
 
+  std::string moving_joint;  ///< name of the joint to the parent if it can move, else empty
+
   std::vector<Visual> visuals;
   std::vector<Collision> collisions;
   std::optional<Inertia> inertia;
@@ -143,16 +145,29 @@ struct Light {
   bool casts_shadow = false;
 };
 
-/// A camera that the world describes (`<sensor type="camera">`).
+/// Noise that is added to each channel of each pixel: normally distributed, of full scale (1 is
+/// from black to white).
+struct PixelNoise {
+  double mean = 0.0;
+  double stddev = 0.0;
+};
+
+/// A camera that the world describes (`<sensor type="camera">` and its kin).
 struct CameraSensor {
   std::string name;              ///< "model::link::sensor", as Gazebo scopes it
   Pose X_WC = Pose::Identity();  ///< the *optical* frame: x right, y down, z forward
   CameraModel camera;
+  PixelNoise noise;              ///< SDF's <noise>
+  std::string link;              ///< of its model, scoped as Link::name
+  Pose X_LC = Pose::Identity();  ///< of the optical frame in its link, which may move
+
+  /// The name of its model.
+  [[nodiscard]] std::string model() const { return name.substr(0, name.find("::")); }
 };
 
 enum class FogType { kLinear, kExponential, kSquaredExponential };
 
-/// Fog by depth along the view: linear between start and end, or 1 - exp(-density d), or
+/// Fog by distance from the camera: linear between start and end, or 1 - exp(-density d), or
 /// 1 - exp(-(density d)^2).
 struct Fog {
   FogType type = FogType::kLinear;

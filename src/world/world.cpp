@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
-#include "world/collision_models.h"
-#include "world/overlap_finder.h"
-#include "world/physics.h"
+#include "world/physics/collision_models.h"
+#include "world/physics/overlap_finder.h"
+#include "world/physics/physics.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -37,12 +37,6 @@ void collectErrors(std::vector<std::string>& errors, const Make& make) {
   }
 }
 
-std::vector<std::string> namesOf(const std::vector<Model>& models) {
-  std::vector<std::string> names;
-  for (const Model& model : models) names.push_back(model.name);
-  return names;
-}
-
 bool samePoses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].matrix() != b[i].matrix()) return false;
@@ -53,18 +47,20 @@ bool samePoses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
 }  // namespace
 
 struct World::Impl {
-  Impl(Description description_in, std::vector<Model> objects_in, const PhysicsOptions& options_in);
+  Impl(Description description_in, std::vector<MovingObject> objects_in,
+       const PhysicsOptions& options_in);
 
   void addFixed(const Model& model, std::vector<std::string>& errors);
   void addProp(const Model& model, std::vector<PropModel>& props, std::vector<std::string>& errors);
-  void addObject(const Model& model, std::vector<std::string>& errors);
+  void addObject(const MovingObject& object, std::vector<std::string>& errors);
   void addLinks(const Model& model, Role role, int object);
 
   void start(Stamp time, const ObjectMotion& motion);
   void simulateUntil(Stamp time, const ObjectMotion& motion);
   void showProps(Stamp time);
   void show(const Model& model, std::size_t first_link, const Pose& X_WM);
-  [[nodiscard]] std::vector<Pose> objectPoses(Stamp time, const ObjectMotion& motion) const;
+  void showObjects();
+  [[nodiscard]] std::vector<Pose> bodyPoses(Stamp time, const ObjectMotion& motion) const;
 
   /// A model of the description that moves, and where its links stand in `links`.
   struct ShownProp {
@@ -73,28 +69,30 @@ struct World::Impl {
   };
 
   Description description;
-  const std::vector<Model> objects;
+  const std::vector<MovingObject> objects;
   const PhysicsOptions options;
 
   std::vector<LinkInstance> links;
   std::vector<Pose> X_WL;  ///< of links
   std::vector<ShownProp> props;
   std::vector<std::size_t> first_object_links;  ///< of objects
+  std::vector<ObjectBodies> object_bodies;      ///< of objects
 
   std::vector<FixedCollision> fixed;
-  std::vector<MovingCollisions> object_collisions;
+  std::vector<MovingCollisions> object_collisions;  ///< body by body, of all objects in turn
+  std::vector<std::string> body_names;              ///< of the objects that they belong to
   std::unique_ptr<OverlapFinder> overlaps;
   std::unique_ptr<Physics> physics;  ///< none where there is no prop: nothing depends on the past
 
   std::optional<Stamp> start_time;
   Stamp now{0};
   std::int64_t steps_done = 0;
-  std::vector<Pose> X_WO;  ///< of objects, now
+  std::vector<Pose> X_WB;  ///< of the objects' bodies, now
   std::vector<Pose> X_WP;  ///< of props, as shown
   std::int64_t prop_revision = 0;
 };
 
-World::Impl::Impl(Description description_in, std::vector<Model> objects_in,
+World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_in,
                   const PhysicsOptions& options_in)
     : description(std::move(description_in)),
       objects(std::move(objects_in)),
@@ -109,11 +107,11 @@ World::Impl::Impl(Description description_in, std::vector<Model> objects_in,
       addFixed(model, errors);
     }
   }
-  for (const Model& model : objects) addObject(model, errors);
+  for (const MovingObject& object : objects) addObject(object, errors);
   if (!description.gravity.allFinite()) errors.emplace_back("the world's gravity is not finite");
   if (!errors.empty()) throw ErrorList(std::move(errors));
 
-  overlaps = std::make_unique<OverlapFinder>(fixed, object_collisions, namesOf(objects));
+  overlaps = std::make_unique<OverlapFinder>(fixed, object_collisions, body_names);
   if (props.empty()) return;
   physics = std::make_unique<Physics>(description.gravity, options.step, fixed, object_collisions,
                                       std::move(prop_models));
@@ -121,7 +119,7 @@ World::Impl::Impl(Description description_in, std::vector<Model> objects_in,
 
 void World::Impl::addLinks(const Model& model, Role role, int object) {
   for (const Link& link : model.links) {
-    links.push_back({&link, role, object});
+    links.push_back({&link, role, object, model.name});
     X_WL.push_back(model.X_WM * link.X_ML);
   }
 }
@@ -150,29 +148,43 @@ void World::Impl::addProp(const Model& model, std::vector<PropModel>& prop_model
   });
 }
 
-void World::Impl::addObject(const Model& model, std::vector<std::string>& errors) {
+void World::Impl::addObject(const MovingObject& object, std::vector<std::string>& errors) {
   first_object_links.push_back(links.size());
-  addLinks(model, Role::kObject, static_cast<int>(first_object_links.size()) - 1);
+  addLinks(object.model, Role::kObject, static_cast<int>(first_object_links.size()) - 1);
   collectErrors(errors, [&] {
-    object_collisions.push_back(movingCollisions(model, Pose::Identity()));
-    const auto& notes = object_collisions.back().notes;
-    description.notes.insert(description.notes.end(), notes.begin(), notes.end());
+    object_bodies.emplace_back(object);
+    for (const Model& body : object_bodies.back().models(object.model)) {
+      object_collisions.push_back(movingCollisions(body, Pose::Identity()));
+      body_names.push_back(object.model.name);
+      const auto& notes = object_collisions.back().notes;
+      description.notes.insert(description.notes.end(), notes.begin(), notes.end());
+    }
   });
 }
 
-std::vector<Pose> World::Impl::objectPoses(Stamp time, const ObjectMotion& motion) const {
+std::vector<Pose> World::Impl::bodyPoses(Stamp time, const ObjectMotion& motion) const {
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    poses.push_back(motion(static_cast<int>(i), time));
-    if (poses.back().matrix().allFinite()) continue;
-    throw Error("object '" + objects[i].name + "': its pose at " + text(time) + " is not finite");
+    const ObjectPose pose = motion(static_cast<int>(i), time);
+    if (pose.X_WL.size() != objects[i].driven_links.size()) {
+      throw Error("object '" + objects[i].model.name +
+                  "': " + std::to_string(objects[i].driven_links.size()) +
+                  " links are driven, but " + std::to_string(pose.X_WL.size()) + " poses given");
+    }
+    for (const Pose& X_WB_one : ObjectBodies::poses(pose)) {
+      if (!X_WB_one.matrix().allFinite()) {
+        throw Error("object '" + objects[i].model.name + "': its pose at " + text(time) +
+                    " is not finite");
+      }
+      poses.push_back(X_WB_one);
+    }
   }
   return poses;
 }
 
 void World::Impl::start(Stamp time, const ObjectMotion& motion) {
-  X_WO = objectPoses(time, motion);
-  if (physics) physics->placeObjects(X_WO);
+  X_WB = bodyPoses(time, motion);
+  if (physics) physics->placeObjects(X_WB);
   start_time = time;
 }
 
@@ -180,7 +192,7 @@ void World::Impl::simulateUntil(Stamp time, const ObjectMotion& motion) {
   if (!physics) return;
   const std::int64_t steps = (time - *start_time) / options.step;
   for (; steps_done < steps; ++steps_done) {
-    physics->step(objectPoses(*start_time + (steps_done + 1) * options.step, motion));
+    physics->step(bodyPoses(*start_time + (steps_done + 1) * options.step, motion));
   }
 }
 
@@ -202,7 +214,20 @@ void World::Impl::showProps(Stamp time) {
   ++prop_revision;
 }
 
-World::World(Description description, std::vector<Model> objects, const PhysicsOptions& options)
+void World::Impl::showObjects() {
+  auto first_body = X_WB.begin();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const auto body_count = static_cast<std::ptrdiff_t>(objects[i].driven_links.size()) + 1;
+    const std::vector<Pose> bodies(first_body, first_body + body_count);
+    first_body += body_count;
+    for (std::size_t link = 0; link < objects[i].model.links.size(); ++link) {
+      X_WL[first_object_links[i] + link] = object_bodies[i].linkPose(link, bodies);
+    }
+  }
+}
+
+World::World(Description description, std::vector<MovingObject> objects,
+             const PhysicsOptions& options)
     : impl_(std::make_unique<Impl>(std::move(description), std::move(objects), options)) {}
 
 World::~World() = default;
@@ -216,13 +241,11 @@ void World::advanceTo(Stamp time, const ObjectMotion& motion) {
                 "; scenes have to be made in ascending order");
   } else {
     world.simulateUntil(time, motion);
-    world.X_WO = world.objectPoses(time, motion);
+    world.X_WB = world.bodyPoses(time, motion);
   }
   world.now = time;
   world.showProps(time);
-  for (std::size_t i = 0; i < world.objects.size(); ++i) {
-    world.show(world.objects[i], world.first_object_links[i], world.X_WO[i]);
-  }
+  world.showObjects();
 }
 
 const Description& World::description() const { return impl_->description; }
@@ -235,7 +258,7 @@ std::int64_t World::propRevision() const { return impl_->prop_revision; }
 
 std::vector<Interpenetration> World::interpenetrations() const {
   if (!impl_->start_time) return {};
-  return impl_->overlaps->find(impl_->X_WO, impl_->options.contact_tolerance);
+  return impl_->overlaps->find(impl_->X_WB, impl_->options.contact_tolerance);
 }
 
 }  // namespace synthetic_dataset::world

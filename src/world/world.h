@@ -8,6 +8,7 @@
 
 #include "synthetic_dataset/pose.h"
 #include "world/description.h"
+#include "world/physics/object_bodies.h"
 
 namespace synthetic_dataset::world {
 
@@ -21,7 +22,8 @@ enum class Role {
 struct LinkInstance {
   const Link* link = nullptr;  ///< lives as long as the world
   Role role = Role::kStatic;
-  int object = -1;  ///< index of the object (kObject), else -1
+  int object = -1;         ///< index of the object (kObject), else -1
+  std::string model = "";  ///< the name of its model
 };
 
 struct PhysicsOptions {
@@ -41,21 +43,21 @@ struct Interpenetration {
 /// the same time reached in other strides.
 ///
 /// Models that are no object and not static are props, each one rigid body: its links hold together
-/// as the file places them. Meshes of props and objects collide as their convex hulls, those of
-/// static models as their triangles. A prop without any collision that could hold it (Gazebo would
-/// let it fall for ever) stands still and counts as static; a prop that falls off the world stops
-/// after 10 km.
+/// as the file places them. An object is one kinematic body, or, where TF drives its links,
+/// several, which never count as inside one another. Meshes of props and objects collide as their
+/// convex hulls, those of static models as their triangles. A prop without any collision that could
+/// hold it (Gazebo would let it fall for ever) stands still and counts as static; a prop that falls
+/// off the world stops after 10 km.
 class World {
  public:
-  /// Where object `object` is at a time: X_WO. Called for every step of the simulation, so it has
-  /// to answer at any time between two scenes.
-  using ObjectMotion = std::function<Pose(int object, Stamp time)>;
+  /// Where object `object` and its driven links are at a time. Called for every step of the
+  /// simulation, so it has to answer at any time between two scenes.
+  using ObjectMotion = std::function<ObjectPose(int object, Stamp time)>;
 
   /// @param description  models that are no object and not static are props
-  /// @param objects  the models of the objects, in the order of `robot_list`; their poses are
-  /// ignored
+  /// @param objects  in the order of `robot_list`; their models' poses are ignored
   /// @throws ErrorList with every collision shape or mass that cannot be simulated, and its model
-  World(Description description, std::vector<Model> objects, const PhysicsOptions& options);
+  World(Description description, std::vector<MovingObject> objects, const PhysicsOptions& options);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -63,7 +65,8 @@ class World {
   /// Puts the world at `time`. The first call sets the clock: props start there, at rest. Later
   /// ones simulate the whole steps that lie in between, the objects moving along; for what is left
   /// of a step, a moving prop is shown a bit further along its velocity.
-  /// @throws Error if `time` is earlier than the last one, if an object's pose is not finite, or if
+  /// @throws Error if `time` is earlier than the last one, if an object's pose is not finite or
+  ///     has not one pose a driven link, or if
   ///     the simulation breaks down (naming the prop); the world is of no further use then
   void advanceTo(Stamp time, const ObjectMotion& motion);
 

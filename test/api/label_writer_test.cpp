@@ -31,7 +31,8 @@ class OddWriter : public LabelWriter {
 WriterParameters parameters() { return {Parameters(Value::Map{}), "mine", "/tmp/mine/"}; }
 
 Scene emptyScene() {
-  return {0, Stamp(0), CameraModel(4, 4, {1, 1, 2, 2}, 0.1, 10), Pose::Identity(), {}, {}, {}};
+  const CameraModel camera(4, 4, {1, 1, 2, 2}, 0.1, 10);
+  return {0, "00000000", "camera", Stamp(0), camera, Pose::Identity(), {}, {}, {}};
 }
 
 TEST(LabelWriter, AddsItsNameToWhateverIsThrown) {

@@ -86,5 +86,12 @@ TEST(Parameters, AGroupThatIsNoGroupIsAnError) {
                                          "named values"));
 }
 
+TEST(Parameters, NumbersAsYamlCppWritesThemCount) {
+  const Parameters root(Value(Value::Map{{"small", Value("1e-05")}, {"text", Value("e5x")}}));
+  EXPECT_EQ(root.required<double>("small"), 1e-5);
+  (void)root.required<double>("text");
+  EXPECT_EQ(root.errors().size(), 1U);
+}
+
 }  // namespace
 }  // namespace synthetic_dataset

@@ -67,9 +67,97 @@ TEST_F(CameraInfo, OfTheRectifiedCameraIsTheProjectionMatrix) {
   EXPECT_EQ(camera.intrinsics().cy, 230.0);
 }
 
-TEST_F(CameraInfo, RefusesALensDistortionAndSaysWhatToDo) {
-  EXPECT_THAT([&] { read(with("data: [0, 0, 0, 0, 0]", "data: [-0.3, 0.1, 0, 0, 0]")); },
-              ThrowsMessage<Error>(HasSubstr("camera/rectified: true")));
+constexpr char kZeros[] = "data: [0, 0, 0, 0, 0]";
+constexpr char kModel[] = "plumb_bob";
+
+TEST_F(CameraInfo, WithoutDistortionHasNone) {
+  EXPECT_EQ(read(kCalibration).distortion().model, DistortionModel::kNone);
+}
+
+TEST_F(CameraInfo, HasTheCoefficientsInTheOrderOfTheFile) {
+  const Distortion distortion =
+      read(with(kZeros, "data: [-0.3, 0.1, 0.001, 0.002, 0.05]")).distortion();
+  EXPECT_EQ(distortion.model, DistortionModel::kPlumbBob);
+  EXPECT_THAT(distortion.coefficients,
+              testing::ElementsAre(-0.3, 0.1, 0.001, 0.002, 0.05, 0.0, 0.0, 0.0));
+}
+
+TEST_F(CameraInfo, MayLeaveOutK3AndMayEndInZeros) {
+  EXPECT_EQ(read(with(kZeros, "data: [-0.3, 0.1, 0, 0]")).distortion().model,
+            DistortionModel::kPlumbBob);
+  EXPECT_EQ(read(with(kZeros, "data: [-0.3, 0.1, 0, 0, 0.1, 0, 0, 0]")).distortion().model,
+            DistortionModel::kPlumbBob);
+}
+
+class CameraInfoOfModel : public CameraInfo {
+ protected:
+  Distortion distortionOf(const std::string& model, const std::string& numbers) {
+    CameraInfoNumbers info;
+    info.width = 640;
+    info.height = 480;
+    info.K = {500, 0, 320, 0, 500, 240, 0, 0, 1};
+    info.distortion_model = model;
+    for (std::size_t at = 0; at < numbers.size();) {
+      std::size_t used = 0;
+      info.D.push_back(std::stod(numbers.substr(at), &used));
+      at += used;
+    }
+    return cameraModelFrom(info, false, 0.1, 50.0).distortion();
+  }
+};
+
+TEST_F(CameraInfoOfModel, KnowsTheModelsOfRos) {
+  EXPECT_EQ(distortionOf("rational_polynomial", "1 2 0 0 5 6 7 8").coefficients[7], 8.0);
+  EXPECT_EQ(distortionOf("rational_polynomial", "1 2 0 0 5 6 7 8 0 0 0 0").model,
+            DistortionModel::kRationalPolynomial);
+  EXPECT_EQ(distortionOf("equidistant", "0.1 0 0 0").model, DistortionModel::kEquidistant);
+  EXPECT_EQ(distortionOf("fisheye", "0.1 0 0 0").model, DistortionModel::kEquidistant);
+}
+
+TEST_F(CameraInfoOfModel, KeepsAFisheyeWithoutCoefficientsAFisheye) {
+  EXPECT_EQ(distortionOf("equidistant", "0 0 0 0").model, DistortionModel::kEquidistant);
+}
+
+TEST_F(CameraInfoOfModel, RefusesAThinPrism) {
+  EXPECT_THAT([&] { distortionOf("rational_polynomial", "1 2 0 0 5 6 7 8 0.1 0 0 0"); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("distortion_coefficients: found 12 numbers"),
+                                         HasSubstr("thin prism"))));
+}
+
+TEST_F(CameraInfoOfModel, RefusesACountThatIsNotTheModels) {
+  EXPECT_THAT([&] { distortionOf("plumb_bob", "0.1 0.2"); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("found 2 numbers"), HasSubstr("4 or 5"))));
+  EXPECT_THAT([&] { distortionOf("equidistant", "0.1 0 0 0 0.2"); },
+              ThrowsMessage<Error>(HasSubstr("equidistant has 4")));
+}
+
+TEST_F(CameraInfo, RefusesAnUnknownModelAndNamesTheKnown) {
+  EXPECT_THAT([&] { read(with(kModel, "mei")); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("camera.yaml: distortion_model: found 'mei'"),
+                                         HasSubstr("rational_polynomial"))));
+}
+
+TEST_F(CameraInfo, OfARegionMovesThePrincipalPoint) {
+  const CameraModel camera = read(std::string(kCalibration) +
+                                  "roi: {x_offset: 100, y_offset: 50, width: 320, height: 240}\n");
+  EXPECT_EQ(camera.width(), 320);
+  EXPECT_EQ(camera.height(), 240);
+  EXPECT_EQ(camera.intrinsics().cx, 220.5);
+  EXPECT_EQ(camera.intrinsics().cy, 190.5);
+  EXPECT_EQ(camera.intrinsics().fx, 554.5);
+}
+
+TEST_F(CameraInfo, OfBinnedPixelsHasFewerOfThem) {
+  const CameraModel camera = read(std::string(kCalibration) + "binning_x: 2\nbinning_y: 2\n");
+  EXPECT_EQ(camera.width(), 320);
+  EXPECT_EQ(camera.intrinsics().fx, 554.5 / 2);
+  // The middle between sensor pixels 0 and 1 is the centre of image pixel 0.
+  EXPECT_EQ(camera.intrinsics().cx, (320.5 - 0.5) / 2);
+}
+
+TEST_F(CameraInfo, RefusesARegionOutsideOfTheImage) {
+  EXPECT_THAT([&] { read(std::string(kCalibration) + "roi: {x_offset: 600, width: 320}\n"); },
+              ThrowsMessage<Error>(HasSubstr("camera.yaml: roi/width: found 320 px from 600")));
 }
 
 TEST_F(CameraInfo, NamesEverythingThatIsMissing) {

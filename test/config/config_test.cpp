@@ -50,7 +50,7 @@ TEST(ReadConfig, AMinimalFileTakesTheOriginalsDefaults) {
   const Config& config = reading.config;
   EXPECT_EQ(config.motion.rate, 30.0);
   EXPECT_EQ(config.global_frame, "map");
-  EXPECT_EQ(config.camera.frame, "camera/optical_link");
+  EXPECT_EQ(config.cameras.at(0).frame, "camera/optical_link");
   EXPECT_EQ(config.masks.history_length, 100);
   EXPECT_EQ(config.masks.var_threshold, 500.0);
   EXPECT_FALSE(config.masks.detect_shadows);
@@ -90,15 +90,14 @@ TEST(ReadConfig, WithoutAnOutputFolderTheManifestLiesAboveTheWriters) {
 
 TEST(ReadConfig, AllMissingParametersAreNamedAtOnce) {
   const Reading reading("alpha: {}\nrobot_list: [alpha]\n");
-  EXPECT_THAT(reading.root.errors(),
-              UnorderedElementsAre(
-                  "bag_file: required, but missing", "world: required, but missing",
-                  HasSubstr("camera: no intrinsics"), "alpha/class: required, but missing",
-                  "alpha/id: required, but missing", "alpha/keypoints: required, but missing",
-                  "alpha/bounding_shape: required, but missing",
-                  HasSubstr("bounding_shape/output_folder: required, but missing"),
-                  HasSubstr("yolo/output_folder: required, but missing"),
-                  HasSubstr("stvnet/output_folder: required, but missing")));
+  EXPECT_THAT(
+      reading.root.errors(),
+      UnorderedElementsAre("bag_file: required, but missing", "world: required, but missing",
+                           HasSubstr("camera: no intrinsics"), "alpha/class: required, but missing",
+                           "alpha/id: required, but missing",
+                           HasSubstr("bounding_shape/output_folder: required, but missing"),
+                           HasSubstr("yolo/output_folder: required, but missing"),
+                           HasSubstr("stvnet/output_folder: required, but missing")));
 }
 
 TEST(ReadConfig, WorldMayBeAGroup) {
@@ -110,6 +109,17 @@ TEST(ReadConfig, WorldMayBeAGroup) {
   EXPECT_THAT(config.world.model_folders, ElementsAre("/models", "/more"));
 }
 
+TEST(ReadConfig, SaysWhatMissingAssetsMean) {
+  const auto reading = [](const std::string& rest) {
+    return Reading(with("world: /data/hall.world", "world: {file: /data/hall.world" + rest + "}"));
+  };
+  EXPECT_EQ(reading("").config.world.on_missing_asset, OnMissingAsset::kError);
+  EXPECT_EQ(reading(", on_missing_asset: warn").config.world.on_missing_asset,
+            OnMissingAsset::kWarn);
+  EXPECT_THAT(reading(", on_missing_asset: ignore").root.errors(),
+              ElementsAre("world/on_missing_asset: found 'ignore'; it should be error or warn"));
+}
+
 TEST(ReadConfig, WorldFileReplacesTheWorldsFileAlone) {
   const Reading reading(with("world: /data/hall.world",
                              "world: {file: /data/hall.world, model_folders: [/models]}\n"
@@ -118,6 +128,53 @@ TEST(ReadConfig, WorldFileReplacesTheWorldsFileAlone) {
   EXPECT_THAT(reading.config.world.model_folders, ElementsAre("/models"));
   EXPECT_THAT(Reading(with("world: /data/hall.world", "world_file: /a.world")).root.errors(),
               IsEmpty());
+}
+
+TEST(ReadConfig, WithoutABoundingShapeTheModelsBoxIsTaken) {
+  const std::string given = "  bounding_shape: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
+  for (const std::string text : {"", "  bounding_shape: model_box\n"}) {
+    const Reading reading(with(given, text));
+    EXPECT_THAT(reading.root.errors(), IsEmpty());
+    EXPECT_THAT(reading.config.objects[0].bounding_shape_O, IsEmpty());
+  }
+  EXPECT_THAT(Reading(with(given, "")).root.defaultsTaken(),
+              Contains("alpha/bounding_shape: model_box"));
+}
+
+TEST(ReadConfig, KeypointsMayBeFarthestPoints) {
+  for (const std::string text :
+       {"keypoints: {farthest_points: 9}", "keypoints: 'farthest_points: 9'"}) {
+    const Reading reading(with("keypoints: []", text));
+    EXPECT_THAT(reading.root.errors(), IsEmpty());
+    EXPECT_EQ(reading.config.objects[0].farthest_points, 9);
+    EXPECT_THAT(unknownParameterErrors(reading.root),
+                testing::Not(Contains(HasSubstr("farthest_points"))));
+  }
+  const Reading without(with("  keypoints: []\n", ""));
+  EXPECT_THAT(without.root.errors(), IsEmpty());
+  EXPECT_EQ(without.config.objects[0].farthest_points, 0);
+}
+
+TEST(ReadConfig, AFrameMayBeNamedWhole) {
+  EXPECT_EQ(
+      Reading(with("keypoints: []", "frame: base_link\n  keypoints: []")).config.objects[0].frame,
+      "base_link");
+}
+
+TEST(ReadConfig, LinkFramesAreAPatternOrAMap) {
+  EXPECT_EQ(Reading(kMinimal).config.objects[0].link_frames.pattern, "{object}/{link}");
+  const Reading pattern(with("keypoints: []", "link_frames: 'tf_{link}'\n  keypoints: []"));
+  EXPECT_THAT(pattern.root.errors(), IsEmpty());
+  EXPECT_EQ(pattern.config.objects[0].link_frames.pattern, "tf_{link}");
+  const Reading map(with("keypoints: []", "link_frames: {arm: a/arm}\n  keypoints: []"));
+  EXPECT_THAT(map.root.errors(), IsEmpty());
+  EXPECT_THAT(map.config.objects[0].link_frames.by_link,
+              ElementsAre(testing::Pair("arm", "a/arm")));
+}
+
+TEST(ReadConfig, AModelMayBeAText) {
+  const Reading reading(with("keypoints: []", "model: ' <robot name=\"r\"/>'\n  keypoints: []"));
+  EXPECT_EQ(reading.config.objects[0].model, " <robot name=\"r\"/>");
 }
 
 struct BadSetting {
@@ -142,6 +199,19 @@ INSTANTIATE_TEST_SUITE_P(
         BadSetting{"keypoints: []", "keypoints: [[1, 2, x]]", "entry 1 is [1, 2, x]"},
         BadSetting{"keypoints: []", "keypoints: nose", "alpha/keypoints: found nose (a text)"},
         BadSetting{"[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]", "[]", "circumscribe"},
+        BadSetting{"keypoints: []", "keypoints: {farthest_points: 0}",
+                   "alpha/keypoints: found {farthest_points: 0}; farthest_points should be 1 to"},
+        BadSetting{"keypoints: []", "keypoints: 'farthest_points: nine'", "should be 1 to"},
+        BadSetting{"keypoints: []", "keypoints: {points: 9}",
+                   "keypoints/farthest_points: required"},
+        BadSetting{"keypoints: []", "keypoints: []\n  frame: a/b\n  frame_id: b",
+                   "alpha/frame: found together with frame_id"},
+        BadSetting{"keypoints: []", "keypoints: []\n  link_frames: '{object}'", "hold {link}"},
+        BadSetting{"keypoints: []", "keypoints: []\n  link_frames: '{robot}/{link}'",
+                   "hold {link}"},
+        BadSetting{"keypoints: []", "keypoints: []\n  link_frames: {}", "an empty map"},
+        BadSetting{"[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]", "box",
+                   "alpha/bounding_shape: found 'box'; it should be model_box, or"},
         BadSetting{"class: summit", "class: [summit]", "alpha/class: found a list"},
         BadSetting{"world:", "simulated_rate: 0\nworld:",
                    "simulated_rate: found 0.0; it should be above 0"},

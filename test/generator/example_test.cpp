@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "config/yaml_value.h"
+#include "object_motion.h"
 #include "render/renderer.h"
 #include "run_setup.h"
 #include "scene_maker.h"
@@ -45,32 +46,22 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   const test::TemporaryFolder folder;
   const RunSetup setup = setUpRun(exampleParameters(folder / "out"), {test::pluginXml()});
   render::Renderer renderer(setup.world->description(), setup.world->links(), {});
-  std::vector<annotate::ObjectShape> shapes;
-  for (const config::ObjectConfig& object : setup.config.objects) {
-    shapes.push_back(
-        {object.name, object.class_name, object.id, object.keypoints_O, object.bounding_shape_O});
-  }
+  const std::vector<config::ObjectConfig>& objects = setup.config.objects;
   Requirements masks;
   masks.instance_masks = true;
   const config::MaskConfig& mog2 = setup.config.masks;
-  SceneMaker maker(*setup.world, renderer, *setup.recording, *setup.camera,
-                   setup.config.global_frame, shapes, masks,
+  SceneMaker maker(*setup.world, renderer, *setup.recording, setup.cameras,
+                   setup.config.global_frame, *setup.shapes, masks,
                    {{mog2.history_length, mog2.var_threshold, mog2.detect_shadows}, mog2.clean});
-  std::vector<double> worst(shapes.size(), 1.0);
-  std::vector<double> sum(shapes.size(), 0.0);
+  ObjectMotion motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links);
+  std::vector<double> worst(objects.size(), 1.0);
+  std::vector<double> sum(objects.size(), 0.0);
   for (std::size_t s = 0; s < setup.timeline.stamps.size(); ++s) {
     const Stamp stamp = setup.timeline.stamps[s];
-    std::vector<Pose> X_GO;
-    const auto poseOf = [&](int object, Stamp time) {
-      return setup.recording->transform(
-          "map", setup.config.objects[static_cast<std::size_t>(object)].frame, time);
-    };
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      X_GO.push_back(poseOf(static_cast<int>(i), stamp));
-    }
-    setup.world->advanceTo(stamp, poseOf);
-    const Scene scene = maker.make(static_cast<std::int64_t>(s), stamp, X_GO);
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
+    setup.world->advanceTo(stamp, [&](int object, Stamp time) { return motion.at(object, time); });
+    const Scene scene =
+        maker.make(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp));
+    for (std::size_t i = 0; i < objects.size(); ++i) {
       render::LinkSelection alone;
       for (const world::LinkInstance& link : setup.world->links()) {
         alone.push_back(link.role != world::Role::kObject || link.object == static_cast<int>(i));
@@ -92,13 +83,13 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
       }
     }
   }
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
     const double mean = sum[i] / static_cast<double>(setup.timeline.stamps.size());
-    std::cout << "MOG2 against exact masks, " << shapes[i].name << ": IoU mean " << mean
+    std::cout << "MOG2 against exact masks, " << objects[i].name << ": IoU mean " << mean
               << ", worst " << worst[i] << '\n';
     // What is lost are pixels that happen to have the background's colour.
-    EXPECT_GT(mean, 0.95) << shapes[i].name;
-    EXPECT_GT(worst[i], 0.85) << shapes[i].name;
+    EXPECT_GT(mean, 0.95) << objects[i].name;
+    EXPECT_GT(worst[i], 0.85) << objects[i].name;
   }
 }
 

@@ -95,9 +95,11 @@ TEST_F(DatasetStoreTest, EncodesOnePictureInTwoFormats) {
 
 TEST_F(DatasetStoreTest, ListsWhatItWrote) {
   auto store = makeStore();
-  store->commitScene(7, Stamp{1650000000123456789}, someScene(7));
+  SceneFiles scene = someScene(7);
+  scene.camera = "front";
+  store->commitScene(7, Stamp{1650000000123456789}, scene);
   const auto image_bytes = std::to_string(fs::file_size(path("a/7.png")));
-  EXPECT_THAT(query("SELECT * FROM scene"), ElementsAre("7|1650000000123456789"));
+  EXPECT_THAT(query("SELECT * FROM scene"), ElementsAre("7|1650000000123456789|front"));
   EXPECT_THAT(query("SELECT path, writer, scene, bytes, linked_to FROM file"),
               UnorderedElementsAre("a/7.png|0|7|" + image_bytes + "|NULL", "a/7.txt|0|7|7|NULL",
                                    "b/x/7.png|1|7|" + image_bytes + "|a/7.png"));

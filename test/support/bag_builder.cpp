@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include <rosbag/bag.h>
+#include <sensor_msgs/CameraInfo.h>
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -82,6 +83,23 @@ BagBuilder& BagBuilder::say(const std::string& topic, Stamp recorded, const std:
   std_msgs::String message;
   message.data = text;
   impl_->bag.write(topic, toRosTime(recorded), message);
+  return *this;
+}
+
+BagBuilder& BagBuilder::calibrate(const std::string& topic, const std::string& frame,
+                                  Stamp recorded, double focal_length,
+                                  const std::vector<double>& distortion) {
+  sensor_msgs::CameraInfo info;
+  info.header.frame_id = frame;
+  info.header.stamp = toRosTime(recorded);
+  info.width = 160;
+  info.height = 120;
+  info.distortion_model = "plumb_bob";
+  info.D = distortion;
+  info.K = {focal_length, 0, 79.5, 0, focal_length, 59.5, 0, 0, 1};
+  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  info.P = {focal_length, 0, 79.5, 0, 0, focal_length, 59.5, 0, 0, 0, 1, 0};
+  impl_->bag.write(topic, toRosTime(recorded), info);
   return *this;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "synthetic_dataset/pose.h"
 
@@ -49,6 +50,11 @@ class BagBuilder {
 
   /// A std_msgs/String.
   BagBuilder& say(const std::string& topic, Stamp recorded, const std::string& text = "hello");
+
+  /// A sensor_msgs/CameraInfo of 160 x 120 pixels with the given focal length [px] and plumb_bob
+  /// distortion.
+  BagBuilder& calibrate(const std::string& topic, const std::string& frame, Stamp recorded,
+                        double focal_length, const std::vector<double>& distortion = {});
 
   /// Transforms from now on go into a chunk of their own each, as long recordings have many chunks.
   BagBuilder& splitChunks();

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "synthetic_dataset/errors.h"
-#include "world/simple_models.h"
+#include "world/physics/simple_models.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -41,7 +41,9 @@ Description heap() {
   return descriptionOf(std::move(models));
 }
 
-std::vector<Model> stirrers() { return {modelOf("a", kCube), modelOf("b", SphereShape{0.3})}; }
+std::vector<MovingObject> stirrers() {
+  return {modelOf("a", kCube), modelOf("b", SphereShape{0.3})};
+}
 
 std::vector<Pose> posesAfter(World& world, const std::vector<Duration>& times) {
   world.advanceTo(kStart, wander);

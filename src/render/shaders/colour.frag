@@ -5,6 +5,8 @@
 
 const int kDirectional = 0;
 const int kSpot = 2;
+const int kLinearFog = 0;
+const int kExponentialFog = 1;
 const float kPi = 3.14159265;
 
 struct Light {
@@ -24,6 +26,7 @@ uniform mat4 shadow_from_camera[MAX_SHADOWS];
 uniform float shadow_texel[MAX_SHADOWS];  // size of a texel [m], for spot lights at 1 m
 uniform sampler2DArrayShadow shadow_maps;
 
+uniform float exposure;  // multiplies all light
 uniform vec3 ambient;
 uniform vec3 up_C;
 
@@ -32,15 +35,29 @@ uniform vec3 emissive;
 uniform float reflectance;
 uniform float roughness;
 uniform float metalness;
-uniform int textured;
+uniform float alpha_threshold;
 uniform sampler2D diffuse_map;
+uniform sampler2D normal_map;
+uniform sampler2D roughness_map;
+uniform sampler2D metalness_map;
+uniform sampler2D emissive_map;
+
+#ifdef FOG
+uniform int fog_type;
+uniform vec3 fog_colour;
+uniform vec3 fog_extent;  // start [m], end [m], density [1/m]
+#endif
 
 in vec3 position_C;
 in vec3 normal_C;
 in vec2 coordinates;
+#ifdef TINTED
+in vec4 tint;
+#endif
 
 layout(location = 0) out vec4 colour;
 
+#ifdef SHADOWS
 float shadow(Light light, vec3 normal, float n_dot_l) {
   if (light.shadow_layer < 0) return 1.0;
   // A surface is compared a little above itself, by about a texel, more at grazing light.
@@ -61,8 +78,12 @@ float shadow(Light light, vec3 normal, float n_dot_l) {
       lit += texture(shadow_maps, vec4(tap, light.shadow_layer, depth));
     }
   }
-  return lit / 9.0;
+  // Nothing is in the shadow of what lies outside of the map. (A border colour says the same, but
+  // costs llvmpipe a third more time.)
+  bool outside = any(greaterThan(abs(place - 0.5), vec2(0.5)));
+  return outside ? 1.0 : lit / 9.0;
 }
+#endif
 
 // What of the light arrives at the point, and from where.
 vec3 incoming(Light light, out vec3 to_light) {
@@ -98,33 +119,70 @@ vec3 shoulder(vec3 linear) {
   return mix(linear, 0.8 + 0.2 * (1.0 - exp(-(linear - 0.8) / 0.2)), greaterThan(linear, vec3(0.8)));
 }
 
-void main() {
-  vec4 base = diffuse;
-  if (textured != 0) {
-    vec4 texel = texture(diffuse_map, coordinates);
-    if (texel.a < 0.5) discard;  // a hole, as the label pass has it
-    base.rgb *= texel.rgb;
+// The normal as the map bends it. The map's x axis is where the texture's u grows and its y axis where v
+// falls (v counts from the first row down): both from the derivatives of position and coordinates,
+// so that meshes need no tangents (Schueler 2013, "Normal Mapping Without Precomputed Tangents").
+vec3 bent(vec3 normal) {
+  vec3 along_x = dFdx(position_C);
+  vec3 along_y = dFdy(position_C);
+  vec2 texture_x = dFdx(coordinates);
+  vec2 texture_y = dFdy(coordinates);
+  vec3 across_y = cross(along_y, normal);
+  vec3 across_x = cross(normal, along_x);
+  // Negative where the picture's axes turn left about the normal, which would turn both tangents.
+  float turn = sign(dot(along_x, across_y));
+  vec3 u_axis = turn * (across_y * texture_x.x + across_x * texture_y.x);
+  vec3 v_axis = turn * (across_y * texture_x.y + across_x * texture_y.y);
+  float longest = max(dot(u_axis, u_axis), dot(v_axis, v_axis));
+  if (longest <= 0.0) return normal;  // no texture coordinates
+  vec3 bend = texture(normal_map, coordinates).xyz * 2.0 - 1.0;
+  return normalize((bend.x * u_axis - bend.y * v_axis) * inversesqrt(longest) + bend.z * normal);
+}
+
+// The light that a surface of this colour sends to the eye.
+vec3 lit(vec3 base) {
+  vec3 to_eye = normalize(-position_C);
+  vec3 surface = normalize(normal_C);
+  vec3 normal = surface;
+#ifdef NORMAL_MAP
+  normal = bent(surface);
+#endif
+  if (!gl_FrontFacing) {
+    surface = -surface;
+    normal = -normal;
   }
 
-  vec3 to_eye = normalize(-position_C);
-  vec3 normal = normalize(normal_C);
-  if (!gl_FrontFacing) normal = -normal;
+  float rough = roughness;
+#ifdef ROUGHNESS_MAP
+  rough *= texture(roughness_map, coordinates).g;
+#endif
+  float metal = metalness;
+#ifdef METALNESS_MAP
+  metal *= texture(metalness_map, coordinates).b;
+#endif
+  vec3 glow = emissive;
+#ifdef EMISSIVE_MAP
+  glow *= texture(emissive_map, coordinates).rgb;
+#endif
 
-  vec3 f0 = mix(vec3(reflectance), base.rgb, metalness);
-  vec3 matte = base.rgb * (1.0 - metalness);
-  float alpha = max(roughness * roughness, 0.01);
+  vec3 f0 = mix(vec3(reflectance), base, metal);
+  vec3 matte = base * (1.0 - metal);
+  float alpha = max(rough * rough, 0.01);
   float n_dot_v = max(dot(normal, to_eye), 1e-3);
 
   float sky = 0.5 + 0.5 * dot(normal, up_C);
   vec3 around = ambient * mix(0.55, 1.0, sky);
-  vec3 sum = around * (matte + fresnel(f0, n_dot_v) * mix(1.0, 0.4, roughness)) + emissive;
+  vec3 sum = around * (matte + fresnel(f0, n_dot_v) * mix(1.0, 0.4, rough)) + glow;
 
   for (int i = 0; i < light_count; ++i) {
     vec3 to_light;
     vec3 arriving = incoming(lights[i], to_light);
     float n_dot_l = dot(normal, to_light);
-    if (n_dot_l <= 0.0 || arriving == vec3(0.0)) continue;
-    arriving *= shadow(lights[i], normal, n_dot_l);
+    float surface_dot_l = dot(surface, to_light);
+    if (n_dot_l <= 0.0 || surface_dot_l <= 0.0 || arriving == vec3(0.0)) continue;
+#ifdef SHADOWS
+    arriving *= shadow(lights[i], surface, surface_dot_l);
+#endif
     vec3 halfway = normalize(to_light + to_eye);
     float n_dot_h = max(dot(normal, halfway), 0.0);
     float v_dot_h = max(dot(to_eye, halfway), 0.0);
@@ -133,5 +191,47 @@ void main() {
     vec3 shine = kPi * specular(f0, alpha, n_dot_l, n_dot_v, n_dot_h, v_dot_h);
     sum += arriving * n_dot_l * (matte + shine);
   }
-  colour = vec4(shoulder(sum), base.a);
+  return sum;
+}
+
+#ifdef FOG
+// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth along
+// the axis instead, so that its fog changes where a camera turns.)
+float fogginess(float far) {
+  float clear = 1.0;
+  if (fog_type == kLinearFog) {
+    clear = (fog_extent.y - far) / max(fog_extent.y - fog_extent.x, 1e-6);
+  } else {
+    float thickness = fog_extent.z * far;
+    clear = exp(fog_type == kExponentialFog ? -thickness : -thickness * thickness);
+  }
+  return 1.0 - clamp(clear, 0.0, 1.0);
+}
+#endif
+
+void main() {
+  vec4 base = diffuse;
+#ifdef TINTED
+  base *= tint;
+#endif
+#ifdef TEXTURED
+  vec4 texel = texture(diffuse_map, coordinates);
+#ifdef HOLES
+  if (texel.a < alpha_threshold) discard;  // as the other passes have it
+#endif
+  base.rgb *= texel.rgb;
+#ifdef GLASS
+  base.a *= texel.a;
+#endif
+#endif
+
+#ifdef UNLIT
+  vec3 seen = exposure * base.rgb;
+#else
+  vec3 seen = shoulder(exposure * lit(base.rgb));
+#endif
+#ifdef FOG
+  seen = mix(seen, exposure * fog_colour, fogginess(length(position_C)));
+#endif
+  colour = vec4(seen, base.a);
 }

@@ -2,7 +2,7 @@
 // What each pixel's centre sees: an identifier, and the depth along the optical axis [m].
 
 uniform uint identifier;
-uniform int textured;
+uniform float alpha_threshold;
 uniform sampler2D diffuse_map;
 
 in vec3 position_C;
@@ -13,7 +13,9 @@ layout(location = 0) out uint id;
 layout(location = 1) out float depth;
 
 void main() {
-  if (textured != 0 && texture(diffuse_map, coordinates).a < 0.5) discard;
+#ifdef HOLES
+  if (texture(diffuse_map, coordinates).a < alpha_threshold) discard;
+#endif
   id = identifier;
   depth = position_C.z;
 }

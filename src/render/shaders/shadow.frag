@@ -1,11 +1,13 @@
 #version 450 core
 // Depth alone; holes of a texture let the light through.
 
-uniform int textured;
+uniform float alpha_threshold;
 uniform sampler2D diffuse_map;
 
 in vec2 coordinates;
 
 void main() {
-  if (textured != 0 && texture(diffuse_map, coordinates).a < 0.5) discard;
+#ifdef HOLES
+  if (texture(diffuse_map, coordinates).a < alpha_threshold) discard;
+#endif
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "synthetic_dataset/camera_model.h"
+
+namespace synthetic_dataset::lens {
+
+/// The box round what a lens with distortion shows of the points' convex hull.
+/// @param points_C  with a lens that has a near plane: the corners of the clipped hull
+[[nodiscard]] std::optional<Box> curvedBounds(const CameraModel& camera,
+                                              const std::vector<Eigen::Vector3d>& points_C);
+
+}  // namespace synthetic_dataset::lens

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "motion/bag_motion.h"
+#include "world/description.h"
+
+namespace synthetic_dataset {
+
+/// A link that follows a frame of the recording.
+struct DrivenLink {
+  std::size_t link = 0;  ///< index in the model's links
+  std::string frame;
+};
+
+/// How an object follows the recording.
+struct Articulation {
+  /// The object's model. Where links other than that of the object's frame follow TF, it is moved
+  /// in its frame so that this one lies at the origin: else its body would not fit to them.
+  world::Model model;
+  std::vector<DrivenLink> driven;    ///< by index; empty: the model moves as one piece
+  std::vector<std::string> remarks;  ///< what the user may like to know
+};
+
+/// Decides which links of an object's model follow frames of their own.
+/// @throws ErrorList with links and frames of `link_frames` that do not exist
+[[nodiscard]] Articulation articulate(world::Model model, const config::ObjectConfig& object,
+                                      const motion::BagMotion& recording);
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,141 @@
+#include "config/camera_config.h"
+
+#include <cmath>
+
+#include "config/checked_values.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+std::optional<Pose> readPose(const Parameters& group, const std::string& name) {
+  const auto numbers = group.maybe<std::vector<double>>(name);
+  if (!numbers) return std::nullopt;
+  const std::vector<double>& n = *numbers;
+  if (n.size() != 7) {
+    group.addError(name, "found " + std::to_string(n.size()) +
+                             " numbers; it should be [x, y, z, qx, qy, qz, qw]");
+    return std::nullopt;
+  }
+  const Eigen::Quaterniond orientation(n[6], n[3], n[4], n[5]);
+  constexpr double kTolerance = 1e-2;  // a rounded quaternion is meant; a wrong one is not
+  if (std::abs(orientation.norm() - 1.0) > kTolerance) {
+    group.addError(name, "found a quaternion of length " + fixed(orientation.norm(), 4) +
+                             "; qx, qy, qz, qw should have length 1");
+    return std::nullopt;
+  }
+  return makePose({n[0], n[1], n[2]}, orientation);
+}
+
+/// An effect that most cameras lack: no default is told of it.
+std::optional<double> maybeBetween(const Parameters& group, const std::string& name, double low,
+                                   double high) {
+  const auto value = group.maybe<double>(name);
+  if (!value || (*value >= low && *value <= high)) return value;
+  group.addError(name, "found " + Value(*value).text() + "; it should be " + Value(low).text() +
+                           " to " + Value(high).text());
+  return std::nullopt;
+}
+
+EffectsConfig readEffects(const Parameters& camera) {
+  EffectsConfig effects;
+  if (!camera.has("effects")) return effects;
+  const Parameters group = camera.group("effects");
+  constexpr double kMostStops = 10.0;
+  constexpr double kLongestExposure = 10.0;  // [s]
+  constexpr double kWidestBlur = 50.0;       // [px]
+  constexpr double kLargestWell = 1e9;       // electrons
+  effects.exposure = maybeBetween(group, "exposure", -kMostStops, kMostStops).value_or(0.0);
+  effects.exposure_time = maybeBetween(group, "exposure_time", 0.0, kLongestExposure).value_or(0.0);
+  effects.readout_time = maybeBetween(group, "readout_time", 0.0, kLongestExposure).value_or(0.0);
+  if (effects.exposure_time > 0.0 || group.has("motion_samples")) {
+    effects.motion_samples = numberBetween(group, "motion_samples", effects.motion_samples, 2, 256);
+  }
+  if (effects.readout_time > 0.0 || group.has("readout_bands")) {
+    effects.readout_bands = numberBetween(group, "readout_bands", effects.readout_bands, 2, 4096);
+  }
+  effects.blur = maybeBetween(group, "blur", 0.0, kWidestBlur).value_or(0.0);
+  effects.vignetting = maybeBetween(group, "vignetting", 0.0, 1.0).value_or(0.0);
+  effects.full_well = maybeBetween(group, "full_well", 0.0, kLargestWell).value_or(0.0);
+  effects.noise_mean = maybeBetween(group, "noise_mean", -1.0, 1.0);
+  effects.noise_stddev = maybeBetween(group, "noise_stddev", 0.0, 1.0);
+  return effects;
+}
+
+/// The members that a camera has whether it is the only one or not.
+CameraConfig readCamera(const Parameters& group, const std::string& name,
+                        std::optional<std::string> frame) {
+  CameraConfig camera;
+  camera.name = name;
+  camera.group = group.fullName("");
+  camera.info_file = group.maybe<std::string>("info_file");
+  if (camera.info_file) camera.info_file = absolutePath(*camera.info_file);
+  camera.info_topic = group.maybe<std::string>("info_topic");
+  camera.sensor = group.maybe<std::string>("sensor");
+  camera.X_GC = readPose(group, "pose");
+  camera.rectified = group.maybe<bool>("rectified").value_or(false);
+  camera.near = numberAbove(group, "near", camera.near, 0.0);
+  camera.far = numberAbove(group, "far", camera.far, camera.near);
+  camera.effects = readEffects(group);
+  camera.frame = group.maybe<std::string>("frame_id");
+  if (!camera.frame) camera.frame = std::move(frame);
+  if (!camera.frame && !camera.info_topic) {
+    camera.frame = group.optional<std::string>("frame_id", name + "/optical_link");
+  }
+  return camera;
+}
+
+void checkIntrinsicsNamed(const CameraConfig& camera, const Parameters& above,
+                          const std::string& name) {
+  if (camera.info_file && camera.info_topic) {
+    above.addError(name, "found both info_file and info_topic; intrinsics should come from one");
+  }
+  if (camera.info_file || camera.info_topic || camera.sensor) return;
+  above.addError(name, "no intrinsics; " + camera.group +
+                           "/info_file should name a camera_info YAML file, " + camera.group +
+                           "/info_topic a topic of the bag, or " + camera.group +
+                           "/sensor a camera of the world");
+}
+
+/// Cameras' names become folders.
+bool isGoodName(const std::string& name) {
+  const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+  return !name.empty() && name.front() != '.' &&
+         name.find_first_not_of(allowed) == std::string::npos;
+}
+
+}  // namespace
+
+std::vector<CameraConfig> readCameras(const Parameters& root) {
+  std::vector<CameraConfig> cameras;
+  if (!root.has("cameras")) {
+    auto frame = root.maybe<std::string>("camera_frame_id");
+    cameras.push_back(readCamera(root.group("camera"), "camera", std::move(frame)));
+    checkIntrinsicsNamed(cameras.back(), root, "camera");
+    return cameras;
+  }
+  if (root.has("camera") || root.has("camera_frame_id")) {
+    root.addError("cameras",
+                  "found together with camera or camera_frame_id; one camera is set by "
+                  "those, several by cameras alone");
+    root.ignore("camera");
+    root.ignore("camera_frame_id");
+  }
+  const Parameters all = root.group("cameras");
+  for (const std::string& name : all.names()) {
+    if (!isGoodName(name)) {
+      all.ignore(name);
+      all.addError(name, "is no name for a folder; letters, digits, '_', '-' and '.' are allowed");
+      continue;
+    }
+    cameras.push_back(readCamera(all.group(name), name, std::nullopt));
+    checkIntrinsicsNamed(cameras.back(), all, name);
+  }
+  if (all.names().empty()) {
+    root.addError("cameras", "found no camera; it should be a group with a group for each camera");
+  }
+  if (cameras.empty()) cameras.emplace_back();  // what is wrong is noted
+  return cameras;
+}
+
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,70 @@
+#include "picture_taker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "random_seed.h"
+
+namespace synthetic_dataset {
+
+PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer,
+                           const motion::BagMotion& recording,
+                           const std::vector<CameraRig>& cameras, std::string global_frame,
+                           std::int64_t seed)
+    : world_(world),
+      renderer_(renderer),
+      recording_(recording),
+      cameras_(cameras),
+      global_frame_(std::move(global_frame)),
+      seed_(static_cast<std::uint64_t>(seed)),
+      everything_(world.links().size(), true),
+      offsets_{Duration{0}} {
+  for (const CameraRig& camera : cameras_) {
+    Sensor sensor;
+    sensor.shots = shotsOf(camera.shutter, camera.model.height());
+    for (const Shot& shot : sensor.shots) offsets_.push_back(shot.offset);
+    if (sensor.shots.size() > 1) {
+      sensor.light.emplace(cv::Size(camera.model.width(), camera.model.height()));
+    }
+    sensors_.push_back(std::move(sensor));
+  }
+  std::sort(offsets_.begin(), offsets_.end());
+  offsets_.erase(std::unique(offsets_.begin(), offsets_.end()), offsets_.end());
+}
+
+void PictureTaker::expose(Stamp instant, Duration offset) {
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    const CameraRig& camera = cameras_[i];
+    Sensor& sensor = sensors_[i];
+    for (const Shot& shot : sensor.shots) {
+      if (shot.offset != offset) continue;
+      if (!sensor.light) {
+        sensor.picture = draw(camera, instant, offset, std::nullopt);
+        continue;
+      }
+      const cv::Rect rows(0, shot.first_row, camera.model.width(), shot.row_count);
+      sensor.light->add(draw(camera, instant, offset, rows)(rows), rows, shot.weight);
+    }
+  }
+}
+
+cv::Mat PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset,
+                           const std::optional<cv::Rect>& region) {
+  render::ColourPass pass{everything_, everything_};
+  pass.region = region;
+  pass.exposure = static_cast<float>(sensor::gainOf(camera.effects));
+  const Pose X_GC = cameraPose(camera, world_, recording_, global_frame_, instant, offset);
+  return renderer_.colour({camera.model, X_GC}, world_.linkPoses(), pass);
+}
+
+cv::Mat PictureTaker::develop(std::size_t camera, std::int64_t scene_index) {
+  Sensor& sensor = sensors_[camera];
+  if (sensor.light) {
+    sensor.picture = sensor.light->result();
+    sensor.light->clear();
+  }
+  return sensor::applyEffects(std::exchange(sensor.picture, cv::Mat()), cameras_[camera].effects,
+                              randomSeed(seed_, scene_index, "sensor noise"));
+}
+
+}  // namespace synthetic_dataset

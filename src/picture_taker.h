@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "camera_rig.h"
+#include "motion/bag_motion.h"
+#include "render/renderer.h"
+#include "sensor/linear_accumulator.h"
+#include "shutter.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// Takes the cameras' pictures as their sensors would: over the time that their shutters are open,
+/// with the effects of lens and sensor.
+///
+/// For each instant: move the world to each of `offsets` from the instant and `expose`, then
+/// `develop` each camera's picture.
+class PictureTaker {
+ public:
+  /// All references have to outlive this.
+  PictureTaker(const world::World& world, render::Renderer& renderer,
+               const motion::BagMotion& recording, const std::vector<CameraRig>& cameras,
+               std::string global_frame, std::int64_t seed);
+
+  /// The times round an instant at which a shutter lets light in, ascending; 0 is among them.
+  [[nodiscard]] const std::vector<Duration>& offsets() const { return offsets_; }
+
+  /// Lets the world as it stands at `instant + offset` fall on the sensors.
+  void expose(Stamp instant, Duration offset);
+
+  /// What a camera has seen: CV_8UC3, blue green red. Its sensor is dark again then.
+  /// @param scene_index  its noise belongs to this scene
+  [[nodiscard]] cv::Mat develop(std::size_t camera, std::int64_t scene_index);
+
+ private:
+  /// A camera's plan, and what has fallen on its sensor so far.
+  struct Sensor {
+    std::vector<Shot> shots;
+    std::optional<sensor::LinearAccumulator> light;  ///< where a picture takes several shots
+    cv::Mat picture;                                 ///< where it takes one
+  };
+
+  [[nodiscard]] cv::Mat draw(const CameraRig& camera, Stamp instant, Duration offset,
+                             const std::optional<cv::Rect>& region);
+
+  const world::World& world_;
+  render::Renderer& renderer_;
+  const motion::BagMotion& recording_;
+  const std::vector<CameraRig>& cameras_;
+  std::string global_frame_;
+  std::uint64_t seed_;
+  render::LinkSelection everything_;
+  std::vector<Sensor> sensors_;  ///< of cameras_
+  std::vector<Duration> offsets_;
+};
+
+}  // namespace synthetic_dataset

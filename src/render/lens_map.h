@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/view.h"
+
+namespace synthetic_dataset::render {
+
+/// A pinhole picture of a part of what a lens sees.
+struct LensFace {
+  CameraModel camera;
+  Pose X_CF = Pose::Identity();  ///< of the face's optical frame in the lens's; turned alone
+};
+
+/// How a picture through a lens with distortion is put together from pinhole pictures.
+///
+/// A lens with a narrow field of view has one face, which looks where the lens does; a wide one has
+/// those sides of a cube that it sees. The faces have some four pixels for each of the picture's
+/// where these lie closest together. Large faces are cut into tiles.
+struct LensMap {
+  std::vector<LensFace> faces;
+  cv::Mat rays;  ///< CV_32FC3: the unit vector that each pixel's centre looks along (C)
+  cv::Mat face;  ///< CV_16SC1: the pixel's index in `faces`; -1 where the lens sees nothing
+};
+
+[[nodiscard]] LensMap makeLensMap(const CameraModel& camera);
+
+/// Whether pictures of the camera need a LensMap.
+[[nodiscard]] bool hasDistortion(const CameraModel& camera);
+
+/// Where a direction of the lens's frame falls on a face [px].
+[[nodiscard]] inline cv::Point2f placeOn(const LensFace& face, const cv::Vec3f& ray_C) {
+  const auto& R = face.X_CF.linear();
+  const Eigen::Vector3d d =
+      R.transpose() * Eigen::Vector3d(static_cast<double>(ray_C[0]), static_cast<double>(ray_C[1]),
+                                      static_cast<double>(ray_C[2]));
+  const Intrinsics& k = face.camera.intrinsics();
+  return {static_cast<float>(k.fx * d.x() / d.z() + k.cx),
+          static_cast<float>(k.fy * d.y() / d.z() + k.cy)};
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/gl_object.h"
+#include "render/shader_program.h"
+#include "render/view.h"
+#include "world/description.h"
+
+namespace synthetic_dataset::render {
+
+/// Where the sun stands: the unit vector towards it.
+///
+/// By day it is where the first directional light comes from, so that shadows agree with the sky;
+/// without such a light, and at night, it follows the time: up at sunrise in the east (+x), at its
+/// highest in the south (-y) at 60 degrees, down at sunset in the west.
+[[nodiscard]] Eigen::Vector3d sunDirection(const world::Sky& sky,
+                                           const std::vector<world::Light>& lights);
+
+/// Paints the sky where nothing is drawn. What it paints depends on the view alone.
+class SkyPainter {
+ public:
+  SkyPainter(const GlFunctions& gl, const world::Sky& sky, const std::vector<world::Light>& lights);
+
+  /// Fills the pixels of the bound target that are still at the far plane.
+  /// @param exposure  multiplies its light
+  void paint(const View& view, float exposure) const;
+
+ private:
+  const GlFunctions& gl_;
+  ShaderProgram program_;
+  GlVertexArray no_vertices_;
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace synthetic_dataset::world {
+
+/// What a URI of Gazebo's model server means:
+/// `https://<server>/[1.0/]<owner>/[fuel/]models/<name>[/<version>][/files/<path>]`.
+struct FuelUri {
+  std::string server;
+  std::string owner;
+  std::string kind;     ///< "models" or "worlds"
+  std::string name;     ///< percent escapes decoded
+  std::string version;  ///< a number; empty for the newest
+  std::string path;     ///< of a file within the model; empty for the model itself
+};
+
+/// @return nothing for what is no URI of such a server
+[[nodiscard]] std::optional<FuelUri> parseFuelUri(const std::string& uri);
+
+/// The folders in which Gazebo's tools keep what they have downloaded: those of GZ_FUEL_CACHE_PATH
+/// and IGN_FUEL_CACHE_PATH, then ~/.gz/fuel and ~/.ignition/fuel.
+[[nodiscard]] std::vector<std::filesystem::path> fuelCaches();
+
+/// Where the caches would have it, the first to be tried first:
+/// `<cache>/<server>/<owner>/models/<name>/<version>/<path>`, owner and name in lower case. Without
+/// a version, the highest that is there.
+[[nodiscard]] std::vector<std::filesystem::path> fuelPlaces(
+    const FuelUri& uri, const std::vector<std::filesystem::path>& caches);
+
+/// "%20" as a space and the like (RFC 3986, section 2.1).
+[[nodiscard]] std::string percentDecoded(const std::string& text);
+
+}  // namespace synthetic_dataset::world

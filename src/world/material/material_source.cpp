@@ -1,0 +1,45 @@
+#include "world/material/material_source.h"
+
+#include <memory>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+using Picture = std::shared_ptr<const Texture>;
+
+Picture load(const std::optional<TextureReference>& reference, TextureLoader& textures,
+             const MissingPicture& missing) {
+  if (!reference) return nullptr;
+  try {
+    return textures.load(*reference);
+  } catch (const Error& error) {
+    missing(error.what());
+    return nullptr;
+  }
+}
+
+/// The colours' picture and the opacity's in one. An opacity picture alone has white for colours.
+Picture loadColours(const MaterialSource& source, TextureLoader& textures,
+                    const MissingPicture& missing) {
+  const Picture colours = load(source.texture, textures, missing);
+  const Picture opacity = load(source.opacity, textures, missing);
+  if (colours && opacity) return textures.loadWithOpacity(*source.texture, *source.opacity);
+  return colours ? colours : opacity;
+}
+
+}  // namespace
+
+Material withPictures(const MaterialSource& source, TextureLoader& textures,
+                      const MissingPicture& missing) {
+  Material material = source.material;
+  material.texture = loadColours(source, textures, missing);
+  material.normal_map = load(source.normal_map, textures, missing);
+  material.roughness_map = load(source.roughness_map, textures, missing);
+  material.metalness_map = load(source.metalness_map, textures, missing);
+  material.emissive_map = load(source.emissive_map, textures, missing);
+  return material;
+}
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "world/description.h"
+#include "world/material/texture_loader.h"
+
+namespace synthetic_dataset::world {
+
+/// A material as a file describes it, its pictures not yet read.
+struct MaterialSource {
+  Material material;     ///< without pictures
+  bool made_up = false;  ///< the file has none: this is the default
+  std::optional<TextureReference> texture;
+  std::optional<TextureReference> opacity;  ///< its alpha takes the place of the texture's
+  std::optional<TextureReference> normal_map;
+  std::optional<TextureReference> roughness_map;
+  std::optional<TextureReference> metalness_map;
+  std::optional<TextureReference> emissive_map;
+};
+
+/// Told of a picture that is missing or cannot be decoded; may throw.
+using MissingPicture = std::function<void(const std::string& message)>;
+
+/// The material with its pictures. One that cannot be had is told of and left out: the colours and
+/// numbers hold without it.
+[[nodiscard]] Material withPictures(const MaterialSource& source, TextureLoader& textures,
+                                    const MissingPicture& missing);
+
+}  // namespace synthetic_dataset::world

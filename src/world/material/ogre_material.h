@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "world/material/material_source.h"
+#include "world/material/ogre_script.h"
+
+namespace synthetic_dataset::world {
+
+struct OgreMaterial {
+  MaterialSource source;           ///< its pictures' references have a URI only
+  std::vector<std::string> notes;  ///< what is drawn otherwise than OGRE draws it
+};
+
+/// The material that an OGRE 1.x script describes: that of the first technique without a scheme.
+/// Of several passes the last that covers what is behind it counts; what it leaves open the others
+/// say. Of several pictures the first that is neither a reflection nor named for another use is the
+/// diffuse one. Shader programs are not run.
+/// @param material  with all that it inherits, its variables replaced
+/// @throws Error "line 7: diffuse: found 'x'; ..."
+[[nodiscard]] OgreMaterial readOgreMaterial(const OgreObject& material);
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,179 @@
+#include "world/material/ogre_script.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "synthetic_dataset/errors.h"
+#include "world/material/ogre_lexer.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+/// Sections within sections; real scripts have four levels.
+constexpr int kDeepest = 32;
+
+[[noreturn]] void fail(int line, const std::string& what) {
+  throw Error("line " + std::to_string(line) + ": " + what);
+}
+
+class Parser {
+ public:
+  explicit Parser(std::vector<OgreToken> tokens) : tokens_(std::move(tokens)) {}
+
+  OgreScript read() {
+    OgreObject root;
+    readContent(root, 0);
+    if (at_ < tokens_.size()) fail(tokens_[at_].line, "'}' without a '{' before it");
+    script_.objects = std::move(root.objects);
+    return std::move(script_);
+  }
+
+ private:
+  using Kind = OgreTokenKind;
+
+  [[nodiscard]] bool is(Kind kind) const {
+    return at_ < tokens_.size() && tokens_[at_].kind == kind;
+  }
+  [[nodiscard]] bool isText() const { return is(Kind::kWord) || is(Kind::kQuoted); }
+
+  /// Up to the section's '}' or the text's end.
+  void readContent(OgreObject& into, int depth) {
+    if (depth > kDeepest) fail(into.line, "its sections go deeper than any material's");
+    while (at_ < tokens_.size() && !is(Kind::kClose)) {
+      if (is(Kind::kLineEnd)) {
+        ++at_;
+      } else if (isText()) {
+        readStatement(into, depth);
+      } else {
+        fail(tokens_[at_].line,
+             "found '" + std::string(is(Kind::kOpen) ? "{" : ":") + "' where a name should be");
+      }
+    }
+  }
+
+  /// A line, and where a '{' follows it the section that it is the head of.
+  void readStatement(OgreObject& into, int depth) {
+    const int line = tokens_[at_].line;
+    std::vector<std::string> words = readWords();
+    const bool has_parents = is(Kind::kColon);
+    std::vector<std::string> parents;
+    if (has_parents) {
+      ++at_;
+      parents = readWords();
+    }
+    if (opensSection()) {
+      into.objects.push_back(readSection(std::move(words), std::move(parents), line, depth));
+    } else if (depth == 0 && words.front() == "import") {
+      script_.imports.push_back(importOf(words, line));
+    } else if (!has_parents) {
+      const std::string name = words.front();
+      words.erase(words.begin());
+      into.properties.push_back({name, std::move(words), line});
+    } else {
+      fail(line, "'" + words.front() + "' has parents but no section in '{' and '}'");
+    }
+  }
+
+  std::vector<std::string> readWords() {
+    std::vector<std::string> words;
+    for (; isText(); ++at_) words.push_back(tokens_[at_].text);
+    return words;
+  }
+
+  /// Moves to behind the '{', which may stand on a line of its own.
+  bool opensSection() {
+    std::size_t next = at_;
+    while (next < tokens_.size() && tokens_[next].kind == Kind::kLineEnd) ++next;
+    if (next == tokens_.size() || tokens_[next].kind != Kind::kOpen) return false;
+    at_ = next + 1;
+    return true;
+  }
+
+  OgreObject readSection(std::vector<std::string> words, std::vector<std::string> parents, int line,
+                         int depth) {
+    OgreObject object;
+    object.line = line;
+    object.is_abstract = words.size() > 1 && words.front() == "abstract";
+    if (object.is_abstract) words.erase(words.begin());
+    object.kind = words[0];
+    if (words.size() > 1) object.name = words[1];
+    object.parents = std::move(parents);
+    readContent(object, depth + 1);
+    if (!is(Kind::kClose)) {
+      fail(line, "the section '" + object.kind + (object.name.empty() ? "" : " " + object.name) +
+                     "' has no '}' at its end");
+    }
+    ++at_;
+    return object;
+  }
+
+  static OgreImport importOf(const std::vector<std::string>& words, int line) {
+    const auto from = std::find(words.begin(), words.end(), "from");
+    if (from == words.end() || from + 1 == words.end()) {
+      fail(line, "an import should read: import NAME from \"FILE\"");
+    }
+    OgreImport result;
+    for (auto word = words.begin() + 1; word != from; ++word) {
+      std::string name = *word;
+      name.erase(std::remove(name.begin(), name.end(), ','), name.end());
+      if (!name.empty()) result.names.push_back(name);
+    }
+    result.file = *(from + 1);
+    return result;
+  }
+
+  std::vector<OgreToken> tokens_;
+  std::size_t at_ = 0;
+  OgreScript script_;
+};
+
+using Variables = std::map<std::string, std::vector<std::string>>;
+
+void replaceIn(OgreProperty& property, const Variables& variables) {
+  std::vector<std::string> values;
+  for (const std::string& value : property.values) {
+    if (value.empty() || value.front() != '$') {
+      values.push_back(value);
+      continue;
+    }
+    const auto found = variables.find(value);
+    if (found == variables.end()) {
+      fail(property.line, "the variable '" + value + "' has no value");
+    }
+    values.insert(values.end(), found->second.begin(), found->second.end());
+  }
+  property.values = std::move(values);
+}
+
+/// The value of a variable, which may be several words between quotes.
+std::vector<std::string> wordsOf(const std::vector<std::string>& values) {
+  std::string text;
+  for (const std::string& value : values) text += value + " ";
+  std::vector<std::string> words;
+  for (const OgreToken& token : readOgreTokens(text)) {
+    if (token.kind == OgreTokenKind::kWord) words.push_back(token.text);
+  }
+  return words;
+}
+
+void replaceWith(OgreObject& object, Variables variables) {
+  for (OgreProperty& property : object.properties) {
+    if (property.name != "set" || property.values.empty()) continue;
+    variables[property.values.front()] =
+        wordsOf({property.values.begin() + 1, property.values.end()});
+  }
+  for (OgreProperty& property : object.properties) {
+    if (property.name != "set") replaceIn(property, variables);
+  }
+  for (OgreObject& inner : object.objects) replaceWith(inner, variables);
+}
+
+}  // namespace
+
+OgreScript parseOgreScript(const std::string& text) { return Parser(readOgreTokens(text)).read(); }
+
+void replaceVariables(OgreObject& object) { replaceWith(object, {}); }
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,127 @@
+#include "world/material/picture_decoder.h"
+
+#include <optional>
+#include <variant>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "synthetic_dataset/errors.h"
+#include "world/files/byte_stream.h"
+#include "world/files/trial_process.h"
+#include "world/material/freeimage_decoder.h"
+#include "world/material/picture_end.h"
+#include "world/material/picture_file.h"
+#include "world/material/picture_size.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr const char* kUndecodable =
+    "cannot be decoded; PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS and PSD pictures can";
+
+TrialLimits decodingLimits() {
+  TrialLimits limits;
+  limits.processor_time = std::chrono::seconds(60);
+  limits.memory = std::uint64_t{3} << 30U;
+  return limits;
+}
+
+void checkSize(const PictureSize& size) {
+  const bool fits = size.width <= kLongestPictureSide && size.height <= kLongestPictureSide &&
+                    size.width * size.height <= kLargestPicture;
+  if (fits) return;
+  throw Error("is too large: " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+              " pixels; at most " + std::to_string(kLongestPictureSide) + " a side and " +
+              std::to_string(kLargestPicture >> 20U) + " million in all can be read");
+}
+
+/// Neither library's threads are used here, so that this can run in a process that was forked.
+cv::Mat decode(const Bytes& file, const std::string& name) {
+  cv::Mat pixels;
+  try {
+    pixels = cv::imdecode(file, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    pixels.release();
+  }
+  return pixels.empty() ? decodeWithFreeImage(file, name) : pixels;
+}
+
+std::string toBytes(const cv::Mat& pixels) {
+  ByteWriter writer;
+  writer.number<std::int32_t>(pixels.rows);
+  writer.number<std::int32_t>(pixels.cols);
+  writer.number<std::int32_t>(pixels.type());
+  for (int row = 0; row < pixels.rows; ++row) {
+    writer.raw(pixels.ptr(row), static_cast<std::size_t>(pixels.cols) * pixels.elemSize());
+  }
+  return writer.take();
+}
+
+cv::Mat fromBytes(const std::string& bytes) {
+  ByteReader reader(bytes);
+  const auto rows = reader.number<std::int32_t>();
+  const auto columns = reader.number<std::int32_t>();
+  const auto type = reader.number<std::int32_t>();
+  if (rows <= 0 || columns <= 0) return {};
+  checkSize({static_cast<std::uint64_t>(columns), static_cast<std::uint64_t>(rows)});
+  cv::Mat pixels(rows, columns, type);
+  reader.copy(pixels.data, pixels.total() * pixels.elemSize());
+  return pixels;
+}
+
+/// Colours of any depth and count of channels as blue, green, red, alpha of 8 bits.
+cv::Mat toBgra(const cv::Mat& picture) {
+  cv::Mat bytes;
+  if (picture.empty()) return {};
+  if (picture.depth() == CV_8U) {
+    bytes = picture;
+  } else if (picture.depth() == CV_16U) {
+    picture.convertTo(bytes, CV_8U, 1.0 / 257.0);
+  } else {
+    return {};
+  }
+  cv::Mat bgra;
+  switch (bytes.channels()) {
+    case 1:
+      cv::cvtColor(bytes, bgra, cv::COLOR_GRAY2BGRA);
+      return bgra;
+    case 3:
+      cv::cvtColor(bytes, bgra, cv::COLOR_BGR2BGRA);
+      return bgra;
+    case 4:
+      return bytes;
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+cv::Mat decodePixels(const Bytes& file, const std::string& name) {
+  if (file.empty()) throw Error("cannot be decoded: the file is empty");
+  if (const std::optional<PictureSize> size = claimedSize(file)) checkSize(*size);
+  const Bytes essential = withoutColourProfile(file);
+  if (essential.empty() || !isWhole(essential)) {
+    throw Error("cannot be decoded: the file breaks off or is damaged");
+  }
+  const auto work = [&] { return toBytes(decode(essential, name)); };
+  const std::variant<std::string, Breakdown> answer = tryWork(work, decodingLimits());
+  if (const auto* breakdown = std::get_if<Breakdown>(&answer)) {
+    throw Error("cannot be decoded (its decoder " + breakdown->how + ")");
+  }
+  cv::Mat pixels = fromBytes(std::get<std::string>(answer));
+  const bool known_depth = pixels.depth() == CV_8U || pixels.depth() == CV_16U;
+  if (pixels.empty() || !known_depth) throw Error(kUndecodable);
+  return pixels;
+}
+
+cv::Mat decodePicture(const Bytes& file, const std::string& name) {
+  cv::Mat pixels = toBgra(decodePixels(file, name));
+  if (pixels.empty()) throw Error(kUndecodable);
+  return pixels;
+}
+
+}  // namespace synthetic_dataset::world

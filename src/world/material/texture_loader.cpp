@@ -1,0 +1,131 @@
+#include "world/material/texture_loader.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "synthetic_dataset/errors.h"
+#include "world/material/picture_channels.h"
+#include "world/material/picture_decoder.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::uint8_t> readBytes(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Of a picture without a file: no path begins like it.
+std::string embeddedKey(const EmbeddedPicture& picture) {
+  return "embedded " + std::to_string(reinterpret_cast<std::uintptr_t>(&picture));
+}
+
+cv::Mat contentOf(const cv::Mat& pixels, PictureContent content) {
+  switch (content) {
+    case PictureContent::kRed:
+      return redAsGrey(pixels);
+    case PictureContent::kInvertedRed:
+      return invertedRedAsGrey(pixels);
+    case PictureContent::kNormalsOrHeights:
+      return isGrey(pixels) ? normalsOfHeights(pixels) : pixels;
+    case PictureContent::kAlphaFromGrey:
+      return greyAsAlpha(pixels);
+    case PictureContent::kColour:
+      break;
+  }
+  return pixels;
+}
+
+bool isFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+std::string withSlashes(std::string uri) {
+  std::replace(uri.begin(), uri.end(), '\\', '/');  // Windows' exporters
+  return uri;
+}
+
+}  // namespace
+
+fs::path TextureLoader::find(const TextureReference& reference) const {
+  const std::string uri = withSlashes(reference.uri);
+  const std::string name = fs::path(uri).filename().string();
+  for (const std::string& place : {uri, name, "../materials/textures/" + name}) {
+    const std::optional<fs::path> file = finder_.find(place, reference.folder);
+    if (file && isFile(*file)) return *file;
+  }
+  std::string more;
+  for (const fs::path& folder : reference.more_folders) {
+    for (const fs::path& path : {folder / fs::path(uri).relative_path(), folder / name}) {
+      if (isFile(path)) return path.lexically_normal();
+    }
+    more += ", " + folder.lexically_normal().string();
+  }
+  throw Error("texture '" + reference.uri + "': no such file; " +
+              finder_.searchedPlaces(uri, reference.folder) + ", and for '" + name + "' in " +
+              reference.folder.string() + ", " +
+              (reference.folder / "../materials/textures").lexically_normal().string() + more);
+}
+
+const cv::Mat& TextureLoader::pixels(const std::string& key,
+                                     const std::function<std::vector<std::uint8_t>()>& read) {
+  auto found = pixels_.find(key);
+  if (found == pixels_.end()) {
+    std::variant<cv::Mat, std::string> result;
+    try {
+      result = decodePicture(read(), key);
+    } catch (const Error& error) {
+      result = std::string(error.what());
+    }
+    found = pixels_.emplace(key, std::move(result)).first;
+  }
+  if (const auto* reason = std::get_if<std::string>(&found->second)) throw Error(*reason);
+  return std::get<cv::Mat>(found->second);
+}
+
+std::shared_ptr<const Texture> TextureLoader::load(const TextureReference& reference) {
+  const EmbeddedPicture* embedded = reference.embedded.get();
+  const std::string file = embedded != nullptr ? embedded->name : find(reference).string();
+  const std::string key = embedded != nullptr ? embeddedKey(*embedded) : file;
+  auto& texture = textures_[{key, reference.alpha, reference.content}];
+  if (texture) return texture;
+  if (embedded != nullptr) embedded_.push_back(reference.embedded);
+  cv::Mat content;
+  try {
+    content = contentOf(pixels(key, [&] { return embedded ? embedded->bytes : readBytes(file); }),
+                        reference.content);
+  } catch (const Error& error) {
+    throw Error("texture '" + file + "': " + error.what());
+  }
+  if (reference.alpha == AlphaMeaning::kIgnored) content = withoutAlpha(content);
+  texture = std::make_shared<Texture>(Texture{file, content});
+  return texture;
+}
+
+std::shared_ptr<const Texture> TextureLoader::loadWithOpacity(const TextureReference& colour,
+                                                              const TextureReference& opacity) {
+  const std::shared_ptr<const Texture> base = load(colour);
+  const std::shared_ptr<const Texture> alpha = load(opacity);
+  auto& texture = with_opacity_[{base.get(), alpha.get()}];
+  if (!texture) {
+    texture =
+        std::make_shared<Texture>(Texture{base->file, withAlphaOf(base->pixels, alpha->pixels)});
+  }
+  return texture;
+}
+
+std::shared_ptr<const Texture> TextureLoader::made(const std::string& name,
+                                                   const std::function<cv::Mat()>& make) {
+  auto& texture = textures_[{name, AlphaMeaning::kOpacity, PictureContent::kColour}];
+  if (!texture) texture = std::make_shared<Texture>(Texture{name, make()});
+  return texture;
+}
+
+}  // namespace synthetic_dataset::world

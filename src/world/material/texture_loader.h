@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "world/description.h"
+#include "world/files/resource_finder.h"
+
+namespace synthetic_dataset::world {
+
+/// What a picture's alpha channel says: only some materials mean it as holes.
+enum class AlphaMeaning { kIgnored, kOpacity };
+
+/// What is made of a picture's channels.
+enum class PictureContent {
+  kColour,       ///< as they are
+  kRed,          ///< the red one in place of all three: a number for each place
+  kInvertedRed,  ///< 1 minus the red one in place of all three: glossiness as roughness
+  /// A normal map; of a grey picture, whose values are heights, the normal map that belongs to
+  /// them. Mesh files name both kinds alike.
+  kNormalsOrHeights,
+  kAlphaFromGrey,  ///< an opacity picture: its grey as alpha, its colour white
+};
+
+/// A picture that a mesh file carries within itself.
+struct EmbeddedPicture {
+  std::string name;                 ///< for messages
+  std::vector<std::uint8_t> bytes;  ///< a whole picture file
+};
+
+/// How a mesh file or a material names its picture.
+struct TextureReference {
+  std::string uri;
+  std::filesystem::path folder;  ///< of the file that names it
+  std::shared_ptr<const EmbeddedPicture> embedded;
+  AlphaMeaning alpha = AlphaMeaning::kIgnored;
+  PictureContent content = PictureContent::kColour;
+  std::vector<std::filesystem::path> more_folders;  ///< in which its file name is looked for, too
+};
+
+/// Decodes each picture once, however many materials name it.
+class TextureLoader {
+ public:
+  explicit TextureLoader(const ResourceFinder& finder) : finder_(finder) {}
+
+  /// A picture is looked for where the URI says, then by its file name alone beside the file that
+  /// names it and in the model's materials/textures, as Gazebo's resource system does.
+  /// @throws Error if it is missing or cannot be decoded ("texture 'x.png': no such file; ...")
+  [[nodiscard]] std::shared_ptr<const Texture> load(const TextureReference& reference);
+
+  /// A picture with another's alpha channel, brought to its size.
+  /// @throws Error as `load`
+  [[nodiscard]] std::shared_ptr<const Texture> loadWithOpacity(const TextureReference& colour,
+                                                               const TextureReference& opacity);
+
+  /// A picture that is not a file's.
+  /// @param make  called the first time that the name is asked for; gives CV_8UC4
+  [[nodiscard]] std::shared_ptr<const Texture> made(const std::string& name,
+                                                    const std::function<cv::Mat()>& make);
+
+ private:
+  [[nodiscard]] std::filesystem::path find(const TextureReference& reference) const;
+  [[nodiscard]] const cv::Mat& pixels(const std::string& key,
+                                      const std::function<std::vector<std::uint8_t>()>& read);
+
+  using Key = std::tuple<std::string, AlphaMeaning, PictureContent>;
+
+  const ResourceFinder& finder_;
+  std::map<std::string, std::variant<cv::Mat, std::string>> pixels_;  ///< or why there are none
+  std::map<Key, std::shared_ptr<const Texture>> textures_;
+  std::map<std::pair<const Texture*, const Texture*>, std::shared_ptr<const Texture>> with_opacity_;
+  std::vector<std::shared_ptr<const EmbeddedPicture>> embedded_;  ///< keeps their addresses unique
+};
+
+}  // namespace synthetic_dataset::world

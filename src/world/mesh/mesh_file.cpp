@@ -1,0 +1,259 @@
+#include "world/mesh/mesh_file.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <new>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include <Eigen/Geometry>
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+#include "synthetic_dataset/errors.h"
+#include "world/files/trial_process.h"
+#include "world/material/colour_encoding.h"
+#include "world/mesh/collada_repair.h"
+#include "world/mesh/mesh_file_bytes.h"
+#include "world/mesh/mesh_materials.h"
+#include "world/mesh/mesh_normals.h"
+#include "world/mesh/mesh_pictures.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+/// Where faces meet at a sharper angle than this, generated normals keep the edge [deg].
+constexpr float kCreaseAngle = 45.0F;
+
+Eigen::Affine3d toEigen(const aiMatrix4x4& matrix) {
+  Eigen::Affine3d result = Eigen::Affine3d::Identity();
+  for (unsigned row = 0; row < 3; ++row) {
+    for (unsigned column = 0; column < 4; ++column) {
+      result(row, column) = static_cast<double>(matrix[row][column]);
+    }
+  }
+  return result;
+}
+
+void configure(Assimp::Importer& importer) {
+  // Gazebo does not parse <up_axis> (gazebo-classic issue 1305; gz-common drops the root's
+  // rotation), and neither does rviz, so the models that are about are made for that.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  // <submesh> names what the modeller sees, not the file's identifiers.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCreaseAngle);
+}
+
+/// Of a file, or of a text in its place. @return null for one that cannot be read
+const aiScene* tryImport(Assimp::Importer& importer, const std::filesystem::path& file,
+                         const std::optional<std::string>& text, std::string& reason) {
+  constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType |
+                              aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
+                              aiProcess_FlipUVs;
+  const aiScene* scene = nullptr;
+  try {
+    scene = text ? importer.ReadFileFromMemory(text->data(), text->size(), kSteps, "dae")
+                 : importer.ReadFile(file.string(), kSteps);
+    reason = importer.GetErrorString();
+  } catch (const std::exception& error) {
+    reason = error.what();
+  }
+  return scene;
+}
+
+/// @return null, with a reason, for a file that cannot be read
+const aiScene* importOrMend(Assimp::Importer& importer, const std::filesystem::path& file,
+                            std::string& reason) {
+  configure(importer);
+  const aiScene* scene = tryImport(importer, file, std::nullopt, reason);
+  if (scene != nullptr || extensionOf(file) != ".dae") return scene;
+  const std::optional<std::string> mended = withPictureNames(file);
+  return mended ? tryImport(importer, file, mended, reason) : nullptr;
+}
+
+/// assimp (5.2) reads on for ever in a PLY file whose header does not end.
+void checkPly(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  while (std::getline(stream, line)) {
+    if (line.rfind("end_header", 0) == 0) return;
+  }
+  throw Error("cannot be read: its header has no line 'end_header'");
+}
+
+const aiScene& import(Assimp::Importer& importer, const std::filesystem::path& file) {
+  if (extensionOf(file) == ".dae") checkCollada(file);
+  if (extensionOf(file) == ".ply") checkPly(file);
+  std::string reason;
+  const aiScene* scene = importOrMend(importer, file, reason);
+  if (scene == nullptr && reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    throw Error("cannot be read (" + reason + ")");
+  }
+  return *scene;
+}
+
+/// The texture coordinates that the material's picture uses, else the first ones.
+const aiVector3D* textureCoordinates(const aiMesh& mesh, unsigned channel) {
+  if (channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(channel)) {
+    return mesh.mTextureCoords[channel];
+  }
+  return mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0] : nullptr;
+}
+
+/// glTF's are linear (glTF 2.0, section 3.7.2.1), all others' are shown as they are.
+void copyColours(const aiMesh& from, bool linear, Mesh& to) {
+  const aiColor4D* colours = from.mColors[0];
+  if (colours == nullptr) return;
+  to.colours.reserve(from.mNumVertices);
+  for (unsigned i = 0; i < from.mNumVertices; ++i) {
+    Eigen::Vector4f colour(colours[i].r, colours[i].g, colours[i].b, colours[i].a);
+    if (!colour.allFinite()) throw Error("has a vertex colour that is no number");
+    colour = colour.cwiseMax(0.0F).cwiseMin(1.0F);
+    if (linear) colour.head<3>() = colour.head<3>().unaryExpr(&encodedComponent).eval();
+    to.colours.push_back(colour);
+  }
+  // assimp (5.2) gives glTF's colours without alpha one of 0.
+  const auto has_no_alpha = [](const Eigen::Vector4f& colour) { return colour.w() == 0.0F; };
+  if (std::all_of(to.colours.begin(), to.colours.end(), has_no_alpha)) {
+    for (Eigen::Vector4f& colour : to.colours) colour.w() = 1.0F;
+  }
+  const auto is_white = [](const Eigen::Vector4f& colour) { return colour.isOnes(); };
+  if (std::all_of(to.colours.begin(), to.colours.end(), is_white)) to.colours.clear();
+}
+
+void copyVertices(const aiMesh& from, const Eigen::Affine3d& transform, unsigned channel,
+                  Mesh& to) {
+  to.positions.reserve(from.mNumVertices);
+  to.normals.reserve(from.mNumVertices);
+  const Eigen::Matrix3d turn = transform.linear().inverse().transpose();
+  const aiVector3D* coordinates = textureCoordinates(from, channel);
+  for (unsigned i = 0; i < from.mNumVertices; ++i) {
+    const aiVector3D& p = from.mVertices[i];
+    const Eigen::Vector3f position = (transform * Eigen::Vector3d(p.x, p.y, p.z)).cast<float>();
+    if (!position.allFinite()) throw Error("has a vertex that is no number");
+    to.positions.push_back(position);
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    if (from.HasNormals()) {
+      const aiVector3D& n = from.mNormals[i];
+      normal = turn * Eigen::Vector3d(n.x, n.y, n.z);
+    }
+    to.normals.push_back(normal.cast<float>());
+    if (coordinates != nullptr) {
+      to.texture_coordinates.emplace_back(coordinates[i].x, coordinates[i].y);
+    }
+  }
+}
+
+void copyTriangles(const aiMesh& from, bool mirrored, Mesh& to) {
+  to.indices.reserve(3 * std::size_t{from.mNumFaces});
+  for (unsigned i = 0; i < from.mNumFaces; ++i) {
+    const aiFace& face = from.mFaces[i];
+    if (face.mNumIndices != 3) continue;
+    for (unsigned corner = 0; corner < 3; ++corner) {
+      if (face.mIndices[corner] >= from.mNumVertices)
+        throw Error("names a vertex that is not there");
+    }
+    to.indices.push_back(face.mIndices[0]);
+    to.indices.push_back(face.mIndices[mirrored ? 2 : 1]);
+    to.indices.push_back(face.mIndices[mirrored ? 1 : 2]);
+  }
+}
+
+/// Gazebo calls a submesh by the name of the nearest node that has one.
+std::string nodeName(const aiNode* node) {
+  for (; node != nullptr; node = node->mParent) {
+    const std::string name = node->mName.C_Str();
+    if (!name.empty() && name.rfind("$ColladaAutoName$", 0) != 0) return name;
+  }
+  return "";
+}
+
+/// Reads a scene's nodes into parts.
+struct SceneReader {
+  const aiScene& scene;
+  const std::vector<unsigned>& channels;  ///< of texture coordinates, one a material
+  bool linear_colours;
+  std::vector<MeshPart> parts;
+
+  void read(const aiNode& node, const Eigen::Affine3d& parent) {
+    const Eigen::Affine3d transform = parent * toEigen(node.mTransformation);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
+      MeshPart part;
+      part.names = {nodeName(&node), mesh.mName.C_Str()};
+      part.material = mesh.mMaterialIndex;
+      copyTriangles(mesh, transform.linear().determinant() < 0.0, part.mesh);
+      if (part.mesh.indices.empty()) continue;
+      copyVertices(mesh, transform, channels.at(part.material), part.mesh);
+      copyColours(mesh, linear_colours, part.mesh);
+      completeNormals(part.mesh);
+      parts.push_back(std::move(part));
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) read(*node.mChildren[i], transform);
+  }
+};
+
+/// A material that no file has asked for leaves the colour to the vertices that have one.
+void whitenMadeUp(const aiScene& scene, const std::filesystem::path& file, MeshFile& result) {
+  for (const MeshPart& part : result.parts) {
+    if (part.mesh.colours.empty() || !isMadeUp(*scene.mMaterials[part.material], file)) continue;
+    result.materials[part.material].material.diffuse.setOnes();
+  }
+}
+
+}  // namespace
+
+TrialLimits meshTrialLimits(const std::filesystem::path& file) {
+  TrialLimits limits;
+  // A glTF file's size says nothing: its numbers are in others.
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+  if (unknown || extensionOf(file) == ".gltf") return limits;
+  constexpr std::uintmax_t kBytesPerSecond = 250000;
+  const auto seconds = static_cast<std::chrono::seconds::rep>(10 + size / kBytesPerSecond);
+  limits.processor_time = std::min(limits.processor_time, std::chrono::seconds(seconds));
+  return limits;
+}
+
+MeshFile importMeshFile(const std::filesystem::path& file) {
+  Assimp::Importer importer;
+  const aiScene& scene = import(importer, file);
+  MeshFile result;
+  std::vector<unsigned> channels;
+  MeshPictures pictures(scene, file);
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+    channels.push_back(textureChannel(*scene.mMaterials[i]));
+    result.materials.push_back(readMaterial(*scene.mMaterials[i], file, pictures));
+  }
+  const std::string extension = extensionOf(file);
+  SceneReader reader{scene, channels, extension == ".gltf" || extension == ".glb", {}};
+  reader.read(*scene.mRootNode, Eigen::Affine3d::Identity());
+  if (reader.parts.empty()) throw Error("has no triangles");
+  result.parts = std::move(reader.parts);
+  whitenMadeUp(scene, file, result);
+  return result;
+}
+
+MeshFile readMeshFile(const std::filesystem::path& file) {
+  const auto work = [&] { return toBytes(importMeshFile(file)); };
+  const std::variant<std::string, Breakdown> answer = tryWork(work, meshTrialLimits(file));
+  if (const auto* breakdown = std::get_if<Breakdown>(&answer)) {
+    throw Error("cannot be read (assimp, which reads it, " + breakdown->how + ")");
+  }
+  return meshFileOf(std::get<std::string>(answer));
+}
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "world/description.h"
+#include "world/files/trial_process.h"
+#include "world/material/material_source.h"
+
+namespace synthetic_dataset::world {
+
+/// A piece of a mesh file in one material, in the file's frame and in metres.
+struct MeshPart {
+  std::vector<std::string> names;  ///< by which <submesh> may call it: of its node, of its geometry
+  Mesh mesh;
+  std::size_t material = 0;  ///< index into MeshFile::materials
+};
+
+struct MeshFile {
+  std::vector<MeshPart> parts;  ///< in the order of the file's scene; at least one triangle in all
+  std::vector<MaterialSource> materials;
+};
+
+/// Reads a mesh of any format that assimp knows (COLLADA, OBJ, STL, glTF, ...), as Gazebo does:
+/// COLLADA's unit is applied; its `up_axis` is not, and no other format is turned either.
+/// Normals are made where there are none, creased at sharp edges. Of binary STL files the colours
+/// of VisCAM and of Materialise Magics are read as assimp understands them.
+/// The work is done in a process of its own: files that are damaged, or made to do damage, crash
+/// assimp (5.2) or have it eat up the memory.
+/// @throws Error if the file cannot be read, has no triangle or a vertex that is no number
+[[nodiscard]] MeshFile readMeshFile(const std::filesystem::path& file);
+
+/// readMeshFile in this process, which it may bring down.
+[[nodiscard]] MeshFile importMeshFile(const std::filesystem::path& file);
+
+/// Long enough for any real file of this size, and an end soon for one that assimp hangs on.
+[[nodiscard]] TrialLimits meshTrialLimits(const std::filesystem::path& file);
+
+}  // namespace synthetic_dataset::world

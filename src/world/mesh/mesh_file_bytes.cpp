@@ -1,0 +1,178 @@
+#include "world/mesh/mesh_file_bytes.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "synthetic_dataset/errors.h"
+#include "world/files/byte_stream.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+using Embedded = std::shared_ptr<const EmbeddedPicture>;
+using Reference = std::optional<TextureReference>;
+
+/// Each picture of a file once, however many materials name it.
+using EmbeddedPictures = std::vector<Embedded>;
+
+/// A material's pictures, in one order for writing and for reading.
+template <class Source>
+auto referencesOf(Source& source) {
+  return std::vector{&source.texture,       &source.opacity,       &source.normal_map,
+                     &source.roughness_map, &source.metalness_map, &source.emissive_map};
+}
+
+EmbeddedPictures gather(const MeshFile& file) {
+  EmbeddedPictures pictures;
+  for (const MaterialSource& source : file.materials) {
+    for (const Reference* reference : referencesOf(source)) {
+      if (!*reference || !(*reference)->embedded) continue;
+      const Embedded& picture = (*reference)->embedded;
+      if (std::find(pictures.begin(), pictures.end(), picture) == pictures.end()) {
+        pictures.push_back(picture);
+      }
+    }
+  }
+  return pictures;
+}
+
+// Places count from 1; 0 is no embedded picture.
+std::uint64_t placeOf(const Embedded& picture, const EmbeddedPictures& pictures) {
+  if (!picture) return 0;
+  const auto found = std::find(pictures.begin(), pictures.end(), picture);
+  return static_cast<std::uint64_t>(found - pictures.begin()) + 1;
+}
+
+void write(const Reference& reference, const EmbeddedPictures& pictures, ByteWriter& writer) {
+  writer.number(reference.has_value());
+  if (!reference) return;
+  writer.text(reference->uri);
+  writer.text(reference->folder.string());
+  writer.number(placeOf(reference->embedded, pictures));
+  writer.number(reference->alpha);
+  writer.number(reference->content);
+}
+
+Reference readReference(const EmbeddedPictures& pictures, ByteReader& reader) {
+  if (!reader.number<bool>()) return std::nullopt;
+  TextureReference reference;
+  reference.uri = reader.text();
+  reference.folder = reader.text();
+  const auto place = reader.number<std::uint64_t>();
+  if (place > pictures.size()) throw Error("its content came over incomplete");
+  if (place > 0) reference.embedded = pictures[place - 1];
+  reference.alpha = reader.number<AlphaMeaning>();
+  reference.content = reader.number<PictureContent>();
+  return reference;
+}
+
+template <class Vector>
+void writeVector(const Vector& vector, ByteWriter& writer) {
+  for (int i = 0; i < vector.size(); ++i) writer.number(vector[i]);
+}
+
+template <class Vector>
+void readVector(ByteReader& reader, Vector& vector) {
+  for (int i = 0; i < vector.size(); ++i) vector[i] = reader.number<float>();
+}
+
+void write(const Material& material, ByteWriter& writer) {
+  writeVector(material.diffuse, writer);
+  writeVector(material.specular, writer);
+  writeVector(material.emissive, writer);
+  writer.number(material.roughness);
+  writer.number(material.metalness);
+  writeVector(material.texture_scale, writer);
+  writeVector(material.texture_offset, writer);
+  writer.number(material.alpha_threshold);
+  writer.number(material.texture_is_glass);
+  writer.number(material.double_sided);
+  writer.number(material.lit);
+}
+
+Material readMaterial(ByteReader& reader) {
+  Material material;
+  readVector(reader, material.diffuse);
+  readVector(reader, material.specular);
+  readVector(reader, material.emissive);
+  material.roughness = reader.number<float>();
+  material.metalness = reader.number<float>();
+  readVector(reader, material.texture_scale);
+  readVector(reader, material.texture_offset);
+  material.alpha_threshold = reader.number<float>();
+  material.texture_is_glass = reader.number<bool>();
+  material.double_sided = reader.number<bool>();
+  material.lit = reader.number<bool>();
+  return material;
+}
+
+void write(const MeshPart& part, ByteWriter& writer) {
+  writer.number<std::uint64_t>(part.names.size());
+  for (const std::string& name : part.names) writer.text(name);
+  writer.list(part.mesh.positions);
+  writer.list(part.mesh.normals);
+  writer.list(part.mesh.texture_coordinates);
+  writer.list(part.mesh.colours);
+  writer.list(part.mesh.indices);
+  writer.number<std::uint64_t>(part.material);
+}
+
+MeshPart readPart(ByteReader& reader) {
+  MeshPart part;
+  const auto names = reader.number<std::uint64_t>();
+  for (std::uint64_t i = 0; i < names; ++i) part.names.push_back(reader.text());
+  part.mesh.positions = reader.list<Eigen::Vector3f>();
+  part.mesh.normals = reader.list<Eigen::Vector3f>();
+  part.mesh.texture_coordinates = reader.list<Eigen::Vector2f>();
+  part.mesh.colours = reader.list<Eigen::Vector4f>();
+  part.mesh.indices = reader.list<std::uint32_t>();
+  part.material = static_cast<std::size_t>(reader.number<std::uint64_t>());
+  return part;
+}
+
+}  // namespace
+
+std::string toBytes(const MeshFile& file) {
+  ByteWriter writer;
+  const EmbeddedPictures pictures = gather(file);
+  writer.number<std::uint64_t>(pictures.size());
+  for (const Embedded& picture : pictures) {
+    writer.text(picture->name);
+    writer.list(picture->bytes);
+  }
+  writer.number<std::uint64_t>(file.materials.size());
+  for (const MaterialSource& source : file.materials) {
+    write(source.material, writer);
+    writer.number(source.made_up);
+    for (const Reference* reference : referencesOf(source)) write(*reference, pictures, writer);
+  }
+  writer.number<std::uint64_t>(file.parts.size());
+  for (const MeshPart& part : file.parts) write(part, writer);
+  return writer.take();
+}
+
+MeshFile meshFileOf(std::string_view bytes) {
+  ByteReader reader(bytes);
+  EmbeddedPictures pictures(reader.number<std::uint64_t>());
+  for (Embedded& picture : pictures) {
+    EmbeddedPicture content;
+    content.name = reader.text();
+    content.bytes = reader.list<std::uint8_t>();
+    picture = std::make_shared<const EmbeddedPicture>(std::move(content));
+  }
+  MeshFile file;
+  file.materials.resize(reader.number<std::uint64_t>());
+  for (MaterialSource& source : file.materials) {
+    source.material = readMaterial(reader);
+    source.made_up = reader.number<bool>();
+    for (Reference* reference : referencesOf(source)) *reference = readReference(pictures, reader);
+  }
+  const auto parts = reader.number<std::uint64_t>();
+  for (std::uint64_t i = 0; i < parts; ++i) file.parts.push_back(readPart(reader));
+  return file;
+}
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,199 @@
+#include "world/mesh/mesh_loader.h"
+
+#include <algorithm>
+#include <locale>
+#include <sstream>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/nearest_name.h"
+#include "world/mesh/mesh_batch.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+constexpr float kLargestExtent = 1e6F;  // [m]
+
+bool isCalled(const MeshPart& part, const std::string& name) {
+  return std::find(part.names.begin(), part.names.end(), name) != part.names.end();
+}
+
+std::vector<std::string> partNames(const MeshFile& file) {
+  std::vector<std::string> names;
+  for (const MeshPart& part : file.parts) {
+    for (const std::string& name : part.names) {
+      if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) {
+        names.push_back(name);
+      }
+    }
+  }
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+  return text.empty() ? "none with a name" : text;
+}
+
+std::vector<const MeshPart*> wantedParts(const MeshFile& file, const std::string& submesh) {
+  std::vector<const MeshPart*> wanted;
+  for (const MeshPart& part : file.parts) {
+    if (submesh.empty() || isCalled(part, submesh)) wanted.push_back(&part);
+  }
+  if (wanted.empty()) {
+    const std::vector<std::string> names = partNames(file);
+    throw Error("has no submesh '" + submesh + "' (it has " + listed(names) + ")" +
+                didYouMean(submesh, names));
+  }
+  return wanted;
+}
+
+/// What brings the wanted parts' bounding box to the origin.
+Eigen::Vector3f centring(const std::vector<const MeshPart*>& parts) {
+  Eigen::AlignedBox3f bounds;
+  for (const MeshPart* part : parts) {
+    for (const Eigen::Vector3f& position : part->mesh.positions) bounds.extend(position);
+  }
+  return -bounds.center();
+}
+
+void append(const Mesh& from, Mesh& to) {
+  const auto first = static_cast<std::uint32_t>(to.positions.size());
+  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
+  to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
+  to.texture_coordinates.insert(to.texture_coordinates.end(), from.texture_coordinates.begin(),
+                                from.texture_coordinates.end());
+  to.colours.insert(to.colours.end(), from.colours.begin(), from.colours.end());
+  for (const std::uint32_t index : from.indices) to.indices.push_back(first + index);
+}
+
+void moveAndScale(const Eigen::Vector3f& shift, const Eigen::Vector3d& scale, Mesh& mesh) {
+  for (Eigen::Vector3f& position : mesh.positions) {
+    position = (position + shift).cast<double>().cwiseProduct(scale).cast<float>();
+  }
+  for (Eigen::Vector3f& normal : mesh.normals) {
+    normal = normal.cast<double>().cwiseQuotient(scale).normalized().cast<float>();
+  }
+  if (scale.prod() > 0.0) return;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+  }
+}
+
+/// Numbers beyond what can be drawn or simulated come of damaged files and mistaken scales.
+void checkExtent(const Mesh& mesh) {
+  for (const Eigen::Vector3f& position : mesh.positions) {
+    const float extent = position.cwiseAbs().maxCoeff();
+    if (extent <= kLargestExtent) continue;
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "reaches " << extent << " m from its origin; at most " << kLargestExtent
+         << " m can be drawn: is its scale right?";
+    throw Error(text.str());
+  }
+}
+
+/// Parts of the same material become one piece, so that they are drawn in one go.
+std::vector<MeshPiece> makePieces(const MeshFile& file, const MeshRequest& request) {
+  const std::vector<const MeshPart*> parts = wantedParts(file, request.submesh);
+  const bool centred = request.centre_submesh && !request.submesh.empty();
+  const Eigen::Vector3f shift =
+      centred ? centring(parts) : Eigen::Vector3f(Eigen::Vector3f::Zero());
+  // Material, with texture coordinates, with colours.
+  using Kind = std::tuple<std::size_t, bool, bool>;
+  std::vector<std::pair<Kind, Mesh>> meshes;
+  for (const MeshPart* part : parts) {
+    const Kind kind{part->material, !part->mesh.texture_coordinates.empty(),
+                    !part->mesh.colours.empty()};
+    auto found = std::find_if(meshes.begin(), meshes.end(),
+                              [&](const auto& entry) { return entry.first == kind; });
+    if (found == meshes.end()) found = meshes.insert(meshes.end(), {kind, Mesh{}});
+    append(part->mesh, found->second);
+  }
+  std::vector<MeshPiece> pieces;
+  for (auto& [kind, mesh] : meshes) {
+    moveAndScale(shift, request.scale, mesh);
+    checkExtent(mesh);
+    pieces.push_back({std::make_shared<const Mesh>(std::move(mesh)), std::get<0>(kind)});
+  }
+  return pieces;
+}
+
+Error meshError(const std::filesystem::path& file, const std::string& reason) {
+  return Error("mesh '" + file.string() + "': " + reason);
+}
+
+}  // namespace
+
+MeshLoader::Key MeshLoader::keyOf(const MeshRequest& request) {
+  return {request.file.string(), request.submesh,   request.centre_submesh,
+          request.scale.x(),     request.scale.y(), request.scale.z()};
+}
+
+void MeshLoader::readAhead(const std::vector<std::filesystem::path>& files) {
+  std::vector<std::filesystem::path> unread;
+  for (const auto& file : files) {
+    const bool is_new = files_.count(file.string()) == 0;
+    if (is_new && std::find(unread.begin(), unread.end(), file) == unread.end()) {
+      unread.push_back(file);
+    }
+  }
+  if (unread.size() < 2) return;  // read one by one
+  for (auto& [path, content] : readMeshFiles(unread)) files_.emplace(path, std::move(content));
+}
+
+const MeshFile& MeshLoader::read(const std::filesystem::path& file) {
+  auto found = files_.find(file.string());
+  if (found == files_.end()) {
+    std::variant<MeshFile, std::string> content;
+    try {
+      content = readMeshFile(file);
+    } catch (const Error& error) {
+      content = std::string(error.what());
+    }
+    found = files_.emplace(file.string(), std::move(content)).first;
+  }
+  if (const auto* reason = std::get_if<std::string>(&found->second)) {
+    throw meshError(file, *reason);
+  }
+  return std::get<MeshFile>(found->second);
+}
+
+const std::vector<MeshPiece>& MeshLoader::pieces(const MeshRequest& request) {
+  const Key key = keyOf(request);
+  const auto found = pieces_.find(key);
+  if (found != pieces_.end()) return found->second;
+  const MeshFile& file = read(request.file);
+  try {
+    return pieces_.emplace(key, makePieces(file, request)).first->second;
+  } catch (const Error& error) {
+    throw meshError(request.file, error.what());
+  }
+}
+
+std::shared_ptr<const Mesh> MeshLoader::whole(const MeshRequest& request) {
+  const std::vector<MeshPiece>& parts = pieces(request);
+  if (parts.size() == 1) return parts.front().mesh;
+  auto& whole = wholes_[keyOf(request)];
+  if (whole) return whole;
+  auto mesh = std::make_shared<Mesh>();
+  for (const MeshPiece& part : parts) append(*part.mesh, *mesh);
+  mesh->texture_coordinates.clear();
+  mesh->colours.clear();
+  whole = mesh;
+  return whole;
+}
+
+bool MeshLoader::isMadeUp(const std::filesystem::path& file, std::size_t index) {
+  return read(file).materials.at(index).made_up;
+}
+
+Material MeshLoader::material(const std::filesystem::path& file, std::size_t index,
+                              const MissingPicture& missing) {
+  return withPictures(read(file).materials.at(index), textures_, missing);
+}
+
+}  // namespace synthetic_dataset::world

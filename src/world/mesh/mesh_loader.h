@@ -1,0 +1,75 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "world/description.h"
+#include "world/material/material_scripts.h"
+#include "world/material/texture_loader.h"
+#include "world/mesh/mesh_file.h"
+
+namespace synthetic_dataset::world {
+
+/// Which part of a mesh file is wanted, and how large.
+struct MeshRequest {
+  std::filesystem::path file;
+  Eigen::Vector3d scale{1, 1, 1};  ///< negative ones mirror
+  std::string submesh;             ///< empty: all of the file
+  bool centre_submesh = false;     ///< its bounding box is moved to the origin
+};
+
+/// Triangles in one of the file's own materials.
+struct MeshPiece {
+  std::shared_ptr<const Mesh> mesh;
+  std::size_t material = 0;
+};
+
+/// Reads each mesh file, picture and material script once, and shares what was made of them.
+class MeshLoader {
+ public:
+  explicit MeshLoader(const ResourceFinder& finder) : textures_(finder), scripts_(finder) {}
+
+  /// Reads mesh files that are going to be wanted, all at once; faults are told when they are.
+  void readAhead(const std::vector<std::filesystem::path>& files);
+
+  /// The wanted triangles, one piece a material.
+  /// @throws Error "mesh 'x.dae': <why it cannot be read, or that the submesh is not in it>"
+  [[nodiscard]] const std::vector<MeshPiece>& pieces(const MeshRequest& request);
+
+  /// The wanted triangles in one piece, for collisions.
+  /// @throws Error as `pieces`
+  [[nodiscard]] std::shared_ptr<const Mesh> whole(const MeshRequest& request);
+
+  /// A material of a file that `pieces` has read, with its pictures.
+  /// @param missing  is told of each picture that is missing or cannot be decoded, and left out
+  [[nodiscard]] Material material(const std::filesystem::path& file, std::size_t index,
+                                  const MissingPicture& missing);
+
+  /// Whether such a material stands in for one that the file does not have.
+  [[nodiscard]] bool isMadeUp(const std::filesystem::path& file, std::size_t index);
+
+  [[nodiscard]] TextureLoader& textures() { return textures_; }
+  [[nodiscard]] MaterialScripts& scripts() { return scripts_; }
+
+ private:
+  /// File, submesh, centred, scale.
+  using Key = std::tuple<std::string, std::string, bool, double, double, double>;
+
+  [[nodiscard]] static Key keyOf(const MeshRequest& request);
+  [[nodiscard]] const MeshFile& read(const std::filesystem::path& file);
+
+  TextureLoader textures_;
+  MaterialScripts scripts_;
+  std::map<std::string, std::variant<MeshFile, std::string>> files_;  ///< or why it is unreadable
+  std::map<Key, std::vector<MeshPiece>> pieces_;
+  std::map<Key, std::shared_ptr<const Mesh>> wholes_;
+};
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "world/description.h"
+
+namespace synthetic_dataset::world {
+
+/// A point on a link, with which it moves.
+struct SurfacePoint {
+  std::size_t link = 0;  ///< index in the links given
+  Eigen::Vector3d p_L = Eigen::Vector3d::Zero();
+};
+
+/// Points on the visuals of a model at rest, as far from one another as farthest point sampling
+/// makes them (Peng et al. 2019, "PVNet: Pixel-wise Voting Network for 6DoF Pose Estimation",
+/// section 3.1): the first is the one farthest from the centre of the model's box, each next one
+/// the farthest from those before. Chosen among the triangles' corners and points spread over their
+/// area, so that what is round or has large sides is covered too. The same links give the same
+/// points.
+/// @param links  of the model
+/// @param count  at least 1
+/// @throws Error if the visuals have fewer different points
+[[nodiscard]] std::vector<SurfacePoint> farthestPoints(const std::vector<const Link*>& links,
+                                                       int count);
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <btBulletDynamicsCommon.h>
+
+#include "synthetic_dataset/pose.h"
+#include "world/physics/collision_models.h"
+
+namespace synthetic_dataset::world {
+
+/// A body, and how its surfaces rub, part by part of its shape.
+struct BulletBody {
+  std::vector<ContactSurface> surfaces;
+  std::unique_ptr<btRigidBody> body;
+};
+
+/// Bullet's dynamics, set up to give the same bits for the same calls, on any processor, and for
+/// contacts that neither creep nor sink.
+///
+/// Two things differ from btDiscreteDynamicsWorld: kinematic bodies have the velocity that they are
+/// given, not one derived from where they were; and a contact has the surfaces of the parts that
+/// touch, the smaller friction and restitution of the two.
+class BulletWorld {
+ public:
+  /// @param gravity  [m/s^2]
+  /// @param origin_W  where Bullet's numbers count from: single precision is good for a kilometre
+  ///     or so, and maps in UTM coordinates are farther out
+  BulletWorld(const Eigen::Vector3d& gravity, const Eigen::Vector3d& origin_W);
+  ~BulletWorld();
+  BulletWorld(const BulletWorld&) = delete;
+  BulletWorld& operator=(const BulletWorld&) = delete;
+
+  /// Adds a body to the world, which lives as long as the world does.
+  /// @param surfaces  one for each part of the body's shape
+  /// @param flags  of btCollisionObject::CollisionFlags
+  btRigidBody& add(const btRigidBody::btRigidBodyConstructionInfo& info,
+                   std::vector<ContactSurface> surfaces, int flags = 0);
+
+  /// Puts a kinematic body somewhere.
+  void put(btRigidBody& body, const Pose& X_WB);
+
+  /// @param step  [s]
+  void step(double step);
+
+  [[nodiscard]] btTransform toBulletWorld(const Pose& X_WB) const;
+  [[nodiscard]] Pose fromBulletWorld(const btTransform& transform) const;
+
+ private:
+  Eigen::Vector3d origin_W_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  std::vector<std::unique_ptr<BulletBody>> bodies_;
+  std::unique_ptr<btDiscreteDynamicsWorld> world_;  ///< refers to all above
+};
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "world/description.h"
+
+namespace synthetic_dataset::world {
+
+/// A model that is moved from outside: as a whole, and, link by link, where it is articulated.
+struct MovingObject {
+  MovingObject(Model model_in, std::vector<std::size_t> driven_links_in = {})
+      : model(std::move(model_in)), driven_links(std::move(driven_links_in)) {}
+
+  Model model;                            ///< its frame M is the object's frame O
+  std::vector<std::size_t> driven_links;  ///< indices in the model's links, each once
+};
+
+/// Where an object is.
+struct ObjectPose {
+  ObjectPose(const Pose& X_WO_in, std::vector<Pose> X_WL_in = {})
+      : X_WO(X_WO_in), X_WL(std::move(X_WL_in)) {}
+
+  Pose X_WO;
+  std::vector<Pose> X_WL;  ///< of the driven links, in their order
+};
+
+/// An object taken apart into what moves as one piece: first all that no driven link carries, in
+/// the object's frame, then each driven link with what hangs on it by way of parents, in that
+/// link's frame.
+class ObjectBodies {
+ public:
+  /// @throws ErrorList for driven links that the model does not have
+  explicit ObjectBodies(const MovingObject& object);
+
+  /// One a body: its links, their poses X_ML in the body's frame. All bear the object's name.
+  [[nodiscard]] std::vector<Model> models(const Model& model) const;
+
+  /// X_WB of each body.
+  [[nodiscard]] static std::vector<Pose> poses(const ObjectPose& pose);
+
+  /// X_WL of a link. @param X_WB  of each body
+  [[nodiscard]] Pose linkPose(std::size_t link, const std::vector<Pose>& X_WB) const {
+    return X_WB[body_of_[link]] * X_BL_[link];
+  }
+
+ private:
+  std::size_t body_count_;
+  std::vector<std::size_t> body_of_;  ///< of each link
+  std::vector<Pose> X_BL_;            ///< of each link
+};
+
+}  // namespace synthetic_dataset::world

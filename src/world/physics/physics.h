@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "synthetic_dataset/pose.h"
+#include "world/physics/collision_models.h"
+
+namespace synthetic_dataset::world {
+
+/// Props under gravity, among things that stand and objects that move as they are told.
+///
+/// One thread, one fixed step, an order that depends on nothing but the order of the arguments: the
+/// same calls give the same bits. Per step, contacts are found with everything at the step's start;
+/// objects carry the velocity that takes them to its end, so they and the props that they push
+/// arrive together.
+class Physics {
+ public:
+  /// @param gravity  [m/s^2]
+  /// @param fixed, objects  have to outlive this; an articulated object is several here
+  Physics(const Eigen::Vector3d& gravity, Duration step, const std::vector<FixedCollision>& fixed,
+          const std::vector<MovingCollisions>& objects, std::vector<PropModel> props);
+  ~Physics();
+  Physics(const Physics&) = delete;
+  Physics& operator=(const Physics&) = delete;
+
+  /// Puts the objects where they are at the start: X_WO of each.
+  void placeObjects(const std::vector<Pose>& X_WO);
+
+  /// Simulates one step, at the end of which the objects are at X_WO.
+  /// @throws Error naming a prop whose pose is no longer finite
+  void step(const std::vector<Pose>& X_WO);
+
+  /// X_WM of a prop `since` after the last step (less than one step): one that moves is taken on
+  /// along its velocity, so that pictures taken between steps do not stutter.
+  [[nodiscard]] Pose propPose(std::size_t prop, Duration since) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace synthetic_dataset::world

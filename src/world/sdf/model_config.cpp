@@ -1,0 +1,94 @@
+#include "world/sdf/model_config.h"
+
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <sdf/sdf_config.h>
+#include <tinyxml2.h>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file of a model, for a version of SDF.
+struct Listed {
+  SdfVersion version;
+  fs::path file;
+};
+
+fs::path configOf(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* name : {"model.config", "manifest.xml"}) {
+    if (fs::exists(folder / name, ignored)) return folder / name;
+  }
+  throw Error("'" + folder.string() + "' is a folder without a model.config");
+}
+
+std::vector<Listed> listedIn(const fs::path& config) {
+  tinyxml2::XMLDocument document;
+  if (document.LoadFile(config.c_str()) != tinyxml2::XML_SUCCESS) {
+    throw Error("'" + config.string() + "' is not XML: " + document.ErrorStr());
+  }
+  const tinyxml2::XMLElement* model = document.FirstChildElement("model");
+  std::vector<Listed> files;
+  const tinyxml2::XMLElement* sdf = model != nullptr ? model->FirstChildElement("sdf") : nullptr;
+  for (; sdf != nullptr; sdf = sdf->NextSiblingElement("sdf")) {
+    const char* name = sdf->GetText();
+    if (name == nullptr) continue;
+    files.push_back({parseSdfVersion(sdf->Attribute("version")), config.parent_path() / name});
+  }
+  return files;
+}
+
+/// Whether `a` is to be preferred to `b`.
+bool isBetter(const Listed& a, const Listed& b) {
+  const bool a_known = a.version <= newestSdfVersion();
+  const bool b_known = b.version <= newestSdfVersion();
+  if (a_known != b_known) return a_known;
+  return a_known ? a.version > b.version : a.version < b.version;
+}
+
+}  // namespace
+
+bool isSdfVersion(const std::string& text) {
+  const std::size_t point = text.find('.');
+  const auto isNumber = [](const std::string& digits) {
+    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos;
+  };
+  return isNumber(text.substr(0, point)) &&
+         (point == std::string::npos || isNumber(text.substr(point + 1)));
+}
+
+SdfVersion parseSdfVersion(const char* text) {
+  if (text == nullptr) return {0, 0};
+  char* end = nullptr;
+  const long major = std::strtol(text, &end, 10);
+  return {major, *end == '.' ? std::strtol(end + 1, nullptr, 10) : 0};
+}
+
+SdfVersion newestSdfVersion() { return parseSdfVersion(SDF_VERSION); }
+
+fs::path modelFileOf(const fs::path& folder) {
+  const fs::path config = configOf(folder);
+  const std::vector<Listed> files = listedIn(config);
+  if (files.empty()) throw Error("'" + config.string() + "' lists no <sdf> file");
+  const Listed* best = nullptr;
+  for (const Listed& each : files) {
+    std::error_code ignored;
+    const bool there = fs::exists(each.file, ignored);
+    if (there && (best == nullptr || isBetter(each, *best))) best = &each;
+  }
+  if (best == nullptr) {
+    throw Error("'" + config.string() + "' lists '" + files.front().file.string() +
+                "', which is not there");
+  }
+  return best->file;
+}
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <sdf/Sensor.hh>
+
+#include "world/sdf/sdf_reading.h"
+#include "world/load_options.h"
+
+namespace synthetic_dataset::world {
+
+/// @param name  scoped: "model::link::sensor"
+/// @return nothing for sensors that are no cameras, and for cameras whose lens is not drawn, which
+///     a note tells
+[[nodiscard]] std::optional<CameraSensor> readCamera(const sdf::Sensor& sensor,
+                                                     const std::string& name, const Pose& X_WL,
+                                                     const LoadOptions& options, const Place& place,
+                                                     SdfReading& reading);
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,38 @@
+#include "world/shape/height_picture.h"
+
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+#include "synthetic_dataset/errors.h"
+#include "world/material/picture_decoder.h"
+
+namespace synthetic_dataset::world {
+
+cv::Mat readNumbers(const std::filesystem::path& file) {
+  const std::string name = "picture '" + file.string() + "': ";
+  std::ifstream stream(file, std::ios::binary);
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream),
+                                        std::istreambuf_iterator<char>()};
+  if (bytes.empty()) throw Error(name + "is empty or cannot be opened");
+  cv::Mat picture;
+  try {
+    picture = decodePixels(bytes, file.string());
+  } catch (const Error& error) {
+    throw Error(name + error.what());
+  }
+  cv::Mat rgb;
+  if (picture.channels() == 1) {
+    cv::cvtColor(picture, rgb, cv::COLOR_GRAY2RGB);
+  } else {
+    cv::cvtColor(picture, rgb, picture.channels() == 4 ? cv::COLOR_BGRA2RGB : cv::COLOR_BGR2RGB);
+  }
+  rgb.convertTo(rgb, CV_32F, 1.0 / (picture.depth() == CV_8U ? 255.0 : 65535.0));
+  return rgb;
+}
+
+}  // namespace synthetic_dataset::world

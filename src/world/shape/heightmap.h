@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "world/description.h"
+#include "world/material/texture_loader.h"
+
+namespace synthetic_dataset::world {
+
+/// A ground texture of a heightmap.
+struct GroundTexture {
+  std::string diffuse;  ///< URI
+  std::string normal;   ///< URI; may be empty
+  double size = 10.0;   ///< of one tile [m]
+};
+
+/// From where on up the next texture lies over the ones before it.
+struct GroundBlend {
+  double min_height = 0.0;  ///< [m] above the lowest point that the picture can describe
+  double fade_dist = 0.0;   ///< over how much of height it becomes opaque [m]
+};
+
+/// SDF's <heightmap>: a picture whose brightest pixel is as high as the size says. Its first row is
+/// the side of +y.
+struct Heightmap {
+  std::filesystem::path file;
+  Eigen::Vector3d size{1, 1, 1};    ///< [m]; a negative z turns it upside down
+  Eigen::Vector3d centre{0, 0, 0};  ///< of its ground [m]
+  unsigned sampling = 1;            ///< steps from one pixel to the next
+  std::vector<GroundTexture> textures;
+  std::vector<GroundBlend> blends;  ///< of the second texture and those after it
+  std::filesystem::path folder;     ///< of the file that names the textures
+};
+
+/// Points of the ground, row by row, the first row at +y.
+struct HeightGrid {
+  int columns = 0;
+  int rows = 0;
+  std::vector<float> heights;  ///< above the ground's level [m]
+};
+
+/// The heights of a heightmap. Pictures of any size will do; where there would be more than 1025
+/// points on a side, 1025 are taken.
+/// @throws Error naming the picture
+[[nodiscard]] HeightGrid readHeights(const Heightmap& heightmap);
+
+/// Its triangles, for collisions. A texture is repeated each metre.
+/// @throws Error as readHeights
+[[nodiscard]] std::shared_ptr<const Mesh> heightmapMesh(const Heightmap& heightmap);
+
+/// Its triangles in its textures: the lowest one opaque, then each further one over it, with the
+/// colours' alpha as its weight at each point, where it has any. Without textures, in `plain`.
+/// @throws Error as readHeights, or if a texture is missing
+[[nodiscard]] std::vector<Surface> heightmapSurfaces(const Heightmap& heightmap,
+                                                     const Material& plain,
+                                                     TextureLoader& textures);
+
+}  // namespace synthetic_dataset::world

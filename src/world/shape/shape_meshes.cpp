@@ -1,0 +1,167 @@
+#include "world/shape/shape_meshes.h"
+
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace synthetic_dataset::world {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// A chord of n segments lies up to 1 - cos(pi / n) of the radius below its arc; on a sphere the
+/// chords along meridians and parallels add up: 2 * 0.095 %.
+constexpr int kSegments = 72;
+constexpr int kStacks = kSegments / 2;
+
+struct Vertex {
+  Eigen::Vector3d position;
+  Eigen::Vector3d normal;
+  Eigen::Vector2d texture_coordinate;
+};
+
+std::uint32_t add(Mesh& mesh, const Vertex& vertex) {
+  mesh.positions.push_back(vertex.position.cast<float>());
+  mesh.normals.push_back(vertex.normal.cast<float>());
+  mesh.texture_coordinates.push_back(vertex.texture_coordinate.cast<float>());
+  return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+}
+
+void addTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  mesh.indices.insert(mesh.indices.end(), {a, b, c});
+}
+
+/// A rectangle with the texture upright on it. @param right, up  half its sides
+void addRectangle(Mesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector3d& right,
+                  const Eigen::Vector3d& up) {
+  const Eigen::Vector3d normal = right.cross(up).normalized();
+  const std::uint32_t first = add(mesh, {centre - right - up, normal, {0, 1}});
+  add(mesh, {centre + right - up, normal, {1, 1}});
+  add(mesh, {centre + right + up, normal, {1, 0}});
+  add(mesh, {centre - right + up, normal, {0, 0}});
+  addTriangle(mesh, first, first + 1, first + 2);
+  addTriangle(mesh, first, first + 2, first + 3);
+}
+
+/// A point of the outline that turns about z: distance from the axis, height, and the same two of
+/// its normal; `v` is its texture coordinate.
+struct OutlinePoint {
+  double radius, height, normal_radius, normal_height, v;
+};
+
+/// The surface that an outline sweeps about z. The outline runs from the top down.
+void addLathe(Mesh& mesh, const std::vector<OutlinePoint>& outline) {
+  const auto row = static_cast<std::uint32_t>(kSegments + 1);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const OutlinePoint& point : outline) {
+    for (int i = 0; i <= kSegments; ++i) {
+      // The last column lies exactly on the first one.
+      const double angle = 2.0 * kPi * (i % kSegments) / kSegments;
+      const double c = std::cos(angle);
+      const double s = std::sin(angle);
+      add(mesh, {{point.radius * c, point.radius * s, point.height},
+                 {point.normal_radius * c, point.normal_radius * s, point.normal_height},
+                 {static_cast<double>(i) / kSegments, point.v}});
+    }
+  }
+  for (std::uint32_t j = 0; j + 1 < outline.size(); ++j) {
+    for (std::uint32_t i = 0; i + 1 < row; ++i) {
+      const std::uint32_t upper = first + j * row + i;
+      const std::uint32_t lower = upper + row;
+      if (outline[j].radius > 0.0) addTriangle(mesh, upper, lower, upper + 1);
+      if (outline[j + 1].radius > 0.0) addTriangle(mesh, lower, lower + 1, upper + 1);
+    }
+  }
+}
+
+/// The outline of a sphere whose halves are pulled apart by `gap`, from pole to pole.
+std::vector<OutlinePoint> roundOutline(double radius, double gap) {
+  const double whole = kPi * radius + gap;
+  std::vector<OutlinePoint> outline;
+  const auto addPoint = [&](int stack, double shift, double passed) {
+    const bool pole = stack == 0 || stack == kStacks;
+    const double angle = kPi * stack / kStacks;
+    const double s = pole ? 0.0 : std::sin(angle);
+    const double c = std::cos(angle);
+    outline.push_back({radius * s, radius * c + shift, s, c, (radius * angle + passed) / whole});
+  };
+  for (int i = 0; i <= kStacks / 2; ++i) addPoint(i, 0.5 * gap, 0.0);
+  for (int i = kStacks / 2 + (gap > 0.0 ? 0 : 1); i <= kStacks; ++i) addPoint(i, -0.5 * gap, gap);
+  return outline;
+}
+
+/// A disc that closes a cylinder. @param side  1 for the upper one, -1 for the lower one
+void addDisc(Mesh& mesh, double radius, double height, double side) {
+  const Eigen::Vector3d normal(0, 0, side);
+  const std::uint32_t centre = add(mesh, {{0, 0, height}, normal, {0.5, 0.5}});
+  for (int i = 0; i < kSegments; ++i) {
+    const double angle = 2.0 * kPi * i / kSegments;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    add(mesh, {{radius * c, radius * s, height}, normal, {0.5 + 0.5 * c, 0.5 - 0.5 * side * s}});
+  }
+  for (std::uint32_t i = 0; i < kSegments; ++i) {
+    const std::uint32_t here = centre + 1 + i;
+    const std::uint32_t next = centre + 1 + (i + 1) % kSegments;
+    side > 0.0 ? addTriangle(mesh, centre, here, next) : addTriangle(mesh, centre, next, here);
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const Mesh> boxMesh(const Eigen::Vector3d& size) {
+  auto mesh = std::make_shared<Mesh>();
+  const Eigen::Vector3d x(0.5 * size.x(), 0, 0);
+  const Eigen::Vector3d y(0, 0.5 * size.y(), 0);
+  const Eigen::Vector3d z(0, 0, 0.5 * size.z());
+  addRectangle(*mesh, x, y, z);
+  addRectangle(*mesh, -x, -y, z);
+  addRectangle(*mesh, y, -x, z);
+  addRectangle(*mesh, -y, x, z);
+  addRectangle(*mesh, z, x, y);
+  addRectangle(*mesh, -z, x, -y);
+  return mesh;
+}
+
+std::shared_ptr<const Mesh> sphereMesh(double radius) {
+  auto mesh = std::make_shared<Mesh>();
+  addLathe(*mesh, roundOutline(radius, 0.0));
+  return mesh;
+}
+
+std::shared_ptr<const Mesh> ellipsoidMesh(const Eigen::Vector3d& radii) {
+  auto mesh = std::make_shared<Mesh>();
+  addLathe(*mesh, roundOutline(1.0, 0.0));
+  const Eigen::Vector3f scale = radii.cast<float>();
+  for (Eigen::Vector3f& position : mesh->positions) position = position.cwiseProduct(scale);
+  for (Eigen::Vector3f& normal : mesh->normals) {
+    normal = normal.cwiseQuotient(scale).normalized();
+  }
+  return mesh;
+}
+
+std::shared_ptr<const Mesh> cylinderMesh(double radius, double length) {
+  auto mesh = std::make_shared<Mesh>();
+  const double half = 0.5 * length;
+  addLathe(*mesh, {{radius, half, 1, 0, 0}, {radius, -half, 1, 0, 1}});
+  addDisc(*mesh, radius, half, 1.0);
+  addDisc(*mesh, radius, -half, -1.0);
+  return mesh;
+}
+
+std::shared_ptr<const Mesh> capsuleMesh(double radius, double length) {
+  auto mesh = std::make_shared<Mesh>();
+  addLathe(*mesh, roundOutline(radius, length));
+  return mesh;
+}
+
+std::shared_ptr<const Mesh> planeMesh(const Eigen::Vector3d& normal, const Eigen::Vector2d& size) {
+  auto mesh = std::make_shared<Mesh>();
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
+  addRectangle(*mesh, Eigen::Vector3d::Zero(), turn * Eigen::Vector3d(0.5 * size.x(), 0, 0),
+               turn * Eigen::Vector3d(0, 0.5 * size.y(), 0));
+  return mesh;
+}
+
+}  // namespace synthetic_dataset::world

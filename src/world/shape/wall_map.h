@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "world/description.h"
+
+namespace synthetic_dataset::world {
+
+/// SDF's <image>: walls where a picture is dark. A pixel is a square with the picture's first one
+/// at the origin, columns along x and rows along y, as Gazebo's MapShape lays them out.
+struct WallMap {
+  std::filesystem::path file;
+  double scale = 1.0;   ///< length of a pixel's side [m]
+  double height = 1.0;  ///< of the walls, from z = 0 [m]
+  int threshold = 200;  ///< pixels whose mean of red, green, blue (0 to 255) is above it are free
+  int granularity = 1;  ///< how many pixels share one block, which is a wall if any of them is
+};
+
+/// The walls as boxes, as few as will do by joining blocks along x, then along y.
+/// @throws Error naming the picture where it cannot be read, has no wall or too many
+[[nodiscard]] std::shared_ptr<const Mesh> wallMesh(const WallMap& map);
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <urdf_model/link.h>
+
+#include "world/description.h"
+#include "world/files/findings.h"
+#include "world/files/resource_finder.h"
+#include "world/mesh/mesh_loader.h"
+#include "world/shape/shape_cache.h"
+#include "world/urdf/urdf_text.h"
+
+namespace synthetic_dataset::world {
+
+/// One URDF text being read.
+struct UrdfReading {
+  const ModelText& source;
+  const ResourceFinder& finder;
+  MeshLoader& meshes;
+  ShapeCache& shapes;
+  Findings& findings;
+};
+
+/// A pose of the file; one that is not finite is an error.
+[[nodiscard]] Pose toPose(const urdf::Pose& pose, const Place& place, UrdfReading& reading);
+
+/// @param gazebo_material  the link's for Gazebo, or nothing: as Gazebo shows it, it takes the
+///     place of all others. URDF's own material is for what has none, as in rviz: a mesh file's
+///     materials stand.
+/// @param place  the link's
+/// @return nothing for an error, which is told
+[[nodiscard]] std::optional<Visual> readUrdfVisual(const urdf::Visual& visual,
+                                                   const std::string& name,
+                                                   const std::optional<Material>& gazebo_material,
+                                                   const Place& place, UrdfReading& reading);
+
+/// @param place  the link's
+/// @return nothing for an error, which is told
+[[nodiscard]] std::optional<Collision> readUrdfCollision(const urdf::Collision& collision,
+                                                         const std::string& name,
+                                                         const Place& place, UrdfReading& reading);
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,100 @@
+#include "config/camera_config.h"
+
+#include <gmock/gmock.h>
+
+#include "config/yaml_value.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+struct Reading {
+  explicit Reading(const std::string& text) : root(parseYaml(text, "test")) {
+    cameras = readCameras(root);
+  }
+  Parameters root;
+  std::vector<CameraConfig> cameras;
+};
+
+TEST(ReadCameras, OneCameraIsCalledCamera) {
+  const Reading reading("camera: {info_file: /a.yaml}");
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  ASSERT_EQ(reading.cameras.size(), 1U);
+  EXPECT_EQ(reading.cameras[0].name, "camera");
+  EXPECT_EQ(reading.cameras[0].frame, "camera/optical_link");
+}
+
+TEST(ReadCameras, TheOriginalsFrameParameterCounts) {
+  const Reading reading("camera_frame_id: eye\ncamera: {info_file: /a.yaml}");
+  EXPECT_EQ(reading.cameras[0].frame, "eye");
+}
+
+TEST(ReadCameras, SeveralHaveAGroupEach) {
+  const Reading reading(
+      "cameras:\n"
+      "  rear: {info_file: /a.yaml, near: 0.2}\n"
+      "  front: {sensor: 'mast::link::eye', frame_id: eye}\n");
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  ASSERT_EQ(reading.cameras.size(), 2U);
+  EXPECT_EQ(reading.cameras[0].name, "front");
+  EXPECT_EQ(reading.cameras[0].frame, "eye");
+  EXPECT_EQ(reading.cameras[1].frame, "rear/optical_link");
+  EXPECT_EQ(reading.cameras[1].near, 0.2);
+}
+
+TEST(ReadCameras, ARecordedCalibrationBringsItsFrame) {
+  EXPECT_EQ(Reading("camera: {info_topic: /camera_info}").cameras[0].frame, std::nullopt);
+}
+
+TEST(ReadCameras, EffectsAreOffUnlessSet) {
+  const EffectsConfig effects = Reading("camera: {info_file: /a.yaml}").cameras[0].effects;
+  EXPECT_EQ(effects.exposure_time, 0.0);
+  EXPECT_EQ(effects.full_well, 0.0);
+  EXPECT_EQ(effects.noise_stddev, std::nullopt);
+}
+
+TEST(ReadCameras, EffectsAreRead) {
+  const Reading reading(
+      "camera: {info_file: /a.yaml, effects: {exposure_time: 0.02, motion_samples: 5, "
+      "noise_stddev: 0.01, vignetting: 0.3}}");
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  const EffectsConfig& effects = reading.cameras[0].effects;
+  EXPECT_EQ(effects.exposure_time, 0.02);
+  EXPECT_EQ(effects.motion_samples, 5);
+  EXPECT_EQ(effects.noise_stddev, 0.01);
+  EXPECT_EQ(effects.vignetting, 0.3);
+}
+
+struct BadCamera {
+  std::string text;
+  std::string message;
+};
+
+class BadCameras : public ::testing::TestWithParam<BadCamera> {};
+
+TEST_P(BadCameras, AreNamedWithWhatWouldBeRight) {
+  EXPECT_THAT(Reading(GetParam().text).root.errors(), ElementsAre(HasSubstr(GetParam().message)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ReadCameras, BadCameras,
+    ::testing::Values(
+        BadCamera{"camera: {}", "camera: no intrinsics; camera/info_file should name"},
+        BadCamera{"cameras: {a: {}}", "cameras/a: no intrinsics; cameras/a/info_file should name"},
+        BadCamera{"cameras: {}", "cameras: found no camera"},
+        BadCamera{"cameras: {a: {info_file: /a.yaml}}\ncamera: {info_file: /a.yaml}",
+                  "cameras: found together with camera"},
+        BadCamera{"cameras: {a/b: {info_file: /a.yaml}, c: {info_file: /c.yaml}}",
+                  "cameras/a/b: is no name for a folder"},
+        BadCamera{"camera: {info_file: /a.yaml, info_topic: /b}", "found both info_file and"},
+        BadCamera{"camera: {info_file: /a.yaml, effects: {vignetting: 2}}",
+                  "camera/effects/vignetting: found 2.0; it should be 0.0 to 1.0"},
+        BadCamera{"camera: {info_file: /a.yaml, effects: {motion_samples: 1}}",
+                  "camera/effects/motion_samples: found 1; it should be 2 to 256"}));
+
+}  // namespace
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,77 @@
+/// Models of Gazebo's library, each as a world by itself.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "reference/golden_case.h"
+#include "synthetic_dataset/errors.h"
+#include "world/world_loader.h"
+
+namespace synthetic_dataset {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// Includes models that the folder lacks.
+constexpr const char* kIncomplete = "drc_practice_angled_barrier_45";
+
+/// Names a material that only another model's scripts have.
+constexpr const char* kMaterialless = "gear_part";
+
+fs::path modelsFolder() { return test::referenceFolder() / "models/gazebo"; }
+
+std::vector<std::string> modelNames() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(modelsFolder())) {
+    if (fs::exists(entry.path() / "model.config"))
+      names.push_back(entry.path().filename().string());
+  }
+  return names;
+}
+
+world::Description loadModelNamed(const std::string& name, world::OnMissingAsset on_missing_asset) {
+  const world::ResourceFinder finder({modelsFolder().string()}, nullptr);
+  world::LoadOptions options;
+  options.on_missing_asset = on_missing_asset;
+  return world::loadWorld("model://" + name, finder, options);
+}
+
+TEST(ReferenceModels, LoadAsWorlds) {
+  for (const std::string& name : modelNames()) {
+    if (name == kIncomplete || name == kMaterialless) continue;
+    for (const auto mode : {world::OnMissingAsset::kError, world::OnMissingAsset::kWarn}) {
+      const world::Description world = loadModelNamed(name, mode);
+      EXPECT_EQ(world.models.size() + world.lights.size(), 1U) << name;
+      EXPECT_THAT(world.notes, Each(Not(HasSubstr("(left out)")))) << name;
+    }
+  }
+}
+
+TEST(ReferenceModels, NameWhatIsMissing) {
+  try {
+    static_cast<void>(loadModelNamed(kIncomplete, world::OnMissingAsset::kError));
+    FAIL();
+  } catch (const ErrorList& errors) {
+    EXPECT_THAT(errors.messages(), Not(IsEmpty()));
+    EXPECT_THAT(errors.messages(), Each(HasSubstr("no such file; looked in ")));
+  }
+}
+
+TEST(ReferenceModels, LoadWithoutWhatIsMissing) {
+  for (const char* name : {kIncomplete, kMaterialless}) {
+    const world::Description world = loadModelNamed(name, world::OnMissingAsset::kWarn);
+    EXPECT_EQ(world.models.size(), 1U) << name;
+    EXPECT_THAT(world.notes, testing::Contains(HasSubstr("(left out)"))) << name;
+  }
+}
+
+}  // namespace
+}  // namespace synthetic_dataset

@@ -1,0 +1,167 @@
+#include "world/material/ogre_material.h"
+
+#include <gmock/gmock.h>
+
+#include "synthetic_dataset/errors.h"
+#include "world/material/shininess.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+OgreMaterial read(const std::string& material) {
+  return readOgreMaterial(parseOgreScript("material A {" + material + "}").objects.at(0));
+}
+
+OgreMaterial readPass(const std::string& pass) {
+  return read("technique { pass {\n" + pass + "\n} }");
+}
+
+std::string pictureOf(const OgreMaterial& material) {
+  return material.source.texture ? material.source.texture->uri : "none";
+}
+
+TEST(OgreMaterial, ReadsColours) {
+  const Material found =
+      readPass("ambient 0 0 1\ndiffuse .1 .2 .3\nspecular 0.4 0.5 0.6 1 12.5\nemissive 0 1 0")
+          .source.material;
+  EXPECT_TRUE(found.diffuse.isApprox(Eigen::Vector4f(0.1F, 0.2F, 0.3F, 1)));
+  EXPECT_TRUE(found.specular.isApprox(Eigen::Vector3f(0.4F, 0.5F, 0.6F)));
+  EXPECT_TRUE(found.emissive.isApprox(Eigen::Vector3f(0, 1, 0)));
+  // Walter et al.: an exponent of 12.5 is an alpha of sqrt(2 / 14.5), of a roughness squared.
+  EXPECT_NEAR(found.roughness * found.roughness, 0.3714F, 1e-4F);
+}
+
+TEST(OgreMaterial, ReadsSpecularWithoutAlpha) {
+  EXPECT_FLOAT_EQ(readPass("specular 1 1 1 128").source.material.roughness,
+                  roughnessOfShininess(128));
+}
+
+TEST(OgreMaterial, IsWhiteWithoutHighlightWhereNothingIsSaid) {
+  const Material found = readPass("").source.material;
+  EXPECT_EQ(found.diffuse, Eigen::Vector4f(1, 1, 1, 1));
+  EXPECT_EQ(found.specular, Eigen::Vector3f(0, 0, 0));
+}
+
+TEST(OgreMaterial, LeavesVertexColoursTheirPlace) {
+  EXPECT_EQ(readPass("diffuse vertexcolour").source.material.diffuse, Eigen::Vector4f(1, 1, 1, 1));
+}
+
+TEST(OgreMaterial, MeansAlphaOnlyWhereItBlends) {
+  EXPECT_EQ(readPass("diffuse 1 0 0 0.25").source.material.diffuse.w(), 1.0F);
+  const OgreMaterial blended =
+      readPass("scene_blend alpha_blend\ndiffuse 1 0 0 0.25\ntexture_unit { texture a.png }");
+  EXPECT_EQ(blended.source.material.diffuse.w(), 0.25F);
+  EXPECT_TRUE(blended.source.material.texture_is_glass);
+  EXPECT_EQ(blended.source.texture->alpha, AlphaMeaning::kOpacity);
+}
+
+TEST(OgreMaterial, RejectsAlphaBelowItsThreshold) {
+  const OgreMaterial found =
+      readPass("alpha_rejection greater 51\ncull_hardware none\ntexture_unit { texture a.png }");
+  EXPECT_FLOAT_EQ(found.source.material.alpha_threshold, 0.2F);
+  EXPECT_FALSE(found.source.material.texture_is_glass);
+  EXPECT_EQ(found.source.texture->alpha, AlphaMeaning::kOpacity);
+  EXPECT_TRUE(found.source.material.double_sided);
+}
+
+TEST(OgreMaterial, ShowsItsPictureAloneWhereUnlit) {
+  const Material found = readPass("lighting off\ndiffuse 1 0 0\nemissive 1 1 1").source.material;
+  EXPECT_FALSE(found.lit);
+  EXPECT_EQ(found.diffuse, Eigen::Vector4f(1, 1, 1, 1));
+}
+
+TEST(OgreMaterial, TakesColoursOfOperations) {
+  const Material found = readPass(
+                             "lighting off\nscene_blend alpha_blend\ntexture_unit {\n"
+                             "colour_op_ex source1 src_manual src_current 1 0 0\n"
+                             "alpha_op_ex source1 src_manual src_current 0.5\n}")
+                             .source.material;
+  EXPECT_EQ(found.diffuse, Eigen::Vector4f(1, 0, 0, 0.5F));
+}
+
+TEST(OgreMaterial, TakesTheFirstPictureThatIsNoReflection) {
+  EXPECT_EQ(pictureOf(readPass("texture_unit { texture env.png\n env_map spherical }\n"
+                               "texture_unit { texture \"my wall.png\" 2d }\n"
+                               "texture_unit { texture light.png }")),
+            "my wall.png");
+}
+
+TEST(OgreMaterial, TellsNormalMapsByTheirUnitsNames) {
+  const OgreMaterial found = readPass(
+      "texture_unit normalMap { texture n.png }\ntexture_unit diffuseMap { texture d.png }");
+  EXPECT_EQ(pictureOf(found), "d.png");
+  ASSERT_TRUE(found.source.normal_map);
+  EXPECT_EQ(found.source.normal_map->uri, "n.png");
+}
+
+TEST(OgreMaterial, ReadsTheShaderGeneratorsNormalMap) {
+  const OgreMaterial found =
+      readPass("rtshader_system { lighting_stage normal_map n.png tangent_space 0 }");
+  ASSERT_TRUE(found.source.normal_map);
+  EXPECT_EQ(found.source.normal_map->uri, "n.png");
+}
+
+TEST(OgreMaterial, ReplacesAliases) {
+  const OgreMaterial found = read(
+      "set_texture_alias Skin b.png\n"
+      "technique { pass { texture_unit { texture_alias Skin\n texture a.png } } }");
+  EXPECT_EQ(pictureOf(found), "b.png");
+}
+
+TEST(OgreMaterial, TakesAnAnimationsFirstFrame) {
+  EXPECT_EQ(pictureOf(readPass("texture_unit { anim_texture fire.png 4 2.5 }")), "fire_0.png");
+  EXPECT_EQ(pictureOf(readPass("texture_unit { anim_texture a.png b.png 1 }")), "a.png");
+}
+
+TEST(OgreMaterial, ScalesPicturesAboutTheirMiddle) {
+  const Material found =
+      readPass("texture_unit { texture a.png\n scale 0.5 2\n scroll 0.25 0 }").source.material;
+  // Half as large: twice as many of them, and the middle stays in its place.
+  EXPECT_EQ(found.texture_scale, Eigen::Vector2f(2.0F, 0.5F));
+  const Eigen::Vector2f middle(0.5F, 0.5F);
+  const Eigen::Vector2f placed = middle.cwiseProduct(found.texture_scale) + found.texture_offset;
+  EXPECT_EQ(placed, Eigen::Vector2f(0.75F, 0.5F));
+}
+
+TEST(OgreMaterial, TakesTheLastPassThatCovers) {
+  const OgreMaterial found = read(
+      "technique { pass { ambient 1 1 1 } pass { diffuse 1 0 0\n texture_unit { texture a.png "
+      "} } pass { scene_blend add\n diffuse 0 1 0\n texture_unit { texture b.png } } }");
+  EXPECT_EQ(pictureOf(found), "a.png");
+  EXPECT_EQ(found.source.material.diffuse, Eigen::Vector4f(1, 0, 0, 1));
+  EXPECT_THAT(found.notes, IsEmpty());
+}
+
+TEST(OgreMaterial, PassesOverTechniquesOfSchemes) {
+  EXPECT_EQ(pictureOf(read("technique { scheme GBuffer\n pass { texture_unit { texture a.png } } }"
+                           "technique { pass { texture_unit { texture b.png } } }")),
+            "b.png");
+}
+
+TEST(OgreMaterial, ReadsPastShaderPrograms) {
+  EXPECT_EQ(pictureOf(readPass("vertex_program_ref X { param_named a float 1 }\n"
+                               "texture_unit { texture a.png\n tex_address_mode clamp }")),
+            "a.png");
+}
+
+TEST(OgreMaterial, NotesWhatItCannotDraw) {
+  EXPECT_THAT(readPass("scene_blend add\ndiffuse 1 1 1").notes,
+              ElementsAre(HasSubstr("scene_blend 'add'")));
+}
+
+TEST(OgreMaterial, TellsOfNumbersThatAreNone) {
+  const auto message = [](const char* text) {
+    return testing::ThrowsMessage<Error>(HasSubstr(text));
+  };
+  EXPECT_THAT([] { readPass("diffuse 1 red 0"); }, message("line 2: diffuse: found '1 red 0'"));
+  EXPECT_THAT([] { readPass("specular 1"); }, message("3 numbers or more"));
+  EXPECT_THAT([] { readPass("texture_unit { texture a.png\n scale 0 1 }"); },
+              message("scale: neither may be 0"));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::world

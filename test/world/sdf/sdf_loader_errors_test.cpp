@@ -1,0 +1,205 @@
+#include <gmock/gmock.h>
+
+#include "world/sdf/sdf_loader_support.h"
+#include "world/world_loader.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+using test::errorsOf;
+using test::errorsOfFile;
+using test::kBox;
+using test::linkElement;
+using test::meshElement;
+using test::modelElement;
+using test::modelFile;
+using test::TemporaryFolder;
+using test::visualElement;
+using test::worldFile;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+std::string include(const std::string& uri) { return "<include><uri>" + uri + "</uri></include>"; }
+
+std::string worldWith(const std::string& visual) {
+  return worldFile(modelElement("shelf", linkElement(visual)));
+}
+
+TEST(SdfLoaderErrors, TellWhereAMissingWorldWasLookedFor) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorsOfFile(folder, "model://gone/world.sdf"),
+              ElementsAre(AllOf(HasSubstr("'model://gone/world.sdf': no such file"),
+                                HasSubstr((folder / "gone/world.sdf").string()))));
+}
+
+TEST(SdfLoaderErrors, NameAFolderWithoutModelConfig) {
+  const TemporaryFolder folder;
+  folder.write("empty/readme.txt", "");
+  EXPECT_THAT(errorsOfFile(folder, "model://empty"),
+              ElementsAre(AllOf(HasSubstr("model://empty"), HasSubstr("model.config"))));
+}
+
+TEST(SdfLoaderErrors, NameTheLineOfWhatIsNotXml) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorsOf(folder, "<sdf version='1.6'>\n<world name='w'>\n</sdf>"),
+              ElementsAre(HasSubstr(
+                  "world.sdf: line 2: cannot be read as XML (XML_ERROR_MISMATCHED_ELEMENT)")));
+  EXPECT_THAT(errorsOf(folder, ""), ElementsAre(HasSubstr("cannot be read as XML")));
+}
+
+TEST(SdfLoaderErrors, NameARootThatIsNotSdf) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorsOf(folder, "<html/>"),
+              ElementsAre(AllOf(HasSubstr("<html>"), HasSubstr("<sdf> is needed"))));
+}
+
+TEST(SdfLoaderErrors, RepeatWhatLibsdformatRefuses) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorsOf(folder, worldFile(modelElement(
+                                   "m", "<link name='a'><pose>1 2 three</pose></link>"))),
+              ElementsAre(AllOf(HasSubstr("world.sdf: line 1: Error reading element <pose>"),
+                                HasSubstr("1 2 three"))));
+}
+
+TEST(SdfLoaderErrors, RepeatWhatLibsdformatRefusesDeepInIncludes) {
+  const TemporaryFolder folder;
+  folder.write("a.sdf", modelFile("a", "<link name='l'/>" + include("b.sdf")));
+  folder.write("b.sdf", modelFile("b", "<link name='l'><pose>1 2 three</pose></link>"));
+  EXPECT_THAT(errorsOf(folder, worldFile(include("a.sdf"))),
+              Contains(AllOf(HasSubstr("b.sdf"), HasSubstr("<pose>"))));
+}
+
+TEST(SdfLoaderErrors, TellWhatUrdfsParserSays) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("robot.urdf",
+                                 "<robot name='r'><link name='a'/><link name='a'/>"
+                                 "</robot>");
+  EXPECT_THAT(errorsOfFile(folder, file.string()), Contains(HasSubstr("is not unique")));
+}
+
+TEST(SdfLoaderErrors, TellWhereAMissingMeshWasLookedFor) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorsOf(folder, worldWith(visualElement(meshElement("model://x/y.dae")))),
+              ElementsAre(AllOf(HasSubstr("world.sdf: model 'shelf': link 'body': visual 'v': mesh "
+                                          "'model://x/y.dae': no such file; looked in "),
+                                HasSubstr((folder / "x/y.dae").string()))));
+}
+
+TEST(SdfLoaderErrors, NameTheIncludedFile) {
+  const TemporaryFolder folder;
+  folder.write("part.sdf", modelFile("part", linkElement(visualElement(meshElement("y.dae")))));
+  EXPECT_THAT(errorsOf(folder, worldFile(include("part.sdf"))),
+              ElementsAre(StartsWith((folder / "part.sdf").string() + ": model 'part': ")));
+}
+
+TEST(SdfLoaderErrors, NameAMeshThatCannotBeRead) {
+  const TemporaryFolder folder;
+  folder.write("y.dae", "no COLLADA");
+  EXPECT_THAT(errorsOf(folder, worldWith(visualElement(meshElement("y.dae")))),
+              ElementsAre(AllOf(HasSubstr("visual 'v': mesh '" + (folder / "y.dae").string()),
+                                HasSubstr("cannot be read"))));
+}
+
+TEST(SdfLoaderErrors, NameAMissingTexture) {
+  const TemporaryFolder folder;
+  folder.write("y.mtl", "newmtl a\nmap_Kd gone.png\n");
+  folder.write("y.obj", "mtllib y.mtl\nusemtl a\n" + std::string(test::kTriangleObj));
+  EXPECT_THAT(errorsOf(folder, worldWith(visualElement(meshElement("y.obj")))),
+              ElementsAre(HasSubstr("visual 'v': texture 'gone.png': no such file; looked in " +
+                                    (folder / "gone.png").string())));
+}
+
+TEST(SdfLoaderErrors, NameAnIncludeThatIsNotThere) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(
+      errorsOf(folder, worldFile("\n" + include("model://gone"))),
+      ElementsAre(AllOf(HasSubstr("world.sdf: line 2: include 'model://gone': no such file"),
+                        HasSubstr((folder / "gone").string()))));
+}
+
+TEST(SdfLoaderErrors, SayThatNothingIsFetched) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorsOf(folder, worldFile(include("https://fuel.gazebosim.org/1.0/x/models/y"))),
+              ElementsAre(HasSubstr("nothing is fetched from the network")));
+}
+
+TEST(SdfLoaderErrors, NameFilesThatIncludeOneAnother) {
+  const TemporaryFolder folder;
+  folder.write("a.sdf", modelFile("a", "<link name='l'/>" + include("b.sdf")));
+  folder.write("b.sdf", modelFile("b", "<link name='l'/>" + include("a.sdf")));
+  EXPECT_THAT(errorsOf(folder, worldFile(include("a.sdf"))),
+              ElementsAre(AllOf(StartsWith((folder / "b.sdf").string()),
+                                HasSubstr("include 'a.sdf': includes itself"))));
+}
+
+TEST(SdfLoaderErrors, NameSizesThatAreNone) {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& geometry) {
+    return errorsOf(folder, worldWith(visualElement(geometry)));
+  };
+  EXPECT_THAT(error("<box><size>1 0 1</size></box>"),
+              Contains(HasSubstr("visual 'v': box size: found 0.000000; it has to be above 0 m")));
+  EXPECT_THAT(error("<sphere><radius>-1</radius></sphere>"),
+              Contains(HasSubstr("sphere radius: found -1.000000")));
+  EXPECT_THAT(error("<sphere><radius>nan</radius></sphere>"), Not(IsEmpty()));
+  EXPECT_THAT(error("<cylinder><radius>1</radius><length>0</length></cylinder>"),
+              Contains(HasSubstr("cylinder length")));
+  folder.write("y.obj", test::kTriangleObj);
+  EXPECT_THAT(error(meshElement("y.obj", "<scale>1 0 1</scale>")),
+              ElementsAre(HasSubstr("mesh scale: found 1.000000 0.000000 1.000000")));
+}
+
+TEST(SdfLoaderErrors, NameTransparencyBeyondItsRange) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorsOf(folder, worldWith(visualElement(kBox, "<transparency>7</transparency>"))),
+              Contains(HasSubstr("transparency: found 7")));
+}
+
+TEST(SdfLoaderErrors, ComeAllAtOnce) {
+  const TemporaryFolder folder;
+  const std::string text = worldFile(
+      include("model://gone") +
+      modelElement("a", linkElement(visualElement(meshElement("a.dae")))) +
+      modelElement("b", linkElement(visualElement("<sphere><radius>0</radius></sphere>"))));
+  EXPECT_THAT(errorsOf(folder, text),
+              testing::IsSupersetOf({HasSubstr("include 'model://gone'"), HasSubstr("'a.dae'"),
+                                     HasSubstr("sphere radius")}));
+}
+
+TEST(SdfLoaderErrors, AreNotPrinted) {
+  const TemporaryFolder folder;
+  const auto urdf = folder.write("robot.urdf", "<robot name='r'><link/></robot>");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  static_cast<void>(errorsOf(folder, worldFile(include("model://gone") + "<bogus/>")));
+  static_cast<void>(
+      errorsOf(folder, worldFile(modelElement("m", "<link name='a'><pose>x</pose></link>"))));
+  static_cast<void>(errorsOfFile(folder, urdf.string()));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(SdfLoaderErrors, SurviveGarbage) {
+  const TemporaryFolder folder;
+  const std::string good =
+      worldFile(include("model://x") + modelElement("m", linkElement(visualElement(kBox))));
+  for (std::size_t length = 0; length < good.size(); ++length) {
+    EXPECT_THAT(errorsOf(folder, good.substr(0, length)), Not(IsEmpty()));
+  }
+}
+
+TEST(SdfLoaderErrors, NameAFileWithoutAModel) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("world.sdf", worldFile(""));
+  EXPECT_THAT(
+      [&] { static_cast<void>(loadModel(file.string(), "alpha", test::finderIn(folder))); },
+      testing::ThrowsMessage<ErrorList>(AllOf(HasSubstr("has 0 models"), HasSubstr("'alpha'"))));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,199 @@
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "world/sdf/sdf_loader_support.h"
+#include "world/world_loader.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+namespace fs = std::filesystem;
+
+using test::errorsOf;
+using test::includeElement;
+using test::kBox;
+using test::linkElement;
+using test::loadText;
+using test::loadWithoutMissing;
+using test::meshElement;
+using test::modelElement;
+using test::modelFile;
+using test::TemporaryFolder;
+using test::visualElement;
+using test::worldFile;
+using testing::AllOf;
+using testing::Contains;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::string worldWith(const std::string& geometry) {
+  return worldFile(modelElement("m", linkElement(visualElement(geometry))));
+}
+
+TEST(MalformedSdf, IncludesItselfByAnotherPath) {
+  const TemporaryFolder folder;
+  folder.write("models/a/a.sdf",
+               modelFile("a", linkElement() + includeElement("../../models/b/../a/a.sdf")));
+  fs::create_directories(folder / "models/b");
+  fs::create_symlink(folder / "models", folder / "link");
+  const std::string text = worldFile(includeElement("link/a/a.sdf"));
+  EXPECT_THAT(errorsOf(folder, text), ElementsAre(HasSubstr("includes itself")));
+}
+
+TEST(MalformedSdf, IncludesTheWorldFileItself) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorsOf(folder, worldFile(includeElement("world.sdf"))),
+              ElementsAre(AllOf(HasSubstr("world.sdf: line 1: include 'world.sdf'"),
+                                HasSubstr("includes itself, by way of 1 file(s)"))));
+}
+
+TEST(MalformedSdf, MultipliesItself) {
+  const TemporaryFolder folder;
+  folder.write("0.sdf", modelFile("m", linkElement()));
+  for (int level = 1; level <= 30; ++level) {
+    std::string content = linkElement();
+    for (int i = 0; i < 10; ++i) {
+      content += includeElement(std::to_string(level - 1) + ".sdf",
+                                "<name>m" + std::to_string(i) + "</name>");
+    }
+    folder.write(std::to_string(level) + ".sdf", modelFile("m", content));
+  }
+  EXPECT_THAT(errorsOf(folder, worldFile(includeElement("30.sdf"))),
+              Contains(HasSubstr("includes more than 20000 files")));
+}
+
+TEST(MalformedSdf, NestsTooDeep) {
+  const TemporaryFolder folder;
+  for (int level = 0; level < 40; ++level) {
+    folder.write(
+        std::to_string(level) + ".sdf",
+        modelFile("m", linkElement() + includeElement(std::to_string(level + 1) + ".sdf")));
+  }
+  EXPECT_THAT(errorsOf(folder, worldFile(includeElement("0.sdf"))),
+              Contains(HasSubstr("included by files more than 30 deep")));
+}
+
+TEST(MalformedSdf, LeavesTheModelsFolder) {
+  const TemporaryFolder folder;
+  folder.write("shared.obj", test::kTriangleObj);
+  folder.write("a/a.sdf", modelFile("a", linkElement(visualElement(meshElement("../shared.obj")))));
+  EXPECT_THAT(loadText(folder, worldFile(includeElement("a/a.sdf"))).notes, IsEmpty());
+  EXPECT_THAT(errorsOf(folder, worldWith(meshElement("../../../../../../../../../gone.obj"))),
+              ElementsAre(HasSubstr("looked in /gone.obj")));
+}
+
+/// A world with a visual "v0", "v1", ... for each geometry.
+std::string worldWithAll(const std::vector<std::string>& geometries) {
+  std::string visuals;
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    visuals += "<visual name='v" + std::to_string(i) + "'><geometry>" + geometries[i] +
+               "</geometry></visual>";
+  }
+  return worldFile(modelElement("m", linkElement(visuals)));
+}
+
+TEST(MalformedSdf, HasPathsThatAreNone) {
+  const TemporaryFolder folder;
+  fs::create_symlink(folder / "loop.obj", folder / "loop.obj");
+  fs::create_directories(folder / "folder.obj");
+  const std::vector<std::string> uris{std::string(5000, 'x') + ".obj",
+                                      "loop.obj",
+                                      "folder.obj",
+                                      "model://",
+                                      "%00",
+                                      "a%zz%",
+                                      "/dev/null",
+                                      "model://../../../etc/passwd",
+                                      "://x",
+                                      "http://"};
+  std::vector<std::string> geometries;
+  for (const std::string& uri : uris) geometries.push_back(meshElement(uri));
+  const std::vector<std::string> errors = errorsOf(folder, worldWithAll(geometries));
+  ASSERT_EQ(errors.size(), uris.size());
+  for (std::size_t i = 0; i < uris.size(); ++i) {
+    EXPECT_THAT(errors[i], HasSubstr("world.sdf: model 'm': link 'body': visual 'v" +
+                                     std::to_string(i) + "': mesh '"));
+  }
+}
+
+TEST(MalformedSdf, HasPathsWithEscapesAndBackslashes) {
+  const TemporaryFolder folder;
+  folder.write("my meshes/a b.obj", test::kTriangleObj);
+  EXPECT_THAT(errorsOf(folder, worldWithAll({meshElement("my meshes/a b.obj"),
+                                             meshElement("my%20meshes/a%20b.obj"),
+                                             meshElement("my meshes\\a b.obj"),
+                                             meshElement("file://my%20meshes/a b.obj")})),
+              IsEmpty());
+}
+
+TEST(MalformedSdf, HasIncludesThatAreNone) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "empty");
+  for (const std::string include :
+       {"<include/>", "<include><uri/></include>", "<include><uri> </uri></include>",
+        "<include><uri>empty</uri></include>", "<include><uri>/dev/null</uri></include>"}) {
+    EXPECT_THAT(errorsOf(folder, worldFile(include)), ElementsAre(HasSubstr("world.sdf: line 1: ")))
+        << include;
+    EXPECT_THAT(loadWithoutMissing(folder, worldFile(include)).notes,
+                ElementsAre(HasSubstr("(left out)")))
+        << include;
+  }
+}
+
+TEST(MalformedSdf, HasAbsurdNumbers) {
+  const TemporaryFolder folder;
+  folder.write("y.obj", test::kTriangleObj);
+  for (const std::string& geometry :
+       {meshElement("y.obj", "<scale>1e300 1e300 1e300</scale>"),
+        meshElement("y.obj", "<scale>nan 1 1</scale>"),
+        std::string("<box><size>1e300 1 1</size></box>"),
+        std::string("<box><size>inf 1 1</size></box>"),
+        std::string("<sphere><radius>-2</radius></sphere>"),
+        std::string("<cylinder><radius>1e39</radius><length>1</length></cylinder>"),
+        std::string("<plane><normal>0 0 0</normal><size>1 1</size></plane>"),
+        std::string("<plane><normal>0 0 1</normal><size>-1 nan</size></plane>"),
+        std::string("<heightmap><uri>y.obj</uri><size>1e300 1 1</size></heightmap>"),
+        std::string("<polyline><point>1e300 0</point><point>1 0</point><point>1 1</point>"
+                    "<height>1</height></polyline>")}) {
+    EXPECT_THAT(errorsOf(folder, worldWith(geometry)),
+                AllOf(Not(IsEmpty()), Each(HasSubstr("world.sdf"))))
+        << geometry;
+  }
+  EXPECT_THAT(errorsOf(folder, worldFile(modelElement("m", "<pose>1e300 0 0 0 0 0</pose>" +
+                                                               linkElement(visualElement(kBox))))),
+              Contains(HasSubstr("model 'm'")));
+}
+
+TEST(MalformedSdf, HasAPolylineThatIsNone) {
+  const TemporaryFolder folder;
+  const auto polyline = [](const std::string& points) {
+    return worldWith("<polyline>" + points + "<height>1</height></polyline>");
+  };
+  EXPECT_THAT(errorsOf(folder, polyline("<point>0 0</point><point>1 0</point>")),
+              ElementsAre(AllOf(HasSubstr("world.sdf: model 'm': link 'body': visual 'v': "),
+                                HasSubstr("2 different points"))));
+  EXPECT_THAT(errorsOf(folder, polyline("<point>0 0</point><point>2 2</point><point>2 0</point>"
+                                        "<point>0 3</point>")),
+              ElementsAre(HasSubstr("crosses itself")));
+}
+
+TEST(MalformedSdf, HasAHeightmapWithoutAPicture) {
+  const TemporaryFolder folder;
+  folder.write("empty.png", "");
+  const auto heightmap = [](const std::string& uri) {
+    return worldWith("<heightmap><uri>" + uri + "</uri><size>1 1 1</size></heightmap>");
+  };
+  EXPECT_THAT(errorsOf(folder, heightmap("gone.png")),
+              ElementsAre(HasSubstr("visual 'v': heightmap 'gone.png': no such file; looked in ")));
+  EXPECT_THAT(errorsOf(folder, heightmap("empty.png")),
+              ElementsAre(AllOf(HasSubstr("visual 'v': picture '"), HasSubstr("is empty"))));
+  EXPECT_THAT(loadWithoutMissing(folder, heightmap("gone.png")).notes,
+              ElementsAre(HasSubstr("(left out)")));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,344 @@
+/// URDF through the loader: what becomes of links, joints and visuals.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "support/robot_arm.h"
+#include "world/sdf/sdf_loader_support.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+using synthetic_dataset::test::TemporaryFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::string robot(const std::string& content) { return "<robot name='r'>" + content + "</robot>"; }
+
+std::string joint(const std::string& type, const std::string& rest) {
+  return "<joint name='j' type='" + type + "'><parent link='a'/><child link='b'/>" + rest +
+         "</joint>";
+}
+
+std::string linkWith(const std::string& visual) {
+  return "<link name='a'><visual>" + visual + "</visual></link>";
+}
+
+constexpr const char* kCube = "<geometry><box size='1 1 1'/></geometry>";
+
+class UrdfLoader : public testing::Test {
+ protected:
+  Model load(const std::string& text) {
+    return loadModel(folder.write("robot.urdf", text).string(), "alpha", test::finderIn(folder));
+  }
+
+  std::vector<std::string> errorsOf(const std::string& text) {
+    return test::errorsOfFile(folder, folder.write("robot.urdf", text).string());
+  }
+
+  static std::vector<std::string> errorsOfText(const ResourceFinder& finder,
+                                               const std::string& text) {
+    try {
+      static_cast<void>(loadModel(text, "alpha", finder));
+    } catch (const ErrorList& errors) {
+      return errors.messages();
+    }
+    return {};
+  }
+
+  TemporaryFolder folder;
+};
+
+const Link& linkOf(const Model& model, const std::string& name) {
+  for (const Link& link : model.links) {
+    if (link.name == name) return link;
+  }
+  throw Error("no link '" + name + "'");
+}
+
+TEST_F(UrdfLoader, KeepsAllLinksAndWhatTheyHangOn) {
+  const Model model = load(synthetic_dataset::test::kRobotArm);
+  EXPECT_EQ(model.name, "alpha");
+  ASSERT_THAT(model.links, SizeIs(5));
+  EXPECT_EQ(model.links[0].name, "base_link");
+  EXPECT_EQ(model.links[0].parent, std::nullopt);
+  EXPECT_EQ(model.links[*linkOf(model, "gripper").parent].name, "fore");
+  EXPECT_EQ(linkOf(model, "gripper").moving_joint, "slide");
+  EXPECT_EQ(linkOf(model, "nose").moving_joint, "");
+  EXPECT_TRUE(linkOf(model, "gripper").X_ML.translation().isApprox(Eigen::Vector3d(0, 0, 1.12)));
+  EXPECT_THAT(linkOf(model, "nose").visuals, IsEmpty());
+  EXPECT_THAT(linkOf(model, "fore").collisions, SizeIs(1));
+}
+
+TEST_F(UrdfLoader, TurnsByRollThenPitchThenYaw) {
+  const Model model = load(robot("<link name='a'/><link name='b'/>" +
+                                 joint("fixed", "<origin xyz='1 2 3' rpy='0.1 0.2 0.3'/>")));
+  const Eigen::Matrix3d R = (Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()) *
+                             Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY()) *
+                             Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()))
+                                .toRotationMatrix();
+  EXPECT_TRUE(model.links.at(1).X_ML.linear().isApprox(R, 1e-12));
+  EXPECT_EQ(model.links.at(1).X_ML.translation(), Eigen::Vector3d(1, 2, 3));
+}
+
+TEST_F(UrdfLoader, KnowsEveryKindOfJoint) {
+  const std::string limit = "<limit effort='1' velocity='1' lower='0' upper='1'/>";
+  for (const std::string kind :
+       {"continuous", "revolute", "prismatic", "floating", "planar", "fixed"}) {
+    const Model model = load(
+        robot("<link name='a'/><link name='b'/>" + joint(kind, "<origin xyz='0 0 2'/>" + limit)));
+    EXPECT_EQ(model.links.at(1).X_ML.translation().z(), 2.0) << kind;
+    EXPECT_EQ(model.links.at(1).moving_joint, kind == "fixed" ? "" : "j");
+  }
+}
+
+TEST_F(UrdfLoader, PutsAMimicAtItsOffset) {
+  const std::string driver =
+      "<link name='a'/><link name='b'/><link name='c'/><joint name='k' type='continuous'>"
+      "<parent link='a'/><child link='c'/></joint>";
+  const std::string mimic = "<axis xyz='0 0 2'/><mimic joint='k' multiplier='3' offset='0.5'/>";
+  const Model turned = load(robot(driver + joint("continuous", mimic)));
+  EXPECT_TRUE(
+      linkOf(turned, "b")
+          .X_ML.linear()
+          .isApprox(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix(), 1e-12));
+  const Model moved =
+      load(robot(driver + joint("prismatic", mimic + "<limit effort='1' velocity='1' lower='0' "
+                                                     "upper='1'/>")));
+  EXPECT_TRUE(linkOf(moved, "b").X_ML.translation().isApprox(Eigen::Vector3d(0, 0, 0.5)));
+}
+
+TEST_F(UrdfLoader, ReadsInertiasInTheirTurnedFrames) {
+  const Model model = load(
+      robot("<link name='a'><inertial><origin xyz='1 0 0' rpy='0 0 1.57079632679489662'/>"
+            "<mass value='2'/><inertia ixx='1' iyy='2' izz='3' ixy='0' ixz='0' iyz='0'/></inertial>"
+            "</link>"));
+  ASSERT_TRUE(model.links[0].inertia);
+  EXPECT_EQ(model.links[0].inertia->mass, 2.0);
+  EXPECT_EQ(model.links[0].inertia->centre_of_mass_L, Eigen::Vector3d(1, 0, 0));
+  EXPECT_TRUE(model.links[0].inertia->moments_L.isApprox(
+      Eigen::Matrix3d(Eigen::Vector3d(2, 1, 3).asDiagonal()), 1e-9));
+}
+
+TEST_F(UrdfLoader, GivesVisualsTheirColours) {
+  const Model model =
+      load(robot("<material name='green'><color rgba='0 1 0 0.5'/></material>"
+                 "<link name='a'><visual>" +
+                 std::string(kCube) +
+                 "<material name='green'/></visual>"
+                 "<visual>" +
+                 kCube +
+                 "<material name='own'><color rgba='0 0 1 1'/></material></visual>"
+                 "<visual>" +
+                 kCube + "</visual></link>"));
+  const std::vector<Visual>& visuals = model.links.at(0).visuals;
+  ASSERT_THAT(visuals, SizeIs(3));
+  EXPECT_EQ(visuals[0].surfaces[0].material.diffuse, Eigen::Vector4f(0, 1, 0, 0.5F));
+  EXPECT_EQ(visuals[1].surfaces[0].material.diffuse, Eigen::Vector4f(0, 0, 1, 1));
+  EXPECT_EQ(visuals[2].surfaces[0].material.diffuse, Material{}.diffuse);
+}
+
+TEST_F(UrdfLoader, ShowsTexturesInsteadOfColours) {
+  const cv::Mat3b pixels(2, 2, cv::Vec3b(10, 20, 30));
+  cv::imwrite((folder / "wood.png").string(), pixels);
+  const Model model =
+      load(robot(linkWith(std::string(kCube) + "<material name='m'><texture filename='wood.png'/>"
+                                               "</material>")));
+  const Material& material = model.links.at(0).visuals.at(0).surfaces.at(0).material;
+  ASSERT_TRUE(material.texture);
+  EXPECT_EQ(material.texture->pixels.at<cv::Vec4b>(0, 0), cv::Vec4b(10, 20, 30, 255));
+  EXPECT_EQ(material.diffuse, Eigen::Vector4f(1, 1, 1, 1));
+}
+
+TEST_F(UrdfLoader, LeavesMeshFilesTheirOwnMaterials) {
+  folder.write("own.mtl", "newmtl paint\nKd 1 0 0\n");
+  folder.write("own.obj", "mtllib own.mtl\nusemtl paint\n" + std::string(test::kTriangleObj));
+  folder.write("bare.obj", test::kTriangleObj);
+  const std::string blue = "<material name='m'><color rgba='0 0 1 1'/></material>";
+  const Model model =
+      load(robot("<link name='a'><visual><geometry><mesh filename='own.obj'/></geometry>" + blue +
+                 "</visual><visual><geometry><mesh filename='bare.obj' scale='2 2 2'/></geometry>" +
+                 blue + "</visual></link>"));
+  const std::vector<Visual>& visuals = model.links.at(0).visuals;
+  EXPECT_EQ(visuals.at(0).surfaces.at(0).material.diffuse, Eigen::Vector4f(1, 0, 0, 1));
+  EXPECT_EQ(visuals.at(1).surfaces.at(0).material.diffuse, Eigen::Vector4f(0, 0, 1, 1));
+  EXPECT_EQ(visuals.at(1).surfaces.at(0).mesh->positions[2], Eigen::Vector3f(0, 4, 0));
+}
+
+TEST_F(UrdfLoader, FindsMeshesOfPackages) {
+  folder.write("pkg/meshes/part.obj", test::kTriangleObj);
+  const ResourceFinder finder({}, [&](const std::string& package) -> std::optional<std::string> {
+    if (package == "my_robot") return (folder / "pkg").string();
+    return std::nullopt;
+  });
+  const std::vector<std::string> uris = {
+      "package://my_robot/meshes/part.obj", "$(find my_robot)/meshes/part.obj",
+      "file://$(optenv NO_SUCH_THING_IS_SET " + folder.path().string() + ")/pkg/meshes/part.obj"};
+  for (const std::string& uri : uris) {
+    const std::string text = robot(linkWith("<geometry><mesh filename='" + uri + "'/></geometry>"));
+    EXPECT_THAT(loadModel(text, "alpha", finder).links.at(0).visuals, SizeIs(1)) << uri;
+  }
+}
+
+TEST_F(UrdfLoader, LeavesOutWhatOnlyXacroCouldResolve) {
+  const ResourceFinder finder = test::finderIn(folder);
+  WorldLoader loader(finder);
+  const auto file =
+      folder.write("robot.urdf", robot("<link name='a'/><link name='b'/>" +
+                                       joint("fixed", "<origin xyz='$(arg place)' rpy='0 0 0'/>")));
+  EXPECT_THAT(loader.loadModel(file.string(), "alpha").links, SizeIs(2));
+  EXPECT_THAT(loader.modelNotes(),
+              ElementsAre(AllOf(HasSubstr("robot.urdf: line 1: <origin xyz=\"$(arg place)\">"),
+                                HasSubstr("left out"))));
+}
+
+TEST_F(UrdfLoader, SkipsBlocksOfOtherPrograms) {
+  const ResourceFinder finder = test::finderIn(folder);
+  WorldLoader loader(finder);
+  const auto file = folder.write(
+      "robot.urdf", robot("<link name='a'/><gazebo><plugin name='p' filename='${x}'/></gazebo>"
+                          "<gazebo reference='a'><mu1>0.2</mu1></gazebo><transmission name='t'/>"));
+  EXPECT_THAT(loader.loadModel(file.string(), "alpha").links, SizeIs(1));
+  EXPECT_THAT(loader.modelNotes(), IsEmpty());
+}
+
+TEST_F(UrdfLoader, RefusesWhatUrdfdomPassesOver) {
+  const ResourceFinder finder = test::finderIn(folder);
+  const std::string cube = kCube;
+  const std::vector<std::pair<std::string, std::string>> links{
+      {linkWith(cube + "<material name='m'><color rgba='2 0 0 1'/></material>"), "color"},
+      {linkWith(cube + "<material name='m'><color rgba='nan 0 0 1'/></material>"), "color"},
+      {linkWith("<geometry><box size='1 1'/></geometry>"), "visual element for Link [a]"},
+      {linkWith("<geometry/>"), "visual element for Link [a]"},
+      {linkWith(""), "visual element for Link [a]"},
+      {linkWith("<geometry><mesh filename='x.stl' scale='1 1 1 1'/></geometry>"), "Mesh scale"},
+      {"<link name='a'><collision><geometry/></collision></link>",
+       "collision element for Link [a]"},
+      {"<link name='a'><inertial><mass value='nan'/><inertia ixx='1' iyy='1' izz='1' ixy='0' "
+       "ixz='0' iyz='0'/></inertial></link>",
+       "inertial element for Link [a]"}};
+  LoadOptions lenient;
+  lenient.on_missing_asset = OnMissingAsset::kWarn;
+  for (const auto& [link, message] : links) {
+    EXPECT_THAT(errorsOf(robot(link)),
+                ElementsAre(AllOf(HasSubstr("robot.urdf: "), HasSubstr(message))))
+        << link;
+    WorldLoader loader(finder, lenient);
+    const auto file = folder.write("robot.urdf", robot(link));
+    EXPECT_THAT(loader.loadModel(file.string(), "alpha").links, SizeIs(1)) << link;
+    EXPECT_THAT(loader.modelNotes(),
+                ElementsAre(AllOf(HasSubstr(message), HasSubstr("(left out)"))))
+        << link;
+  }
+}
+
+TEST_F(UrdfLoader, NotesMaterialsThatGazeboDoesNotShip) {
+  const ResourceFinder finder = test::finderIn(folder);
+  WorldLoader loader(finder);
+  const auto file = folder.write(
+      "robot.urdf", robot(linkWith(kCube) + "<gazebo reference='a'><material>Gazebo/Gray"
+                                            "</material></gazebo>"));
+  EXPECT_THAT(loader.loadModel(file.string(), "alpha").links.at(0).visuals, SizeIs(1));
+  EXPECT_THAT(loader.modelNotes(),
+              ElementsAre(AllOf(HasSubstr("link 'a': Gazebo ships no material 'Gazebo/Gray'"),
+                                HasSubstr("did you mean 'Gazebo/Grey'?"))));
+}
+
+/// Links '0', '1', ... each on the one before it.
+std::string chain(int count) {
+  std::string content = "<link name='0'/>";
+  for (int i = 1; i < count; ++i) {
+    const std::string name = std::to_string(i);
+    content += "<link name='" + name + "'/><joint name='j" + name +
+               "' type='fixed'><parent link='" + std::to_string(i - 1) + "'/><child link='" + name +
+               "'/></joint>";
+  }
+  return robot(content);
+}
+
+TEST_F(UrdfLoader, RefusesChainsThatAreTooLong) {
+  EXPECT_THAT(load(chain(1000)).links, SizeIs(1000));
+  EXPECT_THAT(errorsOf(chain(1001)),
+              ElementsAre(AllOf(HasSubstr("robot.urdf: line 1: a chain of 1001 links"),
+                                HasSubstr("at most 1000"))));
+  EXPECT_THAT(errorsOf(chain(20000)), ElementsAre(HasSubstr("a chain of 20000 links")));
+}
+
+TEST_F(UrdfLoader, ReadsAModelsText) {
+  const ResourceFinder finder = test::finderIn(folder);
+  EXPECT_THAT(loadModel("\n " + robot("<link name='a'/>"), "alpha", finder).links, SizeIs(1));
+  const Model sdf =
+      loadModel("<?xml version='1.0'?>" +
+                    test::modelFile("m", test::linkElement(test::visualElement(test::kBox))),
+                "alpha", finder);
+  EXPECT_EQ(sdf.name, "alpha");
+  EXPECT_THAT(sdf.links.at(0).visuals, SizeIs(1));
+}
+
+TEST_F(UrdfLoader, SaysThatATextHasNoFolder) {
+  const ResourceFinder finder = test::finderIn(folder);
+  EXPECT_THAT(
+      errorsOfText(finder, robot(linkWith("<geometry><mesh filename='a.stl'/></geometry>"))),
+      ElementsAre(AllOf(HasSubstr("the text of alpha/model: link 'a': visual '1': mesh 'a.stl'"),
+                        HasSubstr("package:// and absolute paths"))));
+  EXPECT_THAT(errorsOfText(finder, test::modelFile("m", test::linkElement(test::visualElement(
+                                                            test::meshElement("a.stl"))))),
+              ElementsAre(AllOf(HasSubstr("the text of alpha/model"),
+                                HasSubstr("package://, model:// and absolute paths"))));
+}
+
+struct BadUrdf {
+  std::string content;
+  std::string message;
+};
+
+class BadUrdfs : public UrdfLoader, public testing::WithParamInterface<BadUrdf> {};
+
+TEST_P(BadUrdfs, AreErrorsThatSayWhy) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const std::vector<std::string> errors = errorsOf(robot(GetParam().content));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_THAT(errors, ElementsAre(AllOf(HasSubstr("robot.urdf: "), HasSubstr(GetParam().message))));
+}
+
+const std::string kTwo = "<link name='a'/><link name='b'/>";
+
+INSTANTIATE_TEST_SUITE_P(
+    UrdfLoader, BadUrdfs,
+    testing::Values(
+        BadUrdf{"", "No link elements"}, BadUrdf{kTwo, "root links"},
+        BadUrdf{"<link name='a'/><link name='a'/>", "'a' is not unique"},
+        BadUrdf{"<link name='b'/>" + joint("fixed", ""), "parent link [a] of joint [j] not found"},
+        BadUrdf{kTwo + joint("fixed", "") +
+                    "<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint>",
+                "No root link found"},
+        BadUrdf{"<link name='root'/>" + kTwo + joint("fixed", "") +
+                    "<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint>",
+                "the links 'a', 'b' hang on one another in a loop"},
+        BadUrdf{"<link name='c'/>" + kTwo + joint("fixed", "") +
+                    "<joint name='k' type='fixed'><parent link='a'/><child link='c'/></joint>"
+                    "<joint name='l' type='fixed'><parent link='c'/><child link='b'/></joint>",
+                "link 'b' is the child of joint 'j' and of joint 'l'"},
+        BadUrdf{kTwo + joint("fixed", "<origin xyz='0 nan 0'/>"), "origin"},
+        BadUrdf{linkWith("<geometry><box size='1 -1 1'/></geometry>"),
+                "link 'a': visual '1': box size: found -1.000000; it has to be above 0 m"},
+        BadUrdf{linkWith("<geometry><sphere radius='0'/></geometry>"), "sphere radius"},
+        BadUrdf{linkWith("<geometry><mesh filename='gone.stl'/></geometry>"),
+                "visual '1': mesh 'gone.stl': no such file; looked in "},
+        BadUrdf{linkWith("<geometry><mesh filename='x.stl' scale='1 0 1'/></geometry>"),
+                "mesh scale"},
+        BadUrdf{linkWith(std::string(kCube) + "<material name='gone'/>"),
+                "link 'a': its material 'gone' is defined nowhere"},
+        BadUrdf{linkWith("<geometry><box size='${width} 1 1'/></geometry>"), "rosrun xacro xacro"},
+        BadUrdf{"<xacro:include filename='x'/><link name='a'/>",
+                "line 1: 'xacro:include' is xacro's"},
+        BadUrdf{"<link name='a'>", "cannot be read as XML"}));
+
+}  // namespace
+}  // namespace synthetic_dataset::world
