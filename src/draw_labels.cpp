@@ -6,6 +6,8 @@
 /// Draws what the Yolo and StvNet writers wrote: boxes, masks and keypoints. Without SCENE, the one
 /// in the middle.
 
+#include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -131,6 +133,16 @@ std::vector<DrawnObject> readObjects(const fs::path& folder, const std::string& 
   return result;
 }
 
+std::int64_t sceneIndex(const std::string& text) {
+  std::int64_t index = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, fault] = std::from_chars(text.data(), end, index);
+  if (fault != std::errc() || stopped != end) {
+    throw Error("SCENE: found '" + text + "'; it should be a scene's index, a whole number");
+  }
+  return index;
+}
+
 void drawLabelsOf(const fs::path& folder, const std::string& picture, const char* scene) {
   const Dataset dataset(folder);
   const auto yolo = dataset.folders.find("synthetic_dataset/Yolo");
@@ -138,7 +150,7 @@ void drawLabelsOf(const fs::path& folder, const std::string& picture, const char
     throw Error(folder.string() + ": the dataset has no writer of type synthetic_dataset/Yolo");
   }
   const std::string name =
-      dataset.sceneName(scene != nullptr ? std::stoll(scene) : dataset.sceneCount() / 2);
+      dataset.sceneName(scene != nullptr ? sceneIndex(scene) : dataset.sceneCount() / 2);
   const fs::path image_file = yolo->second / (name + ".png");
   const cv::Mat image = cv::imread(image_file.string(), cv::IMREAD_COLOR);
   if (image.empty()) throw Error(image_file.string() + ": no such image");

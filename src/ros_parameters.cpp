@@ -5,8 +5,6 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
-#include "synthetic_dataset/errors.h"
-
 namespace synthetic_dataset {
 
 Value valueFromXmlRpc(XmlRpc::XmlRpcValue& value) {
@@ -36,7 +34,8 @@ Value valueFromXmlRpc(XmlRpc::XmlRpcValue& value) {
 
 namespace {
 
-/// Replaces an object's `model: "param:NAME"` by the text of that ROS parameter.
+/// Replaces an object's `model: "param:NAME"` by the text of that ROS parameter. What is not set is
+/// left as it is, an error to be told with all others.
 void takeModelsFromParameters(Value::Map& parameters) {
   const std::string start = "param:";
   for (auto& [group, content] : parameters) {
@@ -47,12 +46,7 @@ void takeModelsFromParameters(Value::Map& parameters) {
     if (text == nullptr || text->rfind(start, 0) != 0) continue;
     const std::string name = text->substr(start.size());
     std::string found;
-    if (!ros::param::get(name, found) || found.empty()) {
-      throw Error(group + "/model: found '" + *text + "', but the ROS parameter '" + name +
-                  "' is not set to a text; it should hold a URDF or SDF model, as "
-                  "/robot_description does");
-    }
-    model = Value(found);
+    if (ros::param::get(name, found) && !found.empty()) model = Value(found);
   }
 }
 

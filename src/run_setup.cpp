@@ -8,6 +8,7 @@
 #include "error_collector.h"
 #include "render/light_setup.h"
 #include "ros_packages.h"
+#include "scene_plan.h"
 #include "synthetic_dataset/label_text.h"
 #include "world/files/resource_finder.h"
 #include "world/world_loader.h"
@@ -38,15 +39,6 @@ std::optional<world::Model> takeModel(world::Description& description, const std
   return model;
 }
 
-motion::TimelineOptions timelineOptions(const config::MotionConfig& config) {
-  motion::TimelineOptions options;
-  options.period = motion::periodOf(config.rate);
-  options.start_offset = durationOf(config.start_offset);
-  if (config.duration) options.duration = durationOf(*config.duration);
-  if (config.max_tf_gap) options.max_tf_gap = durationOf(*config.max_tf_gap);
-  return options;
-}
-
 /// Builds a run part by part; what fails is noted, and the parts that need it are passed over.
 class Builder {
  public:
@@ -58,7 +50,7 @@ class Builder {
     openRecording();
     loadWorld();
     setUpCameras();
-    planScenes();
+    planRun();
     loadWriters();
     checkFrames();
     throwErrors();
@@ -186,49 +178,12 @@ class Builder {
                        [&](const CameraRig& camera) { return camera.frame == frame; });
   }
 
-  void planScenes() {
+  void planRun() {
     if (!setup_.recording || config().objects.empty()) return;
-    std::vector<std::string> frames;
-    for (const config::ObjectConfig& object : config().objects) frames.push_back(object.frame);
-    for (const CameraRig& camera : setup_.cameras) {
-      if (camera.followsRecording()) frames.push_back(camera.frame);
-    }
     auto timeline = errors_.attempt([&] {
-      return setup_.recording->timeline(config().global_frame, frames,
-                                        timelineOptions(config().motion));
+      return planScenes(*setup_.recording, config(), setup_.cameras, setup_.driven_links);
     });
-    if (!timeline) return;
-    setup_.timeline = std::move(*timeline);
-    leaveOutHalfExposed(frames);
-  }
-
-  /// Scenes during whose exposure a frame is not known, as at the recording's ends.
-  void leaveOutHalfExposed(std::vector<std::string> frames) {
-    Duration open{0};
-    for (const CameraRig& camera : setup_.cameras) open = std::max(open, openTime(camera.shutter));
-    if (open.count() == 0) return;
-    for (const auto& object : setup_.driven_links) {
-      for (const DrivenLink& link : object) frames.push_back(link.frame);
-    }
-    const auto known = [&](const std::string& frame, Stamp time) {
-      return setup_.recording->canTransform(config().global_frame, frame, time);
-    };
-    auto& stamps = setup_.timeline.stamps;
-    const std::size_t before = stamps.size();
-    const auto is_half_exposed = [&](Stamp stamp) {
-      return std::any_of(frames.begin(), frames.end(), [&](const std::string& frame) {
-        return known(frame, stamp) &&
-               !(known(frame, stamp - open / 2) && known(frame, stamp + open / 2));
-      });
-    };
-    stamps.erase(std::remove_if(stamps.begin(), stamps.end(), is_half_exposed), stamps.end());
-    setup_.timeline.left_out_unknown += static_cast<std::int64_t>(before - stamps.size());
-    if (stamps.empty()) {
-      errors_.add(
-          "effects/exposure_time, readout_time: no scene of the recording is known over "
-          "its whole exposure of " +
-          fixed(toSeconds(open), 4) + " s");
-    }
+    if (timeline) setup_.timeline = std::move(*timeline);
   }
 
   [[nodiscard]] DatasetInfo datasetInfo() const {
@@ -266,26 +221,14 @@ class Builder {
     for (const std::string& frame : setup_.writers->requirements().frames) {
       if (isCameraFrame(frame)) continue;
       if (setup_.recording->knowsFrame(frame)) {
-        leaveOutScenesWithout(frame);
+        static_cast<void>(errors_.attempt([&] {
+          leaveOutScenesWithout(frame, *setup_.recording, config().global_frame, setup_.timeline);
+          return true;
+        }));
       } else {
         errors_.add("a writer asks for the frame '" + frame +
                     "', which the recording does not have" + setup_.recording->suggestFrame(frame));
       }
-    }
-  }
-
-  void leaveOutScenesWithout(const std::string& frame) {
-    auto& stamps = setup_.timeline.stamps;
-    const std::size_t before = stamps.size();
-    const auto unknown = [&](Stamp stamp) {
-      return !setup_.recording->canTransform(config().global_frame, frame, stamp);
-    };
-    stamps.erase(std::remove_if(stamps.begin(), stamps.end(), unknown), stamps.end());
-    setup_.timeline.left_out_unknown += static_cast<std::int64_t>(before - stamps.size());
-    if (before > 0 && stamps.empty()) {
-      errors_.add("a writer asks for the frame '" + frame +
-                  "', which cannot be transformed into '" + config().global_frame +
-                  "' at any scene");
     }
   }
 

@@ -135,6 +135,12 @@ ObjectConfig readObject(const Parameters& root, const std::string& name) {
   object.frame = readFrame(group, name);
   object.link_frames = readLinkFrames(group);
   object.model = group.maybe<std::string>("model");
+  if (object.model && object.model->rfind("param:", 0) == 0) {
+    group.addError("model", "found '" + *object.model +
+                                "', but no ROS parameter of this name is set to a text; it should "
+                                "hold a URDF or SDF model, as /robot_description does");
+    object.model.reset();
+  }
   if (object.model && !isXml(*object.model)) object.model = pathOrUri(*object.model);
   readKeypoints(group, object);
   object.bounding_shape_O = readBoundingShape(group);

@@ -213,6 +213,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadSetting{"[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]", "box",
                    "alpha/bounding_shape: found 'box'; it should be model_box, or"},
         BadSetting{"class: summit", "class: [summit]", "alpha/class: found a list"},
+        BadSetting{"class: summit", "class: summit\n  model: 'param:/nope'",
+                   "alpha/model: found 'param:/nope', but no ROS parameter of this name"},
         BadSetting{"world:", "simulated_rate: 0\nworld:",
                    "simulated_rate: found 0.0; it should be above 0"},
         BadSetting{"world:", "simulated_rate: -5.0\nworld:", "simulated_rate: found -5.0"},

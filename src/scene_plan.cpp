@@ -1,0 +1,90 @@
+#include "scene_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+namespace {
+
+Duration durationOf(double seconds) {
+  return Duration(static_cast<std::int64_t>(std::llround(seconds * 1e9)));
+}
+
+motion::TimelineOptions timelineOptions(const config::MotionConfig& config) {
+  motion::TimelineOptions options;
+  options.period = motion::periodOf(config.rate);
+  options.start_offset = durationOf(config.start_offset);
+  if (config.duration) options.duration = durationOf(*config.duration);
+  if (config.max_tf_gap) options.max_tf_gap = durationOf(*config.max_tf_gap);
+  return options;
+}
+
+/// Takes scenes out and counts them.
+template <class Unwanted>
+void leaveOut(const Unwanted& unwanted, motion::Timeline& timeline) {
+  auto& stamps = timeline.stamps;
+  const std::size_t before = stamps.size();
+  stamps.erase(std::remove_if(stamps.begin(), stamps.end(), unwanted), stamps.end());
+  timeline.left_out_unknown += static_cast<std::int64_t>(before - stamps.size());
+}
+
+/// Scenes during whose exposure a frame is not known, as at the recording's ends.
+void leaveOutHalfExposed(const std::vector<std::string>& frames, Duration open,
+                         const motion::BagMotion& recording, const std::string& global_frame,
+                         motion::Timeline& timeline) {
+  const auto known = [&](const std::string& frame, Stamp time) {
+    return recording.canTransform(global_frame, frame, time);
+  };
+  const auto is_half_exposed = [&](Stamp stamp) {
+    return std::any_of(frames.begin(), frames.end(), [&](const std::string& frame) {
+      return known(frame, stamp) &&
+             !(known(frame, stamp - open / 2) && known(frame, stamp + open / 2));
+    });
+  };
+  leaveOut(is_half_exposed, timeline);
+  if (timeline.stamps.empty()) {
+    throw Error(
+        "effects/exposure_time, readout_time: no scene of the recording is known over its "
+        "whole exposure of " +
+        fixed(toSeconds(open), 4) + " s");
+  }
+}
+
+}  // namespace
+
+motion::Timeline planScenes(const motion::BagMotion& recording, const config::Config& config,
+                            const std::vector<CameraRig>& cameras,
+                            const std::vector<std::vector<DrivenLink>>& driven_links) {
+  std::vector<std::string> frames;
+  Duration open{0};
+  for (const config::ObjectConfig& object : config.objects) frames.push_back(object.frame);
+  for (const CameraRig& camera : cameras) {
+    if (camera.followsRecording()) frames.push_back(camera.frame);
+    open = std::max(open, openTime(camera.shutter));
+  }
+  motion::Timeline timeline =
+      recording.timeline(config.global_frame, frames, timelineOptions(config.motion));
+  if (open.count() == 0) return timeline;
+  for (const auto& object : driven_links) {
+    for (const DrivenLink& link : object) frames.push_back(link.frame);
+  }
+  leaveOutHalfExposed(frames, open, recording, config.global_frame, timeline);
+  return timeline;
+}
+
+void leaveOutScenesWithout(const std::string& frame, const motion::BagMotion& recording,
+                           const std::string& global_frame, motion::Timeline& timeline) {
+  if (timeline.stamps.empty()) return;
+  leaveOut([&](Stamp stamp) { return !recording.canTransform(global_frame, frame, stamp); },
+           timeline);
+  if (timeline.stamps.empty()) {
+    throw Error("a writer asks for the frame '" + frame + "', which cannot be transformed into '" +
+                global_frame + "' at any scene");
+  }
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "articulation.h"
+#include "camera_rig.h"
+#include "config/config.h"
+#include "motion/bag_motion.h"
+
+namespace synthetic_dataset {
+
+/// The times at which scenes are made: those of the timeline at which all objects and cameras are
+/// known, over the whole exposure of each picture.
+/// @throws ErrorList when there is none, saying why
+[[nodiscard]] motion::Timeline planScenes(const motion::BagMotion& recording,
+                                          const config::Config& config,
+                                          const std::vector<CameraRig>& cameras,
+                                          const std::vector<std::vector<DrivenLink>>& driven_links);
+
+/// Takes the scenes out at which a frame that a writer asks for is not known.
+/// @throws Error when none is left
+void leaveOutScenesWithout(const std::string& frame, const motion::BagMotion& recording,
+                           const std::string& global_frame, motion::Timeline& timeline);
+
+}  // namespace synthetic_dataset
