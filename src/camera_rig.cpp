@@ -122,6 +122,19 @@ CameraRig makeCameraRig(const config::CameraConfig& config,
   return rig;
 }
 
+double seenShare(const CameraModel& camera) {
+  constexpr int kSteps = 24;  // a side of a grid of pixels
+  int seen = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    for (int j = 0; j < kSteps; ++j) {
+      const Eigen::Vector2d pixel((i + 0.5) / kSteps * camera.width() - 0.5,
+                                  (j + 0.5) / kSteps * camera.height() - 0.5);
+      seen += camera.ray(pixel).has_value() ? 1 : 0;
+    }
+  }
+  return static_cast<double>(seen) / (kSteps * kSteps);
+}
+
 Pose cameraPose(const CameraRig& camera, const world::World& world,
                 const motion::BagMotion& recording, const std::string& global_frame, Stamp instant,
                 Duration offset) {

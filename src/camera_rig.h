@@ -40,6 +40,10 @@ struct CameraRig {
                                       const std::vector<world::LinkInstance>& links,
                                       const motion::BagMotion& recording);
 
+/// The share of the image's pixels along which the lens sees something, 0 .. 1: less than all in
+/// the corners of a fisheye's image, and nearly none where a calibration's numbers are wrong.
+[[nodiscard]] double seenShare(const CameraModel& camera);
+
 /// X_GC at a time round `instant`, at which the world stands: where the recording does not know it
 /// then, that of the instant.
 [[nodiscard]] Pose cameraPose(const CameraRig& camera, const world::World& world,

@@ -160,6 +160,7 @@ class Builder {
       });
       if (!rig) continue;
       checkShutter(camera, *rig);
+      noteBlindLens(camera, *rig);
       setup_.cameras.push_back(std::move(*rig));
     }
   }
@@ -171,6 +172,14 @@ class Builder {
     errors_.add(camera.group + "/effects: found exposure_time + readout_time of " +
                 fixed(toSeconds(openTime(rig.shutter)), 4) + " s; it should be at most the " +
                 fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate)");
+  }
+
+  void noteBlindLens(const config::CameraConfig& camera, const CameraRig& rig) {
+    constexpr double kLittle = 0.25;  // a fisheye's circle in a wide image fills more than this
+    const double share = seenShare(rig.model);
+    if (share >= kLittle) return;
+    addNotes({camera.group + ": its lens sees something in only " + fixed(100.0 * share, 0) +
+              " % of the image; the rest is black (are the distortion's numbers right?)"});
   }
 
   [[nodiscard]] bool isCameraFrame(const std::string& frame) const {

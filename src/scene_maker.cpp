@@ -64,9 +64,9 @@ Scene SceneMaker::make(std::size_t camera, std::int64_t instant, Stamp stamp,
   scene.lookup = [this, stamp, X_GC = cameraPoses(stamp)](const std::string& target,
                                                           const std::string& source) {
     const auto inGlobal = [&](const std::string& frame) {
-      const auto camera = X_GC.find(frame);
-      return camera != X_GC.end() ? camera->second
-                                  : recording_.transform(global_frame_, frame, stamp);
+      const auto found = X_GC.find(frame);
+      return found != X_GC.end() ? found->second
+                                 : recording_.transform(global_frame_, frame, stamp);
     };
     return Pose(inGlobal(target).inverse() * inGlobal(source));
   };

@@ -158,6 +158,19 @@ TEST_F(CamerasTest, ScenesThatAreExposedBeforeTheRecordingAreLeftOut) {
   EXPECT_EQ(summary.warnings.at("scene left out: a transform is not known at its time"), 1);
 }
 
+TEST_F(CamerasTest, ALensThatSeesLittleIsToldOf) {
+  const std::string sound = test::readFile(run.folder() / "camera.yaml");
+  const std::string numbers = "data: [0, 0, 0, 0, 0]";
+  std::string folding = sound;
+  folding.replace(folding.find(numbers), numbers.size(), "data: [-9.0, 0, 0, 0, 0]");
+  run.folder().write("camera.yaml", folding);
+  bool told = false;
+  for (const auto& [kind, count] : generate().warnings) {
+    told = told || kind.find("camera: its lens sees something in only") == 0;
+  }
+  EXPECT_TRUE(told);
+}
+
 TEST_F(CamerasTest, AListOfCamerasIsRefused) {
   parameters.erase("camera");
   parameters["cameras"] = Value(Value::List{Value("front")});
