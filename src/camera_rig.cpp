@@ -1,18 +1,14 @@
 #include "camera_rig.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "config/camera_info.h"
 #include "motion/recorded_camera_info.h"
+#include "seconds.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
 namespace {
-
-Duration durationOf(double seconds) {
-  return Duration(static_cast<std::int64_t>(std::llround(seconds * 1e9)));
-}
 
 const world::CameraSensor* findSensor(const config::CameraConfig& config,
                                       const std::vector<world::CameraSensor>& sensors) {
@@ -80,8 +76,8 @@ void findPose(const config::CameraConfig& config, const world::CameraSensor* sen
 }
 
 Shutter shutterOf(const config::EffectsConfig& config) {
-  return {durationOf(config.exposure_time), config.motion_samples, durationOf(config.readout_time),
-          config.readout_bands};
+  return {fromSeconds(config.exposure_time), config.motion_samples,
+          fromSeconds(config.readout_time), config.readout_bands};
 }
 
 sensor::SensorEffects effectsOf(const config::EffectsConfig& config,

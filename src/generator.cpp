@@ -9,6 +9,7 @@
 #include "render/renderer.h"
 #include "run_setup.h"
 #include "scene_maker.h"
+#include "seconds.h"
 #include "synthetic_dataset/label_text.h"
 #include "warning_counter.h"
 
@@ -48,8 +49,8 @@ struct Generator::Impl {
     const Stamp first = setup.timeline.stamps.front();
     (void)object_motion.objectPoses(first);
     motion_start = first + picture_taker.offsets().front();
-    const auto settle = static_cast<std::int64_t>(setup.config.physics.settle * 1e9);
-    if (settle > 0) moveWorld(motion_start - std::min(Stamp(settle), motion_start - Stamp(1)));
+    const Duration settle = fromSeconds(setup.config.physics.settle);
+    if (settle.count() > 0) moveWorld(motion_start - std::min(settle, motion_start - Stamp(1)));
     tellPlan();
   }
 

@@ -1,16 +1,11 @@
 #include "random_seed.h"
 
+#include "sensor/mixed_bits.h"
+
 namespace synthetic_dataset {
 namespace {
 
-/// The finaliser of SplitMix64 (Steele, Lea and Flood 2014): every bit in changes half of those
-/// out.
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9E3779B97F4A7C15ULL;
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBULL;
-  return x ^ (x >> 31);
-}
+std::uint64_t mixed(std::uint64_t x) { return sensor::mixedBits(x + sensor::kCounterStep); }
 
 /// FNV-1a (http://www.isthe.com/chongo/tech/comp/fnv/).
 std::uint64_t hashOf(std::string_view text) {

@@ -1,7 +1,6 @@
 #include "run_setup.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -9,16 +8,13 @@
 #include "render/light_setup.h"
 #include "ros_packages.h"
 #include "scene_plan.h"
+#include "seconds.h"
 #include "synthetic_dataset/label_text.h"
 #include "world/files/resource_finder.h"
 #include "world/world_loader.h"
 
 namespace synthetic_dataset {
 namespace {
-
-Duration durationOf(double seconds) {
-  return Duration(static_cast<std::int64_t>(std::llround(seconds * 1e9)));
-}
 
 std::string modelNames(const world::Description& description) {
   std::string names;
@@ -99,7 +95,7 @@ class Builder {
     sensors_.insert(sensors_.end(), on_objects.begin(), on_objects.end());
     if (objects.size() != config().objects.size()) return;
     world::PhysicsOptions physics;
-    physics.step = durationOf(config().physics.step);
+    physics.step = fromSeconds(config().physics.step);
     physics.contact_tolerance = config().physics.contact_tolerance;
     setup_.world = attempt([&] {
       return std::make_unique<world::World>(std::move(surroundings), std::move(objects), physics);

@@ -1,25 +1,21 @@
 #include "scene_plan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
+#include "seconds.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
 namespace {
 
-Duration durationOf(double seconds) {
-  return Duration(static_cast<std::int64_t>(std::llround(seconds * 1e9)));
-}
-
 motion::TimelineOptions timelineOptions(const config::MotionConfig& config) {
   motion::TimelineOptions options;
   options.period = motion::periodOf(config.rate);
-  options.start_offset = durationOf(config.start_offset);
-  if (config.duration) options.duration = durationOf(*config.duration);
-  if (config.max_tf_gap) options.max_tf_gap = durationOf(*config.max_tf_gap);
+  options.start_offset = fromSeconds(config.start_offset);
+  if (config.duration) options.duration = fromSeconds(*config.duration);
+  if (config.max_tf_gap) options.max_tf_gap = fromSeconds(*config.max_tf_gap);
   return options;
 }
 

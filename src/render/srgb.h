@@ -4,9 +4,7 @@
 
 namespace synthetic_dataset::render {
 
-/// sRGB's transfer function (IEC 61966-2-1): linear light from an encoded channel.
-[[nodiscard]] float linearFromSrgb(float encoded);
-
+/// Linear light from sRGB-encoded red, green and blue.
 [[nodiscard]] Eigen::Vector3f linearFromSrgb(const Eigen::Vector3f& encoded);
 
 /// Alpha, the last, is linear in either.

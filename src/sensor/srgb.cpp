@@ -6,15 +6,10 @@
 namespace synthetic_dataset::sensor {
 namespace {
 
-float decoded(double encoded) {
-  return static_cast<float>(encoded <= 0.04045 ? encoded / 12.92
-                                               : std::pow((encoded + 0.055) / 1.055, 2.4));
-}
-
-std::array<float, 256> makeTable(double offset) {
+std::array<float, 256> makeTable(float offset) {
   std::array<float, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    table[i] = decoded((static_cast<double>(i) + offset) / 255.0);
+    table[i] = linearFromSrgb((static_cast<float>(i) + offset) / 255.0F);
   }
   return table;
 }
@@ -32,14 +27,18 @@ struct Encoder {
     }
   }
 
-  std::array<float, 256> upper = makeTable(0.5);  ///< where the next encoded value is nearer
+  std::array<float, 256> upper = makeTable(0.5F);  ///< where the next encoded value is nearer
   std::array<std::uint8_t, kRanges> first{};
 };
 
 }  // namespace
 
+float linearFromSrgb(float encoded) {
+  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+}
+
 const std::array<float, 256>& linearFromSrgb() {
-  static const std::array<float, 256> kTable = makeTable(0.0);
+  static const std::array<float, 256> kTable = makeTable(0.0F);
   return kTable;
 }
 
