@@ -17,13 +17,13 @@ class StvNetWriter : public LabelWriter {
 
   [[nodiscard]] Requirements doRequirements() const override {
     Requirements requirements;
-    requirements.instance_masks = true;
+    requirements.silhouettes = true;
     return requirements;
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     for (const SceneObject& object : scene.objects) {
-      if (!object.in_view) continue;
+      if (!object.in_view || object.dropped) continue;
       const auto text = label(object, scene.camera);
       if (!text) {
         output.addWarning(object.name +
@@ -31,7 +31,7 @@ class StvNetWriter : public LabelWriter {
         continue;
       }
       output.addImage(object.name + "/JPEGImages/" + scene.name + ".png", scene.image);
-      output.addImage(object.name + "/mask/" + scene.name + ".png", object.mask);
+      output.addImage(object.name + "/mask/" + scene.name + ".png", object.silhouette);
       output.addText(object.name + "/labels/" + scene.name + ".txt", *text);
     }
   }

@@ -38,7 +38,7 @@ class YoloWriter : public LabelWriter {
 
   /// An object's line; nothing for one of which no area is in view.
   [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
-    if (!object.in_view || !object.loose_box) return "";
+    if (!object.in_view || object.dropped || !object.loose_box) return "";
     // Fractions as in nn_data_collection, u / width: the image is taken to begin at its first
     // pixel's centre, half a pixel off the pixel's edge.
     const double width = camera.width();

@@ -23,8 +23,9 @@ MAY_INCLUDE = {
     'src/annotate': {API, 'annotate'},
     'src/output': {API, 'output'},
     'src/writers': {API, 'writers', 'output'},
+    'src/readback': {API, 'readback'},
     'src': {API, 'config', 'motion', 'world', 'sensor', 'render', 'annotate', 'output', 'writers',
-            'src'},
+            'readback', 'src'},
     'plugins': {API},
 }
 
@@ -37,9 +38,11 @@ CONFINED = [
     ('urdfdom', re.compile(r'urdf_(model|parser|world)/'), {'src/world'}),
     ('assimp', re.compile(r'assimp/'), {'src/world'}),
     ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/world'}),
-    ('rosbag', re.compile(r'rosbag/'), {'src/motion'}),
+    ('rosbag', re.compile(r'rosbag/'), {'src/motion', 'plugins'}),
     ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion'}),
     ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/config'}),
+    ('libpng', re.compile(r'png\.h$'), {'src/output'}),
+    ('JSON for Modern C++', re.compile(r'nlohmann/'), {'plugins', 'src/readback'}),
     ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),
     ('pluginlib', re.compile(r'pluginlib/'), {'src/writers', 'plugins'}),
     ("ROS's time", re.compile(r'ros/(time|duration)\.h$'), {'src/motion', 'src'}),

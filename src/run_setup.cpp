@@ -197,14 +197,18 @@ class Builder {
       const std::size_t keypoint_count = object.farthest_points > 0
                                              ? static_cast<std::size_t>(object.farthest_points)
                                              : object.keypoints_O.size();
-      info.objects.push_back({object.name, object.class_name, object.id, keypoint_count});
+      ObjectInfo described;
+      described.name = object.name;
+      described.class_name = object.class_name;
+      described.id = object.id;
+      described.keypoint_count = keypoint_count;
+      info.objects.push_back(std::move(described));
     }
     info.scene_count =
         static_cast<std::int64_t>(setup_.timeline.stamps.size() * setup_.cameras.size());
     info.global_frame = config().global_frame;
     for (const CameraRig& camera : setup_.cameras) {
-      info.cameras.push_back(
-          {camera.name, camera.frame, camera.model.width(), camera.model.height()});
+      info.cameras.push_back({camera.name, camera.frame, camera.model});
     }
     return info;
   }

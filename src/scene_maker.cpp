@@ -30,7 +30,7 @@ SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
       cameras_(cameras),
       global_frame_(std::move(global_frame)),
       shapes_(shapes),
-      make_masks_(requirements.instance_masks),
+      make_masks_(requirements.silhouettes),
       masks_(masks),
       nothing_(world.links().size(), false),
       without_objects_(selectLinks(world.links(), kNoObject)) {
@@ -47,15 +47,14 @@ Scene SceneMaker::make(std::size_t camera, std::int64_t instant, Stamp stamp,
   const CameraRig& rig = cameras_[camera];
   const render::View view{rig.model, cameraPose(rig, world_, recording_, global_frame_, stamp)};
   const auto count = static_cast<std::int64_t>(cameras_.size());
-  Scene scene{instant * count + static_cast<std::int64_t>(camera),
-              (count > 1 ? rig.name + "/" : "") + sceneNumber(instant),
-              rig.name,
-              stamp,
-              view.camera,
-              view.X_WC,
-              {},
-              {},
-              {}};
+  Scene scene(view.camera);
+  scene.index = instant * count + static_cast<std::int64_t>(camera);
+  scene.name = (count > 1 ? rig.name + "/" : "") + sceneNumber(instant);
+  scene.camera_name = rig.name;
+  scene.instant = instant;
+  scene.camera_index = camera;
+  scene.stamp = stamp;
+  scene.X_GC = view.X_WC;
   const std::vector<annotate::ObjectShape> shapes = shapes_.at(world_.linkPoses(), X_GO);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     scene.objects.push_back(annotate::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
@@ -92,12 +91,12 @@ void SceneMaker::addMasks(const render::View& view, MaskCamera& camera,
   }
   takeBackground(view, all, camera);
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    objects[i].mask = cv::Mat::zeros(size, CV_8UC1);
+    objects[i].silhouette = cv::Mat::zeros(size, CV_8UC1);
     if (boxes[i].empty()) continue;
     cv::Mat alone = camera.background->image.clone();
     drawForMasks(view, one_object_[i], boxes[i])(boxes[i]).copyTo(alone(boxes[i]));
     const cv::Mat raw = camera.segmenter.segment(alone);
-    objects[i].mask =
+    objects[i].silhouette =
         annotate::cutToBox(masks_.clean ? annotate::cleanMask(raw) : raw, *objects[i].loose_box);
   }
 }

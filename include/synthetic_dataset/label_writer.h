@@ -1,10 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "synthetic_dataset/object_model.h"
 #include "synthetic_dataset/output.h"
 #include "synthetic_dataset/parameters.h"
 #include "synthetic_dataset/scene.h"
@@ -43,15 +47,31 @@ struct ObjectInfo {
   std::string name;
   std::string class_name;
   std::string id;
+  int class_id = 0;  ///< of its class in DatasetInfo::classes
   std::size_t keypoint_count = 0;
+  std::vector<std::string> keypoint_names;  ///< as many: the parameter, else "0", "1", ...
+
+  /// Pairs of keypoints to draw lines between, by their places from 0.
+  std::vector<std::array<std::size_t, 2>> skeleton;
+};
+
+/// A class of objects. All writers number classes alike.
+struct ClassInfo {
+  int id = 0;  ///< at least 0
+  std::string name;
+};
+
+/// A part of the dataset with a use of its own.
+struct SplitInfo {
+  std::string name;  ///< "train", "val", "test"
+  std::int64_t scene_count = 0;
 };
 
 /// What is known of a camera before the first scene.
 struct CameraDescription {
   std::string name;
-  std::string frame;     ///< of its optical frame
-  int image_width = 0;   ///< [px]
-  int image_height = 0;  ///< [px]
+  std::string frame;  ///< of its optical frame
+  CameraModel model;
 };
 
 /// What is known of the dataset before the first scene.
@@ -60,11 +80,28 @@ struct DatasetInfo {
   std::int64_t scene_count = 0;
   std::string global_frame;
   std::vector<CameraDescription> cameras;  ///< at least one
+  std::vector<ClassInfo> classes;          ///< in the order of their ids, each once
+  std::vector<SplitInfo> splits;           ///< in the order train, val, test; empty: none asked for
+
+  /// The surface of an object, with its links as its model file places them. Made anew at each
+  /// call.
+  /// @param object  its index in `objects`
+  [[nodiscard]] ObjectModel model(std::size_t object) const { return models(object); }
+
+  std::function<ObjectModel(std::size_t object)> models;
 };
 
 /// What a writer needs to be computed. What no writer asks for is not computed.
 struct Requirements {
-  bool instance_masks = false;      ///< SceneObject::mask
+  bool silhouettes = false;  ///< SceneObject::silhouette
+  bool visible_masks =
+      false;  ///< SceneObject::visible_mask, visible_box, pixels.visible; Scene::instance_map
+  bool visibility = false;          ///< SceneObject::pixels, visibility, truncation, silhouette_box
+  bool keypoint_states = false;     ///< Keypoint::state
+  bool class_map = false;           ///< Scene::class_map
+  bool depth = false;               ///< Scene::depth
+  bool normals = false;             ///< Scene::normals
+  bool optical_flow = false;        ///< Scene::optical_flow
   std::vector<std::string> frames;  ///< TF frames that Scene::transform must know at every scene
 };
 

@@ -4,8 +4,10 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include <opencv2/core/mat.hpp>
+#include <opencv2/core/matx.hpp>
 
 namespace synthetic_dataset {
 inline namespace v1 {
@@ -25,11 +27,20 @@ class SceneOutput {
   SceneOutput& operator=(const SceneOutput&) = delete;
   virtual ~SceneOutput();
 
-  /// An image file; the path's extension chooses the format (png, jpg).
+  /// An image file; the path's extension chooses the format (png, jpg, tiff).
   /// Pixels given more than once in a scene, by whichever writer, are encoded once and linked, so
   /// pass the scene's own cv::Mat rather than a copy.
-  /// @param image  CV_8UC1, CV_16UC1 or CV_8UC3 (blue, green, red); not changed afterwards
+  /// @param image  CV_8UC1, CV_16UC1, CV_8UC3 (blue, green, red) or, as tiff, CV_32FC1; not changed
+  ///     afterwards
   virtual void addImage(const std::string& path, const cv::Mat& image) = 0;
+
+  /// A PNG whose pixels are places in a table of colours, as segmentation datasets have it: loaders
+  /// read the numbers, people see the colours.
+  /// @param path  ends in .png
+  /// @param indices  CV_8UC1, each below the number of colours
+  /// @param palette  1 to 256 colours: blue, green, red
+  virtual void addIndexedImage(const std::string& path, const cv::Mat& indices,
+                               const std::vector<cv::Vec3b>& palette) = 0;
 
   /// A text file, its bytes as given.
   virtual void addText(const std::string& path, std::string text) = 0;
@@ -76,6 +87,18 @@ class DatasetOutput {
   /// not: the only way out of the folder, and only the user opens it.
   /// @param parameter  the name of a parameter that was read with WriterParameters::requiredFile
   virtual void addFileAtParameter(const std::string& parameter, const Content& content) = 0;
+
+  /// A file in the writer's folder that a library writes by itself, given a name.
+  /// @param write  is to make the file of the name that it is given, which is not `path`
+  virtual void addFileByName(const std::string& path,
+                             const std::function<void(const std::string& file)>& write) = 0;
+
+  /// One more name for a file that this writer made for a scene: for formats that number their
+  /// files without gaps, which only the end of a dataset knows.
+  virtual void addLink(const std::string& path, const std::string& scene_file) = 0;
+
+  /// The content of a file that this writer made for a scene.
+  [[nodiscard]] virtual std::string readFile(const std::string& scene_file) const = 0;
 };
 
 }  // namespace v1

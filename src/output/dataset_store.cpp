@@ -122,6 +122,29 @@ struct DatasetStore::Impl {
       if (!file.linked_to) counts.bytes += file.bytes;
     }
   }
+
+  void requireSceneFile(std::size_t writer, const std::string& path) {
+    if (manifest.isSceneFile(writer, path)) return;
+    throw Error("'" + path + "' is no file that the writer '" + writers[writer].name +
+                "' made for a scene");
+  }
+
+  /// @param make  makes the pending file of a path
+  template <class Make>
+  void addDatasetFile(ManifestFile file, const Make& make) {
+    manifest.announce(std::nullopt, {file});
+    try {
+      PendingFile pending = make(file.path);
+      pending.publish();
+      file.bytes = pending.size();
+      manifest.setBytes(file.path, file.bytes);
+      pending.keep();
+    } catch (...) {
+      withdrawAfterFailure(manifest, {file});
+      throw;
+    }
+    count({file});
+  }
 };
 
 DatasetStore::DatasetStore(const StoreOptions& options, std::vector<StoreWriter> writers) {
@@ -158,20 +181,32 @@ void DatasetStore::commitScene(std::int64_t index, Stamp stamp, const SceneFiles
 
 void DatasetStore::writeDatasetFile(std::size_t writer, const std::string& path,
                                     const DatasetOutput::Content& content) {
-  std::vector<ManifestFile> listed{{absolutePath(path), writer, 0, std::nullopt}};
-  ManifestFile& file = listed.front();
-  impl_->manifest.announce(std::nullopt, listed);
-  try {
-    PendingFile pending = PendingFile::withContent(file.path, content);
-    pending.publish();
-    file.bytes = pending.size();
-    impl_->manifest.setBytes(file.path, file.bytes);
-    pending.keep();
-  } catch (...) {
-    withdrawAfterFailure(impl_->manifest, listed);
-    throw;
-  }
-  impl_->count(listed);
+  impl_->addDatasetFile(
+      {absolutePath(path), writer, 0, std::nullopt},
+      [&](const std::string& file) { return PendingFile::withContent(file, content); });
+}
+
+void DatasetStore::writeDatasetFileByName(
+    std::size_t writer, const std::string& path,
+    const std::function<void(const std::string& file)>& write) {
+  impl_->addDatasetFile(
+      {absolutePath(path), writer, 0, std::nullopt},
+      [&](const std::string& file) { return PendingFile::writtenBy(file, write); });
+}
+
+void DatasetStore::linkDatasetFile(std::size_t writer, const std::string& path,
+                                   const std::string& scene_file) {
+  const std::string original = absolutePath(scene_file);
+  impl_->requireSceneFile(writer, original);
+  impl_->addDatasetFile({absolutePath(path), writer, 0, original}, [&](const std::string& file) {
+    return PendingFile::linkedToFile(original, file);
+  });
+}
+
+std::string DatasetStore::readSceneFile(std::size_t writer, const std::string& scene_file) const {
+  const std::string file = absolutePath(scene_file);
+  impl_->requireSceneFile(writer, file);
+  return readWholeFile(file);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ struct OutputFile {
   std::string path;        ///< absolute
   cv::Mat pixels;          ///< empty for a text file
   std::string text;
+  std::vector<cv::Vec3b> palette = {};  ///< not empty: the pixels are places in it
 };
 
 /// All that the writers want for one scene.
@@ -75,6 +77,18 @@ class DatasetStore {
   /// Writes one file of a dataset as a whole, streaming.
   void writeDatasetFile(std::size_t writer, const std::string& path,
                         const DatasetOutput::Content& content);
+
+  /// The same of a file that `write` makes, given the name of one that does not exist yet.
+  void writeDatasetFileByName(std::size_t writer, const std::string& path,
+                              const std::function<void(const std::string& file)>& write);
+
+  /// Gives a file of a scene one more name.
+  /// @throws Error where `scene_file` is no file that this writer made for a scene
+  void linkDatasetFile(std::size_t writer, const std::string& path, const std::string& scene_file);
+
+  /// The content of a file of a scene.
+  /// @throws Error as linkDatasetFile does
+  [[nodiscard]] std::string readSceneFile(std::size_t writer, const std::string& scene_file) const;
 
   /// The records of one writer, in scene order.
   [[nodiscard]] std::unique_ptr<SceneRecords> records(std::size_t writer) const;

@@ -17,18 +17,23 @@ std::optional<ImageFormat> imageFormat(const std::string& path) {
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   if (extension == "png") return ImageFormat::kPng;
   if (extension == "jpg" || extension == "jpeg") return ImageFormat::kJpeg;
+  if (extension == "tif" || extension == "tiff") return ImageFormat::kTiff;
   return std::nullopt;
 }
 
 std::optional<std::string> imageProblem(const std::string& path, const cv::Mat& image) {
   const std::optional<ImageFormat> format = imageFormat(path);
-  if (!format) return "an image file's name should end in .png, .jpg or .jpeg";
+  if (!format) return "an image file's name should end in .png, .jpg, .jpeg, .tif or .tiff";
   if (image.empty()) return "the image has no pixels";
   if (image.dims != 2) return "the image should have two dimensions";
   const int type = image.type();
-  if (type != CV_8UC1 && type != CV_16UC1 && type != CV_8UC3) {
+  const bool numbers = type == CV_32FC1;
+  if (type != CV_8UC1 && type != CV_16UC1 && type != CV_8UC3 && !numbers) {
     return "the pixels are " + cv::typeToString(type) +
-           "; they should be CV_8UC1, CV_16UC1 or CV_8UC3";
+           "; they should be CV_8UC1, CV_16UC1, CV_8UC3 or CV_32FC1";
+  }
+  if (numbers && *format != ImageFormat::kTiff) {
+    return "the pixels are CV_32FC1, which only TIFF has; the name should end in .tiff";
   }
   if (*format == ImageFormat::kJpeg && type == CV_16UC1) {
     return "JPEG has no 16 bit pixels; the name should end in .png";
@@ -38,13 +43,19 @@ std::optional<std::string> imageProblem(const std::string& path, const cv::Mat& 
 
 std::vector<uchar> encodeImage(const cv::Mat& image, ImageFormat format,
                                const ImageQuality& quality) {
-  const bool png = format == ImageFormat::kPng;
-  const std::vector<int> settings =
-      png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, quality.png_compression}
-          : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, quality.jpeg_quality};
+  std::string extension = ".png";
+  std::vector<int> settings = {cv::IMWRITE_PNG_COMPRESSION, quality.png_compression};
+  if (format == ImageFormat::kJpeg) {
+    extension = ".jpg";
+    settings = {cv::IMWRITE_JPEG_QUALITY, quality.jpeg_quality};
+  } else if (format == ImageFormat::kTiff) {
+    constexpr int kAdobeDeflate = 8;  // of libtiff's COMPRESSION_ADOBE_DEFLATE: readers have it
+    extension = ".tiff";
+    settings = {cv::IMWRITE_TIFF_COMPRESSION, kAdobeDeflate};
+  }
   std::vector<uchar> bytes;
   try {
-    if (cv::imencode(png ? ".png" : ".jpg", image, bytes, settings)) return bytes;
+    if (cv::imencode(extension, image, bytes, settings)) return bytes;
   } catch (const cv::Exception& exception) {
     throw Error("the image could not be encoded: " + exception.err);
   }

@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::output {
 
-enum class ImageFormat { kPng, kJpeg };
+enum class ImageFormat { kPng, kJpeg, kTiff };
 
 struct ImageQuality {
   int png_compression = 3;  ///< 0 fastest .. 9 smallest

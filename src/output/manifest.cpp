@@ -141,6 +141,13 @@ void Manifest::listScene(std::int64_t index, Stamp stamp, const SceneFiles& scen
   transaction.commit();
 }
 
+bool Manifest::isSceneFile(std::size_t writer, const std::string& path) const {
+  SqliteStatement find(database_,
+                       "SELECT 1 FROM file WHERE path = ? AND writer = ? AND scene IS NOT NULL");
+  find.start(listedPath(path), signedIndex(writer));
+  return find.step();
+}
+
 void Manifest::setBytes(const std::string& path, std::int64_t bytes) {
   SqliteStatement(database_, "UPDATE file SET bytes = ? WHERE path = ?")
       .run(bytes, listedPath(path));

@@ -42,6 +42,10 @@ class Manifest {
   /// Counts a scene as complete.
   void listScene(std::int64_t index, Stamp stamp, const SceneFiles& scene);
 
+  /// Whether a writer made this file for a scene.
+  /// @param path  absolute
+  [[nodiscard]] bool isSceneFile(std::size_t writer, const std::string& path) const;
+
   void setBytes(const std::string& path, std::int64_t bytes);
   void setComplete();
 

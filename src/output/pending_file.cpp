@@ -8,6 +8,8 @@
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <ostream>
 #include <streambuf>
 #include <system_error>
@@ -117,6 +119,13 @@ std::uint64_t hashOf(std::string_view text) {
 
 }  // namespace
 
+std::string readWholeFile(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) throw Error("cannot read '" + path + "'");
+  return bytes;
+}
+
 std::string temporaryPath(const std::string& path) {
   const std::size_t name_begin = path.rfind('/') + 1;  // 0 where there is none
   const std::string name = path.substr(name_begin);
@@ -155,6 +164,29 @@ PendingFile PendingFile::withContent(const std::string& path,
   if (!stream) failToWrite(path, "its content could not be formatted");
   pending.size_ = buffer.size();
   return pending;
+}
+
+PendingFile PendingFile::writtenBy(const std::string& path,
+                                   const std::function<void(const std::string& file)>& write) {
+  PendingFile pending(path);
+  write(pending.temporary_path_);
+  std::error_code error;
+  pending.size_ =
+      static_cast<std::int64_t>(std::filesystem::file_size(pending.temporary_path_, error));
+  if (error) failToWrite(path, error.message());
+  return pending;
+}
+
+PendingFile PendingFile::linkedToFile(const std::string& original, const std::string& path) {
+  {
+    PendingFile pending(path);
+    if (::link(original.c_str(), pending.temporary_path_.c_str()) == 0) {
+      std::error_code error;
+      pending.size_ = static_cast<std::int64_t>(std::filesystem::file_size(original, error));
+      return pending;
+    }
+  }
+  return withBytes(path, readWholeFile(original));
 }
 
 PendingFile PendingFile::linkedTo(const PendingFile& other, const std::string& path,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,14 @@ class PendingFile {
 
   /// @throws whatever `content` throws, too
   static PendingFile withContent(const std::string& path, const DatasetOutput::Content& content);
+
+  /// What `write` makes of the file whose name it is given.
+  /// @throws whatever `write` throws, too
+  static PendingFile writtenBy(const std::string& path,
+                               const std::function<void(const std::string& file)>& write);
+
+  /// The same content as a file that is there: by a hard link, or by a copy.
+  static PendingFile linkedToFile(const std::string& original, const std::string& path);
 
   /// The same content as another file that is not published yet: by a hard link, or by a copy where
   /// the file system has none.
@@ -50,6 +59,9 @@ class PendingFile {
   std::int64_t size_ = 0;
   State state_ = State::kTemporary;
 };
+
+/// @throws Error naming the path and why it cannot be read
+[[nodiscard]] std::string readWholeFile(const std::string& path);
 
 /// The name that a file has until it is complete: hidden, in the same folder, and never longer than
 /// a file system allows.

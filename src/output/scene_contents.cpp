@@ -2,20 +2,30 @@
 
 #include <map>
 #include <tuple>
+#include <utility>
 
+#include "output/indexed_png.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
 namespace {
 
-/// What two images have in common that have the same pixels and the same format.
-auto keyOf(const cv::Mat& pixels, ImageFormat format) {
+/// What two images have in common that have the same pixels, colours and format.
+auto keyOf(const OutputFile& file, ImageFormat format) {
+  std::vector<uchar> colours;
+  for (const cv::Vec3b& colour : file.palette) {
+    colours.insert(colours.end(), {colour[0], colour[1], colour[2]});
+  }
+  const cv::Mat& pixels = file.pixels;
   return std::make_tuple(pixels.data, pixels.rows, pixels.cols, pixels.step[0], pixels.type(),
-                         format);
+                         format, std::move(colours));
 }
 
 SceneContent encoded(const OutputFile& file, const ImageQuality& quality) {
   try {
+    if (!file.palette.empty()) {
+      return {encodeIndexedPng(file.pixels, file.palette, quality.png_compression), {}, {}};
+    }
     if (const auto problem = imageProblem(file.path, file.pixels)) throw Error(*problem);
     return {encodeImage(file.pixels, *imageFormat(file.path), quality), {}, {}};
   } catch (const Error& error) {
@@ -34,7 +44,7 @@ std::string_view SceneContent::bytes() const {
 
 std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
                                       const ImageQuality& quality) {
-  using Key = decltype(keyOf(cv::Mat(), ImageFormat::kPng));
+  using Key = decltype(keyOf(OutputFile(), ImageFormat::kPng));
   std::map<Key, std::size_t> known;
   std::vector<SceneContent> contents;
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -45,7 +55,7 @@ std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
     }
     const std::optional<ImageFormat> format = imageFormat(file.path);
     if (format) {
-      const auto [place, is_new] = known.try_emplace(keyOf(file.pixels, *format), contents.size());
+      const auto [place, is_new] = known.try_emplace(keyOf(file, *format), contents.size());
       if (!is_new) {
         contents[place->second].files.push_back(i);
         continue;

@@ -33,12 +33,18 @@ ReadyWriter makeReady(WriterLoader& loader, const WriterChoice& choice,
   return {choice.type, std::move(parameters), std::move(instance), std::move(requirements)};
 }
 
+constexpr bool Requirements::*kFlags[] = {
+    &Requirements::silhouettes,     &Requirements::visible_masks, &Requirements::visibility,
+    &Requirements::keypoint_states, &Requirements::class_map,     &Requirements::depth,
+    &Requirements::normals,         &Requirements::optical_flow};
+
 Requirements merged(const std::vector<ReadyWriter>& writers) {
   Requirements all;
   std::set<std::string> frames;
   for (const ReadyWriter& writer : writers) {
-    all.instance_masks = all.instance_masks || writer.requirements.instance_masks;
-    frames.insert(writer.requirements.frames.begin(), writer.requirements.frames.end());
+    const Requirements& own = writer.requirements;
+    for (const auto flag : kFlags) all.*flag = all.*flag || own.*flag;
+    frames.insert(own.frames.begin(), own.frames.end());
   }
   all.frames.assign(frames.begin(), frames.end());
   return all;

@@ -4,6 +4,7 @@
 
 #include "output/file_name_rules.h"
 #include "output/image_encoder.h"
+#include "output/indexed_png.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::writers {
@@ -11,10 +12,15 @@ namespace synthetic_dataset::writers {
 ClaimedPaths::ClaimedPaths(std::string folder) : folder_(std::move(folder)) {}
 
 std::string ClaimedPaths::claim(const std::string& path) {
+  std::string file = absolute(path);
+  if (!claimed_.insert(path).second) throw Error("the path '" + path + "' was used twice");
+  return file;
+}
+
+std::string ClaimedPaths::absolute(const std::string& path) const {
   if (const auto problem = output::relativePathProblem(path)) {
     throw Error("the path '" + path + "' cannot be used: " + *problem);
   }
-  if (!claimed_.insert(path).second) throw Error("the path '" + path + "' was used twice");
   return folder_ + path;
 }
 
@@ -32,11 +38,20 @@ void GatheringSceneOutput::addImage(const std::string& path, const cv::Mat& imag
   if (const auto problem = output::imageProblem(path, image)) {
     throw Error("the image '" + path + "' cannot be written: " + *problem);
   }
-  files_.files.push_back({writer_, std::move(file), image, {}});
+  files_.files.push_back({writer_, std::move(file), image, {}, {}});
+}
+
+void GatheringSceneOutput::addIndexedImage(const std::string& path, const cv::Mat& indices,
+                                           const std::vector<cv::Vec3b>& palette) {
+  std::string file = paths_.claim(path);
+  if (const auto problem = output::indexedImageProblem(path, indices, palette)) {
+    throw Error("the image '" + path + "' cannot be written: " + *problem);
+  }
+  files_.files.push_back({writer_, std::move(file), indices, {}, palette});
 }
 
 void GatheringSceneOutput::addText(const std::string& path, std::string text) {
-  files_.files.push_back({writer_, paths_.claim(path), {}, std::move(text)});
+  files_.files.push_back({writer_, paths_.claim(path), {}, std::move(text), {}});
 }
 
 void GatheringSceneOutput::addRecord(std::string record) {
@@ -66,6 +81,19 @@ void StoringDatasetOutput::addFileAtParameter(const std::string& parameter,
                 "\"): no parameter of this name was read with requiredFile");
   }
   store_.writeDatasetFile(writer_, file->second, content);
+}
+
+void StoringDatasetOutput::addFileByName(
+    const std::string& path, const std::function<void(const std::string& file)>& write) {
+  store_.writeDatasetFileByName(writer_, paths_.claim(path), write);
+}
+
+void StoringDatasetOutput::addLink(const std::string& path, const std::string& scene_file) {
+  store_.linkDatasetFile(writer_, paths_.claim(path), paths_.absolute(scene_file));
+}
+
+std::string StoringDatasetOutput::readFile(const std::string& scene_file) const {
+  return store_.readSceneFile(writer_, paths_.absolute(scene_file));
 }
 
 }  // namespace synthetic_dataset::writers

@@ -19,6 +19,9 @@ class ClaimedPaths {
   /// @throws Error for a path that leads out of the folder or was claimed before
   [[nodiscard]] std::string claim(const std::string& path);
 
+  /// The same without claiming it.
+  [[nodiscard]] std::string absolute(const std::string& path) const;
+
  private:
   std::string folder_;
   std::set<std::string> claimed_;
@@ -33,6 +36,8 @@ class GatheringSceneOutput : public SceneOutput {
                        output::SceneFiles& files, std::vector<std::string>& warnings);
 
   void addImage(const std::string& path, const cv::Mat& image) override;
+  void addIndexedImage(const std::string& path, const cv::Mat& indices,
+                       const std::vector<cv::Vec3b>& palette) override;
   void addText(const std::string& path, std::string text) override;
   void addRecord(std::string record) override;
   void addWarning(const std::string& kind) override;
@@ -55,6 +60,10 @@ class StoringDatasetOutput : public DatasetOutput {
 
   void addFile(const std::string& path, const Content& content) override;
   void addFileAtParameter(const std::string& parameter, const Content& content) override;
+  void addFileByName(const std::string& path,
+                     const std::function<void(const std::string& file)>& write) override;
+  void addLink(const std::string& path, const std::string& scene_file) override;
+  [[nodiscard]] std::string readFile(const std::string& scene_file) const override;
 
  private:
   std::size_t writer_;

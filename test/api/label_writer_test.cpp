@@ -13,6 +13,8 @@ using ::testing::ThrowsMessage;
 class NullOutput : public SceneOutput {
  public:
   void addImage(const std::string&, const cv::Mat&) override {}
+  void addIndexedImage(const std::string&, const cv::Mat&, const std::vector<cv::Vec3b>&) override {
+  }
   void addText(const std::string&, std::string) override {}
   void addRecord(std::string) override {}
   void addWarning(const std::string&) override {}
@@ -30,10 +32,7 @@ class OddWriter : public LabelWriter {
 
 WriterParameters parameters() { return {Parameters(Value::Map{}), "mine", "/tmp/mine/"}; }
 
-Scene emptyScene() {
-  const CameraModel camera(4, 4, {1, 1, 2, 2}, 0.1, 10);
-  return {0, "00000000", "camera", Stamp(0), camera, Pose::Identity(), {}, {}, {}};
-}
+Scene emptyScene() { return Scene(CameraModel(4, 4, {1, 1, 2, 2}, 0.1, 10)); }
 
 TEST(LabelWriter, AddsItsNameToWhateverIsThrown) {
   NullOutput output;
@@ -59,7 +58,7 @@ TEST(LabelWriter, KeepsItsLifeCycle) {
 TEST(LabelWriter, NeedsNothingUnlessItSaysSo) {
   ThrowingWriter writer;
   writer.initialize(parameters(), {});
-  EXPECT_FALSE(writer.requirements().instance_masks);
+  EXPECT_FALSE(writer.requirements().silhouettes);
   EXPECT_TRUE(writer.requirements().frames.empty());
 }
 

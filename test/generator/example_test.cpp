@@ -48,7 +48,7 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   render::Renderer renderer(setup.world->description(), setup.world->links(), {});
   const std::vector<config::ObjectConfig>& objects = setup.config.objects;
   Requirements masks;
-  masks.instance_masks = true;
+  masks.silhouettes = true;
   const config::MaskConfig& mog2 = setup.config.masks;
   SceneMaker maker(*setup.world, renderer, *setup.recording, setup.cameras,
                    setup.config.global_frame, *setup.shapes, masks,
@@ -70,7 +70,7 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
           renderer.labels({scene.camera, scene.X_GC}, setup.world->linkPoses(), alone).ids ==
           static_cast<int>(i + 1);
       const SceneObject& object = scene.objects[i];
-      const double overlap = intersectionOverUnion(object.mask, exact);
+      const double overlap = intersectionOverUnion(object.silhouette, exact);
       worst[i] = std::min(worst[i], overlap);
       sum[i] += overlap;
       std::vector<cv::Point> pixels;

@@ -9,30 +9,38 @@ namespace synthetic_dataset {
 void PluginTest::SetUpTestSuite() { test::preparePluginEnvironment(); }
 
 writers::WriterHost& PluginTest::load(const Value::Map& parameters) {
-  DatasetInfo dataset;
-  dataset.global_frame = "map";
-  dataset.cameras = {{"camera", "camera/optical_link", 640, 480}};
   parameters_ = Parameters(parameters, "w");
   host_ = std::make_unique<writers::WriterHost>(
-      std::vector<writers::WriterChoice>{{"w", type_, folder(), parameters_}}, dataset,
+      std::vector<writers::WriterChoice>{{"w", type_, folder(), parameters_}}, dataset_,
       std::vector<std::string>{test::pluginXml()});
   return *host_;
 }
 
 Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
-  const CameraModel camera(640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0);
-  return {index,
-          sceneNumber(index),
-          "camera",
-          Stamp{index},
-          camera,
-          Pose::Identity(),
-          cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(50)),
-          std::move(objects),
-          [](const std::string& target, const std::string& source) -> Pose {
-            throw Error("no transform from " + source + " to " + target);
-          }};
+  Scene scene(camera());
+  scene.index = index;
+  scene.instant = index;
+  scene.name = sceneNumber(index);
+  scene.camera_name = "camera";
+  scene.stamp = Stamp{index};
+  scene.image = cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(50));
+  scene.instance_map = cv::Mat(480, 640, CV_16UC1, cv::Scalar(0));
+  scene.class_map = cv::Mat(480, 640, CV_16UC1, cv::Scalar(0));
+  scene.depth = cv::Mat(480, 640, CV_32FC1, cv::Scalar(0));
+  for (SceneObject& each : objects) {
+    each.instance = static_cast<int>(scene.objects.size()) + 1;
+    scene.instance_map.setTo(each.instance, each.visible_mask);
+    scene.class_map.setTo(each.class_id + 1, each.visible_mask);
+    scene.depth.setTo(each.X_CO.translation().z(), each.visible_mask);
+    scene.objects.push_back(std::move(each));
+  }
+  scene.lookup = [](const std::string& target, const std::string& source) -> Pose {
+    throw Error("no transform from " + source + " to " + target);
+  };
+  return scene;
 }
+
+CameraModel PluginTest::camera() { return {640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0}; }
 
 SceneObject PluginTest::object(const std::string& name) {
   SceneObject object;
@@ -42,8 +50,31 @@ SceneObject PluginTest::object(const std::string& name) {
   object.X_GO.translation() = Eigen::Vector3d(0.0, 0.0, 10.0);
   object.X_CO = object.X_GO;
   object.in_view = true;
-  object.mask = cv::Mat(480, 640, CV_8UC1, cv::Scalar(0));
+  object.silhouette = cv::Mat(480, 640, CV_8UC1, cv::Scalar(0));
+  object.visible_mask = cv::Mat(480, 640, CV_8UC1, cv::Scalar(0));
   return object;
+}
+
+SceneObject PluginTest::seen(const std::string& name, const cv::Rect& pixels) {
+  SceneObject object = PluginTest::object(name);
+  object.cuboid_O = {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
+  const cv::Rect visible = pixels & cv::Rect(0, 0, 640, 480);
+  object.silhouette(visible).setTo(255);
+  object.visible_mask(visible).setTo(255);
+  const auto edges = [](const cv::Rect& r) {
+    return Box{r.x - 0.5, r.y - 0.5, r.br().x - 0.5, r.br().y - 0.5};
+  };
+  object.loose_box = object.silhouette_box = edges(pixels);
+  if (!visible.empty()) object.visible_box = edges(visible);
+  object.pixels = {pixels.area(), visible.area(), visible.area()};
+  object.visibility = static_cast<double>(visible.area()) / pixels.area();
+  object.truncation = 1.0 - object.visibility;
+  return object;
+}
+
+PluginTest::PluginTest(std::string type) : type_(std::move(type)) {
+  dataset_.global_frame = "map";
+  dataset_.cameras = {{"camera", "camera/optical_link", camera()}};
 }
 
 std::map<std::string, std::string> PluginTest::filesOf(const Scene& scene) const {
@@ -52,9 +83,9 @@ std::map<std::string, std::string> PluginTest::filesOf(const Scene& scene) const
     std::string content = file.text;
     if (file.pixels.data == scene.image.data) content = "<image>";
     for (const SceneObject& object : scene.objects) {
-      if (!file.pixels.empty() && file.pixels.data == object.mask.data) {
-        content = "<mask " + object.name + ">";
-      }
+      if (file.pixels.empty()) continue;
+      if (file.pixels.data == object.silhouette.data) content = "<silhouette " + object.name + ">";
+      if (file.pixels.data == object.visible_mask.data) content = "<visible " + object.name + ">";
     }
     files[file.path.substr(folder().size())] = content;
   }

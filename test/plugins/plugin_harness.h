@@ -18,7 +18,7 @@ namespace synthetic_dataset {
 /// global frame's z axis from its origin.
 class PluginTest : public testing::Test {
  protected:
-  explicit PluginTest(std::string type) : type_(std::move(type)) {}
+  explicit PluginTest(std::string type);
 
   static void SetUpTestSuite();
 
@@ -27,10 +27,18 @@ class PluginTest : public testing::Test {
 
   [[nodiscard]] static Scene scene(std::int64_t index, std::vector<SceneObject> objects);
 
-  /// An object at p_GO = (0, 0, 10) without turn, in view, with a mask of its own.
+  [[nodiscard]] static CameraModel camera();
+
+  /// An object at p_GO = (0, 0, 10) without turn, in view, with empty masks of its own.
   [[nodiscard]] static SceneObject object(const std::string& name);
 
-  /// What became of a scene: path in the writer's folder to text, or to "<image>" / "<mask NAME>".
+  /// The same with all measures of one that covers these pixels and no other object hides; a cube
+  /// of one metre.
+  [[nodiscard]] static SceneObject seen(const std::string& name, const cv::Rect& pixels);
+
+  /// What became of a scene: path in the writer's folder to text, or to "<image>", "<silhouette
+  /// NAME>",
+  /// "<visible NAME>".
   [[nodiscard]] std::map<std::string, std::string> filesOf(const Scene& scene) const;
 
   /// Runs these scenes and the end of the dataset.
@@ -39,6 +47,7 @@ class PluginTest : public testing::Test {
   [[nodiscard]] std::string folder() const { return (folder_ / "w/").string(); }
 
   test::TemporaryFolder folder_;
+  DatasetInfo dataset_;  ///< that the writer is told of; with the camera alone unless a test adds
   Parameters parameters_{Value::Map{}};
   std::unique_ptr<writers::WriterHost> host_;
 

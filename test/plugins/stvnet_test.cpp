@@ -59,12 +59,13 @@ TEST_F(StvNet, WritesTheIdAloneWithoutKeypoints) {
 
 TEST_F(StvNet, GivesEveryObjectAFolderWithImageMaskAndLabel) {
   load({});
-  EXPECT_THAT(
-      filesOf(scene(3, {keyed("a", {}), keyed("b", {})})),
-      ElementsAre(
-          Pair("a/JPEGImages/00000003.png", "<image>"), Pair("a/labels/00000003.txt", "a_id \n"),
-          Pair("a/mask/00000003.png", "<mask a>"), Pair("b/JPEGImages/00000003.png", "<image>"),
-          Pair("b/labels/00000003.txt", "b_id \n"), Pair("b/mask/00000003.png", "<mask b>")));
+  EXPECT_THAT(filesOf(scene(3, {keyed("a", {}), keyed("b", {})})),
+              ElementsAre(Pair("a/JPEGImages/00000003.png", "<image>"),
+                          Pair("a/labels/00000003.txt", "a_id \n"),
+                          Pair("a/mask/00000003.png", "<silhouette a>"),
+                          Pair("b/JPEGImages/00000003.png", "<image>"),
+                          Pair("b/labels/00000003.txt", "b_id \n"),
+                          Pair("b/mask/00000003.png", "<silhouette b>")));
 }
 
 TEST_F(StvNet, WritesNothingForAnObjectOutOfView) {
@@ -82,7 +83,7 @@ TEST_F(StvNet, LeavesOutAnObjectWithAKeypointBehindTheCameraAndWarns) {
               ElementsAre(HasSubstr("writer 'w': a: a keypoint is behind the camera")));
 }
 
-TEST_F(StvNet, NeedsMasks) { EXPECT_TRUE(load({}).requirements().instance_masks); }
+TEST_F(StvNet, NeedsMasks) { EXPECT_TRUE(load({}).requirements().silhouettes); }
 
 TEST_F(StvNet, IgnoresTheOriginalsTimeout) {
   load({{"tf_timeout", 1.0}});

@@ -93,7 +93,7 @@ TEST_F(Yolo, ListsAllImagesInSceneOrder) {
       folder() + "00000000.png\n" + folder() + "00000001.png\n" + folder() + "00000010.png\n");
 }
 
-TEST_F(Yolo, NeedsNoMasks) { EXPECT_FALSE(load(parameters()).requirements().instance_masks); }
+TEST_F(Yolo, NeedsNoMasks) { EXPECT_FALSE(load(parameters()).requirements().silhouettes); }
 
 TEST_F(Yolo, NeedsAMainList) {
   load({});

@@ -21,7 +21,7 @@ class MisbehavingWriter : public LabelWriter {
 
   [[nodiscard]] Requirements doRequirements() const override {
     Requirements requirements;
-    requirements.instance_masks = fault_ == "greedy";
+    requirements.silhouettes = fault_ == "greedy";
     requirements.frames = frames_;
     return requirements;
   }

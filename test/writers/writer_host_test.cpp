@@ -18,16 +18,11 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 Scene emptyScene() {
-  const CameraModel camera(64, 48, {50.0, 50.0, 32.0, 24.0}, 0.05, 100.0);
-  return {0,
-          "00000000",
-          "camera",
-          Stamp{0},
-          camera,
-          Pose::Identity(),
-          cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(7)),
-          {},
-          {}};
+  Scene scene(CameraModel(64, 48, {50.0, 50.0, 32.0, 24.0}, 0.05, 100.0));
+  scene.name = "00000000";
+  scene.camera_name = "camera";
+  scene.image = cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(7));
+  return scene;
 }
 
 class WriterHostTest : public testing::Test {
@@ -105,13 +100,13 @@ TEST_F(WriterHostTest, MergesRequirements) {
   const WriterHost host =
       makeHost({choice("a", {{"frames", Value::List{"odom", "base"}}}),
                 choice("b", {{"fault", "greedy"}, {"frames", Value::List{"map", "base"}}})});
-  EXPECT_TRUE(host.requirements().instance_masks);
+  EXPECT_TRUE(host.requirements().silhouettes);
   EXPECT_THAT(host.requirements().frames, ElementsAre("base", "map", "odom"));
 }
 
 TEST_F(WriterHostTest, AsksForNothingThatNoWriterNeeds) {
   const WriterHost host = makeHost({choice("a", {})});
-  EXPECT_FALSE(host.requirements().instance_masks);
+  EXPECT_FALSE(host.requirements().silhouettes);
   EXPECT_THAT(host.requirements().frames, IsEmpty());
 }
 

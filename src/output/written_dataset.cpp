@@ -1,0 +1,58 @@
+#include "output/written_dataset.h"
+
+#include "output/manifest.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::output {
+
+WrittenDataset::WrittenDataset(const std::filesystem::path& folder)
+    : folder_(std::filesystem::absolute(folder)),
+      database_(manifestFile(folder_.string()), SqliteDatabase::Mode::kExisting) {
+  SqliteStatement rows(
+      database_, "SELECT \"index\", name, type, output_folder FROM writer ORDER BY \"index\"");
+  for (rows.start(); rows.step();) {
+    writers_.push_back(
+        {rows.integer(0), rows.text(1), rows.text(2), (folder_ / rows.text(3)).lexically_normal()});
+  }
+  SqliteStatement cameras(database_, "SELECT count(DISTINCT camera) FROM scene");
+  cameras.start();
+  if (cameras.step()) camera_count_ = std::max<std::int64_t>(1, cameras.integer(0));
+}
+
+std::int64_t WrittenDataset::middleScene() const {
+  SqliteStatement scenes(database_,
+                         "SELECT \"index\" FROM scene ORDER BY \"index\" LIMIT 1 OFFSET "
+                         "(SELECT count(*) / 2 FROM scene)");
+  scenes.start();
+  if (!scenes.step()) throw Error("'" + folder_.string() + "': the dataset has no scenes");
+  return scenes.integer(0);
+}
+
+WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
+  SqliteStatement scenes(database_, "SELECT camera FROM scene WHERE \"index\" = ?");
+  scenes.start(index);
+  if (!scenes.step()) {
+    SqliteStatement last(database_, "SELECT coalesce(max(\"index\"), -1) FROM scene");
+    last.start();
+    last.step();
+    throw Error("found the scene " + std::to_string(index) + "; the dataset has 0 to " +
+                std::to_string(last.integer(0)));
+  }
+  const std::int64_t instant = index / camera_count_;
+  const std::string camera = camera_count_ > 1 ? scenes.text(0) + "/" : "";
+  return {camera + sceneNumber(instant), instant};
+}
+
+std::vector<std::filesystem::path> WrittenDataset::files(const WrittenWriter& writer,
+                                                         std::int64_t scene) const {
+  SqliteStatement rows(database_,
+                       "SELECT path FROM file WHERE writer = ? AND scene = ? ORDER BY path");
+  std::vector<std::filesystem::path> files;
+  for (rows.start(writer.index, scene); rows.step();) {
+    files.push_back((folder_ / rows.text(0)).lexically_normal());
+  }
+  return files;
+}
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "output/sqlite.h"
+
+namespace synthetic_dataset::output {
+
+/// A writer as a manifest lists it.
+struct WrittenWriter {
+  std::int64_t index = 0;
+  std::string name;
+  std::string type;
+  std::filesystem::path folder;  ///< absolute
+};
+
+/// A scene as a manifest lists it.
+struct WrittenSceneRow {
+  std::string name;          ///< Scene::name
+  std::int64_t instant = 0;  ///< Scene::instant
+};
+
+/// A dataset that a run has written, as its manifest lists it.
+class WrittenDataset {
+ public:
+  /// @param folder  of the manifest
+  /// @throws Error when there is none or it cannot be read
+  explicit WrittenDataset(const std::filesystem::path& folder);
+
+  [[nodiscard]] const std::vector<WrittenWriter>& writers() const { return writers_; }
+
+  /// The index of a scene in the middle. @throws Error when the dataset has no scene
+  [[nodiscard]] std::int64_t middleScene() const;
+
+  /// @throws Error when the dataset has no scene of this index
+  [[nodiscard]] WrittenSceneRow scene(std::int64_t index) const;
+
+  /// The files that a writer made of a scene: absolute, in alphabetical order.
+  [[nodiscard]] std::vector<std::filesystem::path> files(const WrittenWriter& writer,
+                                                         std::int64_t scene) const;
+
+ private:
+  std::filesystem::path folder_;
+  SqliteDatabase database_;
+  std::vector<WrittenWriter> writers_;
+  std::int64_t camera_count_ = 1;
+};
+
+}  // namespace synthetic_dataset::output

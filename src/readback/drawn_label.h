@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "synthetic_dataset/box.h"
+
+namespace synthetic_dataset::readback {
+
+/// One object as a format's files have it, in OpenCV's pixel coordinates: a pixel's centre is
+/// whole.
+struct DrawnLabel {
+  std::string caption;  ///< its class, and what else the format says
+  std::optional<Box> box;
+  cv::Mat mask;                                    ///< CV_8UC1; empty: none
+  std::vector<std::vector<cv::Point2d>> polygons;  ///< closed
+  std::vector<cv::Point2d> keypoints;              ///< that are to be seen
+  std::vector<cv::Point2d> hidden_keypoints;       ///< that are said to be hidden
+  std::vector<std::array<cv::Point2d, 2>> lines;   ///< edges of cuboids, skeletons, axes
+};
+
+/// A scene's image with its labels, as one format's files have them.
+struct LabelledPicture {
+  cv::Mat image;  ///< CV_8UC3
+  std::vector<DrawnLabel> labels;
+};
+
+/// What a writer made of one scene.
+struct WrittenScene {
+  std::filesystem::path folder;              ///< the writer's, absolute
+  std::string name;                          ///< Scene::name: "00000012", "front/00000012"
+  std::int64_t instant = 0;                  ///< the place of its time, from 0
+  std::vector<std::filesystem::path> files;  ///< of this scene, absolute, in alphabetical order
+
+  /// The file whose path below `folder` ends in `end`; the first of several.
+  /// @throws Error when there is none
+  [[nodiscard]] std::filesystem::path file(const std::string& end) const;
+};
+
+}  // namespace synthetic_dataset::readback

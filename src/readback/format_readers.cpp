@@ -1,0 +1,42 @@
+#include "readback/format_readers.h"
+
+#include <map>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::readback {
+namespace {
+
+const std::map<std::string, FormatReader>& readers() {
+  static const std::map<std::string, FormatReader> kReaders = {
+      {"synthetic_dataset/StvNet", readStvNet},
+      {"synthetic_dataset/Yolo", readYolo},
+  };
+  return kReaders;
+}
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}  // namespace
+
+std::filesystem::path WrittenScene::file(const std::string& end) const {
+  for (const std::filesystem::path& each : files) {
+    if (endsWith(each.string(), end)) return each;
+  }
+  throw Error("'" + folder.string() + "': scene " + name + " has no file '..." + end + "'");
+}
+
+FormatReader readerOf(const std::string& writer_type) {
+  const auto found = readers().find(writer_type);
+  return found == readers().end() ? nullptr : found->second;
+}
+
+std::vector<std::string> readableTypes() {
+  std::vector<std::string> types;
+  for (const auto& [type, reader] : readers()) types.push_back(type);
+  return types;
+}
+
+}  // namespace synthetic_dataset::readback

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "readback/drawn_label.h"
+
+namespace synthetic_dataset::readback {
+
+/// Reads what a writer made of a scene from its files alone.
+/// @throws Error naming the file that is missing or not as the format has it
+using FormatReader = LabelledPicture (*)(const WrittenScene& scene);
+
+/// The reader for a type of writer, as the manifest has it ("synthetic_dataset/Yolo"); null where
+/// the type is unknown or holds nothing to draw.
+[[nodiscard]] FormatReader readerOf(const std::string& writer_type);
+
+/// The types that have readers, in alphabetical order.
+[[nodiscard]] std::vector<std::string> readableTypes();
+
+// Each in its own file, <format>_reader.cpp.
+[[nodiscard]] LabelledPicture readStvNet(const WrittenScene& scene);
+[[nodiscard]] LabelledPicture readYolo(const WrittenScene& scene);
+
+}  // namespace synthetic_dataset::readback

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "readback/drawn_label.h"
+
+namespace synthetic_dataset::readback {
+
+/// The picture with its labels on it, for the eye: tinted masks, outlines, boxes with captions,
+/// lines, keypoints (hollow where they are hidden).
+[[nodiscard]] cv::Mat drawLabels(const LabelledPicture& picture);
+
+}  // namespace synthetic_dataset::readback
