@@ -36,6 +36,11 @@ struct Part {
   bool casts_shadow = true;
 };
 
+/// Whether labels leave the part out: the world's glass does not hide what is behind it.
+[[nodiscard]] inline bool seenThroughInLabels(const Part& part) {
+  return part.transparent && part.identifier == 0;
+}
+
 /// All that can be drawn, uploaded once.
 class DrawList {
  public:

@@ -61,33 +61,21 @@ cv::Vec3f lightAt(const cv::Mat& drawn, cv::Point2f place) {
   return light;
 }
 
-cv::Point nearestPixel(const cv::Mat& drawn, cv::Point2f place) {
-  return {std::clamp(static_cast<int>(std::lround(place.x)), 0, drawn.cols - 1),
-          std::clamp(static_cast<int>(std::lround(place.y)), 0, drawn.rows - 1)};
+cv::Point nearestPixel(const cv::Size& face, cv::Point2f place) {
+  return {std::clamp(static_cast<int>(std::lround(place.x)), 0, face.width - 1),
+          std::clamp(static_cast<int>(std::lround(place.y)), 0, face.height - 1)};
 }
 
-/// A surface's depth at a place: on a plane 1 / z is linear over a pinhole's image. Where the four
-/// pixels about the place are not of one plane, the depth of the nearest.
-float depthAt(const LabelImages& drawn, cv::Point2f place, cv::Point nearest) {
-  constexpr float kFlat = 1e-4F;  // how far 1 / z may be from linear, in proportion
-  const float at_nearest = drawn.depth.at<float>(nearest);
-  const int u = static_cast<int>(std::floor(place.x));
-  const int v = static_cast<int>(std::floor(place.y));
-  if (u < 0 || v < 0 || u + 1 >= drawn.depth.cols || v + 1 >= drawn.depth.rows) return at_nearest;
-  float inverse[4];
-  for (int i = 0; i < 4; ++i) {
-    const cv::Point corner(u + i % 2, v + i / 2);
-    const bool same = drawn.ids.at<int>(corner) == drawn.ids.at<int>(nearest);
-    if (!same || drawn.depth.at<float>(corner) <= 0.0F) return at_nearest;
-    inverse[i] = 1.0F / drawn.depth.at<float>(corner);
-  }
-  if (std::abs(inverse[0] + inverse[3] - inverse[1] - inverse[2]) > kFlat * inverse[0]) {
-    return at_nearest;
-  }
-  const float a = place.x - static_cast<float>(u);
-  const float b = place.y - static_cast<float>(v);
-  return 1.0F / ((1.0F - b) * ((1.0F - a) * inverse[0] + a * inverse[1]) +
-                 b * ((1.0F - a) * inverse[2] + a * inverse[3]));
+/// The depth at a place of the plane that the nearest pixel sees: 1 / z is linear over the image.
+double depthAt(const LabelImages& drawn, cv::Point2f place, cv::Point nearest,
+               const CameraModel& face) {
+  const auto depth = static_cast<double>(drawn.depth.at<float>(nearest));
+  const auto& slope = drawn.slopes.at<cv::Vec2f>(nearest);
+  const cv::Point2f step = place - cv::Point2f(nearest);
+  const double inverse = 1.0 / depth + static_cast<double>(slope[0] * step.x + slope[1] * step.y);
+  // A plane seen edge-on may not reach as far as the place.
+  if (!(inverse > 1.0 / face.far() && inverse < 1.0 / face.near())) return depth;
+  return 1.0 / inverse;
 }
 
 }  // namespace
@@ -147,24 +135,44 @@ void resampleCentres(const LensMap& map, std::size_t face, const cv::Mat& drawn,
   const LensFace& f = map.faces[face];
   forEachPixel(map, face, region, [&](int u, int v) {
     const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
-    picture.at<cv::Vec3b>(v, u) = drawn.at<cv::Vec3b>(nearestPixel(drawn, place));
+    picture.at<cv::Vec3b>(v, u) = drawn.at<cv::Vec3b>(nearestPixel(drawn.size(), place));
+  });
+}
+
+void resampleMask(const LensMap& map, std::size_t face, const cv::Mat& drawn,
+                  const cv::Rect& needed, const cv::Rect& region, cv::Mat& mask) {
+  const LensFace& f = map.faces[face];
+  const cv::Size size(f.camera.width(), f.camera.height());
+  forEachPixel(map, face, region, [&](int u, int v) {
+    const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
+    const cv::Point nearest = nearestPixel(size, place) - needed.tl();
+    mask.at<std::uint8_t>(v - region.y, u - region.x) = drawn.at<std::uint8_t>(nearest);
   });
 }
 
 void resampleLabels(const LensMap& map, std::size_t face, const LabelImages& drawn,
                     LabelImages& labels) {
   const LensFace& f = map.faces[face];
-  const Eigen::RowVector3d axis_F = f.X_CF.linear().row(2);  // the lens's axis, in the face's frame
+  const Eigen::Matrix3d R_CF = f.X_CF.linear();
   const Intrinsics& k = f.camera.intrinsics();
   forEachPixel(map, face, {0, 0, map.face.cols, map.face.rows}, [&](int u, int v) {
     const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
-    const cv::Point nearest = nearestPixel(drawn.ids, place);
+    const cv::Point nearest = nearestPixel(drawn.ids.size(), place);
     labels.ids.at<int>(v, u) = drawn.ids.at<int>(nearest);
+    if (!labels.links.empty()) labels.links.at<int>(v, u) = drawn.links.at<int>(nearest);
+    if (!labels.normals.empty()) {
+      const Eigen::Vector3f n_C =
+          R_CF.cast<float>() * Eigen::Vector3f(drawn.normals.at<cv::Vec3f>(nearest).val);
+      labels.normals.at<cv::Vec3f>(v, u) = {n_C.x(), n_C.y(), n_C.z()};
+    }
     if (drawn.depth.at<float>(nearest) == 0.0F) return;
     const Eigen::Vector3d ray_F((static_cast<double>(place.x) - k.cx) / k.fx,
                                 (static_cast<double>(place.y) - k.cy) / k.fy, 1.0);
-    const double depth = static_cast<double>(depthAt(drawn, place, nearest)) * axis_F.dot(ray_F);
-    labels.depth.at<float>(v, u) = static_cast<float>(depth);
+    const double depth_F = depthAt(drawn, place, nearest, f.camera);
+    labels.depth.at<float>(v, u) = static_cast<float>(depth_F * R_CF.row(2).dot(ray_F));
+    if (!labels.range.empty()) {
+      labels.range.at<float>(v, u) = static_cast<float>(depth_F * ray_F.norm());
+    }
   });
 }
 

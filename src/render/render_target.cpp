@@ -28,6 +28,11 @@ void checkComplete(const GlFunctions& gl, const GlFramebuffer& framebuffer) {
   }
 }
 
+/// The label shader's outputs.
+enum LabelOutput { kIds, kDepths, kLinks, kNormals, kSlopes };
+
+GLenum attachment(std::size_t output) { return GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output); }
+
 }  // namespace
 
 ColourTarget::ColourTarget(const GlFunctions& gl, int width, int height, int samples)
@@ -65,7 +70,7 @@ cv::Mat ColourTarget::read() const {
   return image;
 }
 
-LabelTarget::LabelTarget(const GlFunctions& gl, int width, int height)
+LabelTarget::LabelTarget(const GlFunctions& gl, int width, int height, const LabelPlanes& planes)
     : gl_(gl),
       width_(width),
       height_(height),
@@ -73,33 +78,82 @@ LabelTarget::LabelTarget(const GlFunctions& gl, int width, int height)
       depth_(makePlane(gl, GL_R32F, width, height)),
       depth_buffer_(makePlane(gl, GL_DEPTH_COMPONENT32F, width, height)),
       framebuffer_(makeFramebuffer(gl)) {
-  constexpr std::array<GLenum, 2> kOutputs = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  if (planes.links) links_ = makePlane(gl, GL_R32UI, width, height);
+  if (planes.normals) normals_ = makePlane(gl, GL_RGBA32F, width, height);
+  if (planes.slopes) slopes_ = makePlane(gl, GL_RG32F, width, height);
+  const std::array<const GlTexture*, 5> textures = {&ids_, &depth_, &links_, &normals_, &slopes_};
+  std::array<GLenum, 5> outputs{};
   const GLuint name = framebuffer_.name();
-  gl.NamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, ids_.name(), 0);
-  gl.NamedFramebufferTexture(name, GL_COLOR_ATTACHMENT1, depth_.name(), 0);
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    outputs[i] = GL_NONE;
+    if (textures[i]->name() == 0) continue;
+    outputs[i] = attachment(i);
+    gl.NamedFramebufferTexture(name, outputs[i], textures[i]->name(), 0);
+  }
   gl.NamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth_buffer_.name(), 0);
-  gl.NamedFramebufferDrawBuffers(name, static_cast<GLsizei>(kOutputs.size()), kOutputs.data());
+  gl.NamedFramebufferDrawBuffers(name, static_cast<GLsizei>(outputs.size()), outputs.data());
   checkComplete(gl, framebuffer_);
 }
 
 void LabelTarget::begin() const {
   constexpr std::array<GLuint, 4> kNobody = {0, 0, 0, 0};
   constexpr std::array<float, 4> kNothing = {0.0F, 0.0F, 0.0F, 0.0F};
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  const GLuint name = framebuffer_.name();
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, name);
   gl_.Viewport(0, 0, width_, height_);
-  gl_.ClearNamedFramebufferuiv(framebuffer_.name(), GL_COLOR, 0, kNobody.data());
-  gl_.ClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing.data());
-  gl_.ClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, kNothing.data());
+  gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kIds, kNobody.data());
+  gl_.ClearNamedFramebufferfv(name, GL_COLOR, kDepths, kNothing.data());
+  if (links_.name() != 0) gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kLinks, kNobody.data());
+  if (normals_.name() != 0) gl_.ClearNamedFramebufferfv(name, GL_COLOR, kNormals, kNothing.data());
+  if (slopes_.name() != 0) gl_.ClearNamedFramebufferfv(name, GL_COLOR, kSlopes, kNothing.data());
+  gl_.ClearNamedFramebufferfv(name, GL_DEPTH, 0, kNothing.data());
 }
 
 LabelImages LabelTarget::read() const {
-  LabelImages images{cv::Mat(height_, width_, CV_32SC1), cv::Mat(height_, width_, CV_32FC1)};
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  gl_.NamedFramebufferReadBuffer(framebuffer_.name(), GL_COLOR_ATTACHMENT0);
-  gl_.ReadPixels(0, 0, width_, height_, GL_RED_INTEGER, GL_UNSIGNED_INT, images.ids.data);
-  gl_.NamedFramebufferReadBuffer(framebuffer_.name(), GL_COLOR_ATTACHMENT1);
-  gl_.ReadPixels(0, 0, width_, height_, GL_RED, GL_FLOAT, images.depth.data);
+  const auto plane = [this](int output, int type, GLenum format, GLenum component) {
+    gl_.NamedFramebufferReadBuffer(framebuffer_.name(), attachment(static_cast<unsigned>(output)));
+    cv::Mat pixels(height_, width_, type);
+    gl_.ReadPixels(0, 0, width_, height_, format, component, pixels.data);
+    return pixels;
+  };
+  LabelImages images;
+  images.ids = plane(kIds, CV_32SC1, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  images.depth = plane(kDepths, CV_32FC1, GL_RED, GL_FLOAT);
+  if (links_.name() != 0) {
+    images.links = plane(kLinks, CV_32SC1, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  }
+  if (normals_.name() != 0) images.normals = plane(kNormals, CV_32FC3, GL_RGB, GL_FLOAT);
+  if (slopes_.name() != 0) images.slopes = plane(kSlopes, CV_32FC2, GL_RG, GL_FLOAT);
   return images;
+}
+
+MaskTarget::MaskTarget(const GlFunctions& gl, int width, int height)
+    : gl_(gl),
+      width_(width),
+      height_(height),
+      mask_(makePlane(gl, GL_R8, width, height)),
+      framebuffer_(makeFramebuffer(gl)) {
+  gl.NamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, mask_.name(), 0);
+  checkComplete(gl, framebuffer_);
+}
+
+void MaskTarget::begin(const cv::Size& image, const cv::Rect& region) const {
+  constexpr std::array<float, 4> kNothing = {0.0F, 0.0F, 0.0F, 0.0F};
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  gl_.Viewport(0, 0, image.width, image.height);
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.Scissor(region.x, region.y, region.width, region.height);
+  gl_.ClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing.data());
+}
+
+cv::Mat MaskTarget::read(const cv::Rect& region) const {
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.NamedFramebufferReadBuffer(framebuffer_.name(), GL_COLOR_ATTACHMENT0);
+  cv::Mat mask(region.size(), CV_8UC1);
+  gl_.ReadPixels(region.x, region.y, region.width, region.height, GL_RED, GL_UNSIGNED_BYTE,
+                 mask.data);
+  return mask;
 }
 
 }  // namespace synthetic_dataset::render

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "render/lens_map.h"
+#include "render/lens_library.h"
 #include "render/lens_resampling.h"
 #include "render/light_setup.h"
 #include "render/osmesa_context.h"
@@ -14,6 +14,7 @@
 #include "render/shadow_maps.h"
 #include "render/sky_painter.h"
 #include "render/srgb.h"
+#include "render/surface_drawing.h"
 #include "render/texture_units.h"
 #include "sensor/srgb.h"
 
@@ -33,31 +34,6 @@ float reflectance(const world::Material& material) {
 
 ImageSize sizeOf(const CameraModel& camera) { return {camera.width(), camera.height()}; }
 
-/// All that tells one camera's pictures from another's.
-std::vector<double> keyOf(const CameraModel& camera) {
-  const Intrinsics& k = camera.intrinsics();
-  const Distortion& distortion = camera.distortion();
-  std::vector<double> key = {static_cast<double>(camera.width()),
-                             static_cast<double>(camera.height()),
-                             k.fx,
-                             k.fy,
-                             k.cx,
-                             k.cy,
-                             camera.near(),
-                             camera.far(),
-                             static_cast<double>(distortion.model),
-                             distortion.cutoff_angle};
-  key.insert(key.end(), distortion.coefficients.begin(), distortion.coefficients.end());
-  return key;
-}
-
-/// The views of a lens's faces.
-std::vector<View> faceViews(const LensMap& lens, const View& view) {
-  std::vector<View> views;
-  for (const LensFace& face : lens.faces) views.push_back({face.camera, view.X_WC * face.X_CF});
-  return views;
-}
-
 }  // namespace
 
 struct Renderer::Impl {
@@ -70,11 +46,12 @@ struct Renderer::Impl {
         fog(description.fog),
         gl(context.gl()),
         colour_programs(gl, shaders::kMeshVertex, shaders::kColourFragment, kAllFeatures),
-        label_programs(gl, shaders::kMeshVertex, shaders::kLabelFragment, feature::kHoles),
         depth_programs(gl, shaders::kMeshVertex, shaders::kShadowFragment, feature::kHoles),
         shadow_programs(gl, shaders::kShadowVertex, shaders::kShadowFragment, feature::kHoles),
         draw_list(gl, links),
-        shadow_maps(gl, options.shadow_map_size, shadowCount(description.lights)) {
+        shadow_maps(gl, options.shadow_map_size, shadowCount(description.lights)),
+        label_painter(gl, draw_list, lenses),
+        silhouette_painter(gl, draw_list, lenses) {
     checkLightCount(lights);
     gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl.FrontFace(GL_CW);  // the image is drawn with its first row at the bottom
@@ -83,16 +60,6 @@ struct Renderer::Impl {
     gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl.Enable(GL_DEPTH_TEST);
     if (description.sky) sky.emplace(gl, *description.sky, lights);
-  }
-
-  /// The picture with the holes, and where it lies: all that every pass has to know.
-  void bindTexture(const ShaderProgram& program, const Part& part) const {
-    const world::Material& material = *part.material;
-    Eigen::Vector4f placement;
-    placement << material.texture_scale, material.texture_offset;
-    program.set("texture_placement", placement);
-    program.set("alpha_threshold", material.alpha_threshold);
-    if (part.textures.diffuse != 0) gl.BindTextureUnit(kDiffuseUnit, part.textures.diffuse);
   }
 
   void drawShadows(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
@@ -109,27 +76,11 @@ struct Renderer::Impl {
         const ShaderProgram& program = shadow_programs.get(part.features);
         program.use();
         program.set("shadow_from_mesh", Eigen::Matrix4f(shadow_from_mesh.cast<float>()));
-        bindTexture(program, part);
+        bindHoles(gl, program, part);
         part.mesh->draw();
       }
     }
     gl.Disable(GL_DEPTH_CLAMP);
-  }
-
-  /// Draws a part as the camera sees it.
-  void drawPart(const ShaderProgram& program, const Part& part, const View& view,
-                const Pose& X_WL) const {
-    if (part.material->double_sided) {
-      gl.Disable(GL_CULL_FACE);
-    } else {
-      gl.Enable(GL_CULL_FACE);
-    }
-    const Pose X_CV = view.X_WC.inverse() * X_WL * part.X_LV;
-    program.use();
-    program.set("clip_from_camera", Eigen::Matrix4f(clipFromCamera(view.camera).cast<float>()));
-    program.set("camera_from_mesh", Eigen::Matrix4f(X_CV.matrix().cast<float>()));
-    bindTexture(program, part);
-    part.mesh->draw();
   }
 
   void setMaterial(const ShaderProgram& program, const Part& part) const {
@@ -171,7 +122,7 @@ struct Renderer::Impl {
     gl.DepthFunc(GL_GREATER);
     for (const Part& part : draw_list.parts()) {
       if (!drawn[part.link] || part.transparent) continue;
-      drawPart(depth_programs.get(part.features), part, view, X_WL[part.link]);
+      drawSurface(gl, depth_programs.get(part.features), part, view, X_WL[part.link]);
     }
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
@@ -190,7 +141,7 @@ struct Renderer::Impl {
         setSurroundings(program, view, shadows, pass.exposure);
       }
       setMaterial(program, part);
-      drawPart(program, part, view, X_WL[part.link]);
+      drawSurface(gl, program, part, view, X_WL[part.link]);
     };
     gl.BindTextureUnit(kShadowUnit, shadow_maps.texture());
     gl.DepthMask(GL_FALSE);
@@ -228,7 +179,7 @@ struct Renderer::Impl {
 
   cv::Mat drawThroughLens(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
                           const std::vector<ShadowProjection>& shadows) {
-    const LensMap& lens = lensMap(view.camera);
+    const LensMap& lens = lenses.get(view.camera);
     const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
     const cv::Rect region = pass.region.value_or(image) & image;
     const auto encoded = [&](Eigen::Index i) {
@@ -247,37 +198,10 @@ struct Renderer::Impl {
     return picture;
   }
 
-  LabelImages drawLabels(const View& view, const std::vector<Pose>& X_WL,
-                         const LinkSelection& drawn) {
-    const LabelTarget& target = labelTarget(view.camera);
-    target.begin();
-    gl.DepthFunc(GL_GREATER);
-    for (const Part& part : draw_list.parts()) {
-      const bool seen_through = part.transparent && part.identifier == 0;
-      if (!drawn[part.link] || seen_through) continue;
-      const ShaderProgram& program = label_programs.get(part.features);
-      program.set("identifier", part.identifier);
-      drawPart(program, part, view, X_WL[part.link]);
-    }
-    return target.read();
-  }
-
-  const LensMap& lensMap(const CameraModel& camera) {
-    std::vector<double> key = keyOf(camera);
-    const auto known = lens_maps.find(key);
-    if (known != lens_maps.end()) return known->second;
-    return lens_maps.emplace(std::move(key), makeLensMap(camera)).first->second;
-  }
-
   const ColourTarget& colourTarget(const CameraModel& camera, Sampling sampling) {
     auto& targets = sampling == Sampling::kSmooth ? smooth_targets : centre_targets;
     const int samples = sampling == Sampling::kSmooth ? options.samples : 1;
     return targets.try_emplace(sizeOf(camera), gl, camera.width(), camera.height(), samples)
-        .first->second;
-  }
-
-  const LabelTarget& labelTarget(const CameraModel& camera) {
-    return label_targets.try_emplace(sizeOf(camera), gl, camera.width(), camera.height())
         .first->second;
   }
 
@@ -290,16 +214,16 @@ struct Renderer::Impl {
   OsmesaContext context;  // before all that lives in it
   const GlFunctions& gl;
   ShaderFamily colour_programs;
-  ShaderFamily label_programs;
   ShaderFamily depth_programs;
   ShaderFamily shadow_programs;
   DrawList draw_list;
   ShadowMaps shadow_maps;
+  LensLibrary lenses;
+  LabelPainter label_painter;
+  SilhouettePainter silhouette_painter;
   std::optional<SkyPainter> sky;
   std::map<ImageSize, ColourTarget> smooth_targets;
   std::map<ImageSize, ColourTarget> centre_targets;
-  std::map<ImageSize, LabelTarget> label_targets;
-  std::map<std::vector<double>, LensMap> lens_maps;
 };
 
 Renderer::Renderer(const world::Description& description,
@@ -312,7 +236,8 @@ cv::Mat Renderer::colour(const View& view, const std::vector<Pose>& X_WL, const 
   Impl& impl = *impl_;
   const bool distorted = hasDistortion(view.camera);
   const auto shadows = shadowProjections(
-      impl.lights, distorted ? faceViews(impl.lensMap(view.camera), view) : std::vector<View>{view},
+      impl.lights,
+      distorted ? faceViews(impl.lenses.get(view.camera), view) : std::vector<View>{view},
       impl.draw_list.casterBounds(X_WL, pass.casting), impl.options.shadow_distance,
       impl.options.shadow_map_size);
   impl.drawShadows(shadows, X_WL, pass.casting);
@@ -321,17 +246,13 @@ cv::Mat Renderer::colour(const View& view, const std::vector<Pose>& X_WL, const 
 }
 
 LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,
-                             const LinkSelection& drawn) {
-  Impl& impl = *impl_;
-  if (!hasDistortion(view.camera)) return impl.drawLabels(view, X_WL, drawn);
-  const cv::Size size(view.camera.width(), view.camera.height());
-  LabelImages labels{cv::Mat::zeros(size, CV_32SC1), cv::Mat::zeros(size, CV_32FC1)};
-  const LensMap& lens = impl.lensMap(view.camera);
-  const std::vector<View> views = faceViews(lens, view);
-  for (std::size_t face = 0; face < views.size(); ++face) {
-    resampleLabels(lens, face, impl.drawLabels(views[face], X_WL, drawn), labels);
-  }
-  return labels;
+                             const LabelPass& pass) {
+  return impl_->label_painter.paint(view, X_WL, pass);
+}
+
+Silhouette Renderer::silhouette(const View& view, const std::vector<Pose>& X_WL,
+                                const LinkSelection& links) {
+  return impl_->silhouette_painter.paint(view, X_WL, links);
 }
 
 }  // namespace synthetic_dataset::render

@@ -7,7 +7,9 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/draw_list.h"
+#include "render/label_painter.h"
 #include "render/render_target.h"
+#include "render/silhouette_painter.h"
 #include "render/view.h"
 #include "world/world.h"
 
@@ -43,9 +45,9 @@ struct ColourPass {
 /// and labels share one vertex stage, so their edges are the same.
 ///
 /// A camera with distortion sees through pinhole pictures that are drawn at twice the density and
-/// resampled. Smooth colours are means over each pixel's area; ids, depth and Sampling::kCentre
+/// resampled. Smooth colours are means over each pixel's area; labels and Sampling::kCentre
 /// take the nearest drawn pixel, all of them the same one. Where the lens sees nothing, colour is
-/// black, the identifier and the depth are 0. An equidistant lens can see what is beside and behind
+/// black and the labels are 0. An equidistant lens can see what is beside and behind
 /// it: depth, which is z of the optical frame, is then 0 or negative.
 class Renderer {
  public:
@@ -66,7 +68,12 @@ class Renderer {
   /// What each pixel's centre sees: objects have their index + 1 as identifier, all else 0.
   /// World surfaces that one can see through (alpha below 1) do not hide what is behind them.
   [[nodiscard]] LabelImages labels(const View& view, const std::vector<Pose>& X_WL,
-                                   const LinkSelection& drawn);
+                                   const LabelPass& pass);
+
+  /// What the selected links cover as if nothing stood in front of them, past the image's edge too.
+  /// In the image, its pixels are those that labels() has for these links alone.
+  [[nodiscard]] Silhouette silhouette(const View& view, const std::vector<Pose>& X_WL,
+                                      const LinkSelection& links);
 
  private:
   struct Impl;

@@ -67,7 +67,7 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
         alone.push_back(link.role != world::Role::kObject || link.object == static_cast<int>(i));
       }
       const cv::Mat exact =
-          renderer.labels({scene.camera, scene.X_GC}, setup.world->linkPoses(), alone).ids ==
+          renderer.labels({scene.camera, scene.X_GC}, setup.world->linkPoses(), {alone}).ids ==
           static_cast<int>(i + 1);
       const SceneObject& object = scene.objects[i];
       const double overlap = intersectionOverUnion(object.silhouette, exact);

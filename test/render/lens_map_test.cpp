@@ -36,7 +36,7 @@ TEST(LensMap, CutsLargeFacesIntoTilesWithoutASeam) {
   stage.addBox({6, 0.05, 0.1}, makePose({0, 0, 3}, Eigen::Quaterniond::Identity()), 0,
                coloured(1, 1, 1));
   Renderer renderer(dark(), stage.links(), {});
-  const cv::Mat ids = renderer.labels({camera, Pose::Identity()}, stage.poses(), stage.all()).ids;
+  const cv::Mat ids = renderer.labels({camera, Pose::Identity()}, stage.poses(), {stage.all()}).ids;
   EXPECT_EQ(cv::countNonZero(ids.row(150) == 1), 4000);
 }
 

@@ -118,7 +118,7 @@ TEST_P(LensRendering, MarkersLieWhereOpenCvProjectsThem) {
     const Marker marker(direction, 1.0, kHalfSide);
     stage.poses()[0] = marker.pose();
     const View view{camera, Pose::Identity()};
-    const LabelImages labels = renderer.labels(view, stage.poses(), stage.all());
+    const LabelImages labels = renderer.labels(view, stage.poses(), {stage.all()});
     const cv::Mat image = renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
 
     const cv::Point2d expected = marker.centroid(camera);
@@ -158,7 +158,7 @@ TEST_P(LensRendering, MasksAreRightUpToHalfADrawnPixelFromTheOutline) {
     const Marker marker(direction, 1.0, 0.12);
     stage.poses()[0] = marker.pose();
     const LabelImages labels =
-        renderer.labels({camera, Pose::Identity()}, stage.poses(), stage.all());
+        renderer.labels({camera, Pose::Identity()}, stage.poses(), {stage.all()});
     const std::vector<cv::Point2f> outline = marker.outline(camera, {0, 0});
     for (int v = 0; v < camera.height(); ++v) {
       for (int u = 0; u < camera.width(); ++u) {
@@ -183,7 +183,7 @@ TEST_P(LensRendering, CentresOfColourAndLabelsAreTheSamePixels) {
   }
   Renderer renderer(dark(), stage.links(), {});
   const View view{GetParam().camera, Pose::Identity()};
-  const LabelImages labels = renderer.labels(view, stage.poses(), stage.all());
+  const LabelImages labels = renderer.labels(view, stage.poses(), {stage.all()});
   const cv::Mat image =
       renderer.colour(view, stage.poses(), {stage.all(), stage.all(), Sampling::kCentre});
   cv::Mat grey;
@@ -201,7 +201,7 @@ TEST_P(LensRendering, DepthIsThatOfThePlaneAlongEachPixelsRay) {
   Renderer renderer(dark(), stage.links(), {});
   const CameraModel& camera = GetParam().camera;
   const LabelImages labels =
-      renderer.labels({camera, Pose::Identity()}, stage.poses(), stage.all());
+      renderer.labels({camera, Pose::Identity()}, stage.poses(), {stage.all()});
   const Eigen::Vector3d normal = X_CB.linear().col(2);
   const double offset = normal.dot(X_CB.translation());
   int compared = 0;
@@ -268,7 +268,7 @@ TEST(LensRenderer, SeesWhatIsNearBesideAWideLens) {
                         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), direction)),
                0);
   Renderer renderer(dark(), stage.links(), {});
-  const cv::Mat ids = renderer.labels({camera, Pose::Identity()}, stage.poses(), stage.all()).ids;
+  const cv::Mat ids = renderer.labels({camera, Pose::Identity()}, stage.poses(), {stage.all()}).ids;
   const Eigen::Vector2d pixel = *camera.project(0.06 * direction);
   EXPECT_EQ(ids.at<int>(static_cast<int>(pixel.y()), static_cast<int>(pixel.x())), 1);
 }

@@ -210,7 +210,7 @@ TEST(Material, AlphaThresholdCutsColoursAndLabelsAlike) {
 
     const cv::Mat image =
         renderer.colour({kSmallCamera}, stage.poses(), {stage.all(), stage.all()});
-    const cv::Mat ids = renderer.labels({kSmallCamera}, stage.poses(), stage.all()).ids;
+    const cv::Mat ids = renderer.labels({kSmallCamera}, stage.poses(), {stage.all()}).ids;
 
     EXPECT_EQ(green(image, 20), left ? 255 : 0) << threshold;
     EXPECT_EQ(green(image, 44), right ? 255 : 0) << threshold;

@@ -87,7 +87,7 @@ TEST(Renderer, SilhouettesLieWhereProjectPointsSays) {
     std::vector<Eigen::Vector3d> corners;
     for (const Eigen::Vector3d& p : test::boxCorners(size)) corners.push_back(X_CO * p);
 
-    const LabelImages labels = renderer.labels(viewFromOrigin(), stage.poses(), stage.all());
+    const LabelImages labels = renderer.labels(viewFromOrigin(), stage.poses(), {stage.all()});
 
     EXPECT_LT(edgeError(labels.ids == 1, projectedHull(corners, kCamera)), 0.01) << "pose " << i;
   }
@@ -101,7 +101,7 @@ TEST(Renderer, ColourAndLabelsHaveTheSameOutline) {
 
   const cv::Mat image = renderer.colour(viewFromOrigin(), stage.poses(),
                                         {stage.all(), stage.all(), Sampling::kCentre});
-  const LabelImages labels = renderer.labels(viewFromOrigin(), stage.poses(), stage.all());
+  const LabelImages labels = renderer.labels(viewFromOrigin(), stage.poses(), {stage.all()});
 
   cv::Mat grey;
   cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
@@ -118,7 +118,7 @@ TEST(Renderer, SmoothEdgesLieOnTheSameLineAsLabels) {
 
   const cv::Mat image =
       renderer.colour(viewFromOrigin(), stage.poses(), {stage.all(), stage.all()});
-  const LabelImages labels = renderer.labels(viewFromOrigin(), stage.poses(), stage.all());
+  const LabelImages labels = renderer.labels(viewFromOrigin(), stage.poses(), {stage.all()});
 
   cv::Mat grey;
   cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
@@ -137,7 +137,7 @@ TEST(Renderer, DepthIsTheDistanceAlongTheOpticalAxis) {
   stage.addBox({8.0, 8.0, 0.2}, X_CB, 0);
   Renderer renderer(unlit(), stage.links(), {});
 
-  const LabelImages labels = renderer.labels(viewFromOrigin(), stage.poses(), stage.all());
+  const LabelImages labels = renderer.labels(viewFromOrigin(), stage.poses(), {stage.all()});
 
   const Eigen::Vector3d normal = X_CB.linear().col(2);
   const double offset = normal.dot(X_CB * Eigen::Vector3d(0, 0, -0.1));
@@ -158,7 +158,7 @@ TEST(Renderer, NearerObjectsHideFartherOnes) {
   stage.addBox({4, 4, 0.1}, at(0, 0, 8), -1);
   Renderer renderer(unlit(), stage.links(), {});
 
-  const cv::Mat ids = renderer.labels(viewFromOrigin(), stage.poses(), stage.all()).ids;
+  const cv::Mat ids = renderer.labels(viewFromOrigin(), stage.poses(), {stage.all()}).ids;
 
   EXPECT_EQ(ids.at<int>(238, 322), 2);
   EXPECT_EQ(ids.at<int>(238, 322 + 50), 1);
@@ -171,7 +171,7 @@ TEST(Renderer, OnlySelectedLinksAreDrawn) {
   stage.addBox({0.2, 0.2, 0.2}, at(0, 0, 2), 1);
   Renderer renderer(unlit(), stage.links(), {});
 
-  const cv::Mat ids = renderer.labels(viewFromOrigin(), stage.poses(), {true, false}).ids;
+  const cv::Mat ids = renderer.labels(viewFromOrigin(), stage.poses(), {{true, false}}).ids;
 
   EXPECT_EQ(ids.at<int>(238, 322), 1);
 }
@@ -181,7 +181,8 @@ TEST(Renderer, ThingsNearerThanTheNearPlaneAreNotSeen) {
   stage.addBox({1, 1, 0.01}, at(0, 0, 0.04), 0);
   Renderer renderer(unlit(), stage.links(), {});
 
-  EXPECT_EQ(cv::countNonZero(renderer.labels(viewFromOrigin(), stage.poses(), stage.all()).ids), 0);
+  EXPECT_EQ(cv::countNonZero(renderer.labels(viewFromOrigin(), stage.poses(), {stage.all()}).ids),
+            0);
 }
 
 TEST(Renderer, ColoursAreThoseOfTheMaterialInOpenCvsOrder) {
@@ -340,10 +341,10 @@ TEST(Renderer, SeesFarFromTheOriginAsClearlyAsAtIt) {
   stage.addBox({0.8, 0.5, 0.6}, makePose({0.1, 0.2, 2.0}, Eigen::Quaterniond(0.9, 0.3, -0.2, 0.1)),
                0);
   Renderer renderer(unlit(), stage.links(), {});
-  const cv::Mat here = renderer.labels(viewFromOrigin(), stage.poses(), stage.all()).ids;
+  const cv::Mat here = renderer.labels(viewFromOrigin(), stage.poses(), {stage.all()}).ids;
   stage.poses()[0] = X_WM * stage.poses()[0];
 
-  const cv::Mat there = renderer.labels({kCamera, X_WM}, stage.poses(), stage.all()).ids;
+  const cv::Mat there = renderer.labels({kCamera, X_WM}, stage.poses(), {stage.all()}).ids;
 
   EXPECT_LE(cv::countNonZero(here != there), 2);
 }

@@ -1,0 +1,79 @@
+#include "render/label_painter.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "render/lens_resampling.h"
+#include "render/shaders.h"
+#include "render/surface_drawing.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// Distances from the camera's centre, from depths along its axis.
+cv::Mat rangeOf(const cv::Mat& depth, const Intrinsics& k) {
+  cv::Mat range(depth.size(), CV_32FC1);
+  for (int v = 0; v < depth.rows; ++v) {
+    const double y = (v - k.cy) / k.fy;
+    for (int u = 0; u < depth.cols; ++u) {
+      const double x = (u - k.cx) / k.fx;
+      const double z = static_cast<double>(depth.at<float>(v, u));
+      range.at<float>(v, u) = static_cast<float>(z * std::sqrt(x * x + y * y + 1.0));
+    }
+  }
+  return range;
+}
+
+}  // namespace
+
+LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& parts, LensLibrary& lenses)
+    : gl_(gl),
+      parts_(parts),
+      lenses_(lenses),
+      programs_(gl, shaders::kMeshVertex, shaders::kLabelFragment, feature::kHoles) {}
+
+LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>& X_WL,
+                                       const LinkSelection& drawn, const LabelPlanes& planes) {
+  const int width = view.camera.width();
+  const int height = view.camera.height();
+  const LabelTarget& target =
+      targets_.try_emplace({width, height, planes}, gl_, width, height, planes).first->second;
+  target.begin();
+  gl_.DepthFunc(GL_GREATER);
+  for (const Part& part : parts_.parts()) {
+    if (!drawn[part.link] || seenThroughInLabels(part)) continue;
+    const ShaderProgram& program = programs_.get(part.features);
+    program.set("identifier", part.identifier);
+    program.set("link", static_cast<std::uint32_t>(part.link + 1));
+    drawSurface(gl_, program, part, view, X_WL[part.link]);
+  }
+  return target.read();
+}
+
+LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,
+                                const LabelPass& pass) {
+  LabelPlanes planes;
+  planes.links = pass.links;
+  planes.normals = pass.normals;
+  if (!hasDistortion(view.camera)) {
+    LabelImages images = paintPinhole(view, X_WL, pass.drawn, planes);
+    if (pass.range) images.range = rangeOf(images.depth, view.camera.intrinsics());
+    return images;
+  }
+  const cv::Size size(view.camera.width(), view.camera.height());
+  LabelImages images;
+  images.ids = cv::Mat::zeros(size, CV_32SC1);
+  images.depth = cv::Mat::zeros(size, CV_32FC1);
+  if (pass.links) images.links = cv::Mat::zeros(size, CV_32SC1);
+  if (pass.normals) images.normals = cv::Mat::zeros(size, CV_32FC3);
+  if (pass.range) images.range = cv::Mat::zeros(size, CV_32FC1);
+  planes.slopes = true;
+  const LensMap& lens = lenses_.get(view.camera);
+  const std::vector<View> views = faceViews(lens, view);
+  for (std::size_t face = 0; face < views.size(); ++face) {
+    resampleLabels(lens, face, paintPinhole(views[face], X_WL, pass.drawn, planes), images);
+  }
+  return images;
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "render/draw_list.h"
+#include "render/lens_library.h"
+#include "render/render_target.h"
+#include "render/shader_family.h"
+#include "render/view.h"
+
+namespace synthetic_dataset::render {
+
+/// What a label pass shows.
+struct LabelPass {
+  LinkSelection drawn;   ///< the links that are seen
+  bool links = false;    ///< whether LabelImages::links is made
+  bool normals = false;  ///< whether LabelImages::normals is made
+  bool range = false;    ///< whether LabelImages::range is made
+};
+
+/// Draws what each pixel's centre sees.
+class LabelPainter {
+ public:
+  /// @param parts  have to outlive this
+  LabelPainter(const GlFunctions& gl, const DrawList& parts, LensLibrary& lenses);
+
+  [[nodiscard]] LabelImages paint(const View& view, const std::vector<Pose>& X_WL,
+                                  const LabelPass& pass);
+
+ private:
+  [[nodiscard]] LabelImages paintPinhole(const View& view, const std::vector<Pose>& X_WL,
+                                         const LinkSelection& drawn, const LabelPlanes& planes);
+
+  const GlFunctions& gl_;
+  const DrawList& parts_;
+  LensLibrary& lenses_;
+  ShaderFamily programs_;
+  std::map<std::tuple<int, int, LabelPlanes>, LabelTarget> targets_;  // by size
+};
+
+}  // namespace synthetic_dataset::render
