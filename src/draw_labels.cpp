@@ -80,9 +80,25 @@ cv::Mat sheetOf(const std::vector<Panel>& panels) {
   return sheet;
 }
 
+void writePicture(const std::string& file, const cv::Mat& picture) {
+  bool is_written = false;
+  try {
+    is_written = cv::imwrite(file, picture);
+  } catch (const cv::Exception&) {  // an extension that OpenCV does not know
+  }
+  if (!is_written) {
+    throw Error("PICTURE: '" + file +
+                "' cannot be written; it should end in .png or .jpg, in a "
+                "folder that is there");
+  }
+}
+
 void drawLabelsOf(const std::vector<std::string>& arguments) {
   const std::string& folder = arguments[0];
   const output::WrittenDataset dataset(folder);
+  if (dataset.lists(arguments[1])) {
+    throw Error("PICTURE: '" + arguments[1] + "' is a file of the dataset; choose another name");
+  }
   const std::int64_t scene =
       arguments.size() > 2 ? sceneIndex(arguments[2]) : dataset.middleScene();
   std::vector<Panel> panels;
@@ -92,8 +108,19 @@ void drawLabelsOf(const std::vector<std::string>& arguments) {
     names += (names.empty() ? "" : ", ") + writer.name;
     if (arguments.size() > 3 && writer.name != arguments[3]) continue;
     is_known = true;
-    if (auto panel = panelOf(dataset, writer, scene)) panels.push_back(std::move(*panel));
+    if (arguments.size() > 3 && readback::readerOf(writer.type) == nullptr) {
+      throw Error("WRITER: '" + writer.name + "' is of type " + writer.type +
+                  ", whose files this tool does not draw");
+    }
+    try {
+      if (auto panel = panelOf(dataset, writer, scene)) panels.push_back(std::move(*panel));
+    } catch (const std::exception& error) {
+      if (arguments.size() > 3) throw;
+      // Of a run that was stopped, formats with files of the dataset as a whole cannot be read.
+      std::cerr << "draw_labels: left out '" << writer.name << "': " << error.what() << '\n';
+    }
   }
+  if (dataset.writers().empty()) throw Error("'" + folder + "': its manifest lists no writers");
   if (!is_known) {
     throw Error("WRITER: found '" + arguments[3] + "'; the dataset has " + names);
   }
@@ -101,9 +128,7 @@ void drawLabelsOf(const std::vector<std::string>& arguments) {
     throw Error("'" + folder + "': no writer made anything of scene " + std::to_string(scene) +
                 " that this tool can draw (of the dataset's writers: " + names + ")");
   }
-  if (!cv::imwrite(arguments[1], sheetOf(panels))) {
-    throw Error("'" + arguments[1] + "': cannot be written");
-  }
+  writePicture(arguments[1], sheetOf(panels));
 }
 
 }  // namespace

@@ -83,7 +83,12 @@ int generate() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "generate", ros::init_options::NoSigintHandler);
+  try {
+    ros::init(argc, argv, "generate", ros::init_options::NoSigintHandler);
+  } catch (const std::exception& error) {  // no folder for logs, for one
+    std::cerr << "generate: ROS cannot start: " << error.what() << '\n';
+    return kFailed;
+  }
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   if (!ros::master::check()) {

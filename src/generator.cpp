@@ -20,8 +20,15 @@ render::RenderOptions renderOptions(const config::RenderingConfig& config) {
   return {config.samples, config.shadow_map_size, config.shadow_distance};
 }
 
-MaskOptions maskOptions(const config::MaskConfig& config) {
-  return {{config.history_length, config.var_threshold, config.detect_shadows}, config.clean};
+PixelLabelOptions labelOptions(const config::Config& config) {
+  PixelLabelOptions options{config.masks, config.labels, {}};
+  for (const config::ObjectConfig& object : config.objects) {
+    const auto place =
+        std::find_if(config.classes.begin(), config.classes.end(),
+                     [&](const config::ClassConfig& each) { return each.id == object.class_id; });
+    options.class_numbers.push_back(static_cast<std::uint16_t>(place - config.classes.begin() + 1));
+  }
+  return options;
 }
 
 }  // namespace
@@ -34,14 +41,14 @@ struct Generator::Impl {
         renderer(setup.world->description(), setup.world->links(),
                  renderOptions(setup.config.rendering)),
         scene_maker(*setup.world, renderer, *setup.recording, setup.cameras,
-                    setup.config.global_frame, *setup.shapes, setup.writers->requirements(),
-                    maskOptions(setup.config.masks)),
+                    setup.config.global_frame, *setup.shapes, *setup.splits,
+                    setup.writers->requirements(), labelOptions(setup.config)),
         picture_taker(*setup.world, renderer, *setup.recording, setup.cameras,
                       setup.config.global_frame, setup.config.seed),
         object_motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links),
         store(openOutput(setup)) {
     for (const config::ObjectConfig& object : setup.config.objects) {
-      summary.objects.push_back({object.name, 0});
+      summary.objects.push_back({object.name, 0, 0, 0, std::nullopt});
     }
     summary.planned_scenes =
         static_cast<std::int64_t>(setup.timeline.stamps.size() * setup.cameras.size());
@@ -68,7 +75,15 @@ struct Generator::Impl {
                  setup.timeline.left_out_unknown);
     reporter.info(std::to_string(summary.planned_scenes) + " scenes" + ofCameras() + " from " +
                   fixed(toSeconds(setup.timeline.stamps.front()), 3) + " s on, every " +
-                  fixed(1.0 / setup.config.motion.rate, 4) + " s");
+                  fixed(1.0 / setup.config.motion.rate, 4) + " s" + ofSplits());
+  }
+
+  [[nodiscard]] std::string ofSplits() const {
+    std::string text;
+    for (const SplitInfo& split : setup.splits->splits(setup.cameras.size())) {
+      text += (text.empty() ? "; " : ", ") + split.name + " " + std::to_string(split.scene_count);
+    }
+    return text;
   }
 
   [[nodiscard]] std::string ofCameras() const {
@@ -99,7 +114,10 @@ struct Generator::Impl {
   void count(const Scene& scene, const std::vector<std::string>& writer_warnings) {
     for (const std::string& warning : writer_warnings) warnings.add(warning);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      if (scene.objects[i].in_view) ++summary.objects[i].scenes_in_view;
+      const SceneObject& object = scene.objects[i];
+      if (object.in_view) ++summary.objects[i].scenes_in_view;
+      if (object.pixels.visible > 0) ++summary.objects[i].scenes_seen;
+      if (object.in_view && object.dropped) ++summary.objects[i].scenes_dropped;
     }
     reporter.progress(++summary.scenes, summary.planned_scenes);
   }
@@ -114,28 +132,41 @@ struct Generator::Impl {
       }
       makeInstant(instant++, stamp);
     }
+    write(std::nullopt);
   }
 
   /// The scenes of one time: one a camera.
   void makeInstant(std::int64_t instant, Stamp stamp) {
-    std::vector<Scene> scenes;
+    std::vector<MadeScene> scenes;
     for (const Duration offset : picture_taker.offsets()) {
       moveWorld(stamp + offset);
       picture_taker.expose(stamp, offset);
       if (offset != Duration{0}) continue;
+      write(stamp);
       warnOfInterpenetrations(stamp);
       const std::vector<Pose> X_GO = object_motion.objectPoses(stamp);
       for (std::size_t camera = 0; camera < setup.cameras.size(); ++camera) {
         scenes.push_back(scene_maker.make(camera, instant, stamp, X_GO));
       }
     }
-    for (std::size_t camera = 0; camera < scenes.size(); ++camera) {
-      Scene& scene = scenes[camera];
-      scene.image = picture_taker.develop(camera, scene.index);
+    for (MadeScene& made : scenes) {
+      made.scene.image = picture_taker.develop(made.scene.camera_index, made.scene.index);
+    }
+    unwritten = std::move(scenes);
+    if (!scene_maker.needsOpticalFlow()) write(std::nullopt);
+  }
+
+  /// Writes the scenes that were made last.
+  /// @param now  where the world stands, for where their pixels have gone; nothing after the last
+  void write(std::optional<Stamp> now) {
+    for (MadeScene& made : unwritten) {
+      if (scene_maker.needsOpticalFlow()) scene_maker.addOpticalFlow(made, now);
+      const Scene& scene = made.scene;
       const auto written = setup.writers->writeScene(scene);
       store->commitScene(scene.index, scene.stamp, written.files);
       count(scene, written.warnings);
     }
+    unwritten.clear();
   }
 
   Reporter& reporter;
@@ -145,7 +176,8 @@ struct Generator::Impl {
   SceneMaker scene_maker;
   PictureTaker picture_taker;
   ObjectMotion object_motion;
-  Stamp motion_start{0};                        ///< when the first shutter opens
+  Stamp motion_start{0};             ///< when the first shutter opens
+  std::vector<MadeScene> unwritten;  ///< the last time's, while they wait for the next one
   std::unique_ptr<output::DatasetStore> store;  // last: what fails before leaves the disk alone
   RunSummary summary;
 };
@@ -169,6 +201,11 @@ RunSummary Generator::run() {
   summary.files = store.counts().files;
   summary.bytes = store.counts().bytes;
   summary.warnings = impl_->warnings.counts();
+  const std::vector<MaskAgreement> agreement = impl_->scene_maker.maskAgreement();
+  for (std::size_t i = 0; i < agreement.size(); ++i) {
+    if (agreement[i].count == 0) continue;
+    summary.objects[i].mask_agreement = agreement[i].sum / static_cast<double>(agreement[i].count);
+  }
   summary.manifest = store.manifestPath();
   return summary;
 }

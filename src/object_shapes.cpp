@@ -22,6 +22,15 @@ std::string needsVisuals(const config::ObjectConfig& object, const std::string& 
          "' has none; add a visual to the model, or " + instead;
 }
 
+Cuboid boxRound(const std::vector<Eigen::Vector3d>& points) {
+  Cuboid box{points.front(), points.front()};
+  for (const Eigen::Vector3d& point : points) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  return box;
+}
+
 }  // namespace
 
 ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
@@ -30,18 +39,17 @@ ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const config::ObjectConfig& config = objects[i];
     Object object;
-    object.given = {config.name, config.class_name, config.id, config.keypoints_O,
-                    config.bounding_shape_O};
+    object.given = {config.name,        config.class_text,       config.class_name,
+                    config.id,          config.class_id,         static_cast<int>(i) + 1,
+                    config.keypoints_O, config.bounding_shape_O, {}};
     for (std::size_t k = 0; k < links.size(); ++k) {
       if (links[k].object == static_cast<int>(i)) object.links.push_back(k);
     }
     const std::vector<const world::Link*> own = linksAt(links, object.links);
     const world::ModelGeometry geometry(own);
-    if (config.bounding_shape_O.empty()) {
-      object.geometry = geometry;
-      if (geometry.isEmpty()) {
-        errors.add(needsVisuals(config, "bounding_shape", "model_box", "list points here"));
-      }
+    object.geometry = geometry;
+    if (config.bounding_shape_O.empty() && geometry.isEmpty()) {
+      errors.add(needsVisuals(config, "bounding_shape", "model_box", "list points here"));
     }
     if (config.farthest_points > 0 && geometry.isEmpty()) {
       errors.add(needsVisuals(config, "keypoints", "farthest_points", "list points here"));
@@ -65,7 +73,11 @@ std::vector<annotate::ObjectShape> ObjectShapes::at(const std::vector<Pose>& X_W
     annotate::ObjectShape shape = object.given;
     std::vector<Pose> X_OL;
     for (const std::size_t link : object.links) X_OL.push_back(X_WO[i].inverse() * X_WL[link]);
-    if (object.geometry) shape.bounding_shape_O = object.geometry->box(X_OL);
+    const bool is_seen = !object.geometry.isEmpty();
+    if (is_seen && shape.bounding_shape_O.empty()) {
+      shape.bounding_shape_O = object.geometry.box(X_OL);
+    }
+    shape.cuboid_O = boxRound(is_seen ? object.geometry.box(X_OL) : shape.bounding_shape_O);
     for (const world::SurfacePoint& point : object.keypoints) {
       shape.keypoints_O.push_back(X_OL[point.link] * point.p_L);
     }

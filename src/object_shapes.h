@@ -30,9 +30,9 @@ class ObjectShapes {
  private:
   struct Object {
     annotate::ObjectShape given;
-    std::vector<std::size_t> links;                ///< indices in the world's
-    std::optional<world::ModelGeometry> geometry;  ///< where the box follows the model
-    std::vector<world::SurfacePoint> keypoints;    ///< where they were found on the model
+    std::vector<std::size_t> links;  ///< indices in the world's
+    world::ModelGeometry geometry{{}};
+    std::vector<world::SurfacePoint> keypoints;  ///< where they were found on the model
   };
 
   std::vector<Object> objects_;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "dataset_description.h"
 #include "error_collector.h"
 #include "render/light_setup.h"
 #include "ros_packages.h"
@@ -49,6 +50,8 @@ class Builder {
     planRun();
     loadWriters();
     checkFrames();
+    planSplits();
+    noteSubtraction();
     throwErrors();
     setup_.defaults_taken = root_.defaultsTaken();
     return std::move(setup_);
@@ -191,26 +194,12 @@ class Builder {
     if (timeline) setup_.timeline = std::move(*timeline);
   }
 
-  [[nodiscard]] DatasetInfo datasetInfo() const {
-    DatasetInfo info;
-    for (const config::ObjectConfig& object : config().objects) {
-      const std::size_t keypoint_count = object.farthest_points > 0
-                                             ? static_cast<std::size_t>(object.farthest_points)
-                                             : object.keypoints_O.size();
-      ObjectInfo described;
-      described.name = object.name;
-      described.class_name = object.class_name;
-      described.id = object.id;
-      described.keypoint_count = keypoint_count;
-      info.objects.push_back(std::move(described));
-    }
-    info.scene_count =
-        static_cast<std::int64_t>(setup_.timeline.stamps.size() * setup_.cameras.size());
-    info.global_frame = config().global_frame;
-    for (const CameraRig& camera : setup_.cameras) {
-      info.cameras.push_back({camera.name, camera.frame, camera.model});
-    }
-    return info;
+  [[nodiscard]] std::int64_t instantCount() const {
+    return static_cast<std::int64_t>(setup_.timeline.stamps.size());
+  }
+
+  [[nodiscard]] SplitPlan splitPlan() const {
+    return {config().split, static_cast<std::uint64_t>(config().seed), instantCount()};
   }
 
   void loadWriters() {
@@ -220,8 +209,31 @@ class Builder {
     }
     if (choices.empty()) return;
     setup_.writers = attempt([&] {
-      return std::make_unique<writers::WriterHost>(choices, datasetInfo(), plugin_xml_files_);
+      static const std::vector<world::LinkInstance> kNoLinks;
+      const DatasetInfo info =
+          describeDataset(config(), setup_.cameras, setup_.world ? setup_.world->links() : kNoLinks,
+                          instantCount(), splitPlan());
+      return std::make_unique<writers::WriterHost>(choices, info, plugin_xml_files_);
     });
+  }
+
+  /// Users of nn_data_collection's settings may not know that there are exact masks.
+  void noteSubtraction() {
+    const config::MaskConfig& masks = config().masks;
+    if (masks.method == config::MaskMethod::kExact || masks.method_is_given) return;
+    if (!setup_.writers || !setup_.writers->requirements().visible_masks) return;
+    addNotes(
+        {"masks are found by background subtraction since background_subtractor is set; "
+         "masks/method: exact gives exact ones"});
+  }
+
+  /// When it is known how many scenes there are.
+  void planSplits() {
+    setup_.splits = std::make_unique<SplitPlan>(splitPlan());
+    if (setup_.timeline.stamps.empty()) return;
+    for (const SplitInfo& split : setup_.splits->splits(setup_.cameras.size())) {
+      if (split.scene_count == 0) addNotes({"split/" + split.name + ": no scene falls into it"});
+    }
   }
 
   /// The frames that writers ask for: unknown ones are errors, scenes without them are left out.

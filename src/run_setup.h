@@ -10,6 +10,7 @@
 #include "motion/bag_motion.h"
 #include "object_shapes.h"
 #include "output/dataset_store.h"
+#include "split_plan.h"
 #include "synthetic_dataset/value.h"
 #include "world/world.h"
 #include "writers/writer_host.h"
@@ -25,6 +26,7 @@ struct RunSetup {
   std::vector<CameraRig> cameras;
   std::vector<std::vector<DrivenLink>> driven_links;  ///< of each object
   std::unique_ptr<ObjectShapes> shapes;               ///< of the objects
+  std::unique_ptr<SplitPlan> splits;
   std::unique_ptr<writers::WriterHost> writers;
   std::vector<std::string> notes;           ///< what the user should know
   std::vector<std::string> remarks;         ///< what the user may like to know

@@ -13,8 +13,17 @@ std::vector<std::string> summaryLines(const RunSummary& summary) {
                   " scenes/s), " + std::to_string(summary.files) + " files, " +
                   fixed(static_cast<double>(summary.bytes) / 1e6, 1) + " MB");
   for (const RunSummary::Object& object : summary.objects) {
-    lines.push_back("object " + object.name + ": in view in " +
-                    std::to_string(object.scenes_in_view) + " scenes");
+    std::string line = "object " + object.name + ": in view in " +
+                       std::to_string(object.scenes_in_view) + " scenes";
+    if (object.scenes_seen > 0) line += ", seen in " + std::to_string(object.scenes_seen);
+    if (object.scenes_dropped > 0) {
+      line += ", too little seen for a label in " + std::to_string(object.scenes_dropped);
+    }
+    if (object.mask_agreement) {
+      line += "; visible masks by background subtraction: mean intersection over union " +
+              fixed(*object.mask_agreement, 4) + " with exact ones";
+    }
+    lines.push_back(line);
   }
   for (const auto& [kind, count] : summary.warnings) {
     lines.push_back("warning, " + std::to_string(count) + (count == 1 ? " time: " : " times: ") +

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,12 @@ namespace synthetic_dataset {
 struct RunSummary {
   struct Object {
     std::string name;
-    std::int64_t scenes_in_view = 0;
+    std::int64_t scenes_in_view = 0;  ///< by its loose box
+    std::int64_t scenes_seen = 0;     ///< with a visible pixel, where these are counted
+    std::int64_t scenes_dropped = 0;  ///< of those in view: below the thresholds of `labels`
+
+    /// Mean intersection over union of its visible masks by background subtraction and exact ones.
+    std::optional<double> mask_agreement;
   };
 
   bool stopped = false;  ///< ended early because the user asked for it

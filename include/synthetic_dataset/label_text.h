@@ -12,5 +12,10 @@ inline namespace v1 {
 /// A scene's index as file names have it: eight digits with leading zeros, "00000012".
 [[nodiscard]] std::string sceneNumber(std::int64_t index);
 
+/// A file or folder name made of any text, such as an object's name. Letters, digits, `-`, `_`, `.`
+/// and all that is not ASCII stay; what else there is becomes `_`, and long names end early. A name
+/// that was changed ends in a hash of the text, so that different texts keep different names.
+[[nodiscard]] std::string safeFileName(const std::string& text);
+
 }  // namespace v1
 }  // namespace synthetic_dataset

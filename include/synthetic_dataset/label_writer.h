@@ -45,7 +45,7 @@ class WriterParameters : public Parameters {
 /// What is known of an object before the first scene.
 struct ObjectInfo {
   std::string name;
-  std::string class_name;
+  std::string class_name;  ///< of its class in DatasetInfo::classes
   std::string id;
   int class_id = 0;  ///< of its class in DatasetInfo::classes
   std::size_t keypoint_count = 0;
@@ -77,7 +77,7 @@ struct CameraDescription {
 /// What is known of the dataset before the first scene.
 struct DatasetInfo {
   std::vector<ObjectInfo> objects;  ///< in the order of `robot_list`
-  std::int64_t scene_count = 0;
+  std::int64_t scene_count = 0;  ///< as planned: none at which a frame of a writer's is not known
   std::string global_frame;
   std::vector<CameraDescription> cameras;  ///< at least one
   std::vector<ClassInfo> classes;          ///< in the order of their ids, each once

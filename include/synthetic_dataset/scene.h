@@ -50,7 +50,8 @@ struct PixelCounts {
 /// visible box are what that method finds.
 struct SceneObject {
   std::string name;        ///< in TF and in the world
-  std::string class_name;  ///< the parameter `class` as text
+  std::string class_name;  ///< the name of its class in DatasetInfo::classes
+  std::string class_text;  ///< the parameter `class` as text: the class's name or its number
   std::string id;          ///< the parameter `id` as text
   int class_id = 0;        ///< of its class in DatasetInfo::classes
   int instance = 0;        ///< its value in Scene::instance_map: its place in `robot_list`, from 1
@@ -154,7 +155,8 @@ struct Scene {
   cv::Mat depth;
 
   /// The unit normal of the surface that is seen, in the optical frame, towards the camera; 0 where
-  /// nothing is; CV_32FC3 (x, y, z). Of the triangles, without normal maps.
+  /// nothing is; CV_32FC3 (x, y, z). Smooth where the mesh is: that of its vertices; without
+  /// normal maps.
   cv::Mat normals;
 
   /// Where what is seen has moved to in this camera's next scene, minus where it is [px]; CV_32FC2

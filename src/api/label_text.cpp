@@ -22,5 +22,31 @@ std::string sceneNumber(std::int64_t index) {
   return buffer.data();
 }
 
+std::string safeFileName(const std::string& text) {
+  constexpr std::size_t kLongest = 80;  // [byte]; several such names fit into one path
+  const auto isContinuation = [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+  };
+  std::string name = text;
+  if (name.size() > kLongest) {
+    std::size_t end = kLongest;
+    while (end > 0 && isContinuation(name[end])) --end;  // no half of a UTF-8 character
+    name.resize(end);
+  }
+  for (char& c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool stays = byte >= 0x80U || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+                       (c >= 'a' && c <= 'z') || c == '-' || c == '_' || c == '.';
+    if (!stays) c = '_';
+  }
+  if (!name.empty() && name.front() == '.') name.front() = '_';  // hidden, or the folder above
+  if (!name.empty() && name == text) return name;
+  std::uint32_t hash = 0x811C9DC5U;  // FNV-1a, http://www.isthe.com/chongo/tech/comp/fnv
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193U;
+  std::array<char, 16> end{};
+  std::snprintf(end.data(), end.size(), "_%08x", hash);
+  return name + end.data();
+}
+
 }  // namespace v1
 }  // namespace synthetic_dataset

@@ -4,6 +4,7 @@
 
 #include "config/camera_config.h"
 #include "config/checked_values.h"
+#include "config/label_config.h"
 #include "config/object_config.h"
 #include "config/output_config.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -59,17 +60,6 @@ WorldConfig readWorld(const Parameters& root) {
   return world;
 }
 
-MaskConfig readMasks(const Parameters& root) {
-  MaskConfig masks;
-  const Parameters subtractor = root.group("background_subtractor");
-  masks.history_length =
-      numberBetween(subtractor, "history_length", masks.history_length, 1, 10000);
-  masks.var_threshold = numberAbove(subtractor, "var_threshold", masks.var_threshold, 0.0);
-  masks.detect_shadows = subtractor.optional("detect_shadows", masks.detect_shadows);
-  masks.clean = root.group("masks").optional("clean", masks.clean);
-  return masks;
-}
-
 PhysicsConfig readPhysics(const Parameters& root) {
   PhysicsConfig physics;
   const Parameters group = root.group("physics");
@@ -121,7 +111,10 @@ Config readConfig(const Parameters& root) {
   config.world = readWorld(root);
   config.cameras = readCameras(root);
   config.objects = readObjects(root);
+  config.classes = readClasses(root, config.objects);
   config.masks = readMasks(root);
+  config.labels = readLabels(root);
+  config.split = readSplit(root);
   config.physics = readPhysics(root);
   config.rendering = readRendering(root);
   config.seed = root.maybe<std::int64_t>("seed").value_or(config.seed);
@@ -149,7 +142,9 @@ std::vector<std::string> unknownParameterErrors(const Parameters& root) {
   std::vector<std::string> errors;
   for (const auto& [name, suggestion] : found) {
     if (root.has(name) && isUnusedBlock(*root.maybe<Value>(name))) continue;
-    errors.push_back(name + ": unknown parameter" + suggestion);
+    const bool is_group = root.has(name) && root.maybe<Value>(name)->is<Value::Map>();
+    errors.push_back(name + ": unknown parameter" + suggestion +
+                     (is_group ? "; nothing in robot_list or writers has this name" : ""));
   }
   return errors;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -23,13 +25,17 @@ struct LinkFrames {
 
 struct ObjectConfig {
   std::string name;
-  std::string class_name;            ///< `class` as text
+  std::string class_text;            ///< `class` as text: a name, or a class's number
+  std::string class_name;            ///< of its class in Config::classes
+  int class_id = 0;                  ///< of its class in Config::classes
   std::string id;                    ///< `id` as text
   std::string frame;                 ///< `frame`, else "<name>/<frame_id>"
   LinkFrames link_frames;            ///< of an articulated model
   std::optional<std::string> model;  ///< its model, the URI of it or its text; none: the world's
                                      ///< model of its name
   std::vector<Eigen::Vector3d> keypoints_O;
+  std::vector<std::string> keypoint_names;           ///< none: numbers
+  std::vector<std::array<std::size_t, 2>> skeleton;  ///< pairs of keypoints, from 0
   int farthest_points = 0;  ///< so many keypoints are chosen on the model instead; 0: as given
   std::vector<Eigen::Vector3d> bounding_shape_O;  ///< none: the model's own box
 };
@@ -51,11 +57,43 @@ struct WorldConfig {
   OnMissingAsset on_missing_asset = OnMissingAsset::kError;
 };
 
+/// How masks are found.
+enum class MaskMethod {
+  kMog2,   ///< by background subtraction, as in the paper
+  kExact,  ///< in the renderer's identifiers
+};
+
 struct MaskConfig {
+  MaskMethod method = MaskMethod::kExact;
+  bool method_is_given = false;  ///< else it follows from `background_subtractor`
   int history_length = 100;
   double var_threshold = 500.0;
   bool detect_shadows = false;
   bool clean = true;
+};
+
+/// Which objects get labels.
+struct LabelConfig {
+  double min_visibility = 0.0;       ///< 0 .. 1; 0: no threshold
+  std::int64_t min_pixels = 0;       ///< visible ones; 0: no threshold
+  double keypoint_tolerance = 0.01;  ///< [m] behind what is seen, and still visible
+
+  [[nodiscard]] bool hasThresholds() const { return min_visibility > 0.0 || min_pixels > 0; }
+};
+
+enum class SplitBy {
+  kBlocks,  ///< the first scenes, those after them, the last
+  kScenes,  ///< drawn at random
+};
+
+struct SplitConfig {
+  std::vector<std::pair<std::string, double>> shares;  ///< name, share > 0; empty: no splits
+  SplitBy by = SplitBy::kBlocks;
+};
+
+struct ClassConfig {
+  int id = 0;
+  std::string name;
 };
 
 struct PhysicsConfig {
@@ -90,7 +128,10 @@ struct Config {
   WorldConfig world;
   std::vector<CameraConfig> cameras;  ///< at least one
   std::vector<ObjectConfig> objects;
+  std::vector<ClassConfig> classes;  ///< in the order of their numbers
   MaskConfig masks;
+  LabelConfig labels;
+  SplitConfig split;
   PhysicsConfig physics;
   RenderingConfig rendering;
   std::int64_t seed = 0;  ///< of all that is random

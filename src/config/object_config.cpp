@@ -1,5 +1,6 @@
 #include "config/object_config.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
@@ -102,6 +103,66 @@ void readKeypoints(const Parameters& group, ObjectConfig& object) {
   }
 }
 
+std::size_t keypointCount(const ObjectConfig& object) {
+  return object.farthest_points > 0 ? static_cast<std::size_t>(object.farthest_points)
+                                    : object.keypoints_O.size();
+}
+
+void readKeypointNames(const Parameters& group, ObjectConfig& object) {
+  const auto names = group.maybe<std::vector<std::string>>("keypoint_names");
+  if (!names) return;
+  if (names->size() != keypointCount(object)) {
+    group.addError("keypoint_names", "found " + std::to_string(names->size()) +
+                                         " names; there are " +
+                                         std::to_string(keypointCount(object)) + " keypoints");
+  } else if (std::set<std::string>(names->begin(), names->end()).size() != names->size()) {
+    group.addError("keypoint_names", "found a name more than once; each keypoint has its own");
+  } else if (std::any_of(names->begin(), names->end(), [](const std::string& name) {
+               return name.empty() || name.find_first_of("\n\r") != std::string::npos;
+             })) {
+    group.addError("keypoint_names", "found a name that is empty or has more than one line");
+  } else {
+    object.keypoint_names = *names;
+  }
+}
+
+/// One end of a skeleton's line: a keypoint's place, from 0, or its name.
+std::optional<std::size_t> keypointOf(const Value& end, const ObjectConfig& object) {
+  const std::vector<std::string>& names = object.keypoint_names;
+  const auto named = std::find(names.begin(), names.end(), end.text());
+  const bool is_text = end.is<std::string>();
+  if (is_text && named != names.end()) return static_cast<std::size_t>(named - names.begin());
+  const auto* place = end.as<std::int64_t>();
+  const bool fits =
+      place != nullptr && *place >= 0 && static_cast<std::size_t>(*place) < keypointCount(object);
+  return fits ? std::optional<std::size_t>(static_cast<std::size_t>(*place)) : std::nullopt;
+}
+
+/// `skeleton: [[0, 1], [nose, tail]]`.
+void readSkeleton(const Parameters& group, ObjectConfig& object) {
+  const auto given = group.maybe<Value>("skeleton");
+  if (!given) return;
+  const auto* lines = given->as<Value::List>();
+  if (lines == nullptr) {
+    group.addError("skeleton", "found " + given->kind() + "; it should be a list of pairs");
+    return;
+  }
+  for (const Value& line : *lines) {
+    const auto* ends = line.as<Value::List>();
+    const auto first =
+        ends != nullptr && ends->size() == 2 ? keypointOf((*ends)[0], object) : std::nullopt;
+    const auto second = first ? keypointOf((*ends)[1], object) : std::nullopt;
+    if (!second || *first == *second) {
+      group.addError("skeleton",
+                     "found " + line.text() +
+                         "; each entry should be two different keypoints, by their names or by "
+                         "their places from 0");
+      return;
+    }
+    object.skeleton.push_back({*first, *second});
+  }
+}
+
 std::vector<Eigen::Vector3d> readBoundingShape(const Parameters& group) {
   const auto given = group.maybe<Value>("bounding_shape");
   if (!given || given->is<std::string>()) {
@@ -130,7 +191,8 @@ ObjectConfig readObject(const Parameters& root, const std::string& name) {
   const Parameters group = root.group(name);
   ObjectConfig object;
   object.name = name;
-  object.class_name = readLabel(group, "class");
+  object.class_text = readLabel(group, "class");
+  object.class_name = object.class_text;
   object.id = readLabel(group, "id");
   object.frame = readFrame(group, name);
   object.link_frames = readLinkFrames(group);
@@ -143,6 +205,8 @@ ObjectConfig readObject(const Parameters& root, const std::string& name) {
   }
   if (object.model && !isXml(*object.model)) object.model = pathOrUri(*object.model);
   readKeypoints(group, object);
+  readKeypointNames(group, object);
+  readSkeleton(group, object);
   object.bounding_shape_O = readBoundingShape(group);
   return object;
 }
@@ -154,11 +218,30 @@ std::vector<ObjectConfig> readObjects(const Parameters& root) {
   if (isEmptyList(root, "robot_list")) {
     root.addError("robot_list", "found an empty list; it should name at least one object");
   }
+  // An object's group has its name, as these have.
+  static const std::set<std::string> kSettings = {"background_subtractor",
+                                                  "camera",
+                                                  "cameras",
+                                                  "classes",
+                                                  "image",
+                                                  "labels",
+                                                  "masks",
+                                                  "physics",
+                                                  "rendering",
+                                                  "split",
+                                                  "world",
+                                                  "writers"};
   std::vector<ObjectConfig> objects;
   std::set<std::string> seen;
   std::map<std::string, std::string> ids;
   for (std::string name : names) {
     if (!name.empty() && name.front() == '/') name.erase(0, 1);
+    if (kSettings.count(name) != 0) {
+      root.addError("robot_list", "found '" + name +
+                                      "', which is also a setting; the object should have another "
+                                      "name");
+      continue;
+    }
     if (name.empty() || !seen.insert(name).second) {
       root.addError("robot_list",
                     name.empty() ? "found an empty name" : "found '" + name + "' more than once");

@@ -1,5 +1,6 @@
 #include "config/output_config.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -37,6 +38,15 @@ std::vector<std::pair<std::string, std::string>> readWriterNames(const Parameter
   for (const Value& entry : *list) {
     const std::string name = memberText(entry, "name");
     const std::string type = memberText(entry, "type");
+    const bool has_control = std::any_of(name.begin(), name.end(), [](char c) {
+      return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    });
+    if (has_control || name == "." || name.find("..") != std::string::npos) {
+      root.addError("writers", "found the name '" + name +
+                                   "', which is also a folder's; it should have neither control "
+                                   "characters nor '..'");
+      continue;
+    }
     if (name.empty() || type.empty() || entry.as<Value::Map>()->size() != 2) {
       root.addError("writers", "found the entry " + entry.text() + should);
       continue;
@@ -75,6 +85,10 @@ std::vector<WriterConfig> readWriters(const Parameters& root, const std::string&
     if (!folder && output_folder.empty()) {
       group.addError("output_folder",
                      "required, but missing (or give the whole run an output_folder)");
+    }
+    if (folder && folder->empty()) {
+      group.addError("output_folder", "found an empty text; it should be a folder");
+      continue;
     }
     if (!folder) folder = output_folder + "/" + name;
     writers.push_back({name, type, folderPath(*folder), group});

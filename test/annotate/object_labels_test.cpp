@@ -9,7 +9,15 @@ const CameraModel kCamera(640, 480, {500, 500, 319.5, 239.5}, 0.1, 100.0);
 
 /// A cube of 1 m.
 ObjectShape cube() {
-  ObjectShape shape{"cube", "box", "7", {{0, 0, 0}}, {}};
+  ObjectShape shape;
+  shape.name = "cube";
+  shape.class_text = "4";
+  shape.class_name = "box";
+  shape.id = "7";
+  shape.class_id = 4;
+  shape.instance = 2;
+  shape.keypoints_O = {{0, 0, 0}};
+  shape.cuboid_O = {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
   for (const double x : {-0.5, 0.5}) {
     for (const double y : {-0.5, 0.5}) {
       for (const double z : {-0.5, 0.5}) shape.bounding_shape_O.emplace_back(x, y, z);
@@ -32,7 +40,35 @@ TEST(LabelObject, GivesPosesInBothFrames) {
   EXPECT_TRUE(object.X_GO.translation().isApprox(Eigen::Vector3d(5, 1.5, 3.25)));
   EXPECT_EQ(object.name, "cube");
   EXPECT_EQ(object.class_name, "box");
+  EXPECT_EQ(object.class_text, "4");
   EXPECT_EQ(object.id, "7");
+  EXPECT_EQ(object.class_id, 4);
+  EXPECT_EQ(object.instance, 2);
+  EXPECT_DOUBLE_EQ(object.distance(), Eigen::Vector3d(0.5, -0.25, 4).norm());
+  EXPECT_EQ(object.cuboid_O.size(), Eigen::Vector3d(1, 1, 1));
+}
+
+TEST(LabelObject, GivesKeypointsTheirPlaceAndDepth) {
+  const SceneObject object = labelObject(cube(), at(0.3, -0.6, 3), Pose::Identity(), kCamera);
+  ASSERT_EQ(object.keypoints.size(), 1U);
+  ASSERT_TRUE(object.keypoints[0].pixel);
+  EXPECT_NEAR(object.keypoints[0].pixel->x(), 319.5 + 0.3 / 3 * 500, 1e-9);
+  EXPECT_NEAR(object.keypoints[0].pixel->y(), 239.5 - 0.6 / 3 * 500, 1e-9);
+  EXPECT_NEAR(object.keypoints[0].depth, 3.0, 1e-12);
+  EXPECT_EQ(object.keypoints[0].state, KeypointState::kVisible);
+}
+
+TEST(LabelObject, KeypointsOffTheImageOrBehindTheCameraAreOutside) {
+  const auto keypointAt = [](const Pose& X_GO) {
+    return labelObject(cube(), X_GO, Pose::Identity(), kCamera).keypoints.at(0);
+  };
+  const Keypoint beside = keypointAt(at(-2.0, 0, 3));
+  EXPECT_TRUE(beside.pixel);
+  EXPECT_EQ(beside.state, KeypointState::kOutside);
+  const Keypoint behind = keypointAt(at(0, 0, -3));
+  EXPECT_FALSE(behind.pixel);
+  EXPECT_EQ(behind.state, KeypointState::kOutside);
+  EXPECT_NEAR(behind.depth, -3.0, 1e-12);
 }
 
 TEST(LabelObject, LooseBoxIsRoundTheProjectedShape) {

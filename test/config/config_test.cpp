@@ -195,6 +195,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         BadSetting{"robot_list: alpha", "robot_list: []", "robot_list: found an empty list"},
         BadSetting{"robot_list: alpha", "robot_list: [alpha, alpha]", "more than once"},
+        BadSetting{"robot_list: alpha", "robot_list: [alpha, labels]", "which is also a setting"},
         BadSetting{"keypoints: []", "keypoints: [[1, 2]]", "alpha/keypoints: found [[1, 2]]"},
         BadSetting{"keypoints: []", "keypoints: [[1, 2, x]]", "entry 1 is [1, 2, x]"},
         BadSetting{"keypoints: []", "keypoints: nose", "alpha/keypoints: found nose (a text)"},

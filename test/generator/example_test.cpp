@@ -49,10 +49,11 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   const std::vector<config::ObjectConfig>& objects = setup.config.objects;
   Requirements masks;
   masks.silhouettes = true;
-  const config::MaskConfig& mog2 = setup.config.masks;
+  config::MaskConfig subtraction = setup.config.masks;
+  subtraction.method = config::MaskMethod::kMog2;
   SceneMaker maker(*setup.world, renderer, *setup.recording, setup.cameras,
-                   setup.config.global_frame, *setup.shapes, masks,
-                   {{mog2.history_length, mog2.var_threshold, mog2.detect_shadows}, mog2.clean});
+                   setup.config.global_frame, *setup.shapes, *setup.splits, masks,
+                   {subtraction, {}, {}});
   ObjectMotion motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links);
   std::vector<double> worst(objects.size(), 1.0);
   std::vector<double> sum(objects.size(), 0.0);
@@ -60,7 +61,7 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
     const Stamp stamp = setup.timeline.stamps[s];
     setup.world->advanceTo(stamp, [&](int object, Stamp time) { return motion.at(object, time); });
     const Scene scene =
-        maker.make(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp));
+        maker.make(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp)).scene;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       render::LinkSelection alone;
       for (const world::LinkInstance& link : setup.world->links()) {

@@ -104,6 +104,41 @@ TEST_F(GeneratorTest, TwoRunsGiveTheSameBytes) {
   EXPECT_GT(first.size(), 20U);
 }
 
+TEST_F(GeneratorTest, AllFormatsGiveTheSameBytesTwice) {
+  const std::vector<std::pair<std::string, Value::Map>> formats = {
+      {"Bop", {}},
+      {"Cityscapes", {}},
+      {"Coco", {{"panoptic", Value(true)}}},
+      {"Dope", {}},
+      {"ImageFolder",
+       {{"webdataset", Value(true)},
+        {"depth", Value(true)},
+        {"normals", Value(true)},
+        {"optical_flow", Value(true)}}},
+      {"Kitti", {}},
+      {"PascalVoc", {}},
+      {"PvNet", {}},
+      {"RosBag", {}},
+      {"StvNet", {}},
+      {"UltralyticsYolo", {{"task", Value("segment")}}}};
+  Value::List writers;
+  for (const auto& [type, settings] : formats) {
+    writers.emplace_back(
+        Value::Map{{"name", Value("w_" + type)}, {"type", Value("synthetic_dataset/" + type)}});
+    parameters["w_" + type] = Value(settings);
+  }
+  parameters["writers"] = Value(writers);
+  parameters["split"] = Value(Value::Map{{"train", Value(0.5)}, {"val", Value(0.5)}});
+  parameters.erase("yolo");
+  parameters.erase("bounding_shape");
+  generate(parameters);
+  const auto first = dataset();
+  parameters["if_exists"] = Value("overwrite");
+  generate(parameters);
+  EXPECT_TRUE(first == dataset());
+  EXPECT_GT(first.size(), 150U);
+}
+
 TEST_F(GeneratorTest, RefusesToTouchADatasetThatIsThere) {
   generate(parameters);
   const auto first = dataset();

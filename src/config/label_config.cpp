@@ -1,0 +1,202 @@
+#include "config/label_config.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "config/checked_values.h"
+#include "synthetic_dataset/nearest_name.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+constexpr int kLargestClass = 65534;  // its place + 1 fits into 16 bits of a class map
+
+MaskMethod readMethod(const Parameters& group, MaskMethod fallback) {
+  const auto found = group.maybe<std::string>("method");
+  if (!found) return fallback;
+  if (*found == "mog2") return MaskMethod::kMog2;
+  if (*found != "exact") {
+    group.addError("method", "found '" + *found + "'; it should be mog2 or exact");
+  }
+  return MaskMethod::kExact;
+}
+
+/// The number that a text is, written as numbers are: not "007".
+std::optional<int> wholeNumber(const std::string& text) {
+  int number = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = fault == std::errc() && end == text.data() + text.size();
+  if (!is_whole || number < 0 || number > kLargestClass) return std::nullopt;
+  return std::to_string(number) == text ? std::optional<int>(number) : std::nullopt;
+}
+
+/// Takes note of a class once, by number and by name.
+class ClassTable {
+ public:
+  explicit ClassTable(const Parameters& root) : root_(root) {}
+
+  void add(int id, const std::string& name) {
+    if (id < 0 || id > kLargestClass) {
+      root_.addError("classes", "found the number " + std::to_string(id) + " of '" + name +
+                                    "'; it should be 0 to " + std::to_string(kLargestClass));
+    } else if (name.empty() || name.find_first_of("\n\r") != std::string::npos) {
+      root_.addError("classes", "found a name that is empty or has more than one line");
+    } else if (const bool is_new_name = names_.insert(name).second;
+               !by_id_.emplace(id, name).second || !is_new_name) {
+      root_.addError("classes", "found '" + name + "' or its number " + std::to_string(id) +
+                                    " more than once");
+    }
+  }
+
+  /// The class that a text means: its name or its number.
+  [[nodiscard]] std::optional<int> find(const std::string& text) const {
+    for (const auto& [id, name] : by_id_) {
+      if (name == text) return id;
+    }
+    const auto number = wholeNumber(text);
+    return number && by_id_.count(*number) != 0 ? number : std::nullopt;
+  }
+
+  /// Whether a name was given, even with a number that cannot be.
+  [[nodiscard]] bool knows(const std::string& name) const { return names_.count(name) != 0; }
+
+  [[nodiscard]] const std::string& name(int id) const { return by_id_.at(id); }
+
+  [[nodiscard]] std::vector<ClassConfig> classes() const {
+    std::vector<ClassConfig> all;
+    for (const auto& [id, name] : by_id_) all.push_back({id, name});
+    return all;
+  }
+
+  [[nodiscard]] std::vector<std::string> names() const { return {names_.begin(), names_.end()}; }
+
+ private:
+  const Parameters& root_;
+  std::map<int, std::string> by_id_;
+  std::set<std::string> names_;
+};
+
+/// The parameter `classes`: a list of names, numbered from 0, or a map from name to number.
+void readTable(const Parameters& root, const Value& given, ClassTable& table) {
+  if (given.is<Value::Map>()) {
+    const Parameters group = root.group("classes");
+    for (const std::string& name : group.names()) table.add(group.required<int>(name), name);
+    return;
+  }
+  int id = 0;
+  for (const std::string& name : root.required<std::vector<std::string>>("classes")) {
+    table.add(id++, name);
+  }
+}
+
+/// Classes as the objects have them.
+void numberClasses(const std::vector<ObjectConfig>& objects, ClassTable& table) {
+  std::set<std::string> names;
+  std::set<int> taken;
+  for (const ObjectConfig& object : objects) {
+    const auto number = wholeNumber(object.class_text);
+    if (number && taken.insert(*number).second) table.add(*number, object.class_text);
+    if (!number && !object.class_text.empty()) names.insert(object.class_text);
+  }
+  int next = 0;
+  for (const std::string& name : names) {
+    while (taken.count(next) != 0) ++next;
+    table.add(next++, name);
+  }
+}
+
+}  // namespace
+
+MaskConfig readMasks(const Parameters& root) {
+  MaskConfig masks;
+  const Parameters subtractor = root.group("background_subtractor");
+  masks.history_length =
+      numberBetween(subtractor, "history_length", masks.history_length, 1, 10000);
+  masks.var_threshold = numberAbove(subtractor, "var_threshold", masks.var_threshold, 0.0);
+  masks.detect_shadows = subtractor.optional("detect_shadows", masks.detect_shadows);
+  const Parameters group = root.group("masks");
+  masks.clean = group.optional("clean", masks.clean);
+  masks.method_is_given = group.has("method");
+  masks.method =
+      readMethod(group, root.has("background_subtractor") ? MaskMethod::kMog2 : MaskMethod::kExact);
+  return masks;
+}
+
+LabelConfig readLabels(const Parameters& root) {
+  LabelConfig labels;
+  const Parameters group = root.group("labels");
+  labels.min_visibility = group.maybe<double>("min_visibility").value_or(0.0);
+  if (!(labels.min_visibility >= 0.0 && labels.min_visibility <= 1.0)) {
+    group.addError("min_visibility", "found " + Value(labels.min_visibility).text() +
+                                         "; it should be a share, 0 to 1");
+    labels.min_visibility = 0.0;
+  }
+  labels.min_pixels = group.maybe<std::int64_t>("min_pixels").value_or(0);
+  if (labels.min_pixels < 0) {
+    group.addError("min_pixels", "found " + std::to_string(labels.min_pixels) +
+                                     "; it should be a number of pixels, 0 or more");
+    labels.min_pixels = 0;
+  }
+  const double tolerance = labels.keypoint_tolerance;
+  labels.keypoint_tolerance = group.has("keypoint_tolerance")
+                                  ? numberAbove(group, "keypoint_tolerance", tolerance, 0.0)
+                                  : tolerance;
+  return labels;
+}
+
+SplitConfig readSplit(const Parameters& root) {
+  SplitConfig split;
+  if (!root.has("split")) return split;
+  const Parameters group = root.group("split");
+  double sum = 0.0;
+  bool is_right = true;
+  for (const char* name : {"train", "val", "test"}) {
+    const double share = group.maybe<double>(name).value_or(0.0);
+    if (!(share >= 0.0 && share <= 1.0)) {
+      group.addError(
+          name, "found " + Value(share).text() + "; it should be a share of the scenes, 0 to 1");
+      is_right = false;
+    }
+    if (share > 0.0) split.shares.emplace_back(name, share);
+    sum += share;
+  }
+  if (!is_right) {
+    split.shares.clear();
+  } else if (std::abs(sum - 1.0) > 1e-6) {
+    root.addError("split", "found shares that add up to " + Value(sum).text() +
+                               "; train, val and test should add up to 1");
+    split.shares.clear();
+  }
+  const std::string by = group.maybe<std::string>("by").value_or("blocks");
+  if (by != "blocks" && by != "scenes") {
+    group.addError("by", "found '" + by + "'; it should be blocks or scenes");
+  }
+  split.by = by == "scenes" ? SplitBy::kScenes : SplitBy::kBlocks;
+  return split;
+}
+
+std::vector<ClassConfig> readClasses(const Parameters& root, std::vector<ObjectConfig>& objects) {
+  ClassTable table(root);
+  const auto given = root.maybe<Value>("classes");
+  if (given) {
+    readTable(root, *given, table);
+  } else {
+    numberClasses(objects, table);
+  }
+  for (ObjectConfig& object : objects) {
+    const auto id = table.find(object.class_text);
+    if (id) {
+      object.class_id = *id;
+      object.class_name = table.name(*id);
+    } else if (given && !object.class_text.empty() && !table.knows(object.class_text)) {
+      root.addError(object.name + "/class", "found '" + object.class_text +
+                                                "', which is not among the classes" +
+                                                didYouMean(object.class_text, table.names()));
+    }
+  }
+  return table.classes();
+}
+
+}  // namespace synthetic_dataset::config

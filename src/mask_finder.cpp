@@ -1,0 +1,81 @@
+#include "mask_finder.h"
+
+#include <utility>
+
+#include "annotate/mask.h"
+
+namespace synthetic_dataset {
+namespace {
+
+constexpr int kNoObject = -1;
+
+/// The world and one object.
+render::LinkSelection worldAnd(int object, const std::vector<world::LinkInstance>& links) {
+  render::LinkSelection selection;
+  for (const world::LinkInstance& link : links) {
+    selection.push_back(link.role != world::Role::kObject || link.object == object);
+  }
+  return selection;
+}
+
+}  // namespace
+
+MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
+                       std::size_t object_count, const annotate::Mog2Options& options, bool clean)
+    : world_(world),
+      renderer_(renderer),
+      segmenter_(options),
+      clean_(clean),
+      nothing_(world.links().size(), false),
+      without_objects_(worldAnd(kNoObject, world.links())) {
+  for (std::size_t i = 0; i < object_count; ++i) {
+    one_object_.push_back(worldAnd(static_cast<int>(i), world.links()));
+  }
+}
+
+std::vector<cv::Mat> MaskFinder::find(const render::View& view,
+                                      const std::vector<SceneObject>& objects) {
+  const cv::Size size(view.camera.width(), view.camera.height());
+  std::vector<cv::Rect> boxes;
+  cv::Rect all;  // OpenCV's union with an empty rectangle is the other one
+  for (const SceneObject& object : objects) {
+    boxes.push_back(object.in_view ? annotate::pixelsOf(*object.loose_box, size) : cv::Rect());
+    all |= boxes.back();
+  }
+  takeBackground(view, all);
+  std::vector<cv::Mat> masks;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    masks.push_back(cv::Mat::zeros(size, CV_8UC1));
+    if (boxes[i].empty()) continue;
+    cv::Mat alone = background_->image.clone();
+    draw(view, one_object_[i], boxes[i])(boxes[i]).copyTo(alone(boxes[i]));
+    const cv::Mat raw = segmenter_.segment(alone);
+    masks.back() =
+        annotate::cutToBox(clean_ ? annotate::cleanMask(raw) : raw, *objects[i].loose_box);
+  }
+  return masks;
+}
+
+void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region) {
+  // Compared exactly: a scene's masks must not depend on which scene was made before it.
+  const bool stands_still = background_ && background_->X_GC.matrix() == view.X_WC.matrix() &&
+                            background_->prop_revision == world_.propRevision();
+  if (stands_still && (background_->region & region) == region) return;
+  // MOG2 judges each pixel by itself, so pixels outside of all boxes need not be drawn. Where
+  // nothing but the objects moves, the whole picture is good for all scenes to come.
+  const cv::Rect whole(0, 0, view.camera.width(), view.camera.height());
+  const cv::Rect drawn = stands_still ? whole : region;
+  background_ =
+      Background{view.X_WC, world_.propRevision(), drawn, draw(view, without_objects_, drawn)};
+  segmenter_.train(background_->image);
+}
+
+cv::Mat MaskFinder::draw(const render::View& view, const render::LinkSelection& drawn,
+                         const cv::Rect& region) {
+  // Without shadows, and with pixels sampled at their centres alone, what differs from the
+  // background is the object and nothing around it.
+  return renderer_.colour(view, world_.linkPoses(),
+                          {drawn, nothing_, render::Sampling::kCentre, region});
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "annotate/mog2_segmenter.h"
+#include "render/renderer.h"
+#include "synthetic_dataset/scene.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// Finds one camera's masks as the paper does: an object is what differs between a picture of the
+/// world with this object alone and one without objects.
+class MaskFinder {
+ public:
+  /// All references have to outlive the finder.
+  /// @param clean  fill holes and remove specks
+  MaskFinder(const world::World& world, render::Renderer& renderer, std::size_t object_count,
+             const annotate::Mog2Options& options, bool clean);
+
+  /// The mask of each object (see SceneObject::silhouette), in their order.
+  [[nodiscard]] std::vector<cv::Mat> find(const render::View& view,
+                                          const std::vector<SceneObject>& objects);
+
+ private:
+  /// The picture without objects that masks are found with.
+  struct Background {
+    Pose X_GC = Pose::Identity();  ///< of the camera, when it was taken
+    std::int64_t prop_revision = -1;
+    cv::Rect region;  ///< the pixels that were drawn
+    cv::Mat image;
+  };
+
+  void takeBackground(const render::View& view, const cv::Rect& region);
+  [[nodiscard]] cv::Mat draw(const render::View& view, const render::LinkSelection& drawn,
+                             const cv::Rect& region);
+
+  const world::World& world_;
+  render::Renderer& renderer_;
+  annotate::Mog2Segmenter segmenter_;
+  bool clean_;
+  std::optional<Background> background_;
+  render::LinkSelection nothing_;
+  render::LinkSelection without_objects_;
+  std::vector<render::LinkSelection> one_object_;  ///< the world and this object alone
+};
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "config/config.h"
+#include "mask_finder.h"
+#include "render/renderer.h"
+#include "synthetic_dataset/label_writer.h"
+#include "synthetic_dataset/scene.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// How labels are taken from pixels.
+struct PixelLabelOptions {
+  config::MaskConfig masks;
+  config::LabelConfig labels;
+  std::vector<std::uint16_t> class_numbers;  ///< of the objects: their values in Scene::class_map
+};
+
+/// How well one object's visible masks of background subtraction agree with exact ones, over all
+/// scenes.
+struct MaskAgreement {
+  double sum = 0.0;  ///< of intersections over unions
+  std::int64_t count = 0;
+
+  void add(double intersection_over_union) {
+    sum += intersection_over_union;
+    ++count;
+  }
+};
+
+/// What is kept of a scene's pixels until it is known where they go.
+struct SeenSurface {
+  cv::Mat depth;
+  cv::Mat range;
+  cv::Mat links;
+};
+
+/// Labels that follow from one camera's pixels: masks, measures, what hides what, maps. Computes
+/// what the requirements ask for, and nothing else.
+class PixelLabeller {
+ public:
+  /// All references have to outlive this.
+  PixelLabeller(const world::World& world, render::Renderer& renderer, std::size_t object_count,
+                const Requirements& requirements, const PixelLabelOptions& options);
+
+  /// Adds labels to a scene whose objects have all that follows from their poses.
+  /// @return what its optical flow needs; empty unless that is required
+  [[nodiscard]] SeenSurface label(const render::View& view, Scene& scene);
+
+  /// Of each object.
+  [[nodiscard]] const std::vector<MaskAgreement>& agreement() const { return agreement_; }
+
+ private:
+  void addImages(const render::LabelImages& images, Scene& scene) const;
+  void measureSilhouettes(const render::View& view, Scene& scene);
+  void addMasks(const render::View& view, const cv::Mat& ids, Scene& scene);
+  void addVisibleParts(const cv::Mat& instance_map, Scene& scene) const;
+  void addKeypointStates(const render::LabelImages& images, Scene& scene) const;
+  void drop(Scene& scene) const;
+  [[nodiscard]] bool usesSubtraction() const;
+
+  const world::World& world_;
+  render::Renderer& renderer_;
+  Requirements requirements_;
+  PixelLabelOptions options_;
+  bool needs_labels_ = false;       ///< the renderer's identifiers and depths
+  bool needs_silhouettes_ = false;  ///< drawn object by object
+  render::LabelPass pass_;
+  std::vector<render::LinkSelection> links_of_;  ///< of each object
+  MaskFinder finder_;
+  std::vector<MaskAgreement> agreement_;
+};
+
+}  // namespace synthetic_dataset
