@@ -49,7 +49,9 @@ std::vector<uchar> encodeImage(const cv::Mat& image, ImageFormat format,
     extension = ".jpg";
     settings = {cv::IMWRITE_JPEG_QUALITY, quality.jpeg_quality};
   } else if (format == ImageFormat::kTiff) {
-    constexpr int kAdobeDeflate = 8;  // of libtiff's COMPRESSION_ADOBE_DEFLATE: readers have it
+    // libtiff's COMPRESSION_ADOBE_DEFLATE, which all readers have. OpenCV leaves floating point
+    // numbers as they are, whatever it is told.
+    constexpr int kAdobeDeflate = 8;
     extension = ".tiff";
     settings = {cv::IMWRITE_TIFF_COMPRESSION, kAdobeDeflate};
   }

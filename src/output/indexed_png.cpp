@@ -1,7 +1,7 @@
 #include "output/indexed_png.h"
 
-#include <opencv2/core.hpp>
 #include <png.h>
+#include <opencv2/core.hpp>
 
 #include "output/image_encoder.h"
 #include "synthetic_dataset/errors.h"
@@ -16,7 +16,7 @@ struct PngWriter {
   PngWriter() {
     // libpng reports by this function, which must not return: an exception leaves its C code, as
     // it does with longjmp in libpng's own way.
-    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, nullptr);
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, keepQuiet);
     if (png == nullptr) throw Error("libpng cannot begin a PNG");
     info = png_create_info_struct(png);
   }
@@ -27,6 +27,9 @@ struct PngWriter {
   [[noreturn]] static void fail(png_structp /*png*/, png_const_charp message) {
     throw Error(std::string("the image could not be encoded: ") + message);
   }
+
+  /// In the place of libpng's own, which prints what it warns of.
+  static void keepQuiet(png_structp /*png*/, png_const_charp /*message*/) {}
 
   png_structp png = nullptr;
   png_infop info = nullptr;

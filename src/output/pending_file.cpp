@@ -6,10 +6,10 @@
 #include <array>
 #include <cerrno>
 #include <cinttypes>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <ostream>
 #include <streambuf>
 #include <system_error>
@@ -120,9 +120,13 @@ std::uint64_t hashOf(std::string_view text) {
 }  // namespace
 
 std::string readWholeFile(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) throw Error("cannot read '" + path + "': " + error.message());
+  std::string bytes(static_cast<std::size_t>(size), '\0');
   std::ifstream stream(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad()) throw Error("cannot read '" + path + "'");
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!stream) throw Error("cannot read '" + path + "'");
   return bytes;
 }
 

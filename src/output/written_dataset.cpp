@@ -1,14 +1,28 @@
 #include "output/written_dataset.h"
 
+#include <algorithm>
+
 #include "output/manifest.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::output {
 
+namespace {
+
+std::string existingManifest(const std::filesystem::path& folder) {
+  std::string file = manifestFile(folder.string());
+  if (std::filesystem::exists(file)) return file;
+  throw Error("'" + folder.string() +
+              "': no dataset is there (a run leaves its manifest.sqlite in " +
+              "its output_folder)");
+}
+
+}  // namespace
+
 WrittenDataset::WrittenDataset(const std::filesystem::path& folder)
     : folder_(std::filesystem::absolute(folder)),
-      database_(manifestFile(folder_.string()), SqliteDatabase::Mode::kExisting) {
+      database_(existingManifest(folder_), SqliteDatabase::Mode::kExisting) {
   SqliteStatement rows(
       database_, "SELECT \"index\", name, type, output_folder FROM writer ORDER BY \"index\"");
   for (rows.start(); rows.step();) {
@@ -33,6 +47,7 @@ WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
   SqliteStatement scenes(database_, "SELECT camera FROM scene WHERE \"index\" = ?");
   scenes.start(index);
   if (!scenes.step()) {
+    (void)middleScene();  // tells of a dataset without scenes
     SqliteStatement last(database_, "SELECT coalesce(max(\"index\"), -1) FROM scene");
     last.start();
     last.step();
@@ -42,6 +57,17 @@ WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
   const std::int64_t instant = index / camera_count_;
   const std::string camera = camera_count_ > 1 ? scenes.text(0) + "/" : "";
   return {camera + sceneNumber(instant), instant};
+}
+
+bool WrittenDataset::lists(const std::filesystem::path& file) const {
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(file, error);
+  SqliteStatement rows(database_, "SELECT path FROM file");
+  for (rows.start(); rows.step();) {
+    const std::filesystem::path listed = folder_ / rows.text(0);
+    if (std::filesystem::weakly_canonical(listed, error) == target) return true;
+  }
+  return false;
 }
 
 std::vector<std::filesystem::path> WrittenDataset::files(const WrittenWriter& writer,

@@ -38,6 +38,9 @@ class WrittenDataset {
   /// @throws Error when the dataset has no scene of this index
   [[nodiscard]] WrittenSceneRow scene(std::int64_t index) const;
 
+  /// Whether a file is one of the dataset's, by whichever of its names.
+  [[nodiscard]] bool lists(const std::filesystem::path& file) const;
+
   /// The files that a writer made of a scene: absolute, in alphabetical order.
   [[nodiscard]] std::vector<std::filesystem::path> files(const WrittenWriter& writer,
                                                          std::int64_t scene) const;

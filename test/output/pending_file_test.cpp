@@ -1,9 +1,11 @@
 #include "output/pending_file.h"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <stdexcept>
 
@@ -107,6 +109,77 @@ TEST_F(PendingFileTest, LetsErrorsOfTheContentThrough) {
   EXPECT_TRUE(folderIsEmpty());
 }
 
+TEST_F(PendingFileTest, IsWrittenByALibraryUnderItsTemporaryName) {
+  PendingFile file = PendingFile::writtenBy(
+      path("deep/a"), [](const std::string& name) { std::ofstream(name) << "of a library"; });
+  EXPECT_FALSE(fs::exists(path("deep/a")));
+  EXPECT_EQ(file.size(), 12);
+  file.publish();
+  file.keep();
+  EXPECT_EQ(test::readFile(path("deep/a")), "of a library");
+  EXPECT_FALSE(fs::exists(path("deep/.a.tmp")));
+}
+
+TEST_F(PendingFileTest, GivesALibraryANameThatIsFree) {
+  folder_.write(".a.tmp", "of a killed run");
+  PendingFile::writtenBy(path("a"), [](const std::string& name) {
+    EXPECT_FALSE(fs::exists(name));
+    std::ofstream(name) << "x";
+  });
+}
+
+TEST_F(PendingFileTest, LeavesNothingOfALibraryThatFails) {
+  const auto fail = [](const std::string& name) {
+    std::ofstream(name) << "half";
+    throw std::range_error("mine");
+  };
+  EXPECT_THROW(PendingFile::writtenBy(path("a"), fail), std::range_error);
+  EXPECT_TRUE(folderIsEmpty());
+}
+
+TEST_F(PendingFileTest, TellsOfALibraryThatMakesNoFile) {
+  std::string failure;
+  try {
+    PendingFile::writtenBy(path("a"), [](const std::string& /*name*/) {});
+  } catch (const Error& error) {
+    failure = error.what();
+  }
+  EXPECT_THAT(failure,
+              AllOf(HasSubstr("cannot write '" + path("a") + "'"), HasSubstr("No such file")));
+}
+
+TEST_F(PendingFileTest, LinksAFileThatIsThere) {
+  folder_.write("original", "content");
+  {
+    PendingFile file = PendingFile::linkedToFile(path("original"), path("b/c"));
+    EXPECT_EQ(file.size(), 7);
+    file.publish();
+    EXPECT_TRUE(fs::equivalent(path("original"), path("b/c")));
+  }
+  EXPECT_FALSE(fs::exists(path("b/c")));
+  EXPECT_EQ(test::readFile(path("original")), "content");
+}
+
+TEST_F(PendingFileTest, CopiesAFileToAnotherFileSystem) {
+  if (!fs::is_directory("/dev/shm")) GTEST_SKIP() << "there is no other file system here";
+  const fs::path original = fs::path("/dev/shm") / folder_.path().filename();
+  { std::ofstream(original) << "content"; }
+  struct stat one {};
+  struct stat other {};
+  stat(original.c_str(), &one);
+  stat(folder_.path().c_str(), &other);
+  PendingFile file = PendingFile::linkedToFile(original.string(), path("a"));
+  file.publish();
+  fs::remove(original);
+  if (one.st_dev == other.st_dev) GTEST_SKIP() << "/dev/shm is the same file system";
+  EXPECT_EQ(test::readFile(path("a")), "content");
+}
+
+TEST_F(PendingFileTest, LinksNoFileThatIsNotThere) {
+  EXPECT_THROW(PendingFile::linkedToFile(path("none"), path("a")), Error);
+  EXPECT_TRUE(folderIsEmpty());
+}
+
 TEST_F(PendingFileTest, NamesPathAndReasonWhenItsFolderCannotBeMade) {
   folder_.write("wall", "");
   EXPECT_THAT(
@@ -128,6 +201,26 @@ TEST_F(PendingFileTest, NamesPathAndReasonWhenTheDiskIsFull) {
   EXPECT_THAT(failure,
               AllOf(HasSubstr("cannot write '" + path("a") + "'"), HasSubstr("too large")));
   EXPECT_TRUE(folderIsEmpty());
+}
+
+TEST(ReadWholeFile, AnswersEveryByte) {
+  const test::TemporaryFolder folder;
+  std::string all;
+  for (int i = 0; i < 100000; ++i) all += static_cast<char>(i);
+  EXPECT_EQ(readWholeFile(folder.write("a", all).string()), all);
+  EXPECT_EQ(readWholeFile(folder.write("empty", "").string()), "");
+}
+
+TEST(ReadWholeFile, NamesAFileThatCannotBeRead) {
+  const test::TemporaryFolder folder;
+  for (const std::string& path : {(folder / "none").string(), folder.path().string()}) {
+    try {
+      (void)readWholeFile(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("cannot read '" + path + "'"));
+    }
+  }
 }
 
 TEST(TemporaryPath, IsHiddenAndInTheSameFolder) {

@@ -10,8 +10,10 @@ const std::string kTestPackage = kSourceFolder + "/test/writers/plugin_package";
 
 }  // namespace
 
-void preparePluginEnvironment() {
-  setenv("ROS_PACKAGE_PATH", (kSourceFolder + ":" + kTestPackage).c_str(), 1);
+void preparePluginEnvironment(const std::vector<std::string>& packages) {
+  std::string path = kSourceFolder + ":" + kTestPackage;
+  for (const std::string& package : packages) path += ":" + package;
+  setenv("ROS_PACKAGE_PATH", path.c_str(), 1);
   setenv("CMAKE_PREFIX_PATH", SYNTHETIC_DATASET_DEVEL_PREFIX, 1);
 }
 

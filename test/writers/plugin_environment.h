@@ -7,7 +7,8 @@ namespace synthetic_dataset::test {
 
 /// Sets this process' environment as a sourced workspace does, so that pluginlib finds this
 /// package's plugins and those of the tests.
-void preparePluginEnvironment();
+/// @param packages  folders of more packages with plugins
+void preparePluginEnvironment(const std::vector<std::string>& packages = {});
 
 /// The repository's root.
 [[nodiscard]] std::string sourceFolder();

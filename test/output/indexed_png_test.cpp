@@ -1,0 +1,125 @@
+#include "output/indexed_png.h"
+
+#include <cstdint>
+#include <numeric>
+
+#include <gmock/gmock.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Optional;
+
+const std::vector<cv::Vec3b> kPalette = {{0, 0, 0}, {10, 20, 200}, {255, 254, 253}};
+
+/// Indices 0, 1, 2 in turn.
+cv::Mat threeIndices(int rows, int columns) {
+  cv::Mat indices(rows, columns, CV_8UC1);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      indices.at<uchar>(row, column) = static_cast<uchar>((row + column) % 3);
+    }
+  }
+  return indices;
+}
+
+std::uint32_t bigEndian(const std::vector<uchar>& bytes, std::size_t begin) {
+  return std::accumulate(
+      bytes.begin() + static_cast<std::ptrdiff_t>(begin),
+      bytes.begin() + static_cast<std::ptrdiff_t>(begin) + 4, std::uint32_t{0},
+      [](std::uint32_t sum, uchar byte) { return sum * 256U + std::uint32_t{byte}; });
+}
+
+struct Chunk {
+  std::string type;
+  std::vector<uchar> data;
+};
+
+/// ISO/IEC 15948, 5.3: length, type, data and checksum of each, behind a signature of 8 bytes.
+std::vector<Chunk> chunksOf(const std::vector<uchar>& png) {
+  std::vector<Chunk> chunks;
+  for (std::size_t place = 8; place + 12 <= png.size();) {
+    const std::size_t length = bigEndian(png, place);
+    const auto type = png.begin() + static_cast<std::ptrdiff_t>(place) + 4;
+    const auto data = type + 4;
+    chunks.push_back({{type, data}, {data, data + static_cast<std::ptrdiff_t>(length)}});
+    place += 12 + length;
+  }
+  return chunks;
+}
+
+TEST(IndexedPng, HasNothingButHeaderPaletteAndPixels) {
+  const std::vector<Chunk> chunks = chunksOf(encodeIndexedPng(threeIndices(5, 7), kPalette, 3));
+  ASSERT_EQ(chunks.size(), 4U);
+  EXPECT_EQ(chunks[0].type, "IHDR");
+  // Width, height, 8 bits, colour type 3, then deflate, filters of kind 0, no interlacing.
+  EXPECT_THAT(chunks[0].data, ElementsAre(0, 0, 0, 7, 0, 0, 0, 5, 8, 3, 0, 0, 0));
+  EXPECT_EQ(chunks[1].type, "PLTE");
+  EXPECT_THAT(chunks[1].data, ElementsAre(0, 0, 0, 200, 20, 10, 253, 254, 255));
+  EXPECT_EQ(chunks[2].type, "IDAT");
+  EXPECT_EQ(chunks[3].type, "IEND");
+}
+
+TEST(IndexedPng, ShowsEachPixelInItsColour) {
+  const cv::Mat indices = threeIndices(40, 60);
+  const cv::Mat read = cv::imdecode(encodeIndexedPng(indices, kPalette, 3), cv::IMREAD_COLOR);
+  ASSERT_EQ(read.size(), indices.size());
+  for (int row = 0; row < read.rows; ++row) {
+    for (int column = 0; column < read.cols; ++column) {
+      ASSERT_EQ(read.at<cv::Vec3b>(row, column), kPalette[indices.at<uchar>(row, column)]);
+    }
+  }
+}
+
+TEST(IndexedPng, Has256Colours) {
+  std::vector<cv::Vec3b> greys;
+  for (int i = 0; i < 256; ++i) greys.push_back(cv::Vec3b::all(static_cast<uchar>(i)));
+  cv::Mat indices(1, 256, CV_8UC1);
+  for (int i = 0; i < 256; ++i) indices.at<uchar>(0, i) = static_cast<uchar>(i);
+  const cv::Mat read = cv::imdecode(encodeIndexedPng(indices, greys, 9), cv::IMREAD_GRAYSCALE);
+  EXPECT_EQ(cv::norm(read, indices, cv::NORM_L1), 0.0);
+}
+
+TEST(IndexedPng, MakesTheSameBytesOfTheSamePixels) {
+  const cv::Mat indices = threeIndices(20, 30);
+  cv::Mat with_gaps(20, 37, CV_8UC1, cv::Scalar(9));
+  indices.copyTo(with_gaps.colRange(0, 30));
+  const std::vector<uchar> bytes = encodeIndexedPng(indices, kPalette, 3);
+  EXPECT_EQ(bytes, encodeIndexedPng(indices, kPalette, 3));
+  EXPECT_EQ(bytes, encodeIndexedPng(with_gaps.colRange(0, 30), kPalette, 3));
+}
+
+TEST(IndexedPng, CompressesAsMuchAsAsked) {
+  const cv::Mat indices = threeIndices(200, 200);
+  EXPECT_GT(encodeIndexedPng(indices, kPalette, 0).size(), 40000U);
+  EXPECT_LT(encodeIndexedPng(indices, kPalette, 9).size(), 4000U);
+}
+
+TEST(IndexedPng, TellsWhatLibpngRefuses) {
+  const cv::Mat too_wide(1, 1000001, CV_8UC1, cv::Scalar(0));  // PNG_USER_WIDTH_MAX is a million
+  testing::internal::CaptureStderr();
+  EXPECT_THROW((void)encodeIndexedPng(too_wide, kPalette, 3), Error);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(IndexedImageProblem, NamesWhatWouldBeRight) {
+  const cv::Mat indices = threeIndices(4, 4);
+  EXPECT_EQ(indexedImageProblem("a/b.PNG", indices, kPalette), std::nullopt);
+  EXPECT_THAT(indexedImageProblem("a.jpg", indices, kPalette), Optional(HasSubstr(".png")));
+  EXPECT_THAT(indexedImageProblem("a.png", {}, kPalette), Optional(HasSubstr("no pixels")));
+  EXPECT_THAT(indexedImageProblem("a.png", cv::Mat(2, 2, CV_16UC1), kPalette),
+              Optional(HasSubstr("CV_16UC1; they should be CV_8UC1")));
+  EXPECT_THAT(indexedImageProblem("a.png", indices, {}), Optional(HasSubstr("0 colours")));
+  EXPECT_THAT(indexedImageProblem("a.png", indices, std::vector<cv::Vec3b>(257)),
+              Optional(HasSubstr("257 colours; it should have 1 to 256")));
+  EXPECT_THAT(indexedImageProblem("a.png", indices, {{0, 0, 0}, {1, 1, 1}}),
+              Optional(HasSubstr("a pixel is 2, but there are only 2 colours")));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::output

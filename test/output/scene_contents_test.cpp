@@ -1,0 +1,45 @@
+#include "output/scene_contents.h"
+
+#include <gmock/gmock.h>
+
+namespace synthetic_dataset::output {
+namespace {
+
+using testing::ElementsAre;
+
+OutputFile imageFile(const std::string& path, const cv::Mat& pixels,
+                     std::vector<cv::Vec3b> palette = {}) {
+  return {0, path, pixels, "", std::move(palette)};
+}
+
+/// For each content, the files that have it.
+std::vector<std::vector<std::size_t>> sharesOf(const std::vector<OutputFile>& files) {
+  std::vector<std::vector<std::size_t>> shares;
+  for (const SceneContent& content : encodeScene(files, {})) shares.push_back(content.files);
+  return shares;
+}
+
+TEST(SceneContents, EncodesOnePictureOnce) {
+  const cv::Mat pixels(4, 4, CV_8UC1, cv::Scalar(1));
+  EXPECT_THAT(sharesOf({imageFile("a.png", pixels), imageFile("b.png", pixels)}),
+              ElementsAre(ElementsAre(0, 1)));
+}
+
+TEST(SceneContents, TellsIndicesFromGreys) {
+  const cv::Mat pixels(4, 4, CV_8UC1, cv::Scalar(1));
+  const std::vector<cv::Vec3b> palette = {{0, 0, 0}, {1, 2, 3}};
+  EXPECT_THAT(sharesOf({imageFile("a.png", pixels), imageFile("b.png", pixels, palette),
+                        imageFile("c.png", pixels, palette),
+                        imageFile("d.png", pixels, {{0, 0, 0}, {1, 2, 4}})}),
+              ElementsAre(ElementsAre(0), ElementsAre(1, 2), ElementsAre(3)));
+}
+
+TEST(SceneContents, EncodesAPictureOnceForEachFormat) {
+  const cv::Mat pixels(4, 4, CV_8UC1, cv::Scalar(1));
+  EXPECT_THAT(sharesOf({imageFile("a.png", pixels), imageFile("b.tiff", pixels),
+                        imageFile("c.tif", pixels)}),
+              ElementsAre(ElementsAre(0), ElementsAre(1, 2)));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::output

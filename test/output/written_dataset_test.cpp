@@ -1,0 +1,97 @@
+#include "output/written_dataset.h"
+
+#include <ostream>
+
+#include <gmock/gmock.h>
+
+#include "output/store_fixture.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class WrittenDatasetTest : public StoreFixture {
+ protected:
+  /// Commits a scene with one file of writer `a`.
+  void addScene(std::int64_t index, const std::string& camera = "camera") {
+    SceneFiles files{{text("a/" + std::to_string(index) + ".txt", "x")}, {}};
+    files.camera = camera;
+    store_->commitScene(index, Stamp{index}, files);
+  }
+
+  [[nodiscard]] WrittenDataset dataset() const { return WrittenDataset(folder_.path()); }
+
+  std::unique_ptr<DatasetStore> store_ = makeStore();
+};
+
+TEST_F(WrittenDatasetTest, ListsWritersInTheirOrder) {
+  const WrittenDataset written = dataset();
+  ASSERT_EQ(written.writers().size(), 2U);
+  EXPECT_EQ(written.writers()[0].name, "a");
+  EXPECT_EQ(written.writers()[1].name, "b");
+  EXPECT_EQ(written.writers()[1].type, "test/B");
+  EXPECT_EQ(written.writers()[1].folder, path("b/"));
+}
+
+TEST_F(WrittenDatasetTest, NamesScenesAsTheRunDid) {
+  for (const int index : {0, 1, 2}) addScene(index);
+  const WrittenSceneRow row = dataset().scene(2);
+  EXPECT_EQ(row.name, "00000002");
+  EXPECT_EQ(row.instant, 2);
+}
+
+TEST_F(WrittenDatasetTest, NamesScenesOfSeveralCamerasByCameraAndInstant) {
+  addScene(0, "front");
+  addScene(1, "rear");
+  addScene(2, "front");
+  addScene(3, "rear");
+  const WrittenSceneRow row = dataset().scene(3);
+  EXPECT_EQ(row.name, "rear/00000001");
+  EXPECT_EQ(row.instant, 1);
+}
+
+TEST_F(WrittenDatasetTest, FindsTheSceneInTheMiddle) {
+  for (const int index : {0, 4, 9}) addScene(index);
+  EXPECT_EQ(dataset().middleScene(), 4);
+}
+
+TEST_F(WrittenDatasetTest, TellsThatItHasNoScenes) {
+  const WrittenDataset written = dataset();
+  EXPECT_THROW((void)written.middleScene(), Error);
+}
+
+TEST_F(WrittenDatasetTest, TellsWhichScenesThereAre) {
+  addScene(0);
+  addScene(1);
+  try {
+    (void)dataset().scene(7);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("found the scene 7; the dataset has 0 to 1"));
+  }
+}
+
+TEST_F(WrittenDatasetTest, ListsFilesByWriterAndScene) {
+  store_->commitScene(0, Stamp{0},
+                      {{text("a/z.txt", ""), text("a/b.txt", ""), text("b/0.txt", "")}, {}});
+  addScene(1);
+  store_->writeDatasetFile(0, path("a/all"), [](std::ostream& /*stream*/) {});
+  const WrittenDataset written = dataset();
+  EXPECT_THAT(written.files(written.writers()[0], 0),
+              ElementsAre(path("a/b.txt"), path("a/z.txt")));
+  EXPECT_THAT(written.files(written.writers()[1], 0), ElementsAre(path("b/0.txt")));
+  EXPECT_THAT(written.files(written.writers()[1], 1), IsEmpty());
+}
+
+TEST(WrittenDataset, IsNotMadeWhereThereIsNone) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(WrittenDataset{folder.path()}, Error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::output
