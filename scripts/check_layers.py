@@ -26,7 +26,7 @@ MAY_INCLUDE = {
     'src/readback': {API, 'readback'},
     'src': {API, 'config', 'motion', 'world', 'sensor', 'render', 'annotate', 'output', 'writers',
             'readback', 'src'},
-    'plugins': {API},
+    'plugins': {API, 'plugins'},
 }
 
 # Libraries that only some folders may know, by how the path of the include begins.
@@ -39,14 +39,15 @@ CONFINED = [
     ('assimp', re.compile(r'assimp/'), {'src/world'}),
     ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/world'}),
     ('rosbag', re.compile(r'rosbag/'), {'src/motion', 'plugins'}),
-    ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion'}),
+    ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion', 'plugins'}),
     ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/config'}),
     ('libpng', re.compile(r'png\.h$'), {'src/output'}),
     ('JSON for Modern C++', re.compile(r'nlohmann/'), {'plugins', 'src/readback'}),
     ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),
     ('pluginlib', re.compile(r'pluginlib/'), {'src/writers', 'plugins'}),
-    ("ROS's time", re.compile(r'ros/(time|duration)\.h$'), {'src/motion', 'src'}),
-    ('roscpp', re.compile(r'ros/(?!(time|duration)\.h$)'), {'src'}),
+    ("ROS's time", re.compile(r'ros/(time|duration)\.h$'), {'src/motion', 'src', 'plugins'}),
+    ("ROS's serialization", re.compile(r'ros/serialization\.h$'), {'plugins'}),
+    ('roscpp', re.compile(r'ros/(?!(time|duration|serialization)\.h$)'), {'src'}),
 ]
 
 SOURCES = {'.h', '.hpp', '.cpp'}

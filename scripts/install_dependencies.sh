@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Installs what is missing of Debian's packages; quick when nothing is. As root, or with sudo.
+#   ./scripts/install_dependencies.sh [MORE_PACKAGES...]
 set -euo pipefail
 
 packages=(
   build-essential cmake pkg-config catkin
   libroscpp-dev libroslib-dev librosbag-storage-dev libtf2-dev libtf2-ros-dev libtf2-msgs-dev
-  libgeometry-msgs-dev libsensor-msgs-dev libxmlrpcpp-dev pluginlib-dev rosbash
+  libgeometry-msgs-dev libsensor-msgs-dev libvisualization-msgs-dev libxmlrpcpp-dev
+  pluginlib-dev rosbash
   librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-video-dev
   libopencv-calib3d-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev
@@ -13,6 +15,7 @@ packages=(
   libconsole-bridge-dev libtinyxml2-dev libpng-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev
 )
+packages+=("$@")
 
 missing=()
 for package in "${packages[@]}"; do

@@ -9,6 +9,8 @@ namespace {
 
 const std::map<std::string, FormatReader>& readers() {
   static const std::map<std::string, FormatReader> kReaders = {
+      {"synthetic_dataset/Coco", readCoco},
+      {"synthetic_dataset/ImageFolder", readImageFolder},
       {"synthetic_dataset/StvNet", readStvNet},
       {"synthetic_dataset/Yolo", readYolo},
   };

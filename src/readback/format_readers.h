@@ -19,6 +19,8 @@ using FormatReader = LabelledPicture (*)(const WrittenScene& scene);
 [[nodiscard]] std::vector<std::string> readableTypes();
 
 // Each in its own file, <format>_reader.cpp.
+[[nodiscard]] LabelledPicture readCoco(const WrittenScene& scene);
+[[nodiscard]] LabelledPicture readImageFolder(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readStvNet(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readYolo(const WrittenScene& scene);
 

@@ -51,6 +51,18 @@ void outline(cv::Mat& image, const std::vector<cv::Point2d>& polygon, const cv::
   cv::polylines(image, points, true, colour, 1, cv::LINE_AA, kSubpixelBits);
 }
 
+/// Whether a polygon is a mask's: boxes have four corners.
+bool isOutline(const std::vector<cv::Point2d>& polygon) { return polygon.size() > 4; }
+
+cv::Mat filled(const std::vector<cv::Point2d>& polygon, const cv::Size& size) {
+  std::vector<cv::Point> points;
+  for (const cv::Point2d& point : polygon) points.push_back(shifted(point.x, point.y));
+  cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
+  cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{points}, cv::Scalar::all(255), cv::LINE_8,
+               kSubpixelBits);
+  return mask;
+}
+
 /// The box round all that a label shows.
 Box extentOf(const DrawnLabel& label) {
   if (label.box) return *label.box;
@@ -93,7 +105,10 @@ cv::Mat drawLabels(const LabelledPicture& picture) {
   const std::vector<DrawnLabel>& labels = picture.labels;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!labels[i].mask.empty()) tint(result, labels[i].mask, colourOf(i));
-    for (const auto& polygon : labels[i].polygons) outline(result, polygon, colourOf(i));
+    for (const auto& polygon : labels[i].polygons) {
+      if (isOutline(polygon)) tint(result, filled(polygon, result.size()), colourOf(i));
+      outline(result, polygon, colourOf(i));
+    }
   }
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].box) outline(result, *labels[i].box);

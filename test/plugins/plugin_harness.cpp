@@ -45,7 +45,7 @@ CameraModel PluginTest::camera() { return {640, 480, {500.0, 500.0, 320.0, 240.0
 SceneObject PluginTest::object(const std::string& name) {
   SceneObject object;
   object.name = name;
-  object.class_name = name + "_class";
+  object.class_name = object.class_text = name + "_class";
   object.id = name + "_id";
   object.X_GO.translation() = Eigen::Vector3d(0.0, 0.0, 10.0);
   object.X_CO = object.X_GO;
@@ -90,6 +90,13 @@ std::map<std::string, std::string> PluginTest::filesOf(const Scene& scene) const
     files[file.path.substr(folder().size())] = content;
   }
   return files;
+}
+
+cv::Mat PluginTest::pictureOf(const Scene& scene, const std::string& path) const {
+  for (const output::OutputFile& file : host_->writeScene(scene).files.files) {
+    if (file.path == folder() + path) return file.pixels;
+  }
+  return {};
 }
 
 void PluginTest::runAll(const std::vector<Scene>& scenes) const {

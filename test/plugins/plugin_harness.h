@@ -41,6 +41,10 @@ class PluginTest : public testing::Test {
   /// "<visible NAME>".
   [[nodiscard]] std::map<std::string, std::string> filesOf(const Scene& scene) const;
 
+  /// The picture that a scene gets at a path in the writer's folder, as the writer gave it; empty
+  /// where there is none.
+  [[nodiscard]] cv::Mat pictureOf(const Scene& scene, const std::string& path) const;
+
   /// Runs these scenes and the end of the dataset.
   void runAll(const std::vector<Scene>& scenes) const;
 

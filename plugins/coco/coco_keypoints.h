@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+
+/// COCO's visibility flag: 0 no place in the image, 1 hidden, 2 visible.
+[[nodiscard]] inline int cocoFlag(const Keypoint& keypoint) {
+  if (keypoint.state == KeypointState::kOutside || !keypoint.pixel) return 0;
+  return keypoint.state == KeypointState::kVisible ? 2 : 1;
+}
+
+/// COCO's keypoints belong to classes: all of a class have the same ones, in the same order.
+struct ClassKeypoints {
+  std::vector<std::string> names;                    ///< of all its objects' keypoints, each once
+  std::vector<std::array<std::size_t, 2>> skeleton;  ///< places in `names`, each pair once
+};
+
+class CocoKeypoints {
+ public:
+  explicit CocoKeypoints(const DatasetInfo& dataset);
+
+  /// Whether any class has keypoints.
+  [[nodiscard]] bool any() const { return !classes_.empty(); }
+
+  /// Those of a class; empty where its objects have none.
+  [[nodiscard]] const ClassKeypoints& of(int class_id) const;
+
+  /// The keypoints of an object as its class orders them: for each of the class's names the place
+  /// in the object's own list, or `kNone` where it has no such keypoint.
+  /// @param object  its index in DatasetInfo::objects
+  [[nodiscard]] std::vector<std::size_t> places(std::size_t object) const;
+
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+ private:
+  std::map<int, ClassKeypoints> classes_;  // that have keypoints
+  std::vector<int> class_of_object_;
+  std::vector<std::vector<std::size_t>> name_places_;  // by object and keypoint: in its class
+};
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "synthetic_dataset/box.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset {
+
+// Older ones (Ubuntu 20.04) sort the keys.
+#if NLOHMANN_JSON_VERSION_MAJOR > 3 || NLOHMANN_JSON_VERSION_MINOR >= 9
+using Json = nlohmann::ordered_json;  ///< keys in the order in which they were added
+#else
+using Json = nlohmann::json;
+#endif
+
+/// On one line. Bytes of a name that are not UTF-8 become U+FFFD, as JSON has to be UTF-8.
+[[nodiscard]] inline std::string jsonText(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// [x, y, width, height] as COCO has it, in pixels of an image that spans 0 to its width.
+[[nodiscard]] inline Json cocoBox(const Box& box) {
+  return {box.left + 0.5, box.top + 0.5, box.width(), box.height()};
+}
+
+/// A pose's 4 x 4 matrix, row by row.
+[[nodiscard]] inline Json jsonMatrix(const Pose& pose) {
+  Json numbers = Json::array();
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) numbers.push_back(pose.matrix()(row, column));
+  }
+  return numbers;
+}
+
+}  // namespace synthetic_dataset

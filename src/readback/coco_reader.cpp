@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "readback/coco_rle.h"
+#include "readback/files.h"
+#include "readback/format_readers.h"
+#include "readback/json_file.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::readback {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The annotation file that knows an image, and the image's number in it.
+struct ImageEntry {
+  fs::path file;
+  json annotations;
+  std::int64_t image_id = 0;
+};
+
+ImageEntry entryOf(const fs::path& folder, const fs::path& image) {
+  const std::string prefix = "instances_";
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& each : fs::directory_iterator(folder / "annotations")) {
+    const std::string name = each.path().filename().string();
+    if (name.rfind(prefix, 0) == 0 && each.path().extension() == ".json") {
+      files.push_back(each.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    const std::string split = file.stem().string().substr(prefix.size());
+    json contents = readingJson(file, [&] { return json::parse(readText(file)); });
+    const auto id = readingJson(file, [&]() -> std::optional<std::int64_t> {
+      for (const json& entry : contents.at("images")) {
+        const auto name = entry.at("file_name").get<std::string>();
+        if (folder / "images" / name == image || folder / "images" / split / name == image) {
+          return entry.at("id").get<std::int64_t>();
+        }
+      }
+      return std::nullopt;
+    });
+    if (id) return {file, std::move(contents), *id};
+  }
+  throw Error("'" + (folder / "annotations").string() + "': no file lists '" + image.string() +
+              "'");
+}
+
+void addSegmentation(const json& segmentation, const cv::Size& size, DrawnLabel& label) {
+  if (segmentation.is_object()) {
+    label.mask = maskOfCocoCounts(segmentation.at("counts").get<std::string>(), size);
+    return;
+  }
+  for (const json& numbers : segmentation) {
+    label.polygons.emplace_back();
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+      label.polygons.back().emplace_back(numbers.at(i).get<double>() - 0.5,
+                                         numbers.at(i + 1).get<double>() - 0.5);
+    }
+  }
+}
+
+void addKeypoints(const json& numbers, const json& category, DrawnLabel& label) {
+  std::map<std::size_t, cv::Point2d> places;  // by the keypoints' numbers from 1
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+    const cv::Point2d place(numbers.at(i).get<double>(), numbers.at(i + 1).get<double>());
+    const int flag = numbers.at(i + 2).get<int>();
+    if (flag == 0) continue;
+    (flag == 2 ? label.keypoints : label.hidden_keypoints).push_back(place);
+    places[i / 3 + 1] = place;
+  }
+  if (!category.contains("skeleton")) return;
+  for (const json& line : category.at("skeleton")) {
+    const auto from = places.find(line.at(0).get<std::size_t>());
+    const auto to = places.find(line.at(1).get<std::size_t>());
+    if (from != places.end() && to != places.end()) {
+      label.lines.push_back({from->second, to->second});
+    }
+  }
+}
+
+/// @param category  the annotation's
+DrawnLabel labelOf(const json& annotation, const json& category, const cv::Size& image) {
+  DrawnLabel label;
+  label.caption = category.at("name").get<std::string>();
+  const auto box = annotation.at("bbox").get<std::array<double, 4>>();
+  label.box = Box{box[0] - 0.5, box[1] - 0.5, box[0] + box[2] - 0.5, box[1] + box[3] - 0.5};
+  addSegmentation(annotation.at("segmentation"), image, label);
+  if (annotation.contains("keypoints")) {
+    addKeypoints(annotation.at("keypoints"), category, label);
+  }
+  return label;
+}
+
+}  // namespace
+
+// COCO: boxes, run lengths or polygons in coordinates in which the image spans 0 to its width;
+// keypoints in those in which pixels' centres are whole.
+LabelledPicture readCoco(const WrittenScene& scene) {
+  const fs::path images = scene.folder / "images";
+  const auto image = std::find_if(
+      scene.files.begin(), scene.files.end(),
+      [&](const fs::path& file) { return file.string().rfind(images.string() + "/", 0) == 0; });
+  if (image == scene.files.end()) throw Error("'" + images.string() + "': no image of the scene");
+  LabelledPicture picture{readPicture(*image, cv::IMREAD_COLOR), {}};
+  const ImageEntry entry = entryOf(scene.folder, *image);
+  readingJson(entry.file, [&] {
+    std::map<std::int64_t, json> categories;
+    for (const json& each : entry.annotations.at("categories")) {
+      categories[each.at("id").get<std::int64_t>()] = each;
+    }
+    for (const json& each : entry.annotations.at("annotations")) {
+      if (each.at("image_id").get<std::int64_t>() != entry.image_id) continue;
+      const json& category = categories[each.at("category_id").get<std::int64_t>()];
+      picture.labels.push_back(labelOf(each, category, picture.image.size()));
+    }
+  });
+  return picture;
+}
+
+}  // namespace synthetic_dataset::readback
