@@ -9,9 +9,12 @@ namespace {
 
 const std::map<std::string, FormatReader>& readers() {
   static const std::map<std::string, FormatReader> kReaders = {
+      {"synthetic_dataset/Cityscapes", readCityscapes},
       {"synthetic_dataset/Coco", readCoco},
       {"synthetic_dataset/ImageFolder", readImageFolder},
+      {"synthetic_dataset/PascalVoc", readPascalVoc},
       {"synthetic_dataset/StvNet", readStvNet},
+      {"synthetic_dataset/UltralyticsYolo", readUltralytics},
       {"synthetic_dataset/Yolo", readYolo},
   };
   return kReaders;

@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/cityscapes/cityscapes_files.h"
+#include "plugins/shared/colour_map.h"
+#include "plugins/shared/label_options.h"
+#include "plugins/shared/mask_outlines.h"
+#include "plugins/shared/pixel_map.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+namespace {
+
+constexpr int kInstancesOfLabel = 1000;  // an instance's number is 1000 times its label's and more
+
+/// The greatest label for which all of its instances' numbers have 16 bits.
+constexpr int kGreatestLabel = 64;
+
+/// Which file names are an image's: `<city>_<sequence>_<frame>` with six digits each. The frame is
+/// the one that Cityscapes labels of each sequence of 30.
+std::string imageName(const std::string& city, std::int64_t instant) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "_%06lld_000019", static_cast<long long>(instant));
+  return city + digits.data();
+}
+
+/// What pixels of one instance are in the pictures.
+struct PixelValues {
+  uchar label = 0;
+  ushort instance = 0;
+};
+
+}  // namespace
+
+/// Cityscapes: `leftImg8bit/<split>/<city>/` with images, `gtFine/<split>/<city>/` with pictures of
+/// labels, instances and colours and with polygons, `camera/<split>/<city>/`; a camera is a city.
+/// https://github.com/mcordts/cityscapesScripts
+class CityscapesWriter : public LabelWriter {
+ private:
+  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+    cities_ = cityNames(dataset.cameras);
+    world_id_ = parameters.optional("world_id", 0);
+    if (world_id_ < 0 || world_id_ > kGreatestLabel) {
+      parameters.addError("world_id", "found " + std::to_string(world_id_) +
+                                          "; it should be 0 to " + std::to_string(kGreatestLabel));
+    }
+    const Parameters ids = parameters.group("label_ids");
+    for (const ClassInfo& each : dataset.classes) {
+      // 0 is what has no label.
+      const int id = ids.maybe<int>(each.name).value_or(each.id + 1);
+      if (id < 1 || id > kGreatestLabel) {
+        parameters.addError("label_ids", "found " + std::to_string(id) + " for the class '" +
+                                             each.name + "'; it should be 1 to " +
+                                             std::to_string(kGreatestLabel) +
+                                             ": instances are numbered from 1000 times that on, "
+                                             "in 16 bits");
+      }
+      if (id == world_id_ && id <= kGreatestLabel) {
+        parameters.addError("world_id", "found " + std::to_string(id) +
+                                            ", which is also the label of the class '" + each.name +
+                                            "'; it should be another");
+      }
+      labels_.push_back({each.name, id, each.id});
+    }
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements;
+    requirements.visible_masks = true;
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    const std::string& city = cities_.at(scene.camera_index);
+    const std::string name = splitOf(scene) + "/" + city + "/" + imageName(city, scene.instant);
+    std::vector<CityscapesPolygon> polygons;
+    const std::vector<PixelValues> values = valuesOf(scene, polygons, output);
+    const cv::Mat_<ushort> instances = scene.instance_map;
+    const auto labels =
+        mapped<uchar>(instances, [&](ushort instance) { return values.at(instance).label; });
+    const std::vector<cv::Vec3b> colours = vocColourMap();
+
+    output.addImage("leftImg8bit/" + name + "_leftImg8bit.png", scene.image);
+    output.addImage("gtFine/" + name + "_gtFine_labelIds.png", labels);
+    output.addImage(
+        "gtFine/" + name + "_gtFine_instanceIds.png",
+        mapped<ushort>(instances, [&](ushort instance) { return values.at(instance).instance; }));
+    output.addImage("gtFine/" + name + "_gtFine_color.png",
+                    mapped<cv::Vec3b>(labels, [&](uchar label) { return colours[label]; }));
+    output.addText("gtFine/" + name + "_gtFine_polygons.json",
+                   polygonsJson(scene.camera, polygons));
+    output.addText("camera/" + name + "_camera.json", cameraJson(scene));
+    if (scene.camera.distortion().model != DistortionModel::kNone) {
+      output.addWarning("Cityscapes' camera files have no place for the lens's distortion");
+    }
+  }
+
+  /// What pixels of each instance are, and the polygons of those with a label. Objects without a
+  /// label stay unlabeled; of one label, those after the 1000th are a group, as Cityscapes has it.
+  [[nodiscard]] std::vector<PixelValues> valuesOf(const Scene& scene,
+                                                  std::vector<CityscapesPolygon>& polygons,
+                                                  SceneOutput& output) const {
+    std::vector<PixelValues> values(scene.objects.size() + 1);
+    values[0] = {static_cast<uchar>(world_id_), static_cast<ushort>(world_id_)};
+    std::map<int, int> counts;  // by label
+    for (const SceneObject& object : scene.objects) {
+      if (!object.labelled()) continue;
+      const CityscapesLabel& label = labelOf(object.class_id);
+      const int number = counts[label.id]++;
+      const bool is_single = number < kInstancesOfLabel;
+      if (!is_single) {
+        output.addWarning(
+            "more than 1000 objects of one label in an image: those after them are "
+            "written as a group");
+      }
+      values.at(static_cast<std::size_t>(object.instance)) = {
+          static_cast<uchar>(label.id),
+          static_cast<ushort>(is_single ? label.id * kInstancesOfLabel + number : label.id)};
+      masks::Ring ring = masks::centreRing(object.visible_mask);
+      if (!ring.empty()) {
+        polygons.push_back({label.name + (is_single ? "" : "group"), std::move(ring)});
+      }
+    }
+    return values;
+  }
+
+  [[nodiscard]] const CityscapesLabel& labelOf(int class_id) const {
+    return *std::find_if(labels_.begin(), labels_.end(),
+                         [&](const CityscapesLabel& label) { return label.class_id == class_id; });
+  }
+
+  void doFinalize(const SceneRecords& /*records*/, DatasetOutput& output) const override {
+    output.addFile("labels.json",
+                   [&](std::ostream& file) { writeLabelTable(file, labels_, world_id_); });
+  }
+
+  std::vector<std::string> cities_;  ///< by camera
+  std::vector<CityscapesLabel> labels_;
+  int world_id_ = 0;
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::CityscapesWriter, synthetic_dataset::LabelWriter)

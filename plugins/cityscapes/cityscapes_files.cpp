@@ -1,0 +1,105 @@
+#include "plugins/cityscapes/cityscapes_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <Eigen/Geometry>
+
+#include "plugins/shared/colour_map.h"
+#include "plugins/shared/json.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// On several lines, for people to read.
+std::string readableText(const Json& value) {
+  constexpr int kIndent = 2;
+  return value.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// One entry of the table of classes.
+/// @param train_id  255 for what neither training nor evaluation looks at
+Json entryOf(const std::string& name, int id, int train_id, bool has_instances) {
+  constexpr int kIgnored = 255;
+  const bool is_void = train_id == kIgnored;
+  const cv::Vec3b colour = vocColourMap().at(static_cast<std::size_t>(id));
+  return {{"name", name},
+          {"id", id},
+          {"trainId", train_id},
+          {"category", is_void         ? "void"
+                       : has_instances ? "object"
+                                       : "world"},
+          {"categoryId", is_void         ? 0
+                         : has_instances ? 2
+                                         : 1},
+          {"hasInstances", has_instances},
+          {"ignoreInEval", is_void},
+          {"color", {colour[2], colour[1], colour[0]}}};
+}
+
+}  // namespace
+
+std::vector<std::string> cityNames(const std::vector<CameraDescription>& cameras) {
+  std::vector<std::string> cities;
+  std::set<std::string> taken;
+  for (const CameraDescription& camera : cameras) {
+    std::string city = safeFileName(camera.name);
+    std::replace(city.begin(), city.end(), '_', '-');
+    const std::string plain = city;
+    for (int i = 2; !taken.insert(city).second; ++i) city = plain + "-" + std::to_string(i);
+    cities.push_back(city);
+  }
+  return cities;
+}
+
+std::string polygonsJson(const CameraModel& camera,
+                         const std::vector<CityscapesPolygon>& polygons) {
+  Json objects = Json::array();
+  for (const CityscapesPolygon& polygon : polygons) {
+    Json points = Json::array();
+    for (const cv::Point& point : polygon.points) points.push_back({point.x, point.y});
+    objects.push_back({{"label", polygon.label}, {"polygon", std::move(points)}});
+  }
+  const Json annotation = {
+      {"imgHeight", camera.height()}, {"imgWidth", camera.width()}, {"objects", objects}};
+  return jsonText(annotation) + "\n";
+}
+
+std::string cameraJson(const Scene& scene) {
+  // B: the camera's body, x ahead, y left, z up; C, its optical frame, has x right, y down, z
+  // ahead.
+  Eigen::Matrix3d R_CB;
+  R_CB << 0.0, -1.0, 0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 0.0;
+  const Eigen::Matrix3d R_GB = scene.X_GC.linear() * R_CB;
+  const Eigen::Vector3d p_G = scene.X_GC.translation();
+  const Intrinsics& intrinsics = scene.camera.intrinsics();
+  const Json extrinsic = {{"x", p_G.x()},
+                          {"y", p_G.y()},
+                          {"z", p_G.z()},
+                          {"roll", std::atan2(R_GB(2, 1), R_GB(2, 2))},
+                          {"pitch", -std::asin(std::clamp(R_GB(2, 0), -1.0, 1.0))},
+                          {"yaw", std::atan2(R_GB(1, 0), R_GB(0, 0))}};
+  const Json intrinsic = {
+      {"fx", intrinsics.fx}, {"fy", intrinsics.fy}, {"u0", intrinsics.cx}, {"v0", intrinsics.cy}};
+  return readableText({{"extrinsic", extrinsic}, {"intrinsic", intrinsic}});
+}
+
+void writeLabelTable(std::ostream& stream, const std::vector<CityscapesLabel>& labels,
+                     int world_id) {
+  Json table = Json::array();
+  table.push_back(entryOf("unlabeled", 0, 255, false));
+  int train_id = 0;
+  if (world_id != 0) table.push_back(entryOf("world", world_id, train_id++, false));
+  std::map<int, int> train_ids;  // classes may share a label
+  for (const CityscapesLabel& label : labels) {
+    const auto [place, is_new] = train_ids.try_emplace(label.id, train_id);
+    if (is_new) ++train_id;
+    table.push_back(entryOf(label.name, label.id, place->second, true));
+  }
+  stream << readableText(table);
+}
+
+}  // namespace synthetic_dataset

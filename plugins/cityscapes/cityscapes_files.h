@@ -1,0 +1,42 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+
+/// A class as Cityscapes' tools number it.
+struct CityscapesLabel {
+  std::string name;
+  int id = 0;         ///< in the pictures
+  int class_id = -1;  ///< of the dataset's class; -1 for what is none
+};
+
+/// An object's part of `<image>_gtFine_polygons.json`.
+struct CityscapesPolygon {
+  std::string label;  ///< with "group" behind it where single objects are not told apart
+  std::vector<cv::Point> points;
+};
+
+/// The names that cameras have as Cityscapes' cities: the tools take file names apart at each `_`.
+[[nodiscard]] std::vector<std::string> cityNames(const std::vector<CameraDescription>& cameras);
+
+/// What cityscapesscripts/helpers/annotation.py reads.
+[[nodiscard]] std::string polygonsJson(const CameraModel& camera,
+                                       const std::vector<CityscapesPolygon>& polygons);
+
+/// Cityscapes' `_camera.json` (csCalibration.pdf): the intrinsics [px], and the pose of the camera
+/// in a frame x ahead, y left, z up [m, rad], roll, pitch and yaw about its fixed x, y and z. That
+/// frame is the vehicle's in Cityscapes and the global one here. There is no second camera, hence
+/// no baseline.
+[[nodiscard]] std::string cameraJson(const Scene& scene);
+
+/// The table of classes, each as a `Label` of cityscapesscripts/helpers/labels.py.
+/// @param world_id  what the world is in the pictures; 0: unlabeled
+void writeLabelTable(std::ostream& stream, const std::vector<CityscapesLabel>& labels,
+                     int world_id);
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,78 @@
+#include "plugins/pascal_voc/pascal_voc_pictures.h"
+
+#include <algorithm>
+#include <string>
+
+#include <opencv2/imgproc.hpp>
+
+#include "plugins/shared/pixel_map.h"
+
+namespace synthetic_dataset {
+namespace {
+
+constexpr uchar kVoid = 255;
+
+uchar indexOf(std::size_t place) {
+  return place < kMostVocIndices ? static_cast<uchar>(place + 1) : kVoid;
+}
+
+std::size_t placeOf(int class_id, const std::vector<ClassInfo>& classes) {
+  const auto found = std::find_if(classes.begin(), classes.end(),
+                                  [&](const ClassInfo& each) { return each.id == class_id; });
+  return static_cast<std::size_t>(found - classes.begin());
+}
+
+/// Where a pixel not farther away than `border`, along rows and columns, belongs to another one.
+cv::Mat bordersOf(const cv::Mat& instances, int border) {
+  const cv::Mat square = cv::Mat::ones(2 * border + 1, 2 * border + 1, CV_8UC1);
+  cv::Mat greatest;
+  cv::Mat least;
+  cv::dilate(instances, greatest, square);
+  cv::erode(instances, least, square);
+  return greatest != least;
+}
+
+/// A class's name in a line whose parts are parted by colons.
+std::string plainName(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ':' || c == '\n' || c == '\r'; }, '_');
+  if (!name.empty() && name.front() == '#') name.front() = '_';  // not a comment
+  return name;
+}
+
+}  // namespace
+
+VocPictures vocPictures(const Scene& scene, const std::vector<const SceneObject*>& labelled,
+                        const std::vector<ClassInfo>& classes, int border) {
+  // By instance. An object without a label is void: it is neither background nor to be found.
+  std::vector<uchar> class_of(scene.objects.size() + 1, kVoid);
+  std::vector<uchar> object_of(scene.objects.size() + 1, kVoid);
+  class_of[0] = object_of[0] = 0;
+  for (std::size_t i = 0; i < labelled.size(); ++i) {
+    const auto instance = static_cast<std::size_t>(labelled[i]->instance);
+    class_of.at(instance) = indexOf(placeOf(labelled[i]->class_id, classes));
+    object_of.at(instance) = indexOf(i);
+  }
+  const cv::Mat_<ushort> instances = scene.instance_map;
+  VocPictures pictures{
+      mapped<uchar>(instances, [&](ushort instance) { return class_of.at(instance); }),
+      mapped<uchar>(instances, [&](ushort instance) { return object_of.at(instance); })};
+  if (border > 0) {
+    const cv::Mat borders = bordersOf(instances, border);
+    pictures.classes.setTo(kVoid, borders);
+    pictures.objects.setTo(kVoid, borders);
+  }
+  return pictures;
+}
+
+void writeLabelMap(std::ostream& stream, const std::vector<ClassInfo>& classes) {
+  const std::vector<cv::Vec3b> colours = vocColourMap();
+  stream << "# label:color_rgb:parts:actions\nbackground:0,0,0::\n";
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const cv::Vec3b& colour = colours.at(i + 1);
+    stream << plainName(classes[i].name) << ':' << std::to_string(colour[2]) << ','
+           << std::to_string(colour[1]) << ',' << std::to_string(colour[0]) << "::\n";
+  }
+}
+
+}  // namespace synthetic_dataset

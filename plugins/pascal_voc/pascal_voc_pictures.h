@@ -1,0 +1,35 @@
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "plugins/shared/colour_map.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+
+/// Classes, and objects of one image, that an index of 8 bits tells apart beside background and
+/// void.
+constexpr std::size_t kMostVocIndices = 254;
+
+/// What Pascal VOC's segmentation pictures say of each pixel; CV_8UC1. 0 is the background; 255 is
+/// void: an object without a label, or a border.
+struct VocPictures {
+  cv::Mat classes;  ///< the class's place among the classes, from 1
+  cv::Mat objects;  ///< the object's place among the labelled ones, from 1
+};
+
+/// @param labelled  objects of the scene; those after the 254th are void among the objects
+/// @param classes  of the dataset, at most 254
+/// @param border  how far from the next object or the background a pixel is void [px], 0 for none
+[[nodiscard]] VocPictures vocPictures(const Scene& scene,
+                                      const std::vector<const SceneObject*>& labelled,
+                                      const std::vector<ClassInfo>& classes, int border);
+
+/// What the indices in `SegmentationClass` mean, as datumaro and CVAT read it: a line a class,
+/// `name:red,green,blue:parts:actions`.
+void writeLabelMap(std::ostream& stream, const std::vector<ClassInfo>& classes);
+
+}  // namespace synthetic_dataset
