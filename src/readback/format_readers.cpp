@@ -9,10 +9,14 @@ namespace {
 
 const std::map<std::string, FormatReader>& readers() {
   static const std::map<std::string, FormatReader> kReaders = {
+      {"synthetic_dataset/Bop", readBop},
       {"synthetic_dataset/Cityscapes", readCityscapes},
       {"synthetic_dataset/Coco", readCoco},
+      {"synthetic_dataset/Dope", readDope},
       {"synthetic_dataset/ImageFolder", readImageFolder},
+      {"synthetic_dataset/Kitti", readKitti},
       {"synthetic_dataset/PascalVoc", readPascalVoc},
+      {"synthetic_dataset/PvNet", readPvNet},
       {"synthetic_dataset/StvNet", readStvNet},
       {"synthetic_dataset/UltralyticsYolo", readUltralytics},
       {"synthetic_dataset/Yolo", readYolo},

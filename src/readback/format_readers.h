@@ -19,10 +19,14 @@ using FormatReader = LabelledPicture (*)(const WrittenScene& scene);
 [[nodiscard]] std::vector<std::string> readableTypes();
 
 // Each in its own file, <format>_reader.cpp.
+[[nodiscard]] LabelledPicture readBop(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readCityscapes(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readCoco(const WrittenScene& scene);
+[[nodiscard]] LabelledPicture readDope(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readImageFolder(const WrittenScene& scene);
+[[nodiscard]] LabelledPicture readKitti(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readPascalVoc(const WrittenScene& scene);
+[[nodiscard]] LabelledPicture readPvNet(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readStvNet(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readUltralytics(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readYolo(const WrittenScene& scene);

@@ -1,0 +1,301 @@
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <ostream>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/bop/bop_models.h"
+#include "plugins/bop/bop_scenes.h"
+#include "plugins/shared/label_options.h"
+#include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+namespace {
+
+constexpr double kMillimetres = 1000.0;     // in a metre
+constexpr double kGreatestDepth = 65535.0;  // that a pixel can hold
+
+/// Of visibility: the toolkit's smallest for a target, and below which it ignores a detection.
+constexpr double kFewestVisible = 0.1;
+
+/// A tenth of a millimetre where that reaches the far plane, as in BOP's rendered images; else a
+/// millimetre, as most depth cameras have it.
+double depthScaleFor(const DatasetInfo& dataset) {
+  double far = 0.0;
+  for (const CameraDescription& camera : dataset.cameras) far = std::max(far, camera.model.far());
+  constexpr double kFine = 0.1;
+  return far * kMillimetres <= kFine * kGreatestDepth ? kFine : 1.0;
+}
+
+struct DepthImage {
+  cv::Mat pixels;           ///< CV_16UC1, times the scale: z [mm]; 0 where there is none
+  bool is_cut_off = false;  ///< whether something is farther than a pixel can say
+};
+
+DepthImage depthImage(const cv::Mat& depth, double scale) {
+  DepthImage image{cv::Mat(depth.size(), CV_16UC1, cv::Scalar(0)), false};
+  for (int row = 0; row < depth.rows; ++row) {
+    const auto* from = depth.ptr<float>(row);
+    auto* to = image.pixels.ptr<std::uint16_t>(row);
+    for (int column = 0; column < depth.cols; ++column) {
+      if (!(from[column] > 0.0F)) continue;
+      const double value = std::round(kMillimetres / scale * from[column]);
+      if (value > kGreatestDepth) {
+        image.is_cut_off = true;
+      } else {
+        to[column] = static_cast<std::uint16_t>(value);
+      }
+    }
+  }
+  return image;
+}
+
+std::int64_t wholeNumber(double number) { return std::llround(number); }
+
+/// As the toolkit's misc.calc_2d_bbox: width and height are one less than the count of pixels.
+Json toolkitBox(const std::optional<Box>& box) {
+  if (!box) return Json::array({-1, -1, -1, -1});
+  return Json::array({wholeNumber(box->left + 0.5), wholeNumber(box->top + 0.5),
+                      wholeNumber(box->width()) - 1, wholeNumber(box->height()) - 1});
+}
+
+/// As the toolkit's pycoco_utils.bbox_from_binary_mask: they are the count.
+Json cocoBox(const cv::Rect& pixels) {
+  return Json::array({pixels.x, pixels.y, pixels.width, pixels.height});
+}
+
+/// COCO's run lengths, column by column, those of zeros first.
+Json runLengths(const cv::Mat& mask) {
+  Json counts = Json::array();
+  bool is_set = false;
+  std::int64_t length = 0;
+  for (int column = 0; column < mask.cols; ++column) {
+    for (int row = 0; row < mask.rows; ++row) {
+      if ((mask.at<std::uint8_t>(row, column) != 0) != is_set) {
+        counts.push_back(length);
+        length = 0;
+        is_set = !is_set;
+      }
+      ++length;
+    }
+  }
+  counts.push_back(length);
+  return {{"counts", std::move(counts)}, {"size", {mask.rows, mask.cols}}};
+}
+
+Json millimetres(const Eigen::Vector3d& p) {
+  return Json::array({kMillimetres * p.x(), kMillimetres * p.y(), kMillimetres * p.z()});
+}
+
+void addJson(DatasetOutput& output, const std::string& path, const Json& json) {
+  output.addFile(path, [&](std::ostream& stream) { stream << indentedJson(json); });
+}
+
+}  // namespace
+
+/// BOP's scene-wise format, for 6D poses: images, depth, masks, poses and models, in millimetres.
+/// https://github.com/thodan/bop_toolkit/blob/master/docs/bop_datasets_format.md; where that says
+/// nothing, as its scripts calc_gt_info.py, calc_gt_coco.py and create_test_targets.py have it.
+class BopWriter : public LabelWriter {
+ private:
+  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+    dataset_ = dataset;
+    models_ = readBopModels(parameters, dataset);
+    train_folder_ = "train";
+    const auto type = parameters.optional<std::string>("train_type", "");
+    if (!type.empty()) train_folder_ += "_" + safeFileName(type);
+    images_per_scene_ = parameters.optional<std::int64_t>("images_per_scene", 1000);
+    if (images_per_scene_ < 1) {
+      parameters.addError("images_per_scene", "found " + std::to_string(images_per_scene_) +
+                                                  "; it should be a whole number from 1");
+      images_per_scene_ = 1;
+    }
+    depth_scale_ = parameters.optional("depth_scale", depthScaleFor(dataset));
+    if (!(depth_scale_ > 0.0)) {
+      parameters.addError("depth_scale", "found " + Value(depth_scale_).text() +
+                                             "; it should be greater than 0 [mm]");
+      depth_scale_ = 1.0;
+    }
+    has_coco_ = parameters.optional("coco", true);
+    image_format_ = "." + optionalChoice(parameters, "image_format", {"png", "jpg"}, "png");
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements;
+    requirements.silhouettes = true;
+    requirements.visible_masks = true;
+    requirements.visibility = true;
+    requirements.depth = true;
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    warnOfDistortion(scene.camera, output);
+    BopImage image = placeOf(scene);
+    const std::string name = sixDigits(image.im_id);
+    output.addImage(image.folder + "/rgb/" + name + image_format_, scene.image);
+    const DepthImage depth = depthImage(scene.depth, depth_scale_);
+    output.addImage(image.folder + "/depth/" + name + ".png", depth.pixels);
+    if (depth.is_cut_off) {
+      output.addWarning(
+          "something is farther than `depth_scale` lets a depth image say; there it "
+          "holds 0, which stands for no depth");
+    }
+    std::map<int, int> target_counts;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const SceneObject& object = scene.objects[i];
+      if (object.pixels.silhouette_in_image == 0) continue;
+      const std::string end = "/" + name + "_" + sixDigits(image.poses.size()) + ".png";
+      output.addImage(image.folder + "/mask" + end, object.silhouette);
+      output.addImage(image.folder + "/mask_visib" + end, object.visible_mask);
+      image.poses.push_back(poseOf(object, i));
+      image.infos.push_back(infoOf(object, depth.pixels));
+      if (has_coco_) addAnnotation(object, i, scene.camera, image);
+      if (object.visibility >= kFewestVisible) ++target_counts[models_.obj_ids.at(i)];
+    }
+    for (const auto& [obj_id, count] : target_counts) {
+      image.targets.push_back({{"scene_id", sceneId(scene)},
+                               {"im_id", image.im_id},
+                               {"obj_id", obj_id},
+                               {"inst_count", count}});
+    }
+    output.addRecord(image.record());
+  }
+
+  void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
+    addBopSceneFiles(records, has_coco_ ? cocoHeader() : Json(), output);
+    for (const SplitInfo& split : dataset_.splits) {
+      if (split.name == "test") addBopTargets(records, split.name, output);
+    }
+    addBopModels(models_, dataset_, output);
+    addJson(output, "camera.json", cameraOf(dataset_.cameras.front().model));
+    for (std::size_t i = 0; dataset_.cameras.size() > 1 && i < dataset_.cameras.size(); ++i) {
+      const CameraDescription& camera = dataset_.cameras[i];
+      addJson(output, "camera_" + safeFileName(camera.name) + ".json", cameraOf(camera.model));
+    }
+    addJson(output, "dataset_info.json", datasetInfo());
+  }
+
+  /// A number for each camera in each series of images.
+  [[nodiscard]] std::int64_t sceneId(const Scene& scene) const {
+    return scene.instant / images_per_scene_ * static_cast<std::int64_t>(dataset_.cameras.size()) +
+           static_cast<std::int64_t>(scene.camera_index);
+  }
+
+  /// Where a scene's files go, and its camera.
+  [[nodiscard]] BopImage placeOf(const Scene& scene) const {
+    BopImage image;
+    image.split = splitOf(scene);
+    image.folder =
+        (image.split == "train" ? train_folder_ : image.split) + "/" + sixDigits(sceneId(scene));
+    image.series = scene.instant / images_per_scene_;
+    image.im_id = scene.instant % images_per_scene_;
+    const Pose X_CG = scene.X_GC.inverse();
+    image.camera = {{"cam_K", cameraMatrix(scene.camera.intrinsics())},
+                    {"cam_R_w2c", rotationMatrix(X_CG)},
+                    {"cam_t_w2c", millimetres(X_CG.translation())},
+                    {"depth_scale", depth_scale_}};
+    image.coco_image = {{"id", image.im_id},
+                        {"file_name", "rgb/" + sixDigits(image.im_id) + image_format_},
+                        {"width", scene.camera.width()},
+                        {"height", scene.camera.height()}};
+    image.poses = image.infos = image.annotations = image.targets = Json::array();
+    return image;
+  }
+
+  [[nodiscard]] Json poseOf(const SceneObject& object, std::size_t place) const {
+    const Pose X_CM = object.X_CO * models_.of(place).X_OM;
+    return {{"obj_id", models_.obj_ids.at(place)},
+            {"cam_R_m2c", rotationMatrix(X_CM)},
+            {"cam_t_m2c", millimetres(X_CM.translation())}};
+  }
+
+  [[nodiscard]] static Json infoOf(const SceneObject& object, const cv::Mat& depth) {
+    cv::Mat valid;
+    cv::bitwise_and(depth > 0, object.silhouette > 0, valid);
+    const bool is_seen = object.pixels.visible > 0;
+    return {{"bbox_obj", toolkitBox(is_seen ? object.silhouette_box : std::nullopt)},
+            {"bbox_visib", toolkitBox(is_seen ? object.visible_box : std::nullopt)},
+            {"px_count_all", object.pixels.silhouette},
+            {"px_count_valid", cv::countNonZero(valid)},
+            {"px_count_visib", object.pixels.visible},
+            {"visib_fract", object.visibility}};
+  }
+
+  /// Of an object with a visible pixel: its visible mask, in the box round the part of its
+  /// silhouette in the image (calc_gt_coco.py looks at the files in `mask`).
+  void addAnnotation(const SceneObject& object, std::size_t place, const CameraModel& camera,
+                     BopImage& image) const {
+    const int area = cv::countNonZero(object.visible_mask);
+    if (area == 0) return;
+    image.annotations.push_back({{"image_id", image.im_id},
+                                 {"category_id", models_.obj_ids.at(place)},
+                                 {"iscrowd", 0},
+                                 {"area", area},
+                                 {"bbox", cocoBox(cv::boundingRect(object.silhouette))},
+                                 {"segmentation", runLengths(object.visible_mask)},
+                                 {"width", camera.width()},
+                                 {"height", camera.height()},
+                                 {"ignore", object.visibility < kFewestVisible}});
+  }
+
+  [[nodiscard]] Json cocoHeader() const {
+    Json categories = Json::array();
+    for (const auto& [obj_id, model] : models_.by_id) {
+      categories.push_back({{"id", obj_id},
+                            {"name", std::to_string(obj_id)},
+                            {"supercategory", dataset_.objects.at(model.object).class_name}});
+    }
+    return {{"info", {{"description", "synthetic_dataset"}}},
+            {"licenses", Json::array()},
+            {"categories", std::move(categories)}};
+  }
+
+  [[nodiscard]] Json cameraOf(const CameraModel& camera) const {
+    const Intrinsics& k = camera.intrinsics();
+    return {{"fx", k.fx},
+            {"fy", k.fy},
+            {"cx", k.cx},
+            {"cy", k.cy},
+            {"width", camera.width()},
+            {"height", camera.height()},
+            {"depth_scale", depth_scale_}};
+  }
+
+  /// What the format has no place for: which object has which obj_id, where its model's origin is
+  /// in its frame [mm], and which cameras there are.
+  [[nodiscard]] Json datasetInfo() const {
+    Json objects = Json::array();
+    for (std::size_t i = 0; i < dataset_.objects.size(); ++i) {
+      const ObjectInfo& object = dataset_.objects[i];
+      objects.push_back({{"name", object.name},
+                         {"class", object.class_name},
+                         {"id", object.id},
+                         {"obj_id", models_.obj_ids[i]},
+                         {"model_origin", millimetres(models_.of(i).X_OM.translation())}});
+    }
+    Json cameras = Json::array();
+    for (const CameraDescription& camera : dataset_.cameras) {
+      cameras.push_back({{"name", camera.name}, {"frame", camera.frame}});
+    }
+    return {{"objects", std::move(objects)},
+            {"cameras", std::move(cameras)},
+            {"images_per_scene", images_per_scene_}};
+  }
+
+  DatasetInfo dataset_;
+  BopModels models_;
+  std::string train_folder_;
+  std::int64_t images_per_scene_ = 1000;
+  double depth_scale_ = 1.0;  ///< [mm] of a depth image's 1
+  bool has_coco_ = true;
+  std::string image_format_ = ".png";
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::BopWriter, synthetic_dataset::LabelWriter)

@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <ostream>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/shared/label_options.h"
+#include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/nearest_name.h"
+
+namespace synthetic_dataset {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kLargestTilt = kPi / 180.0;  // [rad]
+constexpr int kDecimals = 6;
+
+/// In (-pi, pi].
+double wrapped(double angle) { return std::remainder(angle, 2.0 * kPi); }
+
+/// 0 fully visible, 1 partly occluded, 2 largely occluded: of the part in the image.
+int occlusionOf(const PixelCounts& pixels) {
+  const double seen = static_cast<double>(pixels.visible) /
+                      static_cast<double>(std::max<std::int64_t>(pixels.silhouette_in_image, 1));
+  if (seen >= 0.9) return 0;
+  return seen >= 0.5 ? 1 : 2;
+}
+
+std::string columns(std::initializer_list<double> numbers) {
+  std::string text;
+  for (const double number : numbers) text += " " + fixed(number, kDecimals);
+  return text;
+}
+
+/// Pixels count from the image's edge here, not from the first pixel's centre.
+std::string boxColumns(const Box& box) {
+  return columns({box.left + 0.5, box.top + 0.5, box.right + 0.5, box.bottom + 0.5});
+}
+
+/// The angle between the object's z axis and the camera's upward one [rad].
+double tiltOf(const Pose& X_CO) { return std::acos(std::clamp(-X_CO.linear()(1, 2), -1.0, 1.0)); }
+
+/// The columns from height on, and the observation angle that stands before the 2D box.
+struct Placement {
+  double alpha = 0.0;
+  std::string columns;
+};
+
+/// Length lies along the object's x axis, width along y, height along z.
+Placement placementOf(const SceneObject& object) {
+  const Cuboid& cuboid_O = object.cuboid_O;
+  const Eigen::Vector3d centre_O = cuboid_O.centre();
+  const Eigen::Vector3d bottom_C =
+      object.X_CO * Eigen::Vector3d(centre_O.x(), centre_O.y(), cuboid_O.low.z());
+  const Eigen::Vector3d ahead_C = object.X_CO.linear().col(0);
+  // A turn by rotation_y takes the camera's x axis to (cos, 0, -sin).
+  const double rotation_y = std::atan2(-ahead_C.z(), ahead_C.x());
+  const Eigen::Vector3d size = cuboid_O.size();
+  return {wrapped(rotation_y - std::atan2(bottom_C.x(), bottom_C.z())),
+          columns({size.z(), size.y(), size.x(), bottom_C.x(), bottom_C.y(), bottom_C.z(),
+                   rotation_y})};
+}
+
+std::string calibration(const Intrinsics& k) {
+  const std::string projection =
+      columns({k.fx, 0.0, k.cx, 0.0, 0.0, k.fy, k.cy, 0.0, 0.0, 0.0, 1.0, 0.0}) + "\n";
+  std::string text;
+  for (const char* camera : {"P0:", "P1:", "P2:", "P3:"}) text += camera + projection;
+  text += "R0_rect:" + columns({1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) + "\n";
+  // A scanner in the camera's place, with x ahead, y left and z up.
+  text +=
+      "Tr_velo_to_cam:" + columns({0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0}) +
+      "\n";
+  text +=
+      "Tr_imu_to_velo:" + columns({1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0}) +
+      "\n";
+  return text;
+}
+
+/// The parameter `class_names`: class to KITTI's type. Types end at the first space.
+std::map<std::string, std::string> typesOf(const WriterParameters& parameters,
+                                           const DatasetInfo& dataset) {
+  std::map<std::string, std::string> types;
+  std::vector<std::string> classes;
+  for (const ClassInfo& each : dataset.classes) {
+    classes.push_back(each.name);
+    std::string type = each.name;
+    std::replace_if(
+        type.begin(), type.end(), [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }, '_');
+    const bool is_taken = std::any_of(types.begin(), types.end(),
+                                      [&](const auto& other) { return other.second == type; });
+    if (is_taken && !parameters.group("class_names").has(each.name)) {
+      parameters.group("class_names")
+          .addError(each.name, "the class is called '" + type +
+                                   "' like another where spaces are not allowed; give it a name");
+    }
+    types[each.name] = type;
+  }
+  const Parameters group = parameters.group("class_names");
+  for (const std::string& name : group.names()) {
+    const auto type = group.required<std::string>(name);
+    if (types.count(name) == 0) {
+      group.addError(name, "no object has this class" + didYouMean(name, classes));
+    } else if (type == "DontCare") {
+      group.addError(name, "found 'DontCare', which is what KITTI calls regions without labels");
+    } else if (type.empty() || type.find_first_of(" \t\n\v\f\r") != std::string::npos) {
+      group.addError(name, "found '" + type + "'; it should be a word without spaces");
+    } else {
+      types[name] = type;
+    }
+  }
+  return types;
+}
+
+}  // namespace
+
+/// KITTI's object benchmark: `training/{image_2,label_2,calib}/NNNNNN.*`, `ImageSets/*.txt`.
+/// http://www.cvlibs.net/datasets/kitti/eval_object.php, readme.txt of its devkit_object
+class KittiWriter : public LabelWriter {
+ private:
+  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+    types_ = typesOf(parameters, dataset);
+    box_ = readBoxChoice(parameters);
+    dont_care_ = parameters.optional("dont_care", true);
+    for (std::size_t i = 0; i < dataset.cameras.size(); ++i) {
+      folders_.push_back(cameraFolder(dataset, i));
+    }
+    for (const SplitInfo& split : dataset.splits) splits_.push_back(split.name);
+    if (splits_.empty()) splits_.emplace_back("train");
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements;
+    requirements.visible_masks = true;
+    requirements.visibility = true;
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    warnOfDistortion(scene.camera, output);
+    std::string labels;
+    bool is_tilted = false;
+    for (const SceneObject& object : scene.objects) {
+      if (object.labelled()) {
+        labels += label(object, scene.camera);
+        is_tilted = is_tilted || tiltOf(object.X_CO) > kLargestTilt;
+      } else if (dont_care_ && object.pixels.visible > 0) {
+        labels += dontCare(object, scene.camera);
+      }
+    }
+    if (is_tilted) {
+      output.addWarning(
+          "an object is tilted against the camera by more than 1 degree: KITTI's labels have its "
+          "rotation about the camera's y axis alone");
+    }
+    const std::string number = sixDigits(scene.instant);
+    const std::string training = folders_[scene.camera_index] + "training/";
+    output.addImage(training + "image_2/" + number + ".png", scene.image);
+    output.addText(training + "label_2/" + number + ".txt", labels);
+    output.addText(training + "calib/" + number + ".txt", calibration(scene.camera.intrinsics()));
+    output.addRecord(recordOf(scene.camera_index, splitOf(scene)) + number);
+  }
+
+  void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
+    for (std::size_t camera = 0; camera < folders_.size(); ++camera) {
+      for (const std::string& split : splits_) addImageSet(records, output, camera, split, {split});
+      addImageSet(records, output, camera, "trainval", {"train", "val"});
+    }
+  }
+
+  /// A record is this with the image's number behind it.
+  [[nodiscard]] static std::string recordOf(std::size_t camera, const std::string& split) {
+    return std::to_string(camera) + " " + split + " ";
+  }
+
+  void addImageSet(const SceneRecords& records, DatasetOutput& output, std::size_t camera,
+                   const std::string& name, const std::vector<std::string>& splits) const {
+    output.addFile(folders_[camera] + "ImageSets/" + name + ".txt", [&](std::ostream& list) {
+      records.forEach([&](std::int64_t /*scene*/, const std::string& record) {
+        for (const std::string& split : splits) {
+          const std::string beginning = recordOf(camera, split);
+          if (record.compare(0, beginning.size(), beginning) != 0) continue;
+          list << record.substr(beginning.size()) << '\n';
+        }
+      });
+    });
+  }
+
+  /// An object's line; nothing for one without box in the image.
+  [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
+    const auto box = boxOf(object, box_, camera);
+    if (!box) return "";
+    const Placement placement = placementOf(object);
+    return types_.at(object.class_name) + columns({object.truncation}) + " " +
+           std::to_string(occlusionOf(object.pixels)) + columns({placement.alpha}) +
+           boxColumns(*box) + placement.columns + "\n";
+  }
+
+  [[nodiscard]] static std::string dontCare(const SceneObject& object, const CameraModel& camera) {
+    const auto box = boxOf(object, BoxChoice::kVisible, camera);
+    if (!box) return "";
+    return "DontCare -1 -1 -10" + boxColumns(*box) + " -1 -1 -1 -1000 -1000 -1000 -10\n";
+  }
+
+  std::map<std::string, std::string> types_;
+  BoxChoice box_ = BoxChoice::kVisible;
+  bool dont_care_ = true;
+  std::vector<std::string> folders_;  ///< of each camera
+  std::vector<std::string> splits_;
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::KittiWriter, synthetic_dataset::LabelWriter)

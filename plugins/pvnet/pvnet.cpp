@@ -1,0 +1,258 @@
+#include <locale>
+#include <ostream>
+#include <sstream>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/pvnet/numpy_array.h"
+#include "plugins/pvnet/pvnet_model.h"
+#include "plugins/shared/label_options.h"
+#include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// The row [R | t] of a pose's matrix.
+std::vector<double> rowOf(const Pose& pose, int row) {
+  return {pose.linear()(row, 0), pose.linear()(row, 1), pose.linear()(row, 2),
+          pose.translation()(row)};
+}
+
+std::vector<std::vector<double>> rowsOf(const Pose& pose) {
+  return {rowOf(pose, 0), rowOf(pose, 1), rowOf(pose, 2)};
+}
+
+Pose poseOf(const std::vector<double>& numbers) {
+  Pose pose = Pose::Identity();
+  for (int i = 0; i < 12; ++i) pose(i / 4, i % 4) = numbers.at(static_cast<std::size_t>(i));
+  return pose;
+}
+
+/// A line of numbers as numpy.loadtxt reads them, each the shortest that is the same double.
+template <class Numbers>
+std::string lineOf(const Numbers& numbers) {
+  std::string line;
+  for (const double number : numbers) line += (line.empty() ? "" : " ") + Json(number).dump();
+  return line + "\n";
+}
+
+std::string linesOf(const std::vector<Eigen::Vector3d>& points) {
+  std::string lines;
+  for (const Eigen::Vector3d& point : points) lines += lineOf(point);
+  return lines;
+}
+
+std::string matrixOf(const Intrinsics& intrinsics) {
+  const auto k = cameraMatrix(intrinsics);
+  std::string lines;
+  for (std::size_t row = 0; row < 3; ++row) {
+    lines += lineOf(std::vector<double>(k.begin() + 3 * static_cast<int>(row),
+                                        k.begin() + 3 * static_cast<int>(row) + 3));
+  }
+  return lines;
+}
+
+/// What a scene leaves for the end: for which objects it is a sample.
+struct SceneRecord {
+  std::size_t camera = 0;
+  std::int64_t instant = 0;
+  std::string split;
+  std::string samples;  ///< a character for each object: whether it has one, '0' or '1'
+
+  [[nodiscard]] std::string text() const {
+    return std::to_string(camera) + " " + std::to_string(instant) + " " + split + " " + samples;
+  }
+
+  [[nodiscard]] static SceneRecord of(const std::string& text) {
+    SceneRecord record;
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    stream >> record.camera >> record.instant >> record.split >> record.samples;
+    return record;
+  }
+};
+
+void addText(DatasetOutput& output, const std::string& path, const std::string& text) {
+  output.addFile(path, [&](std::ostream& stream) { stream << text; });
+}
+
+}  // namespace
+
+/// PVNet's custom datasets: for each object a folder with `rgb/i.jpg`, `mask/i.png`,
+/// `pose/posei.npy`, its model and `train.json`, i from 0 without gaps; in metres.
+/// https://github.com/zju3dv/clean-pvnet#training-on-the-custom-object, and what its
+/// tools/handle_custom_dataset.py makes of such a folder.
+class PvNetWriter : public LabelWriter {
+ private:
+  /// The folder of an object, or of an object and a camera.
+  struct Folder {
+    std::size_t object = 0;
+    std::size_t camera = 0;
+    std::string path;  ///< with a `/` at its end
+  };
+
+  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+    dataset_ = dataset;
+    image_format_ = "." + optionalChoice(parameters, "image_format", {"jpg", "png"}, "jpg");
+    data_root_ = parameters.optional<std::string>("data_root", "data/custom");
+    for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
+      models_.push_back(PvNetModel::of(dataset.model(i)));
+    }
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements;
+    requirements.visible_masks = true;
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    warnOfDistortion(scene.camera, output);
+    SceneRecord record{scene.camera_index, scene.instant, splitOf(scene), ""};
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const SceneObject& object = scene.objects[i];
+      const bool is_sample =
+          object.labelled() && models_.at(i) && models_.at(i)->isBefore(scene.camera, object.X_CO);
+      record.samples += is_sample ? '1' : '0';
+      if (is_sample) {
+        addSample(object, scene, folderOf(i, scene.camera_index).path + "scenes/", output);
+      } else if (object.labelled()) {
+        output.addWarning(object.name +
+                          ": part of it is behind the camera; samples like this are left out");
+      }
+    }
+    output.addRecord(record.text());
+  }
+
+  void addSample(const SceneObject& object, const Scene& scene, const std::string& scenes,
+                 SceneOutput& output) const {
+    const std::string number = sceneNumber(scene.instant);
+    output.addImage(scenes + "rgb/" + number + image_format_, scene.image);
+    output.addImage(scenes + "mask/" + number + ".png", object.visible_mask);
+    output.addText(scenes + "pose/" + number + ".npy", numpyArray(rowsOf(object.X_CO)));
+  }
+
+  void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
+    for (std::size_t object = 0; object < models_.size(); ++object) {
+      if (!models_[object]) continue;
+      const ObjectModel surface = dataset_.model(object);
+      for (std::size_t camera = 0; camera < dataset_.cameras.size(); ++camera) {
+        const Folder folder = folderOf(object, camera);
+        addNumberedFiles(records, folder, output);
+        addModelFiles(folder, surface, output);
+        if (dataset_.splits.empty()) addSplit(records, folder, "train", output);
+        for (const SplitInfo& split : dataset_.splits) {
+          addSplit(records, folder, split.name, output);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Folder folderOf(std::size_t object, std::size_t camera) const {
+    return {object, camera,
+            safeFileName(dataset_.objects.at(object).name) + "/" + cameraFolder(dataset_, camera)};
+  }
+
+  /// @param visit  gets each sample of a folder: its number from 0, the scene's name in the folder
+  ///     `scenes`, and its split
+  template <class Visit>
+  static void forEachSample(const SceneRecords& records, const Folder& folder, const Visit& visit) {
+    std::int64_t count = 0;
+    records.forEach([&](std::int64_t /*scene*/, const std::string& text) {
+      const SceneRecord record = SceneRecord::of(text);
+      if (record.camera != folder.camera || record.samples.at(folder.object) != '1') return;
+      visit(std::to_string(count++), sceneNumber(record.instant), record.split);
+    });
+  }
+
+  /// The files' names without gaps, which only the end knows.
+  void addNumberedFiles(const SceneRecords& records, const Folder& folder,
+                        DatasetOutput& output) const {
+    const std::string scenes = folder.path + "scenes/";
+    forEachSample(
+        records, folder, [&](const std::string& i, const std::string& scene, const std::string&) {
+          output.addLink(folder.path + "rgb/" + i + image_format_,
+                         scenes + "rgb/" + scene + image_format_);
+          output.addLink(folder.path + "mask/" + i + ".png", scenes + "mask/" + scene + ".png");
+          output.addLink(folder.path + "pose/pose" + i + ".npy", scenes + "pose/" + scene + ".npy");
+        });
+  }
+
+  void addModelFiles(const Folder& folder, const ObjectModel& surface,
+                     DatasetOutput& output) const {
+    const PvNetModel& model = *models_[folder.object];
+    output.addFile(folder.path + "model.ply",
+                   [&](std::ostream& stream) { writePly(stream, surface, 1.0); });
+    const CameraModel& camera = dataset_.cameras[folder.camera].model;
+    addText(output, folder.path + "camera.txt", matrixOf(camera.intrinsics()));
+    addText(output, folder.path + "diameter.txt", lineOf(std::vector<double>{model.diameter}));
+    addText(output, folder.path + "fps.txt", linesOf(model.farthest_points));
+    addText(output, folder.path + "corners.txt", linesOf(model.corners));
+  }
+
+  /// `train.json` and its like: images, then annotations, both numbered from 1.
+  void addSplit(const SceneRecords& records, const Folder& folder, const std::string& split,
+                DatasetOutput& output) const {
+    const auto addList = [&](std::ostream& stream, const auto& entryOf) {
+      int id = 0;
+      forEachSample(records, folder,
+                    [&](const std::string& i, const std::string& scene, const std::string& of) {
+                      if (of != split) return;
+                      ++id;
+                      stream << (id == 1 ? "\n" : ",\n") << jsonText(entryOf(id, i, scene));
+                    });
+    };
+    output.addFile(folder.path + split + ".json", [&](std::ostream& stream) {
+      stream << "{\"images\": [";
+      addList(stream, [&](int id, const std::string& i, const std::string&) {
+        return imageEntry(folder, id, i);
+      });
+      stream << "],\n\"annotations\": [";
+      addList(stream, [&](int id, const std::string& i, const std::string& scene) {
+        const std::string file = folder.path + "scenes/pose/" + scene + ".npy";
+        return annotation(folder, id, i, poseOf(numbersOfNumpyArray(output.readFile(file))));
+      });
+      stream << "],\n\"categories\": "
+             << Json::array({{{"supercategory", "none"}, {"id", 1}, {"name", kClass}}}).dump()
+             << "}\n";
+    });
+  }
+
+  [[nodiscard]] Json imageEntry(const Folder& folder, int id, const std::string& i) const {
+    const CameraModel& camera = dataset_.cameras[folder.camera].model;
+    return {{"file_name", data_root_ + "/rgb/" + i + image_format_},
+            {"height", camera.height()},
+            {"width", camera.width()},
+            {"id", id}};
+  }
+
+  [[nodiscard]] Json annotation(const Folder& folder, int id, const std::string& i,
+                                const Pose& X_CO) const {
+    const CameraModel& camera = dataset_.cameras[folder.camera].model;
+    Json entry = models_[folder.object]->annotation(camera, X_CO);
+    const Intrinsics& k = camera.intrinsics();
+    entry["mask_path"] = data_root_ + "/mask/" + i + ".png";
+    entry["image_id"] = id;
+    entry["category_id"] = 1;
+    entry["id"] = id;
+    entry["K"] = {{k.fx, 0.0, k.cx}, {0.0, k.fy, k.cy}, {0.0, 0.0, 1.0}};
+    entry["pose"] = rowsOf(X_CO);
+    entry["data_root"] = data_root_ + "/rgb";
+    entry["type"] = "real";  // its masks are nonzero on the object
+    entry["cls"] = kClass;
+    return entry;
+  }
+
+  /// The loader looks it up among LINEMOD's objects, whichever it is; clean-pvnet writes this one.
+  static constexpr const char* kClass = "cat";
+
+  DatasetInfo dataset_;
+  std::vector<std::optional<PvNetModel>> models_;  ///< of each object
+  std::string image_format_ = ".jpg";
+  std::string data_root_;
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::PvNetWriter, synthetic_dataset::LabelWriter)

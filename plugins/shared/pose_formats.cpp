@@ -1,0 +1,61 @@
+#include "plugins/shared/pose_formats.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+namespace {
+
+bool isPinhole(const Distortion& distortion) {
+  if (distortion.model == DistortionModel::kNone) return true;
+  // Without coefficients the polynomials are 1, but a fisheye's angle is still not its tangent.
+  return distortion.model != DistortionModel::kEquidistant &&
+         std::all_of(distortion.coefficients.begin(), distortion.coefficients.end(),
+                     [](double coefficient) { return coefficient == 0.0; });
+}
+
+}  // namespace
+
+std::string sixDigits(std::int64_t number) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%06lld", static_cast<long long>(number));
+  return buffer.data();
+}
+
+std::string cameraFolder(const DatasetInfo& dataset, std::size_t camera) {
+  return dataset.cameras.size() < 2 ? "" : safeFileName(dataset.cameras[camera].name) + "/";
+}
+
+std::string indentedJson(const Json& value) {
+  return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void warnOfDistortion(const CameraModel& camera, SceneOutput& output) {
+  if (isPinhole(camera.distortion())) return;
+  output.addWarning(
+      "the format has no lens distortion: its camera matrix does not describe the image; "
+      "`rectified: true` of the camera makes images that it does describe");
+}
+
+std::array<double, 9> cameraMatrix(const Intrinsics& intrinsics) {
+  return {intrinsics.fx, 0.0, intrinsics.cx, 0.0, intrinsics.fy, intrinsics.cy, 0.0, 0.0, 1.0};
+}
+
+std::array<double, 9> rotationMatrix(const Pose& pose) {
+  std::array<double, 9> rows{};
+  for (int i = 0; i < 9; ++i) rows[static_cast<std::size_t>(i)] = pose.linear()(i / 3, i % 3);
+  return rows;
+}
+
+Cuboid boundsOf(const ObjectModel& model) {
+  Cuboid bounds{model.vertices.front().position, model.vertices.front().position};
+  for (const ObjectModel::Vertex& vertex : model.vertices) {
+    bounds.low = bounds.low.cwiseMin(vertex.position);
+    bounds.high = bounds.high.cwiseMax(vertex.position);
+  }
+  return bounds;
+}
+
+}  // namespace synthetic_dataset

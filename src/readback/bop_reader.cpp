@@ -1,0 +1,92 @@
+#include <opencv2/imgcodecs.hpp>
+
+#include "readback/camera_drawing.h"
+#include "readback/format_readers.h"
+#include "readback/json_file.h"
+#include "synthetic_dataset/cuboid.h"
+
+namespace synthetic_dataset::readback {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// All lengths are in millimetres.
+Pose poseOf(const Json& json) {
+  Pose pose = Pose::Identity();
+  for (int i = 0; i < 9; ++i) {
+    pose.linear()(i / 3, i % 3) = json.at("cam_R_m2c").at(static_cast<std::size_t>(i));
+  }
+  for (int i = 0; i < 3; ++i) {
+    pose.translation()(i) = json.at("cam_t_m2c").at(static_cast<std::size_t>(i));
+  }
+  return pose;
+}
+
+Intrinsics cameraOf(const Json& json) {
+  const Json& k = json.at("cam_K");
+  return {k.at(0), k.at(4), k.at(2), k.at(5)};
+}
+
+Cuboid boundsOf(const Json& info) {
+  const Eigen::Vector3d low(info.at("min_x"), info.at("min_y"), info.at("min_z"));
+  return {low, low + Eigen::Vector3d(info.at("size_x"), info.at("size_y"), info.at("size_z"))};
+}
+
+/// The toolkit's box has one column and row less than its pixels.
+std::optional<Box> boxOf(const Json& json) {
+  const double left = json.at(0);
+  const double top = json.at(1);
+  if (json.at(2).get<double>() < 0.0) return std::nullopt;
+  return Box{left - 0.5, top - 0.5, left + json.at(2).get<double>() + 0.5,
+             top + json.at(3).get<double>() + 0.5};
+}
+
+fs::path imageOf(const WrittenScene& scene) {
+  for (const fs::path& file : scene.files) {
+    if (file.parent_path().filename() == "rgb") return file;
+  }
+  throw Error("'" + scene.folder.string() + "': scene " + scene.name + " has no file in rgb/");
+}
+
+std::string maskName(const std::string& image, std::size_t place) {
+  const std::string digits = std::to_string(place);
+  return image + "_" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits +
+         ".png";
+}
+
+}  // namespace
+
+LabelledPicture readBop(const WrittenScene& scene) {
+  const fs::path image = imageOf(scene);
+  const fs::path folder = image.parent_path().parent_path();
+  const std::string name = image.stem().string();
+  const std::string key = std::to_string(std::stoll(name));
+  const auto ofImage = [&](const Json& json) { return json.at(key); };
+  const Intrinsics camera = readJson(folder / "scene_camera.json",
+                                     [&](const Json& json) { return cameraOf(json.at(key)); });
+  const Json infos = readJson(folder / "scene_gt_info.json", ofImage);
+  const Json models = readJson(folder.parent_path().parent_path() / "models" / "models_info.json",
+                               [](const Json& json) { return json; });
+  LabelledPicture picture{readPicture(image, cv::IMREAD_COLOR), {}};
+  picture.labels = readJson(folder / "scene_gt.json", [&](const Json& json) {
+    std::vector<DrawnLabel> labels;
+    for (const Json& object : json.at(key)) {
+      const Pose X_CM = poseOf(object);
+      const std::string id = std::to_string(object.at("obj_id").get<int>());
+      DrawnLabel label;
+      label.caption = id;
+      label.mask =
+          readPicture(folder / "mask_visib" / maskName(name, labels.size()), cv::IMREAD_GRAYSCALE);
+      label.box = boxOf(infos.at(labels.size()).at("bbox_obj"));
+      auto corners = boundsOf(models.at(id)).corners();
+      for (Eigen::Vector3d& corner : corners) corner = X_CM * corner;
+      addCuboid(label, camera, corners);
+      labels.push_back(std::move(label));
+    }
+    return labels;
+  });
+  return picture;
+}
+
+}  // namespace synthetic_dataset::readback
