@@ -1,0 +1,78 @@
+#include "plugins/ros_bag/bag_recording.h"
+
+#include <cstdint>
+#include <limits>
+
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/image_encodings.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset {
+namespace {
+
+cv::Mat decoded(const std::string& encoded) {
+  const std::vector<std::uint8_t> bytes(encoded.begin(), encoded.end());
+  cv::Mat pixels = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
+  if (pixels.empty()) throw Error("a picture of a scene cannot be read again");
+  return pixels;
+}
+
+}  // namespace
+
+BagRecording::BagRecording(const std::string& file, rosbag::CompressionType compression)
+    : bag_(std::make_unique<rosbag::Bag>()) {
+  bag_->open(file, rosbag::bagmode::Write);
+  bag_->setCompression(compression);
+}
+
+BagRecording::~BagRecording() {
+  try {
+    bag_->close();
+  } catch (const std::exception&) {
+    // The disk is full, say. rosbag::Bag's destructor would try again, and what it throws there
+    // ends the program before anybody is told.
+    (void)bag_.release();
+  }
+}
+
+void BagRecording::writePixels(const std::string& topic, const std_msgs::Header& header,
+                               const std::string& encoding, const cv::Mat& pixels) {
+  sensor_msgs::Image message;
+  message.header = header;
+  message.width = static_cast<std::uint32_t>(pixels.cols);
+  message.height = static_cast<std::uint32_t>(pixels.rows);
+  message.encoding = encoding;
+  message.is_bigendian = 0;
+  message.step = static_cast<std::uint32_t>(pixels.cols * static_cast<int>(pixels.elemSize()));
+  message.data.assign(pixels.datastart, pixels.dataend);
+  write(topic, message);
+}
+
+void BagRecording::writeImage(const std::string& topic, const std_msgs::Header& header,
+                              const std::string& encoding, const std::string& encoded) {
+  writePixels(topic, header, encoding, decoded(encoded));
+}
+
+void BagRecording::writeDepth(const std::string& topic, const std_msgs::Header& header,
+                              const std::string& encoded) {
+  cv::Mat depth = decoded(encoded);
+  depth.setTo(std::numeric_limits<float>::quiet_NaN(), depth == 0.0F);
+  writePixels(topic, header, sensor_msgs::image_encodings::TYPE_32FC1, depth);
+}
+
+void BagRecording::writeCompressed(const std::string& topic, const std_msgs::Header& header,
+                                   const std::string& encoded) {
+  sensor_msgs::CompressedImage message;
+  message.header = header;
+  message.format =
+      "bgr8; png compressed bgr8";  // as compressed_image_transport writes and reads it
+  message.data.assign(encoded.begin(), encoded.end());
+  write(topic, message);
+}
+
+void BagRecording::close() { bag_->close(); }
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include <sensor_msgs/image_encodings.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/ros_bag/bag_recording.h"
+#include "plugins/ros_bag/bag_scene.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+namespace {
+
+bool isTopicLetter(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '/';
+}
+
+/// A camera's topics below the root; names of ROS have letters, digits, `_` and `/`.
+/// http://wiki.ros.org/Names
+std::string topicName(const std::string& camera, std::set<std::string>& taken) {
+  std::string name = camera;
+  std::replace_if(
+      name.begin(), name.end(), [](char letter) { return !isTopicLetter(letter); }, '_');
+  std::string unique = name;
+  for (int count = 2; !taken.insert(unique).second; ++count) {
+    unique = name + "_" + std::to_string(count);
+  }
+  return unique;
+}
+
+}  // namespace
+
+/// A ROS bag of all scenes, to be played over the recording that they come from: images, camera
+/// info, depth, instances, poses, boxes. The pictures that it is made of lie beside it.
+class RosBagWriter : public LabelWriter {
+ private:
+  struct Camera {
+    std::string topic;  ///< "/front"
+    bool rectified = true;
+    BagCamera in_bag;
+  };
+
+  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+    readFile(parameters);
+    readCompression(parameters);
+    compressed_ = parameters.optional("compressed", false);
+    depth_ = parameters.optional("depth", true);
+    frames_ = BagFrames(dataset.global_frame,
+                        parameters.optional<std::string>("frame_prefix", "synthetic/"));
+    addCameras(dataset.cameras, readRoot(parameters));
+  }
+
+  /// Of each instant, every pose is told once: tf2 warns of what it is told again.
+  void addCameras(const std::vector<CameraDescription>& cameras, const std::string& root) {
+    std::set<std::string> topics;
+    std::set<std::string> frames;
+    for (const CameraDescription& camera : cameras) {
+      const bool is_first = cameras_.empty();
+      cameras_.push_back({root + "/" + topicName(camera.name, topics),
+                          camera.model.distortion().model == DistortionModel::kNone,
+                          {camera.frame, frames.insert(camera.frame).second, is_first}});
+    }
+  }
+
+  void readFile(const WriterParameters& parameters) {
+    file_ = parameters.optional<std::string>("file", "dataset.bag");
+    constexpr std::size_t kLongest = 200;
+    const bool is_bag = file_.size() > 4 && file_.compare(file_.size() - 4, 4, ".bag") == 0;
+    if (is_bag && file_.size() <= kLongest && file_.find('/') == std::string::npos) return;
+    parameters.addError("file", "found '" + file_ +
+                                    "'; it should be the name of a file in the writer's folder, "
+                                    "'dataset.bag' for instance");
+  }
+
+  void readCompression(const WriterParameters& parameters) {
+    const std::map<std::string, rosbag::CompressionType> types = {
+        {"none", rosbag::compression::Uncompressed},
+        {"lz4", rosbag::compression::LZ4},
+        {"bz2", rosbag::compression::BZ2}};
+    const std::string found = parameters.optional<std::string>("compression", "none");
+    const auto type = types.find(found);
+    if (type != types.end()) {
+      compression_ = type->second;
+    } else {
+      parameters.addError("compression", "found '" + found + "'; it should be none, lz4 or bz2");
+    }
+  }
+
+  /// What stands before all topics: "" or "/a/b".
+  static std::string readRoot(const WriterParameters& parameters) {
+    const std::string prefix = parameters.optional<std::string>("topic_prefix", "");
+    if (!std::all_of(prefix.begin(), prefix.end(), isTopicLetter)) {
+      parameters.addError("topic_prefix", "found '" + prefix +
+                                              "'; names of topics have letters, digits, '_' and "
+                                              "'/' only");
+    }
+    const std::size_t begin = prefix.find_first_not_of('/');
+    if (begin == std::string::npos) return "";
+    return "/" + prefix.substr(begin, prefix.find_last_not_of('/') - begin + 1);
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements;
+    requirements.visible_masks = true;
+    requirements.depth = depth_;
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    output.addImage(imageFile(scene.name), scene.image);
+    output.addImage(instancesFile(scene.name), scene.instance_map);
+    if (depth_) output.addImage(depthFile(scene.name), scene.depth);
+    output.addRecord(
+        recordOf(makeBagScene(scene, cameras_.at(scene.camera_index).in_bag, frames_)));
+  }
+
+  void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
+    output.addFileByName(file_, [&](const std::string& file) {
+      try {
+        BagRecording bag(file, compression_);
+        records.forEach([&](std::int64_t /*scene*/, const std::string& record) {
+          play(bagSceneOf(record), output, bag);
+        });
+        bag.close();
+      } catch (const rosbag::BagException& exception) {
+        throw Error("the bag '" + file_ + "' cannot be written: " + exception.what());
+      }
+    });
+  }
+
+  /// Poses come first: who listens can place what follows.
+  void play(const BagScene& scene, const DatasetOutput& files, BagRecording& bag) const {
+    const Camera& camera = cameras_.at(scene.camera_index);
+    const std_msgs::Header& header = scene.camera_info.header;
+    if (!scene.transforms.transforms.empty()) bag.write("/tf", scene.stamp, scene.transforms);
+    bag.write(camera.topic + "/camera_info", scene.camera_info);
+
+    const std::string image = files.readFile(imageFile(scene.name));
+    if (compressed_) {
+      bag.writeCompressed(camera.topic + "/image_raw/compressed", header, image);
+    } else {
+      bag.writeImage(camera.topic + "/image_raw", header, sensor_msgs::image_encodings::BGR8,
+                     image);
+    }
+    bag.writeImage(camera.topic + "/instances", header, sensor_msgs::image_encodings::MONO16,
+                   files.readFile(instancesFile(scene.name)));
+    if (depth_) playDepth(scene, camera, files, bag);
+    bag.write(camera.topic + "/objects", scene.stamp, scene.objects);
+  }
+
+  /// With camera info beside it, where RViz and depth_image_proc look for it.
+  static void playDepth(const BagScene& scene, const Camera& camera, const DatasetOutput& files,
+                        BagRecording& bag) {
+    const std::string topic = camera.topic + "/depth";
+    bag.write(topic + "/camera_info", scene.camera_info);
+    bag.writeDepth(topic + (camera.rectified ? "/image_rect_raw" : "/image_raw"),
+                   scene.camera_info.header, files.readFile(depthFile(scene.name)));
+  }
+
+  [[nodiscard]] static std::string imageFile(const std::string& scene) {
+    return "images/" + scene + ".png";
+  }
+  [[nodiscard]] static std::string instancesFile(const std::string& scene) {
+    return "instances/" + scene + ".png";
+  }
+  [[nodiscard]] static std::string depthFile(const std::string& scene) {
+    return "depth/" + scene + ".tiff";
+  }
+
+  std::string file_;
+  rosbag::CompressionType compression_ = rosbag::compression::Uncompressed;
+  bool compressed_ = false;
+  bool depth_ = true;
+  BagFrames frames_{"", ""};
+  std::vector<Camera> cameras_;
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::RosBagWriter, synthetic_dataset::LabelWriter)
