@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""A writer of another package, built against an install space and loaded by its name.
+"""A writer of another package, built in a workspace over an install space and loaded by its name.
 
     external_writer_test.py BUILD_FOLDER INSTALL_PREFIX
 
-The package is the one that docs/writers.md shows.
+The package is examples/box_table_writer, copied as docs/writers.md says, which shows its files.
 """
 import csv
 import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,20 +22,10 @@ from dataset_reading import Manifest, yolo_boxes
 import ros_programs
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-PACKAGE = REPOSITORY / 'test' / 'external_writer_package'
+PACKAGE = REPOSITORY / 'examples' / 'box_table_writer'
 BUILD_FOLDER, INSTALL_PREFIX = sys.argv[1:3]
 
 WIDTH, HEIGHT = 640, 480  # [px], of the example's camera
-
-SETTINGS = """
-writers:
-  - {name: bounding_shape, type: synthetic_dataset/BoundingShape}
-  - {name: yolo, type: synthetic_dataset/Yolo}
-  - {name: stvnet, type: synthetic_dataset/StvNet}
-  - {name: boxes, type: box_table/Csv}
-boxes:
-  table: boxes.csv
-"""
 
 
 def install(staging):
@@ -62,36 +53,39 @@ class InstallSpace(unittest.TestCase):
         cls.scratch = pathlib.Path(scratch.name)
         cls.dataset = cls.scratch / 'dataset'
         cls.prefix = install(cls.scratch / 'staging')
+        cls.setup = cls.prefix / 'setup.bash'
         cls.build_external_package()
         cls.make_dataset()
 
     @classmethod
-    def run_installed(cls, *command):
-        """Exit code and output of a command in a shell that knows the install space alone."""
+    def run_installed(cls, *command, folder=None):
+        """Exit code and output of a command in a shell that knows the last workspace alone."""
         environ = {'HOME': str(cls.scratch), 'ROS_LOG_DIR': str(cls.scratch),
                    'PATH': '/usr/bin:/bin'}
-        script = f'source {shlex.quote(str(cls.prefix))}/setup.bash; exec "$@"'
+        script = f'source {shlex.quote(str(cls.setup))}; exec "$@"'
         done = subprocess.run(['bash', '-c', script, 'bash', *map(str, command)], env=environ,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               universal_newlines=True, timeout=ros_programs.TIMEOUT, check=False)
         return done.returncode, done.stdout
 
     @classmethod
     def build_external_package(cls):
-        build = cls.scratch / 'external_build'
-        for command in (['-S', PACKAGE, '-B', build, f'-DCMAKE_INSTALL_PREFIX={cls.prefix}',
-                         '-DPYTHON_EXECUTABLE=/usr/bin/python3',
-                         '-DPython3_EXECUTABLE=/usr/bin/python3'],
-                        ['--build', build], ['--install', build]):
-            code, log = cls.run_installed('cmake', *command)
-            if code != 0:
-                raise RuntimeError(f'the external package does not build:\n{log}')
+        workspace = cls.scratch / 'workspace'
+        shutil.copytree(PACKAGE, workspace / 'src' / PACKAGE.name)
+        code, log = cls.run_installed(
+            'catkin_make', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
+            '-DPython3_EXECUTABLE=/usr/bin/python3', folder=workspace)
+        if code != 0:
+            raise RuntimeError(f'the external package does not build:\n{log}')
+        cls.setup = workspace / 'devel' / 'setup.bash'
 
     @classmethod
     def make_dataset(cls):
         example = cls.prefix / 'share/synthetic_dataset/config/example.yaml'
         config = cls.scratch / 'config.yaml'
-        config.write_text(example.read_text(encoding='utf-8') + SETTINGS, encoding='utf-8')
+        config.write_text(example.read_text(encoding='utf-8') +
+                          (PACKAGE / 'settings.yaml').read_text(encoding='utf-8'),
+                          encoding='utf-8')
         _, cls.log = cls.run_installed(*ros_programs.launch_command(
             f'config:={config}', f'output_folder:={cls.dataset}', 'rate:=1'))
 
@@ -117,31 +111,34 @@ class InstallSpace(unittest.TestCase):
         code, text = self.run_installed('rosrun', 'synthetic_dataset', 'describe_dataset.py',
                                         self.dataset)
         self.assertEqual(code, 0, text)
-        self.assertIn('boxes (box_table/Csv)', text)
+        self.assertIn('boxes (box_table_writer/BoxTable)', text)
 
-    def test_table_has_a_row_for_each_box(self):
+    def test_table_has_rows_of_known_objects_and_images(self):
         rows = self.table()
-        self.assertEqual(len(rows), sum(len(boxes) for _, boxes in self.yolo_labels()))
+        self.assertGreater(len(rows), 0)
         for row in rows:
             self.assertTrue((self.dataset / 'boxes' / row['image']).is_file(), row)
             self.assertIn(row['object'], ('rover_1', 'rover_2', 'drone_1'))
+            self.assertEqual(row['class'], row['object'][:-2])
 
-    def test_boxes_are_those_of_yolo(self):
-        rows = self.table()
-        expected = [box for _, boxes in self.yolo_labels() for box in boxes]
-        compared = 0
-        for row, (_, x, y, width, height) in zip(rows, expected):
+    def test_boxes_lie_within_those_of_yolo(self):
+        """Yolo's are loose, in fractions that count from the first pixel's centre."""
+        loose = {}
+        for file, boxes in self.yolo_labels():
+            for class_name, x, y, width, height in boxes:
+                loose.setdefault((f'images/{file.stem}.png', class_name), []).append(
+                    ((x - width / 2) * WIDTH, (y - height / 2) * HEIGHT,
+                     (x + width / 2) * WIDTH, (y + height / 2) * HEIGHT))
+        for row in self.table():
             left, top, right, bottom = (float(row[edge])
                                         for edge in ('left', 'top', 'right', 'bottom'))
-            if left <= 0 or top <= 0 or right >= WIDTH - 1 or bottom >= HEIGHT - 1:
-                continue  # the formats cut at different edges
-            # Five decimals of a fraction are coarser than two of a pixel.
-            self.assertAlmostEqual((left + right) / 2, x * WIDTH, delta=0.02)
-            self.assertAlmostEqual((top + bottom) / 2, y * HEIGHT, delta=0.02)
-            self.assertAlmostEqual(right - left, width * WIDTH, delta=0.02)
-            self.assertAlmostEqual(bottom - top, height * HEIGHT, delta=0.02)
-            compared += 1
-        self.assertGreater(compared, 0)
+            self.assertTrue(-0.5 <= left < right <= WIDTH - 0.5, row)
+            self.assertTrue(-0.5 <= top < bottom <= HEIGHT - 0.5, row)
+            # A pixel counts when its centre is covered: its edges lie half a pixel farther out.
+            self.assertTrue(
+                any(left >= box[0] - 0.51 and top >= box[1] - 0.51 and
+                    right <= box[2] + 0.51 and bottom <= box[3] + 0.51
+                    for box in loose.get((row['image'], row['class']), [])), row)
 
     def yolo_labels(self):
         for file in sorted((self.dataset / 'yolo').glob('*[0-9].txt')):
@@ -153,11 +150,14 @@ class Documentation(unittest.TestCase):
     def test_shows_the_package_that_is_built_here(self):
         text = (REPOSITORY / 'docs' / 'writers.md').read_text(encoding='utf-8')
         shown = {title: code for title, code in
-                 re.findall(r'^## (\S+)\n(?:(?!## |```)[^\n]*\n)*?```\w+\n(.*?)^```$', text,
+                 re.findall(r'^### (\S+)\n(?:(?!###? |```)[^\n]*\n)*?```\w+\n(.*?)^```$', text,
                             re.MULTILINE | re.DOTALL)}
-        for name in ('package.xml', 'plugins.xml', 'CMakeLists.txt', 'src/box_table_writer.cpp'):
+        files = [path for path in PACKAGE.rglob('*') if path.is_file()]
+        self.assertEqual(len(files), 5)
+        for path in files:
+            name = str(path.relative_to(PACKAGE))
             with self.subTest(name):
-                self.assertEqual(shown.get(name), (PACKAGE / name).read_text(encoding='utf-8'))
+                self.assertEqual(shown.get(name), path.read_text(encoding='utf-8'))
 
 
 if __name__ == '__main__':
