@@ -1,0 +1,24 @@
+#pragma once
+
+#include "loaders/loader_dataset.h"
+
+namespace synthetic_dataset::test {
+
+/// Each time is one of the cases in which labels go wrong: objects that are partly or wholly out of
+/// the image, hidden, around the camera, one pixel large, seen through another, touching their
+/// like, articulated.
+[[nodiscard]] LoaderDataset hardCases();
+
+/// The same through a lens that distorts.
+[[nodiscard]] LoaderDataset hardCasesThroughLens();
+
+/// Nothing is in view.
+[[nodiscard]] LoaderDataset emptyScenes();
+
+/// Three hundred objects at a time, so that their numbers do not fit into eight bits.
+[[nodiscard]] LoaderDataset manyObjects();
+
+/// Two cameras, and scenes in the splits train, val and test.
+[[nodiscard]] LoaderDataset camerasAndSplits();
+
+}  // namespace synthetic_dataset::test
