@@ -46,7 +46,7 @@ class YoloWriter : public LabelWriter {
     const auto in_image = intersection(*object.loose_box, {0.0, 0.0, width, height});
     if (!in_image) return "";
     const Box box = cut_to_image_ ? *in_image : *object.loose_box;
-    return object.class_name + " " + fixed((box.left + box.right) / 2.0 / width, 5) + " " +
+    return object.class_text + " " + fixed((box.left + box.right) / 2.0 / width, 5) + " " +
            fixed((box.top + box.bottom) / 2.0 / height, 5) + " " + fixed(box.width() / width, 5) +
            " " + fixed(box.height() / height, 5) + "\n";
   }
