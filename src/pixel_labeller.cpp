@@ -1,6 +1,5 @@
 #include "pixel_labeller.h"
 
-#include "annotate/instance_map.h"
 #include "annotate/keypoint_states.h"
 
 namespace synthetic_dataset {
@@ -82,11 +81,11 @@ void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
 void PixelLabeller::addMasks(const render::View& view, const cv::Mat& ids, Scene& scene) {
   const std::size_t count = scene.objects.size();
   cv::Mat map = annotate::instanceMap(ids);
-  const auto exact = annotate::instancePixels(map, count);
+  std::vector<annotate::InstancePixels> parts = annotate::instancePixels(map, count);
   std::vector<double> distances;
   for (std::size_t i = 0; i < count; ++i) {
     SceneObject& object = scene.objects[i];
-    object.pixels.visible = exact[i].count;
+    object.pixels.visible = parts[i].count;
     if (object.pixels.silhouette > 0) {
       object.visibility = static_cast<double>(object.pixels.visible) /
                           static_cast<double>(object.pixels.silhouette);
@@ -105,12 +104,14 @@ void PixelLabeller::addMasks(const render::View& view, const cv::Mat& ids, Scene
       if (overlaps[i]) agreement_[i].add(*overlaps[i]);
     }
     map = layered;
+    parts = annotate::instancePixels(map, count);
   }
-  if (requirements_.visible_masks) addVisibleParts(map, scene);
+  if (requirements_.visible_masks) addVisibleParts(map, parts, scene);
 }
 
-void PixelLabeller::addVisibleParts(const cv::Mat& instance_map, Scene& scene) const {
-  const auto parts = annotate::instancePixels(instance_map, scene.objects.size());
+void PixelLabeller::addVisibleParts(const cv::Mat& instance_map,
+                                    const std::vector<annotate::InstancePixels>& parts,
+                                    Scene& scene) const {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     SceneObject& object = scene.objects[i];
     object.visible_box = parts[i].box();

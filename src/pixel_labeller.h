@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "annotate/instance_map.h"
 #include "config/config.h"
 #include "mask_finder.h"
 #include "render/renderer.h"
@@ -58,7 +59,8 @@ class PixelLabeller {
   void addImages(const render::LabelImages& images, Scene& scene) const;
   void measureSilhouettes(const render::View& view, Scene& scene);
   void addMasks(const render::View& view, const cv::Mat& ids, Scene& scene);
-  void addVisibleParts(const cv::Mat& instance_map, Scene& scene) const;
+  void addVisibleParts(const cv::Mat& instance_map,
+                       const std::vector<annotate::InstancePixels>& parts, Scene& scene) const;
   void addKeypointStates(const render::LabelImages& images, Scene& scene) const;
   void drop(Scene& scene) const;
   [[nodiscard]] bool usesSubtraction() const;

@@ -10,6 +10,7 @@
 #include "plugins/bop/bop_models.h"
 #include "plugins/bop/bop_scenes.h"
 #include "plugins/shared/label_options.h"
+#include "plugins/shared/mask_rle.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -68,23 +69,9 @@ Json cocoBox(const cv::Rect& pixels) {
   return Json::array({pixels.x, pixels.y, pixels.width, pixels.height});
 }
 
-/// COCO's run lengths, column by column, those of zeros first.
+/// COCO's uncompressed run lengths.
 Json runLengths(const cv::Mat& mask) {
-  Json counts = Json::array();
-  bool is_set = false;
-  std::int64_t length = 0;
-  for (int column = 0; column < mask.cols; ++column) {
-    for (int row = 0; row < mask.rows; ++row) {
-      if ((mask.at<std::uint8_t>(row, column) != 0) != is_set) {
-        counts.push_back(length);
-        length = 0;
-        is_set = !is_set;
-      }
-      ++length;
-    }
-  }
-  counts.push_back(length);
-  return {{"counts", std::move(counts)}, {"size", {mask.rows, mask.cols}}};
+  return {{"counts", masks::columnRuns(mask)}, {"size", {mask.rows, mask.cols}}};
 }
 
 Json millimetres(const Eigen::Vector3d& p) {

@@ -11,6 +11,7 @@
 #include "plugins/shared/label_options.h"
 #include "plugins/shared/mask_outlines.h"
 #include "plugins/shared/pixel_map.h"
+#include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
@@ -95,9 +96,7 @@ class CityscapesWriter : public LabelWriter {
     output.addText("gtFine/" + name + "_gtFine_polygons.json",
                    polygonsJson(scene.camera, polygons));
     output.addText("camera/" + name + "_camera.json", cameraJson(scene));
-    if (scene.camera.distortion().model != DistortionModel::kNone) {
-      output.addWarning("Cityscapes' camera files have no place for the lens's distortion");
-    }
+    warnOfDistortion(scene.camera, output);
   }
 
   /// What pixels of each instance are, and the polygons of those with a label. Objects without a

@@ -7,10 +7,10 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/coco/coco_keypoints.h"
-#include "plugins/image_folder/fingerprint.h"
 #include "plugins/image_folder/image_folder_card.h"
 #include "plugins/shared/json.h"
 #include "plugins/shared/label_options.h"
+#include "synthetic_dataset/fingerprint.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {

@@ -12,7 +12,7 @@
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/object_model.h"
 
-/// What the formats that hold poses (KITTI, BOP, PVNet, DOPE) share.
+/// What the formats that hold poses or cameras (KITTI, BOP, PVNet, DOPE, Cityscapes) share.
 namespace synthetic_dataset {
 
 /// A number as such formats name files: six digits with leading zeros, "000012".

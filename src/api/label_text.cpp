@@ -6,6 +6,8 @@
 #include <locale>
 #include <sstream>
 
+#include "synthetic_dataset/fingerprint.h"
+
 namespace synthetic_dataset {
 inline namespace v1 {
 
@@ -41,11 +43,8 @@ std::string safeFileName(const std::string& text) {
   }
   if (!name.empty() && name.front() == '.') name.front() = '_';  // hidden, or the folder above
   if (!name.empty() && name == text) return name;
-  std::uint32_t hash = 0x811C9DC5U;  // FNV-1a, http://www.isthe.com/chongo/tech/comp/fnv
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193U;
-  std::array<char, 16> end{};
-  std::snprintf(end.data(), end.size(), "_%08x", hash);
-  return name + end.data();
+  constexpr std::size_t kDigits = 8;
+  return name + "_" + Fingerprint(text).text().substr(0, kDigits);
 }
 
 }  // namespace v1

@@ -5,9 +5,7 @@
 
 #include <array>
 #include <cerrno>
-#include <cinttypes>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -16,6 +14,7 @@
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/fingerprint.h"
 
 namespace synthetic_dataset::output {
 namespace {
@@ -108,15 +107,6 @@ class OpenFileBuffer : public std::streambuf {
   std::array<char, 1 << 16> buffer_;
 };
 
-/// FNV-1a, http://www.isthe.com/chongo/tech/comp/fnv
-std::uint64_t hashOf(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char character : text) {
-    hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3u;
-  }
-  return hash;
-}
-
 }  // namespace
 
 std::string readWholeFile(const std::string& path) {
@@ -135,9 +125,7 @@ std::string temporaryPath(const std::string& path) {
   const std::string name = path.substr(name_begin);
   std::string end = ".tmp";
   if (1 + name.size() + end.size() > kLongestName) {
-    std::array<char, 18> hash{};
-    std::snprintf(hash.data(), hash.size(), ".%016" PRIx64, hashOf(name));
-    end = hash.data() + end;
+    end = "." + Fingerprint(name).text() + end;
   }
   return path.substr(0, name_begin) + "." + name.substr(0, kLongestName - 1 - end.size()) + end;
 }

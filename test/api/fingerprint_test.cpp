@@ -1,4 +1,4 @@
-#include "plugins/image_folder/fingerprint.h"
+#include "synthetic_dataset/fingerprint.h"
 
 #include <gtest/gtest.h>
 
