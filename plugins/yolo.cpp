@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <ostream>
+#include <string>
 
 #include <pluginlib/class_list_macros.hpp>
 
@@ -12,11 +16,28 @@ namespace synthetic_dataset {
 /// data file. https://github.com/AlexeyAB/darknet#how-to-train-to-detect-your-custom-objects
 class YoloWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
-    parameters.ignore("tf_timeout");           // of nn_data_collection
-    (void)parameters.requiredFile(kMainList);  // the core knows it from here on
+  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+    parameters.ignore("tf_timeout");                              // of nn_data_collection
+    const std::string list = parameters.requiredFile(kMainList);  // the core knows it from here on
     cut_to_image_ = parameters.optional("cut_to_image", true);
     output_folder_ = parameters.outputFolder();
+    if (!isOfAScene(list, dataset)) return;
+    parameters.addError(kMainList, "found '" + list +
+                                       "', where a scene's files go; the list should have another "
+                                       "name, 'list.txt' for instance");
+  }
+
+  /// Whether a path is that of a scene's image or labels, or of a folder that they lie in.
+  [[nodiscard]] bool isOfAScene(const std::string& path, const DatasetInfo& dataset) const {
+    namespace fs = std::filesystem;
+    const fs::path below = fs::path(path).lexically_normal().lexically_relative(output_folder_);
+    const auto isCamera = [&](const CameraDescription& camera) { return below == camera.name; };
+    if (std::any_of(dataset.cameras.begin(), dataset.cameras.end(), isCamera)) return true;
+    const std::string stem = below.stem().string();
+    const std::string extension = below.extension().string();
+    const bool is_inside = !below.empty() && *below.begin() != "..";
+    return is_inside && (extension == ".png" || extension == ".txt") && stem.size() >= 8 &&
+           std::all_of(stem.begin(), stem.end(), [](unsigned char c) { return std::isdigit(c); });
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {

@@ -24,8 +24,9 @@ MAY_INCLUDE = {
     'src/output': {API, 'output'},
     'src/writers': {API, 'writers', 'output'},
     'src/readback': {API, 'readback'},
+    'src/verification': {API, 'verification', 'config', 'output', 'readback'},
     'src': {API, 'config', 'motion', 'world', 'sensor', 'render', 'annotate', 'output', 'writers',
-            'readback', 'src'},
+            'readback', 'verification', 'src'},
     'plugins': {API, 'plugins'},
 }
 
@@ -43,11 +44,13 @@ CONFINED = [
     ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/config'}),
     ('libpng', re.compile(r'png\.h$'), {'src/output'}),
     ('JSON for Modern C++', re.compile(r'nlohmann/'), {'plugins', 'src/readback'}),
+    ('OpenSSL', re.compile(r'openssl/'), {'src/output'}),
     ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),
     ('pluginlib', re.compile(r'pluginlib/'), {'src/writers', 'plugins'}),
     ("ROS's time", re.compile(r'ros/(time|duration)\.h$'), {'src/motion', 'src', 'plugins'}),
-    ("ROS's serialization", re.compile(r'ros/serialization\.h$'), {'plugins'}),
-    ('roscpp', re.compile(r'ros/(?!(time|duration|serialization)\.h$)'), {'src'}),
+    ("ROS's serialization", re.compile(r'ros/(serialization|message_traits)\.h$'),
+     {'src/motion', 'plugins'}),
+    ('roscpp', re.compile(r'ros/(?!(time|duration|serialization|message_traits)\.h$)'), {'src'}),
 ]
 
 SOURCES = {'.h', '.hpp', '.cpp'}

@@ -9,6 +9,7 @@ source "$here/workspace.sh"
 "$here/check_layers.py"
 build_workspace
 build_workspace --target tests
+"$here/check_symbols.py" "$workspace/build"
 use_workspace
 rm -rf "$workspace/build/test_results"
 cmake --build "$workspace/build" --target run_tests

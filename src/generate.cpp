@@ -1,19 +1,21 @@
-/// The node `generate`: ROS parameters in, a dataset out, the result as exit code.
+/// The program `generate`: settings from a file or from ROS parameters in, a dataset out, the
+/// result as exit code.
 
-#include <chrono>
-#include <csignal>
+#include <cstdio>
 #include <iostream>
-#include <memory>
 #include <string>
+#include <vector>
 
-#include <ros/console.h>
 #include <ros/init.h>
 #include <ros/master.h>
-#include <unistd.h>
 
+#include "command_line.h"
+#include "config/settings_file.h"
+#include "console_reporter.h"
 #include "generator.h"
-#include "output/progress.h"
+#include "ros_packages.h"
 #include "ros_parameters.h"
+#include "stop_signals.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {
@@ -24,87 +26,82 @@ constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kInterrupted = 128;  // plus the signal's number, as shells have it
 
-volatile std::sig_atomic_t g_signal = 0;  // the only way from a signal handler to the loop
-
-void onSignal(int signal) { g_signal = signal; }
-
-double secondsNow() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
+/// Neither master nor ROS's log folder is needed: rosconsole alone works without ros::init.
+Value settingsWithoutMaster(const CommandLine& command_line) {
+  Value::Map settings = config::loadSettings(*command_line.config, rosPackageFinder());
+  for (const auto& [name, text] : command_line.settings) {
+    config::overlay(settings, config::settingOf(name, text));
+  }
+  return settings;
 }
 
-/// Tells the run's events to rosconsole, and its progress to a terminal if there is one.
-class RosReporter : public Reporter {
- public:
-  void info(const std::string& message) override { ROS_INFO_STREAM(message); }
-  void warning(const std::string& message) override { ROS_WARN_STREAM(message); }
-
-  void progress(std::int64_t scenes_done, std::int64_t scenes) override {
-    if (scenes_done == 0) {
-      start(scenes);
-    } else {
-      progress_->sceneDone();
-    }
+/// Whether this is a node now, with a parameter server to ask; says why not.
+bool startNode(int argc, char** argv) {
+  try {
+    ros::init(argc, argv, "generate", ros::init_options::NoSigintHandler);
+  } catch (const std::exception& error) {  // no folder for logs, for one
+    std::cerr << "generate: ROS cannot start: " << error.what() << '\n';
+    return false;
   }
+  if (ros::master::check()) return true;
+  std::cerr << "generate: no ROS master answers at ROS_MASTER_URI; use `generate --config FILE`, "
+               "which needs none, or `roslaunch synthetic_dataset generate.launch config:=FILE`\n";
+  return false;
+}
 
-  [[nodiscard]] bool stopRequested() const override { return g_signal != 0; }
-
- private:
-  void start(std::int64_t scenes) {
-    const bool terminal = isatty(STDOUT_FILENO) == 1;
-    const auto sink = [terminal](const std::string& text) {
-      if (terminal) {
-        std::cout << text << std::flush;
-      } else {
-        ROS_INFO_STREAM(text);
-      }
-    };
-    progress_ = std::make_unique<output::Progress>(
-        scenes, terminal ? output::Progress::Display::kTerminal : output::Progress::Display::kLog,
-        secondsNow, sink);
-  }
-
-  std::unique_ptr<output::Progress> progress_;
-};
-
-int generate() {
-  RosReporter reporter;
-  Generator generator(readRosParameters(), reporter);
+int generate(const Value& settings) {
+  ConsoleReporter reporter;
+  Generator generator(settings, reporter);
   const RunSummary summary = generator.run();
-  for (const std::string& line : summaryLines(summary)) ROS_INFO_STREAM(line);
+  for (const std::string& line : summaryLines(summary)) reporter.info(line);
   if (summary.stopped) {
-    ROS_WARN_STREAM("stopped: the scenes made so far are whole, but the dataset is not complete");
-    return kInterrupted + g_signal;
+    const int signal = stop_signals::requested();
+    reporter.warning(std::string("stopped by ") + stop_signals::name(signal) +
+                     ": the scenes made so far are whole; run the same command again to go on "
+                     "(`if_exists: overwrite` starts anew)");
+    return kInterrupted + signal;
   }
-  ROS_INFO_STREAM("done");
+  reporter.info("done");
   return kDone;
+}
+
+/// Makes the dataset of the settings that `read_settings` finds; tells what is wrong with them.
+template <class ReadSettings>
+int generateOrTell(ReadSettings read_settings) {
+  try {
+    return generate(read_settings());
+  } catch (const ErrorList& errors) {
+    for (const std::string& message : errors.messages()) ConsoleReporter::fatal(message);
+    const std::size_t count = errors.messages().size();
+    ConsoleReporter::fatal("failed: " + std::to_string(count) +
+                           (count == 1 ? " error" : " errors"));
+  } catch (const std::exception& error) {
+    ConsoleReporter::fatal(error.what());
+    ConsoleReporter::fatal("failed: 1 error");
+  }
+  return kFailed;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  CommandLine command_line;
   try {
-    ros::init(argc, argv, "generate", ros::init_options::NoSigintHandler);
-  } catch (const std::exception& error) {  // no folder for logs, for one
-    std::cerr << "generate: ROS cannot start: " << error.what() << '\n';
-    return kFailed;
-  }
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
-  if (!ros::master::check()) {
-    std::cerr << "generate: no ROS master answers at ROS_MASTER_URI; start roscore, or use "
-                 "`roslaunch synthetic_dataset generate.launch config:=FILE`\n";
-    return kFailed;
-  }
-  try {
-    return generate();
-  } catch (const ErrorList& errors) {
-    for (const std::string& message : errors.messages()) ROS_FATAL_STREAM(message);
-    const std::size_t count = errors.messages().size();
-    ROS_FATAL_STREAM("failed: " << count << (count == 1 ? " error" : " errors"));
+    command_line = parseCommandLine({argv + 1, argv + argc});
   } catch (const std::exception& error) {
-    ROS_FATAL_STREAM(error.what());
-    ROS_FATAL_STREAM("failed: 1 error");
+    std::cerr << "generate: " << error.what() << '\n' << usage();
+    return kFailed;
   }
-  return kFailed;
+  if (command_line.wants_help) {
+    std::cout << usage();
+    return kDone;
+  }
+  // Messages appear when they are made, also in files: who is stopped at once loses none.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  stop_signals::install();
+  if (command_line.config) {
+    return generateOrTell([&] { return settingsWithoutMaster(command_line); });
+  }
+  if (!startNode(argc, argv)) return kFailed;
+  return generateOrTell([] { return readRosParameters(rosPackageFinder()); });
 }

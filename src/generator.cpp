@@ -5,13 +5,16 @@
 #include <utility>
 
 #include "object_motion.h"
+#include "open_output.h"
 #include "picture_taker.h"
+#include "random_seed.h"
 #include "render/renderer.h"
 #include "run_setup.h"
 #include "scene_maker.h"
 #include "seconds.h"
 #include "synthetic_dataset/label_text.h"
-#include "warning_counter.h"
+#include "warning_teller.h"
+#include "work_plan.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -33,6 +36,13 @@ PixelLabelOptions labelOptions(const config::Config& config) {
 
 }  // namespace
 
+/// A scene that waits for what its optical flow needs.
+struct UnwrittenScene {
+  MadeScene made;
+  std::vector<output::ContactFacts> contacts;
+  std::vector<output::Warning> warnings;
+};
+
 struct Generator::Impl {
   Impl(const Value& parameters, Reporter& user, const std::vector<std::string>& plugin_xml_files)
       : reporter(user),
@@ -46,19 +56,28 @@ struct Generator::Impl {
         picture_taker(*setup.world, renderer, *setup.recording, setup.cameras,
                       setup.config.global_frame, setup.config.seed),
         object_motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links),
-        store(openOutput(setup)) {
-    for (const config::ObjectConfig& object : setup.config.objects) {
-      summary.objects.push_back({object.name, 0, 0, 0, std::nullopt});
-    }
-    summary.planned_scenes =
-        static_cast<std::int64_t>(setup.timeline.stamps.size() * setup.cameras.size());
+        store(openOutput(describedSetup())),
+        work(
+            instantCount(), cameraCount(), shardOf(setup.config.output),
+            [this](std::int64_t scene) { return store->wasComplete() || store->hasScene(scene); }) {
     // A shutter may open before the recording begins: objects are where they are first seen then.
     const Stamp first = setup.timeline.stamps.front();
     (void)object_motion.objectPoses(first);
     motion_start = first + picture_taker.offsets().front();
-    const Duration settle = fromSeconds(setup.config.physics.settle);
-    if (settle.count() > 0) moveWorld(motion_start - std::min(settle, motion_start - Stamp(1)));
     tellPlan();
+  }
+
+  /// The setup, with all that its manifest is to tell.
+  [[nodiscard]] const RunSetup& describedSetup() {
+    setup.description.software["opengl"] = renderer.glVersion();
+    return setup;
+  }
+
+  [[nodiscard]] std::int64_t instantCount() const {
+    return static_cast<std::int64_t>(setup.timeline.stamps.size());
+  }
+  [[nodiscard]] std::int64_t cameraCount() const {
+    return static_cast<std::int64_t>(setup.cameras.size());
   }
 
   void tellPlan() {
@@ -68,14 +87,16 @@ struct Generator::Impl {
     }
     if (!defaults.empty()) reporter.info("defaults taken: " + defaults);
     for (const std::string& remark : setup.remarks) reporter.info(remark);
-    for (const std::string& note : setup.notes) warnings.add(note);
-    countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap",
-                 setup.timeline.left_out_gap);
-    countLeftOut("scene left out: a transform is not known at its time",
-                 setup.timeline.left_out_unknown);
-    reporter.info(std::to_string(summary.planned_scenes) + " scenes" + ofCameras() + " from " +
-                  fixed(toSeconds(setup.timeline.stamps.front()), 3) + " s on, every " +
-                  fixed(1.0 / setup.config.motion.rate, 4) + " s" + ofSplits());
+    warnings.tell(setup.description.warnings);
+    reporter.info(std::to_string(setup.description.scene_count) + " scenes" + ofCameras() +
+                  " from " + fixed(toSeconds(setup.timeline.stamps.front()), 3) + " s on, every " +
+                  fixed(1.0 / setup.config.motion.rate, 4) + " s" + ofSplits() + ofShard());
+    if (store->wasComplete()) {
+      reporter.info("the dataset is complete already: there is nothing to do");
+    } else if (work.missingCount() < work.sceneCount()) {
+      reporter.info("going on: " + std::to_string(work.sceneCount() - work.missingCount()) +
+                    " of these scenes are there already");
+    }
   }
 
   [[nodiscard]] std::string ofSplits() const {
@@ -91,8 +112,11 @@ struct Generator::Impl {
     return " of " + std::to_string(setup.cameras.size()) + " cameras";
   }
 
-  void countLeftOut(const std::string& kind, std::int64_t count) {
-    for (std::int64_t i = 0; i < count; ++i) warnings.add(kind);
+  [[nodiscard]] std::string ofShard() const {
+    const auto& shard = setup.config.output.shard;
+    if (!shard) return "";
+    return "; shard " + std::to_string(shard->index) + " of 0 to " +
+           std::to_string(shard->count - 1) + " makes " + std::to_string(work.sceneCount());
   }
 
   void moveWorld(Stamp stamp) {
@@ -101,84 +125,131 @@ struct Generator::Impl {
         stamp, [this](int object, Stamp time) {
           return object_motion.at(object, std::max(time, motion_start));
         });
-    for (const std::string& gap : object_motion.takeGaps()) warnings.add(gap);
+    for (const std::string& gap : object_motion.takeGaps()) news.push_back({gap});
   }
 
-  void warnOfInterpenetrations(Stamp stamp) {
+  void settle() {
+    const Duration time = fromSeconds(setup.config.physics.settle);
+    if (time.count() > 0) moveWorld(motion_start - std::min(time, motion_start - Stamp(1)));
+  }
+
+  /// Objects that are inside something now; each a warning, too.
+  [[nodiscard]] std::vector<output::ContactFacts> findContacts(Stamp stamp) {
+    std::vector<output::ContactFacts> contacts;
     for (const world::Interpenetration& pair : setup.world->interpenetrations()) {
-      warnings.add("'" + pair.first + "' and '" + pair.second + "' are inside one another",
-                   "by " + fixed(pair.depth, 3) + " m at " + fixed(toSeconds(stamp), 3) + " s");
+      contacts.push_back({pair.first, pair.second, pair.depth});
+      news.push_back({"'" + pair.first + "' and '" + pair.second + "' are inside one another",
+                      "by " + fixed(pair.depth, 3) + " m at " + fixed(toSeconds(stamp), 3) + " s"});
     }
-  }
-
-  void count(const Scene& scene, const std::vector<std::string>& writer_warnings) {
-    for (const std::string& warning : writer_warnings) warnings.add(warning);
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      const SceneObject& object = scene.objects[i];
-      if (object.in_view) ++summary.objects[i].scenes_in_view;
-      if (object.pixels.visible > 0) ++summary.objects[i].scenes_seen;
-      if (object.in_view && object.dropped) ++summary.objects[i].scenes_dropped;
-    }
-    reporter.progress(++summary.scenes, summary.planned_scenes);
+    return contacts;
   }
 
   void makeScenes() {
-    reporter.progress(0, summary.planned_scenes);
+    reporter.progress(0, work.missingCount());
+    settle();
     std::int64_t instant = 0;
     for (const Stamp stamp : setup.timeline.stamps) {
+      if (!work.hasWorkFrom(instant) && unwritten.empty()) break;
       if (reporter.stopRequested()) {
         summary.stopped = true;
-        return;
+        break;
       }
       makeInstant(instant++, stamp);
     }
-    write(std::nullopt);
+    if (!summary.stopped) write(std::nullopt);
   }
 
-  /// The scenes of one time: one a camera.
+  /// The scenes of one time: one a camera. Where none of them is to be made, the world goes through
+  /// this time all the same: what props do and where links were last seen follows from it.
   void makeInstant(std::int64_t instant, Stamp stamp) {
-    std::vector<MadeScene> scenes;
+    std::vector<UnwrittenScene> scenes;
     for (const Duration offset : picture_taker.offsets()) {
       moveWorld(stamp + offset);
-      picture_taker.expose(stamp, offset);
+      if (work.wants(instant)) picture_taker.expose(stamp, offset);
       if (offset != Duration{0}) continue;
       write(stamp);
-      warnOfInterpenetrations(stamp);
-      const std::vector<Pose> X_GO = object_motion.objectPoses(stamp);
-      for (std::size_t camera = 0; camera < setup.cameras.size(); ++camera) {
-        scenes.push_back(scene_maker.make(camera, instant, stamp, X_GO));
-      }
+      if (work.wants(instant)) scenes = lookAtInstant(instant, stamp);
     }
-    for (MadeScene& made : scenes) {
-      made.scene.image = picture_taker.develop(made.scene.camera_index, made.scene.index);
+    for (UnwrittenScene& each : scenes) {
+      Scene& scene = each.made.scene;
+      scene.image = picture_taker.develop(scene.camera_index, scene.index);
     }
+    // What a time brought to light is told with its first scene.
+    if (!scenes.empty()) scenes.front().warnings = std::move(news);
+    news.clear();
     unwritten = std::move(scenes);
     if (!scene_maker.needsOpticalFlow()) write(std::nullopt);
+  }
+
+  [[nodiscard]] std::vector<UnwrittenScene> lookAtInstant(std::int64_t instant, Stamp stamp) {
+    std::vector<UnwrittenScene> scenes;
+    const std::vector<Pose> X_GO = object_motion.objectPoses(stamp);
+    for (std::size_t camera = 0; camera < setup.cameras.size(); ++camera) {
+      scenes.push_back({scene_maker.make(camera, instant, stamp, X_GO), {}, {}});
+    }
+    scenes.front().contacts = findContacts(stamp);
+    return scenes;
   }
 
   /// Writes the scenes that were made last.
   /// @param now  where the world stands, for where their pixels have gone; nothing after the last
   void write(std::optional<Stamp> now) {
-    for (MadeScene& made : unwritten) {
-      if (scene_maker.needsOpticalFlow()) scene_maker.addOpticalFlow(made, now);
-      const Scene& scene = made.scene;
-      const auto written = setup.writers->writeScene(scene);
-      store->commitScene(scene.index, scene.stamp, written.files);
-      count(scene, written.warnings);
+    for (UnwrittenScene& each : unwritten) {
+      if (store->hasScene(each.made.scene.index)) continue;  // of another camera than those missing
+      if (scene_maker.needsOpticalFlow()) scene_maker.addOpticalFlow(each.made, now);
+      const auto written = setup.writers->writeScene(each.made.scene);
+      for (const std::string& warning : written.warnings) each.warnings.push_back({warning});
+      warnings.tell(each.warnings);
+      store->commitScene(factsOf(each), written.files);
+      reporter.progress(++summary.scenes, work.missingCount());
     }
     unwritten.clear();
   }
 
+  [[nodiscard]] output::SceneFacts factsOf(const UnwrittenScene& each) const {
+    const Scene& scene = each.made.scene;
+    output::SceneFacts facts;
+    facts.index = scene.index;
+    facts.stamp = scene.stamp;
+    facts.instant = scene.instant;
+    facts.camera = scene.camera_name;
+    facts.split = scene.split;
+    facts.seed = randomSeed(static_cast<std::uint64_t>(setup.config.seed), scene.index, "scene");
+    facts.X_GC = scene.X_GC;
+    facts.objects = scene_maker.objectFacts(each.made);
+    facts.contacts = each.contacts;
+    facts.warnings = each.warnings;
+    return facts;
+  }
+
+  /// What the whole dataset holds, for the run's last words.
+  void summarize() {
+    summary.dataset_scenes = store->counts().scenes;
+    summary.planned_scenes = work.sceneCount();
+    summary.files = store->counts().files;
+    summary.bytes = store->counts().bytes;
+    summary.warnings = store->warningCounts();
+    const std::vector<output::ObjectCounts> counts = store->objectCounts();
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      const output::ObjectCounts& of = counts[i];
+      summary.objects.push_back(
+          {setup.config.objects[i].name, of.in_view, of.seen, of.dropped, std::nullopt});
+      if (of.compared > 0) summary.objects.back().mask_agreement = of.mean_mask_agreement;
+    }
+  }
+
   Reporter& reporter;
-  WarningCounter warnings;
+  WarningTeller warnings;
   RunSetup setup;
   render::Renderer renderer;
   SceneMaker scene_maker;
   PictureTaker picture_taker;
   ObjectMotion object_motion;
-  Stamp motion_start{0};             ///< when the first shutter opens
-  std::vector<MadeScene> unwritten;  ///< the last time's, while they wait for the next one
-  std::unique_ptr<output::DatasetStore> store;  // last: what fails before leaves the disk alone
+  Stamp motion_start{0};                  ///< when the first shutter opens
+  std::vector<output::Warning> news;      ///< since the last instant
+  std::vector<UnwrittenScene> unwritten;  ///< the last time's, while they wait for the next one
+  std::unique_ptr<output::DatasetStore> store;  // late: what fails before leaves the disk alone
+  WorkPlan work;
   RunSummary summary;
 };
 
@@ -189,24 +260,22 @@ Generator::Generator(const Value& parameters, Reporter& reporter,
 Generator::~Generator() = default;
 
 RunSummary Generator::run() {
-  const auto begin = std::chrono::steady_clock::now();
-  impl_->makeScenes();
   RunSummary& summary = impl_->summary;
   output::DatasetStore& store = *impl_->store;
-  if (!summary.stopped) {
-    impl_->setup.writers->finalize(store);
+  summary.manifest = store.manifestPath();
+  summary.was_complete = store.wasComplete();
+  if (summary.was_complete) return summary;
+  const auto begin = std::chrono::steady_clock::now();
+  impl_->makeScenes();
+  if (summary.stopped) {
+    store.flush();
+  } else {
+    // The files of the dataset as a whole are made of all shards together, when they are merged.
+    if (!impl_->setup.config.output.shard) impl_->setup.writers->finalize(store);
     store.complete();
   }
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  summary.files = store.counts().files;
-  summary.bytes = store.counts().bytes;
-  summary.warnings = impl_->warnings.counts();
-  const std::vector<MaskAgreement> agreement = impl_->scene_maker.maskAgreement();
-  for (std::size_t i = 0; i < agreement.size(); ++i) {
-    if (agreement[i].count == 0) continue;
-    summary.objects[i].mask_agreement = agreement[i].sum / static_cast<double>(agreement[i].count);
-  }
-  summary.manifest = store.manifestPath();
+  impl_->summarize();
   return summary;
 }
 

@@ -25,8 +25,7 @@ PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& render
       requirements_(requirements),
       options_(options),
       pass_{render::LinkSelection(world.links().size(), true)},
-      finder_(world, renderer, object_count, mog2Options(options.masks), options.masks.clean),
-      agreement_(object_count) {
+      finder_(world, renderer, object_count, mog2Options(options.masks), options.masks.clean) {
   Requirements& needed = requirements_;
   needed.visible_masks = needed.visible_masks || needed.class_map;
   needed.visibility = needed.visibility || options_.labels.min_visibility > 0.0;
@@ -46,16 +45,17 @@ bool PixelLabeller::usesSubtraction() const {
   return options_.masks.method == config::MaskMethod::kMog2;
 }
 
-SeenSurface PixelLabeller::label(const render::View& view, Scene& scene) {
+PixelFindings PixelLabeller::label(const render::View& view, Scene& scene) {
   if (needs_silhouettes_) measureSilhouettes(view, scene);
   if (!needs_labels_) return {};
   const render::LabelImages images = renderer_.labels(view, world_.linkPoses(), pass_);
   addImages(images, scene);
-  addMasks(view, images.ids, scene);
+  PixelFindings findings;
+  findings.mask_agreement = addMasks(view, images.ids, scene);
   if (requirements_.keypoint_states) addKeypointStates(images, scene);
   drop(scene);
-  if (!requirements_.optical_flow) return {};
-  return {images.depth, images.range, images.links};
+  if (requirements_.optical_flow) findings.surface = {images.depth, images.range, images.links};
+  return findings;
 }
 
 void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) const {
@@ -78,11 +78,13 @@ void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
   }
 }
 
-void PixelLabeller::addMasks(const render::View& view, const cv::Mat& ids, Scene& scene) {
+std::vector<std::optional<double>> PixelLabeller::addMasks(const render::View& view,
+                                                           const cv::Mat& ids, Scene& scene) {
   const std::size_t count = scene.objects.size();
   cv::Mat map = annotate::instanceMap(ids);
   std::vector<annotate::InstancePixels> parts = annotate::instancePixels(map, count);
   std::vector<double> distances;
+  std::vector<std::optional<double>> agreement;
   for (std::size_t i = 0; i < count; ++i) {
     SceneObject& object = scene.objects[i];
     object.pixels.visible = parts[i].count;
@@ -99,14 +101,12 @@ void PixelLabeller::addMasks(const render::View& view, const cv::Mat& ids, Scene
       scene.objects[i].silhouette = masks[i];
     }
     const cv::Mat layered = annotate::layeredInstanceMap(masks, ids, distances);
-    const auto overlaps = annotate::intersectionOverUnion(layered, map, count);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (overlaps[i]) agreement_[i].add(*overlaps[i]);
-    }
+    agreement = annotate::intersectionOverUnion(layered, map, count);
     map = layered;
     parts = annotate::instancePixels(map, count);
   }
   if (requirements_.visible_masks) addVisibleParts(map, parts, scene);
+  return agreement;
 }
 
 void PixelLabeller::addVisibleParts(const cv::Mat& instance_map,

@@ -21,23 +21,20 @@ struct PixelLabelOptions {
   std::vector<std::uint16_t> class_numbers;  ///< of the objects: their values in Scene::class_map
 };
 
-/// How well one object's visible masks of background subtraction agree with exact ones, over all
-/// scenes.
-struct MaskAgreement {
-  double sum = 0.0;  ///< of intersections over unions
-  std::int64_t count = 0;
-
-  void add(double intersection_over_union) {
-    sum += intersection_over_union;
-    ++count;
-  }
-};
-
 /// What is kept of a scene's pixels until it is known where they go.
 struct SeenSurface {
   cv::Mat depth;
   cv::Mat range;
   cv::Mat links;
+};
+
+/// What labelling a scene's pixels tells beside the scene's labels.
+struct PixelFindings {
+  SeenSurface surface;  ///< what its optical flow needs; empty unless that is required
+
+  /// How well each object's visible mask of background subtraction agrees with the exact one:
+  /// intersection over union, nothing where there is neither. Empty where nothing was subtracted.
+  std::vector<std::optional<double>> mask_agreement;
 };
 
 /// Labels that follow from one camera's pixels: masks, measures, what hides what, maps. Computes
@@ -49,16 +46,18 @@ class PixelLabeller {
                 const Requirements& requirements, const PixelLabelOptions& options);
 
   /// Adds labels to a scene whose objects have all that follows from their poses.
-  /// @return what its optical flow needs; empty unless that is required
-  [[nodiscard]] SeenSurface label(const render::View& view, Scene& scene);
+  [[nodiscard]] PixelFindings label(const render::View& view, Scene& scene);
 
-  /// Of each object.
-  [[nodiscard]] const std::vector<MaskAgreement>& agreement() const { return agreement_; }
+  /// Whether PixelCounts::visible is counted, and whether PixelCounts::silhouette.
+  [[nodiscard]] bool countsVisible() const { return needs_labels_; }
+  [[nodiscard]] bool countsSilhouettes() const { return needs_silhouettes_; }
 
  private:
   void addImages(const render::LabelImages& images, Scene& scene) const;
   void measureSilhouettes(const render::View& view, Scene& scene);
-  void addMasks(const render::View& view, const cv::Mat& ids, Scene& scene);
+  /// @return PixelFindings::mask_agreement
+  std::vector<std::optional<double>> addMasks(const render::View& view, const cv::Mat& ids,
+                                              Scene& scene);
   void addVisibleParts(const cv::Mat& instance_map,
                        const std::vector<annotate::InstancePixels>& parts, Scene& scene) const;
   void addKeypointStates(const render::LabelImages& images, Scene& scene) const;
@@ -74,7 +73,6 @@ class PixelLabeller {
   render::LabelPass pass_;
   std::vector<render::LinkSelection> links_of_;  ///< of each object
   MaskFinder finder_;
-  std::vector<MaskAgreement> agreement_;
 };
 
 }  // namespace synthetic_dataset

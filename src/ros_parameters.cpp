@@ -5,6 +5,8 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
+#include "synthetic_dataset/errors.h"
+
 namespace synthetic_dataset {
 
 Value valueFromXmlRpc(XmlRpc::XmlRpcValue& value) {
@@ -50,19 +52,32 @@ void takeModelsFromParameters(Value::Map& parameters) {
   }
 }
 
+/// The settings of the file that the private parameter `settings_file` names, if it does.
+Value::Map takeSettingsFile(Value::Map& parameters, const config::TextFinder& package_folder) {
+  const auto entry = parameters.find("settings_file");
+  if (entry == parameters.end()) return {};
+  const Value file = entry->second;
+  parameters.erase(entry);
+  if (const auto* name = file.as<std::string>()) return config::loadSettings(*name, package_folder);
+  throw Error("settings_file: found " + file.kind() + "; it should be the name of a YAML file");
+}
+
 }  // namespace
 
-Value readRosParameters() {
+Value readRosParameters(const config::TextFinder& package_folder) {
   XmlRpc::XmlRpcValue found;
   Value parameters = Value::Map{};
   if (ros::param::get(ros::this_node::getName(), found)) parameters = valueFromXmlRpc(found);
-  auto* map = parameters.as<Value::Map>();
-  if (map != nullptr && map->count("robot_list") == 0) {
+  auto* given = parameters.as<Value::Map>();
+  if (given == nullptr) return parameters;
+  Value::Map settings = takeSettingsFile(*given, package_folder);
+  config::overlay(settings, *given);
+  if (settings.count("robot_list") == 0) {
     XmlRpc::XmlRpcValue robots;
-    if (ros::param::get("/robot_list", robots)) (*map)["robot_list"] = valueFromXmlRpc(robots);
+    if (ros::param::get("/robot_list", robots)) settings["robot_list"] = valueFromXmlRpc(robots);
   }
-  if (map != nullptr) takeModelsFromParameters(*map);
-  return parameters;
+  takeModelsFromParameters(settings);
+  return settings;
 }
 
 }  // namespace synthetic_dataset

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "dataset_description.h"
 #include "error_collector.h"
 #include "render/light_setup.h"
 #include "ros_packages.h"
+#include "run_record.h"
 #include "scene_plan.h"
 #include "seconds.h"
 #include "synthetic_dataset/label_text.h"
@@ -40,7 +42,7 @@ std::optional<world::Model> takeModel(world::Description& description, const std
 class Builder {
  public:
   Builder(const Value& parameters, const std::vector<std::string>& plugin_xml_files)
-      : root_(parameters), plugin_xml_files_(plugin_xml_files) {}
+      : parameters_(parameters), root_(parameters), plugin_xml_files_(plugin_xml_files) {}
 
   RunSetup build() {
     setup_.config = config::readConfig(root_);
@@ -52,13 +54,44 @@ class Builder {
     checkFrames();
     planSplits();
     noteSubtraction();
+    const std::vector<std::string> unused = root_.unknownNames();
     throwErrors();
     setup_.defaults_taken = root_.defaultsTaken();
+    describe(unused);
     return std::move(setup_);
   }
 
  private:
   [[nodiscard]] const config::Config& config() const { return setup_.config; }
+
+  /// What the manifest tells of the run.
+  /// @param unused  parameters that nobody read
+  void describe(const std::vector<std::string>& unused) {
+    output::RunDescription& run = setup_.description;
+    run.settings = usedSettings(parameters_, config(), unused, root_.defaultValues());
+    run.software = softwareVersions();
+    inputs_.insert(config().motion.bag_files.begin(), config().motion.bag_files.end());
+    for (const config::CameraConfig& camera : config().cameras) {
+      if (camera.info_file) inputs_.insert(*camera.info_file);
+    }
+    run.inputs = describeInputs(inputs_);
+    describeContents(dataset(), run);
+    countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap",
+                 setup_.timeline.left_out_gap);
+    countLeftOut("scene left out: a transform is not known at its time",
+                 setup_.timeline.left_out_unknown);
+  }
+
+  void countLeftOut(const std::string& kind, std::int64_t count) {
+    if (count > 0) setup_.description.warnings.push_back({kind, "", count});
+  }
+
+  [[nodiscard]] DatasetInfo dataset() const {
+    static const std::vector<world::LinkInstance> kNoLinks;
+    return describeDataset(config(), setup_.cameras,
+                           setup_.world ? setup_.world->links() : kNoLinks, instantCount(),
+                           splitPlan());
+  }
 
   /// Runs a step that makes a part; none when it failed, with the errors noted.
   template <class Make>
@@ -93,6 +126,7 @@ class Builder {
       if (model) addObject(std::move(*model), object, objects);
     }
     addNotes(loader.modelNotes());
+    for (const auto& file : finder.found()) inputs_.insert(file.string());
     sensors_ = description_->cameras;
     const std::vector<world::CameraSensor>& on_objects = loader.modelCameras();
     sensors_.insert(sensors_.end(), on_objects.begin(), on_objects.end());
@@ -209,11 +243,7 @@ class Builder {
     }
     if (choices.empty()) return;
     setup_.writers = attempt([&] {
-      static const std::vector<world::LinkInstance> kNoLinks;
-      const DatasetInfo info =
-          describeDataset(config(), setup_.cameras, setup_.world ? setup_.world->links() : kNoLinks,
-                          instantCount(), splitPlan());
-      return std::make_unique<writers::WriterHost>(choices, info, plugin_xml_files_);
+      return std::make_unique<writers::WriterHost>(choices, dataset(), plugin_xml_files_);
     });
   }
 
@@ -263,14 +293,16 @@ class Builder {
   }
 
   void addNotes(const std::vector<std::string>& notes) {
-    setup_.notes.insert(setup_.notes.end(), notes.begin(), notes.end());
+    for (const std::string& note : notes) setup_.description.warnings.push_back({note});
   }
 
+  const Value& parameters_;
   Parameters root_;
   const std::vector<std::string>& plugin_xml_files_;
   RunSetup setup_;
   std::optional<world::Description> description_;  ///< as the file has it, objects included
   std::vector<world::CameraSensor> sensors_;       ///< of the world and of the objects' models
+  std::set<std::string> inputs_;                   ///< files of the world and of its models
   ErrorCollector errors_;
 };
 
@@ -278,16 +310,6 @@ class Builder {
 
 RunSetup setUpRun(const Value& parameters, const std::vector<std::string>& plugin_xml_files) {
   return Builder(parameters, plugin_xml_files).build();
-}
-
-std::unique_ptr<output::DatasetStore> openOutput(const RunSetup& setup) {
-  const config::OutputConfig& config = setup.config.output;
-  output::StoreOptions options;
-  options.folder = config.folder;
-  options.if_exists = config.overwrite ? output::IfExists::kOverwrite : output::IfExists::kError;
-  options.png_compression = config.png_compression;
-  options.jpeg_quality = config.jpeg_quality;
-  return std::make_unique<output::DatasetStore>(options, setup.writers->storeWriters());
 }
 
 }  // namespace synthetic_dataset

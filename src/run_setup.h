@@ -9,7 +9,7 @@
 #include "config/config.h"
 #include "motion/bag_motion.h"
 #include "object_shapes.h"
-#include "output/dataset_store.h"
+#include "output/run_description.h"
 #include "split_plan.h"
 #include "synthetic_dataset/value.h"
 #include "world/world.h"
@@ -28,7 +28,7 @@ struct RunSetup {
   std::unique_ptr<ObjectShapes> shapes;               ///< of the objects
   std::unique_ptr<SplitPlan> splits;
   std::unique_ptr<writers::WriterHost> writers;
-  std::vector<std::string> notes;           ///< what the user should know
+  output::RunDescription description;       ///< for the manifest; with what the user should know
   std::vector<std::string> remarks;         ///< what the user may like to know
   std::vector<std::string> defaults_taken;  ///< "parameter: value"
 };
@@ -37,9 +37,5 @@ struct RunSetup {
 /// @throws ErrorList with all that is wrong
 [[nodiscard]] RunSetup setUpRun(const Value& parameters,
                                 const std::vector<std::string>& plugin_xml_files);
-
-/// Opens the output, which may remove an earlier dataset: the last thing before the first scene.
-/// @throws ErrorList with all that stands in the way; the disk is as it was then
-[[nodiscard]] std::unique_ptr<output::DatasetStore> openOutput(const RunSetup& setup);
 
 }  // namespace synthetic_dataset

@@ -6,11 +6,16 @@ namespace synthetic_dataset {
 
 std::vector<std::string> summaryLines(const RunSummary& summary) {
   std::vector<std::string> lines;
+  if (summary.was_complete) return {"manifest: " + summary.manifest};
   const double rate =
       summary.seconds > 0.0 ? static_cast<double>(summary.scenes) / summary.seconds : 0.0;
-  lines.push_back(std::to_string(summary.scenes) + " of " + std::to_string(summary.planned_scenes) +
-                  " scenes in " + fixed(summary.seconds, 1) + " s (" + fixed(rate, 1) +
-                  " scenes/s), " + std::to_string(summary.files) + " files, " +
+  std::string made = std::to_string(summary.scenes) + " of " +
+                     std::to_string(summary.planned_scenes) + " scenes in " +
+                     fixed(summary.seconds, 1) + " s (" + fixed(rate, 1) + " scenes/s)";
+  if (summary.dataset_scenes > summary.scenes) {
+    made += ", " + std::to_string(summary.dataset_scenes - summary.scenes) + " made before";
+  }
+  lines.push_back(made + "; " + std::to_string(summary.files) + " files, " +
                   fixed(static_cast<double>(summary.bytes) / 1e6, 1) + " MB");
   for (const RunSummary::Object& object : summary.objects) {
     std::string line = "object " + object.name + ": in view in " +

@@ -20,12 +20,16 @@ struct RunSummary {
     std::optional<double> mask_agreement;
   };
 
-  bool stopped = false;  ///< ended early because the user asked for it
-  std::int64_t scenes = 0;
+  bool stopped = false;       ///< ended early because the user asked for it
+  bool was_complete = false;  ///< there was nothing to do: all else here is empty then
+  std::int64_t scenes = 0;    ///< made by this run
+  double seconds = 0.0;       ///< that they took
+
+  // Of the whole dataset, or of the shard, whichever runs made it.
+  std::int64_t dataset_scenes = 0;
   std::int64_t planned_scenes = 0;
   std::int64_t files = 0;
   std::int64_t bytes = 0;
-  double seconds = 0.0;  ///< of making scenes
   std::vector<Object> objects;
   std::map<std::string, std::int64_t> warnings;  ///< kind to count
   std::string manifest;

@@ -52,8 +52,8 @@ MadeScene SceneMaker::make(std::size_t camera, std::int64_t instant, Stamp stamp
     };
     return Pose(inGlobal(target).inverse() * inGlobal(source));
   };
-  SeenSurface surface = labellers_[camera].label(view, scene);
-  return {std::move(scene), std::move(surface),
+  PixelFindings findings = labellers_[camera].label(view, scene);
+  return {std::move(scene), std::move(findings),
           needs_optical_flow_ ? world_.linkPoses() : std::vector<Pose>{}};
 }
 
@@ -64,20 +64,36 @@ void SceneMaker::addOpticalFlow(MadeScene& made, std::optional<Stamp> next) cons
                                  cv::Scalar::all(std::numeric_limits<double>::quiet_NaN()));
     return;
   }
+  const SeenSurface& surface = made.findings.surface;
   const CameraRig& rig = cameras_[scene.camera_index];
   const Pose X_GC_next = cameraPose(rig, world_, recording_, global_frame_, *next);
-  scene.optical_flow = annotate::opticalFlow(scene.camera, made.surface.depth, made.surface.range,
-                                             made.surface.links, scene.X_GC, made.X_GL, X_GC_next,
-                                             world_.linkPoses());
+  scene.optical_flow =
+      annotate::opticalFlow(scene.camera, surface.depth, surface.range, surface.links, scene.X_GC,
+                            made.X_GL, X_GC_next, world_.linkPoses());
 }
 
-std::vector<MaskAgreement> SceneMaker::maskAgreement() const {
-  std::vector<MaskAgreement> all(shapes_.size());
-  for (const PixelLabeller& labeller : labellers_) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      all[i].sum += labeller.agreement()[i].sum;
-      all[i].count += labeller.agreement()[i].count;
+std::vector<output::ObjectFacts> SceneMaker::objectFacts(const MadeScene& made) const {
+  const PixelLabeller& labeller = labellers_[made.scene.camera_index];
+  std::vector<output::ObjectFacts> all;
+  for (const SceneObject& object : made.scene.objects) {
+    output::ObjectFacts facts;
+    facts.X_GO = object.X_GO;
+    facts.distance = object.distance();
+    facts.in_view = object.in_view;
+    facts.dropped = object.dropped;
+    facts.loose_box = object.loose_box;
+    facts.silhouette_box = object.silhouette_box;
+    facts.visible_box = object.visible_box;
+    if (labeller.countsVisible()) facts.visible_pixels = object.pixels.visible;
+    if (labeller.countsSilhouettes()) {
+      facts.silhouette_pixels = object.pixels.silhouette;
+      facts.truncation = object.truncation;
+      if (labeller.countsVisible()) facts.visibility = object.visibility;
     }
+    if (all.size() < made.findings.mask_agreement.size()) {
+      facts.mask_agreement = made.findings.mask_agreement[all.size()];
+    }
+    all.push_back(std::move(facts));
   }
   return all;
 }

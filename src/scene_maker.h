@@ -7,6 +7,7 @@
 #include "camera_rig.h"
 #include "motion/bag_motion.h"
 #include "object_shapes.h"
+#include "output/scene_facts.h"
 #include "pixel_labeller.h"
 #include "render/renderer.h"
 #include "split_plan.h"
@@ -19,7 +20,7 @@ namespace synthetic_dataset {
 /// A scene, and what its optical flow needs once the world has moved on.
 struct MadeScene {
   Scene scene;
-  SeenSurface surface;
+  PixelFindings findings;
   std::vector<Pose> X_GL;  ///< of the world's links
 };
 
@@ -48,8 +49,8 @@ class SceneMaker {
   /// @param next  nothing after the last scene
   void addOpticalFlow(MadeScene& made, std::optional<Stamp> next) const;
 
-  /// Of each object, over all cameras' scenes so far.
-  [[nodiscard]] std::vector<MaskAgreement> maskAgreement() const;
+  /// What a scene's manifest is told of its objects: what was measured, and nothing else.
+  [[nodiscard]] std::vector<output::ObjectFacts> objectFacts(const MadeScene& made) const;
 
  private:
   /// X_GC of all cameras, by their frames.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,6 +70,9 @@ class Parameters {
 
   /// "name: value" of each default used, in order of reading.
   [[nodiscard]] const std::vector<std::string>& defaultsTaken() const;
+
+  /// The same as values, by full name.
+  [[nodiscard]] const std::map<std::string, Value>& defaultValues() const;
 
  private:
   struct Notes;

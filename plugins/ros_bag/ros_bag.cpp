@@ -69,7 +69,10 @@ class RosBagWriter : public LabelWriter {
     file_ = parameters.optional<std::string>("file", "dataset.bag");
     constexpr std::size_t kLongest = 200;
     const bool is_bag = file_.size() > 4 && file_.compare(file_.size() - 4, 4, ".bag") == 0;
-    if (is_bag && file_.size() <= kLongest && file_.find('/') == std::string::npos) return;
+    const bool is_name = std::none_of(file_.begin(), file_.end(), [](char c) {
+      return c == '/' || static_cast<unsigned char>(c) < 0x20U || c == 0x7F;
+    });
+    if (is_bag && is_name && file_.size() <= kLongest) return;
     parameters.addError("file", "found '" + file_ +
                                     "'; it should be the name of a file in the writer's folder, "
                                     "'dataset.bag' for instance");

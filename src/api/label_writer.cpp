@@ -1,5 +1,7 @@
 #include "synthetic_dataset/label_writer.h"
 
+#include <algorithm>
+
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
@@ -35,6 +37,11 @@ std::string WriterParameters::requiredFile(const std::string& name) const {
   if (errors().size() != errors_before) return file;
   if (file.empty() || file.back() == '/') {
     addError(name, "found '" + file + "'; it should be the path of a file");
+    return file;
+  }
+  if (std::any_of(file.begin(), file.end(),
+                  [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; })) {
+    addError(name, "found a path with a control character; it should be the path of a file");
     return file;
   }
   if (file.front() != '/') file = output_folder_ + file;

@@ -27,9 +27,14 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 
 std::optional<std::string> nearestName(const std::string& name,
                                        const std::vector<std::string>& candidates) {
+  constexpr std::size_t kLongest = 500;  // of what a person may have misspelt
   std::optional<std::string> nearest;
+  if (name.size() > kLongest) return nearest;
   std::size_t smallest = std::max<std::size_t>(name.size() / 3, 1) + 1;
   for (const std::string& candidate : candidates) {
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    // The distance is at least the difference of the lengths.
+    if (longer - std::min(name.size(), candidate.size()) >= smallest) continue;
     const std::size_t distance = editDistance(name, candidate);
     if (distance < smallest) {
       smallest = distance;

@@ -132,6 +132,7 @@ std::string shortened(const std::string& text) {
 struct Parameters::Notes {
   std::vector<std::string> errors;
   std::vector<std::string> defaults;
+  std::map<std::string, Value> default_values;
   std::map<std::string, std::set<std::string>> known;  // by the group's full name
 };
 
@@ -183,6 +184,7 @@ template <class T>
 T Parameters::optional(const std::string& name, const T& fallback) const {
   if (find(name) == nullptr) {
     notes_->defaults.push_back(fullName(name) + ": " + Value(fallback).text());
+    notes_->default_values[fullName(name)] = Value(fallback);
     return fallback;
   }
   return maybe<T>(name).value_or(fallback);
@@ -272,6 +274,10 @@ std::vector<std::string> Parameters::knownNeighbours(const std::string& full_nam
 const std::vector<std::string>& Parameters::errors() const { return notes_->errors; }
 
 const std::vector<std::string>& Parameters::defaultsTaken() const { return notes_->defaults; }
+
+const std::map<std::string, Value>& Parameters::defaultValues() const {
+  return notes_->default_values;
+}
 
 }  // namespace v1
 }  // namespace synthetic_dataset

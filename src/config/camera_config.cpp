@@ -100,7 +100,8 @@ void checkIntrinsicsNamed(const CameraConfig& camera, const Parameters& above,
 /// Cameras' names become folders.
 bool isGoodName(const std::string& name) {
   const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
-  return !name.empty() && name.front() != '.' &&
+  constexpr std::size_t kLongest = 80;
+  return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
          name.find_first_not_of(allowed) == std::string::npos;
 }
 
@@ -125,7 +126,8 @@ std::vector<CameraConfig> readCameras(const Parameters& root) {
   for (const std::string& name : all.names()) {
     if (!isGoodName(name)) {
       all.ignore(name);
-      all.addError(name, "is no name for a folder; letters, digits, '_', '-' and '.' are allowed");
+      all.addError(
+          name, "is no name for a folder; up to 80 letters, digits, '_', '-' and '.' are allowed");
       continue;
     }
     cameras.push_back(readCamera(all.group(name), name, std::nullopt));

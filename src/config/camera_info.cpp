@@ -1,6 +1,7 @@
 #include "config/camera_info.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 #include "config/yaml_value.h"
@@ -166,13 +167,15 @@ Readout readoutOf(const Side& side, Errors& errors) {
     errors.push_back(std::string(side.binning_name) + ": found " + std::to_string(side.binning) +
                      "; it should be 0 or more");
   }
-  const int size = side.roi_size == 0 ? side.whole - side.offset : side.roi_size;
-  if (side.offset < 0 || size < 1 || side.offset + size > side.whole) {
+  const std::int64_t whole = side.whole;
+  const std::int64_t size = side.roi_size == 0 ? whole - side.offset : side.roi_size;
+  if (side.offset < 0 || size < 1 || side.offset + size > whole) {
     errors.push_back(std::string("roi/") + side.roi_name + ": found " +
                      std::to_string(side.roi_size) + " px from " + std::to_string(side.offset) +
                      " on; it should lie within the image's " + std::to_string(side.whole) + " px");
   }
-  return {static_cast<double>(side.offset), static_cast<double>(binning), size / binning};
+  return {static_cast<double>(side.offset), static_cast<double>(binning),
+          static_cast<int>(size / binning)};
 }
 
 [[noreturn]] void throwNaming(const std::string& file, const Errors& errors) {

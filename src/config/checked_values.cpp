@@ -1,9 +1,50 @@
 #include "config/checked_values.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 
 namespace synthetic_dataset::config {
+namespace {
+
+bool isControl(char character) {
+  const auto code = static_cast<unsigned char>(character);
+  return code < 0x20U || code == 0x7FU;
+}
+
+/// The bytes of a UTF-8 character by its first one (RFC 3629, section 4), 0 where it is none.
+std::size_t lengthOf(unsigned char first) {
+  if (first < 0x80U) return 1;
+  if (first >= 0xC2U && first < 0xE0U) return 2;
+  if (first >= 0xE0U && first < 0xF0U) return 3;
+  return first >= 0xF0U && first < 0xF5U ? 4 : 0;
+}
+
+/// Whether the second byte keeps the first's character from being too long, a surrogate or beyond
+/// the last one there is.
+bool isSecond(unsigned char first, unsigned char second) {
+  if (first == 0xE0U) return second >= 0xA0U;
+  if (first == 0xEDU) return second < 0xA0U;
+  if (first == 0xF0U) return second >= 0x90U;
+  return first != 0xF4U || second < 0x90U;
+}
+
+bool isUtf8(const std::string& text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = lengthOf(byte(at));
+    if (length == 0 || length > text.size() - at) return false;
+    for (std::size_t i = 1; i < length; ++i) {
+      if ((byte(at + i) & 0xC0U) != 0x80U) return false;
+    }
+    if (length > 1 && !isSecond(byte(at), byte(at + 1))) return false;
+    at += length;
+  }
+  return true;
+}
+
+}  // namespace
 
 double numberAbove(const Parameters& group, const std::string& name, double fallback,
                    double limit) {
@@ -57,6 +98,14 @@ bool isEmptyList(const Parameters& group, const std::string& name) {
   const auto given = group.maybe<Value>(name);
   const auto* list = given ? given->as<Value::List>() : nullptr;
   return list != nullptr && list->empty();
+}
+
+std::optional<std::string> nameProblem(const std::string& text) {
+  if (text.empty()) return "is empty";
+  if (text.find_first_of("\n\r") != std::string::npos) return "has more than one line";
+  if (std::any_of(text.begin(), text.end(), isControl)) return "has a control character";
+  if (!isUtf8(text)) return "is not UTF-8";
+  return std::nullopt;
 }
 
 }  // namespace synthetic_dataset::config

@@ -31,4 +31,8 @@ namespace synthetic_dataset::config {
 /// A path made absolute; a URI as it is.
 [[nodiscard]] std::string pathOrUri(const std::string& text);
 
+/// What keeps a text from being a name that stands in label files of all formats: "found a text
+/// that <this>", or nothing. Such names are of one line of UTF-8, and may hold anything else.
+[[nodiscard]] std::optional<std::string> nameProblem(const std::string& text);
+
 }  // namespace synthetic_dataset::config

@@ -108,9 +108,27 @@ struct RenderingConfig {
   double shadow_distance = 50.0;  ///< [m]
 };
 
+/// What becomes of a dataset that is already there.
+enum class IfExists {
+  kResume,     ///< gone on with
+  kOverwrite,  ///< replaced
+  kError,      ///< left alone, and told of
+};
+
+/// How hard the run waits for the disk.
+enum class Sync { kOff, kScene, kBatch };
+
+/// The part of a run's scenes that this one makes.
+struct ShardConfig {
+  std::int64_t index = 0;  ///< 0 .. count - 1
+  std::int64_t count = 1;
+};
+
 struct OutputConfig {
   std::string folder;  ///< absolute
-  bool overwrite = false;
+  IfExists if_exists = IfExists::kResume;
+  Sync sync = Sync::kBatch;
+  std::optional<ShardConfig> shard;
   int png_compression = 3;
   int jpeg_quality = 95;
 };

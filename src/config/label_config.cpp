@@ -41,8 +41,8 @@ class ClassTable {
     if (id < 0 || id > kLargestClass) {
       root_.addError("classes", "found the number " + std::to_string(id) + " of '" + name +
                                     "'; it should be 0 to " + std::to_string(kLargestClass));
-    } else if (name.empty() || name.find_first_of("\n\r") != std::string::npos) {
-      root_.addError("classes", "found a name that is empty or has more than one line");
+    } else if (const auto problem = nameProblem(name)) {
+      root_.addError("classes", "found a name that " + *problem);
     } else if (const bool is_new_name = names_.insert(name).second;
                !by_id_.emplace(id, name).second || !is_new_name) {
       root_.addError("classes", "found '" + name + "' or its number " + std::to_string(id) +

@@ -16,8 +16,8 @@ std::string readLabel(const Parameters& group, const std::string& name) {
   std::string text = value.text();
   if (value.is<Value::List>() || value.is<Value::Map>()) {
     group.addError(name, "found " + value.kind() + "; it should be a text or a number");
-  } else if (text.empty() || text.find_first_of("\n\r") != std::string::npos) {
-    group.addError(name, "found a text that is empty or has more than one line");
+  } else if (const auto problem = nameProblem(text)) {
+    group.addError(name, "found a text that " + *problem);
   }
   return text;
 }
@@ -117,12 +117,13 @@ void readKeypointNames(const Parameters& group, ObjectConfig& object) {
                                          std::to_string(keypointCount(object)) + " keypoints");
   } else if (std::set<std::string>(names->begin(), names->end()).size() != names->size()) {
     group.addError("keypoint_names", "found a name more than once; each keypoint has its own");
-  } else if (std::any_of(names->begin(), names->end(), [](const std::string& name) {
-               return name.empty() || name.find_first_of("\n\r") != std::string::npos;
-             })) {
-    group.addError("keypoint_names", "found a name that is empty or has more than one line");
   } else {
     object.keypoint_names = *names;
+  }
+  for (const std::string& name : *names) {
+    if (const auto problem = nameProblem(name)) {
+      group.addError("keypoint_names", "found a name that " + *problem);
+    }
   }
 }
 
@@ -200,7 +201,8 @@ ObjectConfig readObject(const Parameters& root, const std::string& name) {
   if (object.model && object.model->rfind("param:", 0) == 0) {
     group.addError("model", "found '" + *object.model +
                                 "', but no ROS parameter of this name is set to a text; it should "
-                                "hold a URDF or SDF model, as /robot_description does");
+                                "hold a URDF or SDF model, as /robot_description does (without a "
+                                "ROS master, name a file)");
     object.model.reset();
   }
   if (object.model && !isXml(*object.model)) object.model = pathOrUri(*object.model);
@@ -242,9 +244,12 @@ std::vector<ObjectConfig> readObjects(const Parameters& root) {
                                       "name");
       continue;
     }
-    if (name.empty() || !seen.insert(name).second) {
-      root.addError("robot_list",
-                    name.empty() ? "found an empty name" : "found '" + name + "' more than once");
+    if (const auto problem = nameProblem(name)) {
+      root.addError("robot_list", "found a name that " + *problem);
+      continue;
+    }
+    if (!seen.insert(name).second) {
+      root.addError("robot_list", "found '" + name + "' more than once");
       continue;
     }
     objects.push_back(readObject(root, name));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -17,6 +18,49 @@ std::string memberText(const Value& entry, const std::string& member) {
   const auto found = map->find(member);
   const auto* text = found == map->end() ? nullptr : found->second.as<std::string>();
   return text == nullptr ? "" : *text;
+}
+
+/// One of some words; left out, the first.
+template <class Choice>
+Choice choice(const Parameters& group, const std::string& name,
+              const std::vector<std::pair<std::string, Choice>>& choices) {
+  auto found = group.maybe<Value>(name);
+  if (!found) return choices.front().second;
+  // YAML takes `off` for false.
+  const std::string text = found->is<bool>() ? (*found->as<bool>() ? "on" : "off") : found->text();
+  std::string words;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (choices[i].first == text) return choices[i].second;
+    words += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i].first;
+  }
+  group.addError(name, "found '" + text + "'; it should be " + words);
+  return choices.front().second;
+}
+
+/// `shard: {index: 2, count: 8}`; none when the whole run is to be made.
+std::optional<ShardConfig> readShard(const Parameters& root) {
+  if (!root.has("shard")) return std::nullopt;
+  const Parameters group = root.group("shard");
+  ShardConfig shard;
+  if (!group.has("count") || !group.has("index")) {
+    for (const char* name : {"count", "index"}) (void)group.required<std::int64_t>(name);
+    return std::nullopt;
+  }
+  shard.count = group.required<std::int64_t>("count");
+  shard.index = group.required<std::int64_t>("index");
+  constexpr std::int64_t kMost = 100000;
+  if (shard.count < 1 || shard.count > kMost) {
+    group.addError("count", "found " + std::to_string(shard.count) + "; it should be 1 to " +
+                                std::to_string(kMost));
+    return std::nullopt;
+  }
+  if (shard.index < 0 || shard.index >= shard.count) {
+    group.addError("index", "found " + std::to_string(shard.index) + "; it should be 0 to " +
+                                std::to_string(shard.count - 1) + ", as count is " +
+                                std::to_string(shard.count));
+    return std::nullopt;
+  }
+  return shard;
 }
 
 /// Names and types of the writers; left out, the original's three.
@@ -61,11 +105,13 @@ std::vector<std::pair<std::string, std::string>> readWriterNames(const Parameter
 OutputConfig readOutput(const Parameters& root) {
   OutputConfig output;
   output.folder = absolutePath(root.maybe<std::string>("output_folder").value_or(""));
-  const auto if_exists = root.optional<std::string>("if_exists", "error");
-  if (if_exists != "error" && if_exists != "overwrite") {
-    root.addError("if_exists", "found '" + if_exists + "'; it should be error or overwrite");
-  }
-  output.overwrite = if_exists == "overwrite";
+  output.if_exists = choice<IfExists>(root, "if_exists",
+                                      {{"resume", IfExists::kResume},
+                                       {"overwrite", IfExists::kOverwrite},
+                                       {"error", IfExists::kError}});
+  output.sync = choice<Sync>(
+      root, "sync", {{"batch", Sync::kBatch}, {"scene", Sync::kScene}, {"off", Sync::kOff}});
+  output.shard = readShard(root);
   const Parameters image = root.group("image");
   output.png_compression = numberBetween(image, "png_compression", output.png_compression, 0, 9);
   output.jpeg_quality = numberBetween(image, "jpeg_quality", output.jpeg_quality, 1, 100);

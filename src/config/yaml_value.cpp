@@ -1,16 +1,16 @@
 #include "config/yaml_value.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <limits>
-#include <locale>
-#include <optional>
-#include <regex>
-#include <sstream>
-#include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <yaml-cpp/yaml.h>
 
+#include "config/angle_expression.h"
+#include "config/yaml_scalar.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::config {
@@ -18,125 +18,240 @@ namespace {
 
 constexpr int kDeepestNesting = 64;
 
-[[noreturn]] void fail(const std::string& origin, const YAML::Mark& mark,
-                       const std::string& message) {
-  std::string place = origin;
-  if (mark.line >= 0) place += ": line " + std::to_string(mark.line + 1);
-  throw Error(place + ": " + message);
+/// How many values and letters a text may grow to by its aliases, which multiply: so many times its
+/// own length, but a short one to this much.
+constexpr std::size_t kMostGrowth = 16;
+constexpr std::size_t kSmallContent = 1U << 20U;
+
+const std::string kYamlTag = "tag:yaml.org,2002:";
+
+enum class Rules { kAnyFile, kSettings };
+
+/// yaml-cpp marks what is in quotes by "!" and what has no tag by "?".
+bool isUntagged(const YAML::Node& node) { return node.Tag().empty() || node.Tag() == "?"; }
+
+bool isMergeKey(const YAML::Node& key) {
+  return key.IsScalar() && isUntagged(key) && key.Scalar() == "<<";
 }
 
-std::string withoutUnderscores(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c != '_') result += c;
-  }
-  return result;
-}
+class Reader {
+ public:
+  using Entry = std::pair<YAML::Node, YAML::Node>;
 
-std::optional<Value> asBool(const std::string& text) {
-  static const std::regex kTrue("yes|Yes|YES|true|True|TRUE|on|On|ON");
-  static const std::regex kFalse("no|No|NO|false|False|FALSE|off|Off|OFF");
-  if (std::regex_match(text, kTrue)) return Value(true);
-  if (std::regex_match(text, kFalse)) return Value(false);
-  return std::nullopt;
-}
+  Reader(Rules rules, const std::string& text, const std::string& origin)
+      : rules_(rules),
+        origin_(origin),
+        content_left_(std::max(kSmallContent, kMostGrowth * text.size())) {}
 
-/// YAML 1.1's integers (https://yaml.org/type/int.html), without base 60: nobody means 1:30 as 90.
-std::optional<Value> asInteger(const std::string& text) {
-  static const std::regex kInteger("[-+]?(0b[01_]+|0x[0-9a-fA-F_]+|0[0-7_]*|[1-9][0-9_]*)");
-  if (!std::regex_match(text, kInteger)) return std::nullopt;
-  std::string digits = withoutUnderscores(text);
-  const bool negative = digits[0] == '-';
-  if (digits[0] == '-' || digits[0] == '+') digits.erase(0, 1);
-  int base = 10;
-  if (digits.rfind("0b", 0) == 0) {
-    base = 2;
-    digits.erase(0, 2);
-  } else if (digits.rfind("0x", 0) == 0) {
-    base = 16;
-    digits.erase(0, 2);
-  } else if (digits.size() > 1 && digits[0] == '0') {
-    base = 8;
-  }
-  try {
-    const std::int64_t number = std::stoll(digits, nullptr, base);
-    return Value(negative ? -number : number);
-  } catch (const std::out_of_range&) {
-    return std::nullopt;
-  }
-}
-
-/// YAML 1.1's floats as PyYAML reads them: a point is needed, 1e5 is a text.
-std::optional<Value> asFloat(const std::string& text) {
-  static const std::regex kFloat("[-+]?([0-9][0-9_]*\\.[0-9_]*|\\.[0-9][0-9_]*)([eE][-+][0-9]+)?");
-  static const std::regex kInfinite("[-+]?\\.(inf|Inf|INF)");
-  static const std::regex kNan("\\.(nan|NaN|NAN)");
-  if (std::regex_match(text, kNan)) return Value(std::numeric_limits<double>::quiet_NaN());
-  if (std::regex_match(text, kInfinite)) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    return Value(text[0] == '-' ? -infinity : infinity);
-  }
-  if (!std::regex_match(text, kFloat)) return std::nullopt;
-  std::istringstream stream(withoutUnderscores(text));
-  stream.imbue(std::locale::classic());
-  double number = 0.0;
-  stream >> number;
-  if (stream.fail()) return std::nullopt;
-  return Value(number);
-}
-
-Value scalar(const YAML::Node& node) {
-  const std::string& text = node.Scalar();
-  const bool quoted = node.Tag() == "!";
-  if (quoted || node.Tag() == "tag:yaml.org,2002:str") return Value(text);
-  if (auto value = asBool(text)) return *value;
-  if (auto value = asInteger(text)) return *value;
-  if (auto value = asFloat(text)) return *value;
-  return Value(text);
-}
-
-Value convert(const YAML::Node& node, const std::string& origin, int depth) {
-  if (depth > kDeepestNesting) {
-    fail(
-        origin, node.Mark(),
-        "nested deeper than " + std::to_string(kDeepestNesting) + " levels (does it hold itself?)");
-  }
-  switch (node.Type()) {
-    case YAML::NodeType::Scalar:
-      return scalar(node);
-    case YAML::NodeType::Sequence: {
-      Value::List list;
-      for (const YAML::Node& entry : node) list.push_back(convert(entry, origin, depth + 1));
-      return list;
+  Value convert(const YAML::Node& node, int depth = 0) {
+    checkSize(node, depth);
+    switch (node.Type()) {
+      case YAML::NodeType::Scalar:
+        return scalar(node);
+      case YAML::NodeType::Sequence:
+        return list(node, depth);
+      case YAML::NodeType::Map:
+        return map(node, depth);
+      default:
+        if (rules_ == Rules::kSettings && depth > 0) {
+          fail(node.Mark(),
+               "found nothing (null); it should have a value ({} is an empty group, '' an empty "
+               "text)");
+        }
+        return {};
     }
-    case YAML::NodeType::Map: {
-      Value::Map map;
-      for (const auto& entry : node) {
-        if (!entry.first.IsScalar()) fail(origin, entry.first.Mark(), "a name should be a text");
-        map[entry.first.Scalar()] = convert(entry.second, origin, depth + 1);
+  }
+
+  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& message) const {
+    std::string place = origin_;
+    if (mark.line >= 0) place += ": line " + std::to_string(mark.line + 1);
+    throw Error(place + ": " + message);
+  }
+
+ private:
+  void checkSize(const YAML::Node& node, int depth) {
+    if (depth > kDeepestNesting) {
+      fail(node.Mark(), "nested deeper than " + std::to_string(kDeepestNesting) +
+                            " levels (does it hold itself?)");
+    }
+    take(1 + (node.IsScalar() ? node.Scalar().size() : 0), node.Mark());
+  }
+
+  void take(std::size_t content, const YAML::Mark& mark) {
+    if (content > content_left_) fail(mark, "its aliases multiply without bound");
+    content_left_ -= content;
+  }
+
+  Value list(const YAML::Node& node, int depth) {
+    checkTag(node, "seq");
+    Value::List list;
+    for (const YAML::Node& entry : node) list.push_back(convert(entry, depth + 1));
+    return list;
+  }
+
+  Value map(const YAML::Node& node, int depth) {
+    checkTag(node, "map");
+    Value::Map map;
+    for (const Entry& entry : entries(node, depth)) {
+      map[name(entry.first)] = convert(entry.second, depth + 1);
+    }
+    return map;
+  }
+
+  /// Collections of other kinds (sets, objects) are passed over where the file is not for settings.
+  void checkTag(const YAML::Node& node, const std::string& kind) const {
+    if (rules_ == Rules::kAnyFile || isUntagged(node) || node.Tag() == "!") return;
+    if (node.Tag() != kYamlTag + kind) failForTag(node);
+  }
+
+  /// A map's entries in order, those that `<<` merges before its own
+  /// (https://yaml.org/type/merge.html): the last of equal names counts.
+  std::vector<Entry> entries(const YAML::Node& map, int depth) {
+    checkSize(map, depth);
+    std::vector<Entry> merged;
+    std::vector<Entry> own;
+    for (const auto& entry : map) {
+      if (isMergeKey(entry.first)) {
+        merge(entry.second, depth, merged);
+      } else {
+        own.emplace_back(entry.first, entry.second);
       }
-      return map;
     }
-    default:
-      return {};
+    take(merged.size(), map.Mark());
+    merged.insert(merged.end(), own.begin(), own.end());
+    return merged;
+  }
+
+  /// Of a list of maps, the first that has a name counts.
+  void merge(const YAML::Node& source, int depth, std::vector<Entry>& merged) {
+    std::vector<YAML::Node> maps;
+    if (source.IsMap()) maps.push_back(source);
+    if (source.IsSequence()) {
+      for (const YAML::Node& each : source) maps.push_back(each);
+    }
+    if (maps.empty() && !source.IsSequence()) fail(source.Mark(), "'<<' should merge a group");
+    for (auto map = maps.rbegin(); map != maps.rend(); ++map) {
+      if (!map->IsMap()) fail(map->Mark(), "'<<' should merge groups");
+      const std::vector<Entry> found = entries(*map, depth + 1);
+      merged.insert(merged.end(), found.begin(), found.end());
+    }
+  }
+
+  std::string name(const YAML::Node& key) const {
+    if (!key.IsScalar()) fail(key.Mark(), "a name should be a text");
+    const std::string& text = key.Scalar();
+    if (rules_ == Rules::kSettings && !scalar(key).is<std::string>()) {
+      fail(key.Mark(),
+           "found the name " + text + ", which YAML does not take for a text; put it in quotes");
+    }
+    return text;
+  }
+
+  [[nodiscard]] Value scalar(const YAML::Node& node) const {
+    const std::string& text = node.Scalar();
+    const std::string& tag = node.Tag();
+    if (tag == "!" || tag == kYamlTag + "str") return text;
+    if (isUntagged(node)) {
+      return rules_ == Rules::kSettings ? untaggedSetting(node) : plainScalar(text);
+    }
+    return rules_ == Rules::kSettings ? taggedSetting(node) : plainScalar(text);
+  }
+
+  [[nodiscard]] Value untaggedSetting(const YAML::Node& node) const {
+    const std::string& text = node.Scalar();
+    if (isTimestamp(text)) {
+      fail(node.Mark(),
+           "found the date " + text + ", which settings cannot hold; put it in quotes");
+    }
+    // rosparam's patterns are ^deg\([^\)]*\)$ and ^rad\([^\)]*\)$.
+    const bool closes_once = !text.empty() && text.find(')') == text.size() - 1;
+    if (closes_once && text.rfind("deg(", 0) == 0) return angle(node, degrees);
+    if (closes_once && text.rfind("rad(", 0) == 0) return angle(node, radians);
+    return plainScalar(text);
+  }
+
+  [[nodiscard]] Value taggedSetting(const YAML::Node& node) const {
+    const std::string& text = node.Scalar();
+    const std::string& tag = node.Tag();
+    if (tag == "!degrees") return angle(node, degrees);
+    if (tag == "!radians") return angle(node, radians);
+    if (tag == kYamlTag + "bool") {
+      if (const auto value = asBool(text)) return *value;
+    } else if (tag == kYamlTag + "int") {
+      if (const auto value = asInteger(text)) return *value;
+    } else if (tag == kYamlTag + "float") {
+      if (const auto value = asFloat(text)) return *value;
+      if (const auto value = decimalNumber(text)) return *value;
+    }
+    failForTag(node);
+  }
+
+  /// @param unit  degrees or radians, which read what stands between the parentheses, if any
+  [[nodiscard]] double angle(const YAML::Node& node, double (*unit)(const std::string&)) const {
+    std::string text = node.Scalar();
+    const std::string start = unit == degrees ? "deg(" : "rad(";
+    if (text.rfind(start, 0) == 0 && text.back() == ')') {
+      text = text.substr(start.size(), text.size() - start.size() - 1);
+    }
+    try {
+      return unit(text);
+    } catch (const Error& error) {
+      fail(node.Mark(), error.what());
+    }
+  }
+
+  [[noreturn]] void failForTag(const YAML::Node& node) const {
+    std::string tag = node.Tag();
+    if (tag.rfind(kYamlTag, 0) == 0) tag = "!!" + tag.substr(kYamlTag.size());
+    std::string found = "found " + tag;
+    if (node.IsScalar()) found += " '" + node.Scalar().substr(0, 80) + "'";
+    fail(node.Mark(), found + ", which settings cannot hold");
+  }
+
+  Rules rules_;
+  const std::string& origin_;
+  std::size_t content_left_;
+};
+
+/// yaml-cpp lets the end of a file close a quote that is open, but not the end of a document.
+std::string withEndMark(const std::string& text) {
+  const bool is_at_line_start = text.empty() || text.back() == '\n';
+  return is_at_line_start ? text + "...\n" : text;
+}
+
+Value parse(const std::string& text, const std::string& origin, Rules rules) {
+  Reader reader(rules, text, origin);
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(withEndMark(text));
+    if (documents.empty()) return {};
+    if (documents.size() > 1 && rules == Rules::kSettings) {
+      reader.fail(documents[1].Mark(), "a second document begins; settings are a single one");
+    }
+    return reader.convert(documents.front());
+  } catch (const YAML::Exception& error) {
+    reader.fail(error.mark, error.msg);
   }
 }
 
 }  // namespace
 
 Value parseYaml(const std::string& text, const std::string& origin) {
-  try {
-    return convert(YAML::Load(text), origin, 0);
-  } catch (const YAML::Exception& error) {
-    fail(origin, error.mark, error.msg);
-  }
+  return parse(text, origin, Rules::kAnyFile);
 }
 
-Value loadYamlFile(const std::string& file) {
+Value loadYamlFile(const std::string& file) { return parseYaml(readTextFile(file), file); }
+
+Value parseSettings(const std::string& text, const std::string& origin) {
+  return parse(text, origin, Rules::kSettings);
+}
+
+std::string readTextFile(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error(file + ": no such file, or it cannot be read");
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return parseYaml(text, file);
+  std::error_code unknown;
+  if (!stream || std::filesystem::is_directory(file, unknown)) {
+    throw Error(file + ": no such file, or it cannot be read");
+  }
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace synthetic_dataset::config

@@ -6,14 +6,25 @@
 
 namespace synthetic_dataset::config {
 
-/// Reads YAML text as roslaunch's `<rosparam>` does (PyYAML, YAML 1.1): 010 is 8, yes is true,
-/// "007" is a text.
+/// Reads YAML text with PyYAML's rules (YAML 1.1): 010 is 8, yes is true, "007" is a text, `<<`
+/// merges, the last of equal names counts. Tags that are not YAML's own are passed over.
 /// @param origin  for messages, usually the file's name
-/// @throws Error "<origin>: line 3: ..." when it is no YAML, or nests too deep
+/// @throws Error "<origin>: line 3: ..." when it is no YAML, nests too deep, or grows too large
+///     through its aliases
 [[nodiscard]] Value parseYaml(const std::string& text, const std::string& origin);
 
 /// parseYaml of a file's content.
 /// @throws Error also when the file cannot be read
 [[nodiscard]] Value loadYamlFile(const std::string& file);
+
+/// Reads YAML text as roslaunch's `<rosparam>` does: like parseYaml, and deg(180), rad(pi/2),
+/// !degrees and !radians are angles [rad]. What the parameter server cannot hold, and roslaunch
+/// stumbles over, is an error: nothing (null), dates, binary data, sets, names that are no texts,
+/// tags that nobody knows, a second document.
+[[nodiscard]] Value parseSettings(const std::string& text, const std::string& origin);
+
+/// A file's bytes.
+/// @throws Error naming the file when it cannot be read
+[[nodiscard]] std::string readTextFile(const std::string& file);
 
 }  // namespace synthetic_dataset::config

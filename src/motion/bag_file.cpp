@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include <tf2_msgs/TFMessage.h>
-
+#include "motion/bag_check.h"
+#include "motion/checked_messages.h"
 #include "motion/ros_time.h"
 #include "synthetic_dataset/errors.h"
 
@@ -31,6 +31,7 @@ void checkIsBag(const std::string& file) {
   const fs::file_status status = fs::status(file, ignored);
   if (!fs::exists(status)) throw Error("bag " + file + ": no such file");
   if (fs::is_directory(status)) throw Error("bag " + file + ": is a folder; a bag file is needed");
+  if (!fs::is_regular_file(status)) throw Error("bag " + file + ": is no file but a device");
 
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw Error("bag " + file + ": cannot be opened for reading");
@@ -55,22 +56,23 @@ void checkIsBag(const std::string& file) {
 BagFile::BagFile(const std::string& file) : file_(file) {
   checkIsBag(file);
   try {
+    checkBag(file, [](const std::string& topic) { return transformTopic(topic).has_value(); });
     open();
+  } catch (const EncryptedBag& error) {
+    throw Error("bag " + file + ": " + error.what());
   } catch (const rosbag::BagUnindexedException&) {
     throw Error("bag " + file + ": has no index" + reindexAdvice(file));
-  } catch (const Error&) {
-    throw;
   } catch (const std::exception& error) {
     throw Error("bag " + file + ": is truncated or damaged (" + error.what() + ")" +
                 reindexAdvice(file));
   }
+  checkTypes();
 }
 
 void BagFile::open() {
   bag_.open(file_);
   all_.addQuery(bag_);
   if (all_.size() > 0) times_ = {toStamp(all_.getBeginTime()), toStamp(all_.getEndTime())};
-  checkTypes();
   transforms_.addQuery(bag_, [](const rosbag::ConnectionInfo* connection) {
     return transformTopic(connection->topic).has_value();
   });
@@ -107,9 +109,9 @@ TransformKind BagFile::messageKind() const { return *transformTopic(message_->ge
 
 std::vector<geometry_msgs::TransformStamped> BagFile::takeMessage() {
   try {
-    const tf2_msgs::TFMessage::Ptr message = message_->instantiate<tf2_msgs::TFMessage>();
+    const auto recorded = message_->instantiate<RecordedTransforms>();
     ++message_;
-    return std::move(message->transforms);
+    return std::move(recorded->message.transforms);
   } catch (const std::exception& error) {
     throw Error("bag " + file_ + ": a message of " + message_->getTopic() +
                 " cannot be read: the file is damaged (" + error.what() + ")" +

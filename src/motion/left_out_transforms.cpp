@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 #include "motion/ros_time.h"
 #include "motion/time_text.h"
@@ -48,14 +47,12 @@ std::optional<std::string> reasonToLeaveOut(const geometry_msgs::TransformStampe
 
 void LeftOutTransforms::add(const std::string& bag_file, const std::string& parent,
                             const std::string& child, const std::string& reason, Stamp stamp) {
-  const auto same = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-    return std::tie(entry.bag_file, entry.parent, entry.child, entry.reason) ==
-           std::tie(bag_file, parent, child, reason);
-  });
-  if (same != entries_.end()) {
-    ++same->count;
-  } else {
+  const auto [place, is_new] =
+      place_of_.try_emplace({bag_file, parent, child, reason}, entries_.size());
+  if (is_new) {
     entries_.push_back({bag_file, parent, child, reason, stamp, 1});
+  } else {
+    ++entries_[place->second].count;
   }
 }
 

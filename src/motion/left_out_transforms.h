@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +39,8 @@ class LeftOutTransforms {
     Stamp first;
     std::int64_t count = 1;
   };
-  std::vector<Entry> entries_;
+  std::vector<Entry> entries_;                                  ///< in the order of their finding
+  std::map<std::array<std::string, 4>, std::size_t> place_of_;  ///< by bag, parent, child, reason
 };
 
 }  // namespace synthetic_dataset::motion

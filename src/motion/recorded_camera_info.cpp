@@ -1,11 +1,14 @@
 #include "motion/recorded_camera_info.h"
 
+#include <exception>
+#include <optional>
 #include <set>
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
-#include <sensor_msgs/CameraInfo.h>
 
+#include "motion/bag_check.h"
+#include "motion/checked_messages.h"
 #include "motion/frame_names.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -53,27 +56,29 @@ struct Search {
 };
 
 /// The bag's first message of the topic, or nothing.
-sensor_msgs::CameraInfo::ConstPtr findIn(const std::string& file, const std::string& topic,
-                                         Search& search) {
+std::optional<sensor_msgs::CameraInfo> findIn(const std::string& file, const std::string& topic,
+                                              Search& search) {
+  const std::string name = withoutSlash(topic);
+  checkBag(file, [&](const std::string& other) { return withoutSlash(other) == name; });
   rosbag::Bag bag(file);
   rosbag::View all(bag);
   std::vector<std::string> names;
   for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
     const bool right_type = connection->md5sum == Traits::value();
     if (right_type) search.cameras.insert(connection->topic);
-    if (withoutSlash(connection->topic) != withoutSlash(topic)) continue;
+    if (withoutSlash(connection->topic) != name) continue;
     if (right_type) {
       names.push_back(connection->topic);
     } else {
       search.other_type = connection->datatype;
     }
   }
-  if (names.empty()) return nullptr;
+  if (names.empty()) return std::nullopt;
   rosbag::View view(bag, rosbag::TopicQuery(names));
   for (const rosbag::MessageInstance& message : view) {
-    if (auto info = message.instantiate<sensor_msgs::CameraInfo>()) return info;
+    if (const auto info = message.instantiate<RecordedCalibration>()) return info->message;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 Error notFound(const std::string& topic, const Search& search) {
@@ -103,7 +108,7 @@ RecordedCameraInfo readCameraInfo(const std::vector<std::string>& bag_files,
       if (message) {
         return {toValue(*message), withoutLeadingSlashes(message->header.frame_id)};
       }
-    } catch (const rosbag::BagException& error) {
+    } catch (const std::exception& error) {
       throw Error("bag " + file + ": " + error.what());
     }
   }

@@ -1,61 +1,24 @@
 #include "output/dataset_store.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
-#include "output/earlier_dataset.h"
+#include "output/dataset_opening.h"
+#include "output/digest.h"
 #include "output/file_name_rules.h"
 #include "output/image_encoder.h"
-#include "output/manifest.h"
 #include "output/pending_file.h"
-#include "output/preflight.h"
 #include "output/scene_contents.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
 namespace {
 
-void append(std::vector<std::string>& all, const std::vector<std::string>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 std::string withoutTrailingSlash(std::string folder) {
   if (folder.size() > 1 && folder.back() == '/') folder.pop_back();
   return folder;
-}
-
-void makeFolders(const std::string& folder, const std::vector<StoreWriter>& writers,
-                 FolderProbe& probe) {
-  probe.tryFolder("the dataset's manifest", folder);
-  for (const StoreWriter& writer : writers) {
-    const std::string owner = "writer '" + writer.name + "'";
-    probe.tryFolder(owner, writer.output_folder);
-    for (const std::string& file : writer.user_files) {
-      probe.tryFolder(owner, std::filesystem::path(file).parent_path().string());
-    }
-  }
-}
-
-/// Makes sure that the run can begin, and only then removes what it is to replace.
-void clearTheWay(const std::string& folder, const std::vector<StoreWriter>& writers,
-                 IfExists if_exists) {
-  std::vector<std::string> problems = layoutProblems(manifestFile(folder), writers);
-  std::optional<EarlierDataset> earlier;
-  try {
-    earlier.emplace(folder);
-    append(problems, earlier->obstacles(writers, if_exists));
-  } catch (const Error& error) {
-    problems.emplace_back(error.what());
-  }
-  FolderProbe probe;
-  makeFolders(folder, writers, probe);
-  append(problems, probe.problems());
-  if (!problems.empty()) throw ErrorList(problems);
-
-  earlier->remove();
-  makeFolders(folder, writers, probe);  // again: empty ones went with the earlier dataset
-  if (!probe.problems().empty()) throw ErrorList(probe.problems());
-  probe.keepFolders();
 }
 
 /// The files as the manifest lists them, content by content.
@@ -64,9 +27,10 @@ std::vector<ManifestFile> manifestFiles(const std::vector<OutputFile>& files,
   std::vector<ManifestFile> listed;
   for (const SceneContent& content : contents) {
     const auto bytes = static_cast<std::int64_t>(content.bytes().size());
+    const std::string digest = digestOf(content.bytes());
     const std::size_t first = content.files.front();
     for (const std::size_t i : content.files) {
-      ManifestFile file{files[i].path, files[i].writer, bytes, std::nullopt};
+      ManifestFile file{files[i].path, files[i].writer, bytes, digest, std::nullopt};
       if (i != first) file.linked_to = files[first].path;
       listed.push_back(std::move(file));
     }
@@ -92,9 +56,11 @@ std::vector<PendingFile> publish(const std::vector<OutputFile>& files,
   return pending;
 }
 
-void withdrawAfterFailure(Manifest& manifest, const std::vector<ManifestFile>& files) {
+/// @param withdraw  takes back what was announced
+template <class Withdraw>
+void withdrawAfterFailure(const Withdraw& withdraw) {
   try {
-    manifest.withdraw(files);
+    withdraw();
   } catch (const Error&) {
     // The first failure is the one to be told. Rows of files that are not there do no harm.
   }
@@ -103,86 +69,152 @@ void withdrawAfterFailure(Manifest& manifest, const std::vector<ManifestFile>& f
 }  // namespace
 
 struct DatasetStore::Impl {
-  std::string folder;
-  ImageQuality quality;
+  StoreOptions options;
   std::vector<StoreWriter> writers;
-  Manifest manifest;
-  StoreCounts counts;
+  OpenedDataset opened;
+  Manifest* manifest;              ///< none where the dataset was complete before
+  std::vector<bool> scenes;        ///< by index: which are there
+  std::int64_t unsafe_scenes = 0;  ///< written since the last flush
 
-  Impl(const StoreOptions& options, const std::string& manifest_folder,
-       std::vector<StoreWriter> store_writers)
-      : folder(manifest_folder),
-        quality{options.png_compression, options.jpeg_quality},
+  Impl(const StoreOptions& store_options, std::vector<StoreWriter> store_writers,
+       const RunDescription& run)
+      : options(store_options),
         writers(std::move(store_writers)),
-        manifest(folder, writers) {}
-
-  void count(const std::vector<ManifestFile>& files) {
-    for (const ManifestFile& file : files) {
-      ++counts.files;
-      if (!file.linked_to) counts.bytes += file.bytes;
+        opened(openDataset(options, writers, run)),
+        manifest(opened.manifest.get()) {
+    if (manifest == nullptr) return;
+    for (const auto& [index, state] : manifest->sceneStates()) {
+      know(index);
+      if (state == SceneState::kWritten) ++unsafe_scenes;
     }
   }
 
+  void know(std::int64_t scene) {
+    const auto place = static_cast<std::size_t>(scene);
+    if (place >= scenes.size()) scenes.resize(place + 1, false);
+    scenes[place] = true;
+  }
+
   void requireSceneFile(std::size_t writer, const std::string& path) {
-    if (manifest.isSceneFile(writer, path)) return;
+    if (manifest->isSceneFile(writer, path)) return;
     throw Error("'" + path + "' is no file that the writer '" + writers[writer].name +
                 "' made for a scene");
+  }
+
+  /// Files written past a manifest that is gone would be known to nobody.
+  void requireManifest() const {
+    if (manifest->isInPlace()) return;
+    throw Error("the dataset's manifest '" + manifest->file() +
+                "' has been removed or replaced while the run was writing");
+  }
+
+  [[nodiscard]] std::vector<std::string> folders() const {
+    std::vector<std::string> folders = {options.folder};
+    for (const StoreWriter& writer : writers) {
+      folders.push_back(writer.output_folder);
+      for (const std::string& file : writer.user_files) {
+        folders.push_back(std::filesystem::path(file).parent_path().string());
+      }
+    }
+    return folders;
+  }
+
+  void flush() {
+    if (options.sync != Sync::kOff) syncDisks(folders());
+    // Without waiting for the disk they are as safe at the end as they will ever be.
+    manifest->markComplete();
+    unsafe_scenes = 0;
+  }
+
+  void flushInTime() {
+    constexpr std::int64_t kBatch = 64;  // scenes
+    const std::int64_t limit = options.sync == Sync::kScene ? 1 : kBatch;
+    if (options.sync != Sync::kOff && unsafe_scenes >= limit) flush();
+  }
+
+  void place(const std::string& source, const ManifestFile& target) const {
+    PendingFile file = PendingFile::linkedToFile(source, target.path);
+    if (file.size() != target.bytes) {
+      throw Error("'" + source + "' has " + std::to_string(file.size()) + " bytes; its manifest " +
+                  "lists " + std::to_string(target.bytes));
+    }
+    file.publish();
+    file.keep();
   }
 
   /// @param make  makes the pending file of a path
   template <class Make>
   void addDatasetFile(ManifestFile file, const Make& make) {
-    manifest.announce(std::nullopt, {file});
+    requireManifest();
+    manifest->announce(file);
     try {
       PendingFile pending = make(file.path);
+      const std::string digest = digestOfFile(pending.temporaryName()).digest;
       pending.publish();
-      file.bytes = pending.size();
-      manifest.setBytes(file.path, file.bytes);
+      manifest->setContent(file.path, pending.size(), digest);
       pending.keep();
     } catch (...) {
-      withdrawAfterFailure(manifest, {file});
+      withdrawAfterFailure([&] { manifest->withdraw(file.path); });
       throw;
     }
-    count({file});
   }
 };
 
-DatasetStore::DatasetStore(const StoreOptions& options, std::vector<StoreWriter> writers) {
-  const std::string folder = withoutTrailingSlash(absolutePath(options.folder));
+DatasetStore::DatasetStore(const StoreOptions& options, std::vector<StoreWriter> writers,
+                           const RunDescription& run) {
+  StoreOptions normalized = options;
+  normalized.folder = withoutTrailingSlash(absolutePath(options.folder));
   for (StoreWriter& writer : writers) {
     writer.output_folder = withoutTrailingSlash(absolutePath(writer.output_folder)) + "/";
     for (std::string& file : writer.user_files) file = absolutePath(file);
   }
-  clearTheWay(folder, writers, options.if_exists);
-  impl_ = std::make_unique<Impl>(options, folder, std::move(writers));
+  impl_ = std::make_unique<Impl>(normalized, std::move(writers), run);
 }
 
 DatasetStore::~DatasetStore() = default;
 
-void DatasetStore::commitScene(std::int64_t index, Stamp stamp, const SceneFiles& files) {
+bool DatasetStore::wasComplete() const { return impl_->manifest == nullptr; }
+
+bool DatasetStore::hasScene(std::int64_t index) const {
+  const auto place = static_cast<std::size_t>(index);
+  return place < impl_->scenes.size() && impl_->scenes[place];
+}
+
+void DatasetStore::commitScene(const SceneFacts& scene, const SceneFiles& files) {
   try {
-    const std::vector<SceneContent> contents = encodeScene(files.files, impl_->quality);
-    const std::vector<ManifestFile> listed = manifestFiles(files.files, contents);
-    impl_->manifest.announce(index, listed);
+    Manifest& manifest = *impl_->manifest;
+    impl_->requireManifest();
+    const ImageQuality quality{impl_->options.png_compression, impl_->options.jpeg_quality};
+    const std::vector<SceneContent> contents = encodeScene(files.files, quality);
+    manifest.announceScene(scene, manifestFiles(files.files, contents));
     try {
       std::vector<PendingFile> pending = publish(files.files, contents);
-      impl_->manifest.listScene(index, stamp, files);
+      manifest.listScene(scene, files.records);
       for (PendingFile& file : pending) file.keep();
     } catch (...) {
-      withdrawAfterFailure(impl_->manifest, listed);
+      withdrawAfterFailure([&] { manifest.withdrawScene(scene.index); });
       throw;
     }
-    ++impl_->counts.scenes;
-    impl_->count(listed);
+    impl_->know(scene.index);
+    ++impl_->unsafe_scenes;
+    impl_->flushInTime();
   } catch (const Error& error) {
-    throw Error("scene " + std::to_string(index) + ": " + error.what());
+    throw Error("scene " + std::to_string(scene.index) + ": " + error.what());
   }
+}
+
+void DatasetStore::takeIn(const ShardPlace& shard) {
+  impl_->manifest->takeIn(shard.folder, shard.shard,
+                          [this](const std::string& source, const ManifestFile& target) {
+                            impl_->place(source, target);
+                          });
+  for (const auto& [index, state] : impl_->manifest->sceneStates()) impl_->know(index);
 }
 
 void DatasetStore::writeDatasetFile(std::size_t writer, const std::string& path,
                                     const DatasetOutput::Content& content) {
   impl_->addDatasetFile(
-      {absolutePath(path), writer, 0, std::nullopt},
+      {absolutePath(path), writer, 0, "", std::nullopt},
       [&](const std::string& file) { return PendingFile::withContent(file, content); });
 }
 
@@ -190,7 +222,7 @@ void DatasetStore::writeDatasetFileByName(
     std::size_t writer, const std::string& path,
     const std::function<void(const std::string& file)>& write) {
   impl_->addDatasetFile(
-      {absolutePath(path), writer, 0, std::nullopt},
+      {absolutePath(path), writer, 0, "", std::nullopt},
       [&](const std::string& file) { return PendingFile::writtenBy(file, write); });
 }
 
@@ -198,9 +230,9 @@ void DatasetStore::linkDatasetFile(std::size_t writer, const std::string& path,
                                    const std::string& scene_file) {
   const std::string original = absolutePath(scene_file);
   impl_->requireSceneFile(writer, original);
-  impl_->addDatasetFile({absolutePath(path), writer, 0, original}, [&](const std::string& file) {
-    return PendingFile::linkedToFile(original, file);
-  });
+  impl_->addDatasetFile(
+      {absolutePath(path), writer, 0, "", original},
+      [&](const std::string& file) { return PendingFile::linkedToFile(original, file); });
 }
 
 std::string DatasetStore::readSceneFile(std::size_t writer, const std::string& scene_file) const {
@@ -228,13 +260,27 @@ class ManifestRecords : public SceneRecords {
 }  // namespace
 
 std::unique_ptr<SceneRecords> DatasetStore::records(std::size_t writer) const {
-  return std::make_unique<ManifestRecords>(impl_->manifest, writer);
+  return std::make_unique<ManifestRecords>(*impl_->manifest, writer);
 }
 
-void DatasetStore::complete() { impl_->manifest.setComplete(); }
+void DatasetStore::flush() { impl_->flush(); }
 
-const StoreCounts& DatasetStore::counts() const { return impl_->counts; }
+void DatasetStore::complete() {
+  impl_->flush();
+  impl_->manifest->finish();
+  if (impl_->options.sync != Sync::kOff) syncDisks({impl_->options.folder});
+}
 
-std::string DatasetStore::manifestPath() const { return manifestFile(impl_->folder); }
+StoreCounts DatasetStore::counts() const { return impl_->manifest->counts(); }
+
+std::map<std::string, std::int64_t> DatasetStore::warningCounts() const {
+  return impl_->manifest->warningCounts();
+}
+
+std::vector<ObjectCounts> DatasetStore::objectCounts() const {
+  return impl_->manifest->objectCounts();
+}
+
+std::string DatasetStore::manifestPath() const { return impl_->opened.file; }
 
 }  // namespace synthetic_dataset::output

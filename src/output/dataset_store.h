@@ -2,77 +2,78 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "output/disk_sync.h"
+#include "output/manifest_schema.h"
+#include "output/run_description.h"
+#include "output/scene_facts.h"
+#include "output/store_types.h"
 #include "synthetic_dataset/output.h"
-#include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::output {
 
 /// What to do with a dataset that is already there.
 enum class IfExists {
-  kError,      ///< refuse: nothing already made is lost
+  kResume,     ///< go on with it, if it was begun with the same settings
   kOverwrite,  ///< remove the files that its manifest lists, and nothing else
+  kError,      ///< refuse
+};
+
+/// Where a dataset's scenes come from.
+enum class Source {
+  kScenes,  ///< they are made one by one
+  kShards,  ///< they are taken in from shards, which may lie in the same folder
 };
 
 struct StoreOptions {
   std::string folder;  ///< of the manifest, absolute
-  IfExists if_exists = IfExists::kError;
+  IfExists if_exists = IfExists::kResume;
+  Sync sync = Sync::kBatch;
+  std::optional<Shard> shard = {};  ///< the part of a run that this one makes
+  Source source = Source::kScenes;
   int png_compression = 3;  ///< 0 fastest .. 9 smallest
   int jpeg_quality = 95;    ///< 1 .. 100
 };
 
-/// A writer as the store knows it.
-struct StoreWriter {
-  std::string name;
-  std::string type;
-  std::string output_folder;            ///< absolute, ending in `/`
-  std::vector<std::string> user_files;  ///< absolute paths of files that it makes anywhere else
-};
-
-/// A file that one scene or the dataset gets: either pixels or text.
-struct OutputFile {
-  std::size_t writer = 0;  ///< index in the store's writers
-  std::string path;        ///< absolute
-  cv::Mat pixels;          ///< empty for a text file
-  std::string text;
-  std::vector<cv::Vec3b> palette = {};  ///< not empty: the pixels are places in it
-};
-
-/// All that the writers want for one scene.
-struct SceneFiles {
-  struct Record {
-    std::size_t writer = 0;  ///< index in the store's writers
-    std::string text;
-  };
-  std::vector<OutputFile> files;
-  std::vector<Record> records;
-  std::string camera = "camera";  ///< the name of the scene's camera
-};
-
-struct StoreCounts {
-  std::int64_t scenes = 0;
-  std::int64_t files = 0;
-  std::int64_t bytes = 0;  ///< as encoded; a linked file counts once
+/// A shard of a dataset, by where its manifest lies.
+struct ShardPlace {
+  std::string folder;  ///< absolute and normalised
+  Shard shard;
 };
 
 /// The dataset on disk: files that appear whole or not at all, and the manifest that lists them.
 class DatasetStore {
  public:
   /// Checks every folder and file for being writable, deals with what is there (`if_exists`) and
-  /// starts the manifest.
+  /// starts the manifest, or goes on with it: then scenes that a kill or a power cut left half
+  /// done are dropped first, with their files.
   /// @throws ErrorList with all that stands in the way: a folder that cannot be made, files of an
-  ///     earlier run, two writers with the same folder (or one inside another's)
-  DatasetStore(const StoreOptions& options, std::vector<StoreWriter> writers);
+  ///     earlier run, a dataset of other settings (naming each that differs), another run that
+  ///     writes this dataset, two writers with the same folder (or one inside another's)
+  DatasetStore(const StoreOptions& options, std::vector<StoreWriter> writers,
+               const RunDescription& run = {});
   ~DatasetStore();
   DatasetStore(const DatasetStore&) = delete;
   DatasetStore& operator=(const DatasetStore&) = delete;
 
+  /// Whether the dataset was complete before: there is nothing to do, and nothing may be written.
+  [[nodiscard]] bool wasComplete() const;
+
+  /// Whether a scene is in the dataset.
+  [[nodiscard]] bool hasScene(std::int64_t index) const;
+
   /// Encodes (equal pixels once), writes, links, and then lists the scene in the manifest.
   /// @throws Error: what could not be written and why (a full disk, ...); the scene does not count
-  void commitScene(std::int64_t index, Stamp stamp, const SceneFiles& files);
+  void commitScene(const SceneFacts& scene, const SceneFiles& files);
+
+  /// Takes in the scenes of a shard. Its files stay where they are; where they lie in another
+  /// folder, they are linked or copied.
+  void takeIn(const ShardPlace& shard);
 
   /// Writes one file of a dataset as a whole, streaming.
   void writeDatasetFile(std::size_t writer, const std::string& path,
@@ -93,10 +94,17 @@ class DatasetStore {
   /// The records of one writer, in scene order.
   [[nodiscard]] std::unique_ptr<SceneRecords> records(std::size_t writer) const;
 
-  /// Marks the run as complete: what reads the manifest may rely on it.
+  /// Forces what was written to the disk, unless `sync` is off.
+  void flush();
+
+  /// Marks the run as complete: what reads the manifest may rely on it. Nothing may be written
+  /// after it.
   void complete();
 
-  [[nodiscard]] const StoreCounts& counts() const;
+  // Of all that is in the dataset, whichever run made it.
+  [[nodiscard]] StoreCounts counts() const;
+  [[nodiscard]] std::map<std::string, std::int64_t> warningCounts() const;  ///< kind to count
+  [[nodiscard]] std::vector<ObjectCounts> objectCounts() const;  ///< of the run's objects
   [[nodiscard]] std::string manifestPath() const;
 
  private:

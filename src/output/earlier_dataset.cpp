@@ -9,6 +9,8 @@
 
 #include "output/file_name_rules.h"
 #include "output/pending_file.h"
+#include "output/preflight.h"
+#include "output/run_lock.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -32,33 +34,105 @@ std::string quotedList(const std::vector<std::string>& names) {
   return names.size() > kNamedFiles ? list + " and more" : list;
 }
 
+/// A manifest with what SQLite keeps beside it, and its lock.
+std::vector<std::string> filesOfManifest(const std::string& manifest) {
+  return {manifest + "-journal",   manifest + "-wal",         manifest + "-shm",
+          temporaryPath(manifest), RunLock::fileOf(manifest), manifest};
+}
+
+/// Removes folders of the dataset's writers that are empty, beginning at this one.
+void removeEmptyFolders(fs::path folder, const ManifestContent& content) {
+  const auto isOfAWriter = [&content](const std::string& name) {
+    return std::any_of(
+        content.writers.begin(), content.writers.end(),
+        [&](const StoreWriter& writer) { return liesWithin(name, writer.output_folder); });
+  };
+  while (isOfAWriter(folder.string()) && ::rmdir(folder.c_str()) == 0) {
+    folder = folder.parent_path();
+  }
+}
+
 }  // namespace
 
-EarlierDataset::EarlierDataset(const std::string& folder) : folder_(folder) {
-  const std::string manifest = manifestFile(folder_);
-  exists_ = isThere(manifest);
-  if (!exists_) return;
-  content_ = readManifest(folder_);
-  for (const std::string& file : content_.files) {
+EarlierDataset::EarlierDataset(const std::string& folder, const std::optional<Shard>& shard)
+    : folder_(folder), shard_(shard) {
+  const std::string own = manifestFile(folder_, shard_);
+  if (isThere(own)) {
+    if (RunLock::isHeld(own)) {
+      throw Error("another run is writing the dataset of '" + own +
+                  "'; wait for its end, or choose another output_folder");
+    }
+    own_ = readManifest(own);
+    replaced_.push_back({own, *own_});
+    know(own, *own_);
+  }
+  if (shard_ && isThere(manifestFile(folder_))) {
+    whole_ = readManifest(manifestFile(folder_));
+    know(manifestFile(folder_), *whole_);
+  }
+  for (const std::string& manifest : shardManifests(folder_)) {
+    if (manifest == own) continue;
+    shards_.push_back(manifest);
+    if (shard_) continue;  // not read: another machine may be writing it
+    replaced_.push_back({manifest, readManifest(manifest)});
+    know(manifest, replaced_.back().content);
+  }
+}
+
+void EarlierDataset::know(const std::string& manifest, const ManifestContent& content) {
+  for (const std::string& file : content.files) {
     known_files_.insert(file);
     known_files_.insert(temporaryPath(file));
   }
-  known_files_.insert(manifest);
-  known_files_.insert(manifest + "-journal");
+  for (std::string& file : filesOfManifest(manifest)) known_files_.insert(std::move(file));
+}
+
+std::vector<std::string> EarlierDataset::datasetsInTheWay(IfExists if_exists, Source source) const {
+  std::vector<std::string> obstacles;
+  const std::string otherwise =
+      "choose another folder, or set `if_exists: overwrite` to replace that dataset";
+  if (own_ && if_exists == IfExists::kError) {
+    obstacles.push_back("'" + manifestFile(folder_, shard_) + "' lists " +
+                        (own_->complete ? "a complete" : "an unfinished") + " dataset of " +
+                        std::to_string(own_->scene_count) + " scenes; " + otherwise);
+  }
+  if (whole_) {
+    obstacles.push_back("'" + folder_ + "' holds a dataset that is not made in shards; " +
+                        "choose another output_folder for the shards, or remove that dataset");
+  }
+  if (source == Source::kScenes && !shard_ && !shards_.empty() &&
+      if_exists != IfExists::kOverwrite) {
+    obstacles.push_back("'" + folder_ + "' holds shards of a run (" +
+                        fs::path(shards_.front()).filename().string() +
+                        (shards_.size() > 1 ? " and others" : "") +
+                        "); `rosrun synthetic_dataset merge " + folder_ +
+                        "` makes one dataset of them; otherwise " + otherwise);
+  }
+  for (const std::string& manifest : shard_ ? shards_ : std::vector<std::string>{}) {
+    const std::optional<Shard> other = shardOfManifest(fs::path(manifest).filename().string());
+    if (other->count == shard_->count) continue;
+    obstacles.push_back("'" + manifest + "' is a shard of another division; shards of one run " +
+                        "should have the same shard/count: found " + std::to_string(shard_->count) +
+                        " now and " + std::to_string(other->count) + " then");
+    break;
+  }
+  return obstacles;
 }
 
 std::vector<std::string> EarlierDataset::obstacles(const std::vector<StoreWriter>& writers,
-                                                   IfExists if_exists) const {
-  std::vector<std::string> obstacles;
-  if (exists_ && if_exists == IfExists::kError) {
-    obstacles.push_back("'" + manifestFile(folder_) + "' lists " +
-                        (content_.complete ? "a complete" : "an unfinished") + " dataset of " +
-                        std::to_string(content_.scene_count) +
-                        " scenes; choose another folder, or set `if_exists: overwrite` to replace "
-                        "that dataset");
+                                                   IfExists if_exists, Source source) const {
+  std::vector<std::string> obstacles = datasetsInTheWay(if_exists, source);
+  const std::vector<std::string> foreign = foreignFiles(writers);
+  if (if_exists == IfExists::kOverwrite && !foreign.empty()) {
+    obstacles.push_back("the dataset in '" + folder_ +
+                        "' lists files outside of it that are none " + "of this run's (" +
+                        quotedList(foreign) +
+                        "); remove that dataset by hand, or choose another output_folder");
   }
   for (const StoreWriter& writer : writers) {
-    const std::vector<std::string> unlisted = unlistedFiles(writer);
+    std::vector<std::string> unlisted = unlistedFiles(writer);
+    // They may be another shard's, which makes its manifest before its files: asked in this order.
+    if (shard_ && !shardManifests(folder_).empty()) unlisted.clear();
     if (!unlisted.empty()) {
       obstacles.push_back("writer '" + writer.name + "': the folder '" + writer.output_folder +
                           "' holds files that no manifest lists (" + quotedList(unlisted) +
@@ -70,7 +144,8 @@ std::vector<std::string> EarlierDataset::obstacles(const std::vector<StoreWriter
       if (fs::is_directory(file, error)) {
         obstacles.push_back("writer '" + writer.name + "': '" + file +
                             "' is a folder; it should be the path of a file");
-      } else if (if_exists == IfExists::kError && known_files_.count(file) == 0 && isThere(file)) {
+      } else if (if_exists != IfExists::kOverwrite && known_files_.count(file) == 0 &&
+                 isThere(file)) {
         obstacles.push_back("writer '" + writer.name + "': the file '" + file +
                             "' exists; choose another path, or set `if_exists: overwrite` to "
                             "replace it");
@@ -78,6 +153,25 @@ std::vector<std::string> EarlierDataset::obstacles(const std::vector<StoreWriter
     }
   }
   return obstacles;
+}
+
+std::vector<std::string> EarlierDataset::foreignFiles(
+    const std::vector<StoreWriter>& writers) const {
+  const auto isOfThisRun = [&](const std::string& file) {
+    return liesWithin(file, folder_) ||
+           std::any_of(writers.begin(), writers.end(), [&](const StoreWriter& writer) {
+             const auto& user_files = writer.user_files;
+             return liesWithin(file, writer.output_folder) ||
+                    std::find(user_files.begin(), user_files.end(), file) != user_files.end();
+           });
+  };
+  std::vector<std::string> foreign;
+  for (const Listed& listed : replaced_) {
+    for (const std::string& file : listed.content.files) {
+      if (!isOfThisRun(file)) foreign.push_back(file);
+    }
+  }
+  return foreign;
 }
 
 std::vector<std::string> EarlierDataset::unlistedFiles(const StoreWriter& writer) const {
@@ -88,6 +182,7 @@ std::vector<std::string> EarlierDataset::unlistedFiles(const StoreWriter& writer
     std::error_code ignored;
     if (entry->symlink_status(ignored).type() == fs::file_type::directory) continue;
     const std::string path = entry->path().string();
+    if (FolderProbe::isProbe(path)) continue;    // of a run that begins at this moment
     const auto& user_files = writer.user_files;  // obstacles() looks at these one by one
     if (known_files_.count(path) != 0 ||
         std::find(user_files.begin(), user_files.end(), path) != user_files.end()) {
@@ -100,7 +195,15 @@ std::vector<std::string> EarlierDataset::unlistedFiles(const StoreWriter& writer
 }
 
 void EarlierDataset::remove() const {
-  if (!exists_) return;
+  const std::string own = manifestFile(folder_, shard_);  // which is locked by the new run
+  std::vector<std::unique_ptr<RunLock>> locks;
+  for (const Listed& listed : replaced_) {
+    if (listed.manifest != own) locks.push_back(std::make_unique<RunLock>(listed.manifest));
+  }
+  for (const Listed& listed : replaced_) removeOne(listed);
+}
+
+void EarlierDataset::removeOne(const Listed& listed) const {
   std::vector<std::string> failures;
   const auto removeFile = [&failures](const std::string& file) {
     // unlink(2) removes no folder, whatever a manifest says.
@@ -108,30 +211,20 @@ void EarlierDataset::remove() const {
       failures.push_back("cannot remove '" + file + "': " + std::generic_category().message(errno));
     }
   };
-  for (const std::string& file : content_.files) {
+  for (const std::string& file : listed.content.files) {
     removeFile(file);
     removeFile(temporaryPath(file));
-    removeEmptyFoldersAbove(file);
+    removeEmptyFolders(fs::path(file).parent_path(), listed.content);
   }
-  for (const std::string& folder : content_.writer_folders) removeEmptyFoldersAbove(folder);
+  for (const StoreWriter& writer : listed.content.writers) {
+    removeEmptyFolders(fs::path(writer.output_folder).parent_path(), listed.content);
+  }
   // The manifest stays as long as there is something that it lists.
-  if (failures.empty()) {
-    const std::string manifest = manifestFile(folder_);
-    removeFile(manifest + "-journal");
-    removeFile(manifest);
+  if (!failures.empty()) throw ErrorList(failures);
+  for (const std::string& file : filesOfManifest(listed.manifest)) {
+    if (file != RunLock::fileOf(listed.manifest)) removeFile(file);
   }
   if (!failures.empty()) throw ErrorList(failures);
-}
-
-void EarlierDataset::removeEmptyFoldersAbove(const std::string& file) const {
-  const auto isOfAWriter = [this](const std::string& folder) {
-    return std::any_of(content_.writer_folders.begin(), content_.writer_folders.end(),
-                       [&](const std::string& writers) { return liesWithin(folder, writers); });
-  };
-  fs::path folder = fs::path(file).parent_path();
-  while (isOfAWriter(folder.string()) && ::rmdir(folder.c_str()) == 0) {
-    folder = folder.parent_path();
-  }
 }
 
 }  // namespace synthetic_dataset::output

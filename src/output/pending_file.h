@@ -49,6 +49,9 @@ class PendingFile {
   /// [bytes]
   [[nodiscard]] std::int64_t size() const { return size_; }
 
+  /// The name that it has until it is published.
+  [[nodiscard]] const std::string& temporaryName() const { return temporary_path_; }
+
  private:
   enum class State { kTemporary, kPublished, kKept };
 

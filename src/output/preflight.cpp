@@ -1,18 +1,22 @@
 #include "output/preflight.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <system_error>
 
 #include "output/file_name_rules.h"
-#include "output/pending_file.h"
-#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kProbe = ".synthetic_dataset_probe_";  // how the names of probes begin
 
 /// Without symbolic links, as far as the path exists, and without a `/` at its end.
 std::string realPath(const std::string& path) {
@@ -65,6 +69,23 @@ void compareUserFiles(const std::string& manifest_file, const std::vector<UserFi
   }
 }
 
+/// Makes a file that does not stay. @return 0, or why none can be made
+int tryFile(const std::string& folder) {
+  // Without a name, so that nothing stays whenever the process is killed.
+  int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  const bool is_known = descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR &&
+                                            errno != EINVAL && errno != ENOENT);
+  if (!is_known) {
+    // Not on this file system. A name of its own: other runs may begin here at this moment.
+    std::string probe = (fs::path(folder) / kProbe).string() + "XXXXXX";
+    descriptor = ::mkstemp(probe.data());
+    if (descriptor >= 0) ::unlink(probe.c_str());
+  }
+  if (descriptor < 0) return errno;
+  ::close(descriptor);
+  return 0;
+}
+
 }  // namespace
 
 std::vector<std::string> layoutProblems(const std::string& manifest_file,
@@ -103,12 +124,14 @@ void FolderProbe::tryFolder(const std::string& owner, const std::string& folder)
     problems_.push_back(owner + ": cannot make the folder '" + folder + "': " + reason);
     return;
   }
-  try {
-    PendingFile::withBytes((fs::path(folder) / "synthetic_dataset_probe").string(), "");
-  } catch (const Error& failure) {
+  if (const int failure = tryFile(folder)) {
     problems_.push_back(owner + ": files cannot be made in the folder '" + folder +
-                        "': " + failure.what());
+                        "': " + std::generic_category().message(failure));
   }
+}
+
+bool FolderProbe::isProbe(const std::string& path) {
+  return fs::path(path).filename().string().rfind(kProbe, 0) == 0;
 }
 
 }  // namespace synthetic_dataset::output

@@ -27,6 +27,9 @@ class FolderProbe {
   /// What did not work, naming owner, folder and reason.
   [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
+  /// Whether a file is what a probe leaves for a moment.
+  [[nodiscard]] static bool isProbe(const std::string& path);
+
   void keepFolders() { made_.clear(); }
 
  private:

@@ -9,11 +9,27 @@ namespace synthetic_dataset::output {
 void SqliteDatabase::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
 
 SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode) : file_(file) {
-  const int flags = SQLITE_OPEN_READWRITE | (mode == Mode::kCreate ? SQLITE_OPEN_CREATE : 0);
+  const int flags = mode == Mode::kReadOnly ? SQLITE_OPEN_READONLY
+                    : mode == Mode::kCreate ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
+                                            : SQLITE_OPEN_READWRITE;
   sqlite3* handle = nullptr;
   const int result = sqlite3_open_v2(file.c_str(), &handle, flags, nullptr);
   handle_.reset(handle);  // there is one even after a failure, for the message
   if (result != SQLITE_OK) fail();
+  if (mode == Mode::kExisting) requireTablesOnly();
+}
+
+/// A file of somebody else's may call a view what should be a table, which never ends.
+/// https://www.sqlite.org/security.html, section 1.2
+void SqliteDatabase::requireTablesOnly() const {
+  execute("PRAGMA busy_timeout = 20000");  // [ms]: another program may be reading or writing it
+  execute("PRAGMA trusted_schema = OFF");
+  SqliteStatement others(*this,
+                         "SELECT name FROM sqlite_master WHERE type NOT IN ('table', 'index') "
+                         "OR sql LIKE 'CREATE VIRTUAL%'");
+  if (others.step()) {
+    throw Error("'" + file_ + "': it has '" + others.text(0) + "', which is no plain table");
+  }
 }
 
 void SqliteDatabase::execute(const std::string& sql) const {
@@ -50,6 +66,14 @@ std::int64_t SqliteStatement::integer(int column) const {
   return sqlite3_column_int64(handle_.get(), column);
 }
 
+double SqliteStatement::real(int column) const {
+  return sqlite3_column_double(handle_.get(), column);
+}
+
+bool SqliteStatement::isNull(int column) const {
+  return sqlite3_column_type(handle_.get(), column) == SQLITE_NULL;
+}
+
 std::string SqliteStatement::text(int column) const {
   // First the text, then its length: SQLite may convert the value for the former.
   const unsigned char* bytes = sqlite3_column_text(handle_.get(), column);
@@ -59,6 +83,10 @@ std::string SqliteStatement::text(int column) const {
 
 void SqliteStatement::bind(int index, std::int64_t value) {
   if (sqlite3_bind_int64(handle_.get(), index, value) != SQLITE_OK) database_.fail();
+}
+
+void SqliteStatement::bind(int index, double value) {
+  if (sqlite3_bind_double(handle_.get(), index, value) != SQLITE_OK) database_.fail();
 }
 
 void SqliteStatement::bind(int index, const std::string& value) {

@@ -13,7 +13,7 @@ namespace synthetic_dataset::output {
 /// An open SQLite file; closed when it goes out of scope.
 class SqliteDatabase {
  public:
-  enum class Mode { kCreate, kExisting };
+  enum class Mode { kCreate, kExisting, kReadOnly };
 
   /// @throws Error naming the file, also in every other method and in SqliteStatement
   SqliteDatabase(const std::string& file, Mode mode);
@@ -27,6 +27,9 @@ class SqliteDatabase {
   [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
 
  private:
+  /// @throws Error for an existing file that has anything else
+  void requireTablesOnly() const;
+
   struct Close {
     void operator()(sqlite3* handle) const;
   };
@@ -64,10 +67,13 @@ class SqliteStatement {
 
   // Columns of the current row, from 0.
   [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] double real(int column) const;
   [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] bool isNull(int column) const;
 
  private:
   void bind(int index, std::int64_t value);
+  void bind(int index, double value);
   void bind(int index, const std::string& value);
   template <class T>
   void bind(int index, const std::optional<T>& value) {

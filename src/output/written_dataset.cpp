@@ -29,22 +29,24 @@ WrittenDataset::WrittenDataset(const std::filesystem::path& folder)
     writers_.push_back(
         {rows.integer(0), rows.text(1), rows.text(2), (folder_ / rows.text(3)).lexically_normal()});
   }
-  SqliteStatement cameras(database_, "SELECT count(DISTINCT camera) FROM scene");
+  SqliteStatement cameras(database_, "SELECT count(*) FROM camera");
   cameras.start();
   if (cameras.step()) camera_count_ = std::max<std::int64_t>(1, cameras.integer(0));
 }
 
 std::int64_t WrittenDataset::middleScene() const {
-  SqliteStatement scenes(database_,
-                         "SELECT \"index\" FROM scene ORDER BY \"index\" LIMIT 1 OFFSET "
-                         "(SELECT count(*) / 2 FROM scene)");
+  SqliteStatement scenes(
+      database_,
+      "SELECT \"index\" FROM scene WHERE state <> 'begun' ORDER BY \"index\" LIMIT 1 OFFSET "
+      "(SELECT count(*) / 2 FROM scene WHERE state <> 'begun')");
   scenes.start();
   if (!scenes.step()) throw Error("'" + folder_.string() + "': the dataset has no scenes");
   return scenes.integer(0);
 }
 
 WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
-  SqliteStatement scenes(database_, "SELECT camera FROM scene WHERE \"index\" = ?");
+  SqliteStatement scenes(
+      database_, "SELECT camera, instant FROM scene WHERE \"index\" = ? AND state <> 'begun'");
   scenes.start(index);
   if (!scenes.step()) {
     (void)middleScene();  // tells of a dataset without scenes
@@ -54,7 +56,7 @@ WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
     throw Error("found the scene " + std::to_string(index) + "; the dataset has 0 to " +
                 std::to_string(last.integer(0)));
   }
-  const std::int64_t instant = index / camera_count_;
+  const std::int64_t instant = scenes.integer(1);
   const std::string camera = camera_count_ > 1 ? scenes.text(0) + "/" : "";
   return {camera + sceneNumber(instant), instant};
 }

@@ -1,8 +1,12 @@
+#include <array>
+#include <map>
+
 #include <opencv2/imgcodecs.hpp>
 
 #include "readback/camera_drawing.h"
 #include "readback/format_readers.h"
 #include "readback/json_file.h"
+#include "readback/kept_files.h"
 #include "synthetic_dataset/cuboid.h"
 
 namespace synthetic_dataset::readback {
@@ -49,6 +53,41 @@ fs::path imageOf(const WrittenScene& scene) {
   throw Error("'" + scene.folder.string() + "': scene " + scene.name + " has no file in rgb/");
 }
 
+/// What `read` makes of a file that is kept.
+template <class Read>
+auto reading(const fs::path& file, KeptFiles& kept, const Read& read) {
+  const Json& content = kept.document(file);
+  return readingJson(file, [&] { return read(content); });
+}
+
+/// What the format's own files do not tell of a model: the objects that have it.
+struct ModelOwners {
+  std::vector<std::string> class_names;
+  Pose X_OM = Pose::Identity();  ///< of the model's frame, which is parallel to the object's
+};
+
+std::map<int, ModelOwners> ownersIn(const fs::path& file, KeptFiles& kept) {
+  if (!fs::exists(file)) return {};
+  return reading(file, kept, [](const Json& json) {
+    std::map<int, ModelOwners> owners;
+    for (const Json& object : json.at("objects")) {
+      ModelOwners& of_model = owners[object.at("obj_id").get<int>()];
+      of_model.class_names.push_back(object.at("class").get<std::string>());
+      const auto origin = object.at("model_origin").get<std::array<double, 3>>();
+      of_model.X_OM.translation() = Eigen::Vector3d(origin[0], origin[1], origin[2]);
+    }
+    return owners;
+  });
+}
+
+/// From the model's frame to the object's, from millimetres to metres.
+Pose objectPose(const Pose& X_CM, const Pose& X_OM) {
+  constexpr double kMillimetres = 1000.0;  // in a metre
+  Pose X_CO = X_CM * X_OM.inverse();
+  X_CO.translation() /= kMillimetres;
+  return X_CO;
+}
+
 std::string maskName(const std::string& image, std::size_t place) {
   const std::string digits = std::to_string(place);
   return image + "_" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits +
@@ -58,24 +97,34 @@ std::string maskName(const std::string& image, std::size_t place) {
 }  // namespace
 
 LabelledPicture readBop(const WrittenScene& scene) {
+  const std::shared_ptr<KeptFiles> kept = keptFilesOf(scene);
   const fs::path image = imageOf(scene);
   const fs::path folder = image.parent_path().parent_path();
   const std::string name = image.stem().string();
-  const std::string key = std::to_string(std::stoll(name));
+  if (name.empty() || name.size() > 9 ||
+      name.find_first_not_of("0123456789") != std::string::npos) {
+    throw Error("'" + image.string() + "': its name should be a number");
+  }
+  const std::string key = std::to_string(std::stoi(name));
   const auto ofImage = [&](const Json& json) { return json.at(key); };
-  const Intrinsics camera = readJson(folder / "scene_camera.json",
-                                     [&](const Json& json) { return cameraOf(json.at(key)); });
-  const Json infos = readJson(folder / "scene_gt_info.json", ofImage);
-  const Json models = readJson(folder.parent_path().parent_path() / "models" / "models_info.json",
-                               [](const Json& json) { return json; });
+  const Intrinsics camera = reading(folder / "scene_camera.json", *kept,
+                                    [&](const Json& json) { return cameraOf(json.at(key)); });
+  const Json infos = reading(folder / "scene_gt_info.json", *kept, ofImage);
+  const Json models = reading(folder.parent_path().parent_path() / "models" / "models_info.json",
+                              *kept, [](const Json& json) { return json; });
+  const std::map<int, ModelOwners> owners = ownersIn(scene.folder / "dataset_info.json", *kept);
   LabelledPicture picture{readPicture(image, cv::IMREAD_COLOR), {}};
-  picture.labels = readJson(folder / "scene_gt.json", [&](const Json& json) {
+  picture.labels = reading(folder / "scene_gt.json", *kept, [&](const Json& json) {
     std::vector<DrawnLabel> labels;
     for (const Json& object : json.at(key)) {
       const Pose X_CM = poseOf(object);
       const std::string id = std::to_string(object.at("obj_id").get<int>());
       DrawnLabel label;
       label.caption = id;
+      if (const auto owner = owners.find(std::stoi(id)); owner != owners.end()) {
+        label.class_names = owner->second.class_names;
+        label.X_CO = objectPose(X_CM, owner->second.X_OM);
+      }
       label.mask =
           readPicture(folder / "mask_visib" / maskName(name, labels.size()), cv::IMREAD_GRAYSCALE);
       label.box = boxOf(infos.at(labels.size()).at("bbox_obj"));

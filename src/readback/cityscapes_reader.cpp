@@ -12,13 +12,14 @@
 namespace synthetic_dataset::readback {
 namespace {
 
-/// Names by label, where the table is there: it is written when a dataset is complete.
-std::map<int, std::string> namesIn(const std::filesystem::path& file) {
-  std::map<int, std::string> names;
+/// Names by label (classes may share one), where the table is there: it is written when a dataset
+/// is complete.
+std::map<int, std::vector<std::string>> namesIn(const std::filesystem::path& file) {
+  std::map<int, std::vector<std::string>> names;
   if (!std::filesystem::exists(file)) return names;
   try {
     for (const auto& entry : nlohmann::json::parse(readText(file))) {
-      names.emplace(entry.at("id").get<int>(), entry.at("name").get<std::string>());
+      names[entry.at("id").get<int>()].push_back(entry.at("name").get<std::string>());
     }
   } catch (const nlohmann::json::exception& error) {
     throw Error("'" + file.string() + "': " + error.what());
@@ -44,7 +45,9 @@ LabelledPicture readCityscapes(const WrittenScene& scene) {
     if (instance < kInstancesOfLabel) continue;
     DrawnLabel label;
     const auto name = names.find(instance / kInstancesOfLabel);
-    label.caption = (name == names.end() ? "" : name->second + " ") + std::to_string(instance);
+    if (name != names.end()) label.class_names = name->second;
+    label.caption =
+        (name == names.end() ? "" : name->second.front() + " ") + std::to_string(instance);
     label.mask = instances == instance;
     picture.labels.push_back(std::move(label));
   }

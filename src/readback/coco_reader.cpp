@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -9,6 +10,7 @@
 #include "readback/files.h"
 #include "readback/format_readers.h"
 #include "readback/json_file.h"
+#include "readback/kept_files.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::readback {
@@ -17,36 +19,38 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+constexpr const char* kPrefix = "instances_";  // of annotation files
+
 /// The annotation file that knows an image, and the image's number in it.
 struct ImageEntry {
   fs::path file;
-  json annotations;
+  const CocoIndex* index = nullptr;
   std::int64_t image_id = 0;
 };
 
-ImageEntry entryOf(const fs::path& folder, const fs::path& image) {
-  const std::string prefix = "instances_";
+std::vector<fs::path> annotationFiles(const fs::path& folder) {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& each : fs::directory_iterator(folder / "annotations")) {
-    const std::string name = each.path().filename().string();
-    if (name.rfind(prefix, 0) == 0 && each.path().extension() == ".json") {
-      files.push_back(each.path());
+  std::error_code error;  // no folder has no files
+  for (fs::directory_iterator each(folder, error), end; !error && each != end;
+       each.increment(error)) {
+    const fs::path& file = each->path();
+    if (file.filename().string().rfind(kPrefix, 0) == 0 && file.extension() == ".json") {
+      files.push_back(file);
     }
   }
   std::sort(files.begin(), files.end());
-  for (const fs::path& file : files) {
-    const std::string split = file.stem().string().substr(prefix.size());
-    json contents = readingJson(file, [&] { return json::parse(readText(file)); });
-    const auto id = readingJson(file, [&]() -> std::optional<std::int64_t> {
-      for (const json& entry : contents.at("images")) {
-        const auto name = entry.at("file_name").get<std::string>();
-        if (folder / "images" / name == image || folder / "images" / split / name == image) {
-          return entry.at("id").get<std::int64_t>();
-        }
+  return files;
+}
+
+ImageEntry entryOf(const fs::path& folder, const fs::path& image, KeptFiles& kept) {
+  for (const fs::path& file : annotationFiles(folder / "annotations")) {
+    const std::string split = file.stem().string().substr(std::string(kPrefix).size());
+    const CocoIndex& index = kept.coco.try_emplace(file, file).first->second;
+    for (const fs::path& images : {folder / "images" / split, folder / "images"}) {
+      if (const auto id = index.imageId(image.lexically_relative(images).string())) {
+        return {file, &index, *id};
       }
-      return std::nullopt;
-    });
-    if (id) return {file, std::move(contents), *id};
+    }
   }
   throw Error("'" + (folder / "annotations").string() + "': no file lists '" + image.string() +
               "'");
@@ -89,6 +93,10 @@ void addKeypoints(const json& numbers, const json& category, DrawnLabel& label) 
 DrawnLabel labelOf(const json& annotation, const json& category, const cv::Size& image) {
   DrawnLabel label;
   label.caption = category.at("name").get<std::string>();
+  label.class_names = {label.caption};
+  if (const auto more = annotation.find("synthetic_dataset"); more != annotation.end()) {
+    label.object_name = more->at("object").get<std::string>();
+  }
   const auto box = annotation.at("bbox").get<std::array<double, 4>>();
   label.box = Box{box[0] - 0.5, box[1] - 0.5, box[0] + box[2] - 0.5, box[1] + box[3] - 0.5};
   addSegmentation(annotation.at("segmentation"), image, label);
@@ -109,14 +117,14 @@ LabelledPicture readCoco(const WrittenScene& scene) {
       [&](const fs::path& file) { return file.string().rfind(images.string() + "/", 0) == 0; });
   if (image == scene.files.end()) throw Error("'" + images.string() + "': no image of the scene");
   LabelledPicture picture{readPicture(*image, cv::IMREAD_COLOR), {}};
-  const ImageEntry entry = entryOf(scene.folder, *image);
+  const std::shared_ptr<KeptFiles> kept = keptFilesOf(scene);
+  const ImageEntry entry = entryOf(scene.folder, *image, *kept);
   readingJson(entry.file, [&] {
     std::map<std::int64_t, json> categories;
-    for (const json& each : entry.annotations.at("categories")) {
+    for (const json& each : entry.index->categories()) {
       categories[each.at("id").get<std::int64_t>()] = each;
     }
-    for (const json& each : entry.annotations.at("annotations")) {
-      if (each.at("image_id").get<std::int64_t>() != entry.image_id) continue;
+    for (const json& each : entry.index->annotationsOf(entry.image_id)) {
       const json& category = categories[each.at("category_id").get<std::int64_t>()];
       picture.labels.push_back(labelOf(each, category, picture.image.size()));
     }

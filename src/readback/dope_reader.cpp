@@ -1,3 +1,5 @@
+#include <array>
+
 #include <opencv2/imgcodecs.hpp>
 
 #include "readback/format_readers.h"
@@ -25,9 +27,21 @@ std::optional<Box> boxOf(const Json& object) {
              dope->at(1).get<double>() + 0.5, dope->at(3).get<double>() + 0.5};
 }
 
+/// NDDS has centimetres.
+Pose poseOf(const Json& object) {
+  const double metre = object.contains("pose_transform") ? 100.0 : 1.0;
+  const auto p = object.at("location").get<std::array<double, 3>>();
+  const auto q = object.at("quaternion_xyzw").get<std::array<double, 4>>();
+  return makePose(Eigen::Vector3d(p[0], p[1], p[2]) / metre,
+                  Eigen::Quaterniond(q[3], q[0], q[1], q[2]));
+}
+
 DrawnLabel labelOf(const Json& object) {
   DrawnLabel label;
   label.caption = object.at("class").get<std::string>();
+  label.class_names = {label.caption};
+  label.object_name = object.value("name", "");
+  if (object.contains("quaternion_xyzw")) label.X_CO = poseOf(object);
   label.box = boxOf(object);
   const Json& places = object.at("projected_cuboid");
   for (std::size_t i = 0; i < 4; ++i) {  // the upper face, the lower face, what lies between

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "synthetic_dataset/box.h"
+#include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::readback {
 
@@ -22,6 +24,11 @@ struct DrawnLabel {
   std::vector<cv::Point2d> keypoints;              ///< that are to be seen
   std::vector<cv::Point2d> hidden_keypoints;       ///< that are said to be hidden
   std::vector<std::array<cv::Point2d, 2>> lines;   ///< edges of cuboids, skeletons, axes
+
+  // What the files say of it, word for word.
+  std::vector<std::string> class_names;  ///< any of these, where they do not tell them apart
+  std::string object_name;               ///< empty: not which object it is
+  std::optional<Pose> X_CO;              ///< in the camera's optical frame [m]
 };
 
 /// A scene's image with its labels, as one format's files have them.
@@ -30,12 +37,17 @@ struct LabelledPicture {
   std::vector<DrawnLabel> labels;
 };
 
+struct KeptFiles;
+
 /// What a writer made of one scene.
 struct WrittenScene {
   std::filesystem::path folder;              ///< the writer's, absolute
   std::string name;                          ///< Scene::name: "00000012", "front/00000012"
   std::int64_t instant = 0;                  ///< the place of its time, from 0
   std::vector<std::filesystem::path> files;  ///< of this scene, absolute, in alphabetical order
+
+  /// Of the dataset, where several of its scenes are read.
+  std::shared_ptr<KeptFiles> kept = nullptr;
 
   /// The file whose path below `folder` ends in `end`; the first of several.
   /// @throws Error when there is none

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ using FormatReader = LabelledPicture (*)(const WrittenScene& scene);
 /// The reader for a type of writer, as the manifest has it ("synthetic_dataset/Yolo"); null where
 /// the type is unknown or holds nothing to draw.
 [[nodiscard]] FormatReader readerOf(const std::string& writer_type);
+
+/// For WrittenScene::kept: nothing is kept yet. Files must not change as long as it lives.
+[[nodiscard]] std::shared_ptr<KeptFiles> keptFiles();
 
 /// The types that have readers, in alphabetical order.
 [[nodiscard]] std::vector<std::string> readableTypes();

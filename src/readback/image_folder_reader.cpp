@@ -8,6 +8,7 @@
 #include "readback/files.h"
 #include "readback/format_readers.h"
 #include "readback/json_file.h"
+#include "readback/kept_files.h"
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/errors.h"
 
@@ -52,27 +53,20 @@ Pose poseOf(const json& numbers) {
   return X_AB;
 }
 
-/// The line of an image.
-/// @param name  its path below the split's folder
-json lineOf(const fs::path& metadata, const std::string& name) {
-  for (const std::string& text : readLines(metadata)) {
-    json line = json::parse(text);
-    if (line.at("file_name").get<std::string>() == name) return line;
-  }
-  throw Error("'" + metadata.string() + "': no line of '" + name + "'");
-}
-
 /// The label of the object that is at place `i` of the lists.
 DrawnLabel labelOf(const json& objects, std::size_t i, const cv::Mat& instances,
                    const CameraModel& camera) {
   DrawnLabel label;
   label.caption = objects.at("class_names").at(i).get<std::string>();
+  label.class_names = {label.caption};
+  if (objects.contains("names")) label.object_name = objects.at("names").at(i).get<std::string>();
+  label.X_CO = poseOf(objects.at("X_CO").at(i));
   const auto box = objects.at("bbox").at(i).get<std::array<double, 4>>();
   label.box = Box{box[0] - 0.5, box[1] - 0.5, box[0] + box[2] - 0.5, box[1] + box[3] - 0.5};
   if (!instances.empty()) label.mask = instances == objects.at("instances").at(i).get<int>();
   const auto cuboid = objects.at("cuboid").at(i).get<std::array<double, 6>>();
   label.lines = cuboidLines({{cuboid[0], cuboid[1], cuboid[2]}, {cuboid[3], cuboid[4], cuboid[5]}},
-                            poseOf(objects.at("X_CO").at(i)), camera);
+                            *label.X_CO, camera);
   const json& keypoints = objects.at("keypoints").at(i);
   for (std::size_t k = 0; k < keypoints.size(); ++k) {
     const auto place = keypoints.at(k).get<std::array<double, 2>>();
@@ -98,12 +92,17 @@ LabelledPicture readImageFolder(const WrittenScene& scene) {
   LabelledPicture picture{readPicture(*image, cv::IMREAD_COLOR), {}};
   const fs::path split = scene.folder / *image->lexically_relative(scene.folder).begin();
   const fs::path metadata = split / "metadata.jsonl";
+  const std::shared_ptr<KeptFiles> kept = keptFilesOf(scene);
   readingJson(metadata, [&] {
-    const json line = lineOf(metadata, image->lexically_relative(split).string());
+    const json line = kept->lines.try_emplace(metadata, metadata)
+                          .first->second.line(image->lexically_relative(split).string());
     cv::Mat instances;
     if (line.contains("mask_file_name")) {
       instances =
           readPicture(split / line.at("mask_file_name").get<std::string>(), cv::IMREAD_UNCHANGED);
+      if (instances.channels() != 1) {
+        throw Error("'" + metadata.string() + "': its mask_file_name should have one channel");
+      }
     }
     const json& objects = line.at("objects");
     for (std::size_t i = 0; i < objects.at("bbox").size(); ++i) {

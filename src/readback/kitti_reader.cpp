@@ -55,6 +55,7 @@ LabelledPicture readKitti(const WrittenScene& scene) {
     for (std::size_t i = 1; i < words.size(); ++i) numbers.push_back(numberOf(words[i], file));
     DrawnLabel label;
     label.caption = words[0];
+    label.class_names = {words[0]};
     label.box = Box{numbers[3] - 0.5, numbers[4] - 0.5, numbers[5] - 0.5, numbers[6] - 0.5};
     if (words[0] != "DontCare") addCuboid(label, camera, cornersOf(numbers));
     picture.labels.push_back(std::move(label));

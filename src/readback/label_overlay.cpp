@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
 
 #include <opencv2/imgproc.hpp>
+
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::readback {
 namespace {
@@ -17,9 +21,15 @@ const cv::Scalar kDark(20, 20, 20);
 
 constexpr int kSubpixelBits = 4;  // OpenCV draws at fractions of a pixel when points come shifted
 
+/// A place on the picture or about it; what is no number is far away as well.
 cv::Point shifted(double u, double v) {
   constexpr double kScale = 1 << kSubpixelBits;
-  return {cvRound(u * kScale), cvRound(v * kScale)};
+  constexpr double kFarthest = 1 << 16;  // [px]
+  const auto place = [](double coordinate) {
+    const bool is_near = std::abs(coordinate) < kFarthest;
+    return cvRound((is_near ? coordinate : std::copysign(kFarthest, coordinate)) * kScale);
+  };
+  return {place(u), place(v)};
 }
 
 void tint(cv::Mat& image, const cv::Mat& mask, const cv::Scalar& colour) {
@@ -88,8 +98,13 @@ void write(cv::Mat& image, const std::string& caption, const Box& extent) {
   constexpr double kSize = 0.42;
   int baseline = 0;
   const cv::Size text = cv::getTextSize(caption, cv::FONT_HERSHEY_SIMPLEX, kSize, 1, &baseline);
-  const int left = std::clamp(cvRound(extent.left), 0, std::max(0, image.cols - text.width - 5));
-  const int bottom = std::clamp(cvRound(extent.top) - 3, text.height + 3, image.rows - 5);
+  const auto between = [](double value, int low, int high) {  // the picture may be smaller than it
+    const double bounded = std::min(std::max(value, static_cast<double>(low)), 1.0 * high);
+    return std::isnan(value) ? low : cvRound(bounded);
+  };
+  const int left = between(extent.left, 0, std::max(0, image.cols - text.width - 5));
+  const int bottom =
+      between(extent.top - 3, text.height + 3, std::max(text.height + 3, image.rows - 5));
   const cv::Point corner(left, bottom);
   cv::rectangle(image, corner + cv::Point(-1, 4),
                 corner + cv::Point(text.width + 4, -text.height - 3), kBoxColour, cv::FILLED);
@@ -97,9 +112,17 @@ void write(cv::Mat& image, const std::string& caption, const Box& extent) {
               cv::LINE_AA);
 }
 
+void checkMask(const DrawnLabel& label, const cv::Size& size) {
+  if (label.mask.empty() || (label.mask.type() == CV_8UC1 && label.mask.size() == size)) return;
+  throw Error("a mask of '" + label.caption + "' has " + std::to_string(label.mask.cols) + " x " +
+              std::to_string(label.mask.rows) + " pixels; its image has " +
+              std::to_string(size.width) + " x " + std::to_string(size.height));
+}
+
 }  // namespace
 
 cv::Mat drawLabels(const LabelledPicture& picture) {
+  for (const DrawnLabel& label : picture.labels) checkMask(label, picture.image.size());
   cv::Mat result = picture.image.clone();
   const auto colourOf = [](std::size_t i) { return kColours[i % kColours.size()]; };
   const std::vector<DrawnLabel>& labels = picture.labels;

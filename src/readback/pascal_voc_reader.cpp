@@ -43,6 +43,7 @@ DrawnLabel labelOf(const std::string& object, double first_pixel, const fs::path
   };
   DrawnLabel label;
   label.caption = unescaped(contentOf(object, "name", file));
+  label.class_names = {label.caption};
   for (const std::string flag : {"truncated", "occluded", "difficult"}) {
     if (contentOf(object, flag, file) == "1") label.caption += ", " + flag;
   }

@@ -44,7 +44,8 @@ std::vector<Eigen::Vector3d> readPoints(const fs::path& file) {
   return points;
 }
 
-DrawnLabel readObject(const fs::path& image) {
+/// @param writer_folder  which has a folder for each object
+DrawnLabel readObject(const fs::path& image, const fs::path& writer_folder) {
   const fs::path scenes = image.parent_path().parent_path();
   const fs::path folder = scenes.parent_path();
   const std::string name = image.stem().string();
@@ -56,7 +57,9 @@ DrawnLabel readObject(const fs::path& image) {
   const Intrinsics camera{k[0].x(), k[1].y(), k[0].z(), k[1].z()};
   const Pose X_CO = readPose(scenes / "pose" / (name + ".npy"));
   DrawnLabel label;
-  label.caption = folder.filename().string();
+  label.caption = folder.lexically_relative(writer_folder).string();
+  label.object_name = folder.lexically_relative(writer_folder).begin()->string();
+  label.X_CO = X_CO;
   label.mask = readPicture(scenes / "mask" / (name + ".png"), cv::IMREAD_GRAYSCALE);
   std::array<Eigen::Vector3d, 8> corners_C;
   for (std::size_t i = 0; i < 8; ++i) corners_C[i] = X_CO * corners_O[i];
@@ -77,7 +80,7 @@ LabelledPicture readPvNet(const WrittenScene& scene) {
   for (const fs::path& file : scene.files) {
     if (file.parent_path().filename() != "rgb") continue;
     if (picture.image.empty()) picture.image = readPicture(file, cv::IMREAD_COLOR);
-    picture.labels.push_back(readObject(file));
+    picture.labels.push_back(readObject(file, scene.folder));
   }
   return picture;
 }

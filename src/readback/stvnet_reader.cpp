@@ -39,6 +39,7 @@ LabelledPicture readStvNet(const WrittenScene& scene) {
     if (picture.image.empty()) picture.image = readPicture(image, cv::IMREAD_COLOR);
     DrawnLabel label;
     label.caption = object.filename().string();
+    label.object_name = object.lexically_relative(scene.folder).string();
     label.mask = readPicture(object / "mask" / number, cv::IMREAD_GRAYSCALE);
     fs::path text = object / "labels" / number;
     label.keypoints = readKeypoints(text.replace_extension(".txt"), picture.image.size());

@@ -88,6 +88,7 @@ LabelledPicture readUltralytics(const WrittenScene& scene) {
     DrawnLabel label;
     const auto name = yaml.names.find(words.front());
     label.caption = name == yaml.names.end() ? words.front() : name->second;
+    label.class_names = {label.caption};
     if (is_box) {
       label.box = fractions.box(1);
       for (std::size_t i = 5; i < words.size(); i += 3) {

@@ -23,6 +23,8 @@ LabelledPicture readYolo(const WrittenScene& scene) {
     const double half_height = 0.5 * number(3) * height;
     DrawnLabel label;
     label.caption = words.front();
+    for (std::size_t i = 1; i + 4 < words.size(); ++i) label.caption += " " + words[i];
+    label.class_names = {label.caption};
     label.box = Box{u - half_width, v - half_height, u + half_width, v + half_height};
     picture.labels.push_back(std::move(label));
   }

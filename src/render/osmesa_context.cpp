@@ -45,6 +45,11 @@ OsmesaContext::OsmesaContext() : context_(OSMesaCreateContextAttribs(kAttributes
   }
 }
 
+std::string OsmesaContext::version() const {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): OpenGL's texts are unsigned
+  return reinterpret_cast<const char*>(gl_->GetString(GL_VERSION));
+}
+
 OsmesaContext::~OsmesaContext() { OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
 
 }  // namespace synthetic_dataset::render

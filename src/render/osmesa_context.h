@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 
 #include "render/gl_functions.h"
 
@@ -18,6 +19,9 @@ class OsmesaContext {
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
   [[nodiscard]] const GlFunctions& gl() const { return *gl_; }
+
+  /// As OpenGL tells it: "4.5 (Core Profile) Mesa 22.3.6".
+  [[nodiscard]] std::string version() const;
 
  private:
   struct Destroy {

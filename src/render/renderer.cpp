@@ -255,4 +255,6 @@ Silhouette Renderer::silhouette(const View& view, const std::vector<Pose>& X_WL,
   return impl_->silhouette_painter.paint(view, X_WL, links);
 }
 
+std::string Renderer::glVersion() const { return impl_->context.version(); }
+
 }  // namespace synthetic_dataset::render

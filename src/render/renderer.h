@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -74,6 +75,9 @@ class Renderer {
   /// In the image, its pixels are those that labels() has for these links alone.
   [[nodiscard]] Silhouette silhouette(const View& view, const std::vector<Pose>& X_WL,
                                       const LinkSelection& links);
+
+  /// Of the OpenGL that draws: "4.5 (Core Profile) Mesa 22.3.6".
+  [[nodiscard]] std::string glVersion() const;
 
  private:
   struct Impl;

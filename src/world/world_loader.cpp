@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
@@ -33,7 +34,8 @@ namespace fs = std::filesystem;
 
 /// The file that a URI of the user's means.
 fs::path fileFor(const std::string& uri, const ResourceFinder& finder) {
-  const fs::path here = fs::current_path();
+  std::error_code gone;  // the working folder may be, and absolute names do without
+  const fs::path here = fs::current_path(gone);
   const std::optional<fs::path> found = finder.find(uri, here);
   if (!found) {
     throw ErrorList({"'" + uri + "': no such file; " + finder.searchedPlaces(uri, here)});

@@ -22,6 +22,8 @@ class WorldLoader {
  public:
   /// @param finder  has to outlive the loader
   explicit WorldLoader(const ResourceFinder& finder, const LoadOptions& options = {});
+  explicit WorldLoader(ResourceFinder&&,
+                       const LoadOptions& = {}) = delete;  // it has to outlive this
   ~WorldLoader();
   WorldLoader(const WorldLoader&) = delete;
   WorldLoader& operator=(const WorldLoader&) = delete;

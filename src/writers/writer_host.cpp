@@ -96,7 +96,6 @@ std::vector<output::StoreWriter> WriterHost::storeWriters() const {
 
 WriterHost::SceneResult WriterHost::writeScene(const Scene& scene) const {
   SceneResult result;
-  result.files.camera = scene.camera_name;
   for (std::size_t i = 0; i < impl_->writers.size(); ++i) {
     const ReadyWriter& writer = impl_->writers[i];
     GatheringSceneOutput output(i, writer.parameters, result.files, result.warnings);

@@ -76,5 +76,13 @@ TEST(WriterParameters, RememberTheFilesThatTheUserNamed) {
               testing::ElementsAre("yolo/folder: found '/tmp/'; it should be the path of a file"));
 }
 
+TEST(WriterParameters, RefuseAFileWithAControlCharacter) {
+  const WriterParameters writer(Parameters(Value::Map{{"list", Value("a\nb")}}, "yolo"), "yolo",
+                                "/tmp/yolo/");
+  (void)writer.requiredFile("list");
+  EXPECT_THAT(writer.errors(), testing::ElementsAre(testing::HasSubstr("a control character")));
+  EXPECT_TRUE(writer.files().empty());
+}
+
 }  // namespace
 }  // namespace synthetic_dataset

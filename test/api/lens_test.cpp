@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -37,6 +38,7 @@ std::vector<cv::Point2d> truth(const Distortion& distortion,
   return pixels;
 }
 
+/// Several in one call stand in braces: there they are drawn from left to right by any compiler.
 double uniform(std::mt19937& random, double reach) {
   return std::uniform_real_distribution<double>(-reach, reach)(random);
 }
@@ -68,7 +70,7 @@ TEST_P(Lens, ProjectsAsOpenCvDoes) {
     std::vector<cv::Point3d> points;
     for (int i = 0; i < 200; ++i) {
       const double z = 0.06 + 10.0 * std::abs(uniform(random, 1.0));
-      points.emplace_back(z * uniform(random, 1.2), z * uniform(random, 1.2), z);
+      points.push_back({z * uniform(random, 1.2), z * uniform(random, 1.2), z});
     }
     const std::vector<cv::Point2d> pixels = truth(distortion, points);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -88,7 +90,7 @@ TEST_P(Lens, RaysLeadBackToThePoints) {
     const CameraModel camera = cameraWith(randomDistortion(GetParam(), random));
     for (int i = 0; i < 200; ++i) {
       const Eigen::Vector3d direction =
-          Eigen::Vector3d(uniform(random, 1.2), uniform(random, 1.2), 1.0).normalized();
+          Eigen::Vector3d{uniform(random, 1.2), uniform(random, 1.2), 1.0}.normalized();
       const auto pixel = camera.project(5.0 * direction);
       if (!pixel) continue;
       const auto ray = camera.ray(*pixel);
@@ -129,12 +131,17 @@ TEST_P(Lens, ShowsNoPlaceTwice) {
   }
 }
 
+/// How far a pixel lies outside of the image; bounds may be less exact there, in proportion.
+double distanceOutside(const CameraModel& camera, const Eigen::Vector2d& p) {
+  return std::max({-p.x(), p.x() - camera.width(), -p.y(), p.y() - camera.height(), 0.0});
+}
+
 TEST_P(Lens, BoundsHoldTheWholeHullTightly) {
   std::mt19937 random(14);
   for (int trial = 0; trial < 60; ++trial) {
     const CameraModel camera = cameraWith(randomDistortion(GetParam(), random));
     std::vector<Eigen::Vector3d> corners;
-    const Eigen::Vector3d centre(uniform(random, 1.0), uniform(random, 1.0), 1.2);
+    const Eigen::Vector3d centre{uniform(random, 1.0), uniform(random, 1.0), 1.2};
     for (int i = 0; i < 8; ++i) corners.push_back(centre + test::randomPoint(random, 1.0));
     const auto box = camera.projectedBounds(corners);
     std::optional<Box> dense;
@@ -142,10 +149,11 @@ TEST_P(Lens, BoundsHoldTheWholeHullTightly) {
       const auto pixel = camera.project(p);
       if (!pixel) return;
       ASSERT_TRUE(box);
-      EXPECT_GE(pixel->x(), box->left - 0.05);
-      EXPECT_LE(pixel->x(), box->right + 0.05);
-      EXPECT_GE(pixel->y(), box->top - 0.05);
-      EXPECT_LE(pixel->y(), box->bottom + 0.05);
+      const double slack = 0.05 + 1e-3 * distanceOutside(camera, *pixel);
+      EXPECT_GE(pixel->x(), box->left - slack);
+      EXPECT_LE(pixel->x(), box->right + slack);
+      EXPECT_GE(pixel->y(), box->top - slack);
+      EXPECT_LE(pixel->y(), box->bottom + slack);
       if (!dense) dense = Box{pixel->x(), pixel->y(), pixel->x(), pixel->y()};
       dense->left = std::min(dense->left, pixel->x());
       dense->right = std::max(dense->right, pixel->x());

@@ -8,11 +8,13 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
+/// Of a list that holds one list alone, compilers disagree on whether it is that list (CWG 2137):
+/// hence Value(...) round it.
 Parameters example() {
   return Parameters(Value::Map{
       {"rate", Value(4)},
       {"name", Value("alpha")},
-      {"points", Value::List{Value::List{Value(1), Value(2.5), Value(3)}}},
+      {"points", Value::List{Value(Value::List{Value(1), Value(2.5), Value(3)})}},
       {"yolo", Value::Map{{"output_folder", Value("/tmp")}, {"depth", Value(2)}}},
   });
 }

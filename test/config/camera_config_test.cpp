@@ -90,6 +90,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "cameras: found together with camera"},
         BadCamera{"cameras: {a/b: {info_file: /a.yaml}, c: {info_file: /c.yaml}}",
                   "cameras/a/b: is no name for a folder"},
+        BadCamera{"cameras: {" + std::string(81, 'a') + ": {info_file: /a.yaml}}",
+                  "is no name for a folder; up to 80 letters"},
         BadCamera{"camera: {info_file: /a.yaml, info_topic: /b}", "found both info_file and"},
         BadCamera{"camera: {info_file: /a.yaml, effects: {vignetting: 2}}",
                   "camera/effects/vignetting: found 2.0; it should be 0.0 to 1.0"},

@@ -160,6 +160,11 @@ TEST_F(CameraInfo, RefusesARegionOutsideOfTheImage) {
               ThrowsMessage<Error>(HasSubstr("camera.yaml: roi/width: found 320 px from 600")));
 }
 
+TEST_F(CameraInfo, RefusesARegionThatIsBeyondAllNumbers) {
+  EXPECT_THAT([&] { read(std::string(kCalibration) + "roi: {x_offset: 2147483647, width: 9}\n"); },
+              ThrowsMessage<Error>(HasSubstr("roi/width: found 9 px from 2147483647 on")));
+}
+
 TEST_F(CameraInfo, NamesEverythingThatIsMissing) {
   EXPECT_THAT([&] { read("image_width: 640\n"); },
               ThrowsMessage<Error>(AllOf(HasSubstr("camera.yaml: image_height: required"),

@@ -1,5 +1,9 @@
 #include "config/yaml_value.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "support/temporary_folder.h"
@@ -42,9 +46,106 @@ TEST(ParseYaml, NamesFileAndLineOfAMistake) {
               ThrowsMessage<Error>(HasSubstr("my.yaml: line 3")));
 }
 
+TEST(ParseYaml, RefusesAQuoteThatIsNotClosed) {
+  for (const std::string text : {"a: \"x\n", "a: 'x\n", "a: \"x", "a: 'x", "a: \"x\n\n  y\n"}) {
+    EXPECT_THROW((void)parseYaml(text, "my.yaml"), Error) << text;
+  }
+}
+
+TEST(ParseYaml, KeepsWhatEndsWithTheFile) {
+  EXPECT_EQ(scalar("|\n  x\n"), Value("x\n"));
+  EXPECT_EQ(scalar("|\n  x"), Value("x"));
+  EXPECT_EQ(scalar("|+\n  x\n\n"), Value("x\n\n"));
+  EXPECT_EQ(scalar("x\n..."), Value("x"));
+}
+
 TEST(ParseYaml, RefusesWhatNestsWithoutBound) {
   EXPECT_THAT([] { return parseYaml(std::string(100, '[') + std::string(100, ']'), "my.yaml"); },
               ThrowsMessage<Error>(HasSubstr("nested deeper")));
+}
+
+TEST(ParseYaml, MergesGroups) {
+  EXPECT_EQ(parseYaml("a: &a {x: 1, y: 1}\nb: &b {y: 2, z: 2}\n"
+                      "c: {y: 3, <<: *a}\nd: {<<: [*a, *b]}\ne: {'<<': 1}",
+                      "test"),
+            Value(Value::Map{{"a", Value::Map{{"x", 1}, {"y", 1}}},
+                             {"b", Value::Map{{"y", 2}, {"z", 2}}},
+                             {"c", Value::Map{{"x", 1}, {"y", 3}}},
+                             {"d", Value::Map{{"x", 1}, {"y", 1}, {"z", 2}}},
+                             {"e", Value::Map{{"<<", 1}}}}));
+}
+
+TEST(ParseYaml, PassesOverForeignTags) {
+  EXPECT_EQ(parseYaml("a: !!opencv-matrix {rows: 1}\nb: !mine 2\nc: 2001-01-01", "test"),
+            Value(Value::Map{{"a", Value::Map{{"rows", 1}}}, {"b", 2}, {"c", "2001-01-01"}}));
+}
+
+TEST(ParseYaml, RefusesAliasesThatMultiply) {
+  std::string text = "a0: &a0 [x, x, x, x, x, x, x, x]\n";
+  std::string merged = "a0: &a0 {a: 1, b: 1}\n";
+  for (int i = 1; i < 30; ++i) {
+    const std::string name = "a" + std::to_string(i);
+    const std::string before = "*a" + std::to_string(i - 1);
+    text += name + ": &" + name + " [" + before + ", " + before + "]\n";
+    merged += name + ": &" + name + " {<<: [" + before + ", " + before + "]}\n";
+  }
+  for (const std::string& file : {text, merged}) {
+    EXPECT_THAT([&] { return parseYaml(file, "test"); },
+                ThrowsMessage<Error>(HasSubstr("its aliases multiply")));
+  }
+}
+
+Value setting(const std::string& text) {
+  return parseSettings("key: " + text, "test").as<Value::Map>()->at("key");
+}
+
+TEST(ParseSettings, ReadsAnglesAsRosparamDoes) {
+  constexpr double kPi = 3.141592653589793;
+  EXPECT_EQ(setting("deg(180)"), Value(kPi));
+  EXPECT_EQ(setting("rad(pi/2)"), Value(kPi / 2));
+  EXPECT_EQ(setting("!degrees 90"), Value(kPi / 2));
+  EXPECT_EQ(setting("!radians (1+1)*pi"), Value(2 * kPi));
+  EXPECT_EQ(setting("'deg(180)'"), Value("deg(180)"));
+  EXPECT_EQ(setting("rad((1+1)*pi)"), Value("rad((1+1)*pi)"));
+}
+
+TEST(ParseSettings, FollowsTags) {
+  EXPECT_EQ(setting("!!str 3"), Value("3"));
+  EXPECT_EQ(setting("!!float 3"), Value(3.0));
+  EXPECT_EQ(setting("!!int '3'"), Value(3));
+  EXPECT_EQ(setting("!!bool 'yes'"), Value(true));
+}
+
+TEST(ParseSettings, RefusesWhatTheParameterServerCannotHold) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"a: 1\nb:\n", "found nothing (null)"},
+      {"a: [1, ~]", "line 1: found nothing (null)"},
+      {"a: 2001-01-01", "found the date 2001-01-01"},
+      {"a: !!binary aGVsbG8=", "found !!binary 'aGVsbG8='"},
+      {"a: !!set {x: 1}", "found !!set"},
+      {"a: !mine 3", "found !mine '3'"},
+      {"a: !!int x", "found !!int 'x'"},
+      {"1: 2", "found the name 1, which"},
+      {"yes: 2", "found the name yes, which"},
+      {"a: deg(x)", "found the angle 'x'"},
+      {"a: 1\n---\nb: 2", "a second document"}};
+  for (const auto& each : cases) {
+    EXPECT_THAT([&] { return parseSettings(each.first, "test"); },
+                ThrowsMessage<Error>(HasSubstr(each.second)))
+        << each.first;
+  }
+}
+
+TEST(ParseYaml, RefusesAliasesThatMultiplyALongText) {
+  std::string text = "a: &a " + std::string(10000, 'x') + "\nb: [*a";
+  for (int i = 0; i < 2000; ++i) text += ", *a";  // 20 million letters
+  EXPECT_THAT([&] { return parseYaml(text + "]", "my.yaml"); },
+              ThrowsMessage<Error>(HasSubstr("its aliases multiply")));
+}
+
+TEST(ParseYaml, TakesADigitAMillionTimesForAText) {
+  const std::string digits(1000000, '1');
+  EXPECT_EQ(scalar(digits), Value(digits));
 }
 
 TEST(LoadYamlFile, NamesAFileThatIsMissing) {

@@ -142,6 +142,7 @@ TEST_F(GeneratorTest, AllFormatsGiveTheSameBytesTwice) {
 TEST_F(GeneratorTest, RefusesToTouchADatasetThatIsThere) {
   generate(parameters);
   const auto first = dataset();
+  parameters["if_exists"] = Value("error");
   EXPECT_THAT(errorsOf(parameters), Contains(HasSubstr("overwrite")));
   EXPECT_TRUE(first == dataset());
 }

@@ -104,6 +104,21 @@ class LaunchedMistakes(ScratchTest):
         self.assertIn('failed: 2 errors', log)
         self.assertFalse(self.dataset.exists())
 
+    def test_are_found_in_a_file_named_from_the_current_folder(self):
+        (self.scratch / 'here.yaml').write_text('bag_file: $(dirname)/no_such.bag\n',
+                                                encoding='utf-8')
+        environ = {**self.environ, 'PWD': str(self.scratch)}
+        log = ros_programs.output_of(ros_programs.launch_command('config:=here.yaml'), environ)
+        self.assertIn(f'{self.scratch}/no_such.bag: no such file', log)
+
+    def test_in_parameters_over_the_file_are_reported(self):
+        log = ros_programs.output_of(
+            ros_programs.launch_command(f'config:={EXAMPLE}', 'shard_index:=5', 'shard_count:=2',
+                                        'sync:=never'), self.environ)
+        self.assertIn('shard', log)
+        self.assertIn('sync: ', log)
+        self.assertIn('failed: ', log)
+
 
 class ExitCode(ScratchTest):
     """Of the node by itself: roslaunch has none to pass on."""

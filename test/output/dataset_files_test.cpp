@@ -22,7 +22,7 @@ class DatasetFiles : public StoreFixture {
  protected:
   void SetUp() override {
     store_ = makeStore();
-    store_->commitScene(0, Stamp{1}, {{text("a/0.txt", "of a"), text("b/0.txt", "of b")}, {}});
+    store_->commitScene({0, Stamp{1}}, {{text("a/0.txt", "of a"), text("b/0.txt", "of b")}, {}});
   }
 
   /// What an action throws.
@@ -146,7 +146,7 @@ TEST_F(DatasetFiles, TellOfASceneFileThatHasGone) {
 
 TEST_F(DatasetFiles, AreReadAndLinkedWhileOneIsWritten) {
   const auto records = store_->records(0);
-  store_->commitScene(1, Stamp{2}, {{text("a/1.txt", " and more")}, {{0, "a/1.txt"}}});
+  store_->commitScene({1, Stamp{2}}, {{text("a/1.txt", " and more")}, {{0, "a/1.txt"}}});
   store_->writeDatasetFileByName(0, path("a/all"), [&](const std::string& file) {
     std::ofstream all(file);
     all << store_->readSceneFile(0, path("a/0.txt"));

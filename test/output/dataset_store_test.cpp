@@ -37,7 +37,7 @@ class DatasetStoreTest : public StoreFixture {
   /// What commitScene throws.
   static std::string failureOf(DatasetStore& store, std::int64_t index, const SceneFiles& files) {
     try {
-      store.commitScene(index, Stamp{0}, files);
+      store.commitScene({index, Stamp{0}}, files);
     } catch (const Error& error) {
       return error.what();
     }
@@ -55,13 +55,13 @@ class DatasetStoreTest : public StoreFixture {
 
 TEST_F(DatasetStoreTest, WritesTextAsGiven) {
   const std::string content("line\n\0after a zero byte", 22);
-  makeStore()->commitScene(0, Stamp{0}, {{text("a/0.txt", content)}, {}});
+  makeStore()->commitScene({0, Stamp{0}}, {{text("a/0.txt", content)}, {}});
   EXPECT_EQ(test::readFile(path("a/0.txt")), content);
 }
 
 TEST_F(DatasetStoreTest, WritesImagesThatReadBackPixelForPixel) {
   const cv::Mat pixels = picture(1);
-  makeStore()->commitScene(0, Stamp{0}, {{image("a/0.png", pixels)}, {}});
+  makeStore()->commitScene({0, Stamp{0}}, {{image("a/0.png", pixels)}, {}});
   const cv::Mat read = cv::imread(path("a/0.png"), cv::IMREAD_UNCHANGED);
   ASSERT_EQ(read.size(), pixels.size());
   ASSERT_EQ(read.type(), pixels.type());
@@ -71,7 +71,8 @@ TEST_F(DatasetStoreTest, WritesImagesThatReadBackPixelForPixel) {
 TEST_F(DatasetStoreTest, LinksThePixelsThatAreAskedForTwice) {
   const cv::Mat pixels = picture(0);
   auto store = makeStore();
-  store->commitScene(0, Stamp{0}, {{image("a/0.png", pixels), image("b/deep/0.png", pixels)}, {}});
+  store->commitScene({0, Stamp{0}},
+                     {{image("a/0.png", pixels), image("b/deep/0.png", pixels)}, {}});
   EXPECT_TRUE(fs::equivalent(path("a/0.png"), path("b/deep/0.png")));
   EXPECT_EQ(fs::hard_link_count(path("a/0.png")), 2u);
   EXPECT_EQ(store->counts().files, 2);
@@ -81,29 +82,68 @@ TEST_F(DatasetStoreTest, LinksThePixelsThatAreAskedForTwice) {
 TEST_F(DatasetStoreTest, DoesNotLinkPartsOfOneImageWithEachOther) {
   const cv::Mat pixels = picture(0);
   makeStore()->commitScene(
-      0, Stamp{0}, {{image("a/0.png", pixels), image("b/0.png", pixels.colRange(0, 32))}, {}});
+      {0, Stamp{0}}, {{image("a/0.png", pixels), image("b/0.png", pixels.colRange(0, 32))}, {}});
   EXPECT_FALSE(fs::equivalent(path("a/0.png"), path("b/0.png")));
   EXPECT_EQ(cv::imread(path("b/0.png")).cols, 32);
 }
 
 TEST_F(DatasetStoreTest, EncodesOnePictureInTwoFormats) {
   const cv::Mat pixels = picture(0);
-  makeStore()->commitScene(0, Stamp{0}, {{image("a/0.png", pixels), image("b/0.jpg", pixels)}, {}});
+  makeStore()->commitScene({0, Stamp{0}},
+                           {{image("a/0.png", pixels), image("b/0.jpg", pixels)}, {}});
   EXPECT_EQ(test::readFile(path("a/0.png")).substr(1, 3), "PNG");
   EXPECT_EQ(test::readFile(path("b/0.jpg")).substr(0, 2), "\xFF\xD8");
 }
 
 TEST_F(DatasetStoreTest, ListsWhatItWrote) {
   auto store = makeStore();
-  SceneFiles scene = someScene(7);
-  scene.camera = "front";
-  store->commitScene(7, Stamp{1650000000123456789}, scene);
+  store->commitScene({7, Stamp{1650000000123456789}, 3, "front", "train", 42}, someScene(7));
   const auto image_bytes = std::to_string(fs::file_size(path("a/7.png")));
-  EXPECT_THAT(query("SELECT * FROM scene"), ElementsAre("7|1650000000123456789|front"));
+  EXPECT_THAT(query("SELECT \"index\", instant, stamp_ns, camera, split, seed, state FROM scene"),
+              ElementsAre("7|3|1650000000123456789|front|train|42|written"));
   EXPECT_THAT(query("SELECT path, writer, scene, bytes, linked_to FROM file"),
               UnorderedElementsAre("a/7.png|0|7|" + image_bytes + "|NULL", "a/7.txt|0|7|7|NULL",
                                    "b/x/7.png|1|7|" + image_bytes + "|a/7.png"));
   EXPECT_THAT(query("SELECT * FROM writer"), ElementsAre("0|a|test/A|a/", "1|b|test/B|b/"));
+}
+
+TEST_F(DatasetStoreTest, ListsDigestsThatSha256sumAgreesWith) {
+  auto store = makeStore();
+  store->commitScene({0, Stamp{0}}, {{text("a/0.txt", "abc")}, {}});
+  store->writeDatasetFile(0, path("list.txt"), [](std::ostream& list) { list << "abc"; });
+  // The example of FIPS 180-4.
+  const std::string abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+  EXPECT_THAT(query("SELECT digest FROM file"), ElementsAre(abc, abc));
+}
+
+TEST_F(DatasetStoreTest, ListsWhatWasMeasuredAndNothingElse) {
+  auto store = makeStore();
+  SceneFacts facts{0, Stamp{0}};
+  ObjectFacts seen;
+  seen.X_GO = Pose(Eigen::Translation3d(1.0, 2.0, 3.0));
+  seen.in_view = true;
+  seen.visible_box = Box{0.5, 1.5, 10.5, 20.5};
+  seen.visible_pixels = 12;
+  seen.visibility = 0.25;
+  facts.objects = {seen, ObjectFacts{}};
+  facts.contacts = {{"alpha", "wall", 0.02}};
+  facts.warnings = {{"it rains", "a lot"}};
+  store->commitScene(facts, {{}, {}});
+  EXPECT_THAT(query("SELECT object, x, y, z, qw, in_view, visible_left, visible_bottom, "
+                    "visible_pixels, visibility, truncation, loose_left FROM scene_object"),
+              ElementsAre("0|1.0|2.0|3.0|1.0|1|0.5|20.5|12|0.25|NULL|NULL",
+                          "1|0.0|0.0|0.0|1.0|0|NULL|NULL|NULL|NULL|NULL|NULL"));
+  EXPECT_THAT(query("SELECT first, second, depth FROM contact"), ElementsAre("alpha|wall|0.02"));
+  EXPECT_THAT(query("SELECT * FROM warning"), ElementsAre("0|0|1|it rains|a lot"));
+}
+
+TEST_F(DatasetStoreTest, StopsWhenItsManifestIsGone) {
+  auto store = makeStore();
+  store->commitScene({0, Stamp{0}}, someScene(0));
+  fs::remove(path("manifest.sqlite"));
+  EXPECT_THAT(failureOf(*store, 1, someScene(1)),
+              AllOf(HasSubstr(path("manifest.sqlite")), HasSubstr("has been removed or replaced")));
+  EXPECT_FALSE(fs::exists(path("a/1.txt")));
 }
 
 TEST_F(DatasetStoreTest, TellsACompleteRunFromARunningOne) {
@@ -115,8 +155,8 @@ TEST_F(DatasetStoreTest, TellsACompleteRunFromARunningOne) {
 
 TEST_F(DatasetStoreTest, CountsScenesFilesAndBytes) {
   auto store = makeStore();
-  store->commitScene(0, Stamp{0}, {{text("a/0.txt", "12345"), text("b/0.txt", "123")}, {}});
-  store->commitScene(1, Stamp{1}, {{text("a/1.txt", "1")}, {}});
+  store->commitScene({0, Stamp{0}}, {{text("a/0.txt", "12345"), text("b/0.txt", "123")}, {}});
+  store->commitScene({1, Stamp{1}}, {{text("a/1.txt", "1")}, {}});
   EXPECT_EQ(store->counts().scenes, 2);
   EXPECT_EQ(store->counts().files, 3);
   EXPECT_EQ(store->counts().bytes, 9);
@@ -137,18 +177,18 @@ TEST_F(DatasetStoreTest, LeavesNothingOfASceneThatFails) {
 
 TEST_F(DatasetStoreTest, KeepsEarlierScenesWhenOneFails) {
   auto store = makeStore();
-  store->commitScene(0, Stamp{0}, someScene(0));
+  store->commitScene({0, Stamp{0}}, someScene(0));
   fs::create_directories(path("b/x/1.png"));
   EXPECT_NE(failureOf(*store, 1, someScene(1)), "no error");
   fs::remove(path("b/x/1.png"));
-  store->commitScene(1, Stamp{1}, someScene(1));
+  store->commitScene({1, Stamp{1}}, someScene(1));
   EXPECT_EQ(test::readFile(path("a/0.txt")), "label 0");
   EXPECT_THAT(query("SELECT \"index\" FROM scene"), ElementsAre("0", "1"));
 }
 
 TEST_F(DatasetStoreTest, RefusesAFileNameThatAnEarlierSceneHas) {
   auto store = makeStore();
-  store->commitScene(3, Stamp{0}, {{text("a/label.txt", "3")}, {}});
+  store->commitScene({3, Stamp{0}}, {{text("a/label.txt", "3")}, {}});
   EXPECT_THAT(failureOf(*store, 4, {{text("a/label.txt", "4")}, {}}),
               AllOf(HasSubstr("scene 4: '" + path("a/label.txt") + "'"),
                     HasSubstr("scene 3 of writer 'a'")));
@@ -157,7 +197,7 @@ TEST_F(DatasetStoreTest, RefusesAFileNameThatAnEarlierSceneHas) {
 
 TEST_F(DatasetStoreTest, RefusesTheSameSceneTwice) {
   auto store = makeStore();
-  store->commitScene(0, Stamp{0}, {{}, {}});
+  store->commitScene({0, Stamp{0}}, {{}, {}});
   EXPECT_THAT(failureOf(*store, 0, {{}, {}}), HasSubstr("scene 0: it is in the dataset already"));
 }
 
@@ -170,7 +210,7 @@ TEST_F(DatasetStoreTest, NamesAnImageThatCannotBeEncoded) {
 
 TEST_F(DatasetStoreTest, HandsRecordsBackInSceneOrder) {
   auto store = makeStore();
-  for (const int index : {2, 0, 1}) store->commitScene(index, Stamp{index}, someScene(index));
+  for (const int index : {2, 0, 1}) store->commitScene({index, Stamp{index}}, someScene(index));
   std::vector<std::string> seen;
   store->records(0)->forEach([&](std::int64_t scene, const std::string& record) {
     seen.push_back(std::to_string(scene) + " " + record);
@@ -182,7 +222,7 @@ TEST_F(DatasetStoreTest, HandsRecordsBackInSceneOrder) {
 TEST_F(DatasetStoreTest, HandsRecordsBackByteForByteAndTwice) {
   auto store = makeStore();
   const std::string record("a\0b\n\xC3\xA4", 6);
-  store->commitScene(0, Stamp{0}, {{}, {{1, record}, {1, ""}}});
+  store->commitScene({0, Stamp{0}}, {{}, {{1, record}, {1, ""}}});
   const auto records = store->records(1);
   for (int time = 0; time < 2; ++time) {
     std::vector<std::string> seen;
@@ -200,15 +240,15 @@ TEST_F(DatasetStoreTest, KeepsNoRecordsOfASceneThatFails) {
 
 TEST_F(DatasetStoreTest, StreamsADatasetFileWhileRecordsAreRead) {
   auto store = makeStore();
-  for (int index = 0; index < 3; ++index) store->commitScene(index, Stamp{0}, someScene(index));
+  for (int index = 0; index < 3; ++index) store->commitScene({index, Stamp{0}}, someScene(index));
   const auto records = store->records(0);
   store->writeDatasetFile(0, path("list.txt"), [&](std::ostream& list) {
     records->forEach([&](std::int64_t, const std::string& text) { list << text << "\n"; });
   });
   EXPECT_EQ(test::readFile(path("list.txt")),
             "record 0\nsecond\nrecord 1\nsecond\nrecord 2\nsecond\n");
-  EXPECT_THAT(query("SELECT * FROM file WHERE scene IS NULL"),
-              ElementsAre("list.txt|0|NULL|48|NULL"));
+  EXPECT_THAT(query("SELECT path, writer, bytes, linked_to FROM file WHERE scene IS NULL"),
+              ElementsAre("list.txt|0|48|NULL"));
 }
 
 TEST_F(DatasetStoreTest, LeavesNothingOfADatasetFileThatFails) {
@@ -226,6 +266,8 @@ TEST_F(DatasetStoreTest, ProtectsItsManifestFromWriters) {
   auto store = makeStore();
   EXPECT_THAT(failureOf(*store, 0, {{text("manifest.sqlite", "")}, {}}),
               HasSubstr("is the dataset's manifest"));
+  EXPECT_THAT(failureOf(*store, 0, {{text("manifest.sqlite-wal", "")}, {}}),
+              HasSubstr("is the dataset's manifest"));
 }
 
 /// One run's manifest, byte for byte.
@@ -235,7 +277,7 @@ std::string manifestOfARun(const std::string& folder) {
   DatasetStore store(options, {{"a", "test/A", folder + "/a/", {}}});
   for (int index = 0; index < 40; ++index) {
     const std::string file = folder + "/a/" + std::to_string(index);
-    store.commitScene(index, Stamp{index * 1000},
+    store.commitScene({index, Stamp{index * 1000}},
                       {{{0, file + ".png", picture(index), ""}, {0, file + ".txt", {}, "x"}},
                        {{0, "record of scene " + std::to_string(index)}}});
   }

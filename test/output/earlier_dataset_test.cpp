@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "output/manifest.h"
 #include "output/store_fixture.h"
 #include "synthetic_dataset/errors.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -24,7 +26,7 @@ class EarlierDatasetTest : public StoreFixture {
   void earlierRun() {
     auto store = makeStore();
     for (const std::string name : {"0", "1"}) {
-      store->commitScene(std::stoi(name), Stamp{0},
+      store->commitScene({std::stoi(name), Stamp{0}},
                          {{text("a/deep/" + name + ".txt", name), text("b/" + name, name)}, {}});
     }
     store->writeDatasetFile(0, path("list.txt"), [](std::ostream& list) { list << "old"; });
@@ -39,7 +41,7 @@ class EarlierDatasetTest : public StoreFixture {
   }
 };
 
-TEST_F(EarlierDatasetTest, IsRefusedByDefault) {
+TEST_F(EarlierDatasetTest, IsRefusedWhenAskedFor) {
   earlierRun();
   EXPECT_THAT(
       errors(IfExists::kError),
@@ -59,7 +61,7 @@ TEST_F(EarlierDatasetTest, IsRemovedWhenOverwriting) {
   earlierRun();
   auto store = makeStore(IfExists::kOverwrite);
   EXPECT_THAT(tree(), ElementsAre("a", "b"));
-  store->commitScene(0, Stamp{0}, {{text("a/0.txt", "new")}, {}});
+  store->commitScene({0, Stamp{0}}, {{text("a/0.txt", "new")}, {}});
   EXPECT_THAT(query("SELECT path FROM file"), ElementsAre("a/0.txt"));
 }
 
@@ -120,7 +122,7 @@ TEST_F(EarlierDatasetTest, AUserFileThatIsAFolderIsAnError) {
 TEST_F(EarlierDatasetTest, ADamagedManifestIsAnError) {
   folder_.write("manifest.sqlite", "this is no database, whatever its name says");
   EXPECT_THAT(errors(IfExists::kOverwrite),
-              ElementsAre(AllOf(HasSubstr("manifest of an earlier run cannot be read"),
+              ElementsAre(AllOf(HasSubstr("of an earlier run cannot be read"),
                                 HasSubstr(path("manifest.sqlite")), HasSubstr("not a database"))));
 }
 
@@ -128,13 +130,38 @@ TEST_F(EarlierDatasetTest, AnotherVersionsManifestIsAnError) {
   earlierRun();
   (void)query("UPDATE run SET value = '99' WHERE key = 'format_version'");
   EXPECT_THAT(errors(IfExists::kOverwrite),
-              ElementsAre(HasSubstr("format version is '99', not '1'")));
+              ElementsAre(HasSubstr("format version is '99', and this software reads version 2")));
+}
+
+TEST_F(EarlierDatasetTest, AManifestWhoseFactsDoNotAgreeIsAnError) {
+  earlierRun();
+  (void)query("DELETE FROM run WHERE key = 'state'");
+  EXPECT_THAT(errors(IfExists::kOverwrite), ElementsAre(HasSubstr("its state is ''")));
+  (void)query("INSERT INTO run VALUES ('state', 'complete')");
+  (void)query("INSERT INTO setting VALUES ('seed', '7', 0)");
+  EXPECT_THAT(errors(IfExists::kOverwrite), ElementsAre(HasSubstr("its settings_digest")));
+}
+
+TEST_F(EarlierDatasetTest, AManifestWithoutOneOfItsTablesIsAnError) {
+  earlierRun();
+  (void)query("DROP TABLE record");
+  EXPECT_THAT(errors(IfExists::kOverwrite), ElementsAre(HasSubstr("no such table: record")));
 }
 
 TEST_F(EarlierDatasetTest, AManifestThatPointsElsewhereRemovesNothing) {
   earlierRun();
   (void)query("UPDATE file SET path = '../outside' WHERE path = 'b/0'");
   EXPECT_THAT(errors(IfExists::kOverwrite), ElementsAre(HasSubstr("lists the path '../outside'")));
+}
+
+TEST_F(EarlierDatasetTest, AManifestThatListsSomebodyElsesFilesRemovesNothing) {
+  earlierRun();
+  const test::TemporaryFolder home;
+  const std::string precious = home.write("precious.txt", "").string();
+  (void)query("UPDATE file SET path = '" + precious + "' WHERE path = 'b/0'");
+  EXPECT_THAT(errors(IfExists::kOverwrite),
+              Contains(AllOf(HasSubstr("lists files outside of it"), HasSubstr(precious))));
+  EXPECT_TRUE(fs::exists(precious));
 }
 
 TEST_F(EarlierDatasetTest, CanBeMovedAndThenOverwritten) {
@@ -152,7 +179,7 @@ TEST_F(EarlierDatasetTest, CanBeMovedAndThenOverwritten) {
 TEST_F(EarlierDatasetTest, OfAKilledRunIsOverwrittenWithAllThatItLeft) {
   const auto killedRun = [this] {
     auto store = makeStore();
-    store->commitScene(0, Stamp{0}, {{text("a/0.txt", "0")}, {}});
+    store->commitScene({0, Stamp{0}}, {{text("a/0.txt", "0")}, {}});
     store->writeDatasetFile(0, path("a/index"), [](std::ostream& list) {
       list << "half" << std::flush;
       std::raise(SIGKILL);
@@ -167,9 +194,8 @@ TEST_F(EarlierDatasetTest, OfAKilledRunIsOverwrittenWithAllThatItLeft) {
 TEST_F(EarlierDatasetTest, OfARunKilledAmidASceneListsThatScenesFilesButNotTheScene) {
   {
     // As far as commitScene has come when the second of two files is about to be renamed.
-    Manifest manifest(folder_.path().string(), writers());
-    manifest.announce(
-        0, {{path("a/0.txt"), 0, 1, std::nullopt}, {path("a/1.txt"), 0, 1, std::nullopt}});
+    Manifest manifest = Manifest::create(folder_.path().string(), {}, Sync::kBatch, writers(), {});
+    manifest.announceScene({0, Stamp{0}}, {{path("a/0.txt"), 0, 1}, {path("a/1.txt"), 0, 1}});
     folder_.write("a/0.txt", "0");
     folder_.write("a/.1.txt.tmp", "1");
   }

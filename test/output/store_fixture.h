@@ -15,7 +15,9 @@ namespace synthetic_dataset::output {
 class StoreFixture : public testing::Test {
  protected:
   [[nodiscard]] std::vector<StoreWriter> writers() const;
-  std::unique_ptr<DatasetStore> makeStore(IfExists if_exists = IfExists::kError);
+  std::unique_ptr<DatasetStore> makeStore(IfExists if_exists = IfExists::kResume);
+  std::unique_ptr<DatasetStore> makeStore(const StoreOptions& options);
+  [[nodiscard]] StoreOptions options() const;
 
   [[nodiscard]] std::string path(const std::string& name) const {
     return (folder_ / name).string();

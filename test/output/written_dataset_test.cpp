@@ -17,13 +17,19 @@ using testing::IsEmpty;
 class WrittenDatasetTest : public StoreFixture {
  protected:
   /// Commits a scene with one file of writer `a`.
-  void addScene(std::int64_t index, const std::string& camera = "camera") {
-    SceneFiles files{{text("a/" + std::to_string(index) + ".txt", "x")}, {}};
-    files.camera = camera;
-    store_->commitScene(index, Stamp{index}, files);
+  void addScene(std::int64_t index, const std::string& camera = "camera",
+                std::int64_t instant = 0) {
+    store_->commitScene({index, Stamp{index}, instant, camera},
+                        {{text("a/" + std::to_string(index) + ".txt", "x")}, {}});
   }
 
   [[nodiscard]] WrittenDataset dataset() const { return WrittenDataset(folder_.path()); }
+
+  [[nodiscard]] StoreOptions overwriting() const {
+    StoreOptions chosen = options();
+    chosen.if_exists = IfExists::kOverwrite;
+    return chosen;
+  }
 
   std::unique_ptr<DatasetStore> store_ = makeStore();
 };
@@ -38,17 +44,21 @@ TEST_F(WrittenDatasetTest, ListsWritersInTheirOrder) {
 }
 
 TEST_F(WrittenDatasetTest, NamesScenesAsTheRunDid) {
-  for (const int index : {0, 1, 2}) addScene(index);
+  for (const int index : {0, 1, 2}) addScene(index, "camera", index);
   const WrittenSceneRow row = dataset().scene(2);
   EXPECT_EQ(row.name, "00000002");
   EXPECT_EQ(row.instant, 2);
 }
 
 TEST_F(WrittenDatasetTest, NamesScenesOfSeveralCamerasByCameraAndInstant) {
-  addScene(0, "front");
-  addScene(1, "rear");
-  addScene(2, "front");
-  addScene(3, "rear");
+  RunDescription run;
+  run.cameras = {{"front", "front_optical", 64, 48}, {"rear", "rear_optical", 64, 48}};
+  store_.reset();
+  store_ = std::make_unique<DatasetStore>(overwriting(), writers(), run);
+  addScene(0, "front", 0);
+  addScene(1, "rear", 0);
+  addScene(2, "front", 1);
+  addScene(3, "rear", 1);
   const WrittenSceneRow row = dataset().scene(3);
   EXPECT_EQ(row.name, "rear/00000001");
   EXPECT_EQ(row.instant, 1);
@@ -76,7 +86,7 @@ TEST_F(WrittenDatasetTest, TellsWhichScenesThereAre) {
 }
 
 TEST_F(WrittenDatasetTest, ListsFilesByWriterAndScene) {
-  store_->commitScene(0, Stamp{0},
+  store_->commitScene({0, Stamp{0}},
                       {{text("a/z.txt", ""), text("a/b.txt", ""), text("b/0.txt", "")}, {}});
   addScene(1);
   store_->writeDatasetFile(0, path("a/all"), [](std::ostream& /*stream*/) {});

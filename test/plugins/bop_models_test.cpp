@@ -53,7 +53,7 @@ TEST_F(BopModels, TakesSymmetriesFromTheObjectsFrameToTheModels) {
 
 TEST_F(BopModels, RefusesWhatIsNoSymmetry) {
   load({{"symmetries",
-         Value::Map{{"rover", Value::Map{{"discrete", Value::List{Value::List{1, 2, 3}}},
+         Value::Map{{"rover", Value::Map{{"discrete", Value::List{Value(Value::List{1, 2, 3})}},
                                          {"continuous", Value::Map{{"axes", 1}}}}},
                     {"rovr", Value::Map{}}}}});
   EXPECT_THAT(

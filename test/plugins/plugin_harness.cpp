@@ -104,7 +104,7 @@ void PluginTest::runAll(const std::vector<Scene>& scenes) const {
   options.folder = folder_.path().string();
   output::DatasetStore store(options, host_->storeWriters());
   for (const Scene& each : scenes) {
-    store.commitScene(each.index, each.stamp, host_->writeScene(each).files);
+    store.commitScene({each.index, each.stamp}, host_->writeScene(each).files);
   }
   host_->finalize(store);
 }

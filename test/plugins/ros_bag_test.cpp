@@ -373,6 +373,11 @@ TEST_F(RosBag, TellsWrongSettings) {
                           HasSubstr("w/topic_prefix: found 'a b'; ")));
 }
 
+TEST_F(RosBag, RefusesANameWithAControlCharacter) {
+  load({{"file", "a\nb.bag"}});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("w/file: found 'a\nb.bag'")));
+}
+
 TEST_F(RosBag, TellsOfAFullDiskAndLeavesNoBag) {
   load({{"depth", false}});
   // The limit of a file's size stands in for a full disk: the bag is larger, the rest is not.

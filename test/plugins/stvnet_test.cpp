@@ -83,6 +83,20 @@ TEST_F(StvNet, LeavesOutAnObjectWithAKeypointBehindTheCameraAndWarns) {
               ElementsAre(HasSubstr("writer 'w': a: a keypoint is behind the camera")));
 }
 
+TEST_F(StvNet, KeepsNamesThatArePathsAndMakesOthersOne) {
+  load({});
+  const auto folderOf = [&](const std::string& name) {
+    const std::string file = filesOf(scene(0, {keyed(name, {})})).begin()->first;
+    return file.substr(0, file.find("/JPEGImages"));
+  };
+  EXPECT_EQ(folderOf("fork lift"), "fork lift");
+  EXPECT_EQ(folderOf("fleet/a"), "fleet/a");
+  for (const std::string& name : {std::string(".."), std::string("a/../.."), std::string("/a"),
+                                  std::string("a\nb"), std::string(300, 'n')}) {
+    EXPECT_THAT(folderOf(name), testing::MatchesRegex("[a-z_.]+_[0-9a-f]+")) << name;
+  }
+}
+
 TEST_F(StvNet, NeedsMasks) { EXPECT_TRUE(load({}).requirements().silhouettes); }
 
 TEST_F(StvNet, IgnoresTheOriginalsTimeout) {

@@ -100,6 +100,16 @@ TEST_F(Yolo, NeedsAMainList) {
   EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("w/main_list: required")));
 }
 
+TEST_F(Yolo, RefusesAMainListInThePlaceOfAScenesFile) {
+  load({{"main_list", "00000012.txt"}});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("where a scene's files go")));
+  dataset_.cameras = {{"left", "left_link", camera()}, {"right", "right_link", camera()}};
+  load({{"main_list", "left"}});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("where a scene's files go")));
+  load({{"main_list", "lists/all_00000012.txt"}});
+  EXPECT_THAT(parameters_.errors(), IsEmpty());
+}
+
 TEST_F(Yolo, IgnoresTheOriginalsTimeout) {
   Value::Map old = parameters();
   old["tf_timeout"] = 1.0;

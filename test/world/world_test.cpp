@@ -30,9 +30,10 @@ const BoxShape kCube{{0.5, 0.5, 0.5}};
 /// Props of every kind in a heap, which two objects stir.
 Description heap() {
   std::vector<Model> models = {
-      ground(), staticModelOf("step", MeshShape{boxMesh({4, 0.5, 0.2})}, at(0, 1, 0.1))};
+      ground(), staticModelOf("step", MeshShape{weldedBoxMesh({4, 0.5, 0.2})}, at(0, 1, 0.1))};
   const std::vector<Shape> shapes = {BoxShape{{0.3, 0.2, 0.1}}, SphereShape{0.1},
-                                     CylinderShape{0.08, 0.3}, MeshShape{boxMesh({0.2, 0.1, 0.3})}};
+                                     CylinderShape{0.08, 0.3},
+                                     MeshShape{weldedBoxMesh({0.2, 0.1, 0.3})}};
   for (int i = 0; i < 12; ++i) {
     models.push_back(modelOf(
         "prop" + std::to_string(i), shapes[static_cast<std::size_t>(i) % 4],

@@ -165,7 +165,7 @@ TEST_F(WriterHostTest, FinishesEveryDatasetFromItsRecords) {
   const WriterHost host =
       makeHost({choice("a", {{"fault", "write the list"}, {"list", list}}), choice("b", {})});
   output::DatasetStore store = makeStore(host);
-  store.commitScene(4, Stamp{0}, {{}, {{0, "of a"}, {1, "of b"}}});
+  store.commitScene({4, Stamp{0}}, {{}, {{0, "of a"}, {1, "of b"}}});
   host.finalize(store);
   EXPECT_EQ(test::readFile(folder_ / "a/all.txt"), "4 of a\n");
   EXPECT_EQ(test::readFile(folder_ / "b/all.txt"), "4 of b\n");

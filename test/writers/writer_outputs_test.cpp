@@ -36,7 +36,7 @@ class WriterOutputs : public testing::Test {
 
   /// A text file of a scene of its own.
   void commit(std::int64_t scene, std::size_t writer, const std::string& name) {
-    store_.commitScene(scene, Stamp{scene}, {{{writer, path(name), {}, "text", {}}}, {}});
+    store_.commitScene({scene, Stamp{scene}}, {{{writer, path(name), {}, "text", {}}}, {}});
   }
 
   test::TemporaryFolder folder_;

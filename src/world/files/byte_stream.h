@@ -66,6 +66,8 @@ class ByteReader {
     copy(values.data(), values.size() * sizeof(Element));
     return values;
   }
+  /// How many entries follow, each of one byte at least.
+  [[nodiscard]] std::size_t entries() { return count(1); }
   void copy(void* to, std::size_t size) {
     if (size > bytes_.size()) throw Error("its content came over incomplete");
     if (size > 0) std::memcpy(to, bytes_.data(), size);

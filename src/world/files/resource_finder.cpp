@@ -137,8 +137,10 @@ std::vector<fs::path> ResourceFinder::candidates(const std::string& uri,
 
 std::optional<fs::path> ResourceFinder::find(const std::string& uri, const fs::path& folder) const {
   for (const fs::path& place : candidates(uri, folder)) {
-    std::error_code ignored;
-    if (fs::exists(place, ignored)) return place;
+    std::error_code ignored;  // neither of what is not there nor of a device, which may never end
+    const fs::file_status status = fs::status(place, ignored);
+    if (fs::is_regular_file(status)) found_.insert(place);
+    if (fs::is_regular_file(status) || fs::is_directory(status)) return place;
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ class ResourceFinder {
   [[nodiscard]] std::optional<std::filesystem::path> find(
       const std::string& uri, const std::filesystem::path& folder) const;
 
+  /// The files that were found so far.
+  [[nodiscard]] const std::set<std::filesystem::path>& found() const { return found_; }
+
   /// Where `find` looks for the URI, for messages: "looked in a, b, c".
   [[nodiscard]] std::string searchedPlaces(const std::string& uri,
                                            const std::filesystem::path& folder) const;
@@ -52,6 +56,7 @@ class ResourceFinder {
   std::vector<std::string> model_folders_;
   std::vector<std::filesystem::path> fuel_caches_;
   PackageFinder package_finder_;
+  mutable std::set<std::filesystem::path> found_;  ///< a memory that changes no answer
 };
 
 }  // namespace synthetic_dataset::world

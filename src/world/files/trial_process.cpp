@@ -143,6 +143,9 @@ std::variant<std::string, Breakdown> tryWork(const std::function<std::string()>&
     return Breakdown{"needs more than " + std::to_string(limits.memory >> 20U) + " MiB of memory"};
   }
   if (WEXITSTATUS(status) == kError) throw Error(answer);
+  if (WEXITSTATUS(status) != kDone) {
+    return Breakdown{"ends with exit code " + std::to_string(WEXITSTATUS(status))};
+  }
   return answer;
 }
 

@@ -24,6 +24,7 @@ struct ScriptRequest {
 class MaterialScripts {
  public:
   explicit MaterialScripts(const ResourceFinder& finder) : finder_(finder) {}
+  explicit MaterialScripts(ResourceFinder&&) = delete;  // it has to outlive this
 
   /// Looks into the scripts and folders that the URIs name, into `materials/scripts` below those
   /// folders, and for URIs that lead nowhere into Gazebo's media. Pictures are looked for beside

@@ -129,6 +129,9 @@ class Parser {
   OgreScript script_;
 };
 
+/// A real property has a dozen; variables of many words could make it grow beyond all measure.
+constexpr std::size_t kMostValues = 1000;
+
 using Variables = std::map<std::string, std::vector<std::string>>;
 
 void replaceIn(OgreProperty& property, const Variables& variables) {
@@ -143,6 +146,9 @@ void replaceIn(OgreProperty& property, const Variables& variables) {
       fail(property.line, "the variable '" + value + "' has no value");
     }
     values.insert(values.end(), found->second.begin(), found->second.end());
+    if (values.size() <= kMostValues) continue;
+    fail(property.line, "its variables give '" + property.name + "' more than " +
+                            std::to_string(kMostValues) + " values");
   }
   property.values = std::move(values);
 }

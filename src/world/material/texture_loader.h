@@ -50,6 +50,7 @@ struct TextureReference {
 class TextureLoader {
  public:
   explicit TextureLoader(const ResourceFinder& finder) : finder_(finder) {}
+  explicit TextureLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
   /// A picture is looked for where the URI says, then by its file name alone beside the file that
   /// names it and in the model's materials/textures, as Gazebo's resource system does.

@@ -122,8 +122,8 @@ void write(const MeshPart& part, ByteWriter& writer) {
 
 MeshPart readPart(ByteReader& reader) {
   MeshPart part;
-  const auto names = reader.number<std::uint64_t>();
-  for (std::uint64_t i = 0; i < names; ++i) part.names.push_back(reader.text());
+  const std::size_t names = reader.entries();
+  for (std::size_t i = 0; i < names; ++i) part.names.push_back(reader.text());
   part.mesh.positions = reader.list<Eigen::Vector3f>();
   part.mesh.normals = reader.list<Eigen::Vector3f>();
   part.mesh.texture_coordinates = reader.list<Eigen::Vector2f>();
@@ -156,7 +156,7 @@ std::string toBytes(const MeshFile& file) {
 
 MeshFile meshFileOf(std::string_view bytes) {
   ByteReader reader(bytes);
-  EmbeddedPictures pictures(reader.number<std::uint64_t>());
+  EmbeddedPictures pictures(reader.entries());
   for (Embedded& picture : pictures) {
     EmbeddedPicture content;
     content.name = reader.text();
@@ -164,14 +164,14 @@ MeshFile meshFileOf(std::string_view bytes) {
     picture = std::make_shared<const EmbeddedPicture>(std::move(content));
   }
   MeshFile file;
-  file.materials.resize(reader.number<std::uint64_t>());
+  file.materials.resize(reader.entries());
   for (MaterialSource& source : file.materials) {
     source.material = readMaterial(reader);
     source.made_up = reader.number<bool>();
     for (Reference* reference : referencesOf(source)) *reference = readReference(pictures, reader);
   }
-  const auto parts = reader.number<std::uint64_t>();
-  for (std::uint64_t i = 0; i < parts; ++i) file.parts.push_back(readPart(reader));
+  const std::size_t parts = reader.entries();
+  for (std::size_t i = 0; i < parts; ++i) file.parts.push_back(readPart(reader));
   return file;
 }
 

@@ -35,6 +35,7 @@ struct MeshPiece {
 class MeshLoader {
  public:
   explicit MeshLoader(const ResourceFinder& finder) : textures_(finder), scripts_(finder) {}
+  explicit MeshLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
   /// Reads mesh files that are going to be wanted, all at once; faults are told when they are.
   void readAhead(const std::vector<std::filesystem::path>& files);

@@ -36,6 +36,12 @@ TEST(ResourceFinder, FindsModelsInItsFolders) {
   EXPECT_THAT(finder.find("model://table/", "/"), Optional(file.parent_path()));
 }
 
+TEST(ResourceFinder, TakesNoDeviceForAFile) {
+  const ResourceFinder finder({}, nullptr);
+  EXPECT_EQ(finder.find("file:///dev/zero", "/"), std::nullopt);
+  EXPECT_EQ(finder.find("/dev/null", "/"), std::nullopt);
+}
+
 TEST(ResourceFinder, PrefersItsOwnFoldersToTheEnvironments) {
   const TemporaryFolder own;
   const TemporaryFolder other;

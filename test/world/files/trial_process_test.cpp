@@ -31,6 +31,11 @@ TEST(TryWork, TellsHowWorkCrashes) {
               VariantWith<Breakdown>(Field(&Breakdown::how, HasSubstr("crashes (Abort"))));
 }
 
+TEST(TryWork, TellsOfALibraryThatEndsTheProcess) {
+  EXPECT_THAT(tryWork([]() -> std::string { std::_Exit(7); }, TrialLimits()),
+              VariantWith<Breakdown>(Field(&Breakdown::how, HasSubstr("ends with exit code 7"))));
+}
+
 TEST(TryWork, TellsOfTooMuchMemory) {
   TrialLimits limits;
   limits.memory = std::uint64_t{64} << 20U;

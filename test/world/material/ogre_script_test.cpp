@@ -141,6 +141,15 @@ TEST(OgreInheritance, TellsOfParentsThatAreNotThereAndOfCircles) {
               testing::ThrowsMessage<Error>(HasSubstr("line 1: the variable '$y' has no value")));
 }
 
+TEST(OgreVariables, RefusesOnesThatMultiplyAProperty) {
+  std::string words;
+  std::string uses;
+  for (int i = 0; i < 1000; ++i) words += " 1";
+  for (int i = 0; i < 1000; ++i) uses += " $a";
+  EXPECT_THAT([&] { resolved("material A { set $a \"" + words + "\"\n x" + uses + " }", "A"); },
+              testing::ThrowsMessage<Error>(HasSubstr("give 'x' more than 1000 values")));
+}
+
 TEST(OgreInheritance, RefusesMaterialsThatMultiplyOneAnother) {
   std::string text = "material m0 { }\n";
   for (int i = 1; i <= 30; ++i) {

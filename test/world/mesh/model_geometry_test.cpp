@@ -20,8 +20,8 @@ Visual visualOf(std::shared_ptr<const Mesh> mesh, const Pose& X_LV = Pose::Ident
 std::vector<Link> someLinks() {
   std::vector<Link> links(3);
   links[0].visuals = {visualOf(sphereMesh(0.4, 40))};
-  links[1].visuals = {visualOf(boxMesh({0.2, 0.3, 0.4}), turnedAt({1, 0, 0}, 0.4, {1, 2, 3})),
-                      visualOf(boxMesh({0.5, 0.1, 0.1}))};
+  links[1].visuals = {visualOf(weldedBoxMesh({0.2, 0.3, 0.4}), turnedAt({1, 0, 0}, 0.4, {1, 2, 3})),
+                      visualOf(weldedBoxMesh({0.5, 0.1, 0.1}))};
   return links;
 }
 

@@ -38,14 +38,14 @@ std::vector<Eigen::Vector3d> positions(const std::vector<SurfacePoint>& points,
 }
 
 TEST(FarthestPoints, OfABoxBeginWithOppositeCorners) {
-  const Link box = linkWith(boxMesh({1, 2, 3}));
+  const Link box = linkWith(weldedBoxMesh({1, 2, 3}));
   const auto points = positions(farthestPoints({&box}, 2), {&box});
   EXPECT_TRUE(points[0].cwiseAbs().isApprox(Eigen::Vector3d(0.5, 1, 1.5)));
   EXPECT_TRUE(points[1].isApprox(-points[0]));
 }
 
 TEST(FarthestPoints, LieOnTheSurfaceBetweenTheCornersToo) {
-  const Link box = linkWith(boxMesh({1, 2, 3}), turnedAt({4, 5, 6}, 0.5, {1, 1, 0}));
+  const Link box = linkWith(weldedBoxMesh({1, 2, 3}), turnedAt({4, 5, 6}, 0.5, {1, 1, 0}));
   const auto points = farthestPoints({&box}, 30);
   int beside_corners = 0;
   for (const SurfacePoint& point : points) {
@@ -81,8 +81,8 @@ TEST(FarthestPoints, AreAsFarApartAsGreedyChoiceByBruteForce) {
 }
 
 TEST(FarthestPoints, CoverAllLinksAndKnowTheirs) {
-  const Link left = linkWith(boxMesh({1, 1, 1}), at(-10, 0, 0));
-  const Link right = linkWith(boxMesh({0.1, 0.1, 0.1}), at(10, 0, 0));
+  const Link left = linkWith(weldedBoxMesh({1, 1, 1}), at(-10, 0, 0));
+  const Link right = linkWith(weldedBoxMesh({0.1, 0.1, 0.1}), at(10, 0, 0));
   const auto points = farthestPoints({&left, &right}, 2);
   EXPECT_NE(points[0].link, points[1].link);
 }

@@ -14,7 +14,7 @@ std::vector<Eigen::Vector3d> pointsOf(const Mesh& mesh) {
 }
 
 TEST(ConvexHull, DropsPointsInside) {
-  std::vector<Eigen::Vector3d> points = pointsOf(*boxMesh({1, 1, 1}));
+  std::vector<Eigen::Vector3d> points = pointsOf(*weldedBoxMesh({1, 1, 1}));
   points.emplace_back(0.1, 0.2, -0.3);
   points.emplace_back(0.0, 0.0, 0.5);
 
@@ -22,7 +22,7 @@ TEST(ConvexHull, DropsPointsInside) {
 }
 
 TEST(ConvexHull, InsetMovesEveryFace) {
-  const ConvexHull hull = convexHull(pointsOf(*boxMesh({1, 2, 3})), 0.01);
+  const ConvexHull hull = convexHull(pointsOf(*weldedBoxMesh({1, 2, 3})), 0.01);
 
   EXPECT_NEAR(hull.inset, 0.01, 1e-6);
   for (const Eigen::Vector3d& vertex : hull.vertices) {
@@ -31,7 +31,7 @@ TEST(ConvexHull, InsetMovesEveryFace) {
 }
 
 TEST(ConvexHull, InsetLeavesAThinHullWhole) {
-  const ConvexHull hull = convexHull(pointsOf(*boxMesh({1, 1, 0.002})), 0.01);
+  const ConvexHull hull = convexHull(pointsOf(*weldedBoxMesh({1, 1, 0.002})), 0.01);
 
   EXPECT_LE(hull.inset, 0.0005);
   EXPECT_GE(hull.vertices.size(), 8U);

@@ -61,7 +61,7 @@ TEST(MassProperties, TwoHalvesWeighAndTurnLikeTheWhole) {
 }
 
 TEST(MassProperties, MeshIsTheSolidThatItEncloses) {
-  const MassProperties mesh = solid(MeshShape{boxMesh({1, 2, 3})});
+  const MassProperties mesh = solid(MeshShape{weldedBoxMesh({1, 2, 3})});
   const MassProperties box = solid(BoxShape{{1, 2, 3}});
 
   EXPECT_NEAR(mesh.mass, box.mass, 1e-2);
@@ -77,7 +77,7 @@ TEST(MassProperties, RoundMeshNearsTheSphere) {
 }
 
 TEST(MassProperties, FlatMeshIsAPlate) {
-  auto flat = std::make_shared<Mesh>(*boxMesh({2, 1, 0}));
+  auto flat = std::make_shared<Mesh>(*weldedBoxMesh({2, 1, 0}));
 
   const MassProperties body = massOf(linkOf({collisionOf(MeshShape{flat})}));
 

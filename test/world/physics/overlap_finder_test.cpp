@@ -59,8 +59,8 @@ TEST(Interpenetration, OfACylinderInABoxIsMeasured) {
 
 TEST(Interpenetration, OfAMeshInAMeshIsMeasured) {
   const auto found =
-      overlaps({modelOf("crate", MeshShape{boxMesh({1, 1, 1})}, at(0.1, 0.2, 0.46))},
-               {staticModelOf("floor", MeshShape{boxMesh({8, 8, 2})}, at(0, 0, -1))});
+      overlaps({modelOf("crate", MeshShape{weldedBoxMesh({1, 1, 1})}, at(0.1, 0.2, 0.46))},
+               {staticModelOf("floor", MeshShape{weldedBoxMesh({8, 8, 2})}, at(0, 0, -1))});
 
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].depth, 0.04, 1e-3);
@@ -71,7 +71,7 @@ TEST(Interpenetration, OfThingsThatStandOnTheFloorIsNone) {
       ground(), staticModelOf("table", BoxShape{{2, 2, 0.1}}, at(5, 0, 0.95))};
 
   EXPECT_THAT(overlaps({modelOf("box", kCube, at(0, 0, 0.5)),
-                        modelOf("mesh", MeshShape{boxMesh({1, 1, 1})}, at(2, 0, 0.5)),
+                        modelOf("mesh", MeshShape{weldedBoxMesh({1, 1, 1})}, at(2, 0, 0.5)),
                         modelOf("can", CylinderShape{0.1, 0.2}, at(5, 0, 1.1))},
                        statics),
               testing::IsEmpty());

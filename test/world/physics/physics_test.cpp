@@ -78,7 +78,7 @@ TEST_P(PropAtRest, StandsOnTheFloorAtHalfItsHeight) {
 }
 
 const Shape kFloors[] = {PlaneShape{{0, 0, 1}}, BoxShape{{10, 10, 1}},
-                         MeshShape{boxMesh({10, 10, 1})}};
+                         MeshShape{weldedBoxMesh({10, 10, 1})}};
 const BoxShape kProp{{0.5, 0.3, 0.4}};
 
 INSTANTIATE_TEST_SUITE_P(
@@ -90,9 +90,9 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair<Shape, Shape>{kFloors[1], CylinderShape{0.1, 0.4}},
                     std::pair<Shape, Shape>{kFloors[2], CylinderShape{0.1, 0.4}},
                     std::pair<Shape, Shape>{kFloors[0], SphereShape{0.2}},
-                    std::pair<Shape, Shape>{kFloors[0], MeshShape{boxMesh(kProp.size)}},
-                    std::pair<Shape, Shape>{kFloors[1], MeshShape{boxMesh(kProp.size)}},
-                    std::pair<Shape, Shape>{kFloors[2], MeshShape{boxMesh(kProp.size)}}));
+                    std::pair<Shape, Shape>{kFloors[0], MeshShape{weldedBoxMesh(kProp.size)}},
+                    std::pair<Shape, Shape>{kFloors[1], MeshShape{weldedBoxMesh(kProp.size)}},
+                    std::pair<Shape, Shape>{kFloors[2], MeshShape{weldedBoxMesh(kProp.size)}}));
 
 TEST(Physics, PropOnATiltedSlabKeepsItsTilt) {
   // 20 degrees is less than friction 1 holds (45).
@@ -264,7 +264,7 @@ TEST_P(FastProp, DoesNotPassThroughAThinFloor) {
 INSTANTIATE_TEST_SUITE_P(OfEachKind, FastProp,
                          testing::Values(Shape{SphereShape{0.01}},
                                          Shape{BoxShape{{0.02, 0.02, 0.02}}},
-                                         Shape{MeshShape{boxMesh({0.02, 0.02, 0.02})}}));
+                                         Shape{MeshShape{weldedBoxMesh({0.02, 0.02, 0.02})}}));
 
 TEST(Physics, LinksOfAPropHoldTogether) {
   // A barbell that stands on one end falls over, and its links keep their places.

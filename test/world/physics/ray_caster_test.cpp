@@ -16,7 +16,7 @@ Link visualLink(std::shared_ptr<const Mesh> mesh, const Pose& X_LV = Pose::Ident
 }
 
 TEST(RayCaster, MeasuresTheDistanceToABox) {
-  const Link box = visualLink(boxMesh({2, 2, 2}));
+  const Link box = visualLink(weldedBoxMesh({2, 2, 2}));
   const RayCaster caster({{&box, Role::kStatic, -1}}, {at(5, 0, 0)});
 
   const auto hit = caster.cast({0, 0.3, 0.4}, {10, 0, 0}, 100.0);
@@ -29,7 +29,7 @@ TEST(RayCaster, MeasuresTheDistanceToABox) {
 
 TEST(RayCaster, MeasuresASlantedRay) {
   // Into the turned box's top, which is the plane z = 1, from 3 m above it at 60 degrees.
-  const Link box = visualLink(boxMesh({8, 8, 2}));
+  const Link box = visualLink(weldedBoxMesh({8, 8, 2}));
   const RayCaster caster({{&box, Role::kStatic, -1}}, {turnedAt({0, 0, 0}, 0.3, {0, 0, 1})});
 
   const auto hit = caster.cast({0, 0, 4}, {std::sqrt(3.0), 0, -3.0}, 100.0);
@@ -52,7 +52,7 @@ TEST(RayCaster, FollowsASphere) {
 }
 
 TEST(RayCaster, NamesTheNearestLink) {
-  const Link box = visualLink(boxMesh({1, 1, 1}));
+  const Link box = visualLink(weldedBoxMesh({1, 1, 1}));
   const std::vector<LinkInstance> links(3, {&box, Role::kStatic, -1});
   const RayCaster caster(links, {at(9, 0, 0), at(3, 0, 0), at(6, 0, 0)});
 
@@ -61,7 +61,7 @@ TEST(RayCaster, NamesTheNearestLink) {
 }
 
 TEST(RayCaster, PlacesVisualsInTheirLinks) {
-  const Link box = visualLink(boxMesh({1, 1, 1}), at(0, 0, 2));
+  const Link box = visualLink(weldedBoxMesh({1, 1, 1}), at(0, 0, 2));
   const RayCaster caster({{&box, Role::kStatic, -1}},
                          {turnedAt({5, 0, 0}, M_PI / 2, {1, 0, 0})});  // link z to world -y
 
@@ -70,7 +70,7 @@ TEST(RayCaster, PlacesVisualsInTheirLinks) {
 }
 
 TEST(RayCaster, FollowsTheLinkPoses) {
-  const Link box = visualLink(boxMesh({1, 1, 1}));
+  const Link box = visualLink(weldedBoxMesh({1, 1, 1}));
   RayCaster caster({{&box, Role::kStatic, -1}}, {at(5, 0, 0)});
 
   caster.setLinkPoses({at(0, 7, 0)});
@@ -80,7 +80,7 @@ TEST(RayCaster, FollowsTheLinkPoses) {
 }
 
 TEST(RayCaster, SeesNothingBeyondItsRange) {
-  const Link box = visualLink(boxMesh({1, 1, 1}));
+  const Link box = visualLink(weldedBoxMesh({1, 1, 1}));
   const RayCaster caster({{&box, Role::kStatic, -1}}, {at(5, 0, 0)});
 
   EXPECT_FALSE(caster.cast({0, 0, 0}, {1, 0, 0}, 4.4));
@@ -88,7 +88,7 @@ TEST(RayCaster, SeesNothingBeyondItsRange) {
 }
 
 TEST(RayCaster, HitsTrianglesFromBehind) {
-  const Link box = visualLink(boxMesh({2, 2, 2}));
+  const Link box = visualLink(weldedBoxMesh({2, 2, 2}));
   const RayCaster caster({{&box, Role::kStatic, -1}}, {at(0, 0, 0)});
 
   const auto hit = caster.cast({0.1, 0.2, 0}, {0, 0, 1}, 100.0);
@@ -100,7 +100,7 @@ TEST(RayCaster, HitsTrianglesFromBehind) {
 
 TEST(RayCaster, SkipsLinksWithoutTriangles) {
   const Link empty = visualLink(std::make_shared<Mesh>());
-  const Link box = visualLink(boxMesh({1, 1, 1}));
+  const Link box = visualLink(weldedBoxMesh({1, 1, 1}));
   const RayCaster caster({{&empty, Role::kStatic, -1}, {&box, Role::kObject, 0}},
                          {at(2, 0, 0), at(4, 0, 0)});
 

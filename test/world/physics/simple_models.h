@@ -56,8 +56,8 @@ inline Model staticModelOf(const std::string& name, const Shape& shape,
 /// The plane z = 0, solid below.
 inline Model ground() { return staticModelOf("ground", PlaneShape{{0, 0, 1}}); }
 
-/// A box about the origin, two triangles a side; no normals.
-inline std::shared_ptr<const Mesh> boxMesh(const Eigen::Vector3d& size) {
+/// A box about the origin of eight corners that its sides share, two triangles a side; no normals.
+inline std::shared_ptr<const Mesh> weldedBoxMesh(const Eigen::Vector3d& size) {
   auto mesh = std::make_shared<Mesh>();
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d sign((corner & 1) ? 0.5 : -0.5, (corner & 2) ? 0.5 : -0.5,

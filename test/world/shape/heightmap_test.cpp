@@ -111,7 +111,8 @@ TEST(Heightmap, RepeatsTexturesByTheirSize) {
   const TemporaryFolder folder;
   Heightmap heightmap = heightmapOf(writePicture(folder, cv::Mat_<uchar>({2, 2}, {0, 0, 0, 9})));
   heightmap.textures = {texture(folder, "grass.png", 0.5)};
-  TextureLoader textures(test::finderIn(folder));
+  const ResourceFinder finder = test::finderIn(folder);
+  TextureLoader textures(finder);
   const auto surfaces = heightmapSurfaces(heightmap, Material{}, textures);
   ASSERT_THAT(surfaces, SizeIs(1));
   EXPECT_EQ(surfaces[0].mesh->texture_coordinates.at(0), Eigen::Vector2f(0.0F, 0.0F));
@@ -126,7 +127,8 @@ TEST(Heightmap, LaysTexturesOverOneAnotherByHeight) {
       heightmapOf(writePicture(folder, cv::Mat_<uchar>({2, 4}, {0, 0, 100, 200, 0, 0, 100, 200})));
   heightmap.textures = {texture(folder, "grass.png", 1), texture(folder, "rock.png", 1)};
   heightmap.blends = {{2.5, 5.0}};
-  TextureLoader textures(test::finderIn(folder));
+  const ResourceFinder finder = test::finderIn(folder);
+  TextureLoader textures(finder);
   const auto surfaces = heightmapSurfaces(heightmap, Material{}, textures);
   ASSERT_THAT(surfaces, SizeIs(2));
   const Mesh& rock = *surfaces[1].mesh;
@@ -145,7 +147,8 @@ TEST(Heightmap, LeavesOutTexturesThatAreHidden) {
   heightmap.textures = {texture(folder, "a.png", 1), texture(folder, "b.png", 1),
                         texture(folder, "c.png", 1)};
   heightmap.blends = {{5.0, 0.0}, {20.0, 1.0}};
-  TextureLoader textures(test::finderIn(folder));
+  const ResourceFinder finder = test::finderIn(folder);
+  TextureLoader textures(finder);
   const auto surfaces = heightmapSurfaces(heightmap, Material{}, textures);
   ASSERT_THAT(surfaces, SizeIs(1));
   EXPECT_THAT(surfaces[0].material.texture->file, HasSubstr("b.png"));

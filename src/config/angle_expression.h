@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace synthetic_dataset::config {
+
+/// The value of rosparam's `rad(...)` and `!radians` [rad]: numbers, pi, + - * / ** and
+/// parentheses, as Python computes them (rosparam has Python evaluate it; functions are not known
+/// here).
+/// @throws Error saying what was found
+[[nodiscard]] double radians(const std::string& expression);
+
+/// The value of rosparam's `deg(...)` and `!degrees` [rad]: one number, in degrees.
+/// @throws Error saying what was found
+[[nodiscard]] double degrees(const std::string& number);
+
+}  // namespace synthetic_dataset::config

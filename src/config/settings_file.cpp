@@ -1,0 +1,131 @@
+#include "config/settings_file.h"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "config/yaml_value.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+using Path = std::vector<std::string>;
+
+/// Doubled and trailing slashes say nothing, as in ROS's names.
+Path withName(Path path, const std::string& name) {
+  std::istringstream stream(name);
+  for (std::string part; std::getline(stream, part, '/');) {
+    if (!part.empty()) path.push_back(part);
+  }
+  return path;
+}
+
+std::string textOf(const Path& path) {
+  std::string text;
+  for (const std::string& part : path) text += (text.empty() ? "" : "/") + part;
+  return text;
+}
+
+/// Builds the server's tree, value by value.
+class ParameterTree {
+ public:
+  explicit ParameterTree(const std::string& origin) : origin_(origin) {}
+
+  void add(const Path& path, const Value& value) {
+    const auto* group = value.as<Value::Map>();
+    if (group == nullptr) return set(path, value);
+    for (const auto& [name, entry] : *group) {
+      if (name == "/robot_list") {
+        global_robot_list_ = entry;
+      } else if (withName({}, name).empty() || name[0] == '/' || name[0] == '~') {
+        throw Error(origin_ + ": found the name '" + textOf(path) + (path.empty() ? "" : "/") +
+                    name + "'; it should be the node's own, such as yolo/main_list");
+      } else {
+        add(withName(path, name), entry);
+      }
+    }
+  }
+
+  Value::Map take() {
+    if (global_robot_list_ && tree_.count("robot_list") == 0) {
+      tree_["robot_list"] = *global_robot_list_;
+    }
+    return std::move(tree_);
+  }
+
+ private:
+  void set(const Path& path, const Value& value) {
+    Value::Map* group = &tree_;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      Value& next = group->emplace(path[i], Value::Map{}).first->second;
+      group = next.as<Value::Map>();
+      if (group == nullptr) {
+        throw Error(origin_ + ": found '" + textOf(path) + "', but '" +
+                    textOf({path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i) + 1}) +
+                    "' has a value of its own");
+      }
+    }
+    if (!group->emplace(path.back(), value).second) {
+      throw Error(origin_ + ": '" + textOf(path) + "' is given twice");
+    }
+  }
+
+  const std::string& origin_;
+  Value::Map tree_;
+  std::optional<Value> global_robot_list_;
+};
+
+/// Python's text mode reads all of Windows' and old Macs' line ends as `\n`.
+std::string withPlainLineEnds(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\r') {
+      result += text[i];
+    } else if (i + 1 == text.size() || text[i + 1] != '\n') {
+      result += '\n';
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Value::Map loadSettings(const std::string& file, const TextFinder& package_folder) {
+  const std::string text = withPlainLineEnds(readTextFile(file));
+  return asParameters(parseSettings(substitute(text, {file, package_folder}), file), file);
+}
+
+Value::Map asParameters(const Value& tree, const std::string& origin) {
+  if (tree.isNull()) return {};  // an empty file
+  if (!tree.is<Value::Map>()) {
+    throw Error(origin + ": found " + tree.kind() + "; it should be a group of named values");
+  }
+  ParameterTree parameters(origin);
+  parameters.add({}, tree);
+  return parameters.take();
+}
+
+void overlay(Value::Map& settings, const Value::Map& over) {
+  for (const auto& [name, value] : over) {
+    Value& below = settings[name];
+    const auto* group = value.as<Value::Map>();
+    if (group == nullptr) {
+      below = value;
+    } else {
+      if (!below.is<Value::Map>()) below = Value::Map{};
+      overlay(*below.as<Value::Map>(), *group);
+    }
+  }
+}
+
+Value::Map settingOf(const std::string& name, const std::string& text) {
+  const std::string origin = name + ":=" + text;
+  const Value value = parseSettings(text, origin);
+  if (value.isNull()) throw Error(origin + ": found nothing; it should have a value");
+  return asParameters(Value::Map{{name, value}}, origin);
+}
+
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "config/launch_substitution.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::config {
+
+/// The settings of a YAML file as roslaunch would load them into the parameter server:
+/// substitutions filled in, read as `<rosparam>` does, kept as the server keeps them (see
+/// asParameters).
+/// @param file  may be relative to the current folder
+/// @param package_folder  where ROS packages are
+/// @throws Error naming file and line
+[[nodiscard]] Value::Map loadSettings(const std::string& file, const TextFinder& package_folder);
+
+/// A file's tree as the parameter server would keep it: `yolo/main_list` is `main_list` in the
+/// group `yolo`, empty groups vanish, and the global name `/robot_list` counts where there is no
+/// other `robot_list`.
+/// @param origin  for messages
+/// @throws Error where a name is given twice, or as a group and as a value, or is global otherwise
+[[nodiscard]] Value::Map asParameters(const Value& tree, const std::string& origin);
+
+/// Puts settings over others: groups are merged, all else is replaced.
+void overlay(Value::Map& settings, const Value::Map& over);
+
+/// The settings that `name:=text` on the command line stands for.
+/// @param name  a parameter's path, such as `yolo/main_list`
+/// @param text  YAML
+/// @throws Error naming the setting
+[[nodiscard]] Value::Map settingOf(const std::string& name, const std::string& text);
+
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::config {
+
+/// A value as JSON that parseYaml reads back; numbers that JSON has no words for (`.inf`, `.nan`)
+/// as YAML has them.
+[[nodiscard]] std::string jsonText(const Value& value);
+
+/// A tree of settings with a line each: "camera/far" to JSON. Lists count as one setting.
+[[nodiscard]] std::map<std::string, std::string> flatSettings(const Value& tree);
+
+/// The tree again.
+/// @throws Error for a text that is no value
+[[nodiscard]] Value settingsTree(const std::map<std::string, std::string>& flat);
+
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,162 @@
+#include "output/dataset_opening.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "output/earlier_dataset.h"
+#include "output/preflight.h"
+#include "output/unfinished_scenes.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+void append(std::vector<std::string>& all, const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void makeFolders(const std::string& folder, const std::vector<StoreWriter>& writers,
+                 FolderProbe& probe) {
+  probe.tryFolder("the dataset's manifest", folder);
+  for (const StoreWriter& writer : writers) {
+    const std::string owner = "writer '" + writer.name + "'";
+    probe.tryFolder(owner, writer.output_folder);
+    for (const std::string& file : writer.user_files) {
+      probe.tryFolder(owner, std::filesystem::path(file).parent_path().string());
+    }
+  }
+}
+
+/// Why a dataset that is there cannot be gone on with.
+std::vector<std::string> reasonsNotToResume(const ManifestContent& earlier,
+                                            const std::vector<StoreWriter>& writers,
+                                            const RunDescription& run) {
+  std::vector<std::string> reasons = differences(earlier.run, run, "then", "now");
+  if (!reasons.empty()) return reasons;
+  if (earlier.writers.size() != writers.size()) {
+    return {"the manifest lists " + std::to_string(earlier.writers.size()) +
+            " writers, and there " + "are " + std::to_string(writers.size()) + " now"};
+  }
+  for (std::size_t i = 0; i < std::min(writers.size(), earlier.writers.size()); ++i) {
+    const std::string& then = earlier.writers[i].output_folder;
+    if (then == writers[i].output_folder) continue;
+    reasons.push_back(writers[i].name + "/output_folder: then '" + then + "', now '" +
+                      writers[i].output_folder + "'");
+  }
+  return reasons;
+}
+
+/// Throws unless what is there was begun with the same settings.
+void requireSameRun(const ManifestContent& earlier, const std::string& folder,
+                    const std::vector<StoreWriter>& writers, const RunDescription& run) {
+  std::vector<std::string> reasons = reasonsNotToResume(earlier, writers, run);
+  if (reasons.empty()) return;
+  const std::string state = earlier.complete ? "is complete" : "was begun";
+  for (std::string& reason : reasons) {
+    reason = "the dataset in '" + folder + "' " + state + " with other settings: " + reason;
+  }
+  reasons.back() += "; set `if_exists: overwrite` to replace it, or choose another output_folder";
+  throw ErrorList(reasons);
+}
+
+/// Makes sure that the run can begin, and only then removes what it is to replace.
+/// @return the lock of the new run's manifest
+std::unique_ptr<RunLock> clearTheWay(const StoreOptions& options, const EarlierDataset& earlier,
+                                     const std::vector<StoreWriter>& writers) {
+  const std::string manifest = manifestFile(options.folder, options.shard);
+  std::vector<std::string> problems = layoutProblems(manifest, writers);
+  append(problems, earlier.obstacles(writers, options.if_exists, options.source));
+  FolderProbe probe;
+  makeFolders(options.folder, writers, probe);
+  append(problems, probe.problems());
+  if (!problems.empty()) throw ErrorList(problems);
+
+  auto lock = std::make_unique<RunLock>(manifest);
+  if (options.if_exists == IfExists::kOverwrite) earlier.remove();
+  makeFolders(options.folder, writers, probe);  // again: empty ones went with the earlier dataset
+  if (!probe.problems().empty()) throw ErrorList(probe.problems());
+  probe.keepFolders();
+  return lock;
+}
+
+/// What is there; where its manifest cannot be read, that and all else that stands in the way.
+EarlierDataset findEarlier(const StoreOptions& options, const std::vector<StoreWriter>& writers) {
+  try {
+    return {options.folder, options.shard};
+  } catch (const Error& error) {
+    std::vector<std::string> problems =
+        layoutProblems(manifestFile(options.folder, options.shard), writers);
+    problems.emplace_back(error.what());
+    throw ErrorList(problems);
+  }
+}
+
+/// Removes the lock of a run that was killed when its dataset was complete already.
+void removeLeftLock(const std::string& manifest) {
+  if (!std::filesystem::exists(RunLock::fileOf(manifest))) return;
+  try {
+    const RunLock lock_of_the_dead(manifest);
+  } catch (const Error&) {
+    // It is not dead, or the folder may not be written to: nothing has to be.
+  }
+}
+
+void requireFolders(const std::string& folder, const std::vector<StoreWriter>& writers) {
+  FolderProbe probe;
+  makeFolders(folder, writers, probe);
+  if (!probe.problems().empty()) throw ErrorList(probe.problems());
+  probe.keepFolders();
+}
+
+OpenedDataset resume(const StoreOptions& options, const std::vector<StoreWriter>& writers,
+                     const ManifestContent& earlier) {
+  OpenedDataset opened{manifestFile(options.folder, options.shard), nullptr, nullptr};
+  if (earlier.complete) {
+    removeLeftLock(opened.file);
+    return opened;
+  }
+  requireFolders(options.folder, writers);
+  auto lock = std::make_unique<RunLock>(opened.file);
+  // The run that had the lock until now may have come to its end.
+  if (readManifest(opened.file).complete) return opened;
+  opened.lock = std::move(lock);
+  opened.manifest =
+      std::make_unique<Manifest>(Manifest::open(options.folder, options.shard, options.sync));
+  dropUnfinished(*opened.manifest);
+  return opened;
+}
+
+OpenedDataset open(const StoreOptions& options, const std::vector<StoreWriter>& writers,
+                   const RunDescription& run) {
+  const EarlierDataset earlier = findEarlier(options, writers);
+  const bool resumes = options.if_exists == IfExists::kResume;
+  if (resumes && earlier.own() != nullptr) {
+    requireSameRun(*earlier.own(), options.folder, writers, run);
+    return resume(options, writers, *earlier.own());
+  }
+  if (resumes && earlier.whole() != nullptr && earlier.whole()->complete) {
+    requireSameRun(*earlier.whole(), options.folder, writers, run);
+    return {manifestFile(options.folder), nullptr, nullptr};
+  }
+  OpenedDataset opened{manifestFile(options.folder, options.shard), nullptr, nullptr};
+  opened.lock = clearTheWay(options, earlier, writers);
+  opened.manifest = std::make_unique<Manifest>(
+      Manifest::create(options.folder, options.shard, options.sync, writers, run));
+  return opened;
+}
+
+}  // namespace
+
+OpenedDataset openDataset(const StoreOptions& options, const std::vector<StoreWriter>& writers,
+                          const RunDescription& run) {
+  try {
+    return open(options, writers, run);
+  } catch (const ErrorList&) {
+    throw;
+  } catch (const Error& error) {
+    throw ErrorList({error.what()});
+  }
+}
+
+}  // namespace synthetic_dataset::output

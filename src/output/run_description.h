@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace synthetic_dataset::output {
+
+/// Something that a run had to say.
+struct Warning {
+  std::string kind;         ///< what is counted together
+  std::string detail = "";  ///< of this one
+  std::int64_t count = 1;
+};
+
+/// What a run is made of, as its manifest tells it: equal descriptions make equal datasets.
+struct RunDescription {
+  struct Setting {
+    std::string value;        ///< JSON
+    bool is_default = false;  ///< nobody gave it
+  };
+  struct Input {
+    std::int64_t bytes = 0;
+    std::string digest;
+  };
+  struct Class {
+    int id = 0;
+    std::string name;
+  };
+  struct Camera {
+    std::string name;
+    std::string frame;
+    int width = 0;   ///< [px]
+    int height = 0;  ///< [px]
+  };
+  struct Object {
+    std::string name;
+    int class_id = 0;
+    std::string id;
+  };
+
+  std::map<std::string, Setting> settings = {};      ///< by full name
+  std::map<std::string, std::string> software = {};  ///< name to version
+  std::map<std::string, Input> inputs = {};          ///< by absolute path
+  std::vector<Class> classes = {};
+  std::vector<Camera> cameras = {};
+  std::vector<Object> objects = {};
+  std::int64_t scene_count = 0;        ///< of the whole run, all shards together
+  std::vector<Warning> warnings = {};  ///< of the run as a whole
+};
+
+/// SHA-256 over what decides the dataset: the settings that were given, and the inputs.
+[[nodiscard]] std::string settingsDigest(const RunDescription& run);
+
+/// What differs in settings, inputs and software, a line each that names it: nothing when a dataset
+/// of the one may be gone on with by the other.
+/// @param before, now  how they are called in the lines: "then", "now"
+[[nodiscard]] std::vector<std::string> differences(const RunDescription& one,
+                                                   const RunDescription& other,
+                                                   const std::string& before,
+                                                   const std::string& now);
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,70 @@
+#include "run_record.h"
+
+#include <algorithm>
+
+#include "config/settings_text.h"
+#include "output/digest.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// Whether a setting, or a group that it is in, is among these.
+bool isIn(const std::set<std::string>& names, const std::string& setting) {
+  for (std::size_t end = 0; end != std::string::npos;) {
+    end = setting.find('/', end + 1);
+    if (names.count(setting.substr(0, end)) != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::map<std::string, output::RunDescription::Setting> usedSettings(
+    const Value& parameters, const config::Config& config, const std::vector<std::string>& unused,
+    const std::map<std::string, Value>& defaults) {
+  std::set<std::string> left_out = {"output_folder", "if_exists", "sync", "shard"};
+  left_out.insert(unused.begin(), unused.end());
+  for (const config::WriterConfig& writer : config.writers) {
+    left_out.insert(writer.name + "/output_folder");
+  }
+  std::map<std::string, output::RunDescription::Setting> settings;
+  for (const auto& [name, text] : config::flatSettings(parameters)) {
+    if (!isIn(left_out, name)) settings[name] = {text, false};
+  }
+  for (const auto& [name, value] : defaults) {
+    if (!isIn(left_out, name)) settings.insert({name, {config::jsonText(value), true}});
+  }
+  return settings;
+}
+
+std::map<std::string, std::string> softwareVersions() {
+  return {{"synthetic_dataset", SYNTHETIC_DATASET_VERSION},
+          {"assimp", ASSIMP_VERSION},
+          {"bullet", BULLET_VERSION},
+          {"opencv", OPENCV_VERSION},
+          {"png", PNG_VERSION},
+          {"sdformat", SDFORMAT_VERSION}};
+}
+
+std::map<std::string, output::RunDescription::Input> describeInputs(
+    const std::set<std::string>& files) {
+  std::map<std::string, output::RunDescription::Input> inputs;
+  for (const std::string& file : files) {
+    const output::FileDigest found = output::digestOfInput(file);
+    inputs[file] = {found.bytes, found.digest};
+  }
+  return inputs;
+}
+
+void describeContents(const DatasetInfo& dataset, output::RunDescription& run) {
+  for (const ClassInfo& each : dataset.classes) run.classes.push_back({each.id, each.name});
+  for (const CameraDescription& each : dataset.cameras) {
+    run.cameras.push_back({each.name, each.frame, each.model.width(), each.model.height()});
+  }
+  for (const ObjectInfo& each : dataset.objects) {
+    run.objects.push_back({each.name, each.class_id, each.id});
+  }
+  run.scene_count = dataset.scene_count;
+}
+
+}  // namespace synthetic_dataset

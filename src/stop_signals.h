@@ -1,0 +1,21 @@
+#pragma once
+
+namespace synthetic_dataset::stop_signals {
+
+/// From now on SIGINT, SIGTERM and SIGHUP (the terminal has gone) end the process with the exit
+/// code 128 + signal and a message on stderr that says how to go on. What the caller of the program
+/// ignores, as nohup does SIGHUP, stays ignored. SIGPIPE is ignored: a run outlives the reader of
+/// its messages. So is SIGXFSZ: a limit of file sizes is told like a full disk.
+void install();
+
+/// From now on the first of these signals asks for an end, which `requested` answers; a second one
+/// ends the process at once.
+void waitForScenes();
+
+/// The signal that asked for an end; 0 when none did.
+[[nodiscard]] int requested();
+
+/// Its name.
+[[nodiscard]] const char* name(int signal);
+
+}  // namespace synthetic_dataset::stop_signals

@@ -1,0 +1,21 @@
+#include "work_plan.h"
+
+namespace synthetic_dataset {
+
+WorkPlan::WorkPlan(std::int64_t instant_count, std::int64_t camera_count,
+                   const std::optional<output::Shard>& shard,
+                   const std::function<bool(std::int64_t scene)>& is_there)
+    : wanted_(static_cast<std::size_t>(instant_count), false) {
+  for (std::int64_t instant = 0; instant < instant_count; ++instant) {
+    if (shard && !belongsTo(*shard, instant, instant_count)) continue;
+    scene_count_ += camera_count;
+    for (std::int64_t camera = 0; camera < camera_count; ++camera) {
+      if (is_there(instant * camera_count + camera)) continue;
+      ++missing_count_;
+      wanted_[static_cast<std::size_t>(instant)] = true;
+      end_ = instant + 1;
+    }
+  }
+}
+
+}  // namespace synthetic_dataset

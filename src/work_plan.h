@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "output/shard.h"
+
+namespace synthetic_dataset {
+
+/// Which of a run's instants this process has to make: those of its shard that are not there yet.
+class WorkPlan {
+ public:
+  /// @param shard  nothing: all of the run
+  /// @param is_there  whether a scene, by its index, is in the dataset
+  WorkPlan(std::int64_t instant_count, std::int64_t camera_count,
+           const std::optional<output::Shard>& shard,
+           const std::function<bool(std::int64_t scene)>& is_there);
+
+  /// Whether a scene of this instant is to be made.
+  [[nodiscard]] bool wants(std::int64_t instant) const {
+    return wanted_[static_cast<std::size_t>(instant)];
+  }
+
+  /// Whether something is to be made at this instant or a later one.
+  [[nodiscard]] bool hasWorkFrom(std::int64_t instant) const { return instant < end_; }
+
+  /// Of the run or its shard: how many scenes it has, and how many of them are to be made.
+  [[nodiscard]] std::int64_t sceneCount() const { return scene_count_; }
+  [[nodiscard]] std::int64_t missingCount() const { return missing_count_; }
+
+ private:
+  std::vector<bool> wanted_;  ///< by instant
+  std::int64_t end_ = 0;      ///< after the last wanted one
+  std::int64_t scene_count_ = 0;
+  std::int64_t missing_count_ = 0;
+};
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,110 @@
+/// Runs that are stopped and gone on with.
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "all_at_once_run.h"
+#include "support/bag_builder.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset {
+namespace {
+
+namespace fs = std::filesystem;
+using test::AllAtOnceRun;
+using test::StoppingReporter;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+class ResumedRunTest : public ::testing::Test {
+ protected:
+  /// What the whole run says when it may not go on.
+  [[nodiscard]] std::vector<std::string> refusal() const {
+    try {
+      (void)run.run();
+    } catch (const ErrorList& errors) {
+      return errors.messages();
+    }
+    return {};
+  }
+
+  void stopAfter(std::int64_t scenes) const {
+    StoppingReporter stopping(scenes);
+    EXPECT_TRUE(run.run(stopping, run.folder()).stopped);
+  }
+
+  AllAtOnceRun run;
+};
+
+TEST_F(ResumedRunTest, GivesTheBytesOfAnUnbrokenOne) {
+  (void)run.run();
+  const auto unbroken = AllAtOnceRun::files(run.folder());
+  ASSERT_GT(unbroken.size(), 150U);
+  for (const std::int64_t scenes : {0, 2, 7}) {
+    fs::remove_all(run.folder());
+    stopAfter(scenes);
+    const RunSummary summary = run.run();
+    EXPECT_EQ(summary.dataset_scenes, 16);
+    EXPECT_EQ(summary.planned_scenes, 16);
+    EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == unbroken) << "stopped after " << scenes;
+  }
+}
+
+TEST_F(ResumedRunTest, TellsOfTheWholeDataset) {
+  const RunSummary unbroken = run.run();
+  fs::remove_all(run.folder());
+  stopAfter(6);
+  const RunSummary resumed = run.run();
+  EXPECT_LT(resumed.scenes, unbroken.scenes);
+  EXPECT_EQ(resumed.files, unbroken.files);
+  EXPECT_EQ(resumed.bytes, unbroken.bytes);
+  EXPECT_EQ(resumed.warnings, unbroken.warnings);
+  ASSERT_EQ(resumed.objects.size(), unbroken.objects.size());
+  EXPECT_EQ(resumed.objects[0].scenes_seen, unbroken.objects[0].scenes_seen);
+  EXPECT_EQ(resumed.objects[0].mask_agreement, unbroken.objects[0].mask_agreement);
+}
+
+TEST_F(ResumedRunTest, OfACompleteDatasetDoesNothing) {
+  (void)run.run();
+  const auto before = AllAtOnceRun::files(run.folder());
+  const RunSummary summary = run.run();
+  EXPECT_TRUE(summary.was_complete);
+  EXPECT_EQ(summary.scenes, 0);
+  EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == before);
+}
+
+TEST_F(ResumedRunTest, NamesTheSettingThatChanged) {
+  stopAfter(2);
+  const auto before = AllAtOnceRun::files(run.folder());
+  run.parameters["seed"] = Value(8);
+  EXPECT_THAT(refusal(),
+              Contains(AllOf(HasSubstr("seed: then 7, now 8"), HasSubstr("if_exists: overwrite"))));
+  EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == before);
+}
+
+TEST_F(ResumedRunTest, NamesTheInputThatChanged) {
+  stopAfter(2);
+  const std::string world = run.input("tiny.world");
+  const std::string text = test::readFile(world);
+  std::ofstream(world) << text << "<!-- the same, but for this -->";
+  EXPECT_THAT(refusal(), Contains(HasSubstr("the file " + world + ": then ")));
+}
+
+TEST_F(ResumedRunTest, MayWriteWithOtherCare) {
+  stopAfter(2);
+  run.parameters["sync"] = Value("scene");
+  EXPECT_EQ(run.run().dataset_scenes, 16);
+}
+
+TEST_F(ResumedRunTest, ReplacesTheDatasetWhenAskedTo) {
+  stopAfter(2);
+  run.parameters["seed"] = Value(8);
+  run.parameters["if_exists"] = Value("overwrite");
+  EXPECT_EQ(run.run().scenes, 16);
+}
+
+}  // namespace
+}  // namespace synthetic_dataset

@@ -1,0 +1,35 @@
+#include "work_plan.h"
+
+#include <gmock/gmock.h>
+
+namespace synthetic_dataset {
+namespace {
+
+bool nothingIsThere(std::int64_t /*scene*/) { return false; }
+
+TEST(WorkPlan, OfAFreshRunIsAllOfIt) {
+  const WorkPlan plan(5, 2, {}, nothingIsThere);
+  EXPECT_EQ(plan.sceneCount(), 10);
+  EXPECT_EQ(plan.missingCount(), 10);
+  EXPECT_TRUE(plan.wants(0));
+  EXPECT_TRUE(plan.hasWorkFrom(4));
+  EXPECT_FALSE(plan.hasWorkFrom(5));
+}
+
+TEST(WorkPlan, LeavesOutInstantsOfWhichAllScenesAreThere) {
+  const WorkPlan plan(3, 2, {}, [](std::int64_t scene) { return scene != 3; });
+  EXPECT_FALSE(plan.wants(0));
+  EXPECT_TRUE(plan.wants(1));
+  EXPECT_FALSE(plan.wants(2));
+  EXPECT_EQ(plan.missingCount(), 1);
+  EXPECT_FALSE(plan.hasWorkFrom(2));
+}
+
+TEST(WorkPlan, OfACompleteRunIsEmpty) {
+  const WorkPlan plan(3, 1, {}, [](std::int64_t /*scene*/) { return true; });
+  EXPECT_EQ(plan.missingCount(), 0);
+  EXPECT_FALSE(plan.hasWorkFrom(0));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset

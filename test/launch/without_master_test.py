@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""`generate --config`, which no ROS master helps, and what signals do to it."""
+import hashlib
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import unittest
+
+import rosunit
+
+from dataset_reading import Manifest
+import ros_programs
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLE = REPOSITORY / 'config' / 'example.yaml'
+FEW_SCENES = 0.3  # [Hz] of the example's recording: 2 scenes, at 1 s and at 4.333 s
+
+
+def program():
+    """Where generate is: rosrun would need the environment that these tests take away."""
+    found = subprocess.run(['catkin_find', '--first-only', '--libexec', 'synthetic_dataset',
+                            'generate'], stdout=subprocess.PIPE, universal_newlines=True, check=True)
+    return found.stdout.strip()
+
+
+class Case(unittest.TestCase):
+    """A temporary folder, and runs with neither a master nor a home in their environment."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.program = program()
+        cls.environ = {name: value for name, value in os.environ.items()
+                       if name not in ('ROS_MASTER_URI', 'HOME', 'ROS_HOME', 'ROS_LOG_DIR')}
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix='synthetic_dataset_')
+        self.addCleanup(scratch.cleanup)
+        self.scratch = pathlib.Path(scratch.name)
+        self.dataset = self.scratch / 'dataset'
+
+    def start(self, *arguments, **options):
+        node = subprocess.Popen([self.program, *map(str, arguments)], env=self.environ,
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, universal_newlines=True,
+                                cwd=self.scratch, **options)
+        self.addCleanup(node.stdout.close)
+        self.addCleanup(node.wait)
+        self.addCleanup(node.kill)
+        return node
+
+    def start_example(self, rate, *arguments, **options):
+        return self.start('--config', EXAMPLE, f'output_folder:={self.dataset}',
+                          f'simulated_rate:={rate}', 'if_exists:=overwrite', *arguments, **options)
+
+    def finish(self, node):
+        log, _ = node.communicate(timeout=ros_programs.TIMEOUT)
+        return node.returncode, log
+
+    def wait_for(self, node, text):
+        log = ''
+        for line in node.stdout:
+            log += line
+            if text in line:
+                return
+        self.fail(f"'{text}' did not come:\n{log}")
+
+
+class WithoutMaster(Case):
+
+    def files(self):
+        return {path.relative_to(self.dataset): hashlib.sha256(path.read_bytes()).hexdigest()
+                for path in self.dataset.rglob('*')
+                if path.is_file() and path.name != 'manifest.sqlite'}
+
+    def test_makes_the_dataset_that_roslaunch_makes(self):
+        code, log = self.finish(self.start_example(FEW_SCENES))
+        self.assertEqual(code, 0, log)
+        self.assertEqual(Manifest(self.dataset).state, 'complete')
+        self.assertRegex(log, r'\bdone\b')
+        ours = self.files()
+        environ = ros_programs.environment(str(self.scratch))
+        log = ros_programs.output_of(
+            ros_programs.launch_command(f'config:={EXAMPLE}', f'output_folder:={self.dataset}',
+                                        f'rate:={FEW_SCENES}', 'if_exists:=overwrite'), environ)
+        self.assertRegex(log, r'\bdone\b')
+        self.assertGreater(len(ours), 10)
+        self.assertEqual(self.files(), ours)
+
+    def test_leaves_no_files_of_ros(self):
+        self.finish(self.start('--config', 'no_such.yaml'))
+        self.assertEqual(list(self.scratch.iterdir()), [])
+
+    def test_tells_all_errors(self):
+        config = self.scratch / 'my.yaml'
+        config.write_text(EXAMPLE.read_text(encoding='utf-8') +
+                          '\nrover_1/model: "param:/robot_description"\n', encoding='utf-8')
+        code, log = self.finish(self.start('--config', 'my.yaml', 'yolo/main_lst:=x',
+                                           'bag_file:=$(dirname)/x.bag', 'simulated_rate:=fast'))
+        self.assertEqual(code, 1, log)
+        self.assertIn("yolo/main_lst: unknown parameter; did you mean 'main_list'", log)
+        self.assertIn('simulated_rate: found fast (a text)', log)
+        self.assertIn("rover_1/model: found 'param:/robot_description'", log)
+        self.assertIn('without a ROS master, name a file', log)
+
+    def test_tells_usage(self):
+        code, log = self.finish(self.start('--help'))
+        self.assertEqual(code, 0)
+        self.assertIn('usage: generate --config FILE', log)
+        for arguments in (['--confg', 'x'], ['--config'], ['x.yaml'], ['--config', 'x', 'rate:=']):
+            code, log = self.finish(self.start(*arguments))
+            self.assertEqual(code, 1, log)
+            self.assertIn('usage: generate --config FILE', log)
+
+
+class Signals(Case):
+
+    def test_finish_the_scene_and_say_how_to_go_on(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
+            with self.subTest(number=number):
+                node = self.start_example(50.0)
+                self.wait_for(node, 'scene 1 of')
+                node.send_signal(number)
+                answer, log = self.finish(node)
+                self.assertEqual(answer, code, log)
+                self.assertIn(f'stopped by {number.name}', log)
+                self.assertIn('run the same command again to go on', log)
+                manifest = Manifest(self.dataset)
+                self.assertEqual(manifest.state, 'running')
+                self.assertGreaterEqual(manifest.scenes, 1)
+                for path, size in manifest.sizes.items():
+                    self.assertEqual(path.stat().st_size, size, path)
+
+    def test_stop_at_once_when_there_are_two(self):
+        node = self.start_example(50.0)
+        self.wait_for(node, 'scene 1 of')
+        # Both arrive when it goes on, before it can have finished a scene; threads may race for them.
+        for number in (signal.SIGSTOP, signal.SIGINT, signal.SIGTERM, signal.SIGCONT):
+            node.send_signal(number)
+        code, log = self.finish(node)
+        self.assertIn(code, (130, 143), log)
+        self.assertIn('the next signal stops at once', log)
+        self.assertIn('stopped at once; run the same command again to go on', log)
+        self.assertNotIn('stopped by', log)
+
+    def test_stop_at_once_before_the_first_scene(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
+            with self.subTest(number=number):
+                config = self.scratch / f'{number.name}.yaml'
+                os.mkfifo(config)
+                node = self.start('--config', config)
+                with open(config, 'w', encoding='utf-8'):  # which waits for the reader
+                    node.send_signal(number)
+                    answer, log = self.finish(node)
+                self.assertEqual(answer, code, log)
+                self.assertIn('stopped before the first scene', log)
+
+    def test_that_are_ignored_stay_ignored(self):
+        """As nohup and shells' background jobs need it."""
+        node = self.start_example(FEW_SCENES, preexec_fn=lambda: signal.signal(
+            signal.SIGHUP, signal.SIG_IGN))
+        self.wait_for(node, 'scene 1 of')
+        node.send_signal(signal.SIGHUP)
+        code, log = self.finish(node)
+        self.assertEqual(code, 0, log)
+
+    def test_of_a_closed_pipe_do_not_end_a_run(self):
+        """As in `generate ... | head -1`."""
+        node = self.start_example(FEW_SCENES)
+        self.wait_for(node, 'INFO')
+        node.stdout.close()
+        self.assertEqual(node.wait(timeout=ros_programs.TIMEOUT), 0)
+        self.assertEqual(Manifest(self.dataset).state, 'complete')
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('synthetic_dataset', 'without_master', '__main__')

@@ -1,0 +1,142 @@
+#include <gmock/gmock.h>
+
+#include "verification/verification_fixture.h"
+
+namespace synthetic_dataset {
+namespace {
+
+using testing::IsEmpty;
+
+struct Format {
+  std::string name;
+  std::string type;
+  Value::Map parameters = {};
+  std::int64_t labels_of_a_scene = 2;
+};
+
+/// What has to hold for a dataset of each format that nobody has touched.
+class VerifyEveryFormat : public VerificationTest, public testing::WithParamInterface<Format> {
+ protected:
+  VerifyEveryFormat() : VerificationTest(GetParam().type) {}
+};
+
+TEST_P(VerifyEveryFormat, FindsNothingWrong) {
+  write({sceneOfBoth(0), sceneOfBoth(1)}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+  EXPECT_THAT(remarks_, IsEmpty());
+  EXPECT_EQ(counts_.scenes, 2);
+  EXPECT_GT(counts_.files, 0);
+  EXPECT_EQ(counts_.labels, 2 * GetParam().labels_of_a_scene);
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithoutObjectsInView) {
+  Scene empty = sceneOfBoth(0);
+  for (SceneObject& each : empty.objects) {
+    each = object(each.name);
+    each.in_view = false;
+    each.keypoints.resize(1);
+  }
+  empty.instance_map.setTo(0);
+  write({empty}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithHiddenAndDroppedObjects) {
+  Scene scene = sceneOfBoth(0);
+  SceneObject& hidden = scene.objects[0];
+  hidden.visible_mask.setTo(0);
+  hidden.visible_box.reset();
+  hidden.pixels.visible = 0;
+  hidden.visibility = 0.0;
+  scene.objects[1].dropped = true;
+  scene.instance_map.setTo(0, scene.instance_map == 1);
+  write({scene}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongAtTheImagesEdge) {
+  Scene scene = sceneOfBoth(0);
+  SceneObject cut = seen("a", {-20, 440, 50, 100});
+  const SceneObject& whole = scene.objects[0];
+  cut.id = cut.name;
+  cut.class_name = cut.class_text = whole.class_name;
+  cut.X_GO = cut.X_CO = whole.X_CO;
+  cut.keypoints_O = whole.keypoints_O;
+  cut.keypoints = whole.keypoints;
+  cut.instance = 1;
+  scene.instance_map.setTo(0, scene.instance_map == 1);
+  scene.instance_map.setTo(1, cut.visible_mask);
+  scene.objects[0] = cut;
+  write({scene}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoCamerasAndSplits) {
+  dataset_.cameras = {{"left", "left_link", camera()}, {"right", "right_link", camera()}};
+  dataset_.splits = {{"train", 2}, {"test", 2}};
+  std::vector<Scene> scenes;
+  for (std::int64_t i = 0; i < 4; ++i) {
+    scenes.push_back(sceneOfBoth(i));
+    Scene& made = scenes.back();
+    made.camera_index = static_cast<std::size_t>(i % 2);
+    made.camera_name = dataset_.cameras[made.camera_index].name;
+    made.instant = i / 2;
+    made.stamp = Stamp(std::chrono::seconds(1 + made.instant));
+    made.name = made.camera_name + "/0000000" + std::to_string(made.instant);
+    made.split = made.instant == 0 ? "train" : "test";
+  }
+  write(scenes, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+  EXPECT_EQ(counts_.labels, 4 * GetParam().labels_of_a_scene);
+}
+
+TEST_P(VerifyEveryFormat, SeesALabelOfAnObjectThatIsNotThere) {
+  if (GetParam().labels_of_a_scene == 0) GTEST_SKIP() << "the format has no reader";
+  write({sceneOfBoth(0), sceneOfBoth(1)}, GetParam().parameters);
+  // The second object is nowhere in scene 1, as the manifest has it now.
+  change(
+      "UPDATE scene_object SET in_view = 0, visible_pixels = 0, silhouette_pixels = 0, visibility "
+      "= 0, loose_left = NULL, loose_top = NULL, loose_right = NULL, loose_bottom = NULL, "
+      "visible_left = NULL, visible_top = NULL, visible_right = NULL, visible_bottom = NULL, "
+      "silhouette_left = NULL, silhouette_top = NULL, silhouette_right = NULL, "
+      "silhouette_bottom = NULL WHERE scene = 1 AND object = 1");
+  const std::vector<std::string> found = problems();
+  ASSERT_THAT(found, testing::Not(IsEmpty()));
+  for (const std::string& each : found) {
+    EXPECT_THAT(each, testing::StartsWith("scene 1, writer 'w': found a label"));
+    EXPECT_THAT(each, testing::EndsWith("that no object should have"));
+  }
+}
+
+TEST_P(VerifyEveryFormat, SeesAPictureOfAnotherSize) {
+  write({sceneOfBoth(0)}, GetParam().parameters);
+  change("UPDATE camera SET width = 641");
+  EXPECT_THAT(problems(), testing::Contains(testing::HasSubstr(
+                              "is a picture of 640 x 480 pixels; it should be of its camera's "
+                              "641 x 480")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Formats, VerifyEveryFormat,
+    testing::Values(
+        Format{"Bop", "Bop"}, Format{"Cityscapes", "Cityscapes"},
+        Format{"Coco", "Coco", {{"panoptic", true}}},
+        Format{"CocoPolygons", "Coco", {{"segmentation", "polygons"}, {"box", "silhouette"}}},
+        Format{"Dope", "Dope"}, Format{"Ndds", "Dope", {{"style", "ndds"}, {"box", "loose"}}},
+        Format{"ImageFolder", "ImageFolder", {{"depth", true}, {"masks", true}}},
+        Format{"Kitti", "Kitti", {{"class_names", Value::Map{{"cup", "Car"}}}}},
+        // A mask apart from each box.
+        Format{"PascalVoc", "PascalVoc", {{"segmentation", true}}, 4},
+        Format{
+            "PascalVocFromZero", "PascalVoc", {{"coordinates", "zero_based"}, {"box", "loose"}}, 4},
+        Format{"PvNet", "PvNet"}, Format{"RosBag", "RosBag", {}, 0}, Format{"StvNet", "StvNet"},
+        Format{"UltralyticsDetect", "UltralyticsYolo", {{"task", "detect"}}},
+        Format{"UltralyticsObb", "UltralyticsYolo", {{"task", "obb"}}},
+        Format{"UltralyticsPose", "UltralyticsYolo", {{"task", "pose"}}},
+        Format{"UltralyticsSegment", "UltralyticsYolo", {{"task", "segment"}}},
+        Format{"Yolo", "Yolo", {{"main_list", "list.txt"}, {"cut_to_image", true}}},
+        Format{"YoloUncut", "Yolo", {{"main_list", "list.txt"}, {"cut_to_image", false}}}),
+    [](const testing::TestParamInfo<Format>& format) { return format.param.name; });
+
+}  // namespace
+}  // namespace synthetic_dataset
