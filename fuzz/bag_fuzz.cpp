@@ -1,0 +1,18 @@
+// Bags: their records, and the transforms and calibrations recorded in them.
+#include "fuzzing.h"
+#include "motion/bag_check.h"
+#include "motion/bag_motion.h"
+#include "motion/recorded_camera_info.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace synthetic_dataset;
+  const std::string bag = fuzzing::write("input.bag", fuzzing::view(data, size)).string();
+  // librosbag takes milliseconds to begin: only what it is let have gets as far.
+  fuzzing::tolerating([&] {
+    motion::checkBag(bag, [](const std::string& topic) { return topic != "/other"; });
+    fuzzing::tolerating([&] { static_cast<void>(motion::readCameraInfo({bag}, "/camera_info")); });
+    const motion::BagMotion motion({bag});
+    static_cast<void>(motion.timeline("map", {"robot"}, {}));
+  });
+  return 0;
+}

@@ -1,0 +1,114 @@
+// Writes the fuzzers' seeds that are no text: make_seeds FOLDER.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <rosbag/bag.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include "output/manifest_schema.h"
+#include "output/sqlite.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A robot that drives along x of the map.
+tf2_msgs::TFMessage transforms(double x) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "map";
+  transform.header.stamp = ros::Time(100.0 + x);
+  transform.child_frame_id = "robot";
+  transform.transform.translation.x = x;
+  transform.transform.rotation.w = 1.0;
+  tf2_msgs::TFMessage message;
+  message.transforms.push_back(transform);
+  return message;
+}
+
+sensor_msgs::CameraInfo calibration() {
+  sensor_msgs::CameraInfo info;
+  info.header.frame_id = "camera";
+  info.width = 64;
+  info.height = 48;
+  info.distortion_model = "plumb_bob";
+  info.D = {0.1, -0.05, 0.0, 0.0, 0.0};
+  info.K = {50, 0, 31.5, 0, 50, 23.5, 0, 0, 1};
+  info.P = {50, 0, 31.5, 0, 0, 50, 23.5, 0, 0, 0, 1, 0};
+  return info;
+}
+
+void writeBag(const fs::path& file, rosbag::CompressionType compression) {
+  rosbag::Bag bag(file.string(), rosbag::bagmode::Write);
+  bag.setCompression(compression);
+  bag.setChunkThreshold(400);
+  bag.write("/camera_info", ros::Time(100.0), calibration());
+  for (const double x : {0.0, 1.0, 2.0}) bag.write("/tf", ros::Time(100.0 + x), transforms(x));
+}
+
+template <class Message>
+void writeMessage(const fs::path& file, const Message& message) {
+  std::string bytes(ros::serialization::serializationLength(message), '\0');
+  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
+                                     static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+void writePictures(const fs::path& folder) {
+  cv::Mat picture(6, 5, CV_8UC3);
+  cv::randu(picture, 0, 256);
+  for (const char* kind : {"png", "jpg", "bmp", "tiff", "webp"}) {
+    cv::imwrite((folder / "colours.").string() + kind, picture);
+  }
+  cv::imwrite((folder / "heights.png").string(), cv::Mat(4, 4, CV_16UC1, cv::Scalar(1000)));
+  std::string tga(18, '\0');
+  tga[2] = 10;  // colours, in packets
+  tga[12] = tga[14] = 2;
+  tga[16] = 24;
+  std::ofstream(folder / "packed.tga", std::ios::binary) << tga << '\x83' << "rgb";
+}
+
+void writeManifest(const fs::path& file) {
+  using synthetic_dataset::output::SqliteDatabase;
+  fs::remove(file);
+  const SqliteDatabase database(file.string(), SqliteDatabase::Mode::kCreate);
+  database.execute("PRAGMA page_size = 512");
+  database.execute(synthetic_dataset::output::kManifestTables);
+  database.execute(std::string("INSERT INTO run VALUES ('format_version', '") +
+                   synthetic_dataset::output::kManifestVersion + R"('), ('state', 'unfinished'),
+        ('scene_count', '2'), ('shard', '0/2');
+      INSERT INTO setting VALUES ('seed', '0', 1);
+      INSERT INTO software VALUES ('synthetic_dataset', '1');
+      INSERT INTO writer VALUES (0, 'yolo', 'synthetic_dataset/Yolo', 'yolo/');
+      INSERT INTO class VALUES (0, 'robot');
+      INSERT INTO camera VALUES (0, 'camera', 'lens', 64, 48);
+      INSERT INTO object VALUES (0, 'robot', 0, 'robot');
+      INSERT INTO scene VALUES (0, 0, 5, 'camera', '', 1, 0, 0, 0, 0, 0, 0, 1, 'complete');
+      INSERT INTO file VALUES ('yolo/00000000.png', 0, 0, 9, 'abc', NULL);
+      INSERT INTO record VALUES (0, 0, 0, '00000000.png');
+      INSERT INTO warning VALUES (0, 0, 1, 'kind', 'detail');)");
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::fprintf(stderr, "usage: make_seeds FOLDER\n");
+    return 1;
+  }
+  const fs::path folder = arguments[1];
+  for (const char* target : {"bag", "message", "picture", "manifest"}) {
+    fs::create_directories(folder / target);
+  }
+  writeBag(folder / "bag/plain.bag", rosbag::compression::Uncompressed);
+  writeBag(folder / "bag/bz2.bag", rosbag::compression::BZ2);
+  writeBag(folder / "bag/lz4.bag", rosbag::compression::LZ4);
+  writeMessage(folder / "message/transforms", transforms(1.0));
+  writeMessage(folder / "message/calibration", calibration());
+  writePictures(folder / "picture");
+  writeManifest(folder / "manifest/manifest.sqlite");
+  return 0;
+}

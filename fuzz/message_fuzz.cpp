@@ -1,0 +1,70 @@
+// Recorded messages: a bag that is sound holds the input as the content of its messages.
+#include <rosbag/bag.h>
+
+#include "config/camera_info.h"
+#include "fuzzing.h"
+#include "motion/bag_motion.h"
+#include "motion/checked_messages.h"
+#include "motion/recorded_camera_info.h"
+
+namespace {
+
+/// The content of a message of a type.
+template <class Message>
+struct Content {
+  std::string bytes;
+};
+
+using Transforms = Content<tf2_msgs::TFMessage>;
+using Calibration = Content<sensor_msgs::CameraInfo>;
+
+}  // namespace
+
+namespace ros {
+namespace message_traits {
+template <class Message>
+struct MD5Sum<Content<Message>> : MD5Sum<Message> {
+  static const char* value(const Content<Message>&) { return MD5Sum<Message>::value(); }
+};
+template <class Message>
+struct DataType<Content<Message>> : DataType<Message> {
+  static const char* value(const Content<Message>&) { return DataType<Message>::value(); }
+};
+template <class Message>
+struct Definition<Content<Message>> : Definition<Message> {
+  static const char* value(const Content<Message>&) { return Definition<Message>::value(); }
+};
+}  // namespace message_traits
+
+namespace serialization {
+template <class Message>
+struct Serializer<Content<Message>> {
+  template <class Stream>
+  static void write(Stream& stream, const Content<Message>& content) {
+    std::copy(content.bytes.begin(), content.bytes.end(),
+              stream.advance(serializedLength(content)));
+  }
+  static std::uint32_t serializedLength(const Content<Message>& content) {
+    return static_cast<std::uint32_t>(content.bytes.size());
+  }
+};
+}  // namespace serialization
+}  // namespace ros
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace synthetic_dataset;
+  if (size == 0) return 0;
+  const std::string bytes(fuzzing::view(data, size));
+  const std::string file = (fuzzing::folder() / "messages.bag").string();
+  {
+    rosbag::Bag bag(file, rosbag::bagmode::Write);
+    bag.write("/tf", ros::Time(5, 0), Transforms{bytes});
+    bag.write("/camera_info", ros::Time(6, 0), Calibration{bytes});
+  }
+  fuzzing::tolerating([&] {
+    const auto camera = motion::readCameraInfo({file}, "/camera_info");
+    static_cast<void>(config::cameraModelOf(camera.info, "/camera_info", false, 0.01, 100.0));
+  });
+  fuzzing::tolerating([&] { static_cast<void>(motion::BagMotion({file}).notes()); });
+  return 0;
+}
