@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Makes a dataset of many small scenes, and fails where memory or open descriptors grow:
+#   ./scripts/soak.sh [SCENES]
+# Without SCENES, 100,000.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=workspace.sh
+source "$here/workspace.sh"
+
+"$here/install_dependencies.sh"
+build_workspace --target generate synthetic_dataset_writers
+use_workspace
+exec /usr/bin/python3 "$repository/test/faults/soak.py" \
+  "$workspace/devel/lib/synthetic_dataset" "${1:-100000}"
