@@ -94,7 +94,7 @@ class Manifest {
   void takeIn(const std::string& shard_folder, const Shard& shard, const PlaceFile& place);
 
   /// Sets the state to complete and writes the file anew, so that its bytes follow from what it
-  /// lists and not from how that came about. The manifest is of no further use then.
+  /// lists and not from how that came about. Nothing may be written after it; it still answers.
   void finish();
 
   /// Whether the file that is written to is still the one of the manifest's name.
