@@ -2,6 +2,9 @@
 // what passes our own checks gets as far.
 #include "fuzzing.h"
 #include "world/material/picture_decoder.h"
+#include "world/material/picture_end.h"
+#include "world/material/picture_file.h"
+#include "world/material/picture_size.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;

@@ -4,9 +4,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include "config/angle_expression.h"
@@ -219,15 +222,46 @@ std::string withEndMark(const std::string& text) {
   return is_at_line_start ? text + "...\n" : text;
 }
 
+/// Remembers where the document that was parsed last begins.
+class DocumentStart : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& place) override { mark = place; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& /*value*/) override {}
+  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
+                       YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {}
+  void OnMapEnd() override {}
+
+  YAML::Mark mark;
+};
+
+/// Where the first document is over and another one begins. (YAML::LoadAll never comes to an end
+/// with a stray ',' or '}', of which it makes one empty document after another.)
+std::optional<YAML::Mark> secondDocument(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStart start;
+  if (!parser.HandleNextDocument(start) || !parser.HandleNextDocument(start)) return std::nullopt;
+  return start.mark;
+}
+
 Value parse(const std::string& text, const std::string& origin, Rules rules) {
   Reader reader(rules, text, origin);
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(withEndMark(text));
-    if (documents.empty()) return {};
-    if (documents.size() > 1 && rules == Rules::kSettings) {
-      reader.fail(documents[1].Mark(), "a second document begins; settings are a single one");
+    const std::string whole = withEndMark(text);
+    const YAML::Node document = YAML::Load(whole);
+    if (rules == Rules::kSettings) {
+      if (const auto mark = secondDocument(whole)) {
+        reader.fail(*mark, "a second document begins; settings are a single one");
+      }
     }
-    return reader.convert(documents.front());
+    return document.IsNull() ? Value() : reader.convert(document);
   } catch (const YAML::Exception& error) {
     reader.fail(error.mark, error.msg);
   }

@@ -56,9 +56,13 @@ std::string decompressed(const std::string& bytes, rosbag::CompressionType compr
                          std::uint64_t size, char fill = '\xFF') {
   std::string source = bytes;
   std::string result(size, fill);
-  rosbag::ChunkedFile().decompress(
-      compression, reinterpret_cast<std::uint8_t*>(result.data()), static_cast<unsigned>(size),
-      reinterpret_cast<std::uint8_t*>(source.data()), static_cast<unsigned>(source.size()));
+  try {
+    rosbag::ChunkedFile().decompress(
+        compression, reinterpret_cast<std::uint8_t*>(result.data()), static_cast<unsigned>(size),
+        reinterpret_cast<std::uint8_t*>(source.data()), static_cast<unsigned>(source.size()));
+  } catch (const rosbag::BagException& exception) {
+    throw Error(std::string("a chunk cannot be decompressed: ") + exception.what());
+  }
   return result;
 }
 

@@ -71,7 +71,7 @@ std::map<int, ModelOwners> ownersIn(const fs::path& file, KeptFiles& kept) {
   return reading(file, kept, [](const Json& json) {
     std::map<int, ModelOwners> owners;
     for (const Json& object : json.at("objects")) {
-      ModelOwners& of_model = owners[object.at("obj_id").get<int>()];
+      ModelOwners& of_model = owners[integerOf(object.at("obj_id"))];
       of_model.class_names.push_back(object.at("class").get<std::string>());
       const auto origin = object.at("model_origin").get<std::array<double, 3>>();
       of_model.X_OM.translation() = Eigen::Vector3d(origin[0], origin[1], origin[2]);
@@ -118,7 +118,7 @@ LabelledPicture readBop(const WrittenScene& scene) {
     std::vector<DrawnLabel> labels;
     for (const Json& object : json.at(key)) {
       const Pose X_CM = poseOf(object);
-      const std::string id = std::to_string(object.at("obj_id").get<int>());
+      const std::string id = std::to_string(integerOf(object.at("obj_id")));
       DrawnLabel label;
       label.caption = id;
       if (const auto owner = owners.find(std::stoi(id)); owner != owners.end()) {

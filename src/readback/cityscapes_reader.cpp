@@ -1,12 +1,12 @@
 #include <map>
 #include <set>
 
-#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "readback/files.h"
 #include "readback/format_readers.h"
+#include "readback/json_file.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::readback {
@@ -17,13 +17,11 @@ namespace {
 std::map<int, std::vector<std::string>> namesIn(const std::filesystem::path& file) {
   std::map<int, std::vector<std::string>> names;
   if (!std::filesystem::exists(file)) return names;
-  try {
-    for (const auto& entry : nlohmann::json::parse(readText(file))) {
-      names[entry.at("id").get<int>()].push_back(entry.at("name").get<std::string>());
+  readJson(file, [&](const nlohmann::json& table) {
+    for (const auto& entry : table) {
+      names[integerOf(entry.at("id"))].push_back(entry.at("name").get<std::string>());
     }
-  } catch (const nlohmann::json::exception& error) {
-    throw Error("'" + file.string() + "': " + error.what());
-  }
+  });
   return names;
 }
 

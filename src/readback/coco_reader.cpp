@@ -74,15 +74,15 @@ void addKeypoints(const json& numbers, const json& category, DrawnLabel& label) 
   std::map<std::size_t, cv::Point2d> places;  // by the keypoints' numbers from 1
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
     const cv::Point2d place(numbers.at(i).get<double>(), numbers.at(i + 1).get<double>());
-    const int flag = numbers.at(i + 2).get<int>();
+    const int flag = integerOf(numbers.at(i + 2));
     if (flag == 0) continue;
     (flag == 2 ? label.keypoints : label.hidden_keypoints).push_back(place);
     places[i / 3 + 1] = place;
   }
   if (!category.contains("skeleton")) return;
   for (const json& line : category.at("skeleton")) {
-    const auto from = places.find(line.at(0).get<std::size_t>());
-    const auto to = places.find(line.at(1).get<std::size_t>());
+    const auto from = places.find(integerOf<std::size_t>(line.at(0)));
+    const auto to = places.find(integerOf<std::size_t>(line.at(1)));
     if (from != places.end() && to != places.end()) {
       label.lines.push_back({from->second, to->second});
     }
@@ -122,10 +122,10 @@ LabelledPicture readCoco(const WrittenScene& scene) {
   readingJson(entry.file, [&] {
     std::map<std::int64_t, json> categories;
     for (const json& each : entry.index->categories()) {
-      categories[each.at("id").get<std::int64_t>()] = each;
+      categories[integerOf<std::int64_t>(each.at("id"))] = each;
     }
     for (const json& each : entry.index->annotationsOf(entry.image_id)) {
-      const json& category = categories[each.at("category_id").get<std::int64_t>()];
+      const json& category = categories[integerOf<std::int64_t>(each.at("category_id"))];
       picture.labels.push_back(labelOf(each, category, picture.image.size()));
     }
   });

@@ -34,8 +34,8 @@ CameraModel cameraOf(const json& line) {
   Distortion distortion;
   distortion.model = distortionModelOf(camera.at("distortion_model").get<std::string>());
   distortion.coefficients = camera.at("D").get<std::array<double, 8>>();
-  return {line.at("width").get<int>(),
-          line.at("height").get<int>(),
+  return {integerOf(line.at("width")),
+          integerOf(line.at("height")),
           {k[0], k[4], k[2], k[5]},
           kNear,
           kFar,
@@ -63,14 +63,14 @@ DrawnLabel labelOf(const json& objects, std::size_t i, const cv::Mat& instances,
   label.X_CO = poseOf(objects.at("X_CO").at(i));
   const auto box = objects.at("bbox").at(i).get<std::array<double, 4>>();
   label.box = Box{box[0] - 0.5, box[1] - 0.5, box[0] + box[2] - 0.5, box[1] + box[3] - 0.5};
-  if (!instances.empty()) label.mask = instances == objects.at("instances").at(i).get<int>();
+  if (!instances.empty()) label.mask = instances == integerOf(objects.at("instances").at(i));
   const auto cuboid = objects.at("cuboid").at(i).get<std::array<double, 6>>();
   label.lines = cuboidLines({{cuboid[0], cuboid[1], cuboid[2]}, {cuboid[3], cuboid[4], cuboid[5]}},
                             *label.X_CO, camera);
   const json& keypoints = objects.at("keypoints").at(i);
   for (std::size_t k = 0; k < keypoints.size(); ++k) {
     const auto place = keypoints.at(k).get<std::array<double, 2>>();
-    const int flag = objects.at("keypoint_visibility").at(i).at(k).get<int>();
+    const int flag = integerOf(objects.at("keypoint_visibility").at(i).at(k));
     if (flag == 2) label.keypoints.emplace_back(place[0], place[1]);
     if (flag == 1) label.hidden_keypoints.emplace_back(place[0], place[1]);
   }

@@ -128,12 +128,18 @@ TEST(ParseSettings, RefusesWhatTheParameterServerCannotHold) {
       {"1: 2", "found the name 1, which"},
       {"yes: 2", "found the name yes, which"},
       {"a: deg(x)", "found the angle 'x'"},
-      {"a: 1\n---\nb: 2", "a second document"}};
+      {"a: 1\n---\nb: 2", "a second document"},
+      {", a", "a second document"},  // of which yaml-cpp's LoadAll makes documents without end
+      {"a: 1\n}", "illegal flow end"}};
   for (const auto& each : cases) {
     EXPECT_THAT([&] { return parseSettings(each.first, "test"); },
                 ThrowsMessage<Error>(HasSubstr(each.second)))
         << each.first;
   }
+}
+
+TEST(ParseYaml, ComesToAnEndWithAStrayComma) {
+  EXPECT_EQ(parseYaml(",1_005tr _005tr 1, n: ~}\n", "my.yaml"), Value());
 }
 
 TEST(ParseYaml, RefusesAliasesThatMultiplyALongText) {

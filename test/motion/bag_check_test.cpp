@@ -130,6 +130,19 @@ TEST_F(BagCheck, RefusesAChunkThatHasLessInItThanItSays) {
               HasSubstr("a chunk has less in it than it says"));
 }
 
+TEST_F(BagCheck, RefusesAChunkThatCannotBeDecompressed) {
+  std::string content = bag(Compression::kBz2);
+  constexpr std::size_t kIntoTheBlock = 20;
+  content[content.find("BZh") + kIntoTheBlock] ^= '\x55';
+  const std::string file = folder_.write("changed.bag", content).string();
+  try {
+    checkBag(file, [](const std::string&) { return true; });
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a chunk cannot be decompressed: "));
+  }
+}
+
 TEST_F(BagCheck, RefusesTransformsThatTheMessageHasNoBytesFor) {
   const std::string content = bag();
   constexpr std::size_t kBefore = 20;  // the count, the sequence number, the stamp, a length

@@ -34,6 +34,13 @@ TEST_F(CityscapesReader, ReadsInstancesAndTheirNames) {
   EXPECT_EQ(picture.labels[1].caption, "27000");
 }
 
+TEST_F(CityscapesReader, RefusesNumbersThatNoLabelCanHave) {
+  for (const char* number : {"7e77", "2.5", "-3000000000", "\"26\""}) {
+    (void)folder_.write("labels.json", R"([{"id": )" + std::string(number) + R"(, "name": "car"}])");
+    EXPECT_THROW((void)read(cv::Mat(10, 20, CV_16UC1, cv::Scalar(7))), Error) << number;
+  }
+}
+
 TEST_F(CityscapesReader, RefusesPicturesOfAnotherKind) {
   EXPECT_THROW((void)read(cv::Mat(10, 20, CV_8UC1, cv::Scalar(1))), Error);
 }

@@ -88,7 +88,8 @@ void checkPly(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string line;
   while (std::getline(stream, line)) {
-    if (line.rfind("end_header", 0) == 0) return;
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+    if (line == "end_header") return;
   }
   throw Error("cannot be read: its header has no line 'end_header'");
 }

@@ -62,6 +62,9 @@ TEST_F(MeshFaultTest, RefusesAFileThatBreaksOff) {
   EXPECT_THAT(
       errorOf(write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n")),
       HasSubstr("a.ply': "));
+  EXPECT_THAT(errorOf(write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                     "end_header3 0 1 2")),
+              HasSubstr("no line 'end_header'"));
   EXPECT_THAT(errorOf(write("a.obj", "")), HasSubstr("a.obj': "));
 }
 

@@ -204,8 +204,9 @@ TEST(LargestDistance, IsThatOfBruteForce) {
 }
 
 TEST(LargestDistance, OfASphereIsThatOfBruteForce) {
+  const auto sphere = sphereMesh(0.37);
   std::vector<Eigen::Vector3d> points;
-  for (const Eigen::Vector3f& p : sphereMesh(0.37)->positions) points.push_back(p.cast<double>());
+  for (const Eigen::Vector3f& p : sphere->positions) points.push_back(p.cast<double>());
   EXPECT_DOUBLE_EQ(largestDistance(points), bruteForceDiameter(points));
 }
 
