@@ -109,6 +109,8 @@ class Caster {
       const auto there = look(pixel + to);
       if (!there || there->link != here->link) return true;
       if (here->link == 0) continue;
+      constexpr double kCrease = 0.9;  // cosine of the angle between two faces
+      if (there->normal_C.dot(here->normal_C) < kCrease) return true;
       // Where the ray would be if the surface were flat.
       const double flat =
           here->range * here->normal_C.dot(here->ray_C) / here->normal_C.dot(there->ray_C);
