@@ -44,6 +44,7 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
         part.link = link;
         part.identifier = static_cast<std::uint32_t>(links[link].object + 1);
         part.X_LV = visual.X_LV;
+        part.stands_still = links[link].role == world::Role::kStatic;
         part.casts_shadow =
             visual.casts_shadow && !part.transparent && !isLargeAndFlat(part.bounds_V);
         parts_.push_back(part);
@@ -96,18 +97,29 @@ Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection
   return bounds;
 }
 
+std::vector<const Part*> DrawList::solidParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
+                                              const LinkSelection& drawn) const {
+  return sorted(X_CW, X_WL, drawn, false);
+}
+
 std::vector<const Part*> DrawList::transparentParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
                                                     const LinkSelection& drawn) const {
-  std::vector<std::pair<double, const Part*>> sorted;
+  return sorted(X_CW, X_WL, drawn, true);
+}
+
+std::vector<const Part*> DrawList::sorted(const Pose& X_CW, const std::vector<Pose>& X_WL,
+                                          const LinkSelection& drawn, bool transparent) const {
+  std::vector<std::pair<double, const Part*>> parts;
   for (const Part& part : parts_) {
-    if (!drawn[part.link] || !part.transparent || part.bounds_V.isEmpty()) continue;
+    if (!drawn[part.link] || part.transparent != transparent || part.bounds_V.isEmpty()) continue;
     const Eigen::Vector3d centre = X_CW * X_WL[part.link] * part.X_LV * part.bounds_V.center();
-    sorted.emplace_back(-centre.z(), &part);
+    parts.emplace_back(transparent ? -centre.z() : centre.z(), &part);
   }
-  std::stable_sort(sorted.begin(), sorted.end(),
+  std::stable_sort(parts.begin(), parts.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<const Part*> result;
-  for (const auto& entry : sorted) result.push_back(entry.second);
+  result.reserve(parts.size());
+  for (const auto& entry : parts) result.push_back(entry.second);
   return result;
 }
 

@@ -34,6 +34,7 @@ struct Part {
   Bounds bounds_V;
   bool transparent = false;  ///< somewhere; it casts no shadow then
   bool casts_shadow = true;
+  bool stands_still = false;  ///< the link is of what never moves
 };
 
 /// Whether labels leave the part out: the world's glass does not hide what is behind it.
@@ -53,6 +54,11 @@ class DrawList {
   [[nodiscard]] Bounds casterBounds(const std::vector<Pose>& X_WL,
                                     const LinkSelection& casting) const;
 
+  /// The selected parts that one cannot see through, nearest first: what they hide is not shaded.
+  [[nodiscard]] std::vector<const Part*> solidParts(const Pose& X_CW,
+                                                    const std::vector<Pose>& X_WL,
+                                                    const LinkSelection& drawn) const;
+
   /// The selected parts that one can see through, farthest first.
   [[nodiscard]] std::vector<const Part*> transparentParts(const Pose& X_CW,
                                                           const std::vector<Pose>& X_WL,
@@ -60,6 +66,9 @@ class DrawList {
 
  private:
   [[nodiscard]] Part makePart(const world::Surface& surface);
+  /// By the depth of their bounds' centres; solid ones begin with the nearest.
+  [[nodiscard]] std::vector<const Part*> sorted(const Pose& X_CW, const std::vector<Pose>& X_WL,
+                                                const LinkSelection& drawn, bool transparent) const;
 
   MeshLibrary meshes_;
   TextureLibrary textures_;

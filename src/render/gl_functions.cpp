@@ -64,6 +64,7 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(GenerateTextureMipmap, "glGenerateTextureMipmap");
   fill(TextureParameteri, "glTextureParameteri");
   fill(BindTextureUnit, "glBindTextureUnit");
+  fill(CopyImageSubData, "glCopyImageSubData");
   fill(CreateFramebuffers, "glCreateFramebuffers");
   fill(DeleteFramebuffers, "glDeleteFramebuffers");
   fill(BindFramebuffer, "glBindFramebuffer");

@@ -50,6 +50,7 @@ struct GlFunctions {
   PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = nullptr;
   PFNGLTEXTUREPARAMETERIPROC TextureParameteri = nullptr;
   PFNGLBINDTEXTUREUNITPROC BindTextureUnit = nullptr;
+  PFNGLCOPYIMAGESUBDATAPROC CopyImageSubData = nullptr;
 
   PFNGLCREATEFRAMEBUFFERSPROC CreateFramebuffers = nullptr;
   PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers = nullptr;

@@ -107,11 +107,14 @@ void fitSpot(const world::Light& light, int size, ShadowProjection& projection) 
   projection.texel = 2.0 / (scale * size);
 }
 
-int layerOf(const std::vector<ShadowProjection>& shadows, int light) {
-  for (const ShadowProjection& shadow : shadows) {
-    if (shadow.light == light) return shadow.layer;
+/// The layer of each light's shadow map, -1 for none.
+std::vector<int> shadowLayers(const std::vector<world::Light>& lights) {
+  int next = 0;
+  std::vector<int> layers;
+  for (const world::Light& light : lights) {
+    layers.push_back(castsShadow(light) && next < kMaxShadows ? next++ : -1);
   }
-  return -1;
+  return layers;
 }
 
 }  // namespace
@@ -150,11 +153,11 @@ std::vector<ShadowProjection> shadowProjections(const std::vector<world::Light>&
                                                 int size) {
   std::vector<ShadowProjection> result;
   if (casters.isEmpty()) return result;
+  const std::vector<int> layers = shadowLayers(lights);
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (!castsShadow(lights[i]) || static_cast<int>(result.size()) == kMaxShadows) continue;
+    if (layers[i] < 0) continue;
     ShadowProjection projection;
-    projection.light = static_cast<int>(i);
-    projection.layer = static_cast<int>(result.size());
+    projection.layer = layers[i];
     if (lights[i].type == world::LightType::kSpot) {
       fitSpot(lights[i], size, projection);
     } else {
@@ -165,10 +168,30 @@ std::vector<ShadowProjection> shadowProjections(const std::vector<world::Light>&
   return result;
 }
 
+std::string lightMacros(const std::vector<world::Light>& lights) {
+  // Each costs time to compile, in every program.
+  constexpr std::size_t kMostUnrolled = 8;
+  const std::vector<int> layers = shadowLayers(lights);
+  std::string each;
+  std::string types;
+  std::string other_layers;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const std::string type = std::to_string(static_cast<int>(lights[i].type));
+    const std::string layer = std::to_string(layers[i]);
+    if (i < kMostUnrolled) each += " LIGHT(" + std::to_string(i) + "," + type + "," + layer + ")";
+    types += (i > 0 ? "," : "") + type;
+    other_layers += (i > 0 ? "," : "") + layer;
+  }
+  if (lights.size() <= kMostUnrolled) return "#define EACH_LIGHT" + each + "\n";
+  const std::string list = "const int kTypes[] = int[](" + types + ");\n" +
+                           "const int kLayers[] = int[](" + other_layers + ");\n";
+  return list + "#define EACH_LIGHT" + each + " for (int i = " + std::to_string(kMostUnrolled) +
+         "; i < " + std::to_string(lights.size()) + "; ++i) { LIGHT(i, kTypes[i], kLayers[i]) }\n";
+}
+
 void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
                const std::vector<ShadowProjection>& shadows, const View& view) {
   const Pose X_CW = view.X_WC.inverse();
-  program.set("light_count", static_cast<int>(lights.size()));
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const world::Light& light = lights[i];
     const std::string name = "lights[" + std::to_string(i) + "].";
@@ -179,14 +202,12 @@ void setLights(const ShaderProgram& program, const std::vector<world::Light>& li
                                       light.attenuation_quadratic);
     const Eigen::Vector3d cone(std::cos(0.5 * light.spot_inner_angle),
                                std::cos(0.5 * light.spot_outer_angle), light.spot_falloff);
-    program.set(name + "type", static_cast<int>(light.type));
     program.set(name + "position_C", Eigen::Vector3f(position.cast<float>()));
     program.set(name + "direction_C", Eigen::Vector3f(direction.cast<float>()));
     program.set(name + "intensity", light.diffuse);
     program.set(name + "attenuation", Eigen::Vector3f(attenuation.cast<float>()));
     program.set(name + "range", static_cast<float>(light.range));
     program.set(name + "cone", Eigen::Vector3f(cone.cast<float>()));
-    program.set(name + "shadow_layer", layerOf(shadows, static_cast<int>(i)));
   }
   for (const ShadowProjection& shadow : shadows) {
     const std::string index = "[" + std::to_string(shadow.layer) + "]";

@@ -16,7 +16,6 @@ using Bounds = Eigen::AlignedBox3d;
 
 /// How one light's shadow map is made and read.
 struct ShadowProjection {
-  int light = 0;  ///< index in the description's lights
   int layer = 0;
   Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Identity();
   double texel = 0.0;  ///< a texel's size [m], for spot lights at a distance of 1 m
@@ -39,6 +38,9 @@ struct ShadowProjection {
 
 /// @throws Error when there are more lights than the shader has
 void checkLightCount(const std::vector<world::Light>& lights);
+
+/// What the colour shader has to know of the lights when it is compiled: its macro EACH_LIGHT.
+[[nodiscard]] std::string lightMacros(const std::vector<world::Light>& lights);
 
 /// Tells the colour shader of the lights, in the camera's frame.
 void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,

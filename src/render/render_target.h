@@ -17,7 +17,8 @@ class ColourTarget {
   /// Binds the target and fills it with a colour (linear red, green, blue).
   void begin(const float background[3]) const;
 
-  /// The picture: CV_8UC3, blue green red, sRGB-encoded, first row on top.
+  /// The picture: CV_8UC3, blue green red, sRGB-encoded, first row on top. Light is averaged before
+  /// it is encoded.
   [[nodiscard]] cv::Mat read() const;
 
  private:

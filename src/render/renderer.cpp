@@ -11,7 +11,7 @@
 #include "render/osmesa_context.h"
 #include "render/shader_family.h"
 #include "render/shaders.h"
-#include "render/shadow_maps.h"
+#include "render/shadow_painter.h"
 #include "render/sky_painter.h"
 #include "render/srgb.h"
 #include "render/surface_drawing.h"
@@ -45,11 +45,10 @@ struct Renderer::Impl {
         background(linearFromSrgb(description.background)),
         fog(description.fog),
         gl(context.gl()),
-        colour_programs(gl, shaders::kMeshVertex, shaders::kColourFragment, kAllFeatures),
-        depth_programs(gl, shaders::kMeshVertex, shaders::kShadowFragment, feature::kHoles),
-        shadow_programs(gl, shaders::kShadowVertex, shaders::kShadowFragment, feature::kHoles),
+        colour_programs(gl, shaders::kMeshVertex, shaders::kColourFragment, kAllFeatures,
+                        lightMacros(description.lights)),
         draw_list(gl, links),
-        shadow_maps(gl, options.shadow_map_size, shadowCount(description.lights)),
+        shadow_painter(gl, draw_list, options.shadow_map_size, shadowCount(description.lights)),
         label_painter(gl, draw_list, lenses),
         silhouette_painter(gl, draw_list, lenses) {
     checkLightCount(lights);
@@ -60,27 +59,6 @@ struct Renderer::Impl {
     gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl.Enable(GL_DEPTH_TEST);
     if (description.sky) sky.emplace(gl, *description.sky, lights);
-  }
-
-  void drawShadows(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
-                   const LinkSelection& casting) {
-    gl.Enable(GL_DEPTH_CLAMP);  // what stands before the map's range still casts
-    gl.DepthFunc(GL_LESS);
-    gl.Disable(GL_CULL_FACE);
-    for (const ShadowProjection& shadow : shadows) {
-      shadow_maps.begin(shadow.layer);
-      for (const Part& part : draw_list.parts()) {
-        if (!part.casts_shadow || !casting[part.link]) continue;
-        const Eigen::Matrix4d shadow_from_mesh =
-            shadow.shadow_from_world * (X_WL[part.link] * part.X_LV).matrix();
-        const ShaderProgram& program = shadow_programs.get(part.features);
-        program.use();
-        program.set("shadow_from_mesh", Eigen::Matrix4f(shadow_from_mesh.cast<float>()));
-        bindHoles(gl, program, part);
-        part.mesh->draw();
-      }
-    }
-    gl.Disable(GL_DEPTH_CLAMP);
   }
 
   void setMaterial(const ShaderProgram& program, const Part& part) const {
@@ -116,22 +94,10 @@ struct Renderer::Impl {
     program.set("exposure", exposure);
   }
 
-  /// Depth first: lighting is the costly part, and is then done only for what is seen.
-  void drawDepth(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn) {
-    gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    gl.DepthFunc(GL_GREATER);
-    for (const Part& part : draw_list.parts()) {
-      if (!drawn[part.link] || part.transparent) continue;
-      drawSurface(gl, depth_programs.get(part.features), part, view, X_WL[part.link]);
-    }
-    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  }
-
   /// Draws the selected parts into the bound colour target: solid ones, the sky behind them, then
   /// those that one can see through.
   void drawColours(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
                    const std::vector<ShadowProjection>& shadows) {
-    drawDepth(view, X_WL, pass.drawn);
     const SurfaceFeatures common = (fog ? feature::kFog : SurfaceFeatures{0}) |
                                    (shadows.empty() ? SurfaceFeatures{0} : feature::kShadows);
     std::set<const ShaderProgram*> prepared;
@@ -143,15 +109,15 @@ struct Renderer::Impl {
       setMaterial(program, part);
       drawSurface(gl, program, part, view, X_WL[part.link]);
     };
-    gl.BindTextureUnit(kShadowUnit, shadow_maps.texture());
+    gl.BindTextureUnit(kShadowUnit, shadow_painter.texture());
+    const Pose X_CW = view.X_WC.inverse();
+    gl.DepthFunc(GL_GREATER);
+    for (const Part* part : draw_list.solidParts(X_CW, X_WL, pass.drawn)) draw(*part);
     gl.DepthMask(GL_FALSE);
     gl.DepthFunc(GL_GEQUAL);
-    for (const Part& part : draw_list.parts()) {
-      if (pass.drawn[part.link] && !part.transparent) draw(part);
-    }
     if (sky) sky->paint(view, pass.exposure);
     gl.Enable(GL_BLEND);
-    for (const Part* part : draw_list.transparentParts(view.X_WC.inverse(), X_WL, pass.drawn)) {
+    for (const Part* part : draw_list.transparentParts(X_CW, X_WL, pass.drawn)) {
       draw(*part);
     }
     gl.Disable(GL_BLEND);
@@ -164,7 +130,6 @@ struct Renderer::Impl {
                       const std::vector<ShadowProjection>& shadows) {
     const ColourTarget& target = colourTarget(view.camera, pass.sampling);
     const Eigen::Vector3f exposed = pass.exposure * background;
-    gl.Enable(GL_FRAMEBUFFER_SRGB);
     target.begin(exposed.data());
     if (region) {
       gl.Enable(GL_SCISSOR_TEST);
@@ -172,9 +137,7 @@ struct Renderer::Impl {
     }
     drawColours(view, X_WL, pass, shadows);
     gl.Disable(GL_SCISSOR_TEST);
-    cv::Mat image = target.read();
-    gl.Disable(GL_FRAMEBUFFER_SRGB);
-    return image;
+    return target.read();
   }
 
   cv::Mat drawThroughLens(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
@@ -214,10 +177,8 @@ struct Renderer::Impl {
   OsmesaContext context;  // before all that lives in it
   const GlFunctions& gl;
   ShaderFamily colour_programs;
-  ShaderFamily depth_programs;
-  ShaderFamily shadow_programs;
   DrawList draw_list;
-  ShadowMaps shadow_maps;
+  ShadowPainter shadow_painter;
   LensLibrary lenses;
   LabelPainter label_painter;
   SilhouettePainter silhouette_painter;
@@ -240,7 +201,7 @@ cv::Mat Renderer::colour(const View& view, const std::vector<Pose>& X_WL, const 
       distorted ? faceViews(impl.lenses.get(view.camera), view) : std::vector<View>{view},
       impl.draw_list.casterBounds(X_WL, pass.casting), impl.options.shadow_distance,
       impl.options.shadow_map_size);
-  impl.drawShadows(shadows, X_WL, pass.casting);
+  impl.shadow_painter.paint(shadows, X_WL, pass.casting);
   return distorted ? impl.drawThroughLens(view, X_WL, pass, shadows)
                    : impl.drawPinhole(view, X_WL, pass, pass.region, shadows);
 }

@@ -26,9 +26,8 @@ constexpr std::array<Macro, 11> kMacros = {{{feature::kTextured, "TEXTURED"},
                                             {feature::kShadows, "SHADOWS"}}};
 
 /// The source with the features' macros after its first line, where GLSL wants its #version.
-std::string withMacros(const std::string& source, SurfaceFeatures features) {
+std::string withMacros(const std::string& source, SurfaceFeatures features, std::string macros) {
   const std::size_t first_line = source.find('\n') + 1;
-  std::string macros;
   for (const Macro& macro : kMacros) {
     if ((features & macro.feature) != 0) macros += std::string("#define ") + macro.name + "\n";
   }
@@ -38,19 +37,22 @@ std::string withMacros(const std::string& source, SurfaceFeatures features) {
 }  // namespace
 
 ShaderFamily::ShaderFamily(const GlFunctions& gl, std::string vertex_source,
-                           std::string fragment_source, SurfaceFeatures understood)
+                           std::string fragment_source, SurfaceFeatures understood,
+                           std::string macros)
     : gl_(gl),
       vertex_source_(std::move(vertex_source)),
       fragment_source_(std::move(fragment_source)),
-      understood_(understood) {}
+      understood_(understood),
+      macros_(std::move(macros)) {}
 
 const ShaderProgram& ShaderFamily::get(SurfaceFeatures features) {
   const SurfaceFeatures known = features & understood_;
   const auto found = programs_.find(known);
   if (found != programs_.end()) return found->second;
   const ShaderProgram& program = programs_
-                                     .try_emplace(known, gl_, withMacros(vertex_source_, known),
-                                                  withMacros(fragment_source_, known))
+                                     .try_emplace(known, gl_,
+                                                  withMacros(vertex_source_, known, macros_),
+                                                  withMacros(fragment_source_, known, macros_))
                                      .first->second;
   setTextureUnits(program);
   return program;

@@ -13,8 +13,9 @@ namespace synthetic_dataset::render {
 class ShaderFamily {
  public:
   /// @param understood  the features that the sources know; others make no difference
+  /// @param macros  lines that all programs have besides those of their features
   ShaderFamily(const GlFunctions& gl, std::string vertex_source, std::string fragment_source,
-               SurfaceFeatures understood);
+               SurfaceFeatures understood, std::string macros = "");
 
   /// The reference stays good as long as the family.
   [[nodiscard]] const ShaderProgram& get(SurfaceFeatures features);
@@ -24,6 +25,7 @@ class ShaderFamily {
   std::string vertex_source_;
   std::string fragment_source_;
   SurfaceFeatures understood_;
+  std::string macros_;
   std::map<SurfaceFeatures, ShaderProgram> programs_;
 };
 

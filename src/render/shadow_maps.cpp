@@ -4,11 +4,22 @@
 
 namespace synthetic_dataset::render {
 
+namespace {
+
+GlTexture makeLayers(const GlFunctions& gl, int size, int layers) {
+  GlTexture texture = makeTexture(gl, GL_TEXTURE_2D_ARRAY);
+  gl.TextureStorage3D(texture.name(), 1, GL_DEPTH_COMPONENT32F, size, size, layers);
+  return texture;
+}
+
+}  // namespace
+
 ShadowMaps::ShadowMaps(const GlFunctions& gl, int size, int layers)
-    : gl_(gl), size_(size), depth_(makeTexture(gl, GL_TEXTURE_2D_ARRAY)) {
+    : gl_(gl),
+      size_(size),
+      layer_count_(std::max(layers, 1)),  // the shader's sampler needs a texture without shadows too
+      depth_(makeLayers(gl, size, layer_count_)) {
   const GLuint name = depth_.name();
-  // The shader's sampler needs a texture even where no light casts a shadow.
-  gl.TextureStorage3D(name, 1, GL_DEPTH_COMPONENT32F, size, size, std::max(layers, 1));
   gl.TextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.TextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.TextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -24,10 +35,36 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, int size, int layers)
 
 void ShadowMaps::begin(int layer) const {
   constexpr float kFarthest = 1.0F;
-  const GLuint name = layers_[static_cast<std::size_t>(layer)].name();
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, name);
+  bind(layer);
+  gl_.ClearNamedFramebufferfv(layers_[static_cast<std::size_t>(layer)].name(), GL_DEPTH, 0,
+                              &kFarthest);
+}
+
+void ShadowMaps::keep(int layer) {
+  if (kept_.name() == 0) kept_ = makeLayers(gl_, size_, layer_count_);
+  copy(depth_, kept_, layer, whole());
+}
+
+void ShadowMaps::beginKept(int layer, const Eigen::AlignedBox2i& changed) const {
+  if (!changed.isEmpty()) copy(kept_, depth_, layer, changed);
+  bind(layer);
+}
+
+Eigen::AlignedBox2i ShadowMaps::whole() const {
+  return {Eigen::Vector2i(0, 0), Eigen::Vector2i(size_ - 1, size_ - 1)};
+}
+
+void ShadowMaps::bind(int layer) const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, layers_[static_cast<std::size_t>(layer)].name());
   gl_.Viewport(0, 0, size_, size_);
-  gl_.ClearNamedFramebufferfv(name, GL_DEPTH, 0, &kFarthest);
+}
+
+void ShadowMaps::copy(const GlTexture& from, const GlTexture& to, int layer,
+                      const Eigen::AlignedBox2i& texels) const {
+  const Eigen::Vector2i first = texels.min();
+  const Eigen::Vector2i size = texels.sizes() + Eigen::Vector2i(1, 1);
+  gl_.CopyImageSubData(from.name(), GL_TEXTURE_2D_ARRAY, 0, first.x(), first.y(), layer, to.name(),
+                       GL_TEXTURE_2D_ARRAY, 0, first.x(), first.y(), layer, size.x(), size.y(), 1);
 }
 
 }  // namespace synthetic_dataset::render

@@ -301,6 +301,40 @@ TEST_F(Shadows, OfASpotLightSpreadFromTheLamp) {
   EXPECT_LT(floorAt(image, near_edge - 0.3, 0.0), 0.6 * floorAt(image, near_edge + 0.5, 0.0));
 }
 
+/// Maps are kept from picture to picture where they can be.
+TEST_F(Shadows, AreTheSameWhateverWasDrawnBefore) {
+  description.lights[0].direction_L = Eigen::Vector3d(1, 0, -1).normalized();
+  world::Light lamp = description.lights[0];
+  lamp.type = world::LightType::kSpot;
+  lamp.X_WL = at(0.9, 0, 3.0);
+  lamp.spot_inner_angle = 1.6;
+  lamp.spot_outer_angle = 2.0;
+  description.lights.push_back(lamp);
+  stage.addBox({0.2, 0.2, 0.8}, at(-0.8, 0.5, 0.4), -1, coloured(0.2F, 0.8F, 0.2F));
+  stage.addBox({6, 0.2, 2.5}, at(0, 2.5, 1.25), -1, coloured(0.5F, 0.5F, 0.5F));
+  const std::vector<Pose> places = {at(0, 0, 1), at(0, 0, 1), at(0.3, 0, 1), at(-2, -2, 1),
+                                    at(0, 0, 6), at(9, 9, 1), at(0.3, 0, 1)};
+  std::vector<cv::Mat> images;
+  {
+    Renderer renderer(description, stage.links(), {});
+    for (const Pose& place : places) {
+      stage.poses()[1] = place;
+      const LinkSelection floor = {true, false, false, false};
+      (void)renderer.colour(view, stage.poses(), {stage.all(), floor});
+      (void)renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
+      images.push_back(renderer.colour(view, stage.poses(), {stage.all(), stage.all()}));
+    }
+    for (const Pose& place : places) {
+      stage.poses()[1] = place;
+      images.push_back(renderer.colour(view, stage.poses(), {stage.all(), stage.all()}));
+    }
+  }
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    stage.poses()[1] = places[i % places.size()];
+    EXPECT_EQ(cv::norm(images[i], picture(stage.all()), cv::NORM_INF), 0.0) << "picture " << i;
+  }
+}
+
 TEST_F(Shadows, AreThrownByCastingLinksAlone) {
   description.lights[0].direction_L = Eigen::Vector3d(1, 0, -1).normalized();
   const cv::Mat image = picture({true, false});

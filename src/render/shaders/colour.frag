@@ -3,25 +3,26 @@
 // height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient light.
 // All lighting is linear and happens in the camera's optical frame.
 
-const int kDirectional = 0;
-const int kSpot = 2;
+// LIGHT(i, TYPE, SHADOW_LAYER) for each light is EACH_LIGHT, set when this is compiled: llvmpipe runs every
+// branch of a shader for every pixel, and a loop once more than it says, so what a light has not
+// costs nothing only if it is not there.
+#define DIRECTIONAL 0
+#define POINT 1
+#define SPOT 2
 const int kLinearFog = 0;
 const int kExponentialFog = 1;
 const float kPi = 3.14159265;
 
 struct Light {
-  int type;
   vec3 position_C;
   vec3 direction_C;  // where it shines
   vec3 intensity;
   vec3 attenuation;  // constant, linear, quadratic
   float range;
   vec3 cone;         // cosine of the inner angle, cosine of the outer angle, falloff
-  int shadow_layer;  // -1: casts none
 };
 
 uniform Light lights[MAX_LIGHTS];
-uniform int light_count;
 uniform mat4 shadow_from_camera[MAX_SHADOWS];
 uniform float shadow_texel[MAX_SHADOWS];  // size of a texel [m], for spot lights at 1 m
 uniform sampler2DArrayShadow shadow_maps;
@@ -58,53 +59,67 @@ in vec4 tint;
 layout(location = 0) out vec4 colour;
 
 #ifdef SHADOWS
-float shadow(Light light, vec3 normal, float n_dot_l) {
-  if (light.shadow_layer < 0) return 1.0;
+// How much of the light passes: the mean over a square of 3 x 3 texels round the place, whose rim
+// counts by its share, found from 4 x 4 texels.
+float passing(vec2 place, int layer, float depth) {
+  vec2 size = vec2(textureSize(shadow_maps, 0).xy);
+  vec2 texel = place * size - 0.5;
+  vec2 first = floor(texel);
+  vec2 share = texel - first;
+  // A gather takes the four texels round a corner: lower left is w, right of it z, above that y, x.
+  vec2 corner = first / size;
+  vec2 step = 2.0 / size;
+  vec4 a = textureGather(shadow_maps, vec3(corner, layer), depth);
+  vec4 b = textureGather(shadow_maps, vec3(corner + vec2(step.x, 0.0), layer), depth);
+  vec4 c = textureGather(shadow_maps, vec3(corner + vec2(0.0, step.y), layer), depth);
+  vec4 d = textureGather(shadow_maps, vec3(corner + step, layer), depth);
+  vec2 rim = 1.0 - share;
+  float low = rim.x * a.w + a.z + b.w + share.x * b.z;
+  float low_middle = rim.x * a.x + a.y + b.x + share.x * b.y;
+  float high_middle = rim.x * c.w + c.z + d.w + share.x * d.z;
+  float high = rim.x * c.x + c.y + d.x + share.x * d.y;
+  return (rim.y * low + low_middle + high_middle + share.y * high) / 9.0;
+}
+
+float shadow(Light light, int type, int layer, vec3 normal, float n_dot_l) {
   // A surface is compared a little above itself, by about a texel, more at grazing light.
-  float texel = shadow_texel[light.shadow_layer];
-  if (light.type == kSpot) texel *= distance(position_C, light.position_C);
-  float slope = sqrt(1.0 - n_dot_l * n_dot_l);
+  float texel = shadow_texel[max(layer, 0)];
+  if (type == SPOT) texel *= distance(position_C, light.position_C);
+  float slope = sqrt(max(1.0 - n_dot_l * n_dot_l, 0.0));
   vec3 raised = position_C + normal * texel * (0.6 + 2.2 * slope);
-  vec4 p = shadow_from_camera[light.shadow_layer] * vec4(raised, 1.0);
-  if (p.w <= 0.0) return 1.0;
+  vec4 p = shadow_from_camera[max(layer, 0)] * vec4(raised, 1.0);
+  bool outside = p.w <= 0.0;
   p.xyz /= p.w;
   vec2 place = p.xy * 0.5 + 0.5;
-  float depth = min(p.z, 1.0);
-  vec2 step = 1.0 / vec2(textureSize(shadow_maps, 0).xy);
-  float lit = 0.0;
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      vec2 tap = place + vec2(x, y) * step * 1.2;
-      lit += texture(shadow_maps, vec4(tap, light.shadow_layer, depth));
-    }
-  }
   // Nothing is in the shadow of what lies outside of the map. (A border colour says the same, but
   // costs llvmpipe a third more time.)
-  bool outside = any(greaterThan(abs(place - 0.5), vec2(0.5)));
-  return outside ? 1.0 : lit / 9.0;
+  outside = outside || any(greaterThan(abs(place - 0.5), vec2(0.5)));
+  return outside ? 1.0 : passing(place, layer, min(p.z, 1.0));
 }
 #endif
 
 // What of the light arrives at the point, and from where.
-vec3 incoming(Light light, out vec3 to_light) {
-  if (light.type == kDirectional) {
+vec3 incoming(Light light, int type, out vec3 to_light) {
+  if (type == DIRECTIONAL) {
     to_light = -light.direction_C;
     return light.intensity;
   }
   vec3 way = light.position_C - position_C;
   float d = length(way);
   to_light = way / max(d, 1e-6);
-  if (d > light.range) return vec3(0.0);
   float falling = 1.0 / max(dot(light.attenuation, vec3(1.0, d, d * d)), 1e-6);
-  if (light.type == kSpot) {
+  if (type == SPOT) {
     float cosine = dot(-to_light, light.direction_C);
     float inside = clamp((cosine - light.cone.y) / max(light.cone.x - light.cone.y, 1e-4), 0.0, 1.0);
     falling *= pow(inside, max(light.cone.z, 1e-3));
   }
-  return light.intensity * falling;
+  return d > light.range ? vec3(0.0) : light.intensity * falling;
 }
 
-vec3 fresnel(vec3 f0, float cosine) { return f0 + (1.0 - f0) * pow(1.0 - cosine, 5.0); }
+vec3 fresnel(vec3 f0, float cosine) {
+  float x = 1.0 - cosine;
+  return f0 + (1.0 - f0) * (x * x) * (x * x) * x;
+}
 
 vec3 specular(vec3 f0, float alpha, float n_dot_l, float n_dot_v, float n_dot_h, float v_dot_h) {
   float a2 = alpha * alpha;
@@ -137,6 +152,26 @@ vec3 bent(vec3 normal) {
   if (longest <= 0.0) return normal;  // no texture coordinates
   vec3 bend = texture(normal_map, coordinates).xyz * 2.0 - 1.0;
   return normalize((bend.x * u_axis - bend.y * v_axis) * inversesqrt(longest) + bend.z * normal);
+}
+
+// What of one light a surface sends to the eye.
+vec3 sent(Light light, int type, int layer, vec3 f0, vec3 matte, float alpha, vec3 normal, vec3 surface,
+          vec3 to_eye, float n_dot_v) {
+  vec3 to_light;
+  vec3 arriving = incoming(light, type, to_light);
+  float n_dot_l = dot(normal, to_light);
+  float surface_dot_l = dot(surface, to_light);
+#ifdef SHADOWS
+  if (layer >= 0) arriving *= shadow(light, type, layer, surface, surface_dot_l);
+#endif
+  vec3 halfway = normalize(to_light + to_eye);
+  float n_dot_h = max(dot(normal, halfway), 0.0);
+  float v_dot_h = max(dot(to_eye, halfway), 0.0);
+  // Lights are given so that a white matte surface facing one of intensity 1 is just white: pi is
+  // left out of the diffuse term, and put back into the specular one.
+  vec3 shine = kPi * specular(f0, alpha, n_dot_l, n_dot_v, n_dot_h, v_dot_h);
+  bool dark = n_dot_l <= 0.0 || surface_dot_l <= 0.0;
+  return dark ? vec3(0.0) : arriving * n_dot_l * (matte + shine);
 }
 
 // The light that a surface of this colour sends to the eye.
@@ -174,23 +209,10 @@ vec3 lit(vec3 base) {
   vec3 around = ambient * mix(0.55, 1.0, sky);
   vec3 sum = around * (matte + fresnel(f0, n_dot_v) * mix(1.0, 0.4, rough)) + glow;
 
-  for (int i = 0; i < light_count; ++i) {
-    vec3 to_light;
-    vec3 arriving = incoming(lights[i], to_light);
-    float n_dot_l = dot(normal, to_light);
-    float surface_dot_l = dot(surface, to_light);
-    if (n_dot_l <= 0.0 || surface_dot_l <= 0.0 || arriving == vec3(0.0)) continue;
-#ifdef SHADOWS
-    arriving *= shadow(lights[i], surface, surface_dot_l);
-#endif
-    vec3 halfway = normalize(to_light + to_eye);
-    float n_dot_h = max(dot(normal, halfway), 0.0);
-    float v_dot_h = max(dot(to_eye, halfway), 0.0);
-    // Lights are given so that a white matte surface facing one of intensity 1 is just white: pi is
-    // left out of the diffuse term, and put back into the specular one.
-    vec3 shine = kPi * specular(f0, alpha, n_dot_l, n_dot_v, n_dot_h, v_dot_h);
-    sum += arriving * n_dot_l * (matte + shine);
-  }
+#define LIGHT(i, type, layer) \
+  sum += sent(lights[i], type, layer, f0, matte, alpha, normal, surface, to_eye, n_dot_v);
+  EACH_LIGHT
+#undef LIGHT
   return sum;
 }
 
@@ -233,5 +255,5 @@ void main() {
 #ifdef FOG
   seen = mix(seen, exposure * fog_colour, fogginess(length(position_C)));
 #endif
-  colour = vec4(seen, base.a);
+  colour = vec4(min(seen, vec3(1.0)), base.a);  // as bright as a picture can be, before samples are averaged
 }

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/draw_list.h"
+#include "render/light_setup.h"
+#include "render/shader_family.h"
+#include "render/shadow_maps.h"
+
+namespace synthetic_dataset::render {
+
+/// Draws the shadow maps.
+///
+/// What never moves is drawn once for all pictures that have the same projection, and what moves on
+/// top of it: depths are the least ones whatever the order, so a map's pixels do not tell.
+class ShadowPainter {
+ public:
+  /// @param parts  have to outlive this
+  /// @param size  of a map's side [texel]
+  ShadowPainter(const GlFunctions& gl, const DrawList& parts, int size, int layers);
+
+  void paint(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
+             const LinkSelection& casting);
+
+  [[nodiscard]] GLuint texture() const { return maps_.texture(); }
+
+ private:
+  enum class Casters { kAll, kStanding, kMoving };
+
+  /// What a layer was drawn with last.
+  struct Layer {
+    Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
+    LinkSelection casting;
+    bool is_kept = false;  ///< the standing casters, as they are drawn with these
+    Eigen::AlignedBox2i changed;  ///< the texels on which something that moves was drawn since
+  };
+
+  void paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
+                  const LinkSelection& casting);
+  [[nodiscard]] Eigen::AlignedBox2i texelsOfMoving(const ShadowProjection& shadow,
+                                                   const std::vector<Pose>& X_WL,
+                                                   const LinkSelection& casting) const;
+  void draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
+            const LinkSelection& casting, Casters casters);
+
+  const GlFunctions& gl_;
+  const DrawList& parts_;
+  ShaderFamily programs_;
+  ShadowMaps maps_;
+  std::vector<Layer> layers_;
+};
+
+}  // namespace synthetic_dataset::render
