@@ -20,6 +20,13 @@ if(NOT SDFORMAT_LIBRARIES)
   message(FATAL_ERROR "libsdformat 9 or newer is needed: apt-get install libsdformat-dev")
 endif()
 
+# libdeflate has brought a pkg-config file since 1.9 only.
+find_path(LIBDEFLATE_INCLUDE_DIR libdeflate.h)
+find_library(LIBDEFLATE_LIBRARY deflate)
+if(NOT LIBDEFLATE_INCLUDE_DIR OR NOT LIBDEFLATE_LIBRARY)
+  message(FATAL_ERROR "libdeflate is needed: apt-get install libdeflate-dev")
+endif()
+
 # FreeImage brings neither a CMake nor a pkg-config file.
 find_path(FREEIMAGE_INCLUDE_DIR FreeImage.h)
 find_library(FREEIMAGE_LIBRARY freeimage)

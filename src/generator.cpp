@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 #include <utility>
 
 #include "object_motion.h"
 #include "open_output.h"
+#include "output/background_worker.h"
 #include "picture_taker.h"
 #include "random_seed.h"
 #include "render/renderer.h"
@@ -35,6 +37,9 @@ PixelLabelOptions labelOptions(const config::Config& config) {
 }
 
 }  // namespace
+
+/// How many scenes may wait to be written while the next one is made.
+constexpr std::size_t kMostWaiting = 2;
 
 /// A scene that waits for what its optical flow needs.
 struct UnwrittenScene {
@@ -157,6 +162,8 @@ struct Generator::Impl {
       makeInstant(instant++, stamp);
     }
     if (!summary.stopped) write(std::nullopt);
+    background.finish();
+    tellWritten();
   }
 
   /// The scenes of one time: one a camera. Where none of them is to be made, the world goes through
@@ -195,15 +202,38 @@ struct Generator::Impl {
   /// @param now  where the world stands, for where their pixels have gone; nothing after the last
   void write(std::optional<Stamp> now) {
     for (UnwrittenScene& each : unwritten) {
-      if (store->hasScene(each.made.scene.index)) continue;  // of another camera than those missing
+      if (!work.lacks(each.made.scene.index)) continue;  // of another camera than those missing
       if (scene_maker.needsOpticalFlow()) scene_maker.addOpticalFlow(each.made, now);
-      const auto written = setup.writers->writeScene(each.made.scene);
-      for (const std::string& warning : written.warnings) each.warnings.push_back({warning});
-      warnings.tell(each.warnings);
-      store->commitScene(factsOf(each), written.files);
-      reporter.progress(++summary.scenes, work.missingCount());
+      output::SceneFacts facts = factsOf(each);
+      writeInBackground(std::make_shared<const Scene>(std::move(each.made.scene)),
+                        std::move(facts));
     }
     unwritten.clear();
+    tellWritten();
+  }
+
+  /// Formats, encodes and commits, scene after scene, while this thread makes the next one.
+  void writeInBackground(const std::shared_ptr<const Scene>& scene, output::SceneFacts facts) {
+    background.add([this, scene, facts = std::move(facts)]() mutable {
+      const auto written = setup.writers->writeScene(*scene);
+      for (const std::string& warning : written.warnings) facts.warnings.push_back({warning});
+      store->commitScene(facts, written.files);
+      const std::lock_guard<std::mutex> lock(written_mutex);
+      written_warnings.push_back(std::move(facts.warnings));
+    });
+  }
+
+  /// The reporter hears of scenes in the thread that runs.
+  void tellWritten() {
+    std::vector<std::vector<output::Warning>> of_scenes;
+    {
+      const std::lock_guard<std::mutex> lock(written_mutex);
+      of_scenes.swap(written_warnings);
+    }
+    for (const std::vector<output::Warning>& of_scene : of_scenes) {
+      warnings.tell(of_scene);
+      reporter.progress(++summary.scenes, work.missingCount());
+    }
   }
 
   [[nodiscard]] output::SceneFacts factsOf(const UnwrittenScene& each) const {
@@ -251,6 +281,10 @@ struct Generator::Impl {
   std::unique_ptr<output::DatasetStore> store;  // late: what fails before leaves the disk alone
   WorkPlan work;
   RunSummary summary;
+
+  std::mutex written_mutex;
+  std::vector<std::vector<output::Warning>> written_warnings;  ///< of scenes not told of yet
+  output::BackgroundWorker background{kMostWaiting};  // last: its jobs use all of the above
 };
 
 Generator::Generator(const Value& parameters, Reporter& reporter,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <libdeflate.h>
+
 #include "config/settings_text.h"
 #include "output/digest.h"
 
@@ -42,7 +44,7 @@ std::map<std::string, std::string> softwareVersions() {
           {"assimp", ASSIMP_VERSION},
           {"bullet", BULLET_VERSION},
           {"opencv", OPENCV_VERSION},
-          {"png", PNG_VERSION},
+          {"libdeflate", LIBDEFLATE_VERSION_STRING},
           {"sdformat", SDFORMAT_VERSION}};
 }
 

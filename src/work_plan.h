@@ -23,6 +23,11 @@ class WorkPlan {
     return wanted_[static_cast<std::size_t>(instant)];
   }
 
+  /// Whether a scene was not there at the start.
+  [[nodiscard]] bool lacks(std::int64_t scene) const {
+    return !there_[static_cast<std::size_t>(scene)];
+  }
+
   /// Whether something is to be made at this instant or a later one.
   [[nodiscard]] bool hasWorkFrom(std::int64_t instant) const { return instant < end_; }
 
@@ -32,6 +37,7 @@ class WorkPlan {
 
  private:
   std::vector<bool> wanted_;  ///< by instant
+  std::vector<bool> there_;   ///< by scene
   std::int64_t end_ = 0;      ///< after the last wanted one
   std::int64_t scene_count_ = 0;
   std::int64_t missing_count_ = 0;

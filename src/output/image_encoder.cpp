@@ -5,6 +5,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "output/png_encoder.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -43,12 +44,10 @@ std::optional<std::string> imageProblem(const std::string& path, const cv::Mat& 
 
 std::vector<uchar> encodeImage(const cv::Mat& image, ImageFormat format,
                                const ImageQuality& quality) {
-  std::string extension = ".png";
-  std::vector<int> settings = {cv::IMWRITE_PNG_COMPRESSION, quality.png_compression};
-  if (format == ImageFormat::kJpeg) {
-    extension = ".jpg";
-    settings = {cv::IMWRITE_JPEG_QUALITY, quality.jpeg_quality};
-  } else if (format == ImageFormat::kTiff) {
+  if (format == ImageFormat::kPng) return encodePng(image, {}, quality.png_compression);
+  std::string extension = ".jpg";
+  std::vector<int> settings = {cv::IMWRITE_JPEG_QUALITY, quality.jpeg_quality};
+  if (format == ImageFormat::kTiff) {
     // libtiff's COMPRESSION_ADOBE_DEFLATE, which all readers have. OpenCV leaves floating point
     // numbers as they are, whatever it is told.
     constexpr int kAdobeDeflate = 8;

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "output/indexed_png.h"
+#include "output/png_encoder.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -24,7 +24,7 @@ auto keyOf(const OutputFile& file, ImageFormat format) {
 SceneContent encoded(const OutputFile& file, const ImageQuality& quality) {
   try {
     if (!file.palette.empty()) {
-      return {encodeIndexedPng(file.pixels, file.palette, quality.png_compression), {}, {}};
+      return {encodePng(file.pixels, file.palette, quality.png_compression), {}, {}};
     }
     if (const auto problem = imageProblem(file.path, file.pixels)) throw Error(*problem);
     return {encodeImage(file.pixels, *imageFormat(file.path), quality), {}, {}};

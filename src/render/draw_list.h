@@ -55,8 +55,7 @@ class DrawList {
                                     const LinkSelection& casting) const;
 
   /// The selected parts that one cannot see through, nearest first: what they hide is not shaded.
-  [[nodiscard]] std::vector<const Part*> solidParts(const Pose& X_CW,
-                                                    const std::vector<Pose>& X_WL,
+  [[nodiscard]] std::vector<const Part*> solidParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
                                                     const LinkSelection& drawn) const;
 
   /// The selected parts that one can see through, farthest first.

@@ -38,8 +38,8 @@ class HalfEncoder {
  public:
   HalfEncoder() {
     for (std::size_t bits = 0; bits < table_.size(); ++bits) {
-      table_[bits] = sensor::srgbFromLinear(
-          static_cast<float>(Eigen::numext::bit_cast<Eigen::half>(static_cast<std::uint16_t>(bits))));
+      table_[bits] = sensor::srgbFromLinear(static_cast<float>(
+          Eigen::numext::bit_cast<Eigen::half>(static_cast<std::uint16_t>(bits))));
     }
   }
 

@@ -49,11 +49,11 @@ const ShaderProgram& ShaderFamily::get(SurfaceFeatures features) {
   const SurfaceFeatures known = features & understood_;
   const auto found = programs_.find(known);
   if (found != programs_.end()) return found->second;
-  const ShaderProgram& program = programs_
-                                     .try_emplace(known, gl_,
-                                                  withMacros(vertex_source_, known, macros_),
-                                                  withMacros(fragment_source_, known, macros_))
-                                     .first->second;
+  const ShaderProgram& program =
+      programs_
+          .try_emplace(known, gl_, withMacros(vertex_source_, known, macros_),
+                       withMacros(fragment_source_, known, macros_))
+          .first->second;
   setTextureUnits(program);
   return program;
 }

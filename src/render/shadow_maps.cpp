@@ -17,7 +17,8 @@ GlTexture makeLayers(const GlFunctions& gl, int size, int layers) {
 ShadowMaps::ShadowMaps(const GlFunctions& gl, int size, int layers)
     : gl_(gl),
       size_(size),
-      layer_count_(std::max(layers, 1)),  // the shader's sampler needs a texture without shadows too
+      layer_count_(
+          std::max(layers, 1)),  // the shader's sampler needs a texture without shadows too
       depth_(makeLayers(gl, size, layer_count_)) {
   const GLuint name = depth_.name();
   gl.TextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);

@@ -24,8 +24,8 @@ void ShadowPainter::paint(const std::vector<ShadowProjection>& shadows,
 void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                const LinkSelection& casting) {
   Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
-  const bool is_same = layer.shadow_from_world == shadow.shadow_from_world &&
-                       layer.casting == casting;
+  const bool is_same =
+      layer.shadow_from_world == shadow.shadow_from_world && layer.casting == casting;
   if (!is_same) {
     // It may not come again: a copy would be made for nothing.
     layer = {shadow.shadow_from_world, casting, false, {}};
@@ -68,9 +68,8 @@ Eigen::AlignedBox2i ShadowPainter::texelsOfMoving(const ShadowProjection& shadow
   if (texels.isEmpty()) return {};
   const Eigen::Vector2d low = texels.min().cwiseMax(0.0).cwiseMin(size);
   const Eigen::Vector2d high = texels.max().cwiseMax(0.0).cwiseMin(size);
-  const Eigen::AlignedBox2i result(
-      Eigen::Vector2i(low.array().floor().cast<int>() - kSlack),
-      Eigen::Vector2i(high.array().ceil().cast<int>() + kSlack));
+  const Eigen::AlignedBox2i result(Eigen::Vector2i(low.array().floor().cast<int>() - kSlack),
+                                   Eigen::Vector2i(high.array().ceil().cast<int>() + kSlack));
   return result.intersection(whole);
 }
 

@@ -32,7 +32,7 @@ class ShadowPainter {
   struct Layer {
     Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
     LinkSelection casting;
-    bool is_kept = false;  ///< the standing casters, as they are drawn with these
+    bool is_kept = false;         ///< the standing casters, as they are drawn with these
     Eigen::AlignedBox2i changed;  ///< the texels on which something that moves was drawn since
   };
 

@@ -4,7 +4,7 @@
 
 #include "output/file_name_rules.h"
 #include "output/image_encoder.h"
-#include "output/indexed_png.h"
+#include "output/png_encoder.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::writers {

@@ -64,7 +64,7 @@ def trials(kind_of_stop):
 
 
 FAULTS = [
-    Fault('SIGINT, SIGTERM', 'after each of the first scenes; the scene in work is finished',
+    Fault('SIGINT, SIGTERM', 'after each of the first scenes; the scenes in work are finished',
           trials(stop)),
     Fault('SIGINT, SIGTERM while the run starts', 'at random moments', trials(stop_while_starting)),
     Fault('SIGINT, SIGTERM twice', 'at most 10 ms apart; the second ends the run at once',

@@ -160,7 +160,8 @@ TEST_F(PvNet, TellsWhereItsPointsAreInTheImage) {
     double q[3];
     for (std::size_t i = 0; i < 3; ++i) {
       q[i] = pose.at(i).at(3);
-      for (std::size_t j = 0; j < 3; ++j) q[i] += pose.at(i).at(j).get<double>() * p.at(j).get<double>();
+      for (std::size_t j = 0; j < 3; ++j)
+        q[i] += pose.at(i).at(j).get<double>() * p.at(j).get<double>();
     }
     return Eigen::Vector2d(k.at(0).at(0).get<double>() * q[0] / q[2] + k.at(0).at(2).get<double>(),
                            k.at(1).at(1).get<double>() * q[1] / q[2] + k.at(1).at(2).get<double>());

@@ -36,7 +36,8 @@ TEST_F(CityscapesReader, ReadsInstancesAndTheirNames) {
 
 TEST_F(CityscapesReader, RefusesNumbersThatNoLabelCanHave) {
   for (const char* number : {"7e77", "2.5", "-3000000000", "\"26\""}) {
-    (void)folder_.write("labels.json", R"([{"id": )" + std::string(number) + R"(, "name": "car"}])");
+    (void)folder_.write("labels.json",
+                        R"([{"id": )" + std::string(number) + R"(, "name": "car"}])");
     EXPECT_THROW((void)read(cv::Mat(10, 20, CV_16UC1, cv::Scalar(7))), Error) << number;
   }
 }

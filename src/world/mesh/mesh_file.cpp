@@ -56,6 +56,21 @@ void configure(Assimp::Importer& importer) {
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCreaseAngle);
 }
 
+/// assimp (5.2) does not for all formats, and its steps read whatever lies behind the vertices.
+void checkIndices(const aiScene& scene) {
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    const aiMesh& mesh = *scene.mMeshes[i];
+    for (unsigned face = 0; face < mesh.mNumFaces; ++face) {
+      const aiFace& corners = mesh.mFaces[face];
+      for (unsigned corner = 0; corner < corners.mNumIndices; ++corner) {
+        if (corners.mIndices[corner] < mesh.mNumVertices) continue;
+        throw Error("has a face with vertex " + std::to_string(corners.mIndices[corner]) +
+                    " (counted from 0) of " + std::to_string(mesh.mNumVertices));
+      }
+    }
+  }
+}
+
 /// Of a file, or of a text in its place. @return null for one that cannot be read
 const aiScene* tryImport(Assimp::Importer& importer, const std::filesystem::path& file,
                          const std::optional<std::string>& text, std::string& reason) {
@@ -64,8 +79,12 @@ const aiScene* tryImport(Assimp::Importer& importer, const std::filesystem::path
                               aiProcess_FlipUVs;
   const aiScene* scene = nullptr;
   try {
-    scene = text ? importer.ReadFileFromMemory(text->data(), text->size(), kSteps, "dae")
-                 : importer.ReadFile(file.string(), kSteps);
+    scene = text ? importer.ReadFileFromMemory(text->data(), text->size(), 0, "dae")
+                 : importer.ReadFile(file.string(), 0);
+    if (scene != nullptr) {
+      checkIndices(*scene);
+      scene = importer.ApplyPostProcessing(kSteps);
+    }
     reason = importer.GetErrorString();
   } catch (const std::exception& error) {
     reason = error.what();

@@ -62,8 +62,9 @@ TEST_F(MeshFaultTest, RefusesAFileThatBreaksOff) {
   EXPECT_THAT(
       errorOf(write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n")),
       HasSubstr("a.ply': "));
-  EXPECT_THAT(errorOf(write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
-                                     "end_header3 0 1 2")),
+  EXPECT_THAT(errorOf(write("a.ply",
+                            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                            "end_header3 0 1 2")),
               HasSubstr("no line 'end_header'"));
   EXPECT_THAT(errorOf(write("a.obj", "")), HasSubstr("a.obj': "));
 }
@@ -76,7 +77,7 @@ TEST_F(MeshFaultTest, RefusesAnIndexThatIsOutOfRange) {
                     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                     "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
                     "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n")),
-      HasSubstr("a.ply': "));
+      HasSubstr("a.ply': cannot be read (has a face with vertex 7 (counted from 0) of 3"));
 }
 
 TEST_F(MeshFaultTest, RefusesAnInfiniteVertex) {

@@ -1,0 +1,182 @@
+#include "output/png_encoder.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+
+#include <libdeflate.h>
+#include <opencv2/core.hpp>
+
+#include "output/image_encoder.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+using Bytes = std::vector<uchar>;
+
+constexpr std::size_t kMostColours = 256;
+
+enum ColourType : uchar { kGrey = 0, kTrueColour = 2, kIndexed = 3 };
+enum FilterType : uchar { kNone = 0, kSub = 1, kUp = 2 };
+
+void appendNumber(Bytes& bytes, std::uint32_t number) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<uchar>(number >> shift));
+}
+
+void appendChunk(Bytes& png, const char* type, const uchar* data, std::size_t size) {
+  appendNumber(png, static_cast<std::uint32_t>(size));
+  const std::size_t checked = png.size();
+  png.insert(png.end(), type, type + 4);
+  png.insert(png.end(), data, data + size);
+  appendNumber(png, libdeflate_crc32(0, png.data() + checked, png.size() - checked));
+}
+
+/// A row's samples as PNG has them: red first, the high byte first.
+void takeRow(const cv::Mat& image, int row, uchar* to) {
+  if (image.type() == CV_8UC3) {
+    const auto* from = image.ptr<uchar>(row);
+    for (int u = 0; u < image.cols; ++u, from += 3, to += 3) {
+      to[0] = from[2];
+      to[1] = from[1];
+      to[2] = from[0];
+    }
+  } else if (image.type() == CV_16UC1) {
+    const auto* from = image.ptr<std::uint16_t>(row);
+    for (int u = 0; u < image.cols; ++u) {
+      to[2 * u] = static_cast<uchar>(from[u] >> 8U);
+      to[2 * u + 1] = static_cast<uchar>(from[u]);
+    }
+  } else {
+    std::copy_n(image.ptr<uchar>(row), image.cols, to);
+  }
+}
+
+/// What is left of `bytes` when those at `behind` are taken away, and how much that is: the sum of
+/// the differences' amounts, by which PNG's authors choose filters (ISO/IEC 15948, 12.8).
+std::uint64_t subtract(const uchar* bytes, const uchar* behind, std::size_t size, uchar* left) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto difference = static_cast<uchar>(bytes[i] - behind[i]);
+    left[i] = difference;
+    sum += static_cast<std::uint32_t>(std::abs(static_cast<std::int8_t>(difference)));
+  }
+  return sum;
+}
+
+/// Filters rows one after another.
+class RowFilter {
+ public:
+  RowFilter(std::size_t row_bytes, std::size_t pixel_bytes)
+      : size_(row_bytes),
+        pixel_(pixel_bytes),
+        row_(pixel_bytes + row_bytes, 0),
+        above_(pixel_bytes + row_bytes, 0),
+        nothing_(row_bytes, 0),
+        filtered_(3 * row_bytes, 0) {}
+
+  /// The row that is to be filtered.
+  [[nodiscard]] uchar* row() { return row_.data() + pixel_; }
+
+  /// Writes the filter's type and the filtered bytes, and goes on to the next row.
+  void filter(uchar* to) {
+    uchar* const none = filtered_.data();
+    uchar* const sub = none + size_;
+    uchar* const up = sub + size_;
+    // The pixel to the left of the first one is 0.
+    const std::uint64_t sum_none = subtract(row(), nothing_.data(), size_, none);
+    const std::uint64_t sum_sub = subtract(row(), row_.data(), size_, sub);
+    const std::uint64_t sum_up = subtract(row(), above_.data() + pixel_, size_, up);
+    const std::uint64_t least = std::min({sum_none, sum_sub, sum_up});
+    const FilterType type = least == sum_none ? kNone : least == sum_sub ? kSub : kUp;
+    *to = type;
+    std::copy_n(type == kNone ? none : type == kSub ? sub : up, size_, to + 1);
+    row_.swap(above_);
+    std::fill_n(row_.begin(), pixel_, uchar{0});
+  }
+
+ private:
+  std::size_t size_;
+  std::size_t pixel_;
+  Bytes row_;    ///< after a pixel of zeros
+  Bytes above_;  ///< the same
+  Bytes nothing_;
+  Bytes filtered_;
+};
+
+Bytes filteredRows(const cv::Mat& image) {
+  const std::size_t pixel_bytes = image.elemSize();
+  const std::size_t row_bytes = pixel_bytes * static_cast<std::size_t>(image.cols);
+  Bytes rows((row_bytes + 1) * static_cast<std::size_t>(image.rows));
+  RowFilter filter(row_bytes, pixel_bytes);
+  for (int row = 0; row < image.rows; ++row) {
+    takeRow(image, row, filter.row());
+    filter.filter(rows.data() + (row_bytes + 1) * static_cast<std::size_t>(row));
+  }
+  return rows;
+}
+
+Bytes deflated(const Bytes& bytes, int compression) {
+  struct Free {
+    void operator()(libdeflate_compressor* freed) const { libdeflate_free_compressor(freed); }
+  };
+  const std::unique_ptr<libdeflate_compressor, Free> compressor(
+      libdeflate_alloc_compressor(std::max(compression, 1)));
+  if (!compressor) throw Error("there is no memory to compress an image");
+  Bytes result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
+  result.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(),
+                                         result.data(), result.size()));
+  return result;
+}
+
+Bytes header(const cv::Mat& image, bool indexed) {
+  Bytes bytes;
+  appendNumber(bytes, static_cast<std::uint32_t>(image.cols));
+  appendNumber(bytes, static_cast<std::uint32_t>(image.rows));
+  bytes.push_back(image.depth() == CV_16U ? 16 : 8);
+  bytes.push_back(indexed ? kIndexed : image.channels() == 3 ? kTrueColour : kGrey);
+  bytes.insert(bytes.end(), 3, 0);  // deflate; the standard filters; not interlaced
+  return bytes;
+}
+
+}  // namespace
+
+std::optional<std::string> indexedImageProblem(const std::string& path, const cv::Mat& indices,
+                                               const std::vector<cv::Vec3b>& palette) {
+  if (imageFormat(path) != ImageFormat::kPng) return "its name should end in .png";
+  if (indices.empty() || indices.dims != 2) return "the image has no pixels";
+  if (indices.type() != CV_8UC1) {
+    return "the pixels are " + cv::typeToString(indices.type()) + "; they should be CV_8UC1";
+  }
+  if (palette.empty() || palette.size() > kMostColours) {
+    return "it has " + std::to_string(palette.size()) + " colours; it should have 1 to 256";
+  }
+  double greatest = 0.0;
+  cv::minMaxIdx(indices, nullptr, &greatest);
+  if (greatest >= static_cast<double>(palette.size())) {
+    return "a pixel is " + std::to_string(static_cast<int>(greatest)) + ", but there are only " +
+           std::to_string(palette.size()) + " colours";
+  }
+  return std::nullopt;
+}
+
+Bytes encodePng(const cv::Mat& image, const std::vector<cv::Vec3b>& palette, int compression) {
+  const Bytes data = deflated(filteredRows(image), compression);
+  const Bytes head = header(image, !palette.empty());
+  Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  png.reserve(data.size() + 1024);
+  appendChunk(png, "IHDR", head.data(), head.size());
+  if (!palette.empty()) {
+    Bytes colours;
+    for (const cv::Vec3b& colour : palette) {
+      colours.insert(colours.end(), {colour[2], colour[1], colour[0]});
+    }
+    appendChunk(png, "PLTE", colours.data(), colours.size());
+  }
+  appendChunk(png, "IDAT", data.data(), data.size());
+  appendChunk(png, "IEND", nullptr, 0);
+  return png;
+}
+
+}  // namespace synthetic_dataset::output
