@@ -7,9 +7,12 @@
 
 #include <rospack/rospack.h>
 
+#include "writers/package_path.h"
+
 namespace synthetic_dataset {
 
 world::ResourceFinder::PackageFinder rosPackageFinder() {
+  writers::shortenPackageSearch();
   // Looking through all packages takes seconds where they are many: only when one is asked for.
   auto packages = std::shared_ptr<rospack::Rospack>();
   return [packages](const std::string& package) mutable -> std::optional<std::string> {

@@ -7,6 +7,7 @@
 
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
+#include "writers/package_path.h"
 
 namespace synthetic_dataset::writers {
 namespace {
@@ -58,6 +59,7 @@ using PluginLoader = pluginlib::ClassLoader<LabelWriter>;
 
 std::unique_ptr<PluginLoader> makeLoader(const std::vector<std::string>& files) {
   refuseMissingFiles(files);
+  shortenPackageSearch();
   const QuietConsole quiet;
   try {
     return std::make_unique<PluginLoader>("synthetic_dataset", "synthetic_dataset::LabelWriter",
