@@ -41,8 +41,10 @@ fuzz() {  # TARGET
   for inputs_of in "$seeds/$1" "$repository/fuzz/corpus/$1"; do
     [ ! -d "$inputs_of" ] || inputs+=("$inputs_of")
   done
-  "$programs/$1_fuzz" -seed=1 -max_total_time="$seconds" -timeout=25 -report_slow_units=25 \
-    -rss_limit_mb=2048 -malloc_limit_mb=2048 -max_len=20000 -print_final_stats=1 -verbosity=1 \
+  # A fuzzer that is out of memory does not always end by itself.
+  timeout --kill-after=10 $((seconds + 120)) "$programs/$1_fuzz" -seed=1 -max_total_time="$seconds" \
+    -timeout=25 -report_slow_units=25 -rss_limit_mb=2048 -malloc_limit_mb=2048 \
+    -max_len=20000 -print_final_stats=1 -verbosity=1 \
     -artifact_prefix="$folder/crashes/$1-" "$found" "${inputs[@]}" \
     >"$folder/logs/$1.log" 2>&1 || true
 }

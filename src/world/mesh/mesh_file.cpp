@@ -77,19 +77,19 @@ const aiScene* tryImport(Assimp::Importer& importer, const std::filesystem::path
   constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType |
                               aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
                               aiProcess_FlipUVs;
-  const aiScene* scene = nullptr;
   try {
-    scene = text ? importer.ReadFileFromMemory(text->data(), text->size(), 0, "dae")
-                 : importer.ReadFile(file.string(), 0);
+    const aiScene* scene = text ? importer.ReadFileFromMemory(text->data(), text->size(), 0, "dae")
+                                : importer.ReadFile(file.string(), 0);
     if (scene != nullptr) {
       checkIndices(*scene);
       scene = importer.ApplyPostProcessing(kSteps);
     }
     reason = importer.GetErrorString();
+    return scene;
   } catch (const std::exception& error) {
     reason = error.what();
+    return nullptr;
   }
-  return scene;
 }
 
 /// @return null, with a reason, for a file that cannot be read
