@@ -1,0 +1,78 @@
+"""The settings with which synthetic_dataset makes the room's dataset, and its runs."""
+
+import json
+import shutil
+import subprocess
+import time
+
+from room import camera_rotation, quaternion, RATE
+
+# What is written: the picture alone, three formats with depth and exact masks (a file each and
+# as polygons), and three with masks by background subtraction.
+IMAGE = ["detect"]
+EXACT = ["bop", "coco", "detect"]
+SUBTRACTED = ["stvnet", "coco", "detect"]
+TYPES = {"coco": "Coco", "detect": "UltralyticsYolo", "bop": "Bop", "stvnet": "StvNet"}
+PARAMETERS = {"detect": {"task": "detect"}}
+
+
+def settings(scene, folder, output, writers, mog2=False, **more):
+    """A settings file's content, as JSON (which is YAML)."""
+    objects = [f"object{i}" for i in range(len(scene["models"]))]
+    half = 0.43 * scene["scale"]
+    result = {
+        "bag_file": f"{folder}/motion.bag", "simulated_rate": RATE, "global_frame": "map",
+        "world": {"file": f"{folder}/room.sdf"}, "output_folder": output, "if_exists": "overwrite",
+        "camera": {"pose": list(scene["camera"]) + quaternion(camera_rotation()),
+                   "info_file": f"{folder}/camera.yaml"},
+        "masks": {"method": "mog2" if mog2 else "exact"},
+        "robot_list": objects,
+        "writers": [{"name": name, "type": f"synthetic_dataset/{TYPES[name]}"} for name in writers],
+    }
+    if mog2:
+        result["background_subtractor"] = {"history_length": 1, "var_threshold": 16.0,
+                                           "detect_shadows": False}
+    for name in writers:
+        result[name] = dict(PARAMETERS.get(name, {}))
+    for name in objects:
+        corners = [[x, y, z] for x in (-half, half) for y in (-half, half) for z in (-half, half)]
+        result[name] = {"class": "sphere", "id": name, "frame_id": "base",
+                        "keypoints": [[half, 0.0, 0.0], [0.0, half, 0.0]], "bounding_shape": corners}
+    result.update(more)
+    return result
+
+
+def write_camera(scene, folder):
+    width, height, focal = scene["width"], scene["height"], scene["focal"]
+    cx, cy = (width - 1) / 2, (height - 1) / 2
+    matrix = [focal, 0.0, cx, 0.0, focal, cy, 0.0, 0.0, 1.0]
+    projection = [focal, 0.0, cx, 0.0, 0.0, focal, cy, 0.0, 0.0, 0.0, 1.0, 0.0]
+    with open(f"{folder}/camera.yaml", "w") as out:
+        json.dump({
+            "image_width": width, "image_height": height, "camera_name": "room",
+            "camera_matrix": {"rows": 3, "cols": 3, "data": matrix},
+            "distortion_model": "plumb_bob",
+            "distortion_coefficients": {"rows": 1, "cols": 5, "data": [0.0] * 5},
+            "rectification_matrix": {"rows": 3, "cols": 3,
+                                     "data": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]},
+            "projection_matrix": {"rows": 3, "cols": 4, "data": projection}}, out)
+
+
+def run(program, parameters, folder):
+    """Makes a dataset; the seconds that the whole process takes."""
+    shutil.rmtree(parameters["output_folder"], ignore_errors=True)
+    with open(f"{folder}/settings.yaml", "w") as out:
+        json.dump(parameters, out)
+    began = time.monotonic()
+    done = subprocess.run([program, "--config", f"{folder}/settings.yaml"], capture_output=True,
+                          text=True, check=False)
+    seconds = time.monotonic() - began
+    if done.returncode != 0:
+        raise RuntimeError(done.stdout + done.stderr)
+    return seconds
+
+
+def seconds_of(program, scene, folder, writers, count, **more):
+    """The whole process, with so many scenes."""
+    return run(program, settings(scene, folder, f"{folder}/dataset", writers,
+                                 duration=(count - 0.5) / RATE, **more), folder)

@@ -1,0 +1,109 @@
+"""How fast scenes are made, beside what one would use instead, on the same scene in the same run.
+
+  run.py PROGRAM RESULTS [--objects 1 4 16 64] [--scenes 40] [--rounds 3]
+
+PROGRAM is `generate`. Rounds go in turns, so that what else the machine does falls on all alike; the
+best of each is taken. RESULTS gets results.json, table.md and, with matplotlib, plot.png.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+import ours
+import room
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+RIVALS = ["mujoco", "pybullet", "pyrender"]
+OURS = {"image": (ours.IMAGE, False), "image, masks, depth": (ours.EXACT, False),
+        "image, MOG2 masks": (ours.SUBTRACTED, True)}
+
+
+def rival_seconds(name, folder, scenes):
+    done = subprocess.run([sys.executable, f"{HERE}/{name}_rival.py", folder, str(scenes)],
+                          capture_output=True, text=True, check=True)
+    return json.loads(done.stdout.strip().splitlines()[-1])["seconds"] / scenes
+
+
+def measure(program, folder, objects, size, arguments):
+    """The best seconds a scene by what is made; of our own, of a long run what a short one does not
+    take, which is without the start."""
+    few, many = 5, arguments.scenes + 5
+    scene = room.write(folder, objects, many, *size)
+    ours.write_camera(scene, folder)
+    best = {}
+
+    def keep(key, seconds):
+        best[key] = min(best.get(key, seconds), seconds)
+
+    for _ in range(arguments.rounds):
+        for name, (writers, mog2) in OURS.items():
+            for count in (few, many):
+                keep((name, count), ours.seconds_of(program, scene, folder, writers, count, mog2=mog2))
+        for name in RIVALS if size == (640, 480) else []:
+            keep((name, None), rival_seconds(name, folder, max(arguments.scenes // 4, 5)))
+    result = {name: (best[name, many] - best[name, few]) / (many - few) for name in OURS}
+    result.update({name: seconds for (name, count), seconds in best.items() if count is None})
+    return result
+
+
+def table(results):
+    lines = ["| objects | size | what | ms a scene | scenes/s | times the speed of MuJoCo | PyBullet | pyrender |",
+             "| --- | --- | --- | --- | --- | --- | --- | --- |"]
+    for result in results:
+        best = result["seconds"]
+        for name, seconds in best.items():
+            ratios = [f"{best[rival] / seconds:.2f}" if rival in best else "" for rival in RIVALS]
+            lines.append(f"| {result['objects']} | {result['width']}x{result['height']} | {name} | "
+                         f"{1000 * seconds:.1f} | {1 / seconds:.1f} | {' | '.join(ratios)} |")
+    return "\n".join(lines) + "\n"
+
+
+def plot(results, file):
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(7, 4.5))
+    small = [result for result in results if result["width"] == 640]
+    for name in [*OURS, *RIVALS]:
+        axes.loglog([result["objects"] for result in small],
+                    [1 / result["seconds"][name] for result in small],
+                    marker="o", linestyle="-" if name in OURS else "--", label=name)
+    axes.set(xlabel="objects of 5,000 triangles", ylabel="scenes a second, 640 x 480")
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(file, dpi=120)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("program")
+    parser.add_argument("results")
+    parser.add_argument("--objects", type=int, nargs="+", default=[1, 4, 16, 64])
+    parser.add_argument("--scenes", type=int, default=40)
+    parser.add_argument("--rounds", type=int, default=3)
+    arguments = parser.parse_args()
+    os.makedirs(arguments.results, exist_ok=True)
+    results = []
+    for size in ((640, 480), (1280, 720)):
+        for objects in arguments.objects:
+            with tempfile.TemporaryDirectory() as folder:
+                best = measure(arguments.program, folder, objects, size, arguments)
+            results.append({"objects": objects, "width": size[0], "height": size[1], "seconds": best})
+            print(table(results[-1:]), flush=True)
+            with open(f"{arguments.results}/results.json", "w") as out:
+                json.dump(results, out, indent=1)
+    with open(f"{arguments.results}/table.md", "w") as out:
+        out.write(table(results))
+    try:
+        plot(results, f"{arguments.results}/plot.png")
+    except ImportError:
+        print("no plot: matplotlib is not installed")
+
+
+if __name__ == "__main__":
+    main()
