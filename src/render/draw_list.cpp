@@ -86,15 +86,22 @@ Part DrawList::makePart(const world::Surface& surface) {
 }
 
 Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection& casting) const {
-  Bounds bounds;
+  Bounds standing;
+  Bounds moving;
   for (const Part& part : parts_) {
     if (!part.casts_shadow || !casting[part.link] || part.bounds_V.isEmpty()) continue;
     const Pose X_WV = X_WL[part.link] * part.X_LV;
+    Bounds& bounds = part.stands_still ? standing : moving;
     for (int i = 0; i < 8; ++i) {
       bounds.extend(X_WV * part.bounds_V.corner(static_cast<Bounds::CornerType>(i)));
     }
   }
-  return bounds;
+  if (moving.isEmpty()) return standing;
+  // In steps, so that shadow maps fit from picture to picture.
+  constexpr double kStep = 0.5;  // [m]
+  standing.extend(Eigen::Vector3d((moving.min() / kStep).array().floor() * kStep));
+  standing.extend(Eigen::Vector3d((moving.max() / kStep).array().ceil() * kStep));
+  return standing;
 }
 
 std::vector<const Part*> DrawList::solidParts(const Pose& X_CW, const std::vector<Pose>& X_WL,

@@ -50,7 +50,7 @@ class DrawList {
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 
-  /// Round all selected parts that cast shadows.
+  /// Round all selected parts that cast shadows, with up to half a metre to spare where they move.
   [[nodiscard]] Bounds casterBounds(const std::vector<Pose>& X_WL,
                                     const LinkSelection& casting) const;
 

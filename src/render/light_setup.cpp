@@ -157,6 +157,7 @@ std::vector<ShadowProjection> shadowProjections(const std::vector<world::Light>&
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (layers[i] < 0) continue;
     ShadowProjection projection;
+    projection.light = static_cast<int>(i);
     projection.layer = layers[i];
     if (lights[i].type == world::LightType::kSpot) {
       fitSpot(lights[i], size, projection);

@@ -16,6 +16,7 @@ using Bounds = Eigen::AlignedBox3d;
 
 /// How one light's shadow map is made and read.
 struct ShadowProjection {
+  int light = 0;  ///< index in the description's lights
   int layer = 0;
   Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Identity();
   double texel = 0.0;  ///< a texel's size [m], for spot lights at a distance of 1 m

@@ -19,7 +19,8 @@ GlTexture makePlane(const GlFunctions& gl, GLenum format, int width, int height)
   return texture;
 }
 
-GlTexture makeSamples(const GlFunctions& gl, GLenum format, int width, int height, int samples) {
+GlTexture makeSamplePlane(const GlFunctions& gl, GLenum format, int width, int height,
+                          int samples) {
   if (samples == 1) return makePlane(gl, format, width, height);
   GlTexture texture = makeTexture(gl, GL_TEXTURE_2D_MULTISAMPLE);
   gl.TextureStorage2DMultisample(texture.name(), samples, format, width, height, GL_TRUE);
@@ -79,8 +80,9 @@ ColourTarget::ColourTarget(const GlFunctions& gl, int width, int height, int sam
     : gl_(gl),
       width_(width),
       height_(height),
-      samples_colour_(makeSamples(gl, GL_RGBA16F, width, height, samples)),
-      samples_depth_(makeSamples(gl, GL_DEPTH_COMPONENT32F, width, height, samples)),
+      sample_count_(samples),
+      samples_colour_(makeSamplePlane(gl, GL_RGBA16F, width, height, samples)),
+      samples_depth_(makeSamplePlane(gl, GL_DEPTH_COMPONENT32F, width, height, samples)),
       resolved_colour_(makePlane(gl, GL_RGBA16F, width, height)),
       samples_(makeFramebuffer(gl)),
       resolved_(makeFramebuffer(gl)) {
@@ -94,10 +96,37 @@ ColourTarget::ColourTarget(const GlFunctions& gl, int width, int height, int sam
 void ColourTarget::begin(const float background[3]) const {
   constexpr float kFarthest = 0.0F;  // depth is reversed
   const std::array<float, 4> colour = {background[0], background[1], background[2], 1.0F};
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, samples_.name());
-  gl_.Viewport(0, 0, width_, height_);
+  bind();
   gl_.ClearNamedFramebufferfv(samples_.name(), GL_COLOR, 0, colour.data());
   gl_.ClearNamedFramebufferfv(samples_.name(), GL_DEPTH, 0, &kFarthest);
+}
+
+void ColourTarget::bind() const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, samples_.name());
+  gl_.Viewport(0, 0, width_, height_);
+}
+
+ColourSamples ColourTarget::makeSamples() const {
+  return {makeSamplePlane(gl_, GL_RGBA16F, width_, height_, sample_count_),
+          makeSamplePlane(gl_, GL_DEPTH_COMPONENT32F, width_, height_, sample_count_)};
+}
+
+void ColourTarget::keep(const ColourSamples& to) const {
+  const cv::Rect all(0, 0, width_, height_);
+  copySamples(samples_colour_, to.colour, all);
+  copySamples(samples_depth_, to.depth, all);
+}
+
+void ColourTarget::restore(const ColourSamples& from, const cv::Rect& pixels) const {
+  copySamples(from.colour, samples_colour_, pixels);
+  copySamples(from.depth, samples_depth_, pixels);
+}
+
+void ColourTarget::copySamples(const GlTexture& from, const GlTexture& to,
+                               const cv::Rect& pixels) const {
+  const GLenum kind = sample_count_ == 1 ? GL_TEXTURE_2D : GL_TEXTURE_2D_MULTISAMPLE;
+  gl_.CopyImageSubData(from.name(), kind, 0, pixels.x, pixels.y, 0, to.name(), kind, 0, pixels.x,
+                       pixels.y, 0, pixels.width, pixels.height, 1);
 }
 
 cv::Mat ColourTarget::read() const {

@@ -12,38 +12,59 @@ ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& parts, int s
       maps_(gl, size, layers),
       layers_(static_cast<std::size_t>(layers)) {}
 
-void ShadowPainter::paint(const std::vector<ShadowProjection>& shadows,
-                          const std::vector<Pose>& X_WL, const LinkSelection& casting) {
+void ShadowPainter::begin() {
   gl_.Enable(GL_DEPTH_CLAMP);  // what stands before the map's range still casts
   gl_.DepthFunc(GL_LESS);
   gl_.Disable(GL_CULL_FACE);
+}
+
+void ShadowPainter::paint(const std::vector<ShadowProjection>& shadows,
+                          const std::vector<Pose>& X_WL, const LinkSelection& casting) {
+  begin();
   for (const ShadowProjection& shadow : shadows) paintLayer(shadow, X_WL, casting);
   gl_.Disable(GL_DEPTH_CLAMP);
+}
+
+void ShadowPainter::paintStanding(const std::vector<ShadowProjection>& shadows,
+                                  const std::vector<Pose>& X_WL, const LinkSelection& casting) {
+  begin();
+  for (const ShadowProjection& shadow : shadows) paintStandingLayer(shadow, X_WL, casting);
+  gl_.Disable(GL_DEPTH_CLAMP);
+}
+
+void ShadowPainter::paintStandingLayer(const ShadowProjection& shadow,
+                                       const std::vector<Pose>& X_WL,
+                                       const LinkSelection& casting) {
+  Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
+  if (isSame(layer, shadow, casting) && layer.is_kept) {
+    maps_.beginKept(shadow.layer, layer.changed);
+  } else {
+    maps_.begin(shadow.layer);
+    draw(shadow, X_WL, casting, Casters::kStanding);
+    maps_.keep(shadow.layer);
+    layer = {shadow.shadow_from_world, casting, true, {}};
+  }
+  layer.changed.setEmpty();
 }
 
 void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                const LinkSelection& casting) {
   Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
-  const bool is_same =
-      layer.shadow_from_world == shadow.shadow_from_world && layer.casting == casting;
-  if (!is_same) {
+  if (!isSame(layer, shadow, casting)) {
     // It may not come again: a copy would be made for nothing.
     layer = {shadow.shadow_from_world, casting, false, {}};
     maps_.begin(shadow.layer);
     draw(shadow, X_WL, casting, Casters::kAll);
     return;
   }
-  if (layer.is_kept) {
-    maps_.beginKept(shadow.layer, layer.changed);
-  } else {
-    maps_.begin(shadow.layer);
-    draw(shadow, X_WL, casting, Casters::kStanding);
-    maps_.keep(shadow.layer);
-    layer.is_kept = true;
-    layer.changed.setEmpty();
-  }
+  paintStandingLayer(shadow, X_WL, casting);
   draw(shadow, X_WL, casting, Casters::kMoving);
   layer.changed = texelsOfMoving(shadow, X_WL, casting);
+}
+
+bool ShadowPainter::isSame(const Layer& layer, const ShadowProjection& shadow,
+                           const LinkSelection& casting) {
+  return layer.shadow_from_world == shadow.shadow_from_world && layer.casting == casting;
 }
 
 /// Those within the bounds of moving casters, and a few more.

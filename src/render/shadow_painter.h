@@ -23,6 +23,10 @@ class ShadowPainter {
   void paint(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
              const LinkSelection& casting);
 
+  /// The shadows of what never moves alone.
+  void paintStanding(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
+                     const LinkSelection& casting);
+
   [[nodiscard]] GLuint texture() const { return maps_.texture(); }
 
  private:
@@ -36,6 +40,11 @@ class ShadowPainter {
     Eigen::AlignedBox2i changed;  ///< the texels on which something that moves was drawn since
   };
 
+  [[nodiscard]] static bool isSame(const Layer& layer, const ShadowProjection& shadow,
+                                   const LinkSelection& casting);
+  void begin();
+  void paintStandingLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
+                          const LinkSelection& casting);
   void paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                   const LinkSelection& casting);
   [[nodiscard]] Eigen::AlignedBox2i texelsOfMoving(const ShadowProjection& shadow,

@@ -1,0 +1,146 @@
+#include "render/changed_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace synthetic_dataset::render {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// Beyond this many times as far from a lamp, a shadow is taken to reach everywhere.
+constexpr double kFarthest = 1000.0;
+
+Points cornersOf(const Bounds& bounds) {
+  Points corners;
+  for (int i = 0; i < 8; ++i) corners.push_back(bounds.corner(static_cast<Bounds::CornerType>(i)));
+  return corners;
+}
+
+void extend(Bounds& bounds, const Part& part, const Pose& X_WL) {
+  if (part.bounds_V.isEmpty()) return;
+  for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
+    bounds.extend(X_WL * part.X_LV * corner);
+  }
+}
+
+/// What of a thing's way along one axis lies within the receivers: the most that `factor` may be in
+/// start + factor * step for any start in [low, high], or infinity.
+double longestWay(double low, double high, double step, double least, double most) {
+  if (step > 0.0) return (most - low) / step;
+  if (step < 0.0) return (least - high) / step;
+  return std::numeric_limits<double>::infinity();
+}
+
+/// The hull of a body and its shadow in parallel light, as far as something receives it.
+Points parallelShadow(const Bounds& caster, const Eigen::Vector3d& direction,
+                      const Bounds& receivers) {
+  double way = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    way = std::min(way, longestWay(caster.min()[axis], caster.max()[axis], direction[axis],
+                                   receivers.min()[axis], receivers.max()[axis]));
+  }
+  Points hull = cornersOf(caster);
+  for (const Eigen::Vector3d& corner : cornersOf(caster)) {
+    hull.push_back(corner + std::max(way, 0.0) * direction);
+  }
+  return hull;
+}
+
+/// The same in a lamp's light; nothing where it may be anywhere.
+std::optional<Points> lampShadow(const Bounds& caster, const Eigen::Vector3d& lamp, double range,
+                                 const Bounds& receivers) {
+  double times = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    // Rays from the lamp through the body go on along an axis by `times` at the most.
+    const double low = caster.min()[axis] - lamp[axis];
+    const double high = caster.max()[axis] - lamp[axis];
+    if (low > 0.0) times = std::min(times, (receivers.max()[axis] - lamp[axis]) / low);
+    if (high < 0.0) times = std::min(times, (receivers.min()[axis] - lamp[axis]) / high);
+  }
+  const double nearest = caster.exteriorDistance(lamp);
+  if (nearest > 0.0) times = std::min(times, range / nearest);  // dark beyond
+  if (!(times < kFarthest)) return std::nullopt;
+  Points hull = cornersOf(caster);
+  for (const Eigen::Vector3d& corner : cornersOf(caster)) {
+    hull.push_back(lamp + std::max(times, 1.0) * (corner - lamp));
+  }
+  return hull;
+}
+
+/// The pixels on which a hull may be seen, and a few more.
+cv::Rect pixelsOf(const Points& hull_W, const View& view) {
+  constexpr double kSlack = 2.0;  // [px]
+  Points hull_C;
+  const Pose X_CW = view.X_WC.inverse();
+  for (const Eigen::Vector3d& point : hull_W) hull_C.push_back(X_CW * point);
+  const auto box = view.camera.projectedBounds(hull_C);
+  if (!box) return {};
+  const auto pixel = [](double place, int size) {
+    return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(size)));
+  };
+  const int width = view.camera.width();
+  const int height = view.camera.height();
+  return {cv::Point(pixel(std::floor(box->left - kSlack), width),
+                    pixel(std::floor(box->top - kSlack), height)),
+          cv::Point(pixel(std::ceil(box->right + kSlack), width),
+                    pixel(std::ceil(box->bottom + kSlack), height))};
+}
+
+/// Grown by what a shadow is blurred and pushed, in texels of its map.
+Bounds withBlur(const Bounds& caster, const world::Light& light, const ShadowProjection& shadow) {
+  constexpr double kTexels = 8.0;
+  const bool is_lamp = light.type == world::LightType::kSpot;
+  const double texel = shadow.texel * (is_lamp ? std::max(light.range, 1.0) : 1.0);
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kTexels * texel);
+  return {caster.min() - margin, caster.max() + margin};
+}
+
+}  // namespace
+
+ChangedRegions changedRegions(const std::vector<Part>& parts, const View& view,
+                              const std::vector<Pose>& X_WL, const LinkSelection& drawn,
+                              const LinkSelection& casting, const std::vector<world::Light>& lights,
+                              const std::vector<ShadowProjection>& shadows) {
+  const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
+  Bounds receivers;
+  std::map<std::pair<bool, std::size_t>, Bounds> seen;     // by object or, of props, by link
+  std::map<std::pair<bool, std::size_t>, Bounds> casters;  // the same
+  for (const Part& part : parts) {
+    const auto key = part.identifier > 0 ? std::make_pair(true, std::size_t{part.identifier})
+                                         : std::make_pair(false, part.link);
+    if (drawn[part.link] && part.stands_still) extend(receivers, part, X_WL[part.link]);
+    // What one can see through is drawn over all else each time.
+    const bool drawn_again = !part.stands_still || part.transparent;
+    if (drawn[part.link] && drawn_again) extend(seen[key], part, X_WL[part.link]);
+    if (casting[part.link] && part.casts_shadow && !part.stands_still) {
+      extend(casters[key], part, X_WL[part.link]);
+    }
+  }
+  ChangedRegions regions;
+  const auto add = [&](const cv::Rect& pixels, std::vector<cv::Rect>& to) {
+    if (!pixels.empty()) to.push_back(pixels);
+  };
+  for (const auto& entry : seen) {
+    if (!entry.second.isEmpty()) add(pixelsOf(cornersOf(entry.second), view), regions.covered);
+  }
+  for (const auto& entry : casters) {
+    if (entry.second.isEmpty() || receivers.isEmpty()) continue;
+    for (const ShadowProjection& shadow : shadows) {
+      const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
+      const Bounds caster = withBlur(entry.second, light, shadow);
+      const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
+      const std::optional<Points> hull =
+          light.type == world::LightType::kSpot
+              ? lampShadow(caster, light.X_WL.translation(), light.range, receivers)
+              : parallelShadow(caster, direction, receivers);
+      add(hull ? pixelsOf(*hull, view) : image, regions.shadowed);
+    }
+  }
+  return regions;
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,119 @@
+/// Pictures of which most is kept from the one before, against pictures that are drawn anew.
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include "render/renderer.h"
+#include "support/box_world.h"
+#include "world/shape/shape_meshes.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+using test::Stage;
+
+Pose at(double x, double y, double z) {
+  return makePose({x, y, z}, Eigen::Quaterniond::Identity());
+}
+
+world::Material coloured(float red, float green, float blue, float alpha = 1.0F) {
+  world::Material material;
+  material.diffuse = {red, green, blue, alpha};
+  return material;
+}
+
+/// A yard under a sunny sky with a lamp: walls, a pane of glass before a part of them, and two
+/// balls and a cup of glass that move.
+class KeptPictures : public testing::Test {
+ protected:
+  static constexpr std::size_t kBall = 4;
+
+  KeptPictures() {
+    description.ambient = {0.3F, 0.3F, 0.3F};
+    description.sky = world::Sky();
+    world::Light sun;
+    sun.casts_shadow = true;
+    sun.direction_L = Eigen::Vector3d(0.5, 0.2, -1).normalized();
+    world::Light lamp = sun;
+    lamp.type = world::LightType::kSpot;
+    lamp.X_WL = at(1.0, 0.5, 2.5);
+    lamp.direction_L = -Eigen::Vector3d::UnitZ();
+    lamp.spot_inner_angle = 1.2;
+    lamp.spot_outer_angle = 1.8;
+    lamp.range = 6.0;
+    description.lights = {sun, lamp};
+    stage.addBox({8, 8, 0.2}, at(0, 0, -0.1), -1, coloured(0.8F, 0.8F, 0.7F));
+    stage.addBox({0.2, 6, 1.5}, at(2, 0, 0.75), -1, coloured(0.7F, 0.4F, 0.3F));
+    stage.addBox({0.4, 0.4, 0.6}, at(-0.5, 1, 0.3), -1, coloured(0.3F, 0.6F, 0.3F));
+    stage.addBox({0.02, 1, 1}, at(0.5, -1, 0.5), -1, coloured(0.5F, 0.7F, 0.9F, 0.4F));
+    stage.addMesh(world::sphereMesh(0.3), at(0, 0, 0.3), 0, coloured(0.9F, 0.2F, 0.2F));
+    stage.addMesh(world::sphereMesh(0.2), at(0, -1, 0.2), 1, coloured(0.2F, 0.2F, 0.9F));
+    stage.addBox({0.3, 0.3, 0.3}, at(-1, 0, 0.15), 2, coloured(0.9F, 0.9F, 0.9F, 0.5F));
+    Eigen::Matrix3d R_WC;  // along +x, a little downwards
+    R_WC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+    view.X_WC = makePose(
+        {-3, 0, 1.2}, Eigen::Quaterniond(R_WC) * Eigen::AngleAxisd(-0.2, Eigen::Vector3d::UnitX()));
+  }
+
+  /// Moves what moves to its places of a time.
+  void move(int time) {
+    const double t = 0.1 * time;
+    stage.poses()[kBall] = at(0.5 * std::sin(3 * t), std::cos(2 * t), 0.3 + 0.2 * t);
+    stage.poses()[kBall + 1] = time == 3 ? at(-20, 0, 0.2) : at(1.2, t - 1, 0.2);
+    stage.poses()[kBall + 2] = at(-1, t - 0.5, 0.15);
+  }
+
+  [[nodiscard]] cv::Mat draw(Renderer& renderer) const {
+    return renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
+  }
+
+  void expectAsDrawnAnew(const std::vector<cv::Mat>& pictures) {
+    for (std::size_t time = 0; time < pictures.size(); ++time) {
+      move(static_cast<int>(time));
+      Renderer renderer(description, stage.links(), {});
+      EXPECT_EQ(cv::norm(pictures[time], draw(renderer), cv::NORM_INF), 0.0) << "time " << time;
+    }
+  }
+
+  world::Description description;
+  Stage stage;
+  View view{CameraModel(320, 240, {260.0, 260.0, 159.5, 119.5}, 0.05, 100.0), {}};
+};
+
+TEST_F(KeptPictures, AreThoseThatAreDrawnAnew) {
+  std::vector<cv::Mat> pictures;
+  {
+    Renderer renderer(description, stage.links(), {});
+    for (int time = 0; time < 7; ++time) {
+      move(time);
+      pictures.push_back(draw(renderer));
+    }
+  }
+  EXPECT_GT(cv::norm(pictures[4], pictures[5], cv::NORM_INF), 20.0) << "something moves";
+  expectAsDrawnAnew(pictures);
+}
+
+TEST_F(KeptPictures, AreNotMixedUpWithOthers) {
+  std::vector<cv::Mat> pictures;
+  {
+    Renderer renderer(description, stage.links(), {});
+    const View elsewhere{view.camera, view.X_WC * at(0.3, 0, 0)};
+    const cv::Rect region(10, 10, 100, 100);
+    for (int time = 0; time < 6; ++time) {
+      move(time);
+      if (time % 3 == 2)
+        (void)renderer.colour(elsewhere, stage.poses(), {stage.all(), stage.all()});
+      LinkSelection fewer = stage.all();
+      fewer[0] = false;
+      fewer[kBall] = false;
+      (void)renderer.colour(view, stage.poses(), {fewer, fewer, Sampling::kSmooth, region});
+      (void)renderer.colour(view, stage.poses(), {stage.all(), fewer, Sampling::kCentre});
+      (void)renderer.labels(view, stage.poses(), {stage.all()});
+      pictures.push_back(draw(renderer));
+    }
+  }
+  expectAsDrawnAnew(pictures);
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::render
