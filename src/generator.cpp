@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
 #include <utility>
 
 #include "object_motion.h"
 #include "open_output.h"
-#include "output/background_worker.h"
 #include "picture_taker.h"
 #include "random_seed.h"
 #include "render/renderer.h"
 #include "run_setup.h"
+#include "scene_committer.h"
 #include "scene_maker.h"
 #include "seconds.h"
 #include "synthetic_dataset/label_text.h"
@@ -37,9 +36,6 @@ PixelLabelOptions labelOptions(const config::Config& config) {
 }
 
 }  // namespace
-
-/// How many scenes may wait to be written while the next one is made.
-constexpr std::size_t kMostWaiting = 2;
 
 /// A scene that waits for what its optical flow needs.
 struct UnwrittenScene {
@@ -162,7 +158,7 @@ struct Generator::Impl {
       makeInstant(instant++, stamp);
     }
     if (!summary.stopped) write(std::nullopt);
-    background.finish();
+    committer.finish();
     tellWritten();
   }
 
@@ -205,32 +201,15 @@ struct Generator::Impl {
       if (!work.lacks(each.made.scene.index)) continue;  // of another camera than those missing
       if (scene_maker.needsOpticalFlow()) scene_maker.addOpticalFlow(each.made, now);
       output::SceneFacts facts = factsOf(each);
-      writeInBackground(std::make_shared<const Scene>(std::move(each.made.scene)),
-                        std::move(facts));
+      committer.add(std::move(each.made.scene), std::move(facts));
     }
     unwritten.clear();
     tellWritten();
   }
 
-  /// Formats, encodes and commits, scene after scene, while this thread makes the next one.
-  void writeInBackground(const std::shared_ptr<const Scene>& scene, output::SceneFacts facts) {
-    background.add([this, scene, facts = std::move(facts)]() mutable {
-      const auto written = setup.writers->writeScene(*scene);
-      for (const std::string& warning : written.warnings) facts.warnings.push_back({warning});
-      store->commitScene(facts, written.files);
-      const std::lock_guard<std::mutex> lock(written_mutex);
-      written_warnings.push_back(std::move(facts.warnings));
-    });
-  }
-
   /// The reporter hears of scenes in the thread that runs.
   void tellWritten() {
-    std::vector<std::vector<output::Warning>> of_scenes;
-    {
-      const std::lock_guard<std::mutex> lock(written_mutex);
-      of_scenes.swap(written_warnings);
-    }
-    for (const std::vector<output::Warning>& of_scene : of_scenes) {
+    for (const std::vector<output::Warning>& of_scene : committer.takeCommitted()) {
       warnings.tell(of_scene);
       reporter.progress(++summary.scenes, work.missingCount());
     }
@@ -238,14 +217,8 @@ struct Generator::Impl {
 
   [[nodiscard]] output::SceneFacts factsOf(const UnwrittenScene& each) const {
     const Scene& scene = each.made.scene;
-    output::SceneFacts facts;
-    facts.index = scene.index;
-    facts.stamp = scene.stamp;
-    facts.instant = scene.instant;
-    facts.camera = scene.camera_name;
-    facts.split = scene.split;
+    output::SceneFacts facts = output::sceneFacts(scene);
     facts.seed = randomSeed(static_cast<std::uint64_t>(setup.config.seed), scene.index, "scene");
-    facts.X_GC = scene.X_GC;
     facts.objects = scene_maker.objectFacts(each.made);
     facts.contacts = each.contacts;
     facts.warnings = each.warnings;
@@ -281,10 +254,7 @@ struct Generator::Impl {
   std::unique_ptr<output::DatasetStore> store;  // late: what fails before leaves the disk alone
   WorkPlan work;
   RunSummary summary;
-
-  std::mutex written_mutex;
-  std::vector<std::vector<output::Warning>> written_warnings;  ///< of scenes not told of yet
-  output::BackgroundWorker background{kMostWaiting};  // last: its jobs use all of the above
+  SceneCommitter committer{*setup.writers, *store};  // last: its thread uses some of the above
 };
 
 Generator::Generator(const Value& parameters, Reporter& reporter,

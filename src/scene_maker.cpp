@@ -76,14 +76,7 @@ std::vector<output::ObjectFacts> SceneMaker::objectFacts(const MadeScene& made) 
   const PixelLabeller& labeller = labellers_[made.scene.camera_index];
   std::vector<output::ObjectFacts> all;
   for (const SceneObject& object : made.scene.objects) {
-    output::ObjectFacts facts;
-    facts.X_GO = object.X_GO;
-    facts.distance = object.distance();
-    facts.in_view = object.in_view;
-    facts.dropped = object.dropped;
-    facts.loose_box = object.loose_box;
-    facts.silhouette_box = object.silhouette_box;
-    facts.visible_box = object.visible_box;
+    output::ObjectFacts facts = output::objectFacts(object);
     if (labeller.countsVisible()) facts.visible_pixels = object.pixels.visible;
     if (labeller.countsSilhouettes()) {
       facts.silhouette_pixels = object.pixels.silhouette;

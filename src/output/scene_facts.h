@@ -8,6 +8,7 @@
 #include "output/run_description.h"
 #include "synthetic_dataset/box.h"
 #include "synthetic_dataset/pose.h"
+#include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset::output {
 
@@ -50,5 +51,11 @@ struct SceneFacts {
   std::vector<ContactFacts> contacts = {};
   std::vector<Warning> warnings = {};
 };
+
+/// What every scene knows of an object, so all but pixels and what follows from them.
+[[nodiscard]] ObjectFacts objectFacts(const SceneObject& object);
+
+/// What every scene knows of itself, without its objects.
+[[nodiscard]] SceneFacts sceneFacts(const Scene& scene);
 
 }  // namespace synthetic_dataset::output

@@ -118,17 +118,17 @@ LabelledPicture readBop(const WrittenScene& scene) {
     std::vector<DrawnLabel> labels;
     for (const Json& object : json.at(key)) {
       const Pose X_CM = poseOf(object);
-      const std::string id = std::to_string(integerOf(object.at("obj_id")));
+      const int id = integerOf(object.at("obj_id"));
       DrawnLabel label;
-      label.caption = id;
-      if (const auto owner = owners.find(std::stoi(id)); owner != owners.end()) {
+      label.caption = std::to_string(id);
+      if (const auto owner = owners.find(id); owner != owners.end()) {
         label.class_names = owner->second.class_names;
         label.X_CO = objectPose(X_CM, owner->second.X_OM);
       }
       label.mask =
           readPicture(folder / "mask_visib" / maskName(name, labels.size()), cv::IMREAD_GRAYSCALE);
       label.box = boxOf(infos.at(labels.size()).at("bbox_obj"));
-      auto corners = boundsOf(models.at(id)).corners();
+      auto corners = boundsOf(models.at(label.caption)).corners();
       for (Eigen::Vector3d& corner : corners) corner = X_CM * corner;
       addCuboid(label, camera, corners);
       labels.push_back(std::move(label));

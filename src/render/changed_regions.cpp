@@ -14,12 +14,6 @@ using Points = std::vector<Eigen::Vector3d>;
 /// Beyond this many times as far from a lamp, a shadow is taken to reach everywhere.
 constexpr double kFarthest = 1000.0;
 
-Points cornersOf(const Bounds& bounds) {
-  Points corners;
-  for (int i = 0; i < 8; ++i) corners.push_back(bounds.corner(static_cast<Bounds::CornerType>(i)));
-  return corners;
-}
-
 void extend(Bounds& bounds, const Part& part, const Pose& X_WL) {
   if (part.bounds_V.isEmpty()) return;
   for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
@@ -43,8 +37,9 @@ Points parallelShadow(const Bounds& caster, const Eigen::Vector3d& direction,
     way = std::min(way, longestWay(caster.min()[axis], caster.max()[axis], direction[axis],
                                    receivers.min()[axis], receivers.max()[axis]));
   }
-  Points hull = cornersOf(caster);
-  for (const Eigen::Vector3d& corner : cornersOf(caster)) {
+  const auto corners = cornersOf(caster);
+  Points hull(corners.begin(), corners.end());
+  for (const Eigen::Vector3d& corner : corners) {
     hull.push_back(corner + std::max(way, 0.0) * direction);
   }
   return hull;
@@ -64,15 +59,17 @@ std::optional<Points> lampShadow(const Bounds& caster, const Eigen::Vector3d& la
   const double nearest = caster.exteriorDistance(lamp);
   if (nearest > 0.0) times = std::min(times, range / nearest);  // dark beyond
   if (!(times < kFarthest)) return std::nullopt;
-  Points hull = cornersOf(caster);
-  for (const Eigen::Vector3d& corner : cornersOf(caster)) {
+  const auto corners = cornersOf(caster);
+  Points hull(corners.begin(), corners.end());
+  for (const Eigen::Vector3d& corner : corners) {
     hull.push_back(lamp + std::max(times, 1.0) * (corner - lamp));
   }
   return hull;
 }
 
 /// The pixels on which a hull may be seen, and a few more.
-cv::Rect pixelsOf(const Points& hull_W, const View& view) {
+template <class Points3>
+cv::Rect pixelsOf(const Points3& hull_W, const View& view) {
   constexpr double kSlack = 2.0;  // [px]
   Points hull_C;
   const Pose X_CW = view.X_WC.inverse();
@@ -110,6 +107,7 @@ ChangedRegions changedRegions(const std::vector<Part>& parts, const View& view,
   std::map<std::pair<bool, std::size_t>, Bounds> seen;     // by object or, of props, by link
   std::map<std::pair<bool, std::size_t>, Bounds> casters;  // the same
   for (const Part& part : parts) {
+    if (!drawn[part.link] && !casting[part.link]) continue;
     const auto key = part.identifier > 0 ? std::make_pair(true, std::size_t{part.identifier})
                                          : std::make_pair(false, part.link);
     if (drawn[part.link] && part.stands_still) extend(receivers, part, X_WL[part.link]);

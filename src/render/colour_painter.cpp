@@ -60,15 +60,17 @@ void ColourPainter::begin(GLuint shadow_maps) {
 
 void ColourPainter::drawMoving(const ColourScene& scene) {
   gl_.DepthFunc(GL_GREATER);
-  for (const Part* part : parts_.solidParts(scene.view.X_WC.inverse(), scene.X_WL, scene.drawn)) {
-    if (!part->stands_still) draw(scene, *part);
+  const Pose X_CW = scene.view.X_WC.inverse();
+  for (const Part* part : parts_.solidParts(X_CW, scene.X_WL, scene.drawn, false)) {
+    draw(scene, *part);
   }
 }
 
 void ColourPainter::drawStanding(const ColourScene& scene) {
   gl_.DepthFunc(GL_GEQUAL);
-  for (const Part* part : parts_.solidParts(scene.view.X_WC.inverse(), scene.X_WL, scene.drawn)) {
-    if (part->stands_still) draw(scene, *part);
+  const Pose X_CW = scene.view.X_WC.inverse();
+  for (const Part* part : parts_.solidParts(X_CW, scene.X_WL, scene.drawn, true)) {
+    draw(scene, *part);
   }
   gl_.DepthMask(GL_FALSE);
   if (sky_) sky_->paint(scene.view, scene.exposure);

@@ -92,9 +92,7 @@ Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection
     if (!part.casts_shadow || !casting[part.link] || part.bounds_V.isEmpty()) continue;
     const Pose X_WV = X_WL[part.link] * part.X_LV;
     Bounds& bounds = part.stands_still ? standing : moving;
-    for (int i = 0; i < 8; ++i) {
-      bounds.extend(X_WV * part.bounds_V.corner(static_cast<Bounds::CornerType>(i)));
-    }
+    for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) bounds.extend(X_WV * corner);
   }
   if (moving.isEmpty()) return standing;
   // In steps, so that shadow maps fit from picture to picture.
@@ -105,22 +103,25 @@ Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection
 }
 
 std::vector<const Part*> DrawList::solidParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
-                                              const LinkSelection& drawn) const {
-  return sorted(X_CW, X_WL, drawn, false);
+                                              const LinkSelection& drawn, bool stands_still) const {
+  return sorted(X_CW, X_WL, drawn, 1.0, [&](const Part& part) {
+    return !part.transparent && part.stands_still == stands_still;
+  });
 }
 
 std::vector<const Part*> DrawList::transparentParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
                                                     const LinkSelection& drawn) const {
-  return sorted(X_CW, X_WL, drawn, true);
+  return sorted(X_CW, X_WL, drawn, -1.0, [](const Part& part) { return part.transparent; });
 }
 
 std::vector<const Part*> DrawList::sorted(const Pose& X_CW, const std::vector<Pose>& X_WL,
-                                          const LinkSelection& drawn, bool transparent) const {
+                                          const LinkSelection& drawn, double sign,
+                                          const std::function<bool(const Part&)>& wanted) const {
   std::vector<std::pair<double, const Part*>> parts;
   for (const Part& part : parts_) {
-    if (!drawn[part.link] || part.transparent != transparent || part.bounds_V.isEmpty()) continue;
+    if (!drawn[part.link] || !wanted(part) || part.bounds_V.isEmpty()) continue;
     const Eigen::Vector3d centre = X_CW * X_WL[part.link] * part.X_LV * part.bounds_V.center();
-    parts.emplace_back(transparent ? -centre.z() : centre.z(), &part);
+    parts.emplace_back(sign * centre.z(), &part);
   }
   std::stable_sort(parts.begin(), parts.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

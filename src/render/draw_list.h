@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "render/light_setup.h"
@@ -55,8 +56,10 @@ class DrawList {
                                     const LinkSelection& casting) const;
 
   /// The selected parts that one cannot see through, nearest first: what they hide is not shaded.
+  /// @param stands_still  those that do, or those that do not
   [[nodiscard]] std::vector<const Part*> solidParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
-                                                    const LinkSelection& drawn) const;
+                                                    const LinkSelection& drawn,
+                                                    bool stands_still) const;
 
   /// The selected parts that one can see through, farthest first.
   [[nodiscard]] std::vector<const Part*> transparentParts(const Pose& X_CW,
@@ -65,9 +68,11 @@ class DrawList {
 
  private:
   [[nodiscard]] Part makePart(const world::Surface& surface);
-  /// By the depth of their bounds' centres; solid ones begin with the nearest.
-  [[nodiscard]] std::vector<const Part*> sorted(const Pose& X_CW, const std::vector<Pose>& X_WL,
-                                                const LinkSelection& drawn, bool transparent) const;
+
+  /// By the depth of their bounds' centres times `sign`, the least first.
+  [[nodiscard]] std::vector<const Part*> sorted(
+      const Pose& X_CW, const std::vector<Pose>& X_WL, const LinkSelection& drawn, double sign,
+      const std::function<bool(const Part&)>& wanted) const;
 
   MeshLibrary meshes_;
   TextureLibrary textures_;

@@ -1,6 +1,7 @@
 #include "render/kept_picture.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace synthetic_dataset::render {
 namespace {

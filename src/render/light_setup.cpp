@@ -45,14 +45,6 @@ std::array<Eigen::Vector3d, 8> viewCorners(const View& view, double distance) {
   return corners;
 }
 
-std::array<Eigen::Vector3d, 8> corners(const Bounds& bounds) {
-  std::array<Eigen::Vector3d, 8> result;
-  for (int i = 0; i < 8; ++i) {
-    result[static_cast<std::size_t>(i)] = bounds.corner(static_cast<Bounds::CornerType>(i));
-  }
-  return result;
-}
-
 Bounds boundsIn(const Pose& X_SW, const std::array<Eigen::Vector3d, 8>& points_W) {
   Bounds bounds;
   for (const Eigen::Vector3d& point : points_W) bounds.extend(X_SW * point);
@@ -65,7 +57,7 @@ void fitDirectional(const world::Light& light, const std::vector<View>& views,
                     ShadowProjection& projection) {
   constexpr double kMargin = 0.02;  // of the casters' depth, so that none lies on the map's border
   const Pose X_SW = lightFrame(light).inverse();
-  const Bounds casting = boundsIn(X_SW, corners(casters));
+  const Bounds casting = boundsIn(X_SW, cornersOf(casters));
   Bounds seen;
   for (const View& view : views) seen.extend(boundsIn(X_SW, viewCorners(view, shadow_distance)));
   Eigen::Vector3d low = casting.min().cwiseMax(seen.min());
@@ -175,17 +167,17 @@ std::string lightMacros(const std::vector<world::Light>& lights) {
   const std::vector<int> layers = shadowLayers(lights);
   std::string each;
   std::string types;
-  std::string other_layers;
+  std::string layer_list;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const std::string type = std::to_string(static_cast<int>(lights[i].type));
     const std::string layer = std::to_string(layers[i]);
     if (i < kMostUnrolled) each += " LIGHT(" + std::to_string(i) + "," + type + "," + layer + ")";
     types += (i > 0 ? "," : "") + type;
-    other_layers += (i > 0 ? "," : "") + layer;
+    layer_list += (i > 0 ? "," : "") + layer;
   }
   if (lights.size() <= kMostUnrolled) return "#define EACH_LIGHT" + each + "\n";
   const std::string list = "const int kTypes[] = int[](" + types + ");\n" +
-                           "const int kLayers[] = int[](" + other_layers + ");\n";
+                           "const int kLayers[] = int[](" + layer_list + ");\n";
   return list + "#define EACH_LIGHT" + each + " for (int i = " + std::to_string(kMostUnrolled) +
          "; i < " + std::to_string(lights.size()) + "; ++i) { LIGHT(i, kTypes[i], kLayers[i]) }\n";
 }

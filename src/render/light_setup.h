@@ -5,14 +5,12 @@
 
 #include <Eigen/Geometry>
 
+#include "render/bounds.h"
 #include "render/shader_program.h"
 #include "render/view.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::render {
-
-/// A box in the world along its axes; empty until something is in it.
-using Bounds = Eigen::AlignedBox3d;
 
 /// How one light's shadow map is made and read.
 struct ShadowProjection {
@@ -24,7 +22,7 @@ struct ShadowProjection {
 
 /// The lights that cast shadows, each with a projection that holds what the views may see shaded.
 /// @param views  those that are put together to one picture, so that they share its shadows
-/// @param casters  round all that casts shadows; nothing casts where it is empty
+/// @param casters  in the world, round all that casts shadows; nothing casts where it is empty
 /// @param shadow_distance  from the camera up to which directional shadows are drawn [m]
 /// @param size  of a map's side [texel]
 [[nodiscard]] std::vector<ShadowProjection> shadowProjections(

@@ -1,13 +1,9 @@
 #include "render/render_target.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <string>
 
-#include <Eigen/Core>
-
-#include "sensor/srgb.h"
+#include "render/srgb.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::render {
@@ -32,41 +28,6 @@ void checkComplete(const GlFunctions& gl, const GlFramebuffer& framebuffer) {
   if (status != GL_FRAMEBUFFER_COMPLETE) {
     throw Error("OSMesa refuses a picture to draw into (status " + std::to_string(status) + ")");
   }
-}
-
-/// The sRGB-encoded value of each number of 16 bits (IEEE 754 binary16) from 0 to 1.
-class HalfEncoder {
- public:
-  HalfEncoder() {
-    for (std::size_t bits = 0; bits < table_.size(); ++bits) {
-      table_[bits] = sensor::srgbFromLinear(static_cast<float>(
-          Eigen::numext::bit_cast<Eigen::half>(static_cast<std::uint16_t>(bits))));
-    }
-  }
-
-  [[nodiscard]] std::uint8_t operator()(std::uint16_t bits) const {
-    return table_[std::min<std::size_t>(bits, kOne)];
-  }
-
- private:
-  static constexpr std::size_t kOne = 0x3C00;
-  std::array<std::uint8_t, kOne + 1> table_{};
-};
-
-/// @param light  CV_16UC4, red green blue alpha of 16 bits each
-cv::Mat encoded(const cv::Mat& light) {
-  static const HalfEncoder kEncoder;
-  cv::Mat image(light.size(), CV_8UC3);
-  for (int v = 0; v < light.rows; ++v) {
-    const auto* from = light.ptr<std::uint16_t>(v);
-    auto* to = image.ptr<std::uint8_t>(v);
-    for (int u = 0; u < light.cols; ++u, from += 4, to += 3) {
-      to[0] = kEncoder(from[2]);
-      to[1] = kEncoder(from[1]);
-      to[2] = kEncoder(from[0]);
-    }
-  }
-  return image;
 }
 
 /// The label shader's outputs.
@@ -136,7 +97,7 @@ cv::Mat ColourTarget::read() const {
   gl_.NamedFramebufferReadBuffer(resolved_.name(), GL_COLOR_ATTACHMENT0);
   cv::Mat light(height_, width_, CV_16UC4);
   gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_HALF_FLOAT, light.data);
-  return encoded(light);
+  return srgbFromLinear(light);
 }
 
 LabelTarget::LabelTarget(const GlFunctions& gl, int width, int height, const LabelPlanes& planes)

@@ -1,8 +1,6 @@
 #include "render/renderer.h"
 
-#include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "render/colour_painter.h"

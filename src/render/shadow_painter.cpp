@@ -77,11 +77,10 @@ Eigen::AlignedBox2i ShadowPainter::texelsOfMoving(const ShadowProjection& shadow
   Eigen::AlignedBox2d texels;
   for (const Part& part : parts_.parts()) {
     if (!part.casts_shadow || !casting[part.link] || part.stands_still) continue;
+    if (part.bounds_V.isEmpty()) continue;
     const Pose X_WV = X_WL[part.link] * part.X_LV;
-    for (int i = 0; i < 8 && !part.bounds_V.isEmpty(); ++i) {
-      const Eigen::Vector4d clip =
-          shadow.shadow_from_world *
-          (X_WV * part.bounds_V.corner(static_cast<Bounds::CornerType>(i))).homogeneous();
+    for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
+      const Eigen::Vector4d clip = shadow.shadow_from_world * (X_WV * corner).homogeneous();
       if (clip.w() < 1e-6) return whole;  // behind the lamp, where corners bound nothing
       texels.extend(Eigen::Vector2d(((clip.head<2>() / clip.w()).array() * 0.5 + 0.5) * size));
     }

@@ -148,8 +148,8 @@ std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject, const Vie
   for (const Part& part : parts_.parts()) {
     if (!subject.has(part) || part.bounds_V.isEmpty()) continue;
     const Pose X_CV = X_CW * subject.X_WL[part.link] * part.X_LV;
-    for (int i = 0; i < 8; ++i) {
-      corners_C.push_back(X_CV * part.bounds_V.corner(static_cast<Bounds::CornerType>(i)));
+    for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
+      corners_C.push_back(X_CV * corner);
     }
     if (!together) add();
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
 
 namespace synthetic_dataset::render {
 
@@ -9,5 +10,12 @@ namespace synthetic_dataset::render {
 
 /// Alpha, the last, is linear in either.
 [[nodiscard]] Eigen::Vector4f linearFromSrgb(const Eigen::Vector4f& encoded);
+
+/// A picture of linear light, encoded; what is brighter than 1 is white.
+/// @param light  CV_16UC4: red, green, blue and alpha as numbers of 16 bits (IEEE 754 binary16),
+/// none
+///               of them negative
+/// @return CV_8UC3: blue, green and red
+[[nodiscard]] cv::Mat srgbFromLinear(const cv::Mat& light);
 
 }  // namespace synthetic_dataset::render

@@ -383,6 +383,43 @@ TEST(Renderer, SeesFarFromTheOriginAsClearlyAsAtIt) {
   EXPECT_LE(cv::countNonZero(here != there), 2);
 }
 
+/// The first eight lights are compiled in another way than those after them.
+TEST(Renderer, ManyLightsAddUp) {
+  Stage stage;
+  stage.addBox({1, 1, 1}, makePose({0, 0, 4}, Eigen::Quaterniond(0.9, 0.1, 0.4, 0.2)), -1,
+               coloured(0.8F, 0.7F, 0.6F));
+  world::Description description;
+  description.ambient = description.background = {0.0F, 0.0F, 0.0F};
+  world::Light lamp;
+  lamp.type = world::LightType::kPoint;
+  lamp.X_WL = at(0.5, -1, 1);
+  lamp.casts_shadow = false;
+  lamp.diffuse = {0.75F, 0.75F, 0.75F};
+  const auto pictureWith = [&](std::size_t count) {
+    world::Light each = lamp;
+    each.diffuse /= static_cast<float>(count);
+    description.lights.assign(count, each);
+    Renderer renderer(description, stage.links(), {});
+    return renderer.colour(viewFromOrigin(), stage.poses(), {stage.all(), stage.all()});
+  };
+  const cv::Mat one = pictureWith(1);
+  EXPECT_GT(cv::norm(one, cv::NORM_INF), 100.0);
+  for (const std::size_t count : {8U, 9U, 12U, 32U}) {
+    EXPECT_LE(cv::norm(one, pictureWith(count), cv::NORM_INF), 1.0) << count;
+  }
+}
+
+TEST_F(Shadows, AreThrownByAnyOfManyLights) {
+  description.lights[0].direction_L = Eigen::Vector3d(1, 0, -1).normalized();
+  const cv::Mat first = picture(stage.all());
+  world::Light nothing = description.lights[0];
+  nothing.type = world::LightType::kPoint;
+  nothing.casts_shadow = false;
+  nothing.diffuse = nothing.specular = {0.0F, 0.0F, 0.0F};
+  description.lights.insert(description.lights.begin(), 10, nothing);
+  EXPECT_EQ(cv::norm(first, picture(stage.all()), cv::NORM_INF), 0.0);
+}
+
 TEST(Renderer, RefusesMoreLightsThanItHas) {
   Stage stage;
   world::Description description;

@@ -80,23 +80,10 @@ output::RunDescription VerificationTest::description(const Value::Map& parameter
 }
 
 output::SceneFacts VerificationTest::factsOf(const Scene& scene) const {
-  output::SceneFacts facts;
-  facts.index = scene.index;
-  facts.stamp = scene.stamp;
-  facts.instant = scene.instant;
-  facts.camera = scene.camera_name;
-  facts.split = scene.split;
-  facts.X_GC = scene.X_GC;
+  output::SceneFacts facts = output::sceneFacts(scene);
   facts.warnings = warnings_;
   for (const SceneObject& object : scene.objects) {
-    output::ObjectFacts of_object;
-    of_object.X_GO = object.X_GO;
-    of_object.distance = object.distance();
-    of_object.in_view = object.in_view;
-    of_object.dropped = object.dropped;
-    of_object.loose_box = object.loose_box;
-    of_object.silhouette_box = object.silhouette_box;
-    of_object.visible_box = object.visible_box;
+    output::ObjectFacts of_object = output::objectFacts(object);
     of_object.silhouette_pixels = object.pixels.silhouette;
     of_object.visible_pixels = object.pixels.visible;
     of_object.visibility = object.visibility;

@@ -3,11 +3,10 @@
 // height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient light.
 // All lighting is linear and happens in the camera's optical frame.
 
-// LIGHT(i, TYPE, SHADOW_LAYER) for each light is EACH_LIGHT, set when this is compiled: llvmpipe runs every
-// branch of a shader for every pixel, and a loop once more than it says, so what a light has not
-// costs nothing only if it is not there.
+// LIGHT(i, TYPE, SHADOW_LAYER) for each light is EACH_LIGHT, set when this is compiled: llvmpipe
+// runs every branch of a shader for every pixel, and a loop once more than it says, so what a light
+// has not costs nothing only if it is not there. The types are those of world::LightType; 1 is a point.
 #define DIRECTIONAL 0
-#define POINT 1
 #define SPOT 2
 const int kLinearFog = 0;
 const int kExponentialFog = 1;
@@ -110,7 +109,8 @@ vec3 incoming(Light light, int type, out vec3 to_light) {
   float falling = 1.0 / max(dot(light.attenuation, vec3(1.0, d, d * d)), 1e-6);
   if (type == SPOT) {
     float cosine = dot(-to_light, light.direction_C);
-    float inside = clamp((cosine - light.cone.y) / max(light.cone.x - light.cone.y, 1e-4), 0.0, 1.0);
+    float edge = max(light.cone.x - light.cone.y, 1e-4);
+    float inside = clamp((cosine - light.cone.y) / edge, 0.0, 1.0);
     falling *= pow(inside, max(light.cone.z, 1e-3));
   }
   return d > light.range ? vec3(0.0) : light.intensity * falling;
@@ -131,12 +131,14 @@ vec3 specular(vec3 f0, float alpha, float n_dot_l, float n_dot_v, float n_dot_h,
 
 // Linear up to 0.8, then bending towards 1 so that bright surfaces keep their drawing.
 vec3 shoulder(vec3 linear) {
-  return mix(linear, 0.8 + 0.2 * (1.0 - exp(-(linear - 0.8) / 0.2)), greaterThan(linear, vec3(0.8)));
+  vec3 soft = 0.8 + 0.2 * (1.0 - exp(-(linear - 0.8) / 0.2));
+  return mix(linear, soft, greaterThan(linear, vec3(0.8)));
 }
 
-// The normal as the map bends it. The map's x axis is where the texture's u grows and its y axis where v
-// falls (v counts from the first row down): both from the derivatives of position and coordinates,
-// so that meshes need no tangents (Schueler 2013, "Normal Mapping Without Precomputed Tangents").
+// The normal as the map bends it. The map's x axis is where the texture's u grows and its y axis
+// where v falls (v counts from the first row down): both from the derivatives of position and
+// coordinates, so that meshes need no tangents (Schueler 2013, "Normal Mapping Without Precomputed
+// Tangents").
 vec3 bent(vec3 normal) {
   vec3 along_x = dFdx(position_C);
   vec3 along_y = dFdy(position_C);
@@ -155,8 +157,8 @@ vec3 bent(vec3 normal) {
 }
 
 // What of one light a surface sends to the eye.
-vec3 sent(Light light, int type, int layer, vec3 f0, vec3 matte, float alpha, vec3 normal, vec3 surface,
-          vec3 to_eye, float n_dot_v) {
+vec3 sent(Light light, int type, int layer, vec3 f0, vec3 matte, float alpha, vec3 normal,
+          vec3 surface, vec3 to_eye, float n_dot_v) {
   vec3 to_light;
   vec3 arriving = incoming(light, type, to_light);
   float n_dot_l = dot(normal, to_light);
@@ -217,8 +219,8 @@ vec3 lit(vec3 base) {
 }
 
 #ifdef FOG
-// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth along
-// the axis instead, so that its fog changes where a camera turns.)
+// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth
+// along the axis instead, so that its fog changes where a camera turns.)
 float fogginess(float far) {
   float clear = 1.0;
   if (fog_type == kLinearFog) {
@@ -255,5 +257,6 @@ void main() {
 #ifdef FOG
   seen = mix(seen, exposure * fog_colour, fogginess(length(position_C)));
 #endif
-  colour = vec4(min(seen, vec3(1.0)), base.a);  // as bright as a picture can be, before samples are averaged
+  // As bright as a picture can be, before samples are averaged.
+  colour = vec4(min(seen, vec3(1.0)), base.a);
 }

@@ -182,10 +182,6 @@ void copyTriangles(const aiMesh& from, bool mirrored, Mesh& to) {
   for (unsigned i = 0; i < from.mNumFaces; ++i) {
     const aiFace& face = from.mFaces[i];
     if (face.mNumIndices != 3) continue;
-    for (unsigned corner = 0; corner < 3; ++corner) {
-      if (face.mIndices[corner] >= from.mNumVertices)
-        throw Error("names a vertex that is not there");
-    }
     to.indices.push_back(face.mIndices[0]);
     to.indices.push_back(face.mIndices[mirrored ? 2 : 1]);
     to.indices.push_back(face.mIndices[mirrored ? 1 : 2]);
