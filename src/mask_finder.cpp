@@ -47,13 +47,23 @@ std::vector<cv::Mat> MaskFinder::find(const render::View& view,
   for (std::size_t i = 0; i < objects.size(); ++i) {
     masks.push_back(cv::Mat::zeros(size, CV_8UC1));
     if (boxes[i].empty()) continue;
-    cv::Mat alone = background_->image.clone();
-    draw(view, one_object_[i], boxes[i])(boxes[i]).copyTo(alone(boxes[i]));
-    const cv::Mat raw = segmenter_.segment(alone);
-    masks.back() =
-        annotate::cutToBox(clean_ ? annotate::cleanMask(raw) : raw, *objects[i].loose_box);
+    segment(draw(view, one_object_[i], boxes[i]), boxes[i]).copyTo(masks.back()(boxes[i]));
   }
   return masks;
+}
+
+/// The mask in a box, beside which there is nothing.
+cv::Mat MaskFinder::segment(const cv::Mat& alone, const cv::Rect& box) {
+  const cv::Mat raw = segmenter_.segment(alone, box);
+  if (!clean_) return raw;
+  // What is round the box tells holes from bays.
+  constexpr int kRound = annotate::kLargestHole + 1;
+  const cv::Rect round =
+      cv::Rect(box.x - kRound, box.y - kRound, box.width + 2 * kRound, box.height + 2 * kRound) &
+      cv::Rect(cv::Point(), alone.size());
+  cv::Mat framed = cv::Mat::zeros(round.size(), CV_8UC1);
+  raw.copyTo(framed(box - round.tl()));
+  return annotate::cleanMask(framed)(box - round.tl());
 }
 
 void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region) {

@@ -33,6 +33,7 @@ class MaskFinder {
     cv::Mat image;
   };
 
+  [[nodiscard]] cv::Mat segment(const cv::Mat& alone, const cv::Rect& box);
   void takeBackground(const render::View& view, const cv::Rect& region);
   [[nodiscard]] cv::Mat draw(const render::View& view, const render::LinkSelection& drawn,
                              const cv::Rect& region);

@@ -1,9 +1,36 @@
 #include "annotate/instance_map.h"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 
+#include <opencv2/imgproc.hpp>
+
 namespace synthetic_dataset::annotate {
+namespace {
+
+/// Calls visit(instance, row, first column, column behind the last) for pixels of one instance that
+/// follow one another in a row.
+template <class Visit>
+void visitRuns(const cv::Mat& instance_map, const Visit& visit) {
+  constexpr int kAtOnce = 4;  // pixels; most of a picture is of no object
+  for (int row = 0; row < instance_map.rows; ++row) {
+    const auto* pixels = instance_map.ptr<std::uint16_t>(row);
+    for (int u = 0; u < instance_map.cols;) {
+      std::uint64_t several = 1;
+      if (u + kAtOnce <= instance_map.cols) std::memcpy(&several, pixels + u, sizeof several);
+      if (several == 0) {
+        u += kAtOnce;
+        continue;
+      }
+      const int first = u;
+      while (u < instance_map.cols && pixels[u] == pixels[first]) ++u;
+      if (pixels[first] != 0) visit(pixels[first], row, first, u);
+    }
+  }
+}
+
+}  // namespace
 
 std::optional<Box> InstancePixels::box() const {
   if (count == 0) return std::nullopt;
@@ -25,7 +52,10 @@ cv::Mat layeredInstanceMap(const std::vector<cv::Mat>& masks, const cv::Mat& ids
                    [&](std::size_t a, std::size_t b) { return distances[a] > distances[b]; });
   for (const std::size_t i : nearest_last) {
     const auto instance = static_cast<int>(i) + 1;
-    map.setTo(instance, (masks[i] != 0) & ((ids == 0) | (ids == instance)));
+    const cv::Rect place = cv::boundingRect(masks[i]);
+    if (place.empty()) continue;
+    const cv::Mat of_others = (ids(place) != 0) & (ids(place) != instance);
+    map(place).setTo(instance, (masks[i](place) != 0) & ~of_others);
   }
   return map;
 }
@@ -36,17 +66,13 @@ std::vector<InstancePixels> instancePixels(const cv::Mat& instance_map, std::siz
   };
   std::vector<Extent> extents(object_count, {instance_map.cols, instance_map.rows, -1, -1});
   std::vector<InstancePixels> pixels(object_count);
-  for (int v = 0; v < instance_map.rows; ++v) {
-    const auto* row = instance_map.ptr<std::uint16_t>(v);
-    for (int u = 0; u < instance_map.cols; ++u) {
-      if (row[u] == 0) continue;
-      const std::size_t object = row[u] - std::size_t{1};
-      Extent& extent = extents[object];
-      extent = {std::min(extent.left, u), std::min(extent.top, v), std::max(extent.right, u),
-                std::max(extent.bottom, v)};
-      ++pixels[object].count;
-    }
-  }
+  visitRuns(instance_map, [&](int instance, int row, int first, int end) {
+    const auto object = static_cast<std::size_t>(instance) - 1;
+    Extent& extent = extents[object];
+    extent = {std::min(extent.left, first), std::min(extent.top, row),
+              std::max(extent.right, end - 1), std::max(extent.bottom, row)};
+    pixels[object].count += end - first;
+  });
   for (std::size_t i = 0; i < object_count; ++i) {
     if (pixels[i].count == 0) continue;
     const Extent& e = extents[i];
@@ -73,13 +99,11 @@ cv::Mat renumbered(const cv::Mat& instance_map, const std::vector<std::uint16_t>
 std::vector<std::optional<double>> intersectionOverUnion(const cv::Mat& found, const cv::Mat& exact,
                                                          std::size_t object_count) {
   std::vector<std::int64_t> both(object_count, 0);
-  for (int v = 0; v < exact.rows; ++v) {
-    const auto* a = found.ptr<std::uint16_t>(v);
-    const auto* b = exact.ptr<std::uint16_t>(v);
-    for (int u = 0; u < exact.cols; ++u) {
-      if (b[u] != 0 && a[u] == b[u]) ++both[b[u] - std::size_t{1}];
-    }
-  }
+  visitRuns(exact, [&](int instance, int row, int first, int end) {
+    const auto* pixels = found.ptr<std::uint16_t>(row);
+    both[static_cast<std::size_t>(instance) - 1] +=
+        std::count(pixels + first, pixels + end, static_cast<std::uint16_t>(instance));
+  });
   const auto in_found = instancePixels(found, object_count);
   const auto in_exact = instancePixels(exact, object_count);
   std::vector<std::optional<double>> result(object_count);

@@ -50,13 +50,6 @@ cv::Rect pixelsOf(const Box& box, const cv::Size& image) {
   return {left, top, right - left, bottom - top};
 }
 
-cv::Mat cutToBox(const cv::Mat& mask, const Box& box) {
-  cv::Mat result = cv::Mat::zeros(mask.size(), mask.type());
-  const cv::Rect inside = pixelsOf(box, mask.size());
-  if (!inside.empty()) mask(inside).copyTo(result(inside));
-  return result;
-}
-
 cv::Mat cleanMask(const cv::Mat& raw) {
   cv::Mat mask = raw == kForeground;
   // A hole is closed when it touches the outside at most by a corner: 4-connected background,

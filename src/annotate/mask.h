@@ -10,11 +10,6 @@ namespace synthetic_dataset::annotate {
 /// in the image; an empty rectangle where none is.
 [[nodiscard]] cv::Rect pixelsOf(const Box& box, const cv::Size& image);
 
-/// The mask with everything outside of the box removed (see pixelsOf). The object cannot be
-/// anywhere else when the box is that of a shape that circumscribes it.
-/// @param mask  CV_8UC1
-[[nodiscard]] cv::Mat cutToBox(const cv::Mat& mask, const Box& box);
-
 /// A raw background subtraction made into an instance mask, 0 or 255:
 /// - shadow (127) is not the object;
 /// - holes of at most `kLargestHole` pixels are filled: there the object happens to have the

@@ -14,19 +14,14 @@ cv::Mat disc() {
 
 bool same(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0.0; }
 
-TEST(CutToBox, KeepsTheHalfOpenRectangle) {
-  const cv::Mat full(10, 20, CV_8UC1, cv::Scalar(255));
-  const cv::Mat cut = cutToBox(full, {2.3, 1.0, 6.2, 4.0});
-  cv::Mat expected = cv::Mat::zeros(10, 20, CV_8UC1);
-  expected(cv::Rect(2, 1, 5, 3)) = 255;  // columns 2..6, rows 1..3
-  EXPECT_TRUE(same(cut, expected));
+TEST(PixelsOf, AreTheHalfOpenRectangle) {
+  EXPECT_EQ(pixelsOf({2.3, 1.0, 6.2, 4.0}, {20, 10}), cv::Rect(2, 1, 5, 3));  // columns 2..6
 }
 
-TEST(CutToBox, CutsBoxesThatLeaveTheImage) {
-  const cv::Mat full(10, 20, CV_8UC1, cv::Scalar(255));
-  EXPECT_EQ(cv::countNonZero(cutToBox(full, {-5.5, -3.0, 4.0, 100.0})), 4 * 10);
-  EXPECT_EQ(cv::countNonZero(cutToBox(full, {-1e300, -1e300, 1e300, 1e300})), 200);
-  EXPECT_EQ(cv::countNonZero(cutToBox(full, {30.0, 2.0, 40.0, 5.0})), 0);
+TEST(PixelsOf, AreThoseInTheImage) {
+  EXPECT_EQ(pixelsOf({-5.5, -3.0, 4.0, 100.0}, {20, 10}), cv::Rect(0, 0, 4, 10));
+  EXPECT_EQ(pixelsOf({-1e300, -1e300, 1e300, 1e300}, {20, 10}), cv::Rect(0, 0, 20, 10));
+  EXPECT_TRUE(pixelsOf({30.0, 2.0, 40.0, 5.0}, {20, 10}).empty());
 }
 
 TEST(CleanMask, LeavesACleanMaskAsItIs) { EXPECT_TRUE(same(cleanMask(disc()), disc())); }
