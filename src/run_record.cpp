@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <libdeflate.h>
+#include <zlib.h>
 
 #include "config/settings_text.h"
 #include "output/digest.h"
@@ -45,7 +46,8 @@ std::map<std::string, std::string> softwareVersions() {
           {"bullet", BULLET_VERSION},
           {"opencv", OPENCV_VERSION},
           {"libdeflate", LIBDEFLATE_VERSION_STRING},
-          {"sdformat", SDFORMAT_VERSION}};
+          {"sdformat", SDFORMAT_VERSION},
+          {"zlib", zlibVersion()}};
 }
 
 std::map<std::string, output::RunDescription::Input> describeInputs(

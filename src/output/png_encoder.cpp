@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 
 #include <libdeflate.h>
+#include <zlib.h>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "output/image_encoder.h"
 #include "synthetic_dataset/errors.h"
@@ -36,12 +37,8 @@ void appendChunk(Bytes& png, const char* type, const uchar* data, std::size_t si
 /// A row's samples as PNG has them: red first, the high byte first.
 void takeRow(const cv::Mat& image, int row, uchar* to) {
   if (image.type() == CV_8UC3) {
-    const auto* from = image.ptr<uchar>(row);
-    for (int u = 0; u < image.cols; ++u, from += 3, to += 3) {
-      to[0] = from[2];
-      to[1] = from[1];
-      to[2] = from[0];
-    }
+    cv::Mat red_first(1, image.cols, CV_8UC3, to);
+    cv::cvtColor(image.row(row), red_first, cv::COLOR_BGR2RGB);
   } else if (image.type() == CV_16UC1) {
     const auto* from = image.ptr<std::uint16_t>(row);
     for (int u = 0; u < image.cols; ++u) {
@@ -55,12 +52,12 @@ void takeRow(const cv::Mat& image, int row, uchar* to) {
 
 /// What is left of `bytes` when those at `behind` are taken away, and how much that is: the sum of
 /// the differences' amounts, by which PNG's authors choose filters (ISO/IEC 15948, 12.8).
-std::uint64_t subtract(const uchar* bytes, const uchar* behind, std::size_t size, uchar* left) {
-  std::uint64_t sum = 0;
+std::uint32_t subtract(const uchar* bytes, const uchar* behind, std::size_t size, uchar* left) {
+  std::uint32_t sum = 0;
   for (std::size_t i = 0; i < size; ++i) {
     const auto difference = static_cast<uchar>(bytes[i] - behind[i]);
     left[i] = difference;
-    sum += static_cast<std::uint32_t>(std::abs(static_cast<std::int8_t>(difference)));
+    sum += std::min<uchar>(difference, static_cast<uchar>(-difference));
   }
   return sum;
 }
@@ -85,10 +82,11 @@ class RowFilter {
     uchar* const sub = none + size_;
     uchar* const up = sub + size_;
     // The pixel to the left of the first one is 0.
-    const std::uint64_t sum_none = subtract(row(), nothing_.data(), size_, none);
-    const std::uint64_t sum_sub = subtract(row(), row_.data(), size_, sub);
-    const std::uint64_t sum_up = subtract(row(), above_.data() + pixel_, size_, up);
-    const std::uint64_t least = std::min({sum_none, sum_sub, sum_up});
+    const std::uint32_t sum_none = subtract(row(), nothing_.data(), size_, none);
+    const bool is_empty = sum_none == 0;  // as most rows of masks are
+    const std::uint32_t sum_sub = is_empty ? 0 : subtract(row(), row_.data(), size_, sub);
+    const std::uint32_t sum_up = is_empty ? 0 : subtract(row(), above_.data() + pixel_, size_, up);
+    const std::uint32_t least = std::min({sum_none, sum_sub, sum_up});
     const FilterType type = least == sum_none ? kNone : least == sum_sub ? kSub : kUp;
     *to = type;
     std::copy_n(type == kNone ? none : type == kSub ? sub : up, size_, to + 1);
@@ -130,6 +128,45 @@ Bytes deflated(const Bytes& bytes, int compression) {
   return result;
 }
 
+/// Whether all pixels are black or white.
+bool isMask(const cv::Mat& image) {
+  if (image.type() != CV_8UC1) return false;
+  for (int row = 0; row < image.rows; ++row) {
+    const auto* pixels = image.ptr<uchar>(row);
+    uchar grey = 0;  // what is left of a pixel when 255 wraps round to 0
+    for (int u = 0; u < image.cols; ++u) grey |= static_cast<uchar>(pixels[u] + (pixels[u] >> 7U));
+    if (grey != 0) return false;
+  }
+  return true;
+}
+
+/// A mask's rows, which are long runs of the same: twice as fast, and smaller, with zlib, which has
+/// a way that looks for nothing else.
+Bytes deflatedRuns(const cv::Mat& mask) {
+  Bytes rows((static_cast<std::size_t>(mask.cols) + 1) * static_cast<std::size_t>(mask.rows));
+  for (int row = 0; row < mask.rows; ++row) {
+    takeRow(mask, row,
+            rows.data() +
+                (static_cast<std::size_t>(mask.cols) + 1) * static_cast<std::size_t>(row) + 1);
+  }
+  constexpr int kWindowBits = 15;
+  constexpr int kMemoryLevel = 9;
+  Bytes result(compressBound(rows.size()));
+  z_stream stream = {};
+  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, kWindowBits, kMemoryLevel, Z_RLE) != Z_OK) {
+    throw Error("there is no memory to compress an image");
+  }
+  stream.next_in = rows.data();
+  stream.avail_in = static_cast<uInt>(rows.size());
+  stream.next_out = result.data();
+  stream.avail_out = static_cast<uInt>(result.size());
+  const int status = deflate(&stream, Z_FINISH);
+  result.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (status != Z_STREAM_END) throw Error("an image could not be compressed");
+  return result;
+}
+
 Bytes header(const cv::Mat& image, bool indexed) {
   Bytes bytes;
   appendNumber(bytes, static_cast<std::uint32_t>(image.cols));
@@ -162,7 +199,8 @@ std::optional<std::string> indexedImageProblem(const std::string& path, const cv
 }
 
 Bytes encodePng(const cv::Mat& image, const std::vector<cv::Vec3b>& palette, int compression) {
-  const Bytes data = deflated(filteredRows(image), compression);
+  const Bytes data = palette.empty() && isMask(image) ? deflatedRuns(image)
+                                                      : deflated(filteredRows(image), compression);
   const Bytes head = header(image, !palette.empty());
   Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   png.reserve(data.size() + 1024);

@@ -1,8 +1,12 @@
 #include "output/scene_contents.h"
 
+#include <cstdint>
+#include <cstring>
 #include <map>
 #include <tuple>
 #include <utility>
+
+#include <libdeflate.h>
 
 #include "output/png_encoder.h"
 #include "synthetic_dataset/errors.h"
@@ -10,16 +14,58 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// What two images have in common that have the same pixels, colours and format.
-auto keyOf(const OutputFile& file, ImageFormat format) {
-  std::vector<uchar> colours;
-  for (const cv::Vec3b& colour : file.palette) {
-    colours.insert(colours.end(), {colour[0], colour[1], colour[2]});
-  }
-  const cv::Mat& pixels = file.pixels;
-  return std::make_tuple(pixels.data, pixels.rows, pixels.cols, pixels.step[0], pixels.type(),
-                         format, std::move(colours));
+/// Calls visit(bytes, size) for each row of pixels.
+template <class Visit>
+void visitRows(const cv::Mat& pixels, const Visit& visit) {
+  const std::size_t size = pixels.elemSize() * static_cast<std::size_t>(pixels.cols);
+  for (int row = 0; row < pixels.rows; ++row) visit(pixels.ptr(row), size, row);
 }
+
+std::uint32_t checksumOf(const cv::Mat& pixels) {
+  std::uint32_t sum = 0;
+  visitRows(pixels, [&](const uchar* bytes, std::size_t size, int /*row*/) {
+    sum = libdeflate_crc32(sum, bytes, size);
+  });
+  return sum;
+}
+
+bool haveSamePixels(const cv::Mat& a, const cv::Mat& b) {
+  if (a.data == b.data && a.step[0] == b.step[0]) return true;
+  bool same = true;
+  visitRows(a, [&](const uchar* bytes, std::size_t size, int row) {
+    same = same && std::memcmp(bytes, b.ptr(row), size) == 0;
+  });
+  return same;
+}
+
+/// Finds images that become the same bytes.
+class EqualImages {
+ public:
+  /// The content of an equal image, or null; then the image has this content.
+  const std::size_t* find(const OutputFile& file, ImageFormat format, std::size_t content) {
+    const cv::Mat& pixels = file.pixels;
+    std::vector<uchar> colours;
+    for (const cv::Vec3b& colour : file.palette) {
+      colours.insert(colours.end(), {colour[0], colour[1], colour[2]});
+    }
+    auto& alike = images_[std::make_tuple(pixels.rows, pixels.cols, pixels.type(), format,
+                                          std::move(colours), checksumOf(pixels))];
+    for (const Image& image : alike) {
+      if (haveSamePixels(image.pixels, pixels)) return &image.content;
+    }
+    alike.push_back({pixels, content});
+    return nullptr;
+  }
+
+ private:
+  struct Image {
+    cv::Mat pixels;
+    std::size_t content;
+  };
+  using Key = std::tuple<int, int, int, ImageFormat, std::vector<uchar>, std::uint32_t>;
+
+  std::map<Key, std::vector<Image>> images_;
+};
 
 SceneContent encoded(const OutputFile& file, const ImageQuality& quality) {
   try {
@@ -44,8 +90,7 @@ std::string_view SceneContent::bytes() const {
 
 std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
                                       const ImageQuality& quality) {
-  using Key = decltype(keyOf(OutputFile(), ImageFormat::kPng));
-  std::map<Key, std::size_t> known;
+  EqualImages images;
   std::vector<SceneContent> contents;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const OutputFile& file = files[i];
@@ -54,12 +99,9 @@ std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
       continue;
     }
     const std::optional<ImageFormat> format = imageFormat(file.path);
-    if (format) {
-      const auto [place, is_new] = known.try_emplace(keyOf(file, *format), contents.size());
-      if (!is_new) {
-        contents[place->second].files.push_back(i);
-        continue;
-      }
+    if (const auto* equal = format ? images.find(file, *format, contents.size()) : nullptr) {
+      contents[*equal].files.push_back(i);
+      continue;
     }
     contents.push_back(encoded(file, quality));
     contents.back().files.push_back(i);

@@ -82,6 +82,22 @@ TEST(Png, HoldsPixelsOfAllKinds) {
   }
 }
 
+TEST(Png, HoldsMasksAndWhatNearlyIsOne) {
+  std::mt19937 random(9);
+  for (const cv::Size& size : {cv::Size(1, 1), {640, 480}, {97, 3}}) {
+    cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
+    for (int row = 0; row < mask.rows; ++row) {
+      const int first = static_cast<int>(random() % static_cast<unsigned>(mask.cols));
+      mask(cv::Rect(first, row, (mask.cols - first + 1) / 2, 1)).setTo(255);
+    }
+    for (const int last : {0, 255, 254, 127, 1}) {
+      mask.at<uchar>(mask.rows - 1, mask.cols - 1) = static_cast<uchar>(last);
+      const cv::Mat read = cv::imdecode(encodePng(mask, {}, 3), cv::IMREAD_UNCHANGED);
+      EXPECT_EQ(cv::norm(read, mask, cv::NORM_INF), 0.0) << size << last;
+    }
+  }
+}
+
 TEST(Png, HoldsAPartOfALargerImage) {
   const cv::Mat part = mixedPixels(CV_8UC3, {64, 48})(cv::Rect(5, 6, 30, 20));
   const cv::Mat read = cv::imdecode(encodePng(part, {}, 3), cv::IMREAD_UNCHANGED);

@@ -25,6 +25,17 @@ TEST(SceneContents, EncodesOnePictureOnce) {
               ElementsAre(ElementsAre(0, 1)));
 }
 
+TEST(SceneContents, EncodesEqualPicturesOnce) {
+  const cv::Mat pixels(40, 60, CV_8UC1, cv::Scalar(1));
+  cv::Mat other = pixels.clone();
+  other.at<uchar>(39, 59) = 2;
+  const cv::Mat part = cv::Mat(80, 80, CV_8UC1, cv::Scalar(1))(cv::Rect(5, 7, 60, 40));
+  EXPECT_THAT(sharesOf({imageFile("a.png", pixels), imageFile("b.png", pixels.clone()),
+                        imageFile("c.png", other), imageFile("d.png", part),
+                        imageFile("e.png", pixels.reshape(1, 60))}),
+              ElementsAre(ElementsAre(0, 1, 3), ElementsAre(2), ElementsAre(4)));
+}
+
 TEST(SceneContents, TellsIndicesFromGreys) {
   const cv::Mat pixels(4, 4, CV_8UC1, cv::Scalar(1));
   const std::vector<cv::Vec3b> palette = {{0, 0, 0}, {1, 2, 3}};
