@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
+
+#include <opencv2/imgproc.hpp>
+
+#include "render/part_groups.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -13,13 +16,6 @@ using Points = std::vector<Eigen::Vector3d>;
 
 /// Beyond this many times as far from a lamp, a shadow is taken to reach everywhere.
 constexpr double kFarthest = 1000.0;
-
-void extend(Bounds& bounds, const Part& part, const Pose& X_WL) {
-  if (part.bounds_V.isEmpty()) return;
-  for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
-    bounds.extend(X_WL * part.X_LV * corner);
-  }
-}
 
 /// What of a thing's way along one axis lies within the receivers: the most that `factor` may be in
 /// start + factor * step for any start in [low, high], or infinity.
@@ -96,49 +92,82 @@ Bounds withBlur(const Bounds& caster, const world::Light& light, const ShadowPro
   return {caster.min() - margin, caster.max() + margin};
 }
 
+/// Marks the pixels on which a hull may be seen, and a few more.
+template <class Points3>
+void markPixels(const Points3& hull_W, const View& view, cv::Mat& pixels) {
+  constexpr int kSlack = 5;     // [px] of lines round the outline, so half of it outside
+  constexpr int kBits = 4;      // of places within a pixel
+  constexpr double kFar = 1e6;  // [px]; OpenCV counts in 32 bits
+  const Pose X_CW = view.X_WC.inverse();
+  const Intrinsics& k = view.camera.intrinsics();
+  std::vector<cv::Point> points;
+  for (const Eigen::Vector3d& point : hull_W) {
+    const Eigen::Vector3d p = X_CW * point;
+    const Eigen::Vector2d place(k.fx * p.x() / p.z() + k.cx, k.fy * p.y() / p.z() + k.cy);
+    if (p.z() < view.camera.near() || place.cwiseAbs().maxCoeff() > kFar) {
+      // Its outline is not that of its corners.
+      const cv::Rect box = pixelsOf(hull_W, view);
+      if (!box.empty()) pixels(box).setTo(255);
+      return;
+    }
+    const Eigen::Vector2d scaled = place * (1 << kBits);
+    points.emplace_back(static_cast<int>(scaled.x()), static_cast<int>(scaled.y()));
+  }
+  std::vector<cv::Point> outline;
+  cv::convexHull(points, outline);
+  cv::fillConvexPoly(pixels, outline, cv::Scalar(255), cv::LINE_8, kBits);
+  cv::polylines(pixels, outline, true, cv::Scalar(255), kSlack, cv::LINE_8, kBits);
+}
+
 }  // namespace
 
-ChangedRegions changedRegions(const std::vector<Part>& parts, const View& view,
-                              const std::vector<Pose>& X_WL, const LinkSelection& drawn,
-                              const LinkSelection& casting, const std::vector<world::Light>& lights,
-                              const std::vector<ShadowProjection>& shadows) {
-  const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
-  Bounds receivers;
-  std::map<std::pair<bool, std::size_t>, Bounds> seen;     // by object or, of props, by link
-  std::map<std::pair<bool, std::size_t>, Bounds> casters;  // the same
-  for (const Part& part : parts) {
-    if (!drawn[part.link] && !casting[part.link]) continue;
-    const auto key = part.identifier > 0 ? std::make_pair(true, std::size_t{part.identifier})
-                                         : std::make_pair(false, part.link);
-    if (drawn[part.link] && part.stands_still) extend(receivers, part, X_WL[part.link]);
-    // What one can see through is drawn over all else each time.
-    const bool drawn_again = !part.stands_still || part.transparent;
-    if (drawn[part.link] && drawn_again) extend(seen[key], part, X_WL[part.link]);
-    if (casting[part.link] && part.casts_shadow && !part.stands_still) {
-      extend(casters[key], part, X_WL[part.link]);
-    }
+std::vector<cv::Rect> movingRegions(const std::vector<Part>& parts, const View& view,
+                                    const std::vector<Pose>& X_WL, const LinkSelection& drawn) {
+  std::vector<cv::Rect> regions;
+  const auto moves = [&](const Part& part) { return drawn[part.link] && !part.stands_still; };
+  for (const Bounds& group : boundsOfGroups(parts, X_WL, moves)) {
+    const cv::Rect pixels = pixelsOf(cornersOf(group), view);
+    if (!pixels.empty()) regions.push_back(pixels);
   }
-  ChangedRegions regions;
-  const auto add = [&](const cv::Rect& pixels, std::vector<cv::Rect>& to) {
-    if (!pixels.empty()) to.push_back(pixels);
+  return regions;
+}
+
+cv::Mat changedPixels(const std::vector<Part>& parts, const View& view,
+                      const std::vector<Pose>& X_WL, const LinkSelection& drawn,
+                      const LinkSelection& casting, const std::vector<world::Light>& lights,
+                      const std::vector<ShadowProjection>& shadows) {
+  cv::Mat pixels = cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
+  const auto is_seen_anew = [&](const Part& part) {
+    return drawn[part.link] && (!part.stands_still || part.transparent);
   };
-  for (const auto& entry : seen) {
-    if (!entry.second.isEmpty()) add(pixelsOf(cornersOf(entry.second), view), regions.covered);
+  for (const Bounds& group : boundsOfGroups(parts, X_WL, is_seen_anew)) {
+    markPixels(cornersOf(group), view, pixels);
   }
-  for (const auto& entry : casters) {
-    if (entry.second.isEmpty() || receivers.isEmpty()) continue;
+  Bounds receivers;
+  for (const Part& part : parts) {
+    if (drawn[part.link] && part.stands_still) extend(receivers, part, X_WL[part.link]);
+  }
+  if (receivers.isEmpty()) return pixels;
+  const auto moves = [&](const Part& part) {
+    return casting[part.link] && part.casts_shadow && !part.stands_still;
+  };
+  for (const Bounds& group : boundsOfGroups(parts, X_WL, moves)) {
     for (const ShadowProjection& shadow : shadows) {
       const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
-      const Bounds caster = withBlur(entry.second, light, shadow);
+      const Bounds caster = withBlur(group, light, shadow);
       const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
       const std::optional<Points> hull =
           light.type == world::LightType::kSpot
               ? lampShadow(caster, light.X_WL.translation(), light.range, receivers)
               : parallelShadow(caster, direction, receivers);
-      add(hull ? pixelsOf(*hull, view) : image, regions.shadowed);
+      if (hull) {
+        markPixels(*hull, view, pixels);
+      } else {
+        pixels.setTo(255);
+      }
     }
   }
-  return regions;
+  return pixels;
 }
 
 }  // namespace synthetic_dataset::render

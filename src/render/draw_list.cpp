@@ -47,6 +47,7 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
         part.stands_still = links[link].role == world::Role::kStatic;
         part.casts_shadow =
             visual.casts_shadow && !part.transparent && !isLargeAndFlat(part.bounds_V);
+        features_ |= part.features;
         parts_.push_back(part);
       }
     }
@@ -57,6 +58,7 @@ Part DrawList::makePart(const world::Surface& surface) {
   const world::Material& material = surface.material;
   Part part;
   part.mesh = &meshes_.get(surface.mesh);
+  part.shape = surface.mesh.get();
   part.material = &material;
   part.bounds_V = boundsOf(*surface.mesh);
   const auto use = [&](const std::shared_ptr<const world::Texture>& texture, PixelMeaning meaning,
@@ -100,6 +102,12 @@ Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection
   standing.extend(Eigen::Vector3d((moving.min() / kStep).array().floor() * kStep));
   standing.extend(Eigen::Vector3d((moving.max() / kStep).array().ceil() * kStep));
   return standing;
+}
+
+bool DrawList::hasGlassInLabels(const LinkSelection& drawn) const {
+  return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
+    return drawn[part.link] && part.transparent && !seenThroughInLabels(part);
+  });
 }
 
 std::vector<const Part*> DrawList::solidParts(const Pose& X_CW, const std::vector<Pose>& X_WL,

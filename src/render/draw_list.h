@@ -26,6 +26,7 @@ struct PartTextures {
 /// One surface of one link, ready to be drawn.
 struct Part {
   const MeshBuffers* mesh = nullptr;
+  const world::Mesh* shape = nullptr;  ///< the same, as it was read
   const world::Material* material = nullptr;
   PartTextures textures;
   SurfaceFeatures features = 0;
@@ -51,11 +52,22 @@ class DrawList {
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 
+  /// The place of one of parts() among them, counted from 1.
+  [[nodiscard]] std::uint32_t numberOf(const Part& part) const {
+    return static_cast<std::uint32_t>(&part - parts_.data()) + 1;
+  }
+
+  /// All that some part has.
+  [[nodiscard]] SurfaceFeatures features() const { return features_; }
+
   /// Round all selected parts that cast shadows, with up to half a metre to spare where they move.
   [[nodiscard]] Bounds casterBounds(const std::vector<Pose>& X_WL,
                                     const LinkSelection& casting) const;
 
-  /// The selected parts that one cannot see through, nearest first: what they hide is not shaded.
+  /// Whether one can see through something that labels show all the same.
+  [[nodiscard]] bool hasGlassInLabels(const LinkSelection& drawn) const;
+
+  /// The selected parts that one cannot see through, nearest first.
   /// @param stands_still  those that do, or those that do not
   [[nodiscard]] std::vector<const Part*> solidParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
                                                     const LinkSelection& drawn,
@@ -76,6 +88,7 @@ class DrawList {
 
   MeshLibrary meshes_;
   TextureLibrary textures_;
+  SurfaceFeatures features_ = 0;
   std::vector<Part> parts_;
 };
 

@@ -36,13 +36,12 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(Scissor, "glScissor");
   fill(DepthFunc, "glDepthFunc");
   fill(DepthMask, "glDepthMask");
-  fill(ColorMask, "glColorMask");
   fill(FrontFace, "glFrontFace");
   fill(BlendFunc, "glBlendFunc");
   fill(ClipControl, "glClipControl");
   fill(PixelStorei, "glPixelStorei");
   fill(ReadPixels, "glReadPixels");
-  fill(DrawArrays, "glDrawArrays");
+  fill(DrawArraysInstanced, "glDrawArraysInstanced");
   fill(DrawElements, "glDrawElements");
   fill(CreateBuffers, "glCreateBuffers");
   fill(DeleteBuffers, "glDeleteBuffers");
@@ -58,7 +57,6 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(CreateTextures, "glCreateTextures");
   fill(DeleteTextures, "glDeleteTextures");
   fill(TextureStorage2D, "glTextureStorage2D");
-  fill(TextureStorage2DMultisample, "glTextureStorage2DMultisample");
   fill(TextureStorage3D, "glTextureStorage3D");
   fill(TextureSubImage2D, "glTextureSubImage2D");
   fill(GenerateTextureMipmap, "glGenerateTextureMipmap");
@@ -75,7 +73,6 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");
   fill(ClearNamedFramebufferfv, "glClearNamedFramebufferfv");
   fill(ClearNamedFramebufferuiv, "glClearNamedFramebufferuiv");
-  fill(BlitNamedFramebuffer, "glBlitNamedFramebuffer");
   fill(CreateShader, "glCreateShader");
   fill(DeleteShader, "glDeleteShader");
   fill(ShaderSource, "glShaderSource");

@@ -20,13 +20,12 @@ struct GlFunctions {
   PFNGLSCISSORPROC Scissor = nullptr;
   PFNGLDEPTHFUNCPROC DepthFunc = nullptr;
   PFNGLDEPTHMASKPROC DepthMask = nullptr;
-  PFNGLCOLORMASKPROC ColorMask = nullptr;
   PFNGLFRONTFACEPROC FrontFace = nullptr;
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
   PFNGLPIXELSTOREIPROC PixelStorei = nullptr;
   PFNGLREADPIXELSPROC ReadPixels = nullptr;
-  PFNGLDRAWARRAYSPROC DrawArrays = nullptr;
+  PFNGLDRAWARRAYSINSTANCEDPROC DrawArraysInstanced = nullptr;
   PFNGLDRAWELEMENTSPROC DrawElements = nullptr;
 
   PFNGLCREATEBUFFERSPROC CreateBuffers = nullptr;
@@ -44,7 +43,6 @@ struct GlFunctions {
   PFNGLCREATETEXTURESPROC CreateTextures = nullptr;
   PFNGLDELETETEXTURESPROC DeleteTextures = nullptr;
   PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = nullptr;
-  PFNGLTEXTURESTORAGE2DMULTISAMPLEPROC TextureStorage2DMultisample = nullptr;
   PFNGLTEXTURESTORAGE3DPROC TextureStorage3D = nullptr;
   PFNGLTEXTURESUBIMAGE2DPROC TextureSubImage2D = nullptr;
   PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = nullptr;
@@ -62,7 +60,6 @@ struct GlFunctions {
   PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;
   PFNGLCLEARNAMEDFRAMEBUFFERFVPROC ClearNamedFramebufferfv = nullptr;
   PFNGLCLEARNAMEDFRAMEBUFFERUIVPROC ClearNamedFramebufferuiv = nullptr;
-  PFNGLBLITNAMEDFRAMEBUFFERPROC BlitNamedFramebuffer = nullptr;
 
   PFNGLCREATESHADERPROC CreateShader = nullptr;
   PFNGLDELETESHADERPROC DeleteShader = nullptr;

@@ -1,5 +1,6 @@
 #include "render/label_painter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -26,6 +27,29 @@ cv::Mat rangeOf(const cv::Mat& depth, const Intrinsics& k) {
 
 }  // namespace
 
+LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
+                     const Intrinsics& intrinsics, const LabelPass& pass) {
+  std::vector<int> identifiers = {0};
+  std::vector<int> links = {0};
+  for (const Part& part : parts.parts()) {
+    identifiers.push_back(static_cast<int>(part.identifier));
+    links.push_back(static_cast<int>(part.link) + 1);
+  }
+  const auto translated = [&](const std::vector<int>& table) {
+    cv::Mat result(images.parts.size(), CV_32SC1);
+    std::transform(images.parts.begin<int>(), images.parts.end<int>(), result.begin<int>(),
+                   [&](int part) { return table[static_cast<std::size_t>(part)]; });
+    return result;
+  };
+  LabelImages labels;
+  labels.ids = translated(identifiers);
+  labels.depth = images.depth;
+  labels.depth.setTo(0.0F, images.parts == 0);
+  if (pass.links) labels.links = translated(links);
+  if (pass.range) labels.range = rangeOf(labels.depth, intrinsics);
+  return labels;
+}
+
 LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& parts, LensLibrary& lenses)
     : gl_(gl),
       parts_(parts),
@@ -39,14 +63,21 @@ LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>
   const LabelTarget& target =
       targets_.try_emplace({width, height, planes}, gl_, width, height, planes).first->second;
   target.begin();
-  gl_.DepthFunc(GL_GREATER);
-  for (const Part& part : parts_.parts()) {
-    if (!drawn[part.link] || seenThroughInLabels(part)) continue;
-    const ShaderProgram& program = programs_.get(part.features);
-    program.set("identifier", part.identifier);
-    program.set("link", static_cast<std::uint32_t>(part.link + 1));
-    drawSurface(gl_, program, part, view, X_WL[part.link]);
-  }
+  const auto draw = [&](const std::vector<const Part*>& parts, GLenum depth_func) {
+    gl_.DepthFunc(depth_func);
+    for (const Part* part : parts) {
+      if (seenThroughInLabels(*part)) continue;
+      const ShaderProgram& program = programs_.get(part->features);
+      program.set("identifier", part->identifier);
+      program.set("link", static_cast<std::uint32_t>(part->link + 1));
+      drawSurface(gl_, program, *part, view, X_WL[part->link]);
+    }
+  };
+  // As geometry is drawn, so that of surfaces at the same place the same one is seen.
+  const Pose X_CW = view.X_WC.inverse();
+  draw(parts_.solidParts(X_CW, X_WL, drawn, true), GL_GEQUAL);
+  draw(parts_.solidParts(X_CW, X_WL, drawn, false), GL_GREATER);
+  draw(parts_.transparentParts(X_CW, X_WL, drawn), GL_GREATER);
   return target.read();
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/draw_list.h"
+#include "render/geometry_buffer.h"
 #include "render/lens_library.h"
 #include "render/render_target.h"
 #include "render/shader_family.h"
@@ -20,7 +21,13 @@ struct LabelPass {
   bool range = false;    ///< whether LabelImages::range is made
 };
 
-/// Draws what each pixel's centre sees.
+/// What geometry tells of labels.
+/// @param images  of the whole picture
+/// @param pass  without normals
+[[nodiscard]] LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
+                                   const Intrinsics& intrinsics, const LabelPass& pass);
+
+/// Draws what each pixel's centre sees, where geometry does not tell.
 class LabelPainter {
  public:
   /// @param parts  have to outlive this

@@ -38,10 +38,11 @@ struct ShadowProjection {
 /// @throws Error when there are more lights than the shader has
 void checkLightCount(const std::vector<world::Light>& lights);
 
-/// What the colour shader has to know of the lights when it is compiled: its macro EACH_LIGHT.
+/// What shaders with lighting.glsl have to know of the lights when they are compiled: their macro
+/// EACH_LIGHT.
 [[nodiscard]] std::string lightMacros(const std::vector<world::Light>& lights);
 
-/// Tells the colour shader of the lights, in the camera's frame.
+/// Tells such a shader of the lights, in the camera's frame.
 void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
                const std::vector<ShadowProjection>& shadows, const View& view);
 

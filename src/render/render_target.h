@@ -8,51 +8,6 @@
 
 namespace synthetic_dataset::render {
 
-/// All samples of a picture, and their depths.
-struct ColourSamples {
-  GlTexture colour;
-  GlTexture depth;
-};
-
-/// Where the colour image is drawn: several samples a pixel, averaged when it is read.
-class ColourTarget {
- public:
-  /// @param samples  a pixel; 1 for none but the centre's
-  ColourTarget(const GlFunctions& gl, int width, int height, int samples);
-
-  void bind() const;
-
-  /// Binds the target and fills it, or the part that is not cut off by the scissors, with a colour
-  /// (linear red, green, blue).
-  void begin(const float background[3]) const;
-
-  /// As many samples as the target has.
-  [[nodiscard]] ColourSamples makeSamples() const;
-
-  /// Copies all samples.
-  void keep(const ColourSamples& to) const;
-
-  /// Copies some samples back.
-  void restore(const ColourSamples& from, const cv::Rect& pixels) const;
-
-  /// The picture: CV_8UC3, blue green red, sRGB-encoded, first row on top. Light is averaged before
-  /// it is encoded.
-  [[nodiscard]] cv::Mat read() const;
-
- private:
-  void copySamples(const GlTexture& from, const GlTexture& to, const cv::Rect& pixels) const;
-
-  const GlFunctions& gl_;
-  int width_;
-  int height_;
-  int sample_count_;
-  GlTexture samples_colour_;
-  GlTexture samples_depth_;
-  GlTexture resolved_colour_;
-  GlFramebuffer samples_;
-  GlFramebuffer resolved_;
-};
-
 /// What one look at the labels gives, pixel by pixel, sampled at the pixels' centres.
 struct LabelImages {
   cv::Mat ids;    ///< CV_32SC1: the identifier that was drawn, 0 where nothing was

@@ -1,25 +1,16 @@
 #include "render/renderer.h"
 
-#include <map>
-#include <utility>
+#include <vector>
 
-#include "render/colour_painter.h"
-#include "render/kept_picture.h"
 #include "render/lens_library.h"
 #include "render/lens_resampling.h"
+#include "render/light_painter.h"
 #include "render/light_setup.h"
 #include "render/osmesa_context.h"
-#include "render/shadow_painter.h"
+#include "render/picture_cache.h"
 #include "sensor/srgb.h"
 
 namespace synthetic_dataset::render {
-namespace {
-
-using ImageSize = std::pair<int, int>;
-
-ImageSize sizeOf(const CameraModel& camera) { return {camera.width(), camera.height()}; }
-
-}  // namespace
 
 struct Renderer::Impl {
   Impl(const world::Description& description, const std::vector<world::LinkInstance>& links,
@@ -28,10 +19,14 @@ struct Renderer::Impl {
         lights(description.lights),
         gl(context.gl()),
         draw_list(gl, links),
-        colour_painter(gl, draw_list, description),
+        geometry_painter(gl, draw_list),
+        light_painter(gl, draw_list, description),
         shadow_painter(gl, draw_list, options.shadow_map_size, shadowCount(description.lights)),
+        edge_smoother(draw_list),
         label_painter(gl, draw_list, lenses),
-        silhouette_painter(gl, draw_list, lenses) {
+        silhouette_painter(gl, draw_list, lenses),
+        pictures({gl, draw_list, lights, geometry_painter, shadow_painter, light_painter,
+                  edge_smoother, options.samples > 1}) {
     gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl.FrontFace(GL_CW);  // the image is drawn with its first row at the bottom
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -40,34 +35,12 @@ struct Renderer::Impl {
     gl.Enable(GL_DEPTH_TEST);
   }
 
-  /// @param region  the part that is drawn
   cv::Mat drawPinhole(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
                       const std::optional<cv::Rect>& region,
                       const std::vector<ShadowProjection>& shadows) {
-    const ColourTarget& target = colourTarget(view.camera, pass.sampling);
-    const Eigen::Vector3f exposed = pass.exposure * colour_painter.background();
-    target.begin(exposed.data());
-    if (region) {
-      gl.Enable(GL_SCISSOR_TEST);
-      gl.Scissor(region->x, region->y, region->width, region->height);
-    }
-    colour_painter.paint({view, X_WL, pass.drawn, shadows, pass.exposure},
-                         shadow_painter.texture());
-    gl.Disable(GL_SCISSOR_TEST);
-    return target.read();
-  }
-
-  /// The same of a whole picture, with what can be kept of the one before.
-  cv::Mat drawKept(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
-                   const std::vector<ShadowProjection>& shadows) {
-    const ColourTarget& target = colourTarget(view.camera, pass.sampling);
-    const Eigen::Vector3f exposed = pass.exposure * colour_painter.background();
-    KeptPicture& picture = kept_pictures
-                               .try_emplace(sizeOf(view.camera), gl, draw_list, lights,
-                                            shadow_painter, colour_painter, target)
-                               .first->second;
-    picture.paint({view, X_WL, pass.drawn, shadows, pass.exposure}, pass.casting, exposed.data());
-    return target.read();
+    const bool smooth = pass.sampling == Sampling::kSmooth;
+    return pictures.get(view).paint({view, X_WL, pass.drawn, shadows, pass.exposure}, pass.casting,
+                                    smooth, region);
   }
 
   cv::Mat drawThroughLens(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
@@ -76,7 +49,7 @@ struct Renderer::Impl {
     const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
     const cv::Rect region = pass.region.value_or(image) & image;
     const auto encoded = [&](Eigen::Index i) {
-      return sensor::srgbFromLinear(pass.exposure * colour_painter.background()[i]);
+      return sensor::srgbFromLinear(pass.exposure * light_painter.background()[i]);
     };
     cv::Mat picture(image.size(), CV_8UC3, cv::Scalar(encoded(2), encoded(1), encoded(0)));
     picture.setTo(cv::Scalar::all(0), lens.face < 0);
@@ -91,27 +64,20 @@ struct Renderer::Impl {
     return picture;
   }
 
-  const ColourTarget& colourTarget(const CameraModel& camera, Sampling sampling) {
-    auto& targets = sampling == Sampling::kSmooth ? smooth_targets : centre_targets;
-    const int samples = sampling == Sampling::kSmooth ? options.samples : 1;
-    return targets.try_emplace(sizeOf(camera), gl, camera.width(), camera.height(), samples)
-        .first->second;
-  }
-
   RenderOptions options;
   std::vector<world::Light> lights;
 
   OsmesaContext context;  // before all that lives in it
   const GlFunctions& gl;
   DrawList draw_list;
-  ColourPainter colour_painter;
+  GeometryPainter geometry_painter;
+  LightPainter light_painter;
   ShadowPainter shadow_painter;
+  EdgeSmoother edge_smoother;
   LensLibrary lenses;
   LabelPainter label_painter;
   SilhouettePainter silhouette_painter;
-  std::map<ImageSize, ColourTarget> smooth_targets;
-  std::map<ImageSize, ColourTarget> centre_targets;
-  std::map<ImageSize, KeptPicture> kept_pictures;  ///< in smooth_targets
+  PictureCache pictures;
 };
 
 Renderer::Renderer(const world::Description& description,
@@ -128,17 +94,18 @@ cv::Mat Renderer::colour(const View& view, const std::vector<Pose>& X_WL, const 
       distorted ? faceViews(impl.lenses.get(view.camera), view) : std::vector<View>{view},
       impl.draw_list.casterBounds(X_WL, pass.casting), impl.options.shadow_distance,
       impl.options.shadow_map_size);
-  if (!distorted && !pass.region && pass.sampling == Sampling::kSmooth) {
-    return impl.drawKept(view, X_WL, pass, shadows);
-  }
-  impl.shadow_painter.paint(shadows, X_WL, pass.casting);
   return distorted ? impl.drawThroughLens(view, X_WL, pass, shadows)
                    : impl.drawPinhole(view, X_WL, pass, pass.region, shadows);
 }
 
 LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,
                              const LabelPass& pass) {
-  return impl_->label_painter.paint(view, X_WL, pass);
+  Impl& impl = *impl_;
+  const bool needs_own_pass =
+      hasDistortion(view.camera) || pass.normals || impl.draw_list.hasGlassInLabels(pass.drawn);
+  if (needs_own_pass) return impl.label_painter.paint(view, X_WL, pass);
+  const GeometryImages images = impl.pictures.get(view).geometry(view, X_WL, pass.drawn);
+  return labelsOf(images, impl.draw_list, view.camera.intrinsics(), pass);
 }
 
 Silhouette Renderer::silhouette(const View& view, const std::vector<Pose>& X_WL,

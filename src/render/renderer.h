@@ -17,14 +17,14 @@
 namespace synthetic_dataset::render {
 
 struct RenderOptions {
-  int samples = 4;                ///< of the colour image, a pixel
+  int samples = 4;                ///< of pixels by an edge, 1 or 4
   int shadow_map_size = 2048;     ///< [texel]
   double shadow_distance = 50.0;  ///< [m] from the camera; sunlight casts shadows up to it
 };
 
 /// Where a colour pass looks at each pixel.
 enum class Sampling {
-  kSmooth,  ///< at several places (RenderOptions::samples), averaged: pictures to look at
+  kSmooth,  ///< by edges in several places (RenderOptions::samples), averaged: to look at
   kCentre,  ///< at its centre alone, as labels do: outlines fall exactly on those of the labels
 };
 

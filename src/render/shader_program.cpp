@@ -69,6 +69,12 @@ void ShaderProgram::set(const std::string& uniform, const Eigen::Vector4f& value
   gl_.ProgramUniform4fv(program_.name(), location(uniform), 1, value.data());
 }
 
+void ShaderProgram::set(const std::string& uniform,
+                        const std::vector<Eigen::Vector4f>& values) const {
+  gl_.ProgramUniform4fv(program_.name(), location(uniform), static_cast<GLsizei>(values.size()),
+                        values.front().data());
+}
+
 void ShaderProgram::set(const std::string& uniform, const Eigen::Matrix4f& value) const {
   gl_.ProgramUniformMatrix4fv(program_.name(), location(uniform), 1, GL_FALSE, value.data());
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -26,6 +27,7 @@ class ShaderProgram {
   void set(const std::string& uniform, const Eigen::Vector3f& value) const;
   void set(const std::string& uniform, const Eigen::Vector4f& value) const;
   void set(const std::string& uniform, const Eigen::Matrix4f& value) const;
+  void set(const std::string& uniform, const std::vector<Eigen::Vector4f>& values) const;
 
  private:
   [[nodiscard]] GLint location(const std::string& uniform) const;

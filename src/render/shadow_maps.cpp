@@ -46,8 +46,8 @@ void ShadowMaps::keep(int layer) {
   copy(depth_, kept_, layer, whole());
 }
 
-void ShadowMaps::beginKept(int layer, const Eigen::AlignedBox2i& changed) const {
-  if (!changed.isEmpty()) copy(kept_, depth_, layer, changed);
+void ShadowMaps::beginKept(int layer, const std::vector<Eigen::AlignedBox2i>& changed) const {
+  for (const Eigen::AlignedBox2i& texels : changed) copy(kept_, depth_, layer, texels);
   bind(layer);
 }
 

@@ -22,7 +22,7 @@ class ShadowMaps {
 
   /// Binds a layer; what is drawn then casts shadows, too.
   /// @param changed  the texels [column, row] that are made again as they were kept
-  void beginKept(int layer, const Eigen::AlignedBox2i& changed) const;
+  void beginKept(int layer, const std::vector<Eigen::AlignedBox2i>& changed) const;
 
   /// All texels of a layer: the last ones are inside.
   [[nodiscard]] Eigen::AlignedBox2i whole() const;

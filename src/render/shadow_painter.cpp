@@ -1,5 +1,6 @@
 #include "render/shadow_painter.h"
 
+#include "render/part_groups.h"
 #include "render/shaders.h"
 #include "render/surface_drawing.h"
 
@@ -44,7 +45,7 @@ void ShadowPainter::paintStandingLayer(const ShadowProjection& shadow,
     maps_.keep(shadow.layer);
     layer = {shadow.shadow_from_world, casting, true, {}};
   }
-  layer.changed.setEmpty();
+  layer.changed.clear();
 }
 
 void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
@@ -68,24 +69,31 @@ bool ShadowPainter::isSame(const Layer& layer, const ShadowProjection& shadow,
 }
 
 /// Those within the bounds of moving casters, and a few more.
-Eigen::AlignedBox2i ShadowPainter::texelsOfMoving(const ShadowProjection& shadow,
-                                                  const std::vector<Pose>& X_WL,
-                                                  const LinkSelection& casting) const {
+std::vector<Eigen::AlignedBox2i> ShadowPainter::texelsOfMoving(const ShadowProjection& shadow,
+                                                               const std::vector<Pose>& X_WL,
+                                                               const LinkSelection& casting) const {
+  std::vector<Eigen::AlignedBox2i> all;
+  const auto casters = boundsOfGroups(parts_.parts(), X_WL, [&](const Part& part) {
+    return part.casts_shadow && casting[part.link] && !part.stands_still;
+  });
+  for (const Bounds& caster : casters) {
+    const Eigen::AlignedBox2i texels = texelsOf(caster, shadow);
+    if (!texels.isEmpty()) all.push_back(texels);
+  }
+  return all;
+}
+
+Eigen::AlignedBox2i ShadowPainter::texelsOf(const Bounds& caster,
+                                            const ShadowProjection& shadow) const {
   constexpr int kSlack = 2;  // [texel]
   const Eigen::AlignedBox2i whole = maps_.whole();
   const double size = whole.sizes().x() + 1;
   Eigen::AlignedBox2d texels;
-  for (const Part& part : parts_.parts()) {
-    if (!part.casts_shadow || !casting[part.link] || part.stands_still) continue;
-    if (part.bounds_V.isEmpty()) continue;
-    const Pose X_WV = X_WL[part.link] * part.X_LV;
-    for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
-      const Eigen::Vector4d clip = shadow.shadow_from_world * (X_WV * corner).homogeneous();
-      if (clip.w() < 1e-6) return whole;  // behind the lamp, where corners bound nothing
-      texels.extend(Eigen::Vector2d(((clip.head<2>() / clip.w()).array() * 0.5 + 0.5) * size));
-    }
+  for (const Eigen::Vector3d& corner : cornersOf(caster)) {
+    const Eigen::Vector4d clip = shadow.shadow_from_world * corner.homogeneous();
+    if (clip.w() < 1e-6) return whole;  // behind the lamp, where corners bound nothing
+    texels.extend(Eigen::Vector2d(((clip.head<2>() / clip.w()).array() * 0.5 + 0.5) * size));
   }
-  if (texels.isEmpty()) return {};
   const Eigen::Vector2d low = texels.min().cwiseMax(0.0).cwiseMin(size);
   const Eigen::Vector2d high = texels.max().cwiseMax(0.0).cwiseMin(size);
   const Eigen::AlignedBox2i result(Eigen::Vector2i(low.array().floor().cast<int>() - kSlack),

@@ -35,8 +35,8 @@ class ShadowPainter {
   struct Layer {
     Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
     LinkSelection casting;
-    bool is_kept = false;         ///< the standing casters, as they are drawn with these
-    Eigen::AlignedBox2i changed;  ///< the texels on which something that moves was drawn since
+    bool is_kept = false;  ///< the standing casters, as they are drawn with these
+    std::vector<Eigen::AlignedBox2i> changed;  ///< texels on which what moves was drawn since
   };
 
   [[nodiscard]] static bool isSame(const Layer& layer, const ShadowProjection& shadow,
@@ -46,9 +46,11 @@ class ShadowPainter {
                           const LinkSelection& casting);
   void paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                   const LinkSelection& casting);
-  [[nodiscard]] Eigen::AlignedBox2i texelsOfMoving(const ShadowProjection& shadow,
-                                                   const std::vector<Pose>& X_WL,
-                                                   const LinkSelection& casting) const;
+  [[nodiscard]] std::vector<Eigen::AlignedBox2i> texelsOfMoving(const ShadowProjection& shadow,
+                                                                const std::vector<Pose>& X_WL,
+                                                                const LinkSelection& casting) const;
+  [[nodiscard]] Eigen::AlignedBox2i texelsOf(const Bounds& caster,
+                                             const ShadowProjection& shadow) const;
   void draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
             const LinkSelection& casting, Casters casters);
 

@@ -68,9 +68,7 @@ Eigen::Vector3d sunDirection(const world::Sky& sky, const std::vector<world::Lig
 
 SkyPainter::SkyPainter(const GlFunctions& gl, const world::Sky& sky,
                        const std::vector<world::Light>& lights)
-    : gl_(gl),
-      program_(gl, shaders::kSkyVertex, fragmentSource(sky)),
-      no_vertices_(makeVertexArray(gl)) {
+    : program_(gl, shaders::kRectanglesVertex, fragmentSource(sky)), drawing_(gl) {
   const Eigen::Vector3d sun = sunDirection(sky, lights);
   const auto brightness = static_cast<float>(daylight(sun.z())) * kSunBrightness;
   program_.set("sun_W", Eigen::Vector3f(sun.cast<float>()));
@@ -85,16 +83,14 @@ SkyPainter::SkyPainter(const GlFunctions& gl, const world::Sky& sky,
                static_cast<float>(4.0 - 3.2 * std::clamp(sky.cloud_mean_size, 0.0, 1.0)));
 }
 
-void SkyPainter::paint(const View& view, float exposure) const {
+void SkyPainter::paint(const View& view, float exposure,
+                       const std::vector<cv::Rect>& regions) const {
   const Intrinsics& k = view.camera.intrinsics();
-  program_.use();
   program_.set("exposure", exposure);
   program_.set("world_from_camera", Eigen::Matrix4f(view.X_WC.matrix().cast<float>()));
   program_.set("intrinsics",
                Eigen::Vector4f(Eigen::Vector4d(k.fx, k.fy, k.cx, k.cy).cast<float>()));
-  gl_.Disable(GL_CULL_FACE);
-  gl_.BindVertexArray(no_vertices_.name());
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  drawing_.draw(program_, regions, {view.camera.width(), view.camera.height()});
 }
 
 }  // namespace synthetic_dataset::render

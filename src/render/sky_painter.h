@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "render/gl_object.h"
+#include "render/rectangle_drawing.h"
 #include "render/shader_program.h"
 #include "render/view.h"
 #include "world/description.h"
@@ -27,12 +27,12 @@ class SkyPainter {
 
   /// Fills the pixels of the bound target that are still at the far plane.
   /// @param exposure  multiplies its light
-  void paint(const View& view, float exposure) const;
+  /// @param regions  of the picture, the only ones that are painted
+  void paint(const View& view, float exposure, const std::vector<cv::Rect>& regions) const;
 
  private:
-  const GlFunctions& gl_;
   ShaderProgram program_;
-  GlVertexArray no_vertices_;
+  RectangleDrawing drawing_;
 };
 
 }  // namespace synthetic_dataset::render

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "render/half.h"
 #include "sensor/srgb.h"
 
 namespace synthetic_dataset::render {
@@ -14,13 +15,13 @@ class HalfEncoder {
  public:
   HalfEncoder() {
     for (std::size_t bits = 0; bits < table_.size(); ++bits) {
-      table_[bits] = sensor::srgbFromLinear(static_cast<float>(
-          Eigen::numext::bit_cast<Eigen::half>(static_cast<std::uint16_t>(bits))));
+      table_[bits] = sensor::srgbFromLinear(fromHalf(static_cast<std::uint16_t>(bits)));
     }
   }
 
   [[nodiscard]] std::uint8_t operator()(std::uint16_t bits) const {
-    return table_[std::min<std::size_t>(bits, kOne)];
+    constexpr std::uint16_t kNegative = 0x8000;
+    return (bits & kNegative) != 0 ? 0 : table_[std::min<std::size_t>(bits, kOne)];
   }
 
  private:

@@ -11,10 +11,8 @@ namespace synthetic_dataset::render {
 /// Alpha, the last, is linear in either.
 [[nodiscard]] Eigen::Vector4f linearFromSrgb(const Eigen::Vector4f& encoded);
 
-/// A picture of linear light, encoded; what is brighter than 1 is white.
-/// @param light  CV_16UC4: red, green, blue and alpha as numbers of 16 bits (IEEE 754 binary16),
-/// none
-///               of them negative
+/// A picture of linear light, encoded; what is brighter than 1 is white, what is negative black.
+/// @param light  CV_16UC4: red, green, blue, alpha as numbers of 16 bits (IEEE 754 binary16)
 /// @return CV_8UC3: blue, green and red
 [[nodiscard]] cv::Mat srgbFromLinear(const cv::Mat& light);
 

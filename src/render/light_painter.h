@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "render/draw_list.h"
+#include "render/geometry_buffer.h"
 #include "render/light_setup.h"
+#include "render/rectangle_drawing.h"
 #include "render/shader_family.h"
 #include "render/sky_painter.h"
 #include "render/view.h"
@@ -22,34 +24,28 @@ struct ColourScene {
   float exposure = 1.0F;
 };
 
-/// Draws surfaces in colour into the bound target. Of surfaces at the same place that stands which
-/// never moves, of several of them the last one; otherwise the order makes no difference.
-class ColourPainter {
+/// Lights what was drawn into a GeometryBuffer, in the bound LightTarget.
+class LightPainter {
  public:
   /// @param parts  has to outlive this
-  ColourPainter(const GlFunctions& gl, const DrawList& parts,
-                const world::Description& description);
+  LightPainter(const GlFunctions& gl, const DrawList& parts, const world::Description& description);
 
-  /// All that is selected.
-  void paint(const ColourScene& scene, GLuint shadow_maps);
-
-  /// The same in two steps: what never moves, without what one can see through, with the sky behind
-  /// it; and all else.
-  void paintStanding(const ColourScene& scene, GLuint shadow_maps);
-  void paintTheRest(const ColourScene& scene, GLuint shadow_maps);
+  /// The lit surfaces, the sky or the background behind them, and what one can see through before
+  /// them, if that is selected and `see_through`.
+  /// @param regions  of the picture, none of them over another; beside them nothing is sure
+  void paint(const ColourScene& scene, const GeometryBuffer& geometry, GLuint shadow_maps,
+             bool see_through, const std::vector<cv::Rect>& regions);
 
   /// Linear.
   [[nodiscard]] const Eigen::Vector3f& background() const { return background_; }
 
  private:
-  void begin(GLuint shadow_maps);
-  void drawMoving(const ColourScene& scene);
-  void drawStanding(const ColourScene& scene);
+  void light(const ColourScene& scene, const GeometryBuffer& geometry,
+             const std::vector<cv::Rect>& regions);
   void drawSeenThrough(const ColourScene& scene);
-  void draw(const ColourScene& scene, const Part& part);
   void setSurroundings(const ShaderProgram& program, const ColourScene& scene) const;
-  void setMaterial(const ShaderProgram& program, const Part& part) const;
   void setFog(const ShaderProgram& program) const;
+  [[nodiscard]] SurfaceFeatures featuresOf(const ColourScene& scene) const;
 
   const GlFunctions& gl_;
   const DrawList& parts_;
@@ -57,9 +53,11 @@ class ColourPainter {
   Eigen::Vector3f ambient_;
   Eigen::Vector3f background_;
   std::optional<world::Fog> fog_;
-  ShaderFamily programs_;
+  ShaderFamily light_programs_;
+  ShaderFamily glass_programs_;
   std::optional<SkyPainter> sky_;
-  std::set<const ShaderProgram*> prepared_;  ///< that know the surroundings
+  GlTexture materials_;
+  RectangleDrawing drawing_;
 };
 
 }  // namespace synthetic_dataset::render

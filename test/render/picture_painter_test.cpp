@@ -93,6 +93,37 @@ TEST_F(KeptPictures, AreThoseThatAreDrawnAnew) {
   expectAsDrawnAnew(pictures);
 }
 
+TEST_F(KeptPictures, OfNoPixelsAreBackground) {
+  Renderer renderer(description, stage.links(), {});
+  for (int time = 0; time < 3; ++time) {
+    move(time);
+    const cv::Mat picture = renderer.colour(
+        view, stage.poses(), {stage.all(), stage.all(), Sampling::kCentre, cv::Rect()});
+    ASSERT_EQ(picture.size(), cv::Size(320, 240));
+    const cv::Mat plain(picture.size(), CV_8UC3, picture.at<cv::Vec3b>(0, 0));
+    EXPECT_EQ(cv::norm(picture, plain, cv::NORM_INF), 0.0);
+  }
+}
+
+TEST_F(KeptPictures, AreThoseOfSeveralCamerasToo) {
+  std::vector<cv::Mat> pictures;
+  {
+    Renderer renderer(description, stage.links(), {});
+    for (int time = 0; time < 7; ++time) {
+      move(time);
+      for (int camera = 1; camera < 4; ++camera) {
+        const View other{view.camera, view.X_WC * at(0.1 * camera, 0, 0)};
+        (void)renderer.colour(other, stage.poses(), {stage.all(), stage.all()});
+        (void)renderer.labels(other, stage.poses(), {stage.all()});
+      }
+      const View moving{view.camera, view.X_WC * at(0, 0.1 * time, 0)};
+      (void)renderer.colour(moving, stage.poses(), {stage.all(), stage.all()});
+      pictures.push_back(draw(renderer));
+    }
+  }
+  expectAsDrawnAnew(pictures);
+}
+
 TEST_F(KeptPictures, AreNotMixedUpWithOthers) {
   std::vector<cv::Mat> pictures;
   {

@@ -1,0 +1,92 @@
+#include "render/geometry_buffer.h"
+
+#include <array>
+
+#include "render/gl_planes.h"
+#include "render/texture_units.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// The outputs of geometry.frag.
+enum GeometryOutput { kParts, kDepths, kBaseRoughness, kNormalMetalness, kFaces, kGlows };
+
+GlTexture makeIf(bool wanted, const GlFunctions& gl, int width, int height) {
+  return wanted ? makePlane(gl, GL_RGBA16F, width, height) : GlTexture();
+}
+
+}  // namespace
+
+GeometryBuffer::GeometryBuffer(const GlFunctions& gl, int width, int height,
+                               const GeometryPlanes& planes)
+    : gl_(gl),
+      width_(width),
+      height_(height),
+      parts_(makePlane(gl, GL_R32UI, width, height)),
+      depths_(makePlane(gl, GL_R32F, width, height)),
+      base_roughness_(makePlane(gl, GL_RGBA16F, width, height)),
+      normal_metalness_(makePlane(gl, GL_RGBA16F, width, height)),
+      faces_(makeIf(planes.faces, gl, width, height)),
+      glows_(makeIf(planes.glows, gl, width, height)),
+      depth_buffer_(makePlane(gl, GL_DEPTH_COMPONENT32F, width, height)),
+      framebuffer_(makeFramebuffer(gl)) {
+  attachPlanes(gl, framebuffer_,
+               {&parts_, &depths_, &base_roughness_, &normal_metalness_, &faces_, &glows_},
+               &depth_buffer_);
+}
+
+void GeometryBuffer::bind() const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  gl_.Viewport(0, 0, width_, height_);
+}
+
+void GeometryBuffer::begin() const {
+  constexpr std::array<GLuint, 4> kNobody = {0, 0, 0, 0};
+  constexpr std::array<float, 4> kNothing = {0.0F, 0.0F, 0.0F, 0.0F};
+  const GLuint name = framebuffer_.name();
+  bind();
+  // What else a pixel without a part holds is not looked at.
+  gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kParts, kNobody.data());
+  gl_.ClearNamedFramebufferfv(name, GL_DEPTH, 0, kNothing.data());
+}
+
+void GeometryBuffer::copyTo(const GeometryBuffer& to, const cv::Rect& pixels) const {
+  const auto copy = [&](const GlTexture& from, const GlTexture& into) {
+    if (from.name() == 0) return;
+    gl_.CopyImageSubData(from.name(), GL_TEXTURE_2D, 0, pixels.x, pixels.y, 0, into.name(),
+                         GL_TEXTURE_2D, 0, pixels.x, pixels.y, 0, pixels.width, pixels.height, 1);
+  };
+  copy(parts_, to.parts_);
+  copy(depths_, to.depths_);
+  copy(base_roughness_, to.base_roughness_);
+  copy(normal_metalness_, to.normal_metalness_);
+  copy(faces_, to.faces_);
+  copy(glows_, to.glows_);
+  copy(depth_buffer_, to.depth_buffer_);
+}
+
+void GeometryBuffer::bindTextures() const {
+  gl_.BindTextureUnit(kPartsUnit, parts_.name());
+  gl_.BindTextureUnit(kDepthsUnit, depths_.name());
+  gl_.BindTextureUnit(kBaseUnit, base_roughness_.name());
+  gl_.BindTextureUnit(kNormalsUnit, normal_metalness_.name());
+  if (faces_.name() != 0) gl_.BindTextureUnit(kFacesUnit, faces_.name());
+  if (glows_.name() != 0) gl_.BindTextureUnit(kGlowsUnit, glows_.name());
+}
+
+GeometryImages GeometryBuffer::read(const cv::Rect& pixels, bool normals) const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  const auto plane = [&](int output, int type, GLenum format, GLenum component) {
+    return readPlane(gl_, framebuffer_, output, pixels, type, format, component);
+  };
+  GeometryImages images;
+  images.parts = plane(kParts, CV_32SC1, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  images.depth = plane(kDepths, CV_32FC1, GL_RED, GL_FLOAT);
+  if (normals) {
+    const GeometryOutput output = faces_.name() != 0 ? kFaces : kNormalMetalness;
+    images.normals = plane(output, CV_16UC4, GL_RGBA, GL_HALF_FLOAT);
+  }
+  return images;
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/gl_object.h"
+
+namespace synthetic_dataset::render {
+
+/// What a GeometryBuffer holds besides what every world needs.
+struct GeometryPlanes {
+  bool faces = false;  ///< normals without normal maps; else they are the same
+  bool glows = false;  ///< of emissive maps
+};
+
+/// A part of a GeometryBuffer, pixel by pixel, sampled at the pixels' centres.
+struct GeometryImages {
+  cv::Mat parts;    ///< CV_32SC1: the place of what is seen in the draw list + 1, 0 for nothing
+  cv::Mat depth;    ///< CV_32FC1: z in the optical frame [m]
+  cv::Mat normals;  ///< CV_16UC4: x, y, z in the optical frame, as the vertices have them, without
+                    ///< normal maps, as numbers of 16 bits; the fourth means nothing. Empty unless
+                    ///< asked for
+};
+
+/// Where surfaces are drawn before they are lit, one sample a pixel.
+class GeometryBuffer {
+ public:
+  GeometryBuffer(const GlFunctions& gl, int width, int height, const GeometryPlanes& planes);
+
+  void bind() const;
+
+  /// Binds and empties it.
+  void begin() const;
+
+  /// Copies some pixels of all planes to a buffer of the same kind.
+  void copyTo(const GeometryBuffer& to, const cv::Rect& pixels) const;
+
+  /// Binds its planes to the texture units of the shader that lights them.
+  void bindTextures() const;
+
+  /// Depth for OpenGL's depth test, reversed.
+  [[nodiscard]] const GlTexture& depthBuffer() const { return depth_buffer_; }
+
+  /// @param normals  whether they are read, too
+  [[nodiscard]] GeometryImages read(const cv::Rect& pixels, bool normals) const;
+
+ private:
+  const GlFunctions& gl_;
+  int width_;
+  int height_;
+  GlTexture parts_;
+  GlTexture depths_;
+  GlTexture base_roughness_;
+  GlTexture normal_metalness_;
+  GlTexture faces_;  // none where not asked for
+  GlTexture glows_;  // none where not asked for
+  GlTexture depth_buffer_;
+  GlFramebuffer framebuffer_;
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,35 @@
+#include "render/geometry_painter.h"
+
+#include "render/material_setup.h"
+#include "render/shaders.h"
+#include "render/surface_drawing.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+constexpr SurfaceFeatures kUnderstood = feature::kTextured | feature::kHoles | feature::kTinted |
+                                        feature::kNormalMap | feature::kRoughnessMap |
+                                        feature::kMetalnessMap | feature::kEmissiveMap;
+
+}  // namespace
+
+GeometryPainter::GeometryPainter(const GlFunctions& gl, const DrawList& parts)
+    : gl_(gl),
+      parts_(parts),
+      planes_{(parts.features() & feature::kNormalMap) != 0,
+              (parts.features() & feature::kEmissiveMap) != 0},
+      programs_(gl, shaders::kMeshVertex, shaders::kGeometryFragment, kUnderstood) {}
+
+void GeometryPainter::paint(const View& view, const std::vector<Pose>& X_WL,
+                            const LinkSelection& drawn, bool stand_still) {
+  gl_.DepthFunc(stand_still ? GL_GEQUAL : GL_GREATER);
+  const Pose X_CW = view.X_WC.inverse();
+  for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, stand_still)) {
+    const ShaderProgram& program = programs_.get(part->features);
+    program.set("part", parts_.numberOf(*part));
+    setMaterial(gl_, program, *part);
+    drawSurface(gl_, program, *part, view, X_WL[part->link]);
+  }
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,28 @@
+#include "render/part_groups.h"
+
+#include <map>
+#include <utility>
+
+namespace synthetic_dataset::render {
+
+std::vector<Bounds> boundsOfGroups(const std::vector<Part>& parts, const std::vector<Pose>& X_WL,
+                                   const std::function<bool(const Part&)>& is_chosen) {
+  std::map<std::pair<bool, std::size_t>, Bounds> groups;  // by object or, of others, by link
+  for (const Part& part : parts) {
+    if (part.bounds_V.isEmpty() || !is_chosen(part)) continue;
+    const bool is_object = part.identifier > 0;
+    extend(groups[{is_object, is_object ? part.identifier : part.link}], part, X_WL[part.link]);
+  }
+  std::vector<Bounds> result;
+  for (const auto& group : groups) result.push_back(group.second);
+  return result;
+}
+
+void extend(Bounds& bounds, const Part& part, const Pose& X_WL) {
+  if (part.bounds_V.isEmpty()) return;
+  for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
+    bounds.extend(X_WL * part.X_LV * corner);
+  }
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,184 @@
+#include "render/picture_painter.h"
+
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "render/changed_regions.h"
+#include "render/pixel_bands.h"
+#include "render/srgb.h"
+#include "sensor/srgb.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// Regions of a picture and the pixels round them.
+cv::Mat grown(const std::vector<cv::Rect>& regions, const cv::Size& picture) {
+  cv::Mat pixels = cv::Mat::zeros(picture, CV_8UC1);
+  for (const cv::Rect& region : regions) pixels(region).setTo(255);
+  cv::Mat result;
+  cv::dilate(pixels, result, cv::Mat());  // by one
+  return result;
+}
+
+}  // namespace
+
+bool PicturePainter::GeometryKey::operator==(const GeometryKey& other) const {
+  return clip_from_camera == other.clip_from_camera && X_WC == other.X_WC && drawn == other.drawn;
+}
+
+bool PicturePainter::LightKey::operator==(const LightKey& other) const {
+  return shadows == other.shadows && casting == other.casting && exposure == other.exposure;
+}
+
+bool PicturePainter::Content::operator==(const Content& other) const {
+  return drawn == other.drawn && X_WL == other.X_WL;
+}
+
+PicturePainter::PicturePainter(const PictureCrew& crew, const cv::Size& size)
+    : crew_(crew),
+      image_(cv::Point(), size),
+      geometry_(crew.gl, size.width, size.height, crew.geometry_painter.planes()),
+      light_(crew.gl, size.width, size.height, geometry_) {}
+
+bool PicturePainter::drewFrom(const View& view) const {
+  return image_.size() == cv::Size(view.camera.width(), view.camera.height()) &&
+         geometry_key_.X_WC == view.X_WC.matrix() &&
+         geometry_key_.clip_from_camera == clipFromCamera(view.camera);
+}
+
+cv::Mat PicturePainter::paint(const ColourScene& scene, const LinkSelection& casting, bool smooth,
+                              const std::optional<cv::Rect>& region) {
+  const cv::Rect wanted = region.value_or(image_) & image_;
+  if (wanted.empty()) return plainPicture(scene.exposure);
+  drawGeometry(scene.view, scene.X_WL, scene.drawn);
+  const cv::Mat* kept = keptPicture(scene, casting, smooth);
+  if (kept != nullptr) drawGeometry(scene.view, scene.X_WL, scene.drawn);
+  cv::Mat picture = plainPicture(scene.exposure);
+  cv::Mat pixels = cv::Mat::zeros(image_.size(), CV_8UC1);
+  pixels(wanted).setTo(255);
+  if (kept != nullptr) {
+    (*kept)(wanted).copyTo(picture(wanted));
+    pixels &= changedPixels(crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
+                            crew_.lights, scene.shadows);
+  }
+  if (cv::countNonZero(pixels) == 0) return picture;
+  crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
+  light(scene, scene.drawn, true, smooth, pixels, picture);
+  return picture;
+}
+
+GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose>& X_WL,
+                                        const LinkSelection& drawn) {
+  drawGeometry(view, X_WL, drawn);
+  return geometry_.read(image_, false);
+}
+
+LinkSelection PicturePainter::standing(const LinkSelection& links) const {
+  LinkSelection selected(links.size(), false);
+  for (const Part& part : crew_.parts.parts()) {
+    if (part.stands_still) selected[part.link] = links[part.link];
+  }
+  return selected;
+}
+
+PicturePainter::LightKey PicturePainter::lightKey(const ColourScene& scene,
+                                                  const LinkSelection& casting) const {
+  LightKey key{{}, standing(casting), scene.exposure};
+  for (const ShadowProjection& shadow : scene.shadows) {
+    key.shadows.push_back(shadow.shadow_from_world);
+  }
+  return key;
+}
+
+/// Afterwards geometry_ shows these links.
+void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_WL,
+                                  const LinkSelection& drawn) {
+  Content content{drawn, {}};
+  for (const Pose& pose : X_WL) content.X_WL.push_back(pose.matrix());
+  GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), standing(drawn)};
+  const bool came_before = geometry_key_ == key;
+  if (came_before && content_ && *content_ == content) return;
+  if (came_before) {
+    drawStandingGeometry(view, X_WL, drawn);
+  } else {
+    // It may not come again: what would be kept is drawn only when it does.
+    content_.reset();
+    geometry_key_ = std::move(key);
+    keeps_geometry_ = false;
+    for (KeptPicture& kept : kept_pictures_) kept = {};
+    geometry_.begin();
+    crew_.geometry_painter.paint(view, X_WL, drawn, true);
+  }
+  geometry_.bind();
+  crew_.geometry_painter.paint(view, X_WL, drawn, false);
+  covered_ = movingRegions(crew_.parts.parts(), view, X_WL, drawn);
+  content_ = std::move(content);
+}
+
+/// Afterwards geometry_ is that of what never moves.
+void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Pose>& X_WL,
+                                          const LinkSelection& drawn) {
+  content_.reset();
+  if (keeps_geometry_) {
+    for (const cv::Rect& region : covered_) kept_geometry_->copyTo(geometry_, region);
+    covered_.clear();
+    return;
+  }
+  geometry_.begin();
+  crew_.geometry_painter.paint(view, X_WL, drawn, true);
+  if (!kept_geometry_) {
+    kept_geometry_.emplace(crew_.gl, image_.width, image_.height, crew_.geometry_painter.planes());
+  }
+  geometry_.copyTo(*kept_geometry_, image_);
+  keeps_geometry_ = true;
+  covered_.clear();
+}
+
+/// That of what never moves, or null while it is not known whether it will be needed again.
+const cv::Mat* PicturePainter::keptPicture(const ColourScene& scene, const LinkSelection& casting,
+                                           bool smooth) {
+  KeptPicture& kept = kept_pictures_.at(smooth ? 1 : 0);
+  LightKey key = lightKey(scene, casting);
+  if (!(kept.key == key)) {
+    kept = {std::move(key), {}};
+    return nullptr;
+  }
+  if (!kept.pixels.empty()) return &kept.pixels;
+  drawStandingGeometry(scene.view, scene.X_WL, scene.drawn);
+  kept.pixels = plainPicture(scene.exposure);
+  crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
+  light(scene, standing(scene.drawn), false, smooth,
+        cv::Mat(image_.size(), CV_8UC1, cv::Scalar(255)), kept.pixels);
+  return &kept.pixels;
+}
+
+/// Finds the light of pixels, and their picture.
+/// @param seen  the links that were drawn
+/// @param pixels  those that are not 0; a few others may be made, too
+void PicturePainter::light(const ColourScene& scene, const LinkSelection& seen, bool see_through,
+                           bool smooth, const cv::Mat& pixels, cv::Mat& picture) {
+  const std::vector<cv::Rect> regions = bandsOf(pixels);
+  if (regions.empty()) return;
+  smooth = smooth && crew_.smooths;
+  // Edges take their light from the pixels round them.
+  const std::vector<cv::Rect> lit = smooth ? bandsOf(grown(regions, image_.size())) : regions;
+  const cv::Rect place = boundsOf(lit);
+  light_.begin(place);
+  crew_.light_painter.paint(scene, geometry_, crew_.shadow_painter.texture(), see_through, lit);
+  const cv::Mat light = light_.read(place);
+  for (const cv::Rect& region : regions) {
+    srgbFromLinear(light(region - place.tl())).copyTo(picture(region));
+  }
+  if (!smooth) return;
+  crew_.edge_smoother.smooth({scene.view, scene.X_WL, seen},
+                             {geometry_.read(place, true), light, place}, regions, picture);
+}
+
+cv::Mat PicturePainter::plainPicture(float exposure) const {
+  const Eigen::Vector3f colour = exposure * crew_.light_painter.background();
+  const auto encoded = [&](Eigen::Index i) { return sensor::srgbFromLinear(colour[i]); };
+  return {image_.size(), CV_8UC3, cv::Scalar(encoded(2), encoded(1), encoded(0))};
+}
+
+}  // namespace synthetic_dataset::render

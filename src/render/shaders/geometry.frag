@@ -1,0 +1,25 @@
+#version 450 core
+// What each pixel's centre sees, for light.frag to light it: so each pixel is lit once, however
+// many small triangles share it. Planes that the bound buffer lacks are left out.
+#include "surface.glsl"
+#include "material.glsl"
+
+uniform uint part;
+
+layout(location = 0) out uint seen_part;
+layout(location = 1) out float depth;
+layout(location = 2) out vec4 base_roughness;
+layout(location = 3) out vec4 normal_metalness;
+layout(location = 4) out vec4 face;
+layout(location = 5) out vec4 glow;
+
+void main() {
+  float opacity;
+  Surface surface = surfaceHere(opacity);
+  seen_part = part;
+  depth = surface.position_C.z;
+  base_roughness = vec4(surface.base, surface.roughness);
+  normal_metalness = vec4(surface.normal, surface.metalness);
+  face = vec4(surface.face, 0.0);
+  glow = vec4(glowHere(), 0.0);
+}

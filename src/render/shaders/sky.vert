@@ -1,7 +1,0 @@
-#version 450 core
-// One triangle over the whole picture, at the far plane (depth is reversed).
-
-void main() {
-  vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-  gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
-}
