@@ -62,10 +62,14 @@ void mark(const SurfaceRow& row, const SurfaceRow& other, std::size_t shift, flo
     const float off = row.normal_x[u] * (other.x[o] - row.x[u]) +
                       row.normal_y[u] * (other.y[o] - row.y[u]) +
                       row.normal_z[u] * (other.z[o] - row.z[u]);
-    const bool unlike = (cosine < kBend) | (std::abs(off) * focal_length > kStep * row.z[u]);
-    const bool differs = (row.part[u] != other.part[o]) | (unlike & (row.part[u] != 0));
-    edges[u] |= static_cast<std::uint8_t>(differs);
-    other_edges[o] |= static_cast<std::uint8_t>(differs);
+    // Without jumps: bits instead of logic.
+    const int bends = cosine < kBend ? 1 : 0;
+    const int steps = std::abs(off) * focal_length > kStep * row.z[u] ? 1 : 0;
+    const int is_part = row.part[u] != 0 ? 1 : 0;
+    const int is_other = row.part[u] != other.part[o] ? 1 : 0;
+    const auto differs = static_cast<std::uint8_t>(is_other | ((bends | steps) & is_part));
+    edges[u] |= differs;
+    other_edges[o] |= differs;
   }
 }
 
