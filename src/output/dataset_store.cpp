@@ -101,7 +101,8 @@ struct DatasetStore::Impl {
                 "' made for a scene");
   }
 
-  /// Files written past a manifest that is gone would be known to nobody.
+  /// Files written past a manifest that is gone would be known to nobody. Asked before and after
+  /// files get their names: what stood beside the manifest then has moved with it, if it moved.
   void requireManifest() const {
     if (manifest->isInPlace()) return;
     throw Error("the dataset's manifest '" + manifest->file() +
@@ -151,6 +152,7 @@ struct DatasetStore::Impl {
       PendingFile pending = make(file.path);
       const std::string digest = digestOfFile(pending.temporaryName()).digest;
       pending.publish();
+      requireManifest();
       manifest->setContent(file.path, pending.size(), digest);
       pending.keep();
     } catch (...) {
@@ -189,6 +191,7 @@ void DatasetStore::commitScene(const SceneFacts& scene, const SceneFiles& files)
     manifest.announceScene(scene, manifestFiles(files.files, contents));
     try {
       std::vector<PendingFile> pending = publish(files.files, contents);
+      impl_->requireManifest();
       manifest.listScene(scene, files.records);
       for (PendingFile& file : pending) file.keep();
     } catch (...) {

@@ -43,6 +43,16 @@ class DatasetFiles : public StoreFixture {
   std::unique_ptr<DatasetStore> store_;
 };
 
+TEST_F(DatasetFiles, AreNotLeftWhereTheManifestGoesMeanwhile) {
+  const auto write = [&](const std::string& file) {
+    fs::remove(path("manifest.sqlite"));
+    std::ofstream(file) << "content";
+  };
+  EXPECT_THAT(failureOf([&] { store_->writeDatasetFileByName(0, path("a/all"), write); }),
+              HasSubstr("has been removed or replaced"));
+  EXPECT_FALSE(fs::exists(path("a/all")));
+}
+
 TEST_F(DatasetFiles, AreWrittenByALibraryUnderAnotherName) {
   std::string given;
   store_->writeDatasetFileByName(1, path("b/deep/model.bin"), [&](const std::string& file) {
