@@ -99,18 +99,16 @@ void markPixels(const Points3& hull_W, const View& view, cv::Mat& pixels) {
   constexpr int kBits = 4;      // of places within a pixel
   constexpr double kFar = 1e6;  // [px]; OpenCV counts in 32 bits
   const Pose X_CW = view.X_WC.inverse();
-  const Intrinsics& k = view.camera.intrinsics();
   std::vector<cv::Point> points;
   for (const Eigen::Vector3d& point : hull_W) {
-    const Eigen::Vector3d p = X_CW * point;
-    const Eigen::Vector2d place(k.fx * p.x() / p.z() + k.cx, k.fy * p.y() / p.z() + k.cy);
-    if (p.z() < view.camera.near() || place.cwiseAbs().maxCoeff() > kFar) {
+    const auto place = view.camera.project(X_CW * point);
+    if (!place || place->cwiseAbs().maxCoeff() > kFar) {
       // Its outline is not that of its corners.
       const cv::Rect box = pixelsOf(hull_W, view);
       if (!box.empty()) pixels(box).setTo(255);
       return;
     }
-    const Eigen::Vector2d scaled = place * (1 << kBits);
+    const Eigen::Vector2d scaled = *place * (1 << kBits);
     points.emplace_back(static_cast<int>(scaled.x()), static_cast<int>(scaled.y()));
   }
   std::vector<cv::Point> outline;

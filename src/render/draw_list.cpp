@@ -35,6 +35,12 @@ SurfaceFeatures alphaFeatures(const world::Material& material, bool opaque) {
 
 }  // namespace
 
+void extend(Bounds& bounds, const Part& part, const Pose& X_WL) {
+  if (part.bounds_V.isEmpty()) return;
+  const Pose X_WV = X_WL * part.X_LV;
+  for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) bounds.extend(X_WV * corner);
+}
+
 DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links)
     : meshes_(gl), textures_(gl) {
   for (std::size_t link = 0; link < links.size(); ++link) {
@@ -91,10 +97,8 @@ Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection
   Bounds standing;
   Bounds moving;
   for (const Part& part : parts_) {
-    if (!part.casts_shadow || !casting[part.link] || part.bounds_V.isEmpty()) continue;
-    const Pose X_WV = X_WL[part.link] * part.X_LV;
-    Bounds& bounds = part.stands_still ? standing : moving;
-    for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) bounds.extend(X_WV * corner);
+    if (!part.casts_shadow || !casting[part.link]) continue;
+    extend(part.stands_still ? standing : moving, part, X_WL[part.link]);
   }
   if (moving.isEmpty()) return standing;
   // In steps, so that shadow maps fit from picture to picture.

@@ -44,6 +44,9 @@ struct Part {
   return part.transparent && part.identifier == 0;
 }
 
+/// Grows bounds in the world by a part; not by one without triangles.
+void extend(Bounds& bounds, const Part& part, const Pose& X_WL);
+
 /// All that can be drawn, uploaded once.
 class DrawList {
  public:

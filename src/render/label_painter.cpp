@@ -37,7 +37,9 @@ LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
   }
   const auto translated = [&](const std::vector<int>& table) {
     cv::Mat result(images.parts.size(), CV_32SC1);
-    std::transform(images.parts.begin<int>(), images.parts.end<int>(), result.begin<int>(),
+    // By pointers: cv::Mat's iterators look for the ends of rows at each pixel.
+    const int* parts_seen = images.parts.ptr<int>();
+    std::transform(parts_seen, parts_seen + images.parts.total(), result.ptr<int>(),
                    [&](int part) { return table[static_cast<std::size_t>(part)]; });
     return result;
   };

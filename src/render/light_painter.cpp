@@ -1,10 +1,14 @@
 #include "render/light_painter.h"
 
+#include <set>
+#include <string>
+
 #include "render/material_setup.h"
 #include "render/shaders.h"
 #include "render/srgb.h"
 #include "render/surface_drawing.h"
 #include "render/texture_units.h"
+#include "sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -21,7 +25,9 @@ GlTexture materialTable(const GlFunctions& gl, const std::vector<Part>& parts) {
                                      Eigen::Vector4f::Zero());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const world::Material& material = *parts[i].material;
-    table[i] << linearFromSrgb(material.emissive), material.lit ? reflectance(material) : -1.0F;
+    const Eigen::Vector3f emissive = linearFromSrgb(material.emissive);
+    table[i] = {emissive.x(), emissive.y(), emissive.z(),
+                material.lit ? reflectance(material) : -1.0F};
   }
   GlTexture texture = makeTexture(gl, GL_TEXTURE_2D);
   gl.TextureStorage2D(texture.name(), 1, GL_RGBA32F, kPartsInRow, rows);
@@ -89,6 +95,14 @@ void LightPainter::drawSeenThrough(const ColourScene& scene) {
     drawSurface(gl_, program, *part, scene.view, scene.X_WL[part->link]);
   }
   gl_.Disable(GL_BLEND);
+}
+
+cv::Scalar LightPainter::backgroundPixel(float exposure) const {
+  const auto encoded = [&](Eigen::Index channel) {
+    return sensor::srgbFromLinear(exposure * background_[channel]);
+  };
+  return {static_cast<double>(encoded(2)), static_cast<double>(encoded(1)),
+          static_cast<double>(encoded(0))};
 }
 
 SurfaceFeatures LightPainter::featuresOf(const ColourScene& scene) const {

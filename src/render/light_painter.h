@@ -1,8 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <vector>
+
+#include <opencv2/core/types.hpp>
 
 #include "render/draw_list.h"
 #include "render/geometry_buffer.h"
@@ -36,8 +37,8 @@ class LightPainter {
   void paint(const ColourScene& scene, const GeometryBuffer& geometry, GLuint shadow_maps,
              bool see_through, const std::vector<cv::Rect>& regions);
 
-  /// Linear.
-  [[nodiscard]] const Eigen::Vector3f& background() const { return background_; }
+  /// What a picture shows where nothing is: blue, green, red, sRGB-encoded.
+  [[nodiscard]] cv::Scalar backgroundPixel(float exposure) const;
 
  private:
   void light(const ColourScene& scene, const GeometryBuffer& geometry,

@@ -18,11 +18,4 @@ std::vector<Bounds> boundsOfGroups(const std::vector<Part>& parts, const std::ve
   return result;
 }
 
-void extend(Bounds& bounds, const Part& part, const Pose& X_WL) {
-  if (part.bounds_V.isEmpty()) return;
-  for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
-    bounds.extend(X_WL * part.X_LV * corner);
-  }
-}
-
 }  // namespace synthetic_dataset::render

@@ -13,7 +13,4 @@ namespace synthetic_dataset::render {
                                                  const std::vector<Pose>& X_WL,
                                                  const std::function<bool(const Part&)>& is_chosen);
 
-/// Grows bounds in the world by a part.
-void extend(Bounds& bounds, const Part& part, const Pose& X_WL);
-
 }  // namespace synthetic_dataset::render

@@ -7,7 +7,6 @@
 #include "render/changed_regions.h"
 #include "render/pixel_bands.h"
 #include "render/srgb.h"
-#include "sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -176,9 +175,7 @@ void PicturePainter::light(const ColourScene& scene, const LinkSelection& seen, 
 }
 
 cv::Mat PicturePainter::plainPicture(float exposure) const {
-  const Eigen::Vector3f colour = exposure * crew_.light_painter.background();
-  const auto encoded = [&](Eigen::Index i) { return sensor::srgbFromLinear(colour[i]); };
-  return {image_.size(), CV_8UC3, cv::Scalar(encoded(2), encoded(1), encoded(0))};
+  return {image_.size(), CV_8UC3, crew_.light_painter.backgroundPixel(exposure)};
 }
 
 }  // namespace synthetic_dataset::render

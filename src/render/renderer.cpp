@@ -8,7 +8,6 @@
 #include "render/light_setup.h"
 #include "render/osmesa_context.h"
 #include "render/picture_cache.h"
-#include "sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 
@@ -48,10 +47,7 @@ struct Renderer::Impl {
     const LensMap& lens = lenses.get(view.camera);
     const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
     const cv::Rect region = pass.region.value_or(image) & image;
-    const auto encoded = [&](Eigen::Index i) {
-      return sensor::srgbFromLinear(pass.exposure * light_painter.background()[i]);
-    };
-    cv::Mat picture(image.size(), CV_8UC3, cv::Scalar(encoded(2), encoded(1), encoded(0)));
+    cv::Mat picture(image.size(), CV_8UC3, light_painter.backgroundPixel(pass.exposure));
     picture.setTo(cv::Scalar::all(0), lens.face < 0);
     const std::vector<View> views = faceViews(lens, view);
     for (std::size_t face = 0; face < views.size(); ++face) {

@@ -36,9 +36,8 @@ Eigen::Vector3f linearFromSrgb(const Eigen::Vector3f& encoded) {
 }
 
 Eigen::Vector4f linearFromSrgb(const Eigen::Vector4f& encoded) {
-  Eigen::Vector4f linear;
-  linear << linearFromSrgb(Eigen::Vector3f(encoded.head<3>())), encoded.w();
-  return linear;
+  const Eigen::Vector3f colour = linearFromSrgb(Eigen::Vector3f(encoded.head<3>()));
+  return {colour.x(), colour.y(), colour.z(), encoded.w()};
 }
 
 cv::Mat srgbFromLinear(const cv::Mat& light) {

@@ -55,6 +55,10 @@ Eigen::Vector3f encoded(const Eigen::Vector3f& linear) {
   return linear.unaryExpr(&encodedComponent);
 }
 
+Eigen::Vector4f withAlpha(const Eigen::Vector3f& colour, float alpha) {
+  return {colour.x(), colour.y(), colour.z(), alpha};
+}
+
 /// Whether an opacity picture is the diffuse one again: then that one's alpha is meant.
 bool isSame(const TextureReference& a, const TextureReference& b) { return a.uri == b.uri; }
 
@@ -93,7 +97,7 @@ class ClassicReader {
   void readColours() {
     result_.texture = pictures_.find(from_, aiTextureType_DIFFUSE);
     const auto diffuse = colour(from_, "$clr.diffuse");
-    if (diffuse) material().diffuse << rgb(*diffuse), 1.0F;
+    if (diffuse) material().diffuse = withAlpha(rgb(*diffuse), 1.0F);
     // COLLADA has either a colour or a picture; assimp adds a grey to the picture.
     if (result_.texture && isCollada()) material().diffuse.setOnes();
     if (const auto specular = colour(from_, "$clr.specular")) material().specular = rgb(*specular);
@@ -171,7 +175,7 @@ class GltfReader {
     result_.texture = pictures_.find(from_, aiTextureType_DIFFUSE);
     material().diffuse.setOnes();
     if (const auto diffuse = colour(from_, "$clr.diffuse")) {
-      material().diffuse << encoded(rgb(*diffuse)), unit(diffuse->a);
+      material().diffuse = withAlpha(encoded(rgb(*diffuse)), unit(diffuse->a));
     }
     if (const auto emissive = colour(from_, "$clr.emissive")) {
       material().emissive = encoded(rgb(*emissive));
