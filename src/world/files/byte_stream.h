@@ -50,9 +50,13 @@ class ByteReader {
   template <class Number>
   [[nodiscard]] Number number() {
     static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
-    Number value{};
-    copy(&value, sizeof(value));
-    return value;
+    if constexpr (std::is_same_v<Number, bool>) {
+      return number<std::uint8_t>() != 0;  // other bytes than 0 and 1 are no bool
+    } else {
+      Number value{};
+      copy(&value, sizeof(value));
+      return value;
+    }
   }
   [[nodiscard]] std::string text() {
     const std::size_t size = count(1);

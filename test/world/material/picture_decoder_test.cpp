@@ -140,7 +140,8 @@ TEST(PictureDecoder, RefusesWhatBreaksOff) {
 /// A TGA file of 4 x 2 pixels and nothing behind them.
 Bytes tgaOf(std::uint8_t kind, std::uint8_t depth, const Bytes& content) {
   const bool has_palette = kind % 8 == 1;
-  Bytes file(18, 0);
+  constexpr std::size_t kHeader = 18;
+  Bytes file(kHeader + content.size(), 0);
   file[1] = has_palette ? 1 : 0;
   file[2] = kind;
   file[5] = has_palette ? 2 : 0;
@@ -148,7 +149,7 @@ Bytes tgaOf(std::uint8_t kind, std::uint8_t depth, const Bytes& content) {
   file[12] = 4;
   file[14] = 2;
   file[16] = depth;
-  file.insert(file.end(), content.begin(), content.end());
+  std::copy(content.begin(), content.end(), file.begin() + kHeader);
   return file;
 }
 

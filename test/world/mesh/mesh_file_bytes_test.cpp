@@ -19,5 +19,24 @@ TEST(MeshFileBytes, RefuseCountsBeyondTheirEnd) {
   }
 }
 
+TEST(MeshFileBytes, TakeAnyByteForATruth) {
+  MeshFile file;
+  file.materials.resize(1);
+  file.materials[0].material.lit = true;
+  file.materials[0].material.double_sided = false;
+  const std::string bytes = toBytes(file);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string broken = bytes;
+    broken[i] = static_cast<char>(broken[i] | 12);
+    try {
+      for (const MaterialSource& source : meshFileOf(broken).materials) {
+        EXPECT_TRUE(source.material.lit);
+      }
+    } catch (const Error&) {
+      // It was a count.
+    }
+  }
+}
+
 }  // namespace
 }  // namespace synthetic_dataset::world
