@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -117,6 +118,26 @@ void markPixels(const Points3& hull_W, const View& view, cv::Mat& pixels) {
   cv::polylines(pixels, outline, true, cv::Scalar(255), kSlack, cv::LINE_8, kBits);
 }
 
+/// Marks the pixels on which the shadow of a caster may be seen, and a few more.
+void markShadow(const Bounds& caster, const world::Light& light, const ShadowProjection& shadow,
+                const Bounds& receivers, const View& view, cv::Mat& pixels) {
+  const Bounds blurred = withBlur(caster, light, shadow);
+  const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
+  const std::optional<Points> hull =
+      light.type == world::LightType::kSpot
+          ? lampShadow(blurred, light.X_WL.translation(), light.range, receivers)
+          : parallelShadow(blurred, direction, receivers);
+  if (hull) {
+    markPixels(*hull, view, pixels);
+  } else {
+    pixels.setTo(255);
+  }
+}
+
+cv::Mat noPixels(const View& view) {
+  return cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
+}
+
 }  // namespace
 
 std::vector<cv::Rect> movingRegions(const std::vector<Part>& parts, const View& view,
@@ -130,42 +151,39 @@ std::vector<cv::Rect> movingRegions(const std::vector<Part>& parts, const View& 
   return regions;
 }
 
-cv::Mat changedPixels(const std::vector<Part>& parts, const View& view,
-                      const std::vector<Pose>& X_WL, const LinkSelection& drawn,
-                      const LinkSelection& casting, const std::vector<world::Light>& lights,
-                      const std::vector<ShadowProjection>& shadows) {
-  cv::Mat pixels = cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
-  const auto is_seen_anew = [&](const Part& part) {
-    return drawn[part.link] && (!part.stands_still || part.transparent);
+ChangedRegions changedRegions(const std::vector<Part>& parts, const View& view,
+                              const std::vector<Pose>& X_WL, const LinkSelection& drawn,
+                              const LinkSelection& casting,
+                              const std::vector<world::Light>& lights,
+                              const std::vector<ShadowProjection>& shadows) {
+  const auto markSeen = [&](const std::function<bool(const Part&)>& is_chosen) {
+    cv::Mat pixels = noPixels(view);
+    for (const Bounds& group : boundsOfGroups(parts, X_WL, is_chosen)) {
+      markPixels(cornersOf(group), view, pixels);
+    }
+    return pixels;
   };
-  for (const Bounds& group : boundsOfGroups(parts, X_WL, is_seen_anew)) {
-    markPixels(cornersOf(group), view, pixels);
-  }
+  ChangedRegions regions;
+  regions.surfaces = markSeen([&](const Part& part) {
+    return drawn[part.link] && !part.stands_still && !part.transparent;
+  });
+  regions.glass = markSeen([&](const Part& part) { return drawn[part.link] && part.transparent; });
+  regions.shadows = noPixels(view);
   Bounds receivers;
   for (const Part& part : parts) {
     if (drawn[part.link] && part.stands_still) extend(receivers, part, X_WL[part.link]);
   }
-  if (receivers.isEmpty()) return pixels;
+  if (receivers.isEmpty()) return regions;
   const auto moves = [&](const Part& part) {
     return casting[part.link] && part.casts_shadow && !part.stands_still;
   };
   for (const Bounds& group : boundsOfGroups(parts, X_WL, moves)) {
     for (const ShadowProjection& shadow : shadows) {
-      const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
-      const Bounds caster = withBlur(group, light, shadow);
-      const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
-      const std::optional<Points> hull =
-          light.type == world::LightType::kSpot
-              ? lampShadow(caster, light.X_WL.translation(), light.range, receivers)
-              : parallelShadow(caster, direction, receivers);
-      if (hull) {
-        markPixels(*hull, view, pixels);
-      } else {
-        pixels.setTo(255);
-      }
+      markShadow(group, lights[static_cast<std::size_t>(shadow.light)], shadow, receivers, view,
+                 regions.shadows);
     }
   }
-  return pixels;
+  return regions;
 }
 
 }  // namespace synthetic_dataset::render

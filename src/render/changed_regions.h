@@ -16,14 +16,23 @@ namespace synthetic_dataset::render {
                                                   const std::vector<Pose>& X_WL,
                                                   const LinkSelection& drawn);
 
-/// Where a picture of what never moves, and hides what is behind it, may differ from one with all
-/// else: where that, or its shadow, may be seen.
+/// Where a picture of what never moves may differ from one with all else, from bounds alone.
+///
+/// Each is CV_8UC1, 255 for such pixels, else 0.
+struct ChangedRegions {
+  cv::Mat surfaces;  ///< what moves may be seen there
+  cv::Mat glass;     ///< and there what one can see through, whether it moves or not
+  cv::Mat shadows;   ///< and there the shadow of what moves
+
+  [[nodiscard]] cv::Mat all() const { return surfaces | glass | shadows; }
+};
+
 /// @param lights  of the world, to which ShadowProjection::light refers
-/// @return CV_8UC1, 255 for such pixels, else 0
-[[nodiscard]] cv::Mat changedPixels(const std::vector<Part>& parts, const View& view,
-                                    const std::vector<Pose>& X_WL, const LinkSelection& drawn,
-                                    const LinkSelection& casting,
-                                    const std::vector<world::Light>& lights,
-                                    const std::vector<ShadowProjection>& shadows);
+[[nodiscard]] ChangedRegions changedRegions(const std::vector<Part>& parts, const View& view,
+                                            const std::vector<Pose>& X_WL,
+                                            const LinkSelection& drawn,
+                                            const LinkSelection& casting,
+                                            const std::vector<world::Light>& lights,
+                                            const std::vector<ShadowProjection>& shadows);
 
 }  // namespace synthetic_dataset::render

@@ -4,6 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "render/changed_pixels.h"
 #include "render/changed_regions.h"
 #include "render/pixel_bands.h"
 #include "render/srgb.h"
@@ -56,15 +57,32 @@ cv::Mat PicturePainter::paint(const ColourScene& scene, const LinkSelection& cas
   cv::Mat picture = plainPicture(scene.exposure);
   cv::Mat pixels = cv::Mat::zeros(image_.size(), CV_8UC1);
   pixels(wanted).setTo(255);
-  if (kept != nullptr) {
+  if (kept == nullptr) {
+    crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
+  } else {
     (*kept)(wanted).copyTo(picture(wanted));
-    pixels &= changedPixels(crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
-                            crew_.lights, scene.shadows);
+    pixels &= drawnAnew(scene, casting, smooth, wanted);
   }
-  if (cv::countNonZero(pixels) == 0) return picture;
-  crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
   light(scene, scene.drawn, true, smooth, pixels, picture);
   return picture;
+}
+
+/// Draws the shadow maps, and finds which pixels differ from those of the kept picture.
+cv::Mat PicturePainter::drawnAnew(const ColourScene& scene, const LinkSelection& casting,
+                                  bool smooth, const cv::Rect& wanted) {
+  const ChangedRegions regions = changedRegions(crew_.parts.parts(), scene.view, scene.X_WL,
+                                                scene.drawn, casting, crew_.lights, scene.shadows);
+  cv::Mat possible = cv::Mat::zeros(image_.size(), CV_8UC1);
+  regions.all()(wanted).copyTo(possible(wanted));
+  const cv::Rect place = boundsOf(bandsOf(grown(bandsOf(possible), image_.size())));
+  if (place.empty()) return possible;
+  crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
+  std::vector<ChangedTexels> texels;
+  for (const ShadowProjection& shadow : scene.shadows) {
+    texels.push_back(crew_.shadow_painter.changedTexels(shadow, scene.X_WL, casting));
+  }
+  const ChangedPixels changed(crew_.parts, scene.view);
+  return changed.find(regions, {geometry_.read(place, smooth), place}, texels, smooth);
 }
 
 GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose>& X_WL,

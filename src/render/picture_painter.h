@@ -93,6 +93,8 @@ class PicturePainter {
                             const LinkSelection& drawn);
   [[nodiscard]] const cv::Mat* keptPicture(const ColourScene& scene, const LinkSelection& casting,
                                            bool smooth);
+  [[nodiscard]] cv::Mat drawnAnew(const ColourScene& scene, const LinkSelection& casting,
+                                  bool smooth, const cv::Rect& wanted);
   void light(const ColourScene& scene, const LinkSelection& seen, bool see_through, bool smooth,
              const cv::Mat& pixels, cv::Mat& picture);
   [[nodiscard]] cv::Mat plainPicture(float exposure) const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <opencv2/core.hpp>
+
 namespace synthetic_dataset::render {
 
 namespace {
@@ -19,7 +21,8 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, int size, int layers)
       size_(size),
       layer_count_(
           std::max(layers, 1)),  // the shader's sampler needs a texture without shadows too
-      depth_(makeLayers(gl, size, layer_count_)) {
+      depth_(makeLayers(gl, size, layer_count_)),
+      kept_depths_(static_cast<std::size_t>(layer_count_)) {
   const GLuint name = depth_.name();
   gl.TextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.TextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -44,11 +47,24 @@ void ShadowMaps::begin(int layer) const {
 void ShadowMaps::keep(int layer) {
   if (kept_.name() == 0) kept_ = makeLayers(gl_, size_, layer_count_);
   copy(depth_, kept_, layer, whole());
+  kept_depths_[static_cast<std::size_t>(layer)] = read(layer, {0, 0, size_, size_});
 }
 
 void ShadowMaps::beginKept(int layer, const std::vector<Eigen::AlignedBox2i>& changed) const {
   for (const Eigen::AlignedBox2i& texels : changed) copy(kept_, depth_, layer, texels);
   bind(layer);
+}
+
+cv::Mat ShadowMaps::differing(int layer, const cv::Rect& texels) const {
+  return read(layer, texels) != kept_depths_[static_cast<std::size_t>(layer)](texels);
+}
+
+cv::Mat ShadowMaps::read(int layer, const cv::Rect& texels) const {
+  bind(layer);
+  cv::Mat depths(texels.size(), CV_32FC1);
+  gl_.ReadPixels(texels.x, texels.y, texels.width, texels.height, GL_DEPTH_COMPONENT, GL_FLOAT,
+                 depths.data);
+  return depths;
 }
 
 Eigen::AlignedBox2i ShadowMaps::whole() const {

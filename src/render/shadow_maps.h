@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
 
 #include "render/gl_object.h"
 
@@ -24,6 +25,11 @@ class ShadowMaps {
   /// @param changed  the texels [column, row] that are made again as they were kept
   void beginKept(int layer, const std::vector<Eigen::AlignedBox2i>& changed) const;
 
+  /// Which texels of a layer are not as they were kept.
+  /// @param texels  columns and rows
+  /// @return CV_8UC1 of these texels, 255 for those, else 0
+  [[nodiscard]] cv::Mat differing(int layer, const cv::Rect& texels) const;
+
   /// All texels of a layer: the last ones are inside.
   [[nodiscard]] Eigen::AlignedBox2i whole() const;
 
@@ -31,6 +37,7 @@ class ShadowMaps {
 
  private:
   void bind(int layer) const;
+  [[nodiscard]] cv::Mat read(int layer, const cv::Rect& texels) const;
   void copy(const GlTexture& from, const GlTexture& to, int layer,
             const Eigen::AlignedBox2i& texels) const;
 
@@ -40,6 +47,7 @@ class ShadowMaps {
   GlTexture depth_;
   GlTexture kept_;  ///< none until a layer is kept
   std::vector<GlFramebuffer> layers_;
+  std::vector<cv::Mat> kept_depths_;  ///< by layer: the same as kept_, for differing()
 };
 
 }  // namespace synthetic_dataset::render

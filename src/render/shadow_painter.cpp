@@ -1,10 +1,25 @@
 #include "render/shadow_painter.h"
 
+#include <opencv2/imgproc.hpp>
+
 #include "render/part_groups.h"
 #include "render/shaders.h"
 #include "render/surface_drawing.h"
 
 namespace synthetic_dataset::render {
+namespace {
+
+/// The texels of a box, of which the last ones are inside.
+cv::Rect rectangleOf(const Eigen::AlignedBox2i& box) {
+  const Eigen::Vector2i size = box.sizes() + Eigen::Vector2i(1, 1);
+  return {box.min().x(), box.min().y(), size.x(), size.y()};
+}
+
+cv::Rect grown(const cv::Rect& rectangle, int by) {
+  return {rectangle.x - by, rectangle.y - by, rectangle.width + 2 * by, rectangle.height + 2 * by};
+}
+
+}  // namespace
 
 ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& parts, int size, int layers)
     : gl_(gl),
@@ -61,6 +76,37 @@ void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector
   paintStandingLayer(shadow, X_WL, casting);
   draw(shadow, X_WL, casting, Casters::kMoving);
   layer.changed = texelsOfMoving(shadow, X_WL, casting);
+}
+
+ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow,
+                                           const std::vector<Pose>& X_WL,
+                                           const LinkSelection& casting) const {
+  // Surfaces are compared up to 2.8 texels above themselves, with two texels on each side; and one
+  // to spare. (lighting.glsl)
+  constexpr int kReach = 6;
+  const Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
+  const cv::Rect whole = rectangleOf(maps_.whole());
+  const double half = 0.5 * whole.width;
+  ChangedTexels changed;
+  Eigen::Matrix4d texels_from_shadow = Eigen::Matrix4d::Identity();
+  texels_from_shadow.row(0) = Eigen::Vector4d(half, 0.0, 0.0, half);
+  texels_from_shadow.row(1) = Eigen::Vector4d(0.0, half, 0.0, half);
+  changed.texels_from_world = texels_from_shadow * shadow.shadow_from_world;
+  std::vector<cv::Rect> boxes;
+  for (const Eigen::AlignedBox2i& box : texelsOfMoving(shadow, X_WL, casting)) {
+    boxes.push_back(grown(rectangleOf(box), kReach) & whole);
+    changed.place |= boxes.back();
+  }
+  changed.texels = cv::Mat::zeros(changed.place.size(), CV_8UC1);
+  for (const cv::Rect& box : boxes) {
+    cv::Mat differing(box.size(), CV_8UC1, cv::Scalar(255));
+    if (layer.is_kept) differing = maps_.differing(shadow.layer, box);
+    const cv::Size reach(2 * kReach + 1, 2 * kReach + 1);
+    cv::dilate(differing, differing, cv::getStructuringElement(cv::MORPH_RECT, reach));
+    cv::Mat target = changed.texels(box - changed.place.tl());
+    target |= differing;
+  }
+  return changed;
 }
 
 bool ShadowPainter::isSame(const Layer& layer, const ShadowProjection& shadow,

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "render/changed_texels.h"
 #include "render/draw_list.h"
 #include "render/light_setup.h"
 #include "render/shader_family.h"
@@ -25,6 +26,11 @@ class ShadowPainter {
   /// The shadows of what never moves alone.
   void paintStanding(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
                      const LinkSelection& casting);
+
+  /// What paint() has just drawn beside what never moves.
+  [[nodiscard]] ChangedTexels changedTexels(const ShadowProjection& shadow,
+                                            const std::vector<Pose>& X_WL,
+                                            const LinkSelection& casting) const;
 
   [[nodiscard]] GLuint texture() const { return maps_.texture(); }
 
