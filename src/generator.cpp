@@ -40,6 +40,7 @@ PixelLabelOptions labelOptions(const config::Config& config) {
 /// A scene that waits for what its optical flow needs.
 struct UnwrittenScene {
   MadeScene made;
+  render::PendingPicture image;
   std::vector<output::ContactFacts> contacts;
   std::vector<output::Warning> warnings;
 };
@@ -174,8 +175,8 @@ struct Generator::Impl {
       if (work.wants(instant)) scenes = lookAtInstant(instant, stamp);
     }
     for (UnwrittenScene& each : scenes) {
-      Scene& scene = each.made.scene;
-      scene.image = picture_taker.develop(scene.camera_index, scene.index);
+      const Scene& scene = each.made.scene;
+      each.image = picture_taker.develop(scene.camera_index, scene.index);
     }
     // What a time brought to light is told with its first scene.
     if (!scenes.empty()) scenes.front().warnings = std::move(news);
@@ -188,7 +189,7 @@ struct Generator::Impl {
     std::vector<UnwrittenScene> scenes;
     const std::vector<Pose> X_GO = object_motion.objectPoses(stamp);
     for (std::size_t camera = 0; camera < setup.cameras.size(); ++camera) {
-      scenes.push_back({scene_maker.make(camera, instant, stamp, X_GO), {}, {}});
+      scenes.push_back({scene_maker.make(camera, instant, stamp, X_GO), {}, {}, {}});
     }
     scenes.front().contacts = findContacts(stamp);
     return scenes;
@@ -201,7 +202,7 @@ struct Generator::Impl {
       if (!work.lacks(each.made.scene.index)) continue;  // of another camera than those missing
       if (scene_maker.needsOpticalFlow()) scene_maker.addOpticalFlow(each.made, now);
       output::SceneFacts facts = factsOf(each);
-      committer.add(std::move(each.made.scene), std::move(facts));
+      committer.add(std::move(each.made.scene), std::move(each.image), std::move(facts));
     }
     unwritten.clear();
     tellWritten();

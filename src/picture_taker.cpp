@@ -43,28 +43,30 @@ void PictureTaker::expose(Stamp instant, Duration offset) {
         continue;
       }
       const cv::Rect rows(0, shot.first_row, camera.model.width(), shot.row_count);
-      sensor.light->add(draw(camera, instant, offset, rows)(rows), rows, shot.weight);
+      sensor.light->add(draw(camera, instant, offset, rows)()(rows), rows, shot.weight);
     }
   }
 }
 
-cv::Mat PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset,
-                           const std::optional<cv::Rect>& region) {
+render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset,
+                                          const std::optional<cv::Rect>& region) {
   render::ColourPass pass{everything_, everything_};
   pass.region = region;
   pass.exposure = static_cast<float>(sensor::gainOf(camera.effects));
   const Pose X_GC = cameraPose(camera, world_, recording_, global_frame_, instant, offset);
-  return renderer_.colour({camera.model, X_GC}, world_.linkPoses(), pass);
+  return renderer_.draw({camera.model, X_GC}, world_.linkPoses(), pass);
 }
 
-cv::Mat PictureTaker::develop(std::size_t camera, std::int64_t scene_index) {
+render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t scene_index) {
   Sensor& sensor = sensors_[camera];
   if (sensor.light) {
-    sensor.picture = sensor.light->result();
+    sensor.picture = [seen = sensor.light->result()] { return seen; };
     sensor.light->clear();
   }
-  return sensor::applyEffects(std::exchange(sensor.picture, cv::Mat()), cameras_[camera].effects,
-                              randomSeed(seed_, scene_index, "sensor noise"));
+  return [picture = std::exchange(sensor.picture, {}), &effects = cameras_[camera].effects,
+          seed = randomSeed(seed_, scene_index, "sensor noise")] {
+    return sensor::applyEffects(picture(), effects, seed);
+  };
 }
 
 }  // namespace synthetic_dataset

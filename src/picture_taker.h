@@ -32,20 +32,21 @@ class PictureTaker {
   /// Lets the world as it stands at `instant + offset` fall on the sensors.
   void expose(Stamp instant, Duration offset);
 
-  /// What a camera has seen: CV_8UC3, blue green red. Its sensor is dark again then.
+  /// What a camera has seen, to be made in any thread as long as the renderer lives: CV_8UC3, blue
+  /// green red. Its sensor is dark again then.
   /// @param scene_index  its noise belongs to this scene
-  [[nodiscard]] cv::Mat develop(std::size_t camera, std::int64_t scene_index);
+  [[nodiscard]] render::PendingPicture develop(std::size_t camera, std::int64_t scene_index);
 
  private:
   /// A camera's plan, and what has fallen on its sensor so far.
   struct Sensor {
     std::vector<Shot> shots;
     std::optional<sensor::LinearAccumulator> light;  ///< where a picture takes several shots
-    cv::Mat picture;                                 ///< where it takes one
+    render::PendingPicture picture;                  ///< where it takes one
   };
 
-  [[nodiscard]] cv::Mat draw(const CameraRig& camera, Stamp instant, Duration offset,
-                             const std::optional<cv::Rect>& region);
+  [[nodiscard]] render::PendingPicture draw(const CameraRig& camera, Stamp instant, Duration offset,
+                                            const std::optional<cv::Rect>& region);
 
   const world::World& world_;
   render::Renderer& renderer_;

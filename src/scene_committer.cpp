@@ -14,9 +14,12 @@ constexpr std::size_t kMostWaiting = 2;
 SceneCommitter::SceneCommitter(const writers::WriterHost& writers, output::DatasetStore& store)
     : writers_(writers), store_(store), worker_(kMostWaiting) {}
 
-void SceneCommitter::add(Scene scene, output::SceneFacts facts) {
-  worker_.add([this, scene = std::make_shared<const Scene>(std::move(scene)),
-               facts = std::move(facts)]() mutable { commit(*scene, facts); });
+void SceneCommitter::add(Scene scene, render::PendingPicture image, output::SceneFacts facts) {
+  worker_.add([this, scene = std::make_shared<Scene>(std::move(scene)), image = std::move(image),
+               facts = std::move(facts)]() mutable {
+    scene->image = image();
+    commit(*scene, facts);
+  });
 }
 
 std::vector<std::vector<output::Warning>> SceneCommitter::takeCommitted() {

@@ -5,12 +5,14 @@
 
 #include "output/background_worker.h"
 #include "output/dataset_store.h"
+#include "render/unfinished_picture.h"
 #include "synthetic_dataset/scene.h"
 #include "writers/writer_host.h"
 
 namespace synthetic_dataset {
 
-/// Formats, encodes and commits scenes, one after another, while the caller makes the next ones.
+/// Finishes, formats, encodes and commits scenes, one after another, while the caller makes the
+/// next ones.
 ///
 /// A scene that fails ends with its error out of the next call; those behind it are not written.
 class SceneCommitter {
@@ -18,7 +20,8 @@ class SceneCommitter {
   SceneCommitter(const writers::WriterHost& writers, output::DatasetStore& store);
 
   /// Waits while too many scenes wait already.
-  void add(Scene scene, output::SceneFacts facts);
+  /// @param image  makes the scene's
+  void add(Scene scene, render::PendingPicture image, output::SceneFacts facts);
 
   /// Waits until all scenes are committed.
   void finish() { worker_.finish(); }

@@ -5,23 +5,19 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "render/edge_pixels.h"
-#include "render/pixel_bands.h"
-
 namespace synthetic_dataset::render {
 
 cv::Mat ChangedPixels::find(const ChangedRegions& regions, const SeenGeometry& seen,
-                            const std::vector<ChangedTexels>& texels, bool smooth) const {
+                            const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const {
   cv::Mat pixels = regions.glass.clone();
   markMoving(seen, pixels);
   for (const ChangedTexels& each : texels) markShaded(regions.shadows, seen, each, pixels);
-  if (!smooth) return pixels;
+  if (edges.empty()) return pixels;
   // Pixels by an edge take light from those round them,
   cv::Mat grown;
   cv::dilate(pixels, grown, cv::Mat());  // by one
-  // and show what moves where it covers no centre.
-  markEdges(regions.surfaces, seen, grown);
-  return grown;
+  // and what moves may cover a part of one whose centre it does not cover.
+  return grown | (edges & regions.surfaces);
 }
 
 void ChangedPixels::markMoving(const SeenGeometry& seen, cv::Mat& pixels) const {
@@ -64,14 +60,6 @@ void ChangedPixels::markShaded(const cv::Mat& candidates, const SeenGeometry& se
       }
     }
   }
-}
-
-/// @param candidates  the pixels that are looked at
-void ChangedPixels::markEdges(const cv::Mat& candidates, const SeenGeometry& seen,
-                              cv::Mat& pixels) const {
-  const EdgePixels edges(seen.images, seen.place, bandsOf(candidates & (pixels == 0)),
-                         view_.camera.intrinsics());
-  for (const cv::Point& pixel : edges.pixels()) pixels.at<std::uint8_t>(pixel) = 255;
 }
 
 }  // namespace synthetic_dataset::render

@@ -14,8 +14,8 @@ namespace synthetic_dataset::render {
 
 /// What the pixels of a picture see, with what moves.
 struct SeenGeometry {
-  GeometryImages images;  ///< with normals where edges are asked for
-  cv::Rect place;         ///< of these pixels in the picture
+  GeometryImages images;
+  cv::Rect place;  ///< of these pixels in the picture
 };
 
 /// Finds which pixels of a picture differ from those of a picture of what never moves.
@@ -30,16 +30,16 @@ class ChangedPixels {
   /// @param regions  outside of which there is nothing to be found
   /// @param seen  the pixels of these regions at least
   /// @param texels  of each shadow map
-  /// @param smooth  whether pixels by an edge show what is round their centre, too
+  /// @param edges  CV_8UC1, not 0 where pixels show what is round their centre in a picture of what
+  ///               never moves; empty where all pixels show what is at their centre
   /// @return CV_8UC1, 255 for such pixels, else 0
   [[nodiscard]] cv::Mat find(const ChangedRegions& regions, const SeenGeometry& seen,
-                             const std::vector<ChangedTexels>& texels, bool smooth) const;
+                             const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const;
 
  private:
   void markMoving(const SeenGeometry& seen, cv::Mat& pixels) const;
   void markShaded(const cv::Mat& candidates, const SeenGeometry& seen, const ChangedTexels& texels,
                   cv::Mat& pixels) const;
-  void markEdges(const cv::Mat& candidates, const SeenGeometry& seen, cv::Mat& pixels) const;
 
   const DrawList& parts_;
   const View& view_;

@@ -153,8 +153,7 @@ std::vector<cv::Rect> movingRegions(const std::vector<Part>& parts, const View& 
 
 ChangedRegions changedRegions(const std::vector<Part>& parts, const View& view,
                               const std::vector<Pose>& X_WL, const LinkSelection& drawn,
-                              const LinkSelection& casting,
-                              const std::vector<world::Light>& lights,
+                              const LinkSelection& casting, const std::vector<world::Light>& lights,
                               const std::vector<ShadowProjection>& shadows) {
   const auto markSeen = [&](const std::function<bool(const Part&)>& is_chosen) {
     cv::Mat pixels = noPixels(view);

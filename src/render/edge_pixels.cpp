@@ -118,4 +118,10 @@ EdgePixels::EdgePixels(const GeometryImages& images, const cv::Rect& place,
   }
 }
 
+cv::Mat EdgePixels::mask(const cv::Size& size) const {
+  cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
+  for (const cv::Point& pixel : pixels_) mask.at<std::uint8_t>(pixel) = 255;
+  return mask;
+}
+
 }  // namespace synthetic_dataset::render

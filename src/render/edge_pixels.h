@@ -19,6 +19,9 @@ class EdgePixels {
 
   [[nodiscard]] const std::vector<cv::Point>& pixels() const { return pixels_; }
 
+  /// CV_8UC1 of a picture of this size, 255 for these pixels, else 0.
+  [[nodiscard]] cv::Mat mask(const cv::Size& size) const;
+
   /// Calls visit(index in pixels()) for those in a rectangle.
   template <class Visit>
   void visit(const cv::Rect& rectangle, const Visit& visit) const {

@@ -10,11 +10,11 @@
 
 namespace synthetic_dataset::render {
 
-/// What is drawn, from where. The references have to outlive it.
+/// What is drawn, from where.
 struct EdgeScene {
-  const View& view;
-  const std::vector<Pose>& X_WL;
-  const LinkSelection& drawn;
+  View view;
+  std::vector<Pose> X_WL;
+  LinkSelection drawn;
 };
 
 /// What the pixels' centres see.

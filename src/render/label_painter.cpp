@@ -1,7 +1,6 @@
 #include "render/label_painter.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "render/lens_resampling.h"
@@ -14,13 +13,15 @@ namespace {
 /// Distances from the camera's centre, from depths along its axis.
 cv::Mat rangeOf(const cv::Mat& depth, const Intrinsics& k) {
   cv::Mat range(depth.size(), CV_32FC1);
+  // By rows, so that many pixels are worked out at a time.
+  const Eigen::ArrayXd x =
+      (Eigen::ArrayXd::LinSpaced(depth.cols, 0.0, depth.cols - 1.0) - k.cx) / k.fx;
+  const Eigen::ArrayXd xx = x * x;
   for (int v = 0; v < depth.rows; ++v) {
     const double y = (v - k.cy) / k.fy;
-    for (int u = 0; u < depth.cols; ++u) {
-      const double x = (u - k.cx) / k.fx;
-      const double z = static_cast<double>(depth.at<float>(v, u));
-      range.at<float>(v, u) = static_cast<float>(z * std::sqrt(x * x + y * y + 1.0));
-    }
+    const Eigen::Map<const Eigen::ArrayXf> z(depth.ptr<float>(v), depth.cols);
+    Eigen::Map<Eigen::ArrayXf>(range.ptr<float>(v), depth.cols) =
+        (z.cast<double>() * (xx + (y * y + 1.0)).sqrt()).cast<float>();
   }
   return range;
 }

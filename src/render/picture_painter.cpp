@@ -6,8 +6,8 @@
 
 #include "render/changed_pixels.h"
 #include "render/changed_regions.h"
+#include "render/edge_pixels.h"
 #include "render/pixel_bands.h"
-#include "render/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -47,42 +47,47 @@ bool PicturePainter::drewFrom(const View& view) const {
          geometry_key_.clip_from_camera == clipFromCamera(view.camera);
 }
 
-cv::Mat PicturePainter::paint(const ColourScene& scene, const LinkSelection& casting, bool smooth,
-                              const std::optional<cv::Rect>& region) {
+UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSelection& casting,
+                                        bool smooth, const std::optional<cv::Rect>& region) {
   const cv::Rect wanted = region.value_or(image_) & image_;
-  if (wanted.empty()) return plainPicture(scene.exposure);
+  if (wanted.empty()) return {plainPicture(scene.exposure), {}, {}, std::nullopt};
   drawGeometry(scene.view, scene.X_WL, scene.drawn);
-  const cv::Mat* kept = keptPicture(scene, casting, smooth);
-  if (kept != nullptr) drawGeometry(scene.view, scene.X_WL, scene.drawn);
-  cv::Mat picture = plainPicture(scene.exposure);
+  const KeptPicture* kept = keptPicture(scene, casting, smooth);
   cv::Mat pixels = cv::Mat::zeros(image_.size(), CV_8UC1);
   pixels(wanted).setTo(255);
   if (kept == nullptr) {
     crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
-  } else {
-    (*kept)(wanted).copyTo(picture(wanted));
-    pixels &= drawnAnew(scene, casting, smooth, wanted);
+    UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, pixels);
+    picture.elsewhere = plainPicture(scene.exposure);
+    return picture;
   }
-  light(scene, scene.drawn, true, smooth, pixels, picture);
+  drawGeometry(scene.view, scene.X_WL, scene.drawn);
+  pixels &= changedPixels(scene, casting, kept->edges, wanted);
+  UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, pixels);
+  picture.elsewhere = kept->pixels;
+  if (wanted != image_) {
+    picture.elsewhere = plainPicture(scene.exposure);
+    kept->pixels(wanted).copyTo(picture.elsewhere(wanted));
+  }
   return picture;
 }
 
 /// Draws the shadow maps, and finds which pixels differ from those of the kept picture.
-cv::Mat PicturePainter::drawnAnew(const ColourScene& scene, const LinkSelection& casting,
-                                  bool smooth, const cv::Rect& wanted) {
+/// @param edges  of the kept picture
+cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelection& casting,
+                                      const cv::Mat& edges, const cv::Rect& wanted) {
   const ChangedRegions regions = changedRegions(crew_.parts.parts(), scene.view, scene.X_WL,
                                                 scene.drawn, casting, crew_.lights, scene.shadows);
-  cv::Mat possible = cv::Mat::zeros(image_.size(), CV_8UC1);
-  regions.all()(wanted).copyTo(possible(wanted));
-  const cv::Rect place = boundsOf(bandsOf(grown(bandsOf(possible), image_.size())));
-  if (place.empty()) return possible;
+  const cv::Mat all = regions.all();
+  const cv::Rect place = (cv::boundingRect(all(wanted)) + wanted.tl()) & wanted;
+  if (place.empty()) return cv::Mat::zeros(image_.size(), CV_8UC1);
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
   std::vector<ChangedTexels> texels;
   for (const ShadowProjection& shadow : scene.shadows) {
     texels.push_back(crew_.shadow_painter.changedTexels(shadow, scene.X_WL, casting));
   }
   const ChangedPixels changed(crew_.parts, scene.view);
-  return changed.find(regions, {geometry_.read(place, smooth), place}, texels, smooth);
+  return changed.find(regions, {geometry_.read(place, false), place}, texels, edges);
 }
 
 GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose>& X_WL,
@@ -153,43 +158,51 @@ void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Po
 }
 
 /// That of what never moves, or null while it is not known whether it will be needed again.
-const cv::Mat* PicturePainter::keptPicture(const ColourScene& scene, const LinkSelection& casting,
-                                           bool smooth) {
+const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene& scene,
+                                                               const LinkSelection& casting,
+                                                               bool smooth) {
   KeptPicture& kept = kept_pictures_.at(smooth ? 1 : 0);
   LightKey key = lightKey(scene, casting);
   if (!(kept.key == key)) {
-    kept = {std::move(key), {}};
+    kept = {std::move(key), {}, {}};
     return nullptr;
   }
-  if (!kept.pixels.empty()) return &kept.pixels;
+  if (!kept.pixels.empty()) return &kept;
   drawStandingGeometry(scene.view, scene.X_WL, scene.drawn);
-  kept.pixels = plainPicture(scene.exposure);
   crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
-  light(scene, standing(scene.drawn), false, smooth,
-        cv::Mat(image_.size(), CV_8UC1, cv::Scalar(255)), kept.pixels);
-  return &kept.pixels;
+  UnfinishedPicture picture = light(scene, standing(scene.drawn), false, smooth,
+                                    cv::Mat(image_.size(), CV_8UC1, cv::Scalar(255)));
+  picture.elsewhere = plainPicture(scene.exposure);
+  kept.pixels = finished(picture, crew_.edge_smoother);
+  if (picture.edges) {
+    kept.edges = EdgePixels(picture.seen.geometry, image_, {image_}, scene.view.camera.intrinsics())
+                     .mask(image_.size());
+  }
+  return &kept;
 }
 
-/// Finds the light of pixels, and their picture.
+/// Finds the light of pixels.
 /// @param seen  the links that were drawn
-/// @param pixels  those that are not 0; a few others may be made, too
-void PicturePainter::light(const ColourScene& scene, const LinkSelection& seen, bool see_through,
-                           bool smooth, const cv::Mat& pixels, cv::Mat& picture) {
-  const std::vector<cv::Rect> regions = bandsOf(pixels);
-  if (regions.empty()) return;
+/// @param pixels  those that are not 0; a few others may be lit, too
+/// @return without what is elsewhere
+UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSelection& seen,
+                                        bool see_through, bool smooth, const cv::Mat& pixels) {
+  UnfinishedPicture picture;
+  picture.regions = bandsOf(pixels);
+  if (picture.regions.empty()) return picture;
   smooth = smooth && crew_.smooths;
   // Edges take their light from the pixels round them.
-  const std::vector<cv::Rect> lit = smooth ? bandsOf(grown(regions, image_.size())) : regions;
-  const cv::Rect place = boundsOf(lit);
-  light_.begin(place);
+  const std::vector<cv::Rect> lit =
+      smooth ? bandsOf(grown(picture.regions, image_.size())) : picture.regions;
+  picture.seen.place = boundsOf(lit);
+  light_.begin(picture.seen.place);
   crew_.light_painter.paint(scene, geometry_, crew_.shadow_painter.texture(), see_through, lit);
-  const cv::Mat light = light_.read(place);
-  for (const cv::Rect& region : regions) {
-    srgbFromLinear(light(region - place.tl())).copyTo(picture(region));
+  picture.seen.light = light_.read(picture.seen.place);
+  if (smooth) {
+    picture.seen.geometry = geometry_.read(picture.seen.place, true);
+    picture.edges = EdgeScene{scene.view, scene.X_WL, seen};
   }
-  if (!smooth) return;
-  crew_.edge_smoother.smooth({scene.view, scene.X_WL, seen},
-                             {geometry_.read(place, true), light, place}, regions, picture);
+  return picture;
 }
 
 cv::Mat PicturePainter::plainPicture(float exposure) const {

@@ -13,6 +13,7 @@
 #include "render/light_painter.h"
 #include "render/light_target.h"
 #include "render/shadow_painter.h"
+#include "render/unfinished_picture.h"
 
 namespace synthetic_dataset::render {
 
@@ -45,9 +46,8 @@ class PicturePainter {
   /// @param casting  the links that cast shadows
   /// @param smooth  edges by several samples a pixel, not the centre's alone
   /// @param region  the pixels that are asked for; all others have the background's colour
-  /// @return CV_8UC3, blue green red, sRGB-encoded
-  [[nodiscard]] cv::Mat paint(const ColourScene& scene, const LinkSelection& casting, bool smooth,
-                              const std::optional<cv::Rect>& region);
+  [[nodiscard]] UnfinishedPicture paint(const ColourScene& scene, const LinkSelection& casting,
+                                        bool smooth, const std::optional<cv::Rect>& region);
 
   /// What the pixels' centres see: what a picture and labels of the same things have in common.
   [[nodiscard]] GeometryImages geometry(const View& view, const std::vector<Pose>& X_WL,
@@ -75,7 +75,8 @@ class PicturePainter {
   /// A picture of what never moves.
   struct KeptPicture {
     LightKey key;
-    cv::Mat pixels;  ///< empty until the key comes a second time
+    cv::Mat pixels;  ///< empty until the key comes a second time; never written to
+    cv::Mat edges;   ///< CV_8UC1: 255 where these are smoothed; empty where edges are not
   };
 
   /// What geometry_ shows.
@@ -91,12 +92,12 @@ class PicturePainter {
   void drawGeometry(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn);
   void drawStandingGeometry(const View& view, const std::vector<Pose>& X_WL,
                             const LinkSelection& drawn);
-  [[nodiscard]] const cv::Mat* keptPicture(const ColourScene& scene, const LinkSelection& casting,
-                                           bool smooth);
-  [[nodiscard]] cv::Mat drawnAnew(const ColourScene& scene, const LinkSelection& casting,
-                                  bool smooth, const cv::Rect& wanted);
-  void light(const ColourScene& scene, const LinkSelection& seen, bool see_through, bool smooth,
-             const cv::Mat& pixels, cv::Mat& picture);
+  [[nodiscard]] const KeptPicture* keptPicture(const ColourScene& scene,
+                                               const LinkSelection& casting, bool smooth);
+  [[nodiscard]] cv::Mat changedPixels(const ColourScene& scene, const LinkSelection& casting,
+                                      const cv::Mat& edges, const cv::Rect& wanted);
+  [[nodiscard]] UnfinishedPicture light(const ColourScene& scene, const LinkSelection& seen,
+                                        bool see_through, bool smooth, const cv::Mat& pixels);
   [[nodiscard]] cv::Mat plainPicture(float exposure) const;
 
   PictureCrew crew_;

@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "render/lens_library.h"
@@ -34,30 +36,35 @@ struct Renderer::Impl {
     gl.Enable(GL_DEPTH_TEST);
   }
 
-  cv::Mat drawPinhole(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
-                      const std::optional<cv::Rect>& region,
-                      const std::vector<ShadowProjection>& shadows) {
+  PendingPicture drawPinhole(const View& view, const std::vector<Pose>& X_WL,
+                             const ColourPass& pass, const std::optional<cv::Rect>& region,
+                             const std::vector<ShadowProjection>& shadows) {
     const bool smooth = pass.sampling == Sampling::kSmooth;
-    return pictures.get(view).paint({view, X_WL, pass.drawn, shadows, pass.exposure}, pass.casting,
-                                    smooth, region);
+    UnfinishedPicture picture = pictures.get(view).paint(
+        {view, X_WL, pass.drawn, shadows, pass.exposure}, pass.casting, smooth, region);
+    return [this, picture = std::move(picture)] { return finished(picture, edge_smoother); };
   }
 
-  cv::Mat drawThroughLens(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass,
-                          const std::vector<ShadowProjection>& shadows) {
+  PendingPicture drawThroughLens(const View& view, const std::vector<Pose>& X_WL,
+                                 const ColourPass& pass,
+                                 const std::vector<ShadowProjection>& shadows) {
     const LensMap& lens = lenses.get(view.camera);
     const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
     const cv::Rect region = pass.region.value_or(image) & image;
-    cv::Mat picture(image.size(), CV_8UC3, light_painter.backgroundPixel(pass.exposure));
-    picture.setTo(cv::Scalar::all(0), lens.face < 0);
+    std::map<std::size_t, PendingPicture> faces;
     const std::vector<View> views = faceViews(lens, view);
     for (std::size_t face = 0; face < views.size(); ++face) {
       const cv::Rect needed = neededOf(lens, face, region);
-      if (needed.empty()) continue;
-      const cv::Mat drawn = drawPinhole(views[face], X_WL, pass, needed, shadows);
-      const bool smooth = pass.sampling == Sampling::kSmooth;
-      (smooth ? resampleSmooth : resampleCentres)(lens, face, drawn, region, picture);
+      if (!needed.empty()) faces[face] = drawPinhole(views[face], X_WL, pass, needed, shadows);
     }
-    return picture;
+    const cv::Scalar background = light_painter.backgroundPixel(pass.exposure);
+    const auto resample = pass.sampling == Sampling::kSmooth ? resampleSmooth : resampleCentres;
+    return [=, &lens, faces = std::move(faces)] {
+      cv::Mat picture(image.size(), CV_8UC3, background);
+      picture.setTo(cv::Scalar::all(0), lens.face < 0);
+      for (const auto& [face, drawn] : faces) resample(lens, face, drawn(), region, picture);
+      return picture;
+    };
   }
 
   RenderOptions options;
@@ -83,6 +90,11 @@ Renderer::Renderer(const world::Description& description,
 Renderer::~Renderer() = default;
 
 cv::Mat Renderer::colour(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass) {
+  return draw(view, X_WL, pass)();
+}
+
+PendingPicture Renderer::draw(const View& view, const std::vector<Pose>& X_WL,
+                              const ColourPass& pass) {
   Impl& impl = *impl_;
   const bool distorted = hasDistortion(view.camera);
   const auto shadows = shadowProjections(

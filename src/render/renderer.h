@@ -11,6 +11,7 @@
 #include "render/label_painter.h"
 #include "render/render_target.h"
 #include "render/silhouette_painter.h"
+#include "render/unfinished_picture.h"
 #include "render/view.h"
 #include "world/world.h"
 
@@ -65,6 +66,11 @@ class Renderer {
   /// @param X_WL  the pose of each link
   [[nodiscard]] cv::Mat colour(const View& view, const std::vector<Pose>& X_WL,
                                const ColourPass& pass);
+
+  /// The same in two steps, of which the second need not wait for the first of other pictures:
+  /// draws now; what is called later, in any thread, makes the picture of it.
+  [[nodiscard]] PendingPicture draw(const View& view, const std::vector<Pose>& X_WL,
+                                    const ColourPass& pass);
 
   /// What each pixel's centre sees: objects have their index + 1 as identifier, all else 0.
   /// World surfaces that one can see through (alpha below 1) do not hide what is behind them.

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/edge_smoother.h"
+
+namespace synthetic_dataset::render {
+
+/// Makes a picture of what OpenGL has drawn; may be called in any thread, while the renderer lives.
+using PendingPicture = std::function<cv::Mat()>;
+
+/// What OpenGL has drawn of a picture.
+struct UnfinishedPicture {
+  cv::Mat elsewhere;              ///< CV_8UC3, of the whole picture: what is not in `regions`
+  std::vector<cv::Rect> regions;  ///< the pixels that were lit
+  SeenPixels seen;                ///< them, and those by them; geometry only where edges are smooth
+  std::optional<EdgeScene> edges;  ///< none where they are not smoothed
+};
+
+/// @return CV_8UC3, blue green red, sRGB-encoded
+[[nodiscard]] cv::Mat finished(const UnfinishedPicture& picture, const EdgeSmoother& smoother);
+
+}  // namespace synthetic_dataset::render
