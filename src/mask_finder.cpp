@@ -1,5 +1,7 @@
 #include "mask_finder.h"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "annotate/mask.h"
@@ -7,13 +9,13 @@
 namespace synthetic_dataset {
 namespace {
 
-constexpr int kNoObject = -1;
-
-/// The world and one object.
-render::LinkSelection worldAnd(int object, const std::vector<world::LinkInstance>& links) {
+/// The links that are no object's, or those of one object.
+render::LinkSelection linksOf(std::optional<int> object,
+                              const std::vector<world::LinkInstance>& links) {
   render::LinkSelection selection;
   for (const world::LinkInstance& link : links) {
-    selection.push_back(link.role != world::Role::kObject || link.object == object);
+    const bool is_objects = link.role == world::Role::kObject;
+    selection.push_back(object ? is_objects && link.object == *object : !is_objects);
   }
   return selection;
 }
@@ -27,9 +29,9 @@ MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
       segmenter_(options),
       clean_(clean),
       nothing_(world.links().size(), false),
-      without_objects_(worldAnd(kNoObject, world.links())) {
+      without_objects_(linksOf(std::nullopt, world.links())) {
   for (std::size_t i = 0; i < object_count; ++i) {
-    one_object_.push_back(worldAnd(static_cast<int>(i), world.links()));
+    object_links_.push_back(linksOf(static_cast<int>(i), world.links()));
   }
 }
 
@@ -43,13 +45,43 @@ std::vector<cv::Mat> MaskFinder::find(const render::View& view,
     all |= boxes.back();
   }
   takeBackground(view, all);
-  std::vector<cv::Mat> masks;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    masks.push_back(cv::Mat::zeros(size, CV_8UC1));
-    if (boxes[i].empty()) continue;
-    segment(draw(view, one_object_[i], boxes[i]), boxes[i]).copyTo(masks.back()(boxes[i]));
+  std::vector<cv::Mat> masks(objects.size());
+  for (cv::Mat& mask : masks) mask = cv::Mat::zeros(size, CV_8UC1);
+  for (const std::vector<std::size_t>& group : apart(view, boxes)) {
+    render::LinkSelection drawn = without_objects_;
+    std::vector<cv::Rect> regions;
+    for (const std::size_t i : group) {
+      std::transform(drawn.begin(), drawn.end(), object_links_[i].begin(), drawn.begin(),
+                     std::logical_or<>());
+      regions.push_back(boxes[i]);
+    }
+    const cv::Mat picture = draw(view, drawn, regions);
+    for (const std::size_t i : group) segment(picture, boxes[i]).copyTo(masks[i](boxes[i]));
   }
   return masks;
+}
+
+/// The objects that have a box, in groups of which none can be seen in the box of another.
+std::vector<std::vector<std::size_t>> MaskFinder::apart(const render::View& view,
+                                                        const std::vector<cv::Rect>& boxes) const {
+  std::vector<cv::Rect> reaches;  // a box may be smaller than what is in it
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    reaches.push_back(renderer_.reach(view, world_.linkPoses(), object_links_[i]));
+    if (boxes[i].empty()) continue;
+    const auto disturbs = [&](std::size_t other) {
+      return !(reaches[i] & boxes[other]).empty() || !(reaches[other] & boxes[i]).empty();
+    };
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return std::none_of(group.begin(), group.end(), disturbs);
+    });
+    if (found == groups.end()) {
+      groups.push_back({i});
+    } else {
+      found->push_back(i);
+    }
+  }
+  return groups;
 }
 
 /// The mask in a box, beside which there is nothing.
@@ -76,16 +108,16 @@ void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region
   const cv::Rect whole(0, 0, view.camera.width(), view.camera.height());
   const cv::Rect drawn = stands_still ? whole : region;
   background_ =
-      Background{view.X_WC, world_.propRevision(), drawn, draw(view, without_objects_, drawn)};
+      Background{view.X_WC, world_.propRevision(), drawn, draw(view, without_objects_, {drawn})};
   segmenter_.train(background_->image);
 }
 
 cv::Mat MaskFinder::draw(const render::View& view, const render::LinkSelection& drawn,
-                         const cv::Rect& region) {
+                         const std::vector<cv::Rect>& regions) {
   // Without shadows, and with pixels sampled at their centres alone, what differs from the
   // background is the object and nothing around it.
   return renderer_.colour(view, world_.linkPoses(),
-                          {drawn, nothing_, render::Sampling::kCentre, region});
+                          {drawn, nothing_, render::Sampling::kCentre, regions});
 }
 
 }  // namespace synthetic_dataset

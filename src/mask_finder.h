@@ -12,7 +12,8 @@
 namespace synthetic_dataset {
 
 /// Finds one camera's masks as the paper does: an object is what differs between a picture of the
-/// world with this object alone and one without objects.
+/// world with this object alone and one without objects. Objects that are apart in the image share
+/// a picture: round each of them it is as if it was alone.
 class MaskFinder {
  public:
   /// All references have to outlive the finder.
@@ -35,8 +36,10 @@ class MaskFinder {
 
   [[nodiscard]] cv::Mat segment(const cv::Mat& alone, const cv::Rect& box);
   void takeBackground(const render::View& view, const cv::Rect& region);
+  [[nodiscard]] std::vector<std::vector<std::size_t>> apart(
+      const render::View& view, const std::vector<cv::Rect>& boxes) const;
   [[nodiscard]] cv::Mat draw(const render::View& view, const render::LinkSelection& drawn,
-                             const cv::Rect& region);
+                             const std::vector<cv::Rect>& regions);
 
   const world::World& world_;
   render::Renderer& renderer_;
@@ -45,7 +48,7 @@ class MaskFinder {
   std::optional<Background> background_;
   render::LinkSelection nothing_;
   render::LinkSelection without_objects_;
-  std::vector<render::LinkSelection> one_object_;  ///< the world and this object alone
+  std::vector<render::LinkSelection> object_links_;  ///< by object
 };
 
 }  // namespace synthetic_dataset

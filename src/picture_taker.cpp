@@ -39,19 +39,19 @@ void PictureTaker::expose(Stamp instant, Duration offset) {
     for (const Shot& shot : sensor.shots) {
       if (shot.offset != offset) continue;
       if (!sensor.light) {
-        sensor.picture = draw(camera, instant, offset, std::nullopt);
+        sensor.picture = draw(camera, instant, offset, {});
         continue;
       }
       const cv::Rect rows(0, shot.first_row, camera.model.width(), shot.row_count);
-      sensor.light->add(draw(camera, instant, offset, rows)()(rows), rows, shot.weight);
+      sensor.light->add(draw(camera, instant, offset, {rows})()(rows), rows, shot.weight);
     }
   }
 }
 
 render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset,
-                                          const std::optional<cv::Rect>& region) {
+                                          std::vector<cv::Rect> regions) {
   render::ColourPass pass{everything_, everything_};
-  pass.region = region;
+  pass.regions = std::move(regions);
   pass.exposure = static_cast<float>(sensor::gainOf(camera.effects));
   const Pose X_GC = cameraPose(camera, world_, recording_, global_frame_, instant, offset);
   return renderer_.draw({camera.model, X_GC}, world_.linkPoses(), pass);

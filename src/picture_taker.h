@@ -46,7 +46,7 @@ class PictureTaker {
   };
 
   [[nodiscard]] render::PendingPicture draw(const CameraRig& camera, Stamp instant, Duration offset,
-                                            const std::optional<cv::Rect>& region);
+                                            std::vector<cv::Rect> regions);
 
   const world::World& world_;
   render::Renderer& renderer_;

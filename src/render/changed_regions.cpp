@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 
@@ -140,11 +139,11 @@ cv::Mat noPixels(const View& view) {
 
 }  // namespace
 
-std::vector<cv::Rect> movingRegions(const std::vector<Part>& parts, const View& view,
-                                    const std::vector<Pose>& X_WL, const LinkSelection& drawn) {
+std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,
+                                const std::vector<Pose>& X_WL,
+                                const std::function<bool(const Part&)>& is_chosen) {
   std::vector<cv::Rect> regions;
-  const auto moves = [&](const Part& part) { return drawn[part.link] && !part.stands_still; };
-  for (const Bounds& group : boundsOfGroups(parts, X_WL, moves)) {
+  for (const Bounds& group : boundsOfGroups(parts, X_WL, is_chosen)) {
     const cv::Rect pixels = pixelsOf(cornersOf(group), view);
     if (!pixels.empty()) regions.push_back(pixels);
   }

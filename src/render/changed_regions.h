@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -11,10 +12,10 @@
 
 namespace synthetic_dataset::render {
 
-/// Where what moves may be seen: rectangles of pixels, which may overlap, some larger than need be.
-[[nodiscard]] std::vector<cv::Rect> movingRegions(const std::vector<Part>& parts, const View& view,
-                                                  const std::vector<Pose>& X_WL,
-                                                  const LinkSelection& drawn);
+/// Where some parts may be seen: rectangles of pixels, which may overlap, some larger than need be.
+[[nodiscard]] std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,
+                                              const std::vector<Pose>& X_WL,
+                                              const std::function<bool(const Part&)>& is_chosen);
 
 /// Where a picture of what never moves may differ from one with all else, from bounds alone.
 ///

@@ -48,46 +48,53 @@ bool PicturePainter::drewFrom(const View& view) const {
 }
 
 UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSelection& casting,
-                                        bool smooth, const std::optional<cv::Rect>& region) {
-  const cv::Rect wanted = region.value_or(image_) & image_;
-  if (wanted.empty()) return {plainPicture(scene.exposure), {}, {}, std::nullopt};
+                                        bool smooth, const std::vector<cv::Rect>& regions) {
+  const cv::Mat wanted = wantedPixels(regions);
+  if (cv::boundingRect(wanted).empty()) return {plainPicture(scene.exposure), {}, {}, std::nullopt};
   drawGeometry(scene.view, scene.X_WL, scene.drawn);
   const KeptPicture* kept = keptPicture(scene, casting, smooth);
-  cv::Mat pixels = cv::Mat::zeros(image_.size(), CV_8UC1);
-  pixels(wanted).setTo(255);
   if (kept == nullptr) {
     crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
-    UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, pixels);
+    UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, wanted);
     picture.elsewhere = plainPicture(scene.exposure);
     return picture;
   }
   drawGeometry(scene.view, scene.X_WL, scene.drawn);
-  pixels &= changedPixels(scene, casting, kept->edges, wanted);
-  UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, pixels);
+  const cv::Mat changed = changedPixels(scene, casting, kept->edges, wanted);
+  UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, changed);
   picture.elsewhere = kept->pixels;
-  if (wanted != image_) {
+  if (!regions.empty()) {
     picture.elsewhere = plainPicture(scene.exposure);
-    kept->pixels(wanted).copyTo(picture.elsewhere(wanted));
+    kept->pixels.copyTo(picture.elsewhere, wanted);
   }
   return picture;
 }
 
+/// CV_8UC1: 255 for those of the regions, of which none means all.
+cv::Mat PicturePainter::wantedPixels(const std::vector<cv::Rect>& regions) const {
+  if (regions.empty()) return {image_.size(), CV_8UC1, cv::Scalar(255)};
+  cv::Mat wanted = cv::Mat::zeros(image_.size(), CV_8UC1);
+  for (const cv::Rect& region : regions) wanted(region & image_).setTo(255);
+  return wanted;
+}
+
 /// Draws the shadow maps, and finds which pixels differ from those of the kept picture.
 /// @param edges  of the kept picture
+/// @param wanted  the pixels that are asked for
 cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelection& casting,
-                                      const cv::Mat& edges, const cv::Rect& wanted) {
+                                      const cv::Mat& edges, const cv::Mat& wanted) {
   const ChangedRegions regions = changedRegions(crew_.parts.parts(), scene.view, scene.X_WL,
                                                 scene.drawn, casting, crew_.lights, scene.shadows);
-  const cv::Mat all = regions.all();
-  const cv::Rect place = (cv::boundingRect(all(wanted)) + wanted.tl()) & wanted;
-  if (place.empty()) return cv::Mat::zeros(image_.size(), CV_8UC1);
+  const cv::Mat possible = regions.all() & wanted;
+  const cv::Rect place = cv::boundingRect(possible);
+  if (place.empty()) return possible;
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
   std::vector<ChangedTexels> texels;
   for (const ShadowProjection& shadow : scene.shadows) {
     texels.push_back(crew_.shadow_painter.changedTexels(shadow, scene.X_WL, casting));
   }
   const ChangedPixels changed(crew_.parts, scene.view);
-  return changed.find(regions, {geometry_.read(place, false), place}, texels, edges);
+  return changed.find(regions, {geometry_.read(place, false), place}, texels, edges) & wanted;
 }
 
 GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose>& X_WL,
@@ -134,7 +141,8 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
   }
   geometry_.bind();
   crew_.geometry_painter.paint(view, X_WL, drawn, false);
-  covered_ = movingRegions(crew_.parts.parts(), view, X_WL, drawn);
+  covered_ = regionsOf(crew_.parts.parts(), view, X_WL,
+                       [&](const Part& part) { return drawn[part.link] && !part.stands_still; });
   content_ = std::move(content);
 }
 

@@ -45,9 +45,10 @@ class PicturePainter {
 
   /// @param casting  the links that cast shadows
   /// @param smooth  edges by several samples a pixel, not the centre's alone
-  /// @param region  the pixels that are asked for; all others have the background's colour
+  /// @param regions  the pixels that are asked for; all others have the background's colour; empty
+  ///                 for the whole picture
   [[nodiscard]] UnfinishedPicture paint(const ColourScene& scene, const LinkSelection& casting,
-                                        bool smooth, const std::optional<cv::Rect>& region);
+                                        bool smooth, const std::vector<cv::Rect>& regions);
 
   /// What the pixels' centres see: what a picture and labels of the same things have in common.
   [[nodiscard]] GeometryImages geometry(const View& view, const std::vector<Pose>& X_WL,
@@ -95,7 +96,8 @@ class PicturePainter {
   [[nodiscard]] const KeptPicture* keptPicture(const ColourScene& scene,
                                                const LinkSelection& casting, bool smooth);
   [[nodiscard]] cv::Mat changedPixels(const ColourScene& scene, const LinkSelection& casting,
-                                      const cv::Mat& edges, const cv::Rect& wanted);
+                                      const cv::Mat& edges, const cv::Mat& wanted);
+  [[nodiscard]] cv::Mat wantedPixels(const std::vector<cv::Rect>& regions) const;
   [[nodiscard]] UnfinishedPicture light(const ColourScene& scene, const LinkSelection& seen,
                                         bool see_through, bool smooth, const cv::Mat& pixels);
   [[nodiscard]] cv::Mat plainPicture(float exposure) const;

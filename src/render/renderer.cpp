@@ -4,14 +4,26 @@
 #include <utility>
 #include <vector>
 
+#include "render/changed_regions.h"
 #include "render/lens_library.h"
 #include "render/lens_resampling.h"
 #include "render/light_painter.h"
 #include "render/light_setup.h"
 #include "render/osmesa_context.h"
 #include "render/picture_cache.h"
+#include "render/pixel_bands.h"
 
 namespace synthetic_dataset::render {
+namespace {
+
+/// What is drawn where some regions are asked for.
+std::vector<cv::Rect> within(const cv::Rect& image, std::vector<cv::Rect> regions) {
+  if (regions.empty()) return {image};
+  for (cv::Rect& region : regions) region &= image;
+  return regions;
+}
+
+}  // namespace
 
 struct Renderer::Impl {
   Impl(const world::Description& description, const std::vector<world::LinkInstance>& links,
@@ -37,11 +49,11 @@ struct Renderer::Impl {
   }
 
   PendingPicture drawPinhole(const View& view, const std::vector<Pose>& X_WL,
-                             const ColourPass& pass, const std::optional<cv::Rect>& region,
+                             const ColourPass& pass, const std::vector<cv::Rect>& regions,
                              const std::vector<ShadowProjection>& shadows) {
     const bool smooth = pass.sampling == Sampling::kSmooth;
     UnfinishedPicture picture = pictures.get(view).paint(
-        {view, X_WL, pass.drawn, shadows, pass.exposure}, pass.casting, smooth, region);
+        {view, X_WL, pass.drawn, shadows, pass.exposure}, pass.casting, smooth, regions);
     return [this, picture = std::move(picture)] { return finished(picture, edge_smoother); };
   }
 
@@ -50,19 +62,24 @@ struct Renderer::Impl {
                                  const std::vector<ShadowProjection>& shadows) {
     const LensMap& lens = lenses.get(view.camera);
     const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
-    const cv::Rect region = pass.region.value_or(image) & image;
+    const std::vector<cv::Rect> regions = within(image, pass.regions);
     std::map<std::size_t, PendingPicture> faces;
     const std::vector<View> views = faceViews(lens, view);
     for (std::size_t face = 0; face < views.size(); ++face) {
-      const cv::Rect needed = neededOf(lens, face, region);
-      if (!needed.empty()) faces[face] = drawPinhole(views[face], X_WL, pass, needed, shadows);
+      std::vector<cv::Rect> needed;
+      for (const cv::Rect& region : regions) needed.push_back(neededOf(lens, face, region));
+      if (boundsOf(needed).empty()) continue;
+      faces[face] = drawPinhole(views[face], X_WL, pass, needed, shadows);
     }
     const cv::Scalar background = light_painter.backgroundPixel(pass.exposure);
     const auto resample = pass.sampling == Sampling::kSmooth ? resampleSmooth : resampleCentres;
     return [=, &lens, faces = std::move(faces)] {
       cv::Mat picture(image.size(), CV_8UC3, background);
       picture.setTo(cv::Scalar::all(0), lens.face < 0);
-      for (const auto& [face, drawn] : faces) resample(lens, face, drawn(), region, picture);
+      for (const auto& [face, draw] : faces) {
+        const cv::Mat drawn = draw();
+        for (const cv::Rect& region : regions) resample(lens, face, drawn, region, picture);
+      }
       return picture;
     };
   }
@@ -103,7 +120,7 @@ PendingPicture Renderer::draw(const View& view, const std::vector<Pose>& X_WL,
       impl.draw_list.casterBounds(X_WL, pass.casting), impl.options.shadow_distance,
       impl.options.shadow_map_size);
   return distorted ? impl.drawThroughLens(view, X_WL, pass, shadows)
-                   : impl.drawPinhole(view, X_WL, pass, pass.region, shadows);
+                   : impl.drawPinhole(view, X_WL, pass, pass.regions, shadows);
 }
 
 LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,
@@ -119,6 +136,12 @@ LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,
 Silhouette Renderer::silhouette(const View& view, const std::vector<Pose>& X_WL,
                                 const LinkSelection& links) {
   return impl_->silhouette_painter.paint(view, X_WL, links);
+}
+
+cv::Rect Renderer::reach(const View& view, const std::vector<Pose>& X_WL,
+                         const LinkSelection& links) const {
+  return boundsOf(regionsOf(impl_->draw_list.parts(), view, X_WL,
+                            [&](const Part& part) { return links[part.link]; }));
 }
 
 std::string Renderer::glVersion() const { return impl_->context.version(); }

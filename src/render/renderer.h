@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +34,8 @@ struct ColourPass {
   LinkSelection casting;  ///< the links that cast shadows
   Sampling sampling = Sampling::kSmooth;
 
-  /// The pixels that are drawn; all others have the background's colour. None: the whole image.
-  std::optional<cv::Rect> region = std::nullopt;
+  /// The pixels that are drawn; all others have the background's colour. Empty: the whole image.
+  std::vector<cv::Rect> regions = {};
 
   float exposure = 1.0F;  ///< multiplies all light, before bright light is compressed
 };
@@ -81,6 +80,10 @@ class Renderer {
   /// In the image, its pixels are those that labels() has for these links alone.
   [[nodiscard]] Silhouette silhouette(const View& view, const std::vector<Pose>& X_WL,
                                       const LinkSelection& links);
+
+  /// Pixels on which the selected links may be seen: a few more, and none beside them.
+  [[nodiscard]] cv::Rect reach(const View& view, const std::vector<Pose>& X_WL,
+                               const LinkSelection& links) const;
 
   /// Of the OpenGL that draws: "4.5 (Core Profile) Mesa 22.3.6".
   [[nodiscard]] std::string glVersion() const;

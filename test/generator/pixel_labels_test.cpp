@@ -162,6 +162,26 @@ TEST_F(PixelLabels, SubtractionIsLayeredLikeTheExactMasks) {
   for (const auto& agreement : made_->findings.mask_agreement) EXPECT_GT(agreement, 0.9);
 }
 
+TEST_F(PixelLabels, SubtractionFindsEachObjectAsIfItWasAlone) {
+  const Pose away = test::poseAt(0, 50, 0);
+  const Pose X_GA = test::poseAt(0, kAxis + 0.3, 0.5);
+  Requirements masks;
+  masks.silhouettes = true;
+  const auto silhouettesOf = [&](const Pose& X_GB, const Pose& X_GA_here) {
+    place(X_GA_here, X_GB, {{"masks", methodOf("mog2")}});
+    const Scene scene = sceneWith(masks);
+    return std::vector<cv::Mat>{scene.objects[0].silhouette.clone(),
+                                scene.objects[1].silhouette.clone()};
+  };
+  for (const double y : {-0.6, 0.1, 0.3}) {  // apart, overlapping, hidden
+    const Pose X_GB = test::poseAt(1, kAxis + y, 0.5);
+    const std::vector<cv::Mat> together = silhouettesOf(X_GB, X_GA);
+    EXPECT_GT(cv::countNonZero(together[1]), 100);
+    EXPECT_EQ(cv::norm(together[0], silhouettesOf(away, X_GA)[0], cv::NORM_INF), 0.0) << y;
+    EXPECT_EQ(cv::norm(together[1], silhouettesOf(X_GB, away)[1], cv::NORM_INF), 0.0) << y;
+  }
+}
+
 TEST_F(PixelLabels, ThresholdsDropWhatIsHardlyVisible) {
   place(test::poseAt(0, kAxis, 0.1), test::poseAt(1.0, kAxis - 0.27, 0),
         {{"labels", Value(Value::Map{{"min_visibility", Value(0.75)}})}});

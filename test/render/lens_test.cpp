@@ -227,9 +227,12 @@ TEST_P(LensRendering, RegionsHaveThePixelsOfTheWholePicture) {
   const View view{GetParam().camera, Pose::Identity()};
   ColourPass pass{stage.all(), stage.all()};
   const cv::Mat whole = renderer.colour(view, stage.poses(), pass);
-  pass.region = cv::Rect(100, 60, 300, 200);
+  const cv::Rect region(100, 60, 300, 200);
+  const cv::Rect other(500, 30, 40, 400);
+  pass.regions = {region, other};
   const cv::Mat part = renderer.colour(view, stage.poses(), pass);
-  EXPECT_EQ(cv::norm(whole(*pass.region), part(*pass.region), cv::NORM_INF), 0.0);
+  EXPECT_EQ(cv::norm(whole(region), part(region), cv::NORM_INF), 0.0);
+  EXPECT_EQ(cv::norm(whole(other), part(other), cv::NORM_INF), 0.0);
   EXPECT_EQ(part.at<cv::Vec3b>(400, 320), cv::Vec3b(0, 0, 0)) << "the background's colour";
 }
 

@@ -23,7 +23,7 @@ world::Material coloured(float red, float green, float blue, float alpha = 1.0F)
 }
 
 /// A yard under a sunny sky with a lamp: walls, a pane of glass before a part of them, and two
-/// balls and a cup of glass that move.
+/// balls, a cup of glass and a rod that move; the rod is thinner than a pixel.
 class KeptPictures : public testing::Test {
  protected:
   static constexpr std::size_t kBall = 4;
@@ -49,6 +49,7 @@ class KeptPictures : public testing::Test {
     stage.addMesh(world::sphereMesh(0.3), at(0, 0, 0.3), 0, coloured(0.9F, 0.2F, 0.2F));
     stage.addMesh(world::sphereMesh(0.2), at(0, -1, 0.2), 1, coloured(0.2F, 0.2F, 0.9F));
     stage.addBox({0.3, 0.3, 0.3}, at(-1, 0, 0.15), 2, coloured(0.9F, 0.9F, 0.9F, 0.5F));
+    stage.addBox({0.003, 0.003, 1.8}, at(1.5, 0.5, 0.9), 3, coloured(0.1F, 0.1F, 0.1F));
     Eigen::Matrix3d R_WC;  // along +x, a little downwards
     R_WC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
     view.X_WC = makePose(
@@ -61,16 +62,17 @@ class KeptPictures : public testing::Test {
     stage.poses()[kBall] = at(0.5 * std::sin(3 * t), std::cos(2 * t), 0.3 + 0.2 * t);
     stage.poses()[kBall + 1] = time == 3 ? at(-20, 0, 0.2) : at(1.2, t - 1, 0.2);
     stage.poses()[kBall + 2] = at(-1, t - 0.5, 0.15);
+    stage.poses()[kBall + 3] = at(1.5, 0.5 - 1.3 * t, 0.9);
   }
 
   [[nodiscard]] cv::Mat draw(Renderer& renderer) const {
     return renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
   }
 
-  void expectAsDrawnAnew(const std::vector<cv::Mat>& pictures) {
+  void expectAsDrawnAnew(const std::vector<cv::Mat>& pictures, const RenderOptions& options = {}) {
     for (std::size_t time = 0; time < pictures.size(); ++time) {
       move(static_cast<int>(time));
-      Renderer renderer(description, stage.links(), {});
+      Renderer renderer(description, stage.links(), options);
       EXPECT_EQ(cv::norm(pictures[time], draw(renderer), cv::NORM_INF), 0.0) << "time " << time;
     }
   }
@@ -93,12 +95,27 @@ TEST_F(KeptPictures, AreThoseThatAreDrawnAnew) {
   expectAsDrawnAnew(pictures);
 }
 
+TEST_F(KeptPictures, HaveTheBlurredRimsOfShadowsToo) {
+  RenderOptions coarse;
+  coarse.shadow_map_size = 128;
+  coarse.samples = 1;
+  std::vector<cv::Mat> pictures;
+  {
+    Renderer renderer(description, stage.links(), coarse);
+    for (int time = 0; time < 5; ++time) {
+      move(time);
+      pictures.push_back(draw(renderer));
+    }
+  }
+  expectAsDrawnAnew(pictures, coarse);
+}
+
 TEST_F(KeptPictures, OfNoPixelsAreBackground) {
   Renderer renderer(description, stage.links(), {});
   for (int time = 0; time < 3; ++time) {
     move(time);
     const cv::Mat picture = renderer.colour(
-        view, stage.poses(), {stage.all(), stage.all(), Sampling::kCentre, cv::Rect()});
+        view, stage.poses(), {stage.all(), stage.all(), Sampling::kCentre, {cv::Rect()}});
     ASSERT_EQ(picture.size(), cv::Size(320, 240));
     const cv::Mat plain(picture.size(), CV_8UC3, picture.at<cv::Vec3b>(0, 0));
     EXPECT_EQ(cv::norm(picture, plain, cv::NORM_INF), 0.0);
@@ -137,7 +154,7 @@ TEST_F(KeptPictures, AreNotMixedUpWithOthers) {
       LinkSelection fewer = stage.all();
       fewer[0] = false;
       fewer[kBall] = false;
-      (void)renderer.colour(view, stage.poses(), {fewer, fewer, Sampling::kSmooth, region});
+      (void)renderer.colour(view, stage.poses(), {fewer, fewer, Sampling::kSmooth, {region}});
       (void)renderer.colour(view, stage.poses(), {stage.all(), fewer, Sampling::kCentre});
       (void)renderer.labels(view, stage.poses(), {stage.all()});
       pictures.push_back(draw(renderer));

@@ -179,7 +179,7 @@ TEST(Sky, StaysOutOfPixelsThatAreNotDrawn) {
   description.background.setZero();
   const Stage stage;
   Renderer renderer(description, stage.links(), {});
-  const ColourPass pass{{}, {}, Sampling::kCentre, cv::Rect(10, 10, 20, 20)};
+  const ColourPass pass{{}, {}, Sampling::kCentre, {cv::Rect(10, 10, 20, 20)}};
   const cv::Mat image = renderer.colour({kSmallCamera, lookingAlong({1, 0, 1})}, {}, pass);
   EXPECT_GT(green(image, 20, 20), 0);
   EXPECT_EQ(green(image, 40, 20), 0);
