@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Measures how fast scenes are made, beside MuJoCo, PyBullet and pyrender on the same scene:
+# Measures how fast scenes are made, beside MuJoCo, PyBullet, pyrender and a bare OpenGL program on
+# the same scene, and what a dataset costs besides:
 #   ./scripts/benchmark.sh [RESULTS [ARGUMENTS...]]
-# RESULTS (./benchmark_results by default) gets table.md, results.json and plot.png; ARGUMENTS are
-# those of benchmark/speed/run.py. What it is compared with is installed once, from PyPI, into a
+# RESULTS (./benchmark_results by default) gets table.md, results.json, plot.png, costs.md and
+# costs.json; ARGUMENTS are those of benchmark/speed/run.py. What it is compared with is installed once, from PyPI, into a
 # virtual environment below ~/.cache. All of it takes about half an hour on two cores.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -20,9 +21,10 @@ if ! cmp -s "$requirements" "$environment/complete"; then
   cp "$requirements" "$environment/complete"
 fi
 
-build_workspace --target generate synthetic_dataset_writers
+build_workspace --target generate synthetic_dataset_writers benchmark_floor
 use_workspace
 results=${1:-benchmark_results}
 shift || true
-"$environment/bin/python" "$repository/benchmark/speed/run.py" \
-  "$workspace/devel/lib/synthetic_dataset/generate" "$results" "$@"
+programs=$workspace/devel/lib/synthetic_dataset
+"$environment/bin/python" "$repository/benchmark/speed/run.py" "$programs" "$results" "$@"
+"$environment/bin/python" "$repository/benchmark/speed/costs.py" "$programs/generate" "$results"

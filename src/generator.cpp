@@ -21,7 +21,7 @@ namespace synthetic_dataset {
 namespace {
 
 render::RenderOptions renderOptions(const config::RenderingConfig& config) {
-  return {config.samples, config.shadow_map_size, config.shadow_distance};
+  return {config.samples, config.shadow_map_size, config.shadow_distance, config.reuse};
 }
 
 PixelLabelOptions labelOptions(const config::Config& config) {

@@ -1,8 +1,8 @@
 """How fast scenes are made, beside what one would use instead, on the same scene in the same run.
 
-  run.py PROGRAM RESULTS [--objects 1 4 16 64] [--scenes 40] [--rounds 3]
+  run.py PROGRAMS RESULTS [--objects 1 4 16 64] [--scenes 40] [--rounds 3]
 
-PROGRAM is `generate`. Rounds go in turns, so that what else the machine does falls on all alike; the
+PROGRAMS is the folder with `generate` and `benchmark_floor`. Rounds go in turns, so that what else the machine does falls on all alike; the
 best of each is taken. RESULTS gets results.json, table.md and, with matplotlib, plot.png.
 """
 
@@ -18,6 +18,7 @@ import room
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 RIVALS = ["mujoco", "pybullet", "pyrender"]
+FLOOR = "floor"  # a bare OpenGL program
 OURS = {"image": (ours.IMAGE, False), "image, masks, depth": (ours.EXACT, False),
         "image, MOG2 masks": (ours.SUBTRACTED, True)}
 
@@ -28,7 +29,13 @@ def rival_seconds(name, folder, scenes):
     return json.loads(done.stdout.strip().splitlines()[-1])["seconds"] / scenes
 
 
-def measure(program, folder, objects, size, arguments):
+def floor_seconds(programs, folder, scenes):
+    done = subprocess.run([f"{programs}/benchmark_floor", folder, str(scenes)], capture_output=True,
+                          text=True, check=True)
+    return json.loads(done.stdout)["seconds"] / scenes
+
+
+def measure(programs, folder, objects, size, arguments):
     """The best seconds a scene by what is made; of our own, of a long run what a short one does not
     take, which is without the start."""
     few, many = 5, arguments.scenes + 5
@@ -42,7 +49,9 @@ def measure(program, folder, objects, size, arguments):
     for _ in range(arguments.rounds):
         for name, (writers, mog2) in OURS.items():
             for count in (few, many):
-                keep((name, count), ours.seconds_of(program, scene, folder, writers, count, mog2=mog2))
+                keep((name, count), ours.seconds_of(f"{programs}/generate", scene, folder, writers, count,
+                                                    mog2=mog2))
+        keep((FLOOR, None), floor_seconds(programs, folder, arguments.scenes))
         for name in RIVALS if size == (640, 480) else []:
             keep((name, None), rival_seconds(name, folder, max(arguments.scenes // 4, 5)))
     result = {name: (best[name, many] - best[name, few]) / (many - few) for name in OURS}
@@ -51,12 +60,13 @@ def measure(program, folder, objects, size, arguments):
 
 
 def table(results):
-    lines = ["| objects | size | what | ms a scene | scenes/s | times the speed of MuJoCo | PyBullet | pyrender |",
-             "| --- | --- | --- | --- | --- | --- | --- | --- |"]
+    lines = ["| objects | size | what | ms a scene | scenes/s | times the speed of MuJoCo | PyBullet | pyrender "
+             "| the floor |",
+             "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
     for result in results:
         best = result["seconds"]
         for name, seconds in best.items():
-            ratios = [f"{best[rival] / seconds:.2f}" if rival in best else "" for rival in RIVALS]
+            ratios = [f"{best[rival] / seconds:.2f}" if rival in best else "" for rival in [*RIVALS, FLOOR]]
             lines.append(f"| {result['objects']} | {result['width']}x{result['height']} | {name} | "
                          f"{1000 * seconds:.1f} | {1 / seconds:.1f} | {' | '.join(ratios)} |")
     return "\n".join(lines) + "\n"
@@ -69,7 +79,7 @@ def plot(results, file):
 
     figure, axes = pyplot.subplots(figsize=(7, 4.5))
     small = [result for result in results if result["width"] == 640]
-    for name in [*OURS, *RIVALS]:
+    for name in [*OURS, FLOOR, *RIVALS]:
         axes.loglog([result["objects"] for result in small],
                     [1 / result["seconds"][name] for result in small],
                     marker="o", linestyle="-" if name in OURS else "--", label=name)
@@ -81,7 +91,7 @@ def plot(results, file):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("program")
+    parser.add_argument("programs")
     parser.add_argument("results")
     parser.add_argument("--objects", type=int, nargs="+", default=[1, 4, 16, 64])
     parser.add_argument("--scenes", type=int, default=40)
@@ -92,7 +102,7 @@ def main():
     for size in ((640, 480), (1280, 720)):
         for objects in arguments.objects:
             with tempfile.TemporaryDirectory() as folder:
-                best = measure(arguments.program, folder, objects, size, arguments)
+                best = measure(arguments.programs, folder, objects, size, arguments)
             results.append({"objects": objects, "width": size[0], "height": size[1], "seconds": best})
             print(table(results[-1:]), flush=True)
             with open(f"{arguments.results}/results.json", "w") as out:

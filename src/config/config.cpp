@@ -91,6 +91,7 @@ RenderingConfig readRendering(const Parameters& root) {
   rendering.shadow_map_size =
       numberBetween(group, "shadow_map_size", rendering.shadow_map_size, 64, 8192);
   rendering.shadow_distance = numberAbove(group, "shadow_distance", rendering.shadow_distance, 0.0);
+  rendering.reuse = group.optional("reuse", rendering.reuse);
   return rendering;
 }
 

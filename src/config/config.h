@@ -106,6 +106,7 @@ struct RenderingConfig {
   int samples = 4;
   int shadow_map_size = 2048;
   double shadow_distance = 50.0;  ///< [m]
+  bool reuse = true;
 };
 
 /// What becomes of a dataset that is already there.

@@ -126,7 +126,7 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
   Content content{drawn, {}};
   for (const Pose& pose : X_WL) content.X_WL.push_back(pose.matrix());
   GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), standing(drawn)};
-  const bool came_before = geometry_key_ == key;
+  const bool came_before = crew_.keeps && geometry_key_ == key;
   if (came_before && content_ && *content_ == content) return;
   if (came_before) {
     drawStandingGeometry(view, X_WL, drawn);
@@ -169,6 +169,7 @@ void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Po
 const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene& scene,
                                                                const LinkSelection& casting,
                                                                bool smooth) {
+  if (!crew_.keeps) return nullptr;
   KeptPicture& kept = kept_pictures_.at(smooth ? 1 : 0);
   LightKey key = lightKey(scene, casting);
   if (!(kept.key == key)) {

@@ -27,6 +27,7 @@ struct PictureCrew {
   LightPainter& light_painter;
   EdgeSmoother& edge_smoother;
   bool smooths;  ///< whether smooth pictures are, or are like others
+  bool keeps;    ///< whether anything is kept from picture to picture
 };
 
 /// Draws pictures of one size.

@@ -39,7 +39,7 @@ struct Renderer::Impl {
         label_painter(gl, draw_list, lenses),
         silhouette_painter(gl, draw_list, lenses),
         pictures({gl, draw_list, lights, geometry_painter, shadow_painter, light_painter,
-                  edge_smoother, options.samples > 1}) {
+                  edge_smoother, options.samples > 1, options.reuse}) {
     gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl.FrontFace(GL_CW);  // the image is drawn with its first row at the bottom
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -126,8 +126,8 @@ PendingPicture Renderer::draw(const View& view, const std::vector<Pose>& X_WL,
 LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,
                              const LabelPass& pass) {
   Impl& impl = *impl_;
-  const bool needs_own_pass =
-      hasDistortion(view.camera) || pass.normals || impl.draw_list.hasGlassInLabels(pass.drawn);
+  const bool needs_own_pass = !impl.options.reuse || hasDistortion(view.camera) || pass.normals ||
+                              impl.draw_list.hasGlassInLabels(pass.drawn);
   if (needs_own_pass) return impl.label_painter.paint(view, X_WL, pass);
   const GeometryImages images = impl.pictures.get(view).geometry(view, X_WL, pass.drawn);
   return labelsOf(images, impl.draw_list, view.camera.intrinsics(), pass);

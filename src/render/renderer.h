@@ -20,6 +20,7 @@ struct RenderOptions {
   int samples = 4;                ///< of pixels by an edge, 1 or 4
   int shadow_map_size = 2048;     ///< [texel]
   double shadow_distance = 50.0;  ///< [m] from the camera; sunlight casts shadows up to it
+  bool reuse = true;  ///< keeps what has not changed from picture to picture: faster, nothing else
 };
 
 /// Where a colour pass looks at each pixel.
