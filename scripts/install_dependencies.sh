@@ -12,7 +12,7 @@ packages=(
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-video-dev
   libopencv-calib3d-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev
   libsdformat-dev libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev
-  libconsole-bridge-dev libtinyxml2-dev libdeflate-dev zlib1g-dev libssl-dev nlohmann-json3-dev
+  libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libssl-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev
 )
 packages+=("$@")

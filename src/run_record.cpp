@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <libdeflate.h>
-#include <zlib.h>
 
 #include "config/settings_text.h"
 #include "output/digest.h"
@@ -46,8 +45,7 @@ std::map<std::string, std::string> softwareVersions() {
           {"bullet", BULLET_VERSION},
           {"opencv", OPENCV_VERSION},
           {"libdeflate", LIBDEFLATE_VERSION_STRING},
-          {"sdformat", SDFORMAT_VERSION},
-          {"zlib", zlibVersion()}};
+          {"sdformat", SDFORMAT_VERSION}};
 }
 
 std::map<std::string, output::RunDescription::Input> describeInputs(

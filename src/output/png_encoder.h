@@ -17,7 +17,7 @@ namespace synthetic_dataset::output {
 /// A PNG (ISO/IEC 15948), the same bytes for the same pixels. Two to three times as fast as libpng
 /// at the same size: deflated by libdeflate, and each row is filtered in the way, of three that
 /// processors do many bytes at a time, that leaves the smallest numbers. Masks (pixels of 0 and 255
-/// alone) are not filtered, and deflated by zlib as runs, whatever `compression` is.
+/// alone) are not filtered, and deflated as runs, whatever `compression` is.
 /// @param image  CV_8UC1, CV_16UC1 or CV_8UC3 (blue, green, red)
 /// @param palette  the colours (blue, green, red) of an image of places in it; else empty
 /// @param compression  0 and 1 fastest .. 9 smallest
