@@ -186,9 +186,10 @@ class Floor {
 };
 
 void write(const std::string& file, const std::vector<uchar>& bytes) {
-  std::ofstream(file, std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file);
 }
 
 double secondsOf(const std::string& folder, std::size_t scenes) {

@@ -3,8 +3,9 @@
 # the same scene, and what a dataset costs besides:
 #   ./scripts/benchmark.sh [RESULTS [ARGUMENTS...]]
 # RESULTS (./benchmark_results by default) gets table.md, results.json, plot.png, costs.md and
-# costs.json; ARGUMENTS are those of benchmark/speed/run.py. What it is compared with is installed once, from PyPI, into a
-# virtual environment below ~/.cache. All of it takes about half an hour on two cores.
+# costs.json; ARGUMENTS are those of benchmark/speed/run.py. What it is compared with is installed
+# once, from PyPI, into a virtual environment below ~/.cache. All of it takes about three quarters of
+# an hour on two cores.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh

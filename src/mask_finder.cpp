@@ -67,8 +67,9 @@ std::vector<std::vector<std::size_t>> MaskFinder::apart(const render::View& view
   std::vector<cv::Rect> reaches;  // a box may be smaller than what is in it
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    reaches.push_back(renderer_.reach(view, world_.linkPoses(), object_links_[i]));
+    reaches.emplace_back();
     if (boxes[i].empty()) continue;
+    reaches[i] = renderer_.reach(view, world_.linkPoses(), object_links_[i]);
     const auto disturbs = [&](std::size_t other) {
       return !(reaches[i] & boxes[other]).empty() || !(reaches[other] & boxes[i]).empty();
     };

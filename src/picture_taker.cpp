@@ -63,7 +63,7 @@ render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t sc
     sensor.picture = [seen = sensor.light->result()] { return seen; };
     sensor.light->clear();
   }
-  return [picture = std::exchange(sensor.picture, {}), &effects = cameras_[camera].effects,
+  return [picture = std::exchange(sensor.picture, {}), effects = cameras_[camera].effects,
           seed = randomSeed(seed_, scene_index, "sensor noise")] {
     return sensor::applyEffects(picture(), effects, seed);
   };

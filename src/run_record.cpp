@@ -24,7 +24,9 @@ bool isIn(const std::set<std::string>& names, const std::string& setting) {
 std::map<std::string, output::RunDescription::Setting> usedSettings(
     const Value& parameters, const config::Config& config, const std::vector<std::string>& unused,
     const std::map<std::string, Value>& defaults) {
-  std::set<std::string> left_out = {"output_folder", "if_exists", "sync", "shard"};
+  // None of these changes what is made.
+  std::set<std::string> left_out = {"output_folder", "if_exists", "sync", "shard",
+                                    "rendering/reuse"};
   left_out.insert(unused.begin(), unused.end());
   for (const config::WriterConfig& writer : config.writers) {
     left_out.insert(writer.name + "/output_folder");

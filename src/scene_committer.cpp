@@ -17,7 +17,7 @@ SceneCommitter::SceneCommitter(const writers::WriterHost& writers, output::Datas
 void SceneCommitter::add(Scene scene, render::PendingPicture image, output::SceneFacts facts) {
   worker_.add([this, scene = std::make_shared<Scene>(std::move(scene)), image = std::move(image),
                facts = std::move(facts)]() mutable {
-    scene->image = image();
+    scene->image = std::exchange(image, {})();  // what it was made of is not needed any more
     commit(*scene, facts);
   });
 }

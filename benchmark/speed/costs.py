@@ -40,11 +40,11 @@ class Run:
         command = [*before, self.program, "--config", f"{self.folder}/settings.yaml"]
         began = time.monotonic()
         process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        process.stdout.read()
+        log = process.stdout.read().decode(errors="replace")
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         if process.returncode != 0:
-            raise RuntimeError(f"{command} exits with {process.returncode}")
+            raise RuntimeError(f"{command} exits with {process.returncode}:\n{log}")
         return time.monotonic() - began, 1024 * usage.ru_maxrss
 
     def scene_seconds(self, **settings):
@@ -70,7 +70,7 @@ def measure(run, scene_counts):
         f"{min(run(1)[0] for _ in range(5)):.2f} s")
     two = run.scene_seconds()
     add("a scene", f"{1000 * two:.1f} ms")
-    one = run.scene_seconds(before=("taskset", "-c", "0"))
+    one = run.scene_seconds(before=("taskset", "-c", str(min(os.sched_getaffinity(0)))))
     add("a scene on one core", f"{1000 * one:.1f} ms, {one / two:.2f} times as long as on all cores")
     for sync in ("off", "scene"):
         seconds = run.scene_seconds(sync=sync)

@@ -38,7 +38,8 @@ def floor_seconds(programs, folder, scenes):
 def measure(programs, folder, objects, size, arguments):
     """The best seconds a scene by what is made; of our own, of a long run what a short one does not
     take, which is without the start."""
-    few, many = 5, arguments.scenes + 5
+    few = 5
+    many = few + arguments.scenes * max(1, 16 // objects)  # short scenes tell little beside the start
     scene = room.write(folder, objects, many, *size)
     ours.write_camera(scene, folder)
     best = {}

@@ -58,7 +58,9 @@ std::vector<PendingFile> publish(const std::vector<OutputFile>& files,
 
 /// @param withdraw  takes back what was announced
 template <class Withdraw>
-void withdrawAfterFailure(const Withdraw& withdraw) {
+void withdrawAfterFailure(const Manifest& manifest, const Withdraw& withdraw) {
+  // Where the folder was moved, files may have moved with it, which the manifest has to know then.
+  if (!manifest.isInPlace()) return;
   try {
     withdraw();
   } catch (const Error&) {
@@ -156,7 +158,7 @@ struct DatasetStore::Impl {
       manifest->setContent(file.path, pending.size(), digest);
       pending.keep();
     } catch (...) {
-      withdrawAfterFailure([&] { manifest->withdraw(file.path); });
+      withdrawAfterFailure(*manifest, [&] { manifest->withdraw(file.path); });
       throw;
     }
   }
@@ -195,7 +197,7 @@ void DatasetStore::commitScene(const SceneFacts& scene, const SceneFiles& files)
       manifest.listScene(scene, files.records);
       for (PendingFile& file : pending) file.keep();
     } catch (...) {
-      withdrawAfterFailure([&] { manifest.withdrawScene(scene.index); });
+      withdrawAfterFailure(manifest, [&] { manifest.withdrawScene(scene.index); });
       throw;
     }
     impl_->know(scene.index);

@@ -162,6 +162,9 @@ std::vector<ShadowProjection> shadowProjections(const std::vector<world::Light>&
 }
 
 std::string lightMacros(const std::vector<world::Light>& lights) {
+  const std::string raise = "#define SHADOW_RAISE " + std::to_string(kShadowRaise) +
+                            "\n#define GRAZING_SHADOW_RAISE " +
+                            std::to_string(kGrazingShadowRaise) + "\n";
   // Each costs time to compile, in every program.
   constexpr std::size_t kMostUnrolled = 8;
   const std::vector<int> layers = shadowLayers(lights);
@@ -175,11 +178,12 @@ std::string lightMacros(const std::vector<world::Light>& lights) {
     types += (i > 0 ? "," : "") + type;
     layer_list += (i > 0 ? "," : "") + layer;
   }
-  if (lights.size() <= kMostUnrolled) return "#define EACH_LIGHT" + each + "\n";
+  if (lights.size() <= kMostUnrolled) return raise + "#define EACH_LIGHT" + each + "\n";
   const std::string list = "const int kTypes[] = int[](" + types + ");\n" +
                            "const int kLayers[] = int[](" + layer_list + ");\n";
-  return list + "#define EACH_LIGHT" + each + " for (int i = " + std::to_string(kMostUnrolled) +
-         "; i < " + std::to_string(lights.size()) + "; ++i) { LIGHT(i, kTypes[i], kLayers[i]) }\n";
+  return raise + list + "#define EACH_LIGHT" + each +
+         " for (int i = " + std::to_string(kMostUnrolled) + "; i < " +
+         std::to_string(lights.size()) + "; ++i) { LIGHT(i, kTypes[i], kLayers[i]) }\n";
 }
 
 void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,

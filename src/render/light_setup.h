@@ -12,6 +12,11 @@
 
 namespace synthetic_dataset::render {
 
+/// How far above itself a surface is compared with a shadow map, in sizes of a texel: this much,
+/// and this much more where light grazes it.
+inline constexpr double kShadowRaise = 0.6;
+inline constexpr double kGrazingShadowRaise = 2.2;
+
 /// How one light's shadow map is made and read.
 struct ShadowProjection {
   int light = 0;  ///< index in the description's lights

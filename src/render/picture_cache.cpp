@@ -8,7 +8,7 @@ namespace {
 
 /// How many painters of this size there may be.
 std::size_t mostOf(const cv::Size& size) {
-  constexpr std::size_t kPixelBytes = 102;      // of geometry, light and what is kept of them
+  constexpr std::size_t kPixelBytes = 104;      // of geometry, light and what is kept of them
   constexpr std::size_t kMemory = 512U << 20U;  // [byte]
   constexpr std::size_t kMost = 8;
   const std::size_t bytes = kPixelBytes * static_cast<std::size_t>(size.area());

@@ -85,7 +85,10 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
                                       const cv::Mat& edges, const cv::Mat& wanted) {
   const ChangedRegions regions = changedRegions(crew_.parts.parts(), scene.view, scene.X_WL,
                                                 scene.drawn, casting, crew_.lights, scene.shadows);
-  const cv::Mat possible = regions.all() & wanted;
+  // What is just beside the wanted pixels may make edges of them.
+  cv::Mat possible;
+  cv::dilate(wanted, possible, cv::Mat());  // by one
+  possible &= regions.all();
   const cv::Rect place = cv::boundingRect(possible);
   if (place.empty()) return possible;
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);

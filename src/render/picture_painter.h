@@ -33,8 +33,8 @@ struct PictureCrew {
 /// Draws pictures of one size.
 ///
 /// When a picture is taken from the same place as the one before, what never moves is drawn once
-/// and kept, with its light; only where something else is seen, or its shadow may fall, is light
-/// found anew. Every pixel is that of a picture of which nothing was kept.
+/// and kept, with its light; only where something else is seen, or its shadow falls, is light found
+/// anew. Every pixel is that of a picture of which nothing was kept.
 class PicturePainter {
  public:
   PicturePainter(const PictureCrew& crew, const cv::Size& size);
@@ -46,8 +46,7 @@ class PicturePainter {
 
   /// @param casting  the links that cast shadows
   /// @param smooth  edges by several samples a pixel, not the centre's alone
-  /// @param regions  the pixels that are asked for; all others have the background's colour; empty
-  ///                 for the whole picture
+  /// @param regions  the pixels that are asked for; empty for the whole picture
   [[nodiscard]] UnfinishedPicture paint(const ColourScene& scene, const LinkSelection& casting,
                                         bool smooth, const std::vector<cv::Rect>& regions);
 

@@ -35,7 +35,7 @@ struct ColourPass {
   LinkSelection casting;  ///< the links that cast shadows
   Sampling sampling = Sampling::kSmooth;
 
-  /// The pixels that are drawn; all others have the background's colour. Empty: the whole image.
+  /// The pixels that are drawn; what all others show is not sure. Empty: the whole image.
   std::vector<cv::Rect> regions = {};
 
   float exposure = 1.0F;  ///< multiplies all light, before bright light is compressed

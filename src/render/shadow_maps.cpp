@@ -21,8 +21,7 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, int size, int layers)
       size_(size),
       layer_count_(
           std::max(layers, 1)),  // the shader's sampler needs a texture without shadows too
-      depth_(makeLayers(gl, size, layer_count_)),
-      kept_depths_(static_cast<std::size_t>(layer_count_)) {
+      depth_(makeLayers(gl, size, layer_count_)) {
   const GLuint name = depth_.name();
   gl.TextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.TextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -30,11 +29,18 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, int size, int layers)
   gl.TextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   gl.TextureParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl.TextureParameteri(name, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  for (int layer = 0; layer < layers; ++layer) {
-    layers_.push_back(makeFramebuffer(gl));
-    gl.NamedFramebufferTextureLayer(layers_.back().name(), GL_DEPTH_ATTACHMENT, name, 0, layer);
-    gl.NamedFramebufferDrawBuffers(layers_.back().name(), 0, nullptr);
+  layers_ = makeFramebuffers(depth_);
+}
+
+std::vector<GlFramebuffer> ShadowMaps::makeFramebuffers(const GlTexture& of) const {
+  std::vector<GlFramebuffer> framebuffers;
+  for (int layer = 0; layer < layer_count_; ++layer) {
+    framebuffers.push_back(makeFramebuffer(gl_));
+    const GLuint name = framebuffers.back().name();
+    gl_.NamedFramebufferTextureLayer(name, GL_DEPTH_ATTACHMENT, of.name(), 0, layer);
+    gl_.NamedFramebufferDrawBuffers(name, 0, nullptr);
   }
+  return framebuffers;
 }
 
 void ShadowMaps::begin(int layer) const {
@@ -45,9 +51,11 @@ void ShadowMaps::begin(int layer) const {
 }
 
 void ShadowMaps::keep(int layer) {
-  if (kept_.name() == 0) kept_ = makeLayers(gl_, size_, layer_count_);
+  if (kept_.name() == 0) {
+    kept_ = makeLayers(gl_, size_, layer_count_);
+    kept_layers_ = makeFramebuffers(kept_);
+  }
   copy(depth_, kept_, layer, whole());
-  kept_depths_[static_cast<std::size_t>(layer)] = read(layer, {0, 0, size_, size_});
 }
 
 void ShadowMaps::beginKept(int layer, const std::vector<Eigen::AlignedBox2i>& changed) const {
@@ -56,11 +64,12 @@ void ShadowMaps::beginKept(int layer, const std::vector<Eigen::AlignedBox2i>& ch
 }
 
 cv::Mat ShadowMaps::differing(int layer, const cv::Rect& texels) const {
-  return read(layer, texels) != kept_depths_[static_cast<std::size_t>(layer)](texels);
+  const auto i = static_cast<std::size_t>(layer);
+  return read(layers_[i], texels) != read(kept_layers_[i], texels);
 }
 
-cv::Mat ShadowMaps::read(int layer, const cv::Rect& texels) const {
-  bind(layer);
+cv::Mat ShadowMaps::read(const GlFramebuffer& layer, const cv::Rect& texels) const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.name());
   cv::Mat depths(texels.size(), CV_32FC1);
   gl_.ReadPixels(texels.x, texels.y, texels.width, texels.height, GL_DEPTH_COMPONENT, GL_FLOAT,
                  depths.data);

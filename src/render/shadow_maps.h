@@ -37,7 +37,8 @@ class ShadowMaps {
 
  private:
   void bind(int layer) const;
-  [[nodiscard]] cv::Mat read(int layer, const cv::Rect& texels) const;
+  [[nodiscard]] std::vector<GlFramebuffer> makeFramebuffers(const GlTexture& of) const;
+  [[nodiscard]] cv::Mat read(const GlFramebuffer& layer, const cv::Rect& texels) const;
   void copy(const GlTexture& from, const GlTexture& to, int layer,
             const Eigen::AlignedBox2i& texels) const;
 
@@ -45,9 +46,9 @@ class ShadowMaps {
   int size_;
   int layer_count_;
   GlTexture depth_;
-  GlTexture kept_;  ///< none until a layer is kept
-  std::vector<GlFramebuffer> layers_;
-  std::vector<cv::Mat> kept_depths_;  ///< by layer: the same as kept_, for differing()
+  GlTexture kept_;                          ///< none until a layer is kept
+  std::vector<GlFramebuffer> layers_;       ///< of depth_
+  std::vector<GlFramebuffer> kept_layers_;  ///< of kept_
 };
 
 }  // namespace synthetic_dataset::render

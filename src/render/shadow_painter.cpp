@@ -1,5 +1,8 @@
 #include "render/shadow_painter.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <opencv2/imgproc.hpp>
 
 #include "render/part_groups.h"
@@ -15,8 +18,41 @@ cv::Rect rectangleOf(const Eigen::AlignedBox2i& box) {
   return {box.min().x(), box.min().y(), size.x(), size.y()};
 }
 
-cv::Rect grown(const cv::Rect& rectangle, int by) {
-  return {rectangle.x - by, rectangle.y - by, rectangle.width + 2 * by, rectangle.height + 2 * by};
+cv::Rect grown(const cv::Rect& rectangle, const cv::Size& by) {
+  return {rectangle.x - by.width, rectangle.y - by.height, rectangle.width + 2 * by.width,
+          rectangle.height + 2 * by.height};
+}
+
+/// How many columns and rows from its own place a surface's light asks for texels.
+cv::Size reachOf(const ShadowProjection& shadow, int map_size) {
+  constexpr int kGathered = 2;  // on each side (lighting.glsl)
+  constexpr int kSpare = 1;
+  constexpr double kRaise = kShadowRaise + kGrazingShadowRaise;
+  const double half = 0.5 * map_size;
+  const auto reach = [](double shift) {
+    return static_cast<int>(std::ceil(shift)) + kGathered + kSpare;
+  };
+  const Eigen::Matrix4d& map = shadow.shadow_from_world;
+  if (map.row(3).head<3>().isZero()) {
+    const auto texels_in_metre = [&](int axis) { return half * map.row(axis).head<3>().norm(); };
+    return {reach(kRaise * shadow.texel * texels_in_metre(0)),
+            reach(kRaise * shadow.texel * texels_in_metre(1))};
+  }
+  // In a lamp's plane of tangents, what is moved aside moves by the square of its ray's slant.
+  const double tangent = half * shadow.texel;
+  const int shift = reach(kRaise * (1.0 + tangent * tangent));
+  return {shift, shift};
+}
+
+/// Grown on all sides; where that is far, all of it, which takes less time.
+void grow(cv::Mat& texels, const cv::Size& by) {
+  constexpr int kFar = 64;
+  if (std::max(by.width, by.height) > kFar) {
+    texels.setTo(255);
+    return;
+  }
+  const cv::Size round(2 * by.width + 1, 2 * by.height + 1);
+  cv::dilate(texels, texels, cv::getStructuringElement(cv::MORPH_RECT, round));
 }
 
 }  // namespace
@@ -81,29 +117,31 @@ void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector
 ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow,
                                            const std::vector<Pose>& X_WL,
                                            const LinkSelection& casting) const {
-  // Surfaces are compared up to 2.8 texels above themselves, with two texels on each side; and one
-  // to spare. (lighting.glsl)
-  constexpr int kReach = 6;
   const Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
-  const cv::Rect whole = rectangleOf(maps_.whole());
-  const double half = 0.5 * whole.width;
+  const int size = rectangleOf(maps_.whole()).width;
+  const double half = 0.5 * size;
   ChangedTexels changed;
   Eigen::Matrix4d texels_from_shadow = Eigen::Matrix4d::Identity();
   texels_from_shadow.row(0) = Eigen::Vector4d(half, 0.0, 0.0, half);
   texels_from_shadow.row(1) = Eigen::Vector4d(0.0, half, 0.0, half);
   changed.texels_from_world = texels_from_shadow * shadow.shadow_from_world;
-  std::vector<cv::Rect> boxes;
-  for (const Eigen::AlignedBox2i& box : texelsOfMoving(shadow, X_WL, casting)) {
-    boxes.push_back(grown(rectangleOf(box), kReach) & whole);
-    changed.place |= boxes.back();
-  }
+  const cv::Size reach = reachOf(shadow, size);
+  // Surfaces beside the map may be raised onto it.
+  const std::vector<Eigen::AlignedBox2i> boxes = texelsOfMoving(shadow, X_WL, casting);
+  for (const Eigen::AlignedBox2i& box : boxes) changed.place |= grown(rectangleOf(box), reach);
   changed.texels = cv::Mat::zeros(changed.place.size(), CV_8UC1);
-  for (const cv::Rect& box : boxes) {
-    cv::Mat differing(box.size(), CV_8UC1, cv::Scalar(255));
-    if (layer.is_kept) differing = maps_.differing(shadow.layer, box);
-    const cv::Size reach(2 * kReach + 1, 2 * kReach + 1);
-    cv::dilate(differing, differing, cv::getStructuringElement(cv::MORPH_RECT, reach));
-    cv::Mat target = changed.texels(box - changed.place.tl());
+  for (const Eigen::AlignedBox2i& box : boxes) {
+    const cv::Rect read = rectangleOf(box);
+    const cv::Rect round = grown(read, reach);
+    cv::Mat differing = cv::Mat::zeros(round.size(), CV_8UC1);
+    cv::Mat inner = differing(read - round.tl());
+    if (layer.is_kept) {
+      maps_.differing(shadow.layer, read).copyTo(inner);
+    } else {
+      inner.setTo(255);
+    }
+    grow(differing, reach);
+    cv::Mat target = changed.texels(round - changed.place.tl());
     target |= differing;
   }
   return changed;

@@ -11,17 +11,28 @@ namespace {
 
 using test::AllAtOnceRun;
 
-class Reuse : public testing::TestWithParam<const char*> {
+struct Case {
+  const char* name;
+  const char* method;  ///< of masks
+  Value::Map effects;  ///< of the cameras
+};
+
+class Reuse : public testing::TestWithParam<Case> {
  protected:
-  /// The files, without the manifest, which tells of the settings.
+  Reuse() {
+    run_.parameters["masks"] = Value(Value::Map{{"method", Value(GetParam().method)}});
+    Value::Map cameras = *run_.parameters.at("cameras").as<Value::Map>();
+    for (auto& [name, camera] : cameras) {
+      (*camera.as<Value::Map>())["effects"] = Value(GetParam().effects);
+    }
+    run_.parameters["cameras"] = Value(cameras);
+  }
+
   std::map<std::string, std::string> filesWith(bool reuse) {
     std::filesystem::remove_all(run_.folder());
-    run_.parameters["masks"] = Value(Value::Map{{"method", Value(GetParam())}});
     run_.parameters["rendering"] = Value(Value::Map{{"reuse", Value(reuse)}});
     (void)run_.run();
-    auto files = AllAtOnceRun::files(run_.folder());
-    EXPECT_EQ(files.erase("manifest.sqlite"), 1U);
-    return files;
+    return AllAtOnceRun::files(run_.folder());
   }
 
   AllAtOnceRun run_;
@@ -35,7 +46,13 @@ TEST_P(Reuse, ChangesNoByte) {
   for (const auto& [path, bytes] : expected) EXPECT_TRUE(found.at(path) == bytes) << path;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfMasks, Reuse, testing::Values("exact", "mog2"));
+INSTANTIATE_TEST_SUITE_P(Datasets, Reuse,
+                         testing::Values(Case{"Exact", "exact", {}}, Case{"Mog2", "mog2", {}},
+                                         Case{"RollingShutter",
+                                              "exact",
+                                              {{"readout_time", Value(0.05)},
+                                               {"readout_bands", Value(6)}}}),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace synthetic_dataset

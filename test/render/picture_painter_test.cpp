@@ -110,6 +110,65 @@ TEST_F(KeptPictures, HaveTheBlurredRimsOfShadowsToo) {
   expectAsDrawnAnew(pictures, coarse);
 }
 
+TEST_F(KeptPictures, HaveTheEdgesOfWhatStandsJustBesideARegion) {
+  constexpr int kRows = 4;
+  std::vector<cv::Mat> pictures;
+  {
+    Renderer renderer(description, stage.links(), {});
+    for (int time = 0; time < 3; ++time) {
+      move(time);
+      cv::Mat picture = draw(renderer);
+      for (int row = 60; row < 160; row += kRows) {
+        const cv::Rect band(0, row, picture.cols, kRows);
+        renderer
+            .colour(view, stage.poses(),
+                    {stage.all(), stage.all(), Sampling::kSmooth, {band}})(band)
+            .copyTo(picture(band));
+      }
+      pictures.push_back(picture);
+    }
+  }
+  expectAsDrawnAnew(pictures);
+}
+
+TEST(KeptPicturesOfAnAisle, HaveTheShadowsOfASunWhoseMapIsNotSquare) {
+  world::Description description;
+  description.ambient = {0.3F, 0.3F, 0.3F};
+  world::Light sun;
+  sun.casts_shadow = true;
+  sun.direction_L = Eigen::Vector3d(0.0, 0.5, -0.86).normalized();  // across the aisle
+  description.lights = {sun};
+  Stage stage;
+  stage.addBox({30, 1.6, 0.2}, at(0, 0, -0.1), -1, coloured(0.8F, 0.8F, 0.7F));
+  stage.addBox({30, 0.1, 1.5}, at(0, 0.85, 0.75), -1, coloured(0.7F, 0.4F, 0.3F));
+  stage.addBox({0.2, 0.2, 1.0}, at(0, 0.5, 0.5), 0, coloured(0.2F, 0.2F, 0.9F));
+  Eigen::Matrix3d R_WC;  // along +y
+  R_WC << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  const View view{CameraModel(320, 240, {400.0, 400.0, 159.5, 119.5}, 0.05, 100.0),
+                  makePose({0.5, -0.7, 0.4}, Eigen::Quaterniond(R_WC))};
+  RenderOptions options;
+  options.samples = 1;
+  const auto move = [&](int time) { stage.poses()[2] = at(0.03 * time, 0.5, 0.5); };
+  const auto draw = [&](Renderer& renderer) {
+    return renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
+  };
+  std::vector<cv::Mat> pictures;
+  {
+    Renderer renderer(description, stage.links(), options);
+    for (int time = 0; time < 5; ++time) {
+      move(time);
+      pictures.push_back(draw(renderer));
+    }
+  }
+  EXPECT_GT(cv::norm(pictures[3], pictures[4], cv::NORM_INF), 20.0) << "something moves";
+  for (int time = 0; time < 5; ++time) {
+    move(time);
+    Renderer renderer(description, stage.links(), options);
+    EXPECT_EQ(cv::norm(pictures[static_cast<std::size_t>(time)], draw(renderer), cv::NORM_INF), 0.0)
+        << "time " << time;
+  }
+}
+
 TEST_F(KeptPictures, OfNoPixelsAreBackground) {
   Renderer renderer(description, stage.links(), {});
   for (int time = 0; time < 3; ++time) {

@@ -4,7 +4,8 @@
 
 // LIGHT(i, TYPE, SHADOW_LAYER) for each light is EACH_LIGHT, set when this is compiled: llvmpipe
 // runs every branch of a shader for every pixel, and a loop once more than it says, so what a light
-// has not costs nothing only if it is not there. The types are those of world::LightType; 1 is a
+// has not costs nothing only if it is not there. So are SHADOW_RAISE and GRAZING_SHADOW_RAISE [texel].
+// The types are those of world::LightType; 1 is a
 // point.
 #define DIRECTIONAL 0
 #define SPOT 2
@@ -64,7 +65,7 @@ float shadow(Light light, int type, int layer, vec3 position_C, vec3 normal, flo
   float texel = shadow_texel[max(layer, 0)];
   if (type == SPOT) texel *= distance(position_C, light.position_C);
   float slope = sqrt(max(1.0 - n_dot_l * n_dot_l, 0.0));
-  vec3 raised = position_C + normal * texel * (0.6 + 2.2 * slope);
+  vec3 raised = position_C + normal * texel * (SHADOW_RAISE + GRAZING_SHADOW_RAISE * slope);
   vec4 p = shadow_from_camera[max(layer, 0)] * vec4(raised, 1.0);
   bool outside = p.w <= 0.0;
   p.xyz /= p.w;
