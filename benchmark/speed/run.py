@@ -78,16 +78,21 @@ def plot(results, file):
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    figure, axes = pyplot.subplots(figsize=(7, 4.5))
+    figure, axes = pyplot.subplots(figsize=(8, 4))
     small = [result for result in results if result["width"] == 640]
     for name in [*OURS, FLOOR, *RIVALS]:
         axes.loglog([result["objects"] for result in small],
                     [1 / result["seconds"][name] for result in small],
                     marker="o", linestyle="-" if name in OURS else "--", label=name)
     axes.set(xlabel="objects of 5,000 triangles", ylabel="scenes a second, 640 x 480")
-    axes.legend()
+    counts = [result["objects"] for result in small]
+    axes.set_xticks(counts, labels=[str(count) for count in counts])
+    axes.minorticks_off()
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.grid(alpha=0.3)
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     figure.tight_layout()
-    figure.savefig(file, dpi=120)
+    figure.savefig(file, dpi=100)
 
 
 def main():
