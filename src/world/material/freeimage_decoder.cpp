@@ -15,13 +15,32 @@ struct Closer {
 using Memory = std::unique_ptr<FIMEMORY, Closer>;
 using Bitmap = std::unique_ptr<FIBITMAP, Closer>;
 
+/// The formats that are promised. Others are left alone: FreeImage's reader of icons, for one, asks
+/// for as much memory as a broken file tells it to.
+bool isRead(FREE_IMAGE_FORMAT format) {
+  switch (format) {
+    case FIF_PNG:
+    case FIF_JPEG:
+    case FIF_BMP:
+    case FIF_TIFF:
+    case FIF_WEBP:
+    case FIF_TARGA:
+    case FIF_GIF:
+    case FIF_DDS:
+    case FIF_PSD:
+      return true;
+    default:
+      return false;
+  }
+}
+
 Bitmap load(const std::vector<std::uint8_t>& file, const std::string& name) {
   // FreeImage only reads from it.
   const Memory memory(
       FreeImage_OpenMemory(const_cast<BYTE*>(file.data()), static_cast<DWORD>(file.size())));
   FREE_IMAGE_FORMAT format = FreeImage_GetFileTypeFromMemory(memory.get(), 0);
   if (format == FIF_UNKNOWN) format = FreeImage_GetFIFFromFilename(name.c_str());
-  if (format == FIF_UNKNOWN || FreeImage_FIFSupportsReading(format) == FALSE) return nullptr;
+  if (!isRead(format) || FreeImage_FIFSupportsReading(format) == FALSE) return nullptr;
   return Bitmap(FreeImage_LoadFromMemory(format, memory.get(), 0));
 }
 

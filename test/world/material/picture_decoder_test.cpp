@@ -209,6 +209,12 @@ TEST(PictureDecoder, RefusesBmpGifAndPsdThatBreakOff) {
   EXPECT_THAT(errorOf(psd, "a.psd"), HasSubstr("breaks off"));
 }
 
+TEST(PictureDecoder, RefusesWhatElseItsLibraryKnows) {
+  const Bytes picture = encodedByFreeImage(FIF_XPM, false);
+  ASSERT_GT(picture.size(), 40U);
+  EXPECT_THAT(errorOf(picture, "a.xpm"), HasSubstr("DDS and PSD pictures can"));
+}
+
 TEST(PictureDecoder, RefusesWhatIsNoPicture) {
   const std::string text = "hello, I am a text";
   EXPECT_THAT(errorOf(Bytes(text.begin(), text.end()), "a.png"),
