@@ -5,23 +5,9 @@
 #include <utility>
 
 #include "annotate/mask.h"
+#include "object_links.h"
 
 namespace synthetic_dataset {
-namespace {
-
-/// The links that are no object's, or those of one object.
-render::LinkSelection linksOf(std::optional<int> object,
-                              const std::vector<world::LinkInstance>& links) {
-  render::LinkSelection selection;
-  for (const world::LinkInstance& link : links) {
-    const bool is_objects = link.role == world::Role::kObject;
-    selection.push_back(object ? is_objects && link.object == *object : !is_objects);
-  }
-  return selection;
-}
-
-}  // namespace
-
 MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
                        std::size_t object_count, const annotate::Mog2Options& options, bool clean)
     : world_(world),
@@ -29,7 +15,7 @@ MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
       segmenter_(options),
       clean_(clean),
       nothing_(world.links().size(), false),
-      without_objects_(linksOf(std::nullopt, world.links())) {
+      without_objects_(linksOf(kNoObject, world.links())) {
   for (std::size_t i = 0; i < object_count; ++i) {
     object_links_.push_back(linksOf(static_cast<int>(i), world.links()));
   }

@@ -1,18 +1,13 @@
 #include "pixel_labeller.h"
 
 #include "annotate/keypoint_states.h"
+#include "object_links.h"
 
 namespace synthetic_dataset {
 namespace {
 
 annotate::Mog2Options mog2Options(const config::MaskConfig& config) {
   return {config.history_length, config.var_threshold, config.detect_shadows};
-}
-
-render::LinkSelection linksOf(int object, const std::vector<world::LinkInstance>& links) {
-  render::LinkSelection selection;
-  for (const world::LinkInstance& link : links) selection.push_back(link.object == object);
-  return selection;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "output/background_worker.h"
 #include "output/dataset_store.h"
-#include "render/unfinished_picture.h"
+#include "render/pending_picture.h"
 #include "synthetic_dataset/scene.h"
 #include "writers/writer_host.h"
 

@@ -9,10 +9,7 @@ PROGRAM is `generate`. The room with four objects, exact masks and depth in thre
 import argparse
 import json
 import os
-import shutil
-import subprocess
 import tempfile
-import time
 
 import ours
 import room
@@ -31,21 +28,9 @@ class Run:
 
     def __call__(self, count, keep=False, before=(), **settings):
         """The seconds of the whole process, and the most memory that it had [byte]."""
-        if not keep:
-            shutil.rmtree(self.output, ignore_errors=True)
         parameters = ours.settings(self.scene, self.folder, self.output, ours.EXACT,
                                    duration=(count - 0.5) / room.RATE, **settings)
-        with open(f"{self.folder}/settings.yaml", "w") as out:
-            json.dump(parameters, out)
-        command = [*before, self.program, "--config", f"{self.folder}/settings.yaml"]
-        began = time.monotonic()
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        log = process.stdout.read().decode(errors="replace")
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode != 0:
-            raise RuntimeError(f"{command} exits with {process.returncode}:\n{log}")
-        return time.monotonic() - began, 1024 * usage.ru_maxrss
+        return ours.run(self.program, parameters, self.folder, before, keep)
 
     def scene_seconds(self, **settings):
         """Of a scene, without the start; the best of three."""

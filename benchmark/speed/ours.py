@@ -1,6 +1,7 @@
 """The settings with which synthetic_dataset makes the room's dataset, and its runs."""
 
 import json
+import os
 import shutil
 import subprocess
 import time
@@ -58,21 +59,28 @@ def write_camera(scene, folder):
             "projection_matrix": {"rows": 3, "cols": 4, "data": projection}}, out)
 
 
-def run(program, parameters, folder):
-    """Makes a dataset; the seconds that the whole process takes."""
-    shutil.rmtree(parameters["output_folder"], ignore_errors=True)
+def run(program, parameters, folder, before=(), keep=False):
+    """Makes a dataset, anew or, with keep, over what is there.
+
+    The seconds that the whole process takes, and the most memory that it has [byte]. `before` is a
+    program, with arguments, that starts ours.
+    """
+    if not keep:
+        shutil.rmtree(parameters["output_folder"], ignore_errors=True)
     with open(f"{folder}/settings.yaml", "w") as out:
         json.dump(parameters, out)
     began = time.monotonic()
-    done = subprocess.run([program, "--config", f"{folder}/settings.yaml"], capture_output=True,
-                          text=True, check=False)
-    seconds = time.monotonic() - began
-    if done.returncode != 0:
-        raise RuntimeError(done.stdout + done.stderr)
-    return seconds
+    process = subprocess.Popen([*before, program, "--config", f"{folder}/settings.yaml"],
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    log = process.stdout.read().decode(errors="replace")
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        raise RuntimeError(log)
+    return time.monotonic() - began, 1024 * usage.ru_maxrss
 
 
 def seconds_of(program, scene, folder, writers, count, **more):
     """The whole process, with so many scenes."""
     return run(program, settings(scene, folder, f"{folder}/dataset", writers,
-                                 duration=(count - 0.5) / RATE, **more), folder)
+                                 duration=(count - 0.5) / RATE, **more), folder)[0]

@@ -23,16 +23,11 @@ OURS = {"image": (ours.IMAGE, False), "image, masks, depth": (ours.EXACT, False)
         "image, MOG2 masks": (ours.SUBTRACTED, True)}
 
 
-def rival_seconds(name, folder, scenes):
-    done = subprocess.run([sys.executable, f"{HERE}/{name}_rival.py", folder, str(scenes)],
-                          capture_output=True, text=True, check=True)
+def scene_seconds(command, folder, scenes):
+    """Of a program that prints the seconds that so many scenes take, as JSON in its last line."""
+    done = subprocess.run([*command, folder, str(scenes)], stdout=subprocess.PIPE, text=True,
+                          check=True)
     return json.loads(done.stdout.strip().splitlines()[-1])["seconds"] / scenes
-
-
-def floor_seconds(programs, folder, scenes):
-    done = subprocess.run([f"{programs}/benchmark_floor", folder, str(scenes)], capture_output=True,
-                          text=True, check=True)
-    return json.loads(done.stdout)["seconds"] / scenes
 
 
 def measure(programs, folder, objects, size, arguments):
@@ -52,9 +47,10 @@ def measure(programs, folder, objects, size, arguments):
             for count in (few, many):
                 keep((name, count), ours.seconds_of(f"{programs}/generate", scene, folder, writers, count,
                                                     mog2=mog2))
-        keep((FLOOR, None), floor_seconds(programs, folder, arguments.scenes))
+        keep((FLOOR, None), scene_seconds([f"{programs}/benchmark_floor"], folder, arguments.scenes))
         for name in RIVALS if size == (640, 480) else []:
-            keep((name, None), rival_seconds(name, folder, max(arguments.scenes // 4, 5)))
+            keep((name, None), scene_seconds([sys.executable, f"{HERE}/{name}_rival.py"], folder,
+                                            max(arguments.scenes // 4, 5)))
     result = {name: (best[name, many] - best[name, few]) / (many - few) for name in OURS}
     result.update({name: seconds for (name, count), seconds in best.items() if count is None})
     return result

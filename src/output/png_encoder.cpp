@@ -84,7 +84,7 @@ class RowFilter {
     uchar* const up = sub + size_;
     // The pixel to the left of the first one is 0.
     const std::uint32_t sum_none = subtract(row(), nothing_.data(), size_, none);
-    const bool is_empty = sum_none == 0;  // as most rows of masks are
+    const bool is_empty = sum_none == 0;  // as many rows of instance maps are
     const std::uint32_t sum_sub = is_empty ? 0 : subtract(row(), row_.data(), size_, sub);
     const std::uint32_t sum_up = is_empty ? 0 : subtract(row(), above_.data() + pixel_, size_, up);
     const std::uint32_t least = std::min({sum_none, sum_sub, sum_up});
@@ -192,11 +192,11 @@ std::optional<std::string> indexedImageProblem(const std::string& path, const cv
 }
 
 Bytes encodePng(const cv::Mat& image, const std::vector<cv::Vec3b>& palette, int compression) {
-  const std::optional<Bytes> mask = palette.empty() ? deflatedMask(image) : std::nullopt;
-  const Bytes data = mask ? *mask : deflated(filteredRows(image), compression);
+  std::optional<Bytes> data = palette.empty() ? deflatedMask(image) : std::nullopt;
+  if (!data) data = deflated(filteredRows(image), compression);
   const Bytes head = header(image, !palette.empty());
   Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-  png.reserve(data.size() + 1024);
+  png.reserve(data->size() + 1024);
   appendChunk(png, "IHDR", head.data(), head.size());
   if (!palette.empty()) {
     Bytes colours;
@@ -205,7 +205,7 @@ Bytes encodePng(const cv::Mat& image, const std::vector<cv::Vec3b>& palette, int
     }
     appendChunk(png, "PLTE", colours.data(), colours.size());
   }
-  appendChunk(png, "IDAT", data.data(), data.size());
+  appendChunk(png, "IDAT", data->data(), data->size());
   appendChunk(png, "IEND", nullptr, 0);
   return png;
 }

@@ -94,7 +94,7 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
   std::vector<ChangedTexels> texels;
   for (const ShadowProjection& shadow : scene.shadows) {
-    texels.push_back(crew_.shadow_painter.changedTexels(shadow, scene.X_WL, casting));
+    texels.push_back(crew_.shadow_painter.changedTexels(shadow));
   }
   const ChangedPixels changed(crew_.parts, scene.view);
   return changed.find(regions, {geometry_.read(place, false), place}, texels, edges) & wanted;

@@ -8,9 +8,9 @@
 
 #include "render/draw_list.h"
 #include "render/label_painter.h"
+#include "render/pending_picture.h"
 #include "render/render_target.h"
 #include "render/silhouette_painter.h"
-#include "render/unfinished_picture.h"
 #include "render/view.h"
 #include "world/world.h"
 

@@ -58,8 +58,8 @@ void ShadowMaps::keep(int layer) {
   copy(depth_, kept_, layer, whole());
 }
 
-void ShadowMaps::beginKept(int layer, const std::vector<Eigen::AlignedBox2i>& changed) const {
-  for (const Eigen::AlignedBox2i& texels : changed) copy(kept_, depth_, layer, texels);
+void ShadowMaps::beginKept(int layer, const std::vector<cv::Rect>& changed) const {
+  for (const cv::Rect& texels : changed) copy(kept_, depth_, layer, texels);
   bind(layer);
 }
 
@@ -76,21 +76,16 @@ cv::Mat ShadowMaps::read(const GlFramebuffer& layer, const cv::Rect& texels) con
   return depths;
 }
 
-Eigen::AlignedBox2i ShadowMaps::whole() const {
-  return {Eigen::Vector2i(0, 0), Eigen::Vector2i(size_ - 1, size_ - 1)};
-}
-
 void ShadowMaps::bind(int layer) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, layers_[static_cast<std::size_t>(layer)].name());
   gl_.Viewport(0, 0, size_, size_);
 }
 
 void ShadowMaps::copy(const GlTexture& from, const GlTexture& to, int layer,
-                      const Eigen::AlignedBox2i& texels) const {
-  const Eigen::Vector2i first = texels.min();
-  const Eigen::Vector2i size = texels.sizes() + Eigen::Vector2i(1, 1);
-  gl_.CopyImageSubData(from.name(), GL_TEXTURE_2D_ARRAY, 0, first.x(), first.y(), layer, to.name(),
-                       GL_TEXTURE_2D_ARRAY, 0, first.x(), first.y(), layer, size.x(), size.y(), 1);
+                      const cv::Rect& texels) const {
+  gl_.CopyImageSubData(from.name(), GL_TEXTURE_2D_ARRAY, 0, texels.x, texels.y, layer, to.name(),
+                       GL_TEXTURE_2D_ARRAY, 0, texels.x, texels.y, layer, texels.width,
+                       texels.height, 1);
 }
 
 }  // namespace synthetic_dataset::render

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
 
 #include "render/gl_object.h"
@@ -22,16 +21,16 @@ class ShadowMaps {
   void keep(int layer);
 
   /// Binds a layer; what is drawn then casts shadows, too.
-  /// @param changed  the texels [column, row] that are made again as they were kept
-  void beginKept(int layer, const std::vector<Eigen::AlignedBox2i>& changed) const;
+  /// @param changed  the texels (columns and rows) that are made again as they were kept
+  void beginKept(int layer, const std::vector<cv::Rect>& changed) const;
 
   /// Which texels of a layer are not as they were kept.
   /// @param texels  columns and rows
   /// @return CV_8UC1 of these texels, 255 for those, else 0
   [[nodiscard]] cv::Mat differing(int layer, const cv::Rect& texels) const;
 
-  /// All texels of a layer: the last ones are inside.
-  [[nodiscard]] Eigen::AlignedBox2i whole() const;
+  /// All texels of a layer.
+  [[nodiscard]] cv::Rect whole() const { return {0, 0, size_, size_}; }
 
   [[nodiscard]] GLuint texture() const { return depth_.name(); }
 
@@ -39,8 +38,7 @@ class ShadowMaps {
   void bind(int layer) const;
   [[nodiscard]] std::vector<GlFramebuffer> makeFramebuffers(const GlTexture& of) const;
   [[nodiscard]] cv::Mat read(const GlFramebuffer& layer, const cv::Rect& texels) const;
-  void copy(const GlTexture& from, const GlTexture& to, int layer,
-            const Eigen::AlignedBox2i& texels) const;
+  void copy(const GlTexture& from, const GlTexture& to, int layer, const cv::Rect& texels) const;
 
   const GlFunctions& gl_;
   int size_;

@@ -12,12 +12,6 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// The texels of a box, of which the last ones are inside.
-cv::Rect rectangleOf(const Eigen::AlignedBox2i& box) {
-  const Eigen::Vector2i size = box.sizes() + Eigen::Vector2i(1, 1);
-  return {box.min().x(), box.min().y(), size.x(), size.y()};
-}
-
 cv::Rect grown(const cv::Rect& rectangle, const cv::Size& by) {
   return {rectangle.x - by.width, rectangle.y - by.height, rectangle.width + 2 * by.width,
           rectangle.height + 2 * by.height};
@@ -107,18 +101,16 @@ void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector
     layer = {shadow.shadow_from_world, casting, false, {}};
     maps_.begin(shadow.layer);
     draw(shadow, X_WL, casting, Casters::kAll);
-    return;
+  } else {
+    paintStandingLayer(shadow, X_WL, casting);
+    draw(shadow, X_WL, casting, Casters::kMoving);
   }
-  paintStandingLayer(shadow, X_WL, casting);
-  draw(shadow, X_WL, casting, Casters::kMoving);
   layer.changed = texelsOfMoving(shadow, X_WL, casting);
 }
 
-ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow,
-                                           const std::vector<Pose>& X_WL,
-                                           const LinkSelection& casting) const {
+ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const {
   const Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
-  const int size = rectangleOf(maps_.whole()).width;
+  const int size = maps_.whole().width;
   const double half = 0.5 * size;
   ChangedTexels changed;
   Eigen::Matrix4d texels_from_shadow = Eigen::Matrix4d::Identity();
@@ -127,16 +119,14 @@ ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow,
   changed.texels_from_world = texels_from_shadow * shadow.shadow_from_world;
   const cv::Size reach = reachOf(shadow, size);
   // Surfaces beside the map may be raised onto it.
-  const std::vector<Eigen::AlignedBox2i> boxes = texelsOfMoving(shadow, X_WL, casting);
-  for (const Eigen::AlignedBox2i& box : boxes) changed.place |= grown(rectangleOf(box), reach);
+  for (const cv::Rect& box : layer.changed) changed.place |= grown(box, reach);
   changed.texels = cv::Mat::zeros(changed.place.size(), CV_8UC1);
-  for (const Eigen::AlignedBox2i& box : boxes) {
-    const cv::Rect read = rectangleOf(box);
-    const cv::Rect round = grown(read, reach);
+  for (const cv::Rect& box : layer.changed) {
+    const cv::Rect round = grown(box, reach);
     cv::Mat differing = cv::Mat::zeros(round.size(), CV_8UC1);
-    cv::Mat inner = differing(read - round.tl());
+    cv::Mat inner = differing(box - round.tl());
     if (layer.is_kept) {
-      maps_.differing(shadow.layer, read).copyTo(inner);
+      maps_.differing(shadow.layer, box).copyTo(inner);
     } else {
       inner.setTo(255);
     }
@@ -153,36 +143,34 @@ bool ShadowPainter::isSame(const Layer& layer, const ShadowProjection& shadow,
 }
 
 /// Those within the bounds of moving casters, and a few more.
-std::vector<Eigen::AlignedBox2i> ShadowPainter::texelsOfMoving(const ShadowProjection& shadow,
-                                                               const std::vector<Pose>& X_WL,
-                                                               const LinkSelection& casting) const {
-  std::vector<Eigen::AlignedBox2i> all;
+std::vector<cv::Rect> ShadowPainter::texelsOfMoving(const ShadowProjection& shadow,
+                                                    const std::vector<Pose>& X_WL,
+                                                    const LinkSelection& casting) const {
+  std::vector<cv::Rect> all;
   const auto casters = boundsOfGroups(parts_.parts(), X_WL, [&](const Part& part) {
     return part.casts_shadow && casting[part.link] && !part.stands_still;
   });
   for (const Bounds& caster : casters) {
-    const Eigen::AlignedBox2i texels = texelsOf(caster, shadow);
-    if (!texels.isEmpty()) all.push_back(texels);
+    const cv::Rect texels = texelsOf(caster, shadow);
+    if (!texels.empty()) all.push_back(texels);
   }
   return all;
 }
 
-Eigen::AlignedBox2i ShadowPainter::texelsOf(const Bounds& caster,
-                                            const ShadowProjection& shadow) const {
-  constexpr int kSlack = 2;  // [texel]
-  const Eigen::AlignedBox2i whole = maps_.whole();
-  const double size = whole.sizes().x() + 1;
+cv::Rect ShadowPainter::texelsOf(const Bounds& caster, const ShadowProjection& shadow) const {
+  constexpr int kSlack = 3;  // [texel]
+  const cv::Rect whole = maps_.whole();
+  const double size = whole.width;
   Eigen::AlignedBox2d texels;
   for (const Eigen::Vector3d& corner : cornersOf(caster)) {
     const Eigen::Vector4d clip = shadow.shadow_from_world * corner.homogeneous();
     if (clip.w() < 1e-6) return whole;  // behind the lamp, where corners bound nothing
     texels.extend(Eigen::Vector2d(((clip.head<2>() / clip.w()).array() * 0.5 + 0.5) * size));
   }
-  const Eigen::Vector2d low = texels.min().cwiseMax(0.0).cwiseMin(size);
-  const Eigen::Vector2d high = texels.max().cwiseMax(0.0).cwiseMin(size);
-  const Eigen::AlignedBox2i result(Eigen::Vector2i(low.array().floor().cast<int>() - kSlack),
-                                   Eigen::Vector2i(high.array().ceil().cast<int>() + kSlack));
-  return result.intersection(whole);
+  const Eigen::Vector2i low = texels.min().cwiseMax(0.0).cwiseMin(size).array().floor().cast<int>();
+  const Eigen::Vector2i high = texels.max().cwiseMax(0.0).cwiseMin(size).array().ceil().cast<int>();
+  const cv::Rect exact(cv::Point(low.x(), low.y()), cv::Point(high.x(), high.y()));
+  return grown(exact, {kSlack, kSlack}) & whole;
 }
 
 void ShadowPainter::draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,

@@ -28,9 +28,7 @@ class ShadowPainter {
                      const LinkSelection& casting);
 
   /// What paint() has just drawn beside what never moves.
-  [[nodiscard]] ChangedTexels changedTexels(const ShadowProjection& shadow,
-                                            const std::vector<Pose>& X_WL,
-                                            const LinkSelection& casting) const;
+  [[nodiscard]] ChangedTexels changedTexels(const ShadowProjection& shadow) const;
 
   [[nodiscard]] GLuint texture() const { return maps_.texture(); }
 
@@ -41,8 +39,8 @@ class ShadowPainter {
   struct Layer {
     Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
     LinkSelection casting;
-    bool is_kept = false;  ///< the standing casters, as they are drawn with these
-    std::vector<Eigen::AlignedBox2i> changed;  ///< texels on which what moves was drawn since
+    bool is_kept = false;           ///< the standing casters, as they are drawn with these
+    std::vector<cv::Rect> changed;  ///< texels on which what moves was drawn
   };
 
   [[nodiscard]] static bool isSame(const Layer& layer, const ShadowProjection& shadow,
@@ -52,11 +50,10 @@ class ShadowPainter {
                           const LinkSelection& casting);
   void paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                   const LinkSelection& casting);
-  [[nodiscard]] std::vector<Eigen::AlignedBox2i> texelsOfMoving(const ShadowProjection& shadow,
-                                                                const std::vector<Pose>& X_WL,
-                                                                const LinkSelection& casting) const;
-  [[nodiscard]] Eigen::AlignedBox2i texelsOf(const Bounds& caster,
-                                             const ShadowProjection& shadow) const;
+  [[nodiscard]] std::vector<cv::Rect> texelsOfMoving(const ShadowProjection& shadow,
+                                                     const std::vector<Pose>& X_WL,
+                                                     const LinkSelection& casting) const;
+  [[nodiscard]] cv::Rect texelsOf(const Bounds& caster, const ShadowProjection& shadow) const;
   void draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
             const LinkSelection& casting, Casters casters);
 

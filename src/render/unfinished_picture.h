@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -9,9 +8,6 @@
 #include "render/edge_smoother.h"
 
 namespace synthetic_dataset::render {
-
-/// Makes a picture of what OpenGL has drawn; may be called in any thread, while the renderer lives.
-using PendingPicture = std::function<cv::Mat()>;
 
 /// What OpenGL has drawn of a picture.
 struct UnfinishedPicture {

@@ -4,9 +4,8 @@
 
 // LIGHT(i, TYPE, SHADOW_LAYER) for each light is EACH_LIGHT, set when this is compiled: llvmpipe
 // runs every branch of a shader for every pixel, and a loop once more than it says, so what a light
-// has not costs nothing only if it is not there. So are SHADOW_RAISE and GRAZING_SHADOW_RAISE [texel].
-// The types are those of world::LightType; 1 is a
-// point.
+// has not costs nothing only if it is not there. The types are those of world::LightType; 1 is a
+// point. SHADOW_RAISE and GRAZING_SHADOW_RAISE [texel] are set with it.
 #define DIRECTIONAL 0
 #define SPOT 2
 const int kLinearFog = 0;
