@@ -9,8 +9,7 @@ packages=(
   libgeometry-msgs-dev libsensor-msgs-dev libvisualization-msgs-dev libxmlrpcpp-dev
   pluginlib-dev rosbash
   librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools
-  libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-video-dev
-  libopencv-calib3d-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev
+  libopencv-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev
   libsdformat-dev libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev
   libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libssl-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev
