@@ -1,8 +1,9 @@
-// Bags: their records, and the transforms and calibrations recorded in them.
+// Bags: their records, and the transforms, calibrations and maps recorded in them.
 #include "fuzzing.h"
 #include "motion/bag_check.h"
 #include "motion/bag_motion.h"
 #include "motion/recorded_camera_info.h"
+#include "motion/recorded_map.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;
@@ -11,6 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzzing::tolerating([&] {
     motion::checkBag(bag, [](const std::string& topic) { return topic != "/other"; });
     fuzzing::tolerating([&] { static_cast<void>(motion::readCameraInfo({bag}, "/camera_info")); });
+    fuzzing::tolerating([&] { static_cast<void>(motion::readMap({bag}, "/map")); });
     const motion::BagMotion motion({bag});
     static_cast<void>(motion.timeline("map", {"robot"}, {}));
   });

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <tf2_msgs/TFMessage.h>
@@ -40,11 +41,23 @@ sensor_msgs::CameraInfo calibration() {
   return info;
 }
 
+nav_msgs::OccupancyGrid map() {
+  nav_msgs::OccupancyGrid grid;
+  grid.header.frame_id = "map";
+  grid.info.resolution = 0.5F;
+  grid.info.width = 3;
+  grid.info.height = 2;
+  grid.info.origin.orientation.w = 1.0;
+  grid.data = {0, 10, 20, 100, -1, 50};
+  return grid;
+}
+
 void writeBag(const fs::path& file, rosbag::CompressionType compression) {
   rosbag::Bag bag(file.string(), rosbag::bagmode::Write);
   bag.setCompression(compression);
   bag.setChunkThreshold(400);
   bag.write("/camera_info", ros::Time(100.0), calibration());
+  bag.write("/map", ros::Time(100.0), map());
   for (const double x : {0.0, 1.0, 2.0}) bag.write("/tf", ros::Time(100.0 + x), transforms(x));
 }
 
@@ -108,6 +121,7 @@ int main(int count, char** arguments) {
   writeBag(folder / "bag/lz4.bag", rosbag::compression::LZ4);
   writeMessage(folder / "message/transforms", transforms(1.0));
   writeMessage(folder / "message/calibration", calibration());
+  writeMessage(folder / "message/map", map());
   writePictures(folder / "picture");
   writeManifest(folder / "manifest/manifest.sqlite");
   return 0;

@@ -6,6 +6,7 @@
 #include "motion/bag_motion.h"
 #include "motion/checked_messages.h"
 #include "motion/recorded_camera_info.h"
+#include "motion/recorded_map.h"
 
 namespace {
 
@@ -17,6 +18,7 @@ struct Content {
 
 using Transforms = Content<tf2_msgs::TFMessage>;
 using Calibration = Content<sensor_msgs::CameraInfo>;
+using Grid = Content<nav_msgs::OccupancyGrid>;
 
 }  // namespace
 
@@ -60,11 +62,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     rosbag::Bag bag(file, rosbag::bagmode::Write);
     bag.write("/tf", ros::Time(5, 0), Transforms{bytes});
     bag.write("/camera_info", ros::Time(6, 0), Calibration{bytes});
+    bag.write("/map", ros::Time(7, 0), Grid{bytes});
   }
   fuzzing::tolerating([&] {
     const auto camera = motion::readCameraInfo({file}, "/camera_info");
     static_cast<void>(config::cameraModelOf(camera.info, "/camera_info", false, 0.01, 100.0));
   });
+  fuzzing::tolerating([&] { static_cast<void>(motion::readMap({file}, "/map")); });
   fuzzing::tolerating([&] { static_cast<void>(motion::BagMotion({file}).notes()); });
   return 0;
 }

@@ -3,9 +3,42 @@
 
     rosrun synthetic_dataset describe_dataset.py FOLDER
 """
+import collections
+import itertools
+import json
+import operator
 import pathlib
 import sqlite3
+import statistics
 import sys
+
+MOST_TEXTS = 5  # of an entry, the most frequent ones
+
+
+def summary(numbers):
+    return f'{min(numbers):.4g} to {max(numbers):.4g}, mean {statistics.fmean(numbers):.4g}'
+
+
+def describe_draws(values):
+    """What was drawn of one entry: numbers, lists of numbers or texts."""
+    if all(isinstance(value, (int, float)) for value in values):
+        return summary(values)
+    if all(isinstance(value, list) for value in values):
+        return '; '.join(summary(component) for component in zip(*values))
+    counts = collections.Counter(map(str, values))
+    texts = [f"{count} x '{text}'" for text, count in counts.most_common(MOST_TEXTS)]
+    more = len(counts) - len(texts)
+    return ', '.join(texts) + (f' and {more} more' if more else '')
+
+
+def print_draws(database):
+    tables = database.execute("SELECT 1 FROM sqlite_master WHERE name = 'draw'").fetchone()
+    if tables is None:  # a manifest of format version 2
+        return
+    rows = database.execute('SELECT name, value FROM draw ORDER BY name')
+    for name, draws in itertools.groupby(rows, key=operator.itemgetter(0)):
+        values = [json.loads(value) for _, value in draws]
+        print(f'  {name}, drawn for {len(values)} scenes: {describe_draws(values)}')
 
 
 def main():
@@ -24,6 +57,7 @@ def main():
             ' (SELECT count(*) FROM file WHERE file.writer = writer."index")'
             ' FROM writer ORDER BY "index"'):
         print(f'  {name} ({kind}): {files} files in {(folder / output_folder).resolve()}')
+    print_draws(database)
     return 0 if state == 'complete' else 1
 
 

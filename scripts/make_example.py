@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes what the bundled example's SDF files name: textures, meshes and the recording.
+"""Makes what the bundled example's files name: textures, meshes, the recording and the map.
 
 Writes into worlds/ of this repository; run again after a change of a shape or of a path. The same
 files come out each time. Needs ROS's rosbag and nothing else beside Python's standard library.
@@ -7,7 +7,7 @@ files come out each time. Needs ROS's rosbag and nothing else beside Python's st
 
 import os
 
-from example import furniture, hall, recording, textures, vehicles
+from example import floor_map, furniture, hall, recording, textures, vehicles
 
 WORLDS = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "worlds")
 
@@ -26,6 +26,7 @@ def main() -> None:
     for part in (vehicles, hall, furniture):
         part.write_all(models_folder)
     recording.write(os.path.join(WORLDS, "example.bag"))
+    floor_map.write(WORLDS)
 
 
 if __name__ == "__main__":

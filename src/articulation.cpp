@@ -40,14 +40,14 @@ std::vector<std::string> frameNames(const world::Model& model, const world::Link
 }
 
 Frames framesByPattern(const world::Model& model, const config::ObjectConfig& object,
-                       const motion::BagMotion& recording) {
+                       const motion::FrameMotion& frame_motion) {
   Frames frames;
   for (const world::Link& link : model.links) {
     std::optional<std::string> known;
     for (const std::string& name : frameNames(model, link)) {
       const std::string frame =
           replaced(replaced(object.link_frames.pattern, "{object}", object.name), "{link}", name);
-      if (!known && recording.knowsFrame(frame)) known = frame;
+      if (!known && frame_motion.knowsFrame(frame)) known = frame;
     }
     frames.push_back(known);
   }
@@ -55,7 +55,7 @@ Frames framesByPattern(const world::Model& model, const config::ObjectConfig& ob
 }
 
 Frames framesByLink(const world::Model& model, const config::ObjectConfig& object,
-                    const motion::BagMotion& recording) {
+                    const motion::FrameMotion& frame_motion) {
   Frames frames(model.links.size());
   std::vector<std::string> names;
   for (const world::Link& link : model.links) names.push_back(link.name);
@@ -65,9 +65,9 @@ Frames framesByLink(const world::Model& model, const config::ObjectConfig& objec
     const auto found = std::find(names.begin(), names.end(), link);
     if (found == names.end()) {
       errors.push_back(place + "the model has no link '" + link + "'" + didYouMean(link, names));
-    } else if (!recording.knowsFrame(frame)) {
+    } else if (!frame_motion.knowsFrame(frame)) {
       errors.push_back(place + "the recording has no frame '" + frame + "'" +
-                       recording.suggestFrame(frame));
+                       frame_motion.suggestFrame(frame));
     } else {
       frames[static_cast<std::size_t>(found - names.begin())] = frame;
     }
@@ -102,10 +102,10 @@ std::string heldJoints(const world::Model& model, const Frames& frames) {
 }  // namespace
 
 Articulation articulate(world::Model model, const config::ObjectConfig& object,
-                        const motion::BagMotion& recording) {
+                        const motion::FrameMotion& frame_motion) {
   const Frames frames = object.link_frames.by_link.empty()
-                            ? framesByPattern(model, object, recording)
-                            : framesByLink(model, object, recording);
+                            ? framesByPattern(model, object, frame_motion)
+                            : framesByLink(model, object, frame_motion);
   const std::string object_frame = motion::withoutLeadingSlashes(object.frame);
   std::optional<std::size_t> base;
   std::size_t others = 0;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "config/config.h"
-#include "motion/bag_motion.h"
+#include "motion/frame_motion.h"
 #include "world/description.h"
 
 namespace synthetic_dataset {
@@ -28,6 +28,6 @@ struct Articulation {
 /// Decides which links of an object's model follow frames of their own.
 /// @throws ErrorList with links and frames of `link_frames` that do not exist
 [[nodiscard]] Articulation articulate(world::Model model, const config::ObjectConfig& object,
-                                      const motion::BagMotion& recording);
+                                      const motion::FrameMotion& frame_motion);
 
 }  // namespace synthetic_dataset

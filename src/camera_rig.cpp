@@ -6,6 +6,7 @@
 #include "motion/recorded_camera_info.h"
 #include "seconds.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -56,23 +57,47 @@ std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
   return static_cast<std::size_t>(found - links.begin());
 }
 
+/// The frame of the object that a camera is mounted on.
+std::string carrierOf(const config::CameraConfig& config,
+                      const std::vector<config::ObjectConfig>& objects) {
+  std::vector<std::string> names;
+  for (const config::ObjectConfig& object : objects) {
+    if (object.name == *config.on) return object.frame;
+    names.push_back(object.name);
+  }
+  throw Error(config.group + "/mounted_on: found '" + *config.on +
+              "'; it should be an object of robot_list" + didYouMean(*config.on, names));
+}
+
 void findPose(const config::CameraConfig& config, const world::CameraSensor* sensor,
-              const std::vector<world::LinkInstance>& links, const motion::BagMotion& recording,
+              const std::vector<world::LinkInstance>& links,
+              const std::vector<config::ObjectConfig>& objects, const motion::FrameMotion& frames,
               CameraRig& rig) {
+  rig.sampled = config.sample.has_value();
+  if (rig.sampled) return;
+  if (config.on) {
+    rig.carrier = carrierOf(config, objects);
+    rig.X_LC = config.X_GC.value_or(Pose::Identity());
+    return;
+  }
   rig.X_GC = config.X_GC;
-  if (rig.X_GC || recording.knowsFrame(rig.frame)) return;
+  if (rig.X_GC || frames.knowsFrame(rig.frame)) return;
   if (sensor != nullptr) {
     rig.link = movingLinkOf(*sensor, links);
     rig.X_LC = sensor->X_LC;
     if (!rig.link) rig.X_GC = sensor->X_WC;
     return;
   }
+  if (frames.recording() == nullptr) {
+    throw Error(config.group + ": nothing says where it is; " + config.group +
+                "/pose should, or sample, mounted_on or sensor");
+  }
   const std::string parameter =
       config.group == "camera" ? "camera_frame_id" : config.group + "/frame_id";
   throw Error(parameter + ": found '" + rig.frame +
               "', a frame that the recording does not have (name one of its frames, or give " +
               config.group + "/pose or " + config.group + "/sensor)" +
-              recording.suggestFrame(rig.frame));
+              frames.suggestFrame(rig.frame));
 }
 
 Shutter shutterOf(const config::EffectsConfig& config) {
@@ -99,7 +124,8 @@ CameraRig makeCameraRig(const config::CameraConfig& config,
                         const std::vector<std::string>& bag_files,
                         const std::vector<world::CameraSensor>& sensors,
                         const std::vector<world::LinkInstance>& links,
-                        const motion::BagMotion& recording) {
+                        const std::vector<config::ObjectConfig>& objects,
+                        const motion::FrameMotion& frames) {
   const world::CameraSensor* sensor = findSensor(config, sensors);
   std::optional<CameraModel> model;
   std::string frame = config.frame.value_or("");
@@ -112,7 +138,7 @@ CameraRig makeCameraRig(const config::CameraConfig& config,
   }
   if (!model) throw Error(config.group + ": no intrinsics");
   CameraRig rig{config.name, *model, frame};
-  findPose(config, sensor, links, recording, rig);
+  findPose(config, sensor, links, objects, frames, rig);
   rig.shutter = shutterOf(config.effects);
   rig.effects = effectsOf(config.effects, sensor);
   return rig;
@@ -132,12 +158,13 @@ double seenShare(const CameraModel& camera) {
 }
 
 Pose cameraPose(const CameraRig& camera, const world::World& world,
-                const motion::BagMotion& recording, const std::string& global_frame, Stamp instant,
-                Duration offset) {
+                const motion::FrameMotion& frames, Stamp instant, Duration offset) {
   if (camera.X_GC) return *camera.X_GC;
   if (camera.link) return world.linkPoses()[*camera.link] * camera.X_LC;
-  const bool known = recording.canTransform(global_frame, camera.frame, instant + offset);
-  return recording.transform(global_frame, camera.frame, known ? instant + offset : instant);
+  const std::string& frame = camera.carrier.value_or(camera.frame);
+  const bool known = frames.hasPose(frame, instant + offset);
+  const Pose X_GF = frames.pose(frame, known ? instant + offset : instant);
+  return camera.carrier ? Pose(X_GF * camera.X_LC) : X_GF;
 }
 
 }  // namespace synthetic_dataset

@@ -4,10 +4,11 @@
 #include <chrono>
 #include <utility>
 
+#include "config/settings_text.h"
 #include "object_motion.h"
 #include "open_output.h"
 #include "picture_taker.h"
-#include "random_seed.h"
+#include "random/random_seed.h"
 #include "render/renderer.h"
 #include "run_setup.h"
 #include "scene_committer.h"
@@ -43,6 +44,7 @@ struct UnwrittenScene {
   render::PendingPicture image;
   std::vector<output::ContactFacts> contacts;
   std::vector<output::Warning> warnings;
+  std::vector<output::DrawFacts> draws;
 };
 
 struct Generator::Impl {
@@ -52,16 +54,15 @@ struct Generator::Impl {
         setup(setUpRun(parameters, plugin_xml_files)),
         renderer(setup.world->description(), setup.world->links(),
                  renderOptions(setup.config.rendering)),
-        scene_maker(*setup.world, renderer, *setup.recording, setup.cameras,
-                    setup.config.global_frame, *setup.shapes, *setup.splits,
-                    setup.writers->requirements(), labelOptions(setup.config)),
-        picture_taker(*setup.world, renderer, *setup.recording, setup.cameras,
-                      setup.config.global_frame, setup.config.seed),
-        object_motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links),
+        scene_maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes,
+                    *setup.splits, setup.writers->requirements(), labelOptions(setup.config)),
+        picture_taker(*setup.world, renderer, *setup.frames, setup.cameras, setup.config.seed),
+        object_motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links),
         store(openOutput(describedSetup())),
-        work(
-            instantCount(), cameraCount(), shardOf(setup.config.output),
-            [this](std::int64_t scene) { return store->wasComplete() || store->hasScene(scene); }) {
+        work(instantCount(), cameraCount(), shardOf(setup.config.output),
+             setup.config.output.only_scenes, [this](std::int64_t scene) {
+               return store->wasComplete() || store->hasScene(scene);
+             }) {
     // A shutter may open before the recording begins: objects are where they are first seen then.
     const Stamp first = setup.timeline.stamps.front();
     (void)object_motion.objectPoses(first);
@@ -92,7 +93,8 @@ struct Generator::Impl {
     warnings.tell(setup.description.warnings);
     reporter.info(std::to_string(setup.description.scene_count) + " scenes" + ofCameras() +
                   " from " + fixed(toSeconds(setup.timeline.stamps.front()), 3) + " s on, every " +
-                  fixed(1.0 / setup.config.motion.rate, 4) + " s" + ofSplits() + ofShard());
+                  fixed(1.0 / setup.config.motion.rate, 4) + " s" + ofSplits() + ofShard() +
+                  ofChoice());
     if (store->wasComplete()) {
       reporter.info("the dataset is complete already: there is nothing to do");
     } else if (work.missingCount() < work.sceneCount()) {
@@ -121,6 +123,12 @@ struct Generator::Impl {
            std::to_string(shard->count - 1) + " makes " + std::to_string(work.sceneCount());
   }
 
+  [[nodiscard]] std::string ofChoice() const {
+    if (setup.config.output.only_scenes.empty()) return "";
+    return "; only_scenes makes " + std::to_string(work.sceneCount()) +
+           ", and leaves the dataset open for the others";
+  }
+
   void moveWorld(Stamp stamp) {
     setup.world->advanceTo(
         // While things settle, the objects stand where they start.
@@ -130,7 +138,19 @@ struct Generator::Impl {
     for (const std::string& gap : object_motion.takeGaps()) news.push_back({gap});
   }
 
+  /// All that was drawn for a camera's scene.
+  [[nodiscard]] std::vector<output::DrawFacts> drawsOf(std::size_t camera) const {
+    std::vector<output::DrawFacts> draws = setup.variation->draws(camera);
+    if (const auto& numbers = setup.arranger->distractors()) {
+      Value::List there;
+      for (const int number : *numbers) there.emplace_back(number);
+      draws.push_back({"distractors", config::jsonText(Value(there))});
+    }
+    return draws;
+  }
+
   void settle() {
+    if (setup.arranger->standsAlone()) return;  // it has done so
     const Duration time = fromSeconds(setup.config.physics.settle);
     if (time.count() > 0) moveWorld(motion_start - std::min(time, motion_start - Stamp(1)));
   }
@@ -166,7 +186,10 @@ struct Generator::Impl {
   /// The scenes of one time: one a camera. Where none of them is to be made, the world goes through
   /// this time all the same: what props do and where links were last seen follows from it.
   void makeInstant(std::int64_t instant, Stamp stamp) {
+    const bool stands_alone = setup.arranger->standsAlone();
+    if (stands_alone && !work.wants(instant)) return;
     std::vector<UnwrittenScene> scenes;
+    arrange(instant, stamp);
     for (const Duration offset : picture_taker.offsets()) {
       moveWorld(stamp + offset);
       if (work.wants(instant)) picture_taker.expose(stamp, offset);
@@ -182,14 +205,28 @@ struct Generator::Impl {
     if (!scenes.empty()) scenes.front().warnings = std::move(news);
     news.clear();
     unwritten = std::move(scenes);
-    if (!scene_maker.needsOpticalFlow()) write(std::nullopt);
+    if (stands_alone || !scene_maker.needsOpticalFlow()) write(std::nullopt);
+  }
+
+  /// Puts everything that is put somewhere for each scene, at the time when the first shutter
+  /// opens.
+  void arrange(std::int64_t instant, Stamp stamp) {
+    setup.variation->choose(instant, *setup.world);
+    setup.arranger->placeObjects(instant);
+    moveWorld(stamp + picture_taker.offsets().front());
+    // The scene before may wait for where things have gone.
+    if (!work.wants(instant) && unwritten.empty()) return;
+    setup.arranger->placeDistractors(instant, stamp);
+    setup.arranger->placeCameras(instant, stamp);
+    setup.variation->vary(instant, renderer, setup.cameras);
   }
 
   [[nodiscard]] std::vector<UnwrittenScene> lookAtInstant(std::int64_t instant, Stamp stamp) {
     std::vector<UnwrittenScene> scenes;
     const std::vector<Pose> X_GO = object_motion.objectPoses(stamp);
     for (std::size_t camera = 0; camera < setup.cameras.size(); ++camera) {
-      scenes.push_back({scene_maker.make(camera, instant, stamp, X_GO), {}, {}, {}});
+      scenes.push_back(
+          {scene_maker.make(camera, instant, stamp, X_GO), {}, {}, {}, drawsOf(camera)});
     }
     scenes.front().contacts = findContacts(stamp);
     return scenes;
@@ -219,10 +256,12 @@ struct Generator::Impl {
   [[nodiscard]] output::SceneFacts factsOf(const UnwrittenScene& each) const {
     const Scene& scene = each.made.scene;
     output::SceneFacts facts = output::sceneFacts(scene);
-    facts.seed = randomSeed(static_cast<std::uint64_t>(setup.config.seed), scene.index, "scene");
+    facts.seed =
+        random::randomSeed(static_cast<std::uint64_t>(setup.config.seed), scene.index, "scene");
     facts.objects = scene_maker.objectFacts(each.made);
     facts.contacts = each.contacts;
     facts.warnings = each.warnings;
+    facts.draws = each.draws;
     return facts;
   }
 
@@ -272,7 +311,7 @@ RunSummary Generator::run() {
   if (summary.was_complete) return summary;
   const auto begin = std::chrono::steady_clock::now();
   impl_->makeScenes();
-  if (summary.stopped) {
+  if (summary.stopped || !impl_->setup.config.output.only_scenes.empty()) {
     store.flush();
   } else {
     // The files of the dataset as a whole are made of all shards together, when they are merged.

@@ -30,6 +30,10 @@ std::vector<cv::Mat> MaskFinder::find(const render::View& view,
     boxes.push_back(object.in_view ? annotate::pixelsOf(*object.loose_box, size) : cv::Rect());
     all |= boxes.back();
   }
+  without_objects_ = linksOf(kNoObject, world_.links());
+  const std::vector<bool>& present = world_.presentLinks();
+  std::transform(present.begin(), present.end(), without_objects_.begin(), without_objects_.begin(),
+                 std::logical_and<>());
   takeBackground(view, all);
   std::vector<cv::Mat> masks(objects.size());
   for (cv::Mat& mask : masks) mask = cv::Mat::zeros(size, CV_8UC1);
@@ -88,14 +92,15 @@ cv::Mat MaskFinder::segment(const cv::Mat& alone, const cv::Rect& box) {
 void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region) {
   // Compared exactly: a scene's masks must not depend on which scene was made before it.
   const bool stands_still = background_ && background_->X_GC.matrix() == view.X_WC.matrix() &&
-                            background_->prop_revision == world_.propRevision();
+                            background_->prop_revision == world_.propRevision() &&
+                            background_->look_revision == renderer_.lookRevision();
   if (stands_still && (background_->region & region) == region) return;
   // MOG2 judges each pixel by itself, so pixels outside of all boxes need not be drawn. Where
   // nothing but the objects moves, the whole picture is good for all scenes to come.
   const cv::Rect whole(0, 0, view.camera.width(), view.camera.height());
   const cv::Rect drawn = stands_still ? whole : region;
-  background_ =
-      Background{view.X_WC, world_.propRevision(), drawn, draw(view, without_objects_, {drawn})};
+  background_ = Background{view.X_WC, world_.propRevision(), renderer_.lookRevision(), drawn,
+                           draw(view, without_objects_, {drawn})};
   segmenter_.train(background_->image);
 }
 

@@ -30,6 +30,7 @@ class MaskFinder {
   struct Background {
     Pose X_GC = Pose::Identity();  ///< of the camera, when it was taken
     std::int64_t prop_revision = -1;
+    std::int64_t look_revision = -1;
     cv::Rect region;  ///< the pixels that were drawn
     cv::Mat image;
   };

@@ -22,10 +22,10 @@ std::vector<std::size_t> parentsFirst(const std::vector<const world::Link*>& lin
 
 }  // namespace
 
-ObjectMotion::ObjectMotion(const motion::BagMotion& recording, const config::Config& config,
+ObjectMotion::ObjectMotion(const motion::FrameMotion& frames, const config::Config& config,
                            const std::vector<world::LinkInstance>& links,
                            const std::vector<std::vector<DrivenLink>>& driven)
-    : recording_(recording), global_frame_(config.global_frame) {
+    : frames_(frames) {
   std::vector<std::vector<const world::Link*>> links_of(config.objects.size());
   for (const world::LinkInstance& each : links) {
     if (each.object >= 0) links_of[static_cast<std::size_t>(each.object)].push_back(each.link);
@@ -50,8 +50,8 @@ ObjectMotion::ObjectMotion(const motion::BagMotion& recording, const config::Con
 }
 
 std::optional<Pose> ObjectMotion::lookUp(const std::string& frame, Stamp time) const {
-  if (!recording_.canTransform(global_frame_, frame, time)) return std::nullopt;
-  return recording_.transform(global_frame_, frame, time);
+  if (!frames_.hasPose(frame, time)) return std::nullopt;
+  return frames_.pose(frame, time);
 }
 
 const Pose& ObjectMotion::objectPose(Object& object, Stamp time) const {

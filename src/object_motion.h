@@ -6,7 +6,7 @@
 
 #include "articulation.h"
 #include "config/config.h"
-#include "motion/bag_motion.h"
+#include "motion/frame_motion.h"
 #include "world/world.h"
 
 namespace synthetic_dataset {
@@ -16,10 +16,10 @@ namespace synthetic_dataset {
 /// it hangs on, at first that of the model at rest.
 class ObjectMotion {
  public:
-  /// @param recording, config  have to outlive this
+  /// @param frames  has to outlive this
   /// @param links  of the world; their Link objects have to outlive this
   /// @param driven  the driven links of each object
-  ObjectMotion(const motion::BagMotion& recording, const config::Config& config,
+  ObjectMotion(const motion::FrameMotion& frames, const config::Config& config,
                const std::vector<world::LinkInstance>& links,
                const std::vector<std::vector<DrivenLink>>& driven);
 
@@ -53,8 +53,7 @@ class ObjectMotion {
   [[nodiscard]] const Pose& objectPose(Object& object, Stamp time) const;
   [[nodiscard]] Pose linkPose(Object& object, LinkState& link, const Pose& X_GP, Stamp time);
 
-  const motion::BagMotion& recording_;
-  const std::string& global_frame_;
+  const motion::FrameMotion& frames_;
   std::vector<Object> objects_;
   std::vector<std::string> gaps_;
 };

@@ -22,6 +22,8 @@ std::string needsVisuals(const config::ObjectConfig& object, const std::string& 
          "' has none; add a visual to the model, or " + instead;
 }
 
+}  // namespace
+
 Cuboid boxRound(const std::vector<Eigen::Vector3d>& points) {
   Cuboid box{points.front(), points.front()};
   for (const Eigen::Vector3d& point : points) {
@@ -30,8 +32,6 @@ Cuboid boxRound(const std::vector<Eigen::Vector3d>& points) {
   }
   return box;
 }
-
-}  // namespace
 
 ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
                            const std::vector<world::LinkInstance>& links) {
@@ -60,9 +60,22 @@ ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
         errors.add(config.name + "/keypoints: " + error.what());
       }
     }
+    std::vector<Pose> X_OL;
+    for (const world::Link* link : own) X_OL.push_back(link->X_ML);
+    if (!geometry.isEmpty()) {
+      object.box_at_rest_O = boxRound(geometry.box(X_OL));
+    } else if (!config.bounding_shape_O.empty()) {
+      object.box_at_rest_O = boxRound(config.bounding_shape_O);
+    }
     objects_.push_back(std::move(object));
   }
   errors.throwIfAny();
+}
+
+std::vector<Cuboid> ObjectShapes::boxesAtRest() const {
+  std::vector<Cuboid> boxes;
+  for (const Object& object : objects_) boxes.push_back(object.box_at_rest_O);
+  return boxes;
 }
 
 std::vector<annotate::ObjectShape> ObjectShapes::at(const std::vector<Pose>& X_WL,

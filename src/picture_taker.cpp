@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "random_seed.h"
+#include "random/random_seed.h"
 
 namespace synthetic_dataset {
 
 PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer,
-                           const motion::BagMotion& recording,
-                           const std::vector<CameraRig>& cameras, std::string global_frame,
+                           const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
                            std::int64_t seed)
     : world_(world),
       renderer_(renderer),
-      recording_(recording),
+      frames_(frames),
       cameras_(cameras),
-      global_frame_(std::move(global_frame)),
       seed_(static_cast<std::uint64_t>(seed)),
-      everything_(world.links().size(), true),
       offsets_{Duration{0}} {
   for (const CameraRig& camera : cameras_) {
     Sensor sensor;
@@ -50,10 +47,10 @@ void PictureTaker::expose(Stamp instant, Duration offset) {
 
 render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset,
                                           std::vector<cv::Rect> regions) {
-  render::ColourPass pass{everything_, everything_};
+  render::ColourPass pass{world_.presentLinks(), world_.presentLinks()};
   pass.regions = std::move(regions);
   pass.exposure = static_cast<float>(sensor::gainOf(camera.effects));
-  const Pose X_GC = cameraPose(camera, world_, recording_, global_frame_, instant, offset);
+  const Pose X_GC = cameraPose(camera, world_, frames_, instant, offset);
   return renderer_.draw({camera.model, X_GC}, world_.linkPoses(), pass);
 }
 
@@ -64,7 +61,7 @@ render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t sc
     sensor.light->clear();
   }
   return [picture = std::exchange(sensor.picture, {}), effects = cameras_[camera].effects,
-          seed = randomSeed(seed_, scene_index, "sensor noise")] {
+          seed = random::randomSeed(seed_, scene_index, "sensor noise")] {
     return sensor::applyEffects(picture(), effects, seed);
   };
 }

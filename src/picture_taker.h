@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "camera_rig.h"
-#include "motion/bag_motion.h"
+#include "motion/frame_motion.h"
 #include "render/renderer.h"
 #include "sensor/linear_accumulator.h"
 #include "shutter.h"
@@ -23,8 +23,8 @@ class PictureTaker {
  public:
   /// All references have to outlive this.
   PictureTaker(const world::World& world, render::Renderer& renderer,
-               const motion::BagMotion& recording, const std::vector<CameraRig>& cameras,
-               std::string global_frame, std::int64_t seed);
+               const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+               std::int64_t seed);
 
   /// The times round an instant at which a shutter lets light in, ascending; 0 is among them.
   [[nodiscard]] const std::vector<Duration>& offsets() const { return offsets_; }
@@ -50,11 +50,9 @@ class PictureTaker {
 
   const world::World& world_;
   render::Renderer& renderer_;
-  const motion::BagMotion& recording_;
+  const motion::FrameMotion& frames_;
   const std::vector<CameraRig>& cameras_;
-  std::string global_frame_;
   std::uint64_t seed_;
-  render::LinkSelection everything_;
   std::vector<Sensor> sensors_;  ///< of cameras_
   std::vector<Duration> offsets_;
 };

@@ -43,6 +43,7 @@ bool PixelLabeller::usesSubtraction() const {
 PixelFindings PixelLabeller::label(const render::View& view, Scene& scene) {
   if (needs_silhouettes_) measureSilhouettes(view, scene);
   if (!needs_labels_) return {};
+  pass_.drawn = world_.presentLinks();
   const render::LabelImages images = renderer_.labels(view, world_.linkPoses(), pass_);
   addImages(images, scene);
   PixelFindings findings;
@@ -60,6 +61,7 @@ void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) c
 
 void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!world_.present()[i]) continue;
     SceneObject& object = scene.objects[i];
     render::Silhouette silhouette = renderer_.silhouette(view, world_.linkPoses(), links_of_[i]);
     object.silhouette_box = silhouette.box;

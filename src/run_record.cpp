@@ -4,6 +4,8 @@
 
 #include <libdeflate.h>
 
+#include "appearance/texture_source.h"
+#include "config/map_file.h"
 #include "config/settings_text.h"
 #include "output/digest.h"
 
@@ -19,14 +21,27 @@ bool isIn(const std::set<std::string>& names, const std::string& setting) {
   return false;
 }
 
+std::vector<std::string> textureFolders(const config::Randomization& randomization) {
+  std::vector<std::string> sources;
+  for (const auto& [name, material] : randomization.materials) {
+    if (material.textures) sources.push_back(*material.textures);
+  }
+  if (randomization.distractors) sources.push_back(randomization.distractors->textures);
+  std::vector<std::string> folders;
+  for (const std::string& source : sources) {
+    if (source != "procedural" && source != "none") folders.push_back(source);
+  }
+  return folders;
+}
+
 }  // namespace
 
 std::map<std::string, output::RunDescription::Setting> usedSettings(
     const Value& parameters, const config::Config& config, const std::vector<std::string>& unused,
     const std::map<std::string, Value>& defaults) {
   // None of these changes what is made.
-  std::set<std::string> left_out = {"output_folder", "if_exists", "sync", "shard",
-                                    "rendering/reuse"};
+  std::set<std::string> left_out = {"output_folder", "if_exists",   "sync",
+                                    "shard",         "only_scenes", "rendering/reuse"};
   left_out.insert(unused.begin(), unused.end());
   for (const config::WriterConfig& writer : config.writers) {
     left_out.insert(writer.name + "/output_folder");
@@ -48,6 +63,21 @@ std::map<std::string, std::string> softwareVersions() {
           {"opencv", OPENCV_VERSION},
           {"libdeflate", LIBDEFLATE_VERSION_STRING},
           {"sdformat", SDFORMAT_VERSION}};
+}
+
+std::set<std::string> inputsNamedBy(const config::Config& config) {
+  std::set<std::string> inputs(config.motion.bag_files.begin(), config.motion.bag_files.end());
+  for (const config::CameraConfig& camera : config.cameras) {
+    if (camera.info_file) inputs.insert(*camera.info_file);
+  }
+  if (config.placement.map_file) {
+    inputs.insert(*config.placement.map_file);
+    inputs.insert(config::readMapFile(*config.placement.map_file).image);
+  }
+  for (const std::string& folder : textureFolders(config.randomization)) {
+    for (const std::string& file : appearance::picturesIn(folder)) inputs.insert(file);
+  }
+  return inputs;
 }
 
 std::map<std::string, output::RunDescription::Input> describeInputs(

@@ -23,6 +23,10 @@ namespace synthetic_dataset {
 /// Names and versions of what shapes a dataset's bytes, but for OpenGL's: who draws knows it.
 [[nodiscard]] std::map<std::string, std::string> softwareVersions();
 
+/// The files that settings name, but for the world's and its models': recordings, calibrations,
+/// maps, and the pictures that surfaces may wear.
+[[nodiscard]] std::set<std::string> inputsNamedBy(const config::Config& config);
+
 /// Sizes and digests of the files that a dataset is made from.
 /// @throws Error naming a file that cannot be read
 [[nodiscard]] std::map<std::string, output::RunDescription::Input> describeInputs(

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "appearance/distractor_models.h"
 #include "dataset_description.h"
 #include "error_collector.h"
 #include "render/light_setup.h"
@@ -49,6 +50,7 @@ class Builder {
     openRecording();
     loadWorld();
     setUpCameras();
+    arrangeScenes();
     planRun();
     loadWriters();
     checkFrames();
@@ -70,10 +72,8 @@ class Builder {
     output::RunDescription& run = setup_.description;
     run.settings = usedSettings(parameters_, config(), unused, root_.defaultValues());
     run.software = softwareVersions();
-    inputs_.insert(config().motion.bag_files.begin(), config().motion.bag_files.end());
-    for (const config::CameraConfig& camera : config().cameras) {
-      if (camera.info_file) inputs_.insert(*camera.info_file);
-    }
+    const std::set<std::string> named = inputsNamedBy(config());
+    inputs_.insert(named.begin(), named.end());
     run.inputs = describeInputs(inputs_);
     describeContents(dataset(), run);
     countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap",
@@ -101,11 +101,33 @@ class Builder {
   }
 
   void openRecording() {
+    if (isPlaced()) {
+      setup_.frames = std::make_unique<motion::FrameMotion>(config().global_frame, nullptr);
+      for (const config::ObjectConfig& each : config().objects) {
+        if (setup_.frames->isPlaced(each.frame) || each.frame == config().global_frame) {
+          errors_.add(each.name + "/frame: found '" + each.frame +
+                      "', which is not its own; each object that is placed needs a frame of its "
+                      "own");
+        }
+        placeSomewhere(each.frame);
+      }
+      return;
+    }
     if (config().motion.bag_files.empty()) return;
-    setup_.recording =
+    auto recording =
         attempt([&] { return std::make_unique<motion::BagMotion>(config().motion.bag_files); });
-    if (setup_.recording) addNotes(setup_.recording->notes());
+    if (!recording) return;
+    addNotes(recording->notes());
+    setup_.frames =
+        std::make_unique<motion::FrameMotion>(config().global_frame, std::move(recording));
   }
+
+  [[nodiscard]] bool isPlaced() const {
+    return config().motion.source == config::MotionSource::kPlacement;
+  }
+
+  /// Frames that are placed scene by scene are known from the start.
+  void placeSomewhere(const std::string& frame) { setup_.frames->place(frame, Pose::Identity()); }
 
   void loadWorld() {
     if (config().world.file.empty()) return;
@@ -125,6 +147,7 @@ class Builder {
       auto model = objectModel(surroundings, object, loader);
       if (model) addObject(std::move(*model), object, objects);
     }
+    auto distractors = errors_.attempt([&] { return loadDistractors(loader); });
     addNotes(loader.modelNotes());
     for (const auto& file : finder.found()) inputs_.insert(file.string());
     sensors_ = description_->cameras;
@@ -134,8 +157,11 @@ class Builder {
     world::PhysicsOptions physics;
     physics.step = fromSeconds(config().physics.step);
     physics.contact_tolerance = config().physics.contact_tolerance;
+    physics.drops_objects = isPlaced() && config().placement.mode == config::PlacementMode::kDrop;
+    if (!distractors) return;
     setup_.world = attempt([&] {
-      return std::make_unique<world::World>(std::move(surroundings), std::move(objects), physics);
+      return std::make_unique<world::World>(std::move(surroundings), std::move(objects), physics,
+                                            std::move(*distractors));
     });
     if (!setup_.world) return;
     addNotes(setup_.world->description().notes);
@@ -144,13 +170,34 @@ class Builder {
         [&] { return std::make_unique<ObjectShapes>(config().objects, setup_.world->links()); });
   }
 
+  [[nodiscard]] std::vector<world::Model> loadDistractors(world::WorldLoader& loader) const {
+    const auto& distractors = config().randomization.distractors;
+    if (!distractors) return {};
+    const auto load = [&](const std::string& uri, const std::string& name) {
+      return loader.loadModel(uri, name);
+    };
+    const std::string group = "randomize/distractors";
+    try {
+      return appearance::makeDistractors(*distractors, static_cast<std::uint64_t>(config().seed),
+                                         load);
+    } catch (const ErrorList& list) {
+      std::vector<std::string> messages;
+      for (const std::string& each : list.messages())
+        messages.push_back(group + "/models: " + each);
+      throw ErrorList(std::move(messages));
+    } catch (const Error& error) {
+      throw Error(group + (distractors->models.empty() ? "/textures: " : "/models: ") +
+                  error.what());
+    }
+  }
+
   /// Without a recording, which is an error already, no link is driven.
   void addObject(world::Model model, const config::ObjectConfig& object,
                  std::vector<world::MovingObject>& objects) {
     Articulation articulation;
-    if (setup_.recording) {
+    if (setup_.frames) {
       auto made =
-          errors_.attempt([&] { return articulate(std::move(model), object, *setup_.recording); });
+          errors_.attempt([&] { return articulate(std::move(model), object, *setup_.frames); });
       if (!made) return;
       articulation = std::move(*made);
     } else {
@@ -182,20 +229,38 @@ class Builder {
 
   void setUpCameras() {
     static const std::vector<world::LinkInstance> kNoLinks;
-    if (!setup_.recording || !description_) return;
+    if (!setup_.frames || !description_) return;
     for (const config::CameraConfig& camera : config().cameras) {
       const bool two_sources = camera.info_file && camera.info_topic;
       const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
       if (two_sources || no_source) continue;  // told already
       auto rig = errors_.attempt([&] {
         return makeCameraRig(camera, config().motion.bag_files, sensors_,
-                             setup_.world ? setup_.world->links() : kNoLinks, *setup_.recording);
+                             setup_.world ? setup_.world->links() : kNoLinks, config().objects,
+                             *setup_.frames);
       });
       if (!rig) continue;
+      if (rig->sampled && isTaken(rig->frame, camera)) continue;
+      if (rig->sampled) placeSomewhere(rig->frame);
       checkShutter(camera, *rig);
       noteBlindLens(camera, *rig);
       setup_.cameras.push_back(std::move(*rig));
     }
+  }
+
+  /// What is placed has a frame of its own: else one would be where the other is.
+  bool isTaken(const std::string& frame, const config::CameraConfig& camera) {
+    std::string owner = frame == config().global_frame ? "global_frame" : "";
+    for (const config::ObjectConfig& object : config().objects) {
+      if (object.frame == frame) owner = object.name;
+    }
+    for (const CameraRig& other : setup_.cameras) {
+      if (other.frame == frame) owner = "the camera " + other.name;
+    }
+    if (owner.empty()) return false;
+    errors_.add(camera.group + "/frame_id: found '" + frame + "', which is also the frame of " +
+                owner + "; a camera that is put somewhere needs a frame of its own");
+    return true;
   }
 
   /// Physics goes forward only, so a picture has to be exposed before the next one begins.
@@ -220,12 +285,30 @@ class Builder {
                        [&](const CameraRig& camera) { return camera.frame == frame; });
   }
 
+  void arrangeScenes() {
+    if (!setup_.frames || !setup_.shapes || setup_.cameras.empty()) return;
+    setup_.variation = attempt(
+        [&] { return std::make_unique<SceneVariation>(config(), setup_.cameras, *setup_.world); });
+    setup_.arranger = attempt([&] {
+      return std::make_unique<SceneArranger>(config(), setup_.cameras, *setup_.shapes,
+                                             *setup_.world, *setup_.frames);
+    });
+    if (!setup_.arranger) return;
+    const std::vector<std::string>& remarks = setup_.arranger->remarks();
+    setup_.remarks.insert(setup_.remarks.end(), remarks.begin(), remarks.end());
+  }
+
   void planRun() {
-    if (!setup_.recording || config().objects.empty()) return;
+    if (!setup_.frames || config().objects.empty()) return;
     auto timeline = errors_.attempt([&] {
-      return planScenes(*setup_.recording, config(), setup_.cameras, setup_.driven_links);
+      if (isPlaced()) return planUnrelatedScenes(config());
+      return planScenes(*setup_.frames, config(), setup_.cameras, setup_.driven_links);
     });
     if (timeline) setup_.timeline = std::move(*timeline);
+    const std::set<std::int64_t>& only = config().output.only_scenes;
+    if (!timeline || only.empty() || *only.rbegin() < instantCount()) return;
+    errors_.add("only_scenes: found " + std::to_string(*only.rbegin()) +
+                "; this run's scenes are 0 to " + std::to_string(instantCount() - 1));
   }
 
   [[nodiscard]] std::int64_t instantCount() const {
@@ -268,17 +351,19 @@ class Builder {
 
   /// The frames that writers ask for: unknown ones are errors, scenes without them are left out.
   void checkFrames() {
-    if (!setup_.writers || !setup_.recording) return;
+    if (!setup_.writers || !setup_.frames) return;
     for (const std::string& frame : setup_.writers->requirements().frames) {
       if (isCameraFrame(frame)) continue;
-      if (setup_.recording->knowsFrame(frame)) {
+      if (setup_.frames->knowsFrame(frame)) {
         static_cast<void>(errors_.attempt([&] {
-          leaveOutScenesWithout(frame, *setup_.recording, config().global_frame, setup_.timeline);
+          leaveOutScenesWithout(frame, *setup_.frames, setup_.timeline);
           return true;
         }));
       } else {
         errors_.add("a writer asks for the frame '" + frame +
-                    "', which the recording does not have" + setup_.recording->suggestFrame(frame));
+                    (isPlaced() ? "', which nothing that is placed has"
+                                : "', which the recording does not have") +
+                    setup_.frames->suggestFrame(frame));
       }
     }
   }

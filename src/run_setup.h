@@ -7,9 +7,11 @@
 #include "articulation.h"
 #include "camera_rig.h"
 #include "config/config.h"
-#include "motion/bag_motion.h"
+#include "motion/frame_motion.h"
 #include "object_shapes.h"
 #include "output/run_description.h"
+#include "scene_arranger.h"
+#include "scene_variation.h"
 #include "split_plan.h"
 #include "synthetic_dataset/value.h"
 #include "world/world.h"
@@ -20,12 +22,14 @@ namespace synthetic_dataset {
 /// Everything that a run is made of, checked and ready for the first scene.
 struct RunSetup {
   config::Config config;
-  std::unique_ptr<motion::BagMotion> recording;
+  std::unique_ptr<motion::FrameMotion> frames;
   motion::Timeline timeline;
   std::unique_ptr<world::World> world;
   std::vector<CameraRig> cameras;
   std::vector<std::vector<DrivenLink>> driven_links;  ///< of each object
   std::unique_ptr<ObjectShapes> shapes;               ///< of the objects
+  std::unique_ptr<SceneArranger> arranger;
+  std::unique_ptr<SceneVariation> variation;
   std::unique_ptr<SplitPlan> splits;
   std::unique_ptr<writers::WriterHost> writers;
   output::RunDescription description;       ///< for the manifest; with what the user should know

@@ -7,16 +7,24 @@
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
+namespace {
+
+/// An object that is not there has a pose, and no label.
+void leaveOut(SceneObject& object) {
+  object.in_view = false;
+  object.loose_box.reset();
+  object.dropped = true;
+}
+
+}  // namespace
 
 SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
-                       const motion::BagMotion& recording, const std::vector<CameraRig>& cameras,
-                       std::string global_frame, const ObjectShapes& shapes,
-                       const SplitPlan& splits, const Requirements& requirements,
-                       const PixelLabelOptions& options)
+                       const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+                       const ObjectShapes& shapes, const SplitPlan& splits,
+                       const Requirements& requirements, const PixelLabelOptions& options)
     : world_(world),
-      recording_(recording),
+      frames_(frames),
       cameras_(cameras),
-      global_frame_(std::move(global_frame)),
       shapes_(shapes),
       splits_(splits),
       needs_optical_flow_(requirements.optical_flow) {
@@ -28,7 +36,7 @@ SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
 MadeScene SceneMaker::make(std::size_t camera, std::int64_t instant, Stamp stamp,
                            const std::vector<Pose>& X_GO) {
   const CameraRig& rig = cameras_[camera];
-  const render::View view{rig.model, cameraPose(rig, world_, recording_, global_frame_, stamp)};
+  const render::View view{rig.model, cameraPose(rig, world_, frames_, stamp)};
   const auto count = static_cast<std::int64_t>(cameras_.size());
   Scene scene(view.camera);
   scene.index = instant * count + static_cast<std::int64_t>(camera);
@@ -42,13 +50,14 @@ MadeScene SceneMaker::make(std::size_t camera, std::int64_t instant, Stamp stamp
   const std::vector<annotate::ObjectShape> shapes = shapes_.at(world_.linkPoses(), X_GO);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     scene.objects.push_back(annotate::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
+    if (!world_.present()[i]) leaveOut(scene.objects.back());
   }
-  scene.lookup = [this, stamp, X_GC = cameraPoses(stamp)](const std::string& target,
-                                                          const std::string& source) {
+  // Writers ask in their own thread, when the next scene may have been placed already.
+  scene.lookup = [frames = frames_, stamp, X_GC = cameraPoses(stamp)](const std::string& target,
+                                                                      const std::string& source) {
     const auto inGlobal = [&](const std::string& frame) {
       const auto found = X_GC.find(frame);
-      return found != X_GC.end() ? found->second
-                                 : recording_.transform(global_frame_, frame, stamp);
+      return found != X_GC.end() ? found->second : frames.pose(frame, stamp);
     };
     return Pose(inGlobal(target).inverse() * inGlobal(source));
   };
@@ -66,7 +75,7 @@ void SceneMaker::addOpticalFlow(MadeScene& made, std::optional<Stamp> next) cons
   }
   const SeenSurface& surface = made.findings.surface;
   const CameraRig& rig = cameras_[scene.camera_index];
-  const Pose X_GC_next = cameraPose(rig, world_, recording_, global_frame_, *next);
+  const Pose X_GC_next = cameraPose(rig, world_, frames_, *next);
   scene.optical_flow =
       annotate::opticalFlow(scene.camera, surface.depth, surface.range, surface.links, scene.X_GC,
                             made.X_GL, X_GC_next, world_.linkPoses());
@@ -94,7 +103,7 @@ std::vector<output::ObjectFacts> SceneMaker::objectFacts(const MadeScene& made) 
 std::map<std::string, Pose> SceneMaker::cameraPoses(Stamp stamp) const {
   std::map<std::string, Pose> poses;
   for (const CameraRig& camera : cameras_) {
-    poses.emplace(camera.frame, cameraPose(camera, world_, recording_, global_frame_, stamp));
+    poses.emplace(camera.frame, cameraPose(camera, world_, frames_, stamp));
   }
   return poses;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "camera_rig.h"
-#include "motion/bag_motion.h"
+#include "motion/frame_motion.h"
 #include "object_shapes.h"
 #include "output/scene_facts.h"
 #include "pixel_labeller.h"
@@ -31,9 +31,9 @@ class SceneMaker {
   /// All references have to outlive the maker.
   /// @param shapes  of the objects, in the world's order
   SceneMaker(const world::World& world, render::Renderer& renderer,
-             const motion::BagMotion& recording, const std::vector<CameraRig>& cameras,
-             std::string global_frame, const ObjectShapes& shapes, const SplitPlan& splits,
-             const Requirements& requirements, const PixelLabelOptions& options);
+             const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+             const ObjectShapes& shapes, const SplitPlan& splits, const Requirements& requirements,
+             const PixelLabelOptions& options);
 
   /// What a camera's picture shows, of the world as it stands now; the picture itself is left to
   /// the PictureTaker, the optical flow to addOpticalFlow.
@@ -57,9 +57,8 @@ class SceneMaker {
   [[nodiscard]] std::map<std::string, Pose> cameraPoses(Stamp stamp) const;
 
   const world::World& world_;
-  const motion::BagMotion& recording_;
+  const motion::FrameMotion& frames_;
   const std::vector<CameraRig>& cameras_;
-  std::string global_frame_;
   const ObjectShapes& shapes_;
   const SplitPlan& splits_;
   bool needs_optical_flow_;

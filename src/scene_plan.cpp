@@ -6,6 +6,7 @@
 #include "seconds.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -30,10 +31,9 @@ void leaveOut(const Unwanted& unwanted, motion::Timeline& timeline) {
 
 /// Scenes during whose exposure a frame is not known, as at the recording's ends.
 void leaveOutHalfExposed(const std::vector<std::string>& frames, Duration open,
-                         const motion::BagMotion& recording, const std::string& global_frame,
-                         motion::Timeline& timeline) {
+                         const motion::FrameMotion& frame_motion, motion::Timeline& timeline) {
   const auto known = [&](const std::string& frame, Stamp time) {
-    return recording.canTransform(global_frame, frame, time);
+    return frame_motion.hasPose(frame, time);
   };
   const auto is_half_exposed = [&](Stamp stamp) {
     return std::any_of(frames.begin(), frames.end(), [&](const std::string& frame) {
@@ -52,7 +52,7 @@ void leaveOutHalfExposed(const std::vector<std::string>& frames, Duration open,
 
 }  // namespace
 
-motion::Timeline planScenes(const motion::BagMotion& recording, const config::Config& config,
+motion::Timeline planScenes(const motion::FrameMotion& frame_motion, const config::Config& config,
                             const std::vector<CameraRig>& cameras,
                             const std::vector<std::vector<DrivenLink>>& driven_links) {
   std::vector<std::string> frames;
@@ -62,24 +62,37 @@ motion::Timeline planScenes(const motion::BagMotion& recording, const config::Co
     if (camera.followsRecording()) frames.push_back(camera.frame);
     open = std::max(open, openTime(camera.shutter));
   }
-  motion::Timeline timeline =
-      recording.timeline(config.global_frame, frames, timelineOptions(config.motion));
+  motion::Timeline timeline = frame_motion.recording()->timeline(config.global_frame, frames,
+                                                                 timelineOptions(config.motion));
   if (open.count() == 0) return timeline;
   for (const auto& object : driven_links) {
     for (const DrivenLink& link : object) frames.push_back(link.frame);
   }
-  leaveOutHalfExposed(frames, open, recording, config.global_frame, timeline);
+  leaveOutHalfExposed(frames, open, frame_motion, timeline);
   return timeline;
 }
 
-void leaveOutScenesWithout(const std::string& frame, const motion::BagMotion& recording,
-                           const std::string& global_frame, motion::Timeline& timeline) {
+motion::Timeline planUnrelatedScenes(const config::Config& config) {
+  const Duration period = motion::periodOf(config.motion.rate);
+  if (config.motion.scenes > Stamp::max() / period) {
+    throw Error("scenes: found " + std::to_string(config.motion.scenes) +
+                " at a simulated_rate of " + Value(config.motion.rate).text() +
+                " Hz; the last one should be less than 292 years from the first");
+  }
+  motion::Timeline timeline;
+  for (std::int64_t scene = 1; scene <= config.motion.scenes; ++scene) {
+    timeline.stamps.push_back(scene * period);
+  }
+  return timeline;
+}
+
+void leaveOutScenesWithout(const std::string& frame, const motion::FrameMotion& frame_motion,
+                           motion::Timeline& timeline) {
   if (timeline.stamps.empty()) return;
-  leaveOut([&](Stamp stamp) { return !recording.canTransform(global_frame, frame, stamp); },
-           timeline);
+  leaveOut([&](Stamp stamp) { return !frame_motion.hasPose(frame, stamp); }, timeline);
   if (timeline.stamps.empty()) {
     throw Error("a writer asks for the frame '" + frame + "', which cannot be transformed into '" +
-                global_frame + "' at any scene");
+                frame_motion.globalFrame() + "' at any scene");
   }
 }
 

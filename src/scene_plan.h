@@ -6,21 +6,26 @@
 #include "articulation.h"
 #include "camera_rig.h"
 #include "config/config.h"
-#include "motion/bag_motion.h"
+#include "motion/frame_motion.h"
 
 namespace synthetic_dataset {
 
 /// The times at which scenes are made: those of the timeline at which all objects and cameras are
 /// known, over the whole exposure of each picture.
+/// @param frames  with a recording
 /// @throws ErrorList when there is none, saying why
-[[nodiscard]] motion::Timeline planScenes(const motion::BagMotion& recording,
+[[nodiscard]] motion::Timeline planScenes(const motion::FrameMotion& frame_motion,
                                           const config::Config& config,
                                           const std::vector<CameraRig>& cameras,
                                           const std::vector<std::vector<DrivenLink>>& driven_links);
 
+/// The times of scenes that stand for themselves: as many as are asked for, one a period, from one
+/// period after 0 on.
+[[nodiscard]] motion::Timeline planUnrelatedScenes(const config::Config& config);
+
 /// Takes the scenes out at which a frame that a writer asks for is not known.
 /// @throws Error when none is left
-void leaveOutScenesWithout(const std::string& frame, const motion::BagMotion& recording,
-                           const std::string& global_frame, motion::Timeline& timeline);
+void leaveOutScenesWithout(const std::string& frame, const motion::FrameMotion& frame_motion,
+                           motion::Timeline& timeline);
 
 }  // namespace synthetic_dataset

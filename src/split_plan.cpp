@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "random_seed.h"
+#include "random/random_seed.h"
 
 namespace synthetic_dataset {
 
@@ -24,7 +24,7 @@ SplitPlan::SplitPlan(const config::SplitConfig& config, std::uint64_t seed,
   // Fisher and Yates; std::shuffle differs from library to library. The numbers are so much larger
   // than the counts that the remainder is as good as uniform.
   for (std::size_t i = split_of_.size(); i > 1; --i) {
-    const std::uint64_t draw = randomSeed(seed, static_cast<std::int64_t>(i), "split");
+    const std::uint64_t draw = random::randomSeed(seed, static_cast<std::int64_t>(i), "split");
     std::swap(split_of_[i - 1], split_of_[draw % i]);
   }
 }

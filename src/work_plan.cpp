@@ -3,12 +3,13 @@
 namespace synthetic_dataset {
 
 WorkPlan::WorkPlan(std::int64_t instant_count, std::int64_t camera_count,
-                   const std::optional<output::Shard>& shard,
+                   const std::optional<output::Shard>& shard, const std::set<std::int64_t>& only,
                    const std::function<bool(std::int64_t scene)>& is_there)
     : wanted_(static_cast<std::size_t>(instant_count), false),
       there_(static_cast<std::size_t>(instant_count * camera_count), false) {
   for (std::int64_t instant = 0; instant < instant_count; ++instant) {
     if (shard && !belongsTo(*shard, instant, instant_count)) continue;
+    if (!only.empty() && only.count(instant) == 0) continue;
     scene_count_ += camera_count;
     for (std::int64_t camera = 0; camera < camera_count; ++camera) {
       const std::int64_t scene = instant * camera_count + camera;

@@ -3,19 +3,22 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "output/shard.h"
 
 namespace synthetic_dataset {
 
-/// Which of a run's instants this process has to make: those of its shard that are not there yet.
+/// Which of a run's instants this process has to make: those of its shard, and of those that are
+/// asked for, that are not there yet.
 class WorkPlan {
  public:
   /// @param shard  nothing: all of the run
+  /// @param only  the instants that are to be made of it; empty: all
   /// @param is_there  whether a scene, by its index, is in the dataset
   WorkPlan(std::int64_t instant_count, std::int64_t camera_count,
-           const std::optional<output::Shard>& shard,
+           const std::optional<output::Shard>& shard, const std::set<std::int64_t>& only,
            const std::function<bool(std::int64_t scene)>& is_there);
 
   /// Whether a scene of this instant is to be made.

@@ -73,6 +73,13 @@ CameraConfig readCamera(const Parameters& group, const std::string& name,
   camera.info_topic = group.maybe<std::string>("info_topic");
   camera.sensor = group.maybe<std::string>("sensor");
   camera.X_GC = readPose(group, "pose");
+  camera.on = group.maybe<std::string>("mounted_on");
+  camera.sample = readCameraSampling(group);
+  if (camera.sample && (camera.X_GC || camera.on)) {
+    group.addError("sample",
+                   "found together with pose or mounted_on; a camera stands somewhere, or is "
+                   "put somewhere else for each scene");
+  }
   camera.rectified = group.maybe<bool>("rectified").value_or(false);
   camera.near = numberAbove(group, "near", camera.near, 0.0);
   camera.far = numberAbove(group, "far", camera.far, camera.near);

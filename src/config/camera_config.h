@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "config/camera_sampling.h"
 #include "synthetic_dataset/parameters.h"
 #include "synthetic_dataset/pose.h"
 
@@ -30,7 +31,9 @@ struct CameraConfig {
   std::optional<std::string> info_file;   ///< absolute
   std::optional<std::string> info_topic;  ///< of the bag
   std::optional<std::string> sensor;      ///< "model::link::sensor"
-  std::optional<Pose> X_GC;
+  std::optional<Pose> X_GC;               ///< with `mounted_on`, in that object's frame
+  std::optional<std::string> on;          ///< the object that it is mounted on
+  std::optional<CameraSampling> sample;   ///< drawn for each scene instead
   bool rectified = false;
   double near = 0.05;   ///< [m]
   double far = 1000.0;  ///< [m]

@@ -12,9 +12,49 @@
 namespace synthetic_dataset::config {
 namespace {
 
+MotionSource readSource(const Parameters& root) {
+  const std::string source = root.maybe<std::string>("motion").value_or("bag");
+  if (source != "bag" && source != "placement") {
+    root.addError("motion", "found '" + source + "'; it should be bag or placement" +
+                                didYouMean(source, {"bag", "placement"}));
+  }
+  return source == "placement" ? MotionSource::kPlacement : MotionSource::kBag;
+}
+
+void readSceneCount(const Parameters& root, MotionConfig& motion) {
+  constexpr std::int64_t kMost = 100000000;  // file names have eight digits
+  motion.scenes = root.required<std::int64_t>("scenes");
+  const auto given = root.maybe<Value>("scenes");
+  const bool is_number = given && given->is<std::int64_t>();
+  if (is_number && (motion.scenes < 1 || motion.scenes > kMost)) {
+    root.addError("scenes", "found " + std::to_string(motion.scenes) +
+                                "; it should be 1 to 100000000, the number of scenes to make");
+    motion.scenes = 1;
+  }
+}
+
+/// Settings of the other source would do nothing, which nobody expects.
+void refuse(const Parameters& root, const std::vector<std::string>& names,
+            const std::string& needed) {
+  for (const std::string& name : names) {
+    if (!root.has(name)) continue;
+    root.addError(name, "has a meaning with motion: " + needed + " alone");
+    root.ignore(name);
+  }
+}
+
 MotionConfig readMotion(const Parameters& root) {
   MotionConfig motion;
-  motion.bag_files = root.required<std::vector<std::string>>("bag_file");
+  motion.source = readSource(root);
+  const bool is_placed = motion.source == MotionSource::kPlacement;
+  if (is_placed) {
+    motion.bag_files = root.maybe<std::vector<std::string>>("bag_file").value_or(motion.bag_files);
+    readSceneCount(root, motion);
+    refuse(root, {"start_offset", "duration", "max_tf_gap"}, "bag");
+  } else {
+    motion.bag_files = root.required<std::vector<std::string>>("bag_file");
+    refuse(root, {"scenes", "placement"}, "placement");
+  }
   if (isEmptyList(root, "bag_file")) {
     root.addError("bag_file", "found an empty list; it should name at least one bag");
   }
@@ -25,6 +65,7 @@ MotionConfig readMotion(const Parameters& root) {
     root.addError("simulated_rate", "found " + Value(motion.rate).text() + " Hz; at most 1e9");
     motion.rate = 30.0;
   }
+  if (is_placed) return motion;
   motion.start_offset = maybeSeconds(root, "start_offset").value_or(0.0);
   motion.duration = maybeSeconds(root, "duration");
   motion.max_tf_gap = maybeSeconds(root, "max_tf_gap");
@@ -60,7 +101,7 @@ WorldConfig readWorld(const Parameters& root) {
   return world;
 }
 
-PhysicsConfig readPhysics(const Parameters& root) {
+PhysicsConfig readPhysics(const Parameters& root, MotionSource source) {
   PhysicsConfig physics;
   const Parameters group = root.group("physics");
   constexpr double kLongestStep = 0.1;  // [s]: beyond it things fall through floors
@@ -75,7 +116,10 @@ PhysicsConfig readPhysics(const Parameters& root) {
                                             " m; it should not be below 0");
     physics.contact_tolerance = 0.0;
   }
-  physics.settle = maybeSeconds(group, "settle").value_or(0.0);
+  // Scenes that stand alone are of a world that has come to rest; a recording begins as it is told.
+  constexpr double kUntilRest = 10.0;  // [s] at most
+  const double settle = source == MotionSource::kPlacement ? kUntilRest : 0.0;
+  physics.settle = maybeSeconds(group, "settle").value_or(settle);
   return physics;
 }
 
@@ -108,6 +152,7 @@ bool isUnusedBlock(const Value& value) {
 Config readConfig(const Parameters& root) {
   Config config;
   config.motion = readMotion(root);
+  if (config.motion.source == MotionSource::kPlacement) config.placement = readPlacement(root);
   config.global_frame = root.optional("global_frame", config.global_frame);
   config.world = readWorld(root);
   config.cameras = readCameras(root);
@@ -116,7 +161,8 @@ Config readConfig(const Parameters& root) {
   config.masks = readMasks(root);
   config.labels = readLabels(root);
   config.split = readSplit(root);
-  config.physics = readPhysics(root);
+  config.randomization = readRandomization(root);
+  config.physics = readPhysics(root, config.motion.source);
   config.rendering = readRendering(root);
   config.seed = root.maybe<std::int64_t>("seed").value_or(config.seed);
   config.output = readOutput(root);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,8 @@
 #include <Eigen/Core>
 
 #include "config/camera_config.h"
+#include "config/placement_config.h"
+#include "config/randomization.h"
 #include "synthetic_dataset/parameters.h"
 #include "synthetic_dataset/pose.h"
 
@@ -38,14 +41,23 @@ struct ObjectConfig {
   std::vector<std::array<std::size_t, 2>> skeleton;  ///< pairs of keypoints, from 0
   int farthest_points = 0;  ///< so many keypoints are chosen on the model instead; 0: as given
   std::vector<Eigen::Vector3d> bounding_shape_O;  ///< none: the model's own box
+  std::optional<double> safety_radius;  ///< kept free round it when it is placed [m]; none: its own
+};
+
+/// Where objects and frames come from.
+enum class MotionSource {
+  kBag,        ///< a recording's TF
+  kPlacement,  ///< put somewhere at random, scene by scene
 };
 
 struct MotionConfig {
-  std::vector<std::string> bag_files;
-  double rate = 30.0;                ///< [Hz]
-  double start_offset = 0.0;         ///< [s]
-  std::optional<double> duration;    ///< [s]
-  std::optional<double> max_tf_gap;  ///< [s]
+  MotionSource source = MotionSource::kBag;
+  std::vector<std::string> bag_files;  ///< of kPlacement: for recorded maps and calibrations
+  std::int64_t scenes = 0;             ///< of kPlacement: how many times a picture is taken
+  double rate = 30.0;                  ///< [Hz]
+  double start_offset = 0.0;           ///< [s]
+  std::optional<double> duration;      ///< [s]
+  std::optional<double> max_tf_gap;    ///< [s]
 };
 
 /// What becomes of a world with a mesh, picture or model that is missing.
@@ -130,6 +142,7 @@ struct OutputConfig {
   IfExists if_exists = IfExists::kResume;
   Sync sync = Sync::kBatch;
   std::optional<ShardConfig> shard;
+  std::set<std::int64_t> only_scenes;  ///< by the numbers in their files' names; empty: all
   int png_compression = 3;
   int jpeg_quality = 95;
 };
@@ -144,6 +157,8 @@ struct WriterConfig {
 struct Config {
   std::string global_frame = "map";
   MotionConfig motion;
+  PlacementConfig placement;  ///< of MotionSource::kPlacement
+  Randomization randomization;
   WorldConfig world;
   std::vector<CameraConfig> cameras;  ///< at least one
   std::vector<ObjectConfig> objects;

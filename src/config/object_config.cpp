@@ -183,6 +183,16 @@ std::vector<Eigen::Vector3d> readBoundingShape(const Parameters& group) {
   return group.required<std::vector<Eigen::Vector3d>>("bounding_shape");
 }
 
+std::optional<double> readSafetyRadius(const Parameters& group) {
+  const auto radius = group.maybe<double>("safety_radius");
+  if (radius && !(*radius >= 0.0)) {
+    group.addError("safety_radius", "found " + Value(*radius).text() +
+                                        " m; it should be 0 or more, how far all else stays away");
+    return std::nullopt;
+  }
+  return radius;
+}
+
 bool isXml(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && text[first] == '<';
@@ -210,6 +220,7 @@ ObjectConfig readObject(const Parameters& root, const std::string& name) {
   readKeypointNames(group, object);
   readSkeleton(group, object);
   object.bounding_shape_O = readBoundingShape(group);
+  object.safety_radius = readSafetyRadius(group);
   return object;
 }
 
@@ -229,6 +240,8 @@ std::vector<ObjectConfig> readObjects(const Parameters& root) {
                                                   "labels",
                                                   "masks",
                                                   "physics",
+                                                  "placement",
+                                                  "randomize",
                                                   "rendering",
                                                   "split",
                                                   "world",

@@ -37,6 +37,29 @@ Choice choice(const Parameters& group, const std::string& name,
   return choices.front().second;
 }
 
+/// `only_scenes: [17]`, or one number.
+std::set<std::int64_t> readOnlyScenes(const Parameters& root) {
+  const auto given = root.maybe<Value>("only_scenes");
+  if (!given) return {};
+  const auto* list = given->as<Value::List>();
+  const Value::List one{*given};
+  std::set<std::int64_t> scenes;
+  for (const Value& each : list != nullptr ? *list : one) {
+    const auto* number = each.as<std::int64_t>();
+    if (number == nullptr || *number < 0) {
+      root.addError("only_scenes", "found " + given->text() +
+                                       "; it should be a list of scenes' numbers, as their files' "
+                                       "names have them");
+      return {};
+    }
+    scenes.insert(*number);
+  }
+  if (scenes.empty()) {
+    root.addError("only_scenes", "found an empty list; it should name scenes, or be left out");
+  }
+  return scenes;
+}
+
 /// `shard: {index: 2, count: 8}`; none when the whole run is to be made.
 std::optional<ShardConfig> readShard(const Parameters& root) {
   if (!root.has("shard")) return std::nullopt;
@@ -112,6 +135,7 @@ OutputConfig readOutput(const Parameters& root) {
   output.sync = choice<Sync>(
       root, "sync", {{"batch", Sync::kBatch}, {"scene", Sync::kScene}, {"off", Sync::kOff}});
   output.shard = readShard(root);
+  output.only_scenes = readOnlyScenes(root);
   const Parameters image = root.group("image");
   output.png_compression = numberBetween(image, "png_compression", output.png_compression, 0, 9);
   output.jpeg_quality = numberBetween(image, "jpeg_quality", output.jpeg_quality, 1, 100);

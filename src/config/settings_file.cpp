@@ -1,8 +1,10 @@
 #include "config/settings_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -91,11 +93,47 @@ std::string withPlainLineEnds(const std::string& text) {
   return result;
 }
 
+/// The names of the files below one, which it loses.
+std::vector<std::string> takeIncluded(Value::Map& settings, const std::string& file) {
+  const auto entry = settings.find("include");
+  if (entry == settings.end()) return {};
+  const Value given = entry->second;
+  settings.erase(entry);
+  if (const auto* name = given.as<std::string>()) return {*name};
+  std::vector<std::string> names;
+  const auto* list = given.as<Value::List>();
+  for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+    if (const auto* name = (*list)[i].as<std::string>()) names.push_back(*name);
+  }
+  if (list != nullptr && names.size() == list->size()) return names;
+  throw Error(file + ": include: found " + given.text() +
+              "; it should be the name of a settings file, or a list of names");
+}
+
+Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
+                    std::vector<std::string> above) {
+  std::error_code problem;  // of which reading the file tells
+  const std::string place = std::filesystem::weakly_canonical(file, problem).string();
+  if (std::find(above.begin(), above.end(), place) != above.end()) {
+    throw Error(file + ": include: found a file that includes itself");
+  }
+  above.push_back(place);
+  const std::string text = withPlainLineEnds(readTextFile(file));
+  Value::Map own =
+      asParameters(parseSettings(substitute(text, {file, package_folder}), file), file);
+  Value::Map settings;
+  for (const std::string& name : takeIncluded(own, file)) {
+    const auto folder = std::filesystem::path(file).parent_path();
+    overlay(settings, loadOver((folder / name).string(), package_folder, above));
+  }
+  overlay(settings, own);
+  return settings;
+}
+
 }  // namespace
 
 Value::Map loadSettings(const std::string& file, const TextFinder& package_folder) {
-  const std::string text = withPlainLineEnds(readTextFile(file));
-  return asParameters(parseSettings(substitute(text, {file, package_folder}), file), file);
+  return loadOver(file, package_folder, {});
 }
 
 Value::Map asParameters(const Value& tree, const std::string& origin) {

@@ -9,10 +9,11 @@ namespace synthetic_dataset::config {
 
 /// The settings of a YAML file as roslaunch would load them into the parameter server:
 /// substitutions filled in, read as `<rosparam>` does, kept as the server keeps them (see
-/// asParameters).
+/// asParameters). The files that its setting `include` names, one or a list, lie below it: their
+/// settings count where it has none of its own; of several, those of the later ones.
 /// @param file  may be relative to the current folder
 /// @param package_folder  where ROS packages are
-/// @throws Error naming file and line
+/// @throws Error naming file and line; for a file that includes itself, too
 [[nodiscard]] Value::Map loadSettings(const std::string& file, const TextFinder& package_folder);
 
 /// A file's tree as the parameter server would keep it: `yolo/main_list` is `main_list` in the

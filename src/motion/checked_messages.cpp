@@ -38,4 +38,12 @@ void checkCalibration(ros::serialization::IStream stream) {
   checkList(stream, sizeof(double), "distortion coefficients");
 }
 
+void checkGrid(ros::serialization::IStream stream) {
+  std_msgs::Header header;
+  nav_msgs::MapMetaData description;
+  stream.next(header);
+  stream.next(description);
+  checkList(stream, sizeof(std::int8_t), "cells");
+}
+
 }  // namespace synthetic_dataset::motion

@@ -238,7 +238,7 @@ void Manifest::announce(const ManifestFile& file) {
 
 void Manifest::withdrawScene(std::int64_t index) {
   SqliteTransaction transaction(database_);
-  for (const char* table : {"scene_object", "contact", "file", "record", "warning"}) {
+  for (const char* table : {"scene_object", "contact", "draw", "file", "record", "warning"}) {
     SqliteStatement(database_, std::string("DELETE FROM ") + table + " WHERE scene = ?").run(index);
   }
   SqliteStatement(database_, "DELETE FROM scene WHERE \"index\" = ?").run(index);
@@ -268,6 +268,8 @@ void Manifest::insertMeasures(const SceneFacts& scene) {
     const ContactFacts& each = scene.contacts[i];
     contact.run(scene.index, signedIndex(i), each.first, each.second, each.depth);
   }
+  SqliteStatement draw(database_, "INSERT INTO draw VALUES (?, ?, ?)");
+  for (const DrawFacts& each : scene.draws) draw.run(scene.index, each.name, each.value);
   insertWarnings(insert_warning_, scene.index, scene.warnings);
 }
 

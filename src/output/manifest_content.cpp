@@ -37,7 +37,7 @@ void checkWholeness(const SqliteDatabase& database) {
   // A table that is gone is damage, too, even where nobody asks for it now.
   for (const char* table :
        {"run", "setting", "software", "input", "writer", "class", "camera", "object", "scene",
-        "scene_object", "contact", "file", "record", "warning"}) {
+        "scene_object", "contact", "draw", "file", "record", "warning"}) {
     const SqliteStatement asks(database, std::string("SELECT 1 FROM ") + table);
   }
 }

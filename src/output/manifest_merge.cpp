@@ -10,7 +10,8 @@ namespace synthetic_dataset::output {
 namespace {
 
 // Tables that say more of scenes, by their column `scene`.
-constexpr std::array<const char*, 4> kMeasures = {"scene_object", "contact", "record", "warning"};
+constexpr std::array<const char*, 5> kMeasures = {"scene_object", "contact", "draw", "record",
+                                                  "warning"};
 
 std::string copying(const std::string& table, const std::string& condition) {
   return "INSERT INTO main." + table + " SELECT * FROM shard." + table + " WHERE " + condition;

@@ -36,6 +36,8 @@ const char* const kManifestTables = R"(
   CREATE TABLE contact (scene INTEGER NOT NULL, sequence INTEGER NOT NULL, first TEXT NOT NULL,
                         second TEXT NOT NULL, depth REAL NOT NULL,
                         PRIMARY KEY (scene, sequence)) WITHOUT ROWID;
+  CREATE TABLE draw (scene INTEGER NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL,
+                     PRIMARY KEY (scene, name)) WITHOUT ROWID;
   CREATE TABLE file (path TEXT PRIMARY KEY, writer INTEGER NOT NULL, scene INTEGER,
                      bytes INTEGER NOT NULL, digest TEXT NOT NULL, linked_to TEXT) WITHOUT ROWID;
   CREATE INDEX file_scene ON file (scene);

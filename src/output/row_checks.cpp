@@ -24,6 +24,9 @@ constexpr RowCheck kReferences[] = {
      "scene_object WHERE scene = s.\"index\") <> (SELECT count(*) FROM object)"},
     {"contact: scenes that the table scene does not have",
      "SELECT 'scene ' || scene FROM contact WHERE scene NOT IN (SELECT \"index\" FROM scene)"},
+    {"draw: scenes that the table scene does not have",
+     "SELECT 'scene ' || scene || ' ' || name FROM draw WHERE scene NOT IN (SELECT \"index\" FROM "
+     "scene)"},
     {"file: writers that the table writer does not have",
      "SELECT path FROM file WHERE writer NOT IN (SELECT \"index\" FROM writer)"},
     {"file: scenes that the table scene does not have",
@@ -78,6 +81,8 @@ constexpr RowCheck kNumbers[] = {
     {"contact: sequences that do not count from 0",
      "SELECT 'scene ' || scene FROM contact GROUP BY scene HAVING min(sequence) <> 0 OR "
      "max(sequence) <> count(*) - 1"},
+    {"draw: values that are not JSON",
+     "SELECT 'scene ' || scene || ' ' || name FROM draw WHERE NOT json_valid(value)"},
     {"warning: sequences that do not count from 0",
      "SELECT 'scene ' || scene FROM warning GROUP BY scene HAVING min(sequence) <> 0 OR "
      "max(sequence) <> count(*) - 1"},

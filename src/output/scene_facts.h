@@ -38,6 +38,12 @@ struct ContactFacts {
   double depth = 0.0;  ///< [m]
 };
 
+/// What was drawn for a scene of an entry of the settings that is random.
+struct DrawFacts {
+  std::string name;   ///< the entry's full name, such as "lights/sun/intensity"; once in a scene
+  std::string value;  ///< JSON: a number, a list of numbers or a text in quotes
+};
+
 /// What the manifest tells of a scene beside its files.
 struct SceneFacts {
   std::int64_t index = 0;
@@ -49,6 +55,7 @@ struct SceneFacts {
   Pose X_GC = Pose::Identity();
   std::vector<ObjectFacts> objects = {};
   std::vector<ContactFacts> contacts = {};
+  std::vector<DrawFacts> draws = {};
   std::vector<Warning> warnings = {};
 };
 

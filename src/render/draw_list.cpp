@@ -54,7 +54,7 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
         part.casts_shadow =
             visual.casts_shadow && !part.transparent && !isLargeAndFlat(part.bounds_V);
         features_ |= part.features;
-        parts_.push_back(part);
+        parts_.push_back(std::move(part));
       }
     }
   }
@@ -65,8 +65,21 @@ Part DrawList::makePart(const world::Surface& surface) {
   Part part;
   part.mesh = &meshes_.get(surface.mesh);
   part.shape = surface.mesh.get();
-  part.material = &material;
+  part.given = part.material = &material;
   part.bounds_V = boundsOf(*surface.mesh);
+  dress(part);
+  part.double_sided = material.double_sided;
+  part.has_holes = (part.features & feature::kHoles) != 0;
+  part.transparent = material.diffuse.w() < 1.0F || (part.features & feature::kGlass) != 0 ||
+                     seenThrough(*surface.mesh);
+  return part;
+}
+
+/// Finds what a part's material asks for.
+void DrawList::dress(Part& part) {
+  const world::Material& material = *part.material;
+  part.features = 0;
+  part.textures = {};
   const auto use = [&](const std::shared_ptr<const world::Texture>& texture, PixelMeaning meaning,
                        SurfaceFeatures feature, GLuint& name) {
     if (!texture) return;
@@ -79,7 +92,7 @@ Part DrawList::makePart(const world::Surface& surface) {
     const auto& uploaded = textures_.get(material.texture, PixelMeaning::kColour);
     part.features |= alphaFeatures(material, uploaded.opaque);
   }
-  if (hasColours(*surface.mesh)) part.features |= feature::kTinted;
+  if (hasColours(*part.shape)) part.features |= feature::kTinted;
   if (material.lit) {
     use(material.normal_map, PixelMeaning::kData, feature::kNormalMap, names.normal);
     use(material.roughness_map, PixelMeaning::kData, feature::kRoughnessMap, names.roughness);
@@ -88,9 +101,18 @@ Part DrawList::makePart(const world::Surface& surface) {
   } else {
     part.features |= feature::kUnlit;
   }
-  part.transparent = material.diffuse.w() < 1.0F || (part.features & feature::kGlass) != 0 ||
-                     seenThrough(*surface.mesh);
-  return part;
+}
+
+void DrawList::wear(const std::map<const world::Material*, world::Material>& materials) {
+  worn_ = materials;
+  features_ = 0;
+  for (Part& part : parts_) {
+    const auto worn = worn_.find(part.given);
+    part.material = worn != worn_.end() ? &worn->second : part.given;
+    dress(part);
+    features_ |= part.features;
+  }
+  textures_.forgetUnused();
 }
 
 Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection& casting) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "render/light_setup.h"
@@ -26,8 +27,9 @@ struct PartTextures {
 /// One surface of one link, ready to be drawn.
 struct Part {
   const MeshBuffers* mesh = nullptr;
-  const world::Mesh* shape = nullptr;  ///< the same, as it was read
-  const world::Material* material = nullptr;
+  const world::Mesh* shape = nullptr;         ///< the same, as it was read
+  const world::Material* given = nullptr;     ///< the material that it was made with
+  const world::Material* material = nullptr;  ///< what it wears now
   PartTextures textures;
   SurfaceFeatures features = 0;
   std::size_t link = 0;
@@ -37,6 +39,8 @@ struct Part {
   bool transparent = false;  ///< somewhere; it casts no shadow then
   bool casts_shadow = true;
   bool stands_still = false;  ///< the link is of what never moves
+  bool double_sided = false;
+  bool has_holes = false;  ///< where its texture's alpha is small
 };
 
 /// Whether labels leave the part out: the world's glass does not hide what is behind it.
@@ -54,6 +58,10 @@ class DrawList {
   DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links);
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+
+  /// Gives the parts what they wear from now on. What they are, transparent or double-sided or with
+  /// holes, stays, so that pictures that are being finished are not disturbed.
+  void wear(const std::map<const world::Material*, world::Material>& materials);
 
   /// The place of one of parts() among them, counted from 1.
   [[nodiscard]] std::uint32_t numberOf(const Part& part) const {
@@ -83,6 +91,7 @@ class DrawList {
 
  private:
   [[nodiscard]] Part makePart(const world::Surface& surface);
+  void dress(Part& part);
 
   /// By the depth of their bounds' centres times `sign`, the least first.
   [[nodiscard]] std::vector<const Part*> sorted(
@@ -93,6 +102,7 @@ class DrawList {
   TextureLibrary textures_;
   SurfaceFeatures features_ = 0;
   std::vector<Part> parts_;
+  std::map<const world::Material*, world::Material> worn_;
 };
 
 }  // namespace synthetic_dataset::render

@@ -18,9 +18,20 @@ constexpr SurfaceFeatures kOfLight =
     feature::kNormalMap | feature::kEmissiveMap | feature::kFog | feature::kShadows;
 constexpr int kPartsInRow = 1024;
 
+int rowsFor(const std::vector<Part>& parts) {
+  return static_cast<int>(parts.size()) / kPartsInRow + 1;
+}
+
+GlTexture makeMaterialTable(const GlFunctions& gl, const std::vector<Part>& parts) {
+  GlTexture texture = makeTexture(gl, GL_TEXTURE_2D);
+  gl.TextureStorage2D(texture.name(), 1, GL_RGBA32F, kPartsInRow, rowsFor(parts));
+  return texture;
+}
+
 /// What light.frag reads of each part.
-GlTexture materialTable(const GlFunctions& gl, const std::vector<Part>& parts) {
-  const int rows = static_cast<int>(parts.size()) / kPartsInRow + 1;
+void fillMaterialTable(const GlFunctions& gl, const std::vector<Part>& parts,
+                       const GlTexture& texture) {
+  const int rows = rowsFor(parts);
   std::vector<Eigen::Vector4f> table(static_cast<std::size_t>(rows) * kPartsInRow,
                                      Eigen::Vector4f::Zero());
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -29,10 +40,7 @@ GlTexture materialTable(const GlFunctions& gl, const std::vector<Part>& parts) {
     table[i] = {emissive.x(), emissive.y(), emissive.z(),
                 material.lit ? reflectance(material) : -1.0F};
   }
-  GlTexture texture = makeTexture(gl, GL_TEXTURE_2D);
-  gl.TextureStorage2D(texture.name(), 1, GL_RGBA32F, kPartsInRow, rows);
   gl.TextureSubImage2D(texture.name(), 0, 0, 0, kPartsInRow, rows, GL_RGBA, GL_FLOAT, table.data());
-  return texture;
 }
 
 }  // namespace
@@ -50,10 +58,19 @@ LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
                           std::to_string(kPartsInRow) + "\n"),
       glass_programs_(gl, shaders::kMeshVertex, shaders::kGlassFragment, kAllFeatures,
                       lightMacros(description.lights)),
-      materials_(materialTable(gl, parts.parts())),
+      materials_(makeMaterialTable(gl, parts.parts())),
       drawing_(gl) {
   checkLightCount(lights_);
+  fillMaterialTable(gl, parts.parts(), materials_);
   if (description.sky) sky_.emplace(gl, *description.sky, lights_);
+}
+
+void LightPainter::setLook(const world::Look& look) {
+  lights_ = look.lights;
+  ambient_ = linearFromSrgb(look.ambient);
+  background_ = linearFromSrgb(look.background);
+  fillMaterialTable(gl_, parts_.parts(), materials_);
+  if (sky_) sky_->setLights(lights_);
 }
 
 void LightPainter::paint(const ColourScene& scene, const GeometryBuffer& geometry,

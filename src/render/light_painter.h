@@ -13,6 +13,7 @@
 #include "render/sky_painter.h"
 #include "render/view.h"
 #include "world/description.h"
+#include "world/look.h"
 
 namespace synthetic_dataset::render {
 
@@ -30,6 +31,9 @@ class LightPainter {
  public:
   /// @param parts  has to outlive this
   LightPainter(const GlFunctions& gl, const DrawList& parts, const world::Description& description);
+
+  /// Lights and surroundings from now on; what the parts wear is read from them.
+  void setLook(const world::Look& look);
 
   /// The lit surfaces, the sky or the background behind them, and what one can see through before
   /// them, if that is selected and `see_through`.

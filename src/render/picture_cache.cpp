@@ -25,6 +25,11 @@ PicturePainter& PictureCache::get(const View& view) {
   return *entries_.front().painter;
 }
 
+void PictureCache::forget() {
+  for (const Entry& entry : entries_) entry.painter->forget();
+  places_.clear();  // a place that comes back looks different then
+}
+
 /// A painter for a place from which none of them drew last: one for all places that do not come
 /// back, and one for each that does, as long as there is room.
 std::vector<PictureCache::Entry>::iterator PictureCache::freeFor(const View& view) {

@@ -18,6 +18,9 @@ class PictureCache {
   /// call.
   [[nodiscard]] PicturePainter& get(const View& view);
 
+  /// Nothing that was drawn so far is of use any more.
+  void forget();
+
  private:
   struct Place {
     Eigen::Matrix4d clip_from_camera;

@@ -41,6 +41,14 @@ PicturePainter::PicturePainter(const PictureCrew& crew, const cv::Size& size)
       geometry_(crew.gl, size.width, size.height, crew.geometry_painter.planes()),
       light_(crew.gl, size.width, size.height, geometry_) {}
 
+void PicturePainter::forget() {
+  content_.reset();
+  geometry_key_ = {};
+  keeps_geometry_ = false;
+  covered_.clear();
+  for (KeptPicture& kept : kept_pictures_) kept = {};
+}
+
 bool PicturePainter::drewFrom(const View& view) const {
   return image_.size() == cv::Size(view.camera.width(), view.camera.height()) &&
          geometry_key_.X_WC == view.X_WC.matrix() &&

@@ -41,6 +41,9 @@ class PicturePainter {
 
   [[nodiscard]] cv::Size size() const { return image_.size(); }
 
+  /// Nothing is kept of what was drawn so far: all looks different now.
+  void forget();
+
   /// Whether the last picture was taken with this camera from this place.
   [[nodiscard]] bool drewFrom(const View& view) const;
 

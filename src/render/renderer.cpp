@@ -86,6 +86,7 @@ struct Renderer::Impl {
 
   RenderOptions options;
   std::vector<world::Light> lights;
+  std::int64_t look_revision = 0;
 
   OsmesaContext context;  // before all that lives in it
   const GlFunctions& gl;
@@ -105,6 +106,17 @@ Renderer::Renderer(const world::Description& description,
     : impl_(std::make_unique<Impl>(description, links, options)) {}
 
 Renderer::~Renderer() = default;
+
+void Renderer::setLook(const world::Look& look) {
+  Impl& impl = *impl_;
+  impl.lights = look.lights;
+  impl.draw_list.wear(look.materials);
+  impl.light_painter.setLook(look);
+  impl.pictures.forget();
+  ++impl.look_revision;
+}
+
+std::int64_t Renderer::lookRevision() const { return impl_->look_revision; }
 
 cv::Mat Renderer::colour(const View& view, const std::vector<Pose>& X_WL, const ColourPass& pass) {
   return draw(view, X_WL, pass)();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "render/render_target.h"
 #include "render/silhouette_painter.h"
 #include "render/view.h"
+#include "world/look.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::render {
@@ -61,6 +63,14 @@ class Renderer {
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
+
+  /// How everything is lit and painted from now on. At first, and with a Look of the description
+  /// alone, it is as the description has it.
+  /// @param look  of the description that this was made with
+  void setLook(const world::Look& look);
+
+  /// Counts up whenever something looks different: what was drawn before is out of date.
+  [[nodiscard]] std::int64_t lookRevision() const;
 
   /// The picture: CV_8UC3, blue green red.
   /// @param X_WL  the pose of each link

@@ -35,9 +35,9 @@ void SampleRaster::draw(const Part& part, int number, const Pose& X_WL) {
   const Pose X_CV = view_.X_WC.inverse() * X_WL * part.X_LV;
   if (!mayBeSeen(part, X_CV)) return;
   number_ = number;
-  double_sided_ = part.material->double_sided;
+  double_sided_ = part.double_sided;
   stands_still_ = part.stands_still;
-  has_holes_ = (part.features & feature::kHoles) != 0;
+  has_holes_ = part.has_holes;
   const Eigen::Affine3f to_camera = X_CV.cast<float>();
   const world::Mesh& mesh = *part.shape;
   corners_.clear();

@@ -68,19 +68,23 @@ Eigen::Vector3d sunDirection(const world::Sky& sky, const std::vector<world::Lig
 
 SkyPainter::SkyPainter(const GlFunctions& gl, const world::Sky& sky,
                        const std::vector<world::Light>& lights)
-    : program_(gl, shaders::kRectanglesVertex, fragmentSource(sky)), drawing_(gl) {
-  const Eigen::Vector3d sun = sunDirection(sky, lights);
-  const auto brightness = static_cast<float>(daylight(sun.z())) * kSunBrightness;
-  program_.set("sun_W", Eigen::Vector3f(sun.cast<float>()));
-  program_.set("sunlight", Eigen::Vector3f(Eigen::Vector3f::Constant(brightness)));
+    : sky_(sky), program_(gl, shaders::kRectanglesVertex, fragmentSource(sky)), drawing_(gl) {
+  setLights(lights);
   program_.set("night", kNight);
   program_.set("air", kAir);
   program_.set("haze", kHaze);
-  program_.set("sun_air_mass", static_cast<float>(airMass(sun.z())));
   program_.set("cloud_colour", linearFromSrgb(sky.cloud_ambient));
   program_.set("cloud_cover", static_cast<float>(std::clamp(sky.cloud_humidity, 0.0, 1.0)));
   program_.set("cloud_scale",
                static_cast<float>(4.0 - 3.2 * std::clamp(sky.cloud_mean_size, 0.0, 1.0)));
+}
+
+void SkyPainter::setLights(const std::vector<world::Light>& lights) const {
+  const Eigen::Vector3d sun = sunDirection(sky_, lights);
+  const auto brightness = static_cast<float>(daylight(sun.z())) * kSunBrightness;
+  program_.set("sun_W", Eigen::Vector3f(sun.cast<float>()));
+  program_.set("sunlight", Eigen::Vector3f(Eigen::Vector3f::Constant(brightness)));
+  program_.set("sun_air_mass", static_cast<float>(airMass(sun.z())));
 }
 
 void SkyPainter::paint(const View& view, float exposure,

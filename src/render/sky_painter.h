@@ -25,12 +25,16 @@ class SkyPainter {
  public:
   SkyPainter(const GlFunctions& gl, const world::Sky& sky, const std::vector<world::Light>& lights);
 
+  /// The sun stands where the first directional light comes from.
+  void setLights(const std::vector<world::Light>& lights) const;
+
   /// Fills the pixels of the bound target that are still at the far plane.
   /// @param exposure  multiplies its light
   /// @param regions  of the picture, the only ones that are painted
   void paint(const View& view, float exposure, const std::vector<cv::Rect>& regions) const;
 
  private:
+  world::Sky sky_;
   ShaderProgram program_;
   RectangleDrawing drawing_;
 };

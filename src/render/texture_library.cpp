@@ -1,6 +1,7 @@
 #include "render/texture_library.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "synthetic_dataset/errors.h"
 
@@ -54,6 +55,16 @@ const UploadedTexture& TextureLibrary::get(const std::shared_ptr<const world::Te
     entry = textures_.emplace(key, upload(gl_, *texture, meaning)).first;
   }
   return entry->second;
+}
+
+void TextureLibrary::forgetUnused() {
+  std::map<const world::Texture*, long> held_here;  // twice where it is colours and data
+  for (const auto& [key, uploaded] : textures_) ++held_here[key.first.get()];
+  for (auto entry = textures_.begin(); entry != textures_.end();) {
+    const auto& texture = entry->first.first;
+    const bool is_used = texture.use_count() > held_here.at(texture.get());
+    entry = is_used ? std::next(entry) : textures_.erase(entry);
+  }
 }
 
 }  // namespace synthetic_dataset::render

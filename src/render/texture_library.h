@@ -31,6 +31,9 @@ class TextureLibrary {
   [[nodiscard]] const UploadedTexture& get(const std::shared_ptr<const world::Texture>& texture,
                                            PixelMeaning meaning);
 
+  /// Lets go of pictures that nobody else holds any more.
+  void forgetUnused();
+
  private:
   const GlFunctions& gl_;
   std::map<std::pair<std::shared_ptr<const world::Texture>, PixelMeaning>, UploadedTexture>

@@ -5,7 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "sensor/random_normal.h"
+#include "random/random_normal.h"
 #include "sensor/srgb.h"
 
 namespace synthetic_dataset::sensor {
@@ -48,8 +48,8 @@ std::uint64_t placeOf(int u, int v, const cv::Mat& picture) {
 
 /// A normal number for each of a pixel's channels.
 cv::Vec3d drawChannels(std::uint64_t seed, std::uint64_t place) {
-  const NormalPair a = randomNormals(seed, place);
-  const NormalPair b = randomNormals(seed, place + 1);
+  const random::NormalPair a = random::randomNormals(seed, place);
+  const random::NormalPair b = random::randomNormals(seed, place + 1);
   return {a.first, a.second, b.first};
 }
 

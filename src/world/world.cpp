@@ -1,12 +1,9 @@
 #include "world/world.h"
 
-#include <optional>
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
-#include "world/physics/collision_models.h"
-#include "world/physics/overlap_finder.h"
-#include "world/physics/physics.h"
+#include "world/world_impl.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -46,75 +43,34 @@ bool samePoses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
 
 }  // namespace
 
-struct World::Impl {
-  Impl(Description description_in, std::vector<MovingObject> objects_in,
-       const PhysicsOptions& options_in);
-
-  void addFixed(const Model& model, std::vector<std::string>& errors);
-  void addProp(const Model& model, std::vector<PropModel>& props, std::vector<std::string>& errors);
-  void addObject(const MovingObject& object, std::vector<std::string>& errors);
-  void addLinks(const Model& model, Role role, int object);
-
-  void start(Stamp time, const ObjectMotion& motion);
-  void simulateUntil(Stamp time, const ObjectMotion& motion);
-  void showProps(Stamp time);
-  void show(const Model& model, std::size_t first_link, const Pose& X_WM);
-  void showObjects();
-  [[nodiscard]] std::vector<Pose> bodyPoses(Stamp time, const ObjectMotion& motion) const;
-
-  /// A model of the description that moves, and where its links stand in `links`.
-  struct ShownProp {
-    const Model* model;
-    std::size_t first_link;
-  };
-
-  Description description;
-  const std::vector<MovingObject> objects;
-  const PhysicsOptions options;
-
-  std::vector<LinkInstance> links;
-  std::vector<Pose> X_WL;  ///< of links
-  std::vector<ShownProp> props;
-  std::vector<std::size_t> first_object_links;  ///< of objects
-  std::vector<ObjectBodies> object_bodies;      ///< of objects
-
-  std::vector<FixedCollision> fixed;
-  std::vector<MovingCollisions> object_collisions;  ///< body by body, of all objects in turn
-  std::vector<std::string> body_names;              ///< of the objects that they belong to
-  std::unique_ptr<OverlapFinder> overlaps;
-  std::unique_ptr<Physics> physics;  ///< none where there is no prop: nothing depends on the past
-
-  std::optional<Stamp> start_time;
-  Stamp now{0};
-  std::int64_t steps_done = 0;
-  std::vector<Pose> X_WB;  ///< of the objects' bodies, now
-  std::vector<Pose> X_WP;  ///< of props, as shown
-  std::int64_t prop_revision = 0;
-};
-
 World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_in,
-                  const PhysicsOptions& options_in)
+                  const PhysicsOptions& options_in, std::vector<Model> distractors_in)
     : description(std::move(description_in)),
       objects(std::move(objects_in)),
-      options(checked(options_in)) {
+      options(checked(options_in)),
+      distractors(std::move(distractors_in)) {
   std::vector<std::string> errors;
-  std::vector<PropModel> prop_models;
   for (const Model& model : description.models) {
     const bool is_prop = !model.is_static && canMove(model);
     if (is_prop) {
-      addProp(model, prop_models, errors);
+      addProp(model, errors);
     } else {
       addFixed(model, errors);
     }
   }
-  for (const MovingObject& object : objects) addObject(object, errors);
+  for (const MovingObject& object : objects) {
+    addObject(object, errors);
+    if (options.drops_objects) addFallingObject(object, errors);
+  }
+  for (const Model& model : distractors) addDistractor(model, errors);
   if (!description.gravity.allFinite()) errors.emplace_back("the world's gravity is not finite");
   if (!errors.empty()) throw ErrorList(std::move(errors));
 
   overlaps = std::make_unique<OverlapFinder>(fixed, object_collisions, body_names);
-  if (props.empty()) return;
-  physics = std::make_unique<Physics>(description.gravity, options.step, fixed, object_collisions,
-                                      std::move(prop_models));
+  home = starts = X_WP;
+  present.assign(objects.size(), true);
+  X_WD.assign(distractors.size(), std::nullopt);
+  for (const LinkInstance& link : links) present_links.push_back(link.role != Role::kDistractor);
 }
 
 void World::Impl::addLinks(const Model& model, Role role, int object) {
@@ -136,8 +92,7 @@ void World::Impl::addFixed(const Model& model, std::vector<std::string>& errors)
   });
 }
 
-void World::Impl::addProp(const Model& model, std::vector<PropModel>& prop_models,
-                          std::vector<std::string>& errors) {
+void World::Impl::addProp(const Model& model, std::vector<std::string>& errors) {
   props.push_back({&model, links.size()});
   addLinks(model, Role::kProp, -1);
   X_WP.push_back(model.X_WM);
@@ -150,15 +105,36 @@ void World::Impl::addProp(const Model& model, std::vector<PropModel>& prop_model
 
 void World::Impl::addObject(const MovingObject& object, std::vector<std::string>& errors) {
   first_object_links.push_back(links.size());
+  first_object_bodies.push_back(object_collisions.size());
   addLinks(object.model, Role::kObject, static_cast<int>(first_object_links.size()) - 1);
   collectErrors(errors, [&] {
     object_bodies.emplace_back(object);
     for (const Model& body : object_bodies.back().models(object.model)) {
       object_collisions.push_back(movingCollisions(body, Pose::Identity()));
       body_names.push_back(object.model.name);
+      body_objects.push_back(first_object_links.size() - 1);
       const auto& notes = object_collisions.back().notes;
       description.notes.insert(description.notes.end(), notes.begin(), notes.end());
     }
+  });
+}
+
+void World::Impl::addFallingObject(const MovingObject& object, std::vector<std::string>& errors) {
+  if (!canMove(object.model)) {
+    errors.push_back("object '" + object.model.name +
+                     "': it cannot be dropped, as its model has no collision");
+    return;
+  }
+  collectErrors(errors, [&] { falling_objects.push_back(makeProp(object.model)); });
+}
+
+void World::Impl::addDistractor(const Model& model, std::vector<std::string>& errors) {
+  first_distractor_links.push_back(links.size());
+  addLinks(model, Role::kDistractor, -1);
+  collectErrors(errors, [&] {
+    distractor_collisions.push_back(movingCollisions(model, Pose::Identity()));
+    const auto& notes = distractor_collisions.back().notes;
+    description.notes.insert(description.notes.end(), notes.begin(), notes.end());
   });
 }
 
@@ -184,8 +160,12 @@ std::vector<Pose> World::Impl::bodyPoses(Stamp time, const ObjectMotion& motion)
 
 void World::Impl::start(Stamp time, const ObjectMotion& motion) {
   X_WB = bodyPoses(time, motion);
-  if (physics) physics->placeObjects(X_WB);
   start_time = time;
+  steps_done = 0;
+  if (props.empty()) return;
+  physics = std::make_unique<Physics>(description.gravity, options.step, fixed, object_collisions,
+                                      startingProps());
+  physics->placeObjects(X_WB);
 }
 
 void World::Impl::simulateUntil(Stamp time, const ObjectMotion& motion) {
@@ -206,6 +186,10 @@ void World::Impl::showProps(Stamp time) {
   const Duration since = time - *start_time - steps_done * options.step;
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < props.size(); ++i) poses.push_back(physics->propPose(i, since));
+  showPropsAt(std::move(poses));
+}
+
+void World::Impl::showPropsAt(std::vector<Pose> poses) {
   if (samePoses(poses, X_WP)) return;
   X_WP = std::move(poses);
   for (std::size_t i = 0; i < props.size(); ++i) {
@@ -227,8 +211,9 @@ void World::Impl::showObjects() {
 }
 
 World::World(Description description, std::vector<MovingObject> objects,
-             const PhysicsOptions& options)
-    : impl_(std::make_unique<Impl>(std::move(description), std::move(objects), options)) {}
+             const PhysicsOptions& options, std::vector<Model> distractors)
+    : impl_(std::make_unique<Impl>(std::move(description), std::move(objects), options,
+                                   std::move(distractors))) {}
 
 World::~World() = default;
 
@@ -252,13 +237,27 @@ const Description& World::description() const { return impl_->description; }
 
 const std::vector<LinkInstance>& World::links() const { return impl_->links; }
 
+void World::setPresent(const std::vector<bool>& present) {
+  impl_->present = present;
+  for (std::size_t i = 0; i < impl_->links.size(); ++i) {
+    const int object = impl_->links[i].object;
+    if (object >= 0) impl_->present_links[i] = present[static_cast<std::size_t>(object)];
+  }
+}
+
+const std::vector<bool>& World::present() const { return impl_->present; }
+
+const std::vector<bool>& World::presentLinks() const { return impl_->present_links; }
+
 const std::vector<Pose>& World::linkPoses() const { return impl_->X_WL; }
 
 std::int64_t World::propRevision() const { return impl_->prop_revision; }
 
 std::vector<Interpenetration> World::interpenetrations() const {
   if (!impl_->start_time) return {};
-  return impl_->overlaps->find(impl_->X_WB, impl_->options.contact_tolerance);
+  std::vector<bool> bodies;
+  for (const std::size_t object : impl_->body_objects) bodies.push_back(impl_->present[object]);
+  return impl_->overlaps->find(impl_->X_WB, bodies, impl_->options.contact_tolerance);
 }
 
 }  // namespace synthetic_dataset::world

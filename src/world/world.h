@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@
 namespace synthetic_dataset::world {
 
 enum class Role {
-  kStatic,  ///< stands where its file puts it
-  kProp,    ///< moved by physics
-  kObject,  ///< follows TF, and is labelled
+  kStatic,      ///< stands where its file puts it
+  kProp,        ///< moved by physics
+  kObject,      ///< follows TF, and is labelled
+  kDistractor,  ///< put somewhere now and then, and not labelled
 };
 
 /// One link of one model in the running world.
@@ -29,6 +31,7 @@ struct LinkInstance {
 struct PhysicsOptions {
   Duration step = std::chrono::microseconds(4000);  ///< of the simulation, fixed; at least 1 us
   double contact_tolerance = 0.01;  ///< [m], >= 0: shallower overlaps are not reported
+  bool drops_objects = false;       ///< whether drop() will be called
 };
 
 /// Two things that are inside one another.
@@ -56,8 +59,10 @@ class World {
 
   /// @param description  models that are no object and not static are props
   /// @param objects  in the order of `robot_list`; their models' poses are ignored
+  /// @param distractors  nowhere until they are placed; nothing is pushed by them
   /// @throws ErrorList with every collision shape or mass that cannot be simulated, and its model
-  World(Description description, std::vector<MovingObject> objects, const PhysicsOptions& options);
+  World(Description description, std::vector<MovingObject> objects, const PhysicsOptions& options,
+        std::vector<Model> distractors = {});
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -70,6 +75,50 @@ class World {
   ///     the simulation breaks down (naming the prop); the world is of no further use then
   void advanceTo(Stamp time, const ObjectMotion& motion);
 
+  /// Which objects are there from now on; at first, all. One that is not is nowhere to be seen, is
+  /// inside of nothing and does not fall; it pushes props all the same where it is led.
+  /// @param present  of each object
+  void setPresent(const std::vector<bool>& present);
+  [[nodiscard]] const std::vector<bool>& present() const;
+
+  /// Puts the distractors somewhere until they are placed anew: X_WM of each that is there.
+  void placeDistractors(const std::vector<std::optional<Pose>>& X_WM);
+
+  /// What a distractor would be inside of at X_WM: a static model, a prop, an object that is there,
+  /// as they stand now, or a distractor before it, where `X_WM_before` puts it.
+  [[nodiscard]] std::optional<std::string> obstacleOfDistractor(
+      std::size_t distractor, const Pose& X_WM,
+      const std::vector<std::optional<Pose>>& X_WM_before) const;
+
+  /// The same of each link: of objects and distractors that are there, and of all else.
+  [[nodiscard]] const std::vector<bool>& presentLinks() const;
+
+  /// Puts everything back to where it started, and the clock too: the next advanceTo is a first
+  /// one.
+  void restart();
+
+  /// Lets the props fall and come to rest without the objects, at most for `time`; from now on they
+  /// start there. Call it before the first advanceTo.
+  void settleProps(Duration time);
+
+  /// Lets the objects that are there fall from X_WO, each as one piece, together with the props,
+  /// until all have come to rest. The props start there until restart(); the objects are where the
+  /// next advanceTo puts them. Call it before the first advanceTo, or after restart(), and only
+  /// where the options say so.
+  /// @return where the objects lie; nothing where something still moves after `time`
+  [[nodiscard]] std::optional<std::vector<Pose>> drop(const std::vector<Pose>& X_WO, Duration time);
+
+  /// What an object would be inside of at X_WO, by more than the contact tolerance: the name of a
+  /// static model, of a prop where it stands now, or of one of the objects before it, where
+  /// `X_WO_before` puts them. Its links are where its model has them.
+  [[nodiscard]] std::optional<std::string> obstacleAt(int object, const Pose& X_WO,
+                                                      const std::vector<Pose>& X_WO_before) const;
+
+  /// What a ball would touch, as everything stands now: the name of a static model, a prop, an
+  /// object that is there or a distractor.
+  [[nodiscard]] std::optional<std::string> obstacleNear(const Eigen::Vector3d& p_W,
+                                                        double radius) const;
+
   /// The description as given, and in its notes what the simulation leaves out.
   [[nodiscard]] const Description& description() const;
 
@@ -79,8 +128,8 @@ class World {
   /// X_WL of each link, in the order of links(); valid after the first advanceTo.
   [[nodiscard]] const std::vector<Pose>& linkPoses() const;
 
-  /// Counts up whenever a prop has moved: what was drawn of the world before is out of date.
-  /// Movements of less than 0.01 mm do not count, and do not show in the poses either.
+  /// Counts up whenever a prop or a distractor has moved: what was drawn of the world before is out
+  /// of date. Movements of less than 0.01 mm do not count, and do not show in the poses either.
   [[nodiscard]] std::int64_t propRevision() const;
 
   /// Objects that now overlap each other or a static model by more than the tolerance, each pair

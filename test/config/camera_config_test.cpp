@@ -69,6 +69,24 @@ TEST(ReadCameras, EffectsAreRead) {
   EXPECT_EQ(effects.vignetting, 0.3);
 }
 
+TEST(ReadCameras, AreMountedOnAnObject) {
+  const Reading reading(
+      "camera: {info_file: /a.yaml, mounted_on: alpha, pose: [1, 2, 3, 0, 0, 0, 1]}");
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_EQ(reading.cameras[0].on, "alpha");
+  EXPECT_EQ(reading.cameras[0].X_GC->translation(), Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(ReadCameras, AreSampledWhereTheyHaveAGroupForIt) {
+  const Reading reading(
+      "cameras: {a: {info_file: /a.yaml, sample: {look_at: alpha}}, "
+      "b: {info_file: /a.yaml}}");
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  ASSERT_TRUE(reading.cameras[0].sample);
+  EXPECT_EQ(reading.cameras[0].sample->look_at, "alpha");
+  EXPECT_FALSE(reading.cameras[1].sample);
+}
+
 struct BadCamera {
   std::string text;
   std::string message;
@@ -93,6 +111,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadCamera{"cameras: {" + std::string(81, 'a') + ": {info_file: /a.yaml}}",
                   "is no name for a folder; up to 80 letters"},
         BadCamera{"camera: {info_file: /a.yaml, info_topic: /b}", "found both info_file and"},
+        BadCamera{"camera: {info_file: /a.yaml, mounted_on: alpha, sample: {}}",
+                  "camera/sample: found together with pose or mounted_on"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: [0, 0, 0, 0, 0, 0, 1], sample: {}}",
+                  "camera/sample: found together with pose or mounted_on"},
         BadCamera{"camera: {info_file: /a.yaml, effects: {vignetting: 2}}",
                   "camera/effects/vignetting: found 2.0; it should be 0.0 to 1.0"},
         BadCamera{"camera: {info_file: /a.yaml, effects: {motion_samples: 1}}",

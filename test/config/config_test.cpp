@@ -177,6 +177,46 @@ TEST(ReadConfig, AModelMayBeAText) {
   EXPECT_EQ(reading.config.objects[0].model, " <robot name=\"r\"/>");
 }
 
+constexpr char kPlaced[] = "motion: placement\nscenes: 5\nplacement: {map: /a.yaml}\n";
+
+TEST(ReadConfig, FollowsABagUnlessObjectsArePlaced) {
+  EXPECT_EQ(Reading(kMinimal).config.motion.source, MotionSource::kBag);
+  EXPECT_EQ(Reading(plus("motion: bag\n")).config.motion.source, MotionSource::kBag);
+  const Reading reading(with("bag_file: /data/run.bag\n", kPlaced));
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_EQ(reading.config.motion.source, MotionSource::kPlacement);
+  EXPECT_EQ(reading.config.motion.scenes, 5);
+  EXPECT_EQ(reading.config.placement.map_file, "/a.yaml");
+  EXPECT_THAT(reading.config.motion.bag_files, IsEmpty());
+}
+
+TEST(ReadConfig, PlacementMayHaveABagToo) {
+  const Reading reading(plus(kPlaced));
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_THAT(reading.config.motion.bag_files, ElementsAre("/data/run.bag"));
+}
+
+TEST(ReadConfig, PropsComeToRestBeforeObjectsArePlaced) {
+  EXPECT_EQ(Reading(kMinimal).config.physics.settle, 0.0);
+  EXPECT_EQ(Reading(plus(kPlaced)).config.physics.settle, 10.0);
+  EXPECT_EQ(Reading(plus(std::string(kPlaced) + "physics: {settle: 2}")).config.physics.settle,
+            2.0);
+}
+
+TEST(ReadConfig, ObjectsMayHaveASafetyRadius) {
+  EXPECT_EQ(Reading(kMinimal).config.objects[0].safety_radius, std::nullopt);
+  for (const double radius : {0.0, 0.75}) {
+    const std::string text = "safety_radius: " + std::to_string(radius) + "\n  keypoints: []";
+    EXPECT_EQ(Reading(with("keypoints: []", text)).config.objects[0].safety_radius, radius);
+  }
+}
+
+TEST(ReadConfig, NothingIsUnknownInAGroupThatIsRefused) {
+  const Reading reading(plus("placement: {map: /a.yaml, mode: map}\n"));
+  EXPECT_THAT(reading.root.errors(), ElementsAre(HasSubstr("placement: has a meaning")));
+  EXPECT_THAT(unknownParameterErrors(reading.root), testing::Not(Contains(HasSubstr("placement"))));
+}
+
 struct BadSetting {
   std::string old_text;
   std::string new_text;
@@ -221,6 +261,31 @@ INSTANTIATE_TEST_SUITE_P(
         BadSetting{"world:", "simulated_rate: -5.0\nworld:", "simulated_rate: found -5.0"},
         BadSetting{"world:", "simulated_rate: fast\nworld:", "simulated_rate: found fast (a text)"},
         BadSetting{"world:", "start_offset: -1\nworld:", "start_offset: found -1.0 s"},
+        BadSetting{"world:", "motion: plcement\nworld:",
+                   "motion: found 'plcement'; it should be bag or placement; did you mean "
+                   "'placement'?"},
+        BadSetting{"world:", "motion: placement\nplacement: {map: /a.yaml}\nworld:",
+                   "scenes: required, but missing"},
+        BadSetting{"world:", std::string(kPlaced) + "start_offset: 1\nworld:",
+                   "start_offset: has a meaning with motion: bag alone"},
+        BadSetting{"world:", std::string(kPlaced) + "duration: 1\nworld:",
+                   "duration: has a meaning with motion: bag alone"},
+        BadSetting{"world:", std::string(kPlaced) + "max_tf_gap: 1\nworld:",
+                   "max_tf_gap: has a meaning with motion: bag alone"},
+        BadSetting{
+            "world:", "scenes: 5\nworld:", "scenes: has a meaning with motion: placement alone"},
+        BadSetting{"world:", "motion: bag\nplacement: {map: /a.yaml}\nworld:",
+                   "placement: has a meaning with motion: placement alone"},
+        BadSetting{"bag_file: /data/run.bag",
+                   "motion: placement\nscenes: 0\nplacement: {map: /a.yaml}",
+                   "scenes: found 0; it should be 1 to 100000000, the number of scenes to make"},
+        BadSetting{"bag_file: /data/run.bag",
+                   "motion: placement\nscenes: 100000001\nplacement: {map: /a.yaml}",
+                   "scenes: found 100000001"},
+        BadSetting{"keypoints: []", "safety_radius: -1\n  keypoints: []",
+                   "alpha/safety_radius: found -1.0 m; it should be 0 or more"},
+        BadSetting{"robot_list: alpha", "robot_list: [alpha, placement]",
+                   "robot_list: found 'placement', which is also a setting"},
         BadSetting{"world:", "if_exists: append\nworld:",
                    "if_exists: found 'append'; it should be resume, overwrite or error"},
         BadSetting{"world:", "sync: always\nworld:",

@@ -1,5 +1,6 @@
 #include "config/settings_file.h"
 
+#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -96,6 +97,119 @@ TEST(LoadSettings, NamesAFileThatCannotBeRead) {
               ThrowsMessage<Error>(HasSubstr("/nowhere.yaml: no such file")));
   const test::TemporaryFolder folder;
   EXPECT_THROW((void)loadSettings(folder.path().string(), noPackage), Error);
+}
+
+/// Settings files that lie below others.
+class IncludedSettings : public testing::Test {
+ protected:
+  [[nodiscard]] Map load(const std::string& name, const TextFinder& finder = noPackage) const {
+    return loadSettings((folder / name).string(), finder);
+  }
+
+  /// What loading a file says.
+  [[nodiscard]] std::string errorOf(const std::string& name) const {
+    try {
+      (void)load(name);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(IncludedSettings, CountWhereTheFileHasNoneOfItsOwn) {
+  folder.write("below.yaml", "a: 1\nb: 2\nlist: [1, 2, 3]");
+  folder.write("my.yaml", "include: below.yaml\nb: 3\nlist: [4]");
+  EXPECT_EQ(load("my.yaml"), (Map{{"a", 1}, {"b", 3}, {"list", Value::List{4}}}));
+}
+
+TEST_F(IncludedSettings, AreMergedGroupByGroup) {
+  folder.write("below.yaml", "camera: {near: 0.1, pose: [1, 2], effects: {blur: 1, noise: 2}}");
+  folder.write("my.yaml", "camera: {near: 0.2, effects: {blur: 3}}\ninclude: below.yaml");
+  EXPECT_EQ(load("my.yaml"), (Map{{"camera", Map{{"near", 0.2},
+                                                 {"pose", Value::List{1, 2}},
+                                                 {"effects", Map{{"blur", 3}, {"noise", 2}}}}}}));
+}
+
+TEST_F(IncludedSettings, OfALaterFileCountOverThoseOfAnEarlierOne) {
+  folder.write("first.yaml", "a: 1\nb: 1\nc: 1\ng: {x: 1, y: 1}");
+  folder.write("second.yaml", "b: 2\nc: 2\ng: {y: 2}");
+  folder.write("my.yaml", "include: [first.yaml, second.yaml]\nc: 3");
+  EXPECT_EQ(load("my.yaml"), (Map{{"a", 1}, {"b", 2}, {"c", 3}, {"g", Map{{"x", 1}, {"y", 2}}}}));
+}
+
+TEST_F(IncludedSettings, MayIncludeOthersThemselves) {
+  folder.write("lowest.yaml", "a: 1\nb: 1\nc: 1");
+  folder.write("middle.yaml", "include: lowest.yaml\nb: 2\nc: 2");
+  folder.write("my.yaml", "include: middle.yaml\nc: 3");
+  EXPECT_EQ(load("my.yaml"), (Map{{"a", 1}, {"b", 2}, {"c", 3}}));
+}
+
+TEST_F(IncludedSettings, AreFoundFromTheFolderOfTheFileThatIncludesThem) {
+  folder.write("common/world.yaml", "include: ../deep/lights.yaml\nworld: w");
+  folder.write("deep/lights.yaml", "light: sun\nhere: $(dirname)");
+  folder.write("runs/my.yaml", "include: ../common/world.yaml");
+  const Map settings = load("runs/my.yaml");
+  EXPECT_EQ(settings.at("world"), Value("w"));
+  EXPECT_EQ(settings.at("light"), Value("sun"));
+  EXPECT_TRUE(std::filesystem::equivalent(*settings.at("here").as<std::string>(), folder / "deep"));
+}
+
+TEST_F(IncludedSettings, MayBeAnywhereOrInAPackage) {
+  const test::TemporaryFolder elsewhere;
+  const std::string absolute = elsewhere.write("absolute.yaml", "a: 1").string();
+  elsewhere.write("config/preset.yaml", "b: 2");
+  folder.write("my.yaml", "include: ['" + absolute + "', $(find presets)/config/preset.yaml]");
+  const auto find = [&](const std::string& name) -> std::optional<std::string> {
+    if (name != "presets") return std::nullopt;
+    return elsewhere.path().string();
+  };
+  EXPECT_EQ(load("my.yaml", find), (Map{{"a", 1}, {"b", 2}}));
+}
+
+TEST_F(IncludedSettings, MayBeIncludedTwiceByDifferentFiles) {
+  folder.write("common.yaml", "a: 1");
+  folder.write("left.yaml", "include: common.yaml\nb: 2");
+  folder.write("right.yaml", "include: common.yaml\nc: 3");
+  folder.write("my.yaml", "include: [left.yaml, right.yaml]");
+  EXPECT_EQ(load("my.yaml"), (Map{{"a", 1}, {"b", 2}, {"c", 3}}));
+}
+
+TEST_F(IncludedSettings, MayBeNone) {
+  folder.write("my.yaml", "include: []\na: 1");
+  EXPECT_EQ(load("my.yaml"), (Map{{"a", 1}}));
+}
+
+TEST_F(IncludedSettings, AreNotAFileThatIncludesItself) {
+  folder.write("my.yaml", "include: my.yaml");
+  EXPECT_EQ(errorOf("my.yaml"), path("my.yaml") + ": include: found a file that includes itself");
+  folder.write("a.yaml", "include: b.yaml");
+  folder.write("b.yaml", "include: a.yaml");
+  EXPECT_EQ(errorOf("a.yaml"), path("a.yaml") + ": include: found a file that includes itself");
+  folder.write("below/c.yaml", "include: ../below/c.yaml");
+  EXPECT_THAT(errorOf("below/c.yaml"), HasSubstr("include: found a file that includes itself"));
+}
+
+TEST_F(IncludedSettings, AreNamedByTexts) {
+  const std::string should = "; it should be the name of a settings file, or a list of names";
+  folder.write("my.yaml", "include: 3");
+  EXPECT_EQ(errorOf("my.yaml"), path("my.yaml") + ": include: found 3" + should);
+  folder.write("my.yaml", "include: [a.yaml, 3]");
+  EXPECT_EQ(errorOf("my.yaml"), path("my.yaml") + ": include: found [a.yaml, 3]" + should);
+  folder.write("my.yaml", "include: {file: a.yaml}");
+  EXPECT_THAT(errorOf("my.yaml"), HasSubstr(path("my.yaml") + ": include: found "));
+}
+
+TEST_F(IncludedSettings, ThatAreWrongAreNamedByTheirOwnFile) {
+  folder.write("my.yaml", "include: nowhere.yaml");
+  EXPECT_THAT(errorOf("my.yaml"), HasSubstr(path("nowhere.yaml") + ": no such file"));
+  folder.write("broken.yaml", "a: 1\nb: [1");
+  folder.write("my.yaml", "include: broken.yaml");
+  EXPECT_THAT(errorOf("my.yaml"), HasSubstr(path("broken.yaml") + ": line "));
 }
 
 }  // namespace

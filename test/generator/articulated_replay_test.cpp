@@ -95,7 +95,7 @@ class ArticulatedReplay : public testing::Test {
   LinkPoses linksAt(int i) {
     reached = Stamp(0);
     const RunSetup setup = setUp();
-    ObjectMotion motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links);
+    ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
     return linksAt(setup, motion, i);
   }
 
@@ -194,7 +194,7 @@ TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
   recordLinks("alpha/", 8);
   const RunSetup setup = setUp();
   EXPECT_THAT(setup.timeline.stamps, SizeIs(4));
-  ObjectMotion motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links);
+  ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses early = linksAt(setup, motion, 5);
   expectAt(early["fore"], base(5) * shoulder(5) * poseAt(0, 0, 0.5));
   expectAt(early["gripper"], base(5) * shoulder(5) * poseAt(0, 0, 0.92));
@@ -208,7 +208,7 @@ TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
 TEST_F(ArticulatedReplay, TheModelBoxFollowsTheLinks) {
   recordLinks();
   const RunSetup setup = setUp();
-  ObjectMotion motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links);
+  ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape =
       setup.shapes->at(setup.world->linkPoses(), motion.objectPoses(milliseconds(1750)))[0];
@@ -226,7 +226,7 @@ TEST_F(ArticulatedReplay, KeypointsMoveWithTheirLinks) {
   recordLinks();
   alpha["keypoints"] = Value(Value::Map{{"farthest_points", Value(9)}});
   const RunSetup setup = setUp();
-  ObjectMotion motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links);
+  ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape =
       setup.shapes->at(setup.world->linkPoses(), motion.objectPoses(milliseconds(1750)))[0];

@@ -51,10 +51,9 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   masks.silhouettes = true;
   config::MaskConfig subtraction = setup.config.masks;
   subtraction.method = config::MaskMethod::kMog2;
-  SceneMaker maker(*setup.world, renderer, *setup.recording, setup.cameras,
-                   setup.config.global_frame, *setup.shapes, *setup.splits, masks,
-                   {subtraction, {}, {}});
-  ObjectMotion motion(*setup.recording, setup.config, setup.world->links(), setup.driven_links);
+  SceneMaker maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes,
+                   *setup.splits, masks, {subtraction, {}, {}});
+  ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   std::vector<double> worst(objects.size(), 1.0);
   std::vector<double> sum(objects.size(), 0.0);
   for (std::size_t s = 0; s < setup.timeline.stamps.size(); ++s) {

@@ -41,12 +41,11 @@ class PixelLabels : public testing::Test {
     renderer_.reset();
     renderer_ = std::make_unique<render::Renderer>(setup_.world->description(),
                                                    setup_.world->links(), render::RenderOptions{});
-    motion_ = std::make_unique<ObjectMotion>(*setup_.recording, setup_.config,
-                                             setup_.world->links(), setup_.driven_links);
+    motion_ = std::make_unique<ObjectMotion>(*setup_.frames, setup_.config, setup_.world->links(),
+                                             setup_.driven_links);
     maker_ = std::make_unique<SceneMaker>(
-        *setup_.world, *renderer_, *setup_.recording, setup_.cameras, setup_.config.global_frame,
-        *setup_.shapes, *setup_.splits, requirements,
-        PixelLabelOptions{setup_.config.masks, setup_.config.labels, {1, 1}});
+        *setup_.world, *renderer_, *setup_.frames, setup_.cameras, *setup_.shapes, *setup_.splits,
+        requirements, PixelLabelOptions{setup_.config.masks, setup_.config.labels, {1, 1}});
     moveTo(0);
     made_ = maker_->make(0, 0, stamp(0), motion_->objectPoses(stamp(0)));
     return made_->scene;

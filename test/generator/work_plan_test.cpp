@@ -8,7 +8,7 @@ namespace {
 bool nothingIsThere(std::int64_t /*scene*/) { return false; }
 
 TEST(WorkPlan, OfAFreshRunIsAllOfIt) {
-  const WorkPlan plan(5, 2, {}, nothingIsThere);
+  const WorkPlan plan(5, 2, {}, {}, nothingIsThere);
   EXPECT_EQ(plan.sceneCount(), 10);
   EXPECT_EQ(plan.missingCount(), 10);
   EXPECT_TRUE(plan.wants(0));
@@ -17,7 +17,7 @@ TEST(WorkPlan, OfAFreshRunIsAllOfIt) {
 }
 
 TEST(WorkPlan, LeavesOutInstantsOfWhichAllScenesAreThere) {
-  const WorkPlan plan(3, 2, {}, [](std::int64_t scene) { return scene != 3; });
+  const WorkPlan plan(3, 2, {}, {}, [](std::int64_t scene) { return scene != 3; });
   EXPECT_FALSE(plan.wants(0));
   EXPECT_TRUE(plan.wants(1));
   EXPECT_FALSE(plan.wants(2));
@@ -26,9 +26,21 @@ TEST(WorkPlan, LeavesOutInstantsOfWhichAllScenesAreThere) {
 }
 
 TEST(WorkPlan, OfACompleteRunIsEmpty) {
-  const WorkPlan plan(3, 1, {}, [](std::int64_t /*scene*/) { return true; });
+  const WorkPlan plan(3, 1, {}, {}, [](std::int64_t /*scene*/) { return true; });
   EXPECT_EQ(plan.missingCount(), 0);
   EXPECT_FALSE(plan.hasWorkFrom(0));
+}
+
+TEST(WorkPlan, MakesOnlyTheScenesThatAreAskedFor) {
+  const WorkPlan plan(5, 2, {}, {1, 3}, [](std::int64_t scene) { return scene == 2; });
+  EXPECT_EQ(plan.sceneCount(), 4);
+  EXPECT_EQ(plan.missingCount(), 3);
+  EXPECT_FALSE(plan.wants(0));
+  EXPECT_TRUE(plan.wants(1));
+  EXPECT_FALSE(plan.wants(2));
+  EXPECT_TRUE(plan.wants(3));
+  EXPECT_TRUE(plan.hasWorkFrom(3));
+  EXPECT_FALSE(plan.hasWorkFrom(4));
 }
 
 }  // namespace

@@ -127,6 +127,7 @@ TEST_F(DatasetStoreTest, ListsWhatWasMeasuredAndNothingElse) {
   seen.visibility = 0.25;
   facts.objects = {seen, ObjectFacts{}};
   facts.contacts = {{"alpha", "wall", 0.02}};
+  facts.draws = {{"lights/sun/intensity", "1.5"}, {"floor", R"("dark oak")"}};
   facts.warnings = {{"it rains", "a lot"}};
   store->commitScene(facts, {{}, {}});
   EXPECT_THAT(query("SELECT object, x, y, z, qw, in_view, visible_left, visible_bottom, "
@@ -134,6 +135,8 @@ TEST_F(DatasetStoreTest, ListsWhatWasMeasuredAndNothingElse) {
               ElementsAre("0|1.0|2.0|3.0|1.0|1|0.5|20.5|12|0.25|NULL|NULL",
                           "1|0.0|0.0|0.0|1.0|0|NULL|NULL|NULL|NULL|NULL|NULL"));
   EXPECT_THAT(query("SELECT first, second, depth FROM contact"), ElementsAre("alpha|wall|0.02"));
+  EXPECT_THAT(query("SELECT * FROM draw ORDER BY name"),
+              ElementsAre(R"(0|floor|"dark oak")", "0|lights/sun/intensity|1.5"));
   EXPECT_THAT(query("SELECT * FROM warning"), ElementsAre("0|0|1|it rains|a lot"));
 }
 
@@ -199,6 +202,14 @@ TEST_F(DatasetStoreTest, RefusesTheSameSceneTwice) {
   auto store = makeStore();
   store->commitScene({0, Stamp{0}}, {{}, {}});
   EXPECT_THAT(failureOf(*store, 0, {{}, {}}), HasSubstr("scene 0: it is in the dataset already"));
+}
+
+TEST_F(DatasetStoreTest, RefusesTwoDrawsOfOneEntry) {
+  auto store = makeStore();
+  SceneFacts facts{0, Stamp{0}};
+  facts.draws = {{"floor", "1"}, {"floor", "2"}};
+  EXPECT_THROW(store->commitScene(facts, {{}, {}}), Error);
+  EXPECT_THAT(query("SELECT * FROM draw"), IsEmpty());
 }
 
 TEST_F(DatasetStoreTest, NamesAnImageThatCannotBeEncoded) {

@@ -130,7 +130,7 @@ TEST_F(EarlierDatasetTest, AnotherVersionsManifestIsAnError) {
   earlierRun();
   (void)query("UPDATE run SET value = '99' WHERE key = 'format_version'");
   EXPECT_THAT(errors(IfExists::kOverwrite),
-              ElementsAre(HasSubstr("format version is '99', and this software reads version 2")));
+              ElementsAre(HasSubstr("format version is '99', and this software reads version 3")));
 }
 
 TEST_F(EarlierDatasetTest, AManifestWhoseFactsDoNotAgreeIsAnError) {
@@ -146,6 +146,8 @@ TEST_F(EarlierDatasetTest, AManifestWithoutOneOfItsTablesIsAnError) {
   earlierRun();
   (void)query("DROP TABLE record");
   EXPECT_THAT(errors(IfExists::kOverwrite), ElementsAre(HasSubstr("no such table: record")));
+  (void)query("DROP TABLE draw");
+  EXPECT_THAT(errors(IfExists::kOverwrite), ElementsAre(HasSubstr("no such table: draw")));
 }
 
 TEST_F(EarlierDatasetTest, AManifestThatPointsElsewhereRemovesNothing) {

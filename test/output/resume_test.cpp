@@ -22,9 +22,16 @@ using testing::IsEmpty;
 
 class ResumeTest : public StoreFixture {
  protected:
+  [[nodiscard]] static SceneFacts factsOf(int index) {
+    SceneFacts facts{index, Stamp{index}};
+    facts.contacts = {{"a", "b", 0.1}};
+    facts.draws = {{"floor", std::to_string(index)}};
+    return facts;
+  }
+
   void addScene(DatasetStore& store, int index) const {
     const std::string name = std::to_string(index);
-    store.commitScene({index, Stamp{index}},
+    store.commitScene(factsOf(index),
                       {{text("a/" + name, "a of " + name), text("b/" + name, "b of " + name)},
                        {{0, "record " + name}}});
   }
@@ -44,9 +51,9 @@ class ResumeTest : public StoreFixture {
                                  {"b", "test/B", folder + "/b/", {}}});
     for (int index = 0; index < scenes; ++index) {
       const std::string name = std::to_string(index);
-      store.commitScene({index, Stamp{index}}, {{{0, folder + "/a/" + name, {}, "a of " + name},
-                                                 {1, folder + "/b/" + name, {}, "b of " + name}},
-                                                {{0, "record " + name}}});
+      store.commitScene(factsOf(index), {{{0, folder + "/a/" + name, {}, "a of " + name},
+                                          {1, folder + "/b/" + name, {}, "b of " + name}},
+                                         {{0, "record " + name}}});
     }
     store.writeDatasetFile(0, folder + "/list.txt", [](std::ostream& list) { list << "all"; });
     store.complete();

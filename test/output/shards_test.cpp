@@ -36,6 +36,8 @@ class ShardsTest : public testing::Test {
     const std::string text = "scene " + name;
     SceneFacts facts{index, Stamp{index}};
     facts.objects = {ObjectFacts{}};
+    facts.contacts = {{"a", "b", 0.1}};
+    facts.draws = {{"floor", name}};
     facts.warnings = {{"a warning"}};
     store.commitScene(facts, {{{0, folder + "/a/" + name, {}, text}}, {{0, "record " + name}}});
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <std_msgs/String.h>
@@ -100,6 +101,27 @@ BagBuilder& BagBuilder::calibrate(const std::string& topic, const std::string& f
   info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   info.P = {focal_length, 0, 79.5, 0, 0, focal_length, 59.5, 0, 0, 0, 1, 0};
   impl_->bag.write(topic, toRosTime(recorded), info);
+  return *this;
+}
+
+BagBuilder& BagBuilder::map(const Map& map) {
+  const Eigen::Vector3d p_FM = map.X_FM.translation();
+  const Eigen::Quaterniond q_FM(map.X_FM.linear());
+  nav_msgs::OccupancyGrid grid;
+  grid.header.frame_id = map.frame;
+  grid.header.stamp = toRosTime(map.recorded);
+  grid.info.width = map.width;
+  grid.info.height = map.height;
+  grid.info.resolution = map.resolution;
+  grid.info.origin.position.x = p_FM.x();
+  grid.info.origin.position.y = p_FM.y();
+  grid.info.origin.position.z = p_FM.z();
+  grid.info.origin.orientation.x = q_FM.x();
+  grid.info.origin.orientation.y = q_FM.y();
+  grid.info.origin.orientation.z = q_FM.z();
+  grid.info.origin.orientation.w = q_FM.w();
+  grid.data = map.cells;
+  impl_->bag.write(map.topic, toRosTime(map.recorded), grid);
   return *this;
 }
 

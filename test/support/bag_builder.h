@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -55,6 +56,20 @@ class BagBuilder {
   /// distortion.
   BagBuilder& calibrate(const std::string& topic, const std::string& frame, Stamp recorded,
                         double focal_length, const std::vector<double>& distortion = {});
+
+  /// A map in cells.
+  struct Map {
+    std::string topic = "/map";
+    std::string frame = "map";
+    Stamp recorded{0};
+    std::uint32_t width = 0;   ///< [cells]
+    std::uint32_t height = 0;  ///< [cells]
+    float resolution = 0.5F;   ///< [m]
+    Pose X_FM = Pose::Identity();
+    std::vector<std::int8_t> cells;
+  };
+  /// A nav_msgs/OccupancyGrid, as it is.
+  BagBuilder& map(const Map& map);
 
   /// Transforms from now on go into a chunk of their own each, as long recordings have many chunks.
   BagBuilder& splitChunks();

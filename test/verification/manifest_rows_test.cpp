@@ -33,12 +33,15 @@ TEST_P(VerifyManifest, TellsOf) {
 }
 
 const Change kStructure[] = {
-    {"Version", "UPDATE run SET value = '3' WHERE key = 'format_version'",
-     "its format version is '3'; this software verifies version 2"},
+    {"Version", "UPDATE run SET value = '4' WHERE key = 'format_version'",
+     "its format version is '4'; this software verifies version 3"},
+    {"AnEarlierVersion", "UPDATE run SET value = '2' WHERE key = 'format_version'; DROP TABLE draw",
+     "its format version is '2'; this software verifies version 3"},
     {"NoVersion", "DELETE FROM run", "its format version is ''"},
-    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 2"},
+    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 3"},
+    {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 3"},
     {"MoreTables", "CREATE VIEW more AS SELECT * FROM file",
-     "its tables are not those of version 2"},
+     "its tables are not those of version 3"},
     {"TextForNumber", "UPDATE scene SET stamp_ns = 'soon'",
      "scene: 4 values of 'stamp_ns' are of another kind; they should be integers"},
     {"Infinity", "UPDATE scene_object SET x = 9e999 WHERE scene = 0",
@@ -48,7 +51,7 @@ const Change kStructure[] = {
     {"Null",
      "PRAGMA writable_schema = ON; UPDATE sqlite_master SET sql = replace(sql, 'bytes INTEGER NOT "
      "NULL', 'bytes INTEGER') WHERE name = 'file'",
-     "its tables are not those of version 2"},
+     "its tables are not those of version 3"},
 };
 
 const Change kRun[] = {
@@ -107,6 +110,8 @@ const Change kReferences[] = {
      "scene_object: scenes that the table scene does not have: scene 9 object 0"},
     {"AContactOfNoScene", "INSERT INTO contact VALUES (9, 0, 'a', 'b', 0.1)",
      "contact: scenes that the table scene does not have: scene 9"},
+    {"ADrawOfNoScene", "INSERT INTO draw VALUES (9, 'lights/sun/x', '1')",
+     "draw: scenes that the table scene does not have: scene 9 lights/sun/x"},
     {"AFilesWriter", "UPDATE file SET writer = 4 WHERE path LIKE '%label_2/000002.txt'",
      "file: writers that the table writer does not have: w/training/label_2/000002.txt"},
     {"AFilesScene", "UPDATE file SET scene = 44 WHERE path LIKE '%label_2/000002.txt'",
@@ -141,6 +146,8 @@ const Change kNumbers[] = {
      "record: sequences that do not count from 0: writer 0 scene 2"},
     {"ContactsSequences", "INSERT INTO contact VALUES (1, 1, 'a', 'b', 0.1)",
      "contact: sequences that do not count from 0: scene 1"},
+    {"DrawsValues", "UPDATE draw SET value = 'oak' WHERE scene = 1 AND name = 'floor'",
+     "draw: values that are not JSON: scene 1 floor"},
     {"WarningsSequences", "INSERT INTO warning VALUES (-1, 1, 1, 'gap', '')",
      "warning: sequences that do not count from 0: scene -1"},
     {"WarningsCounts", "INSERT INTO warning VALUES (-1, 0, 0, 'gap', '')",

@@ -31,8 +31,9 @@ TEST_F(VerifyShard, FindsNothingWrong) {
 
 TEST_F(VerifyShard, TellsOfAMissingScene) {
   change(
-      "DELETE FROM scene WHERE \"index\" = 4; DELETE FROM scene_object WHERE scene = 4; DELETE "
-      "FROM file WHERE scene = 4; DELETE FROM record WHERE scene = 4",
+      "DELETE FROM scene WHERE \"index\" = 4; DELETE FROM scene_object WHERE scene = 4; "
+      "DELETE FROM draw WHERE scene = 4; DELETE FROM file WHERE scene = 4; "
+      "DELETE FROM record WHERE scene = 4",
       manifest_);
   std::filesystem::remove(path("images/00000004.png"));
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("scene: missing: 4 (of shard 0/2 of 8)")));

@@ -81,6 +81,7 @@ output::RunDescription VerificationTest::description(const Value::Map& parameter
 
 output::SceneFacts VerificationTest::factsOf(const Scene& scene) const {
   output::SceneFacts facts = output::sceneFacts(scene);
+  facts.draws = {{"floor", R"("dark \"oak\"")"}, {"sun/colour", "[1, 0.5, 1e-05]"}, {"x", "-2.5"}};
   facts.warnings = warnings_;
   for (const SceneObject& object : scene.objects) {
     output::ObjectFacts of_object = output::objectFacts(object);

@@ -148,7 +148,6 @@ PropModel makeProp(const Model& model) {
   PropModel prop;
   const MassProperties mass = massOf(model);
   prop.name = model.name;
-  prop.X_WM = model.X_WM;
   prop.mass = mass.mass;
   prop.X_MB = principalFrame(model, mass);
   prop.moments_B =

@@ -54,7 +54,6 @@ struct MovingCollisions {
 /// of mass, along the principal axes.
 struct PropModel {
   std::string name;
-  Pose X_WM = Pose::Identity();  ///< where it starts
   Pose X_MB = Pose::Identity();
   double mass = 0.0;                                    ///< [kg]
   Eigen::Vector3d moments_B = Eigen::Vector3d::Zero();  ///< [kg m^2]

@@ -53,6 +53,10 @@ struct OverlapFinder::Impl {
   /// How deep one shape is in the other; 0 where they are apart.
   [[nodiscard]] double depth(const Placed& a, const Placed& b) const;
 
+  [[nodiscard]] std::optional<std::string> obstacle(const Placed& body,
+                                                    const std::vector<StandingBody>& others,
+                                                    double tolerance) const;
+
   std::vector<Placed> fixed;
   std::vector<std::string> fixed_names;
   std::vector<btCollisionShape*> bodies;  ///< null for one without collisions
@@ -82,6 +86,19 @@ double OverlapFinder::Impl::depth(const Placed& a, const Placed& b) const {
   return deepest.depth;
 }
 
+std::optional<std::string> OverlapFinder::Impl::obstacle(const Placed& body,
+                                                         const std::vector<StandingBody>& others,
+                                                         double tolerance) const {
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (depth(body, fixed[i]) > tolerance) return fixed_names[i];
+  }
+  for (const StandingBody& other : others) {
+    btCollisionShape* shape = other.collisions->whole();
+    if (shape != nullptr && depth(body, placed(shape, other.X_WB)) > tolerance) return other.name;
+  }
+  return std::nullopt;
+}
+
 OverlapFinder::OverlapFinder(const std::vector<FixedCollision>& fixed,
                              const std::vector<MovingCollisions>& bodies,
                              std::vector<std::string> names)
@@ -97,6 +114,7 @@ OverlapFinder::OverlapFinder(const std::vector<FixedCollision>& fixed,
 OverlapFinder::~OverlapFinder() = default;
 
 std::vector<Interpenetration> OverlapFinder::find(const std::vector<Pose>& X_WB,
+                                                  const std::vector<bool>& present,
                                                   double tolerance) const {
   std::map<std::pair<std::string, std::string>, double> deepest;
   const auto note = [&](const std::string& first, const std::string& second, double depth) {
@@ -106,7 +124,7 @@ std::vector<Interpenetration> OverlapFinder::find(const std::vector<Pose>& X_WB,
   };
   std::vector<std::pair<Placed, const std::string*>> bodies;
   for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
-    if (impl_->bodies[i] == nullptr) continue;
+    if (impl_->bodies[i] == nullptr || !present[i]) continue;
     bodies.emplace_back(placed(impl_->bodies[i], X_WB[i]), &impl_->body_names[i]);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -124,6 +142,22 @@ std::vector<Interpenetration> OverlapFinder::find(const std::vector<Pose>& X_WB,
   std::vector<Interpenetration> result;
   for (const auto& [names, depth] : deepest) result.push_back({names.first, names.second, depth});
   return result;
+}
+
+std::optional<std::string> OverlapFinder::obstacle(const StandingBody& body,
+                                                   const std::vector<StandingBody>& others,
+                                                   double tolerance) const {
+  btCollisionShape* shape = body.collisions->whole();
+  if (shape == nullptr) return std::nullopt;
+  return impl_->obstacle(placed(shape, body.X_WB), others, tolerance);
+}
+
+std::optional<std::string> OverlapFinder::obstacle(const Eigen::Vector3d& centre_W, double radius,
+                                                   const std::vector<StandingBody>& others) const {
+  btSphereShape ball(static_cast<btScalar>(radius));
+  Pose X_WS = Pose::Identity();
+  X_WS.translation() = centre_W;
+  return impl_->obstacle(placed(&ball, X_WS), others, 0.0);
 }
 
 }  // namespace synthetic_dataset::world

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,13 @@
 #include "world/world.h"
 
 namespace synthetic_dataset::world {
+
+/// A body somewhere.
+struct StandingBody {
+  const MovingCollisions* collisions = nullptr;
+  Pose X_WB = Pose::Identity();
+  std::string name;  ///< of its model
+};
 
 /// Finds objects that are inside one another or inside static models.
 class OverlapFinder {
@@ -22,8 +30,20 @@ class OverlapFinder {
   OverlapFinder& operator=(const OverlapFinder&) = delete;
 
   /// Each pair deeper than `tolerance` [m] once, with its deepest contact, sorted by names.
+  /// @param present  of each body: what is not there is inside of nothing
   [[nodiscard]] std::vector<Interpenetration> find(const std::vector<Pose>& X_WB,
+                                                   const std::vector<bool>& present,
                                                    double tolerance) const;
+
+  /// The name of something that the body is inside of by more than `tolerance` [m]: a static model
+  /// or one of the others; nothing where it is clear of all.
+  [[nodiscard]] std::optional<std::string> obstacle(const StandingBody& body,
+                                                    const std::vector<StandingBody>& others,
+                                                    double tolerance) const;
+
+  /// The same for a ball, which may not even be touched.
+  [[nodiscard]] std::optional<std::string> obstacle(const Eigen::Vector3d& centre_W, double radius,
+                                                    const std::vector<StandingBody>& others) const;
 
  private:
   struct Impl;

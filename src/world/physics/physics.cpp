@@ -1,7 +1,7 @@
 #include "world/physics/physics.h"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <btBulletDynamicsCommon.h>
 
@@ -84,7 +84,7 @@ double smallestHalfSize(const btCollisionShape& shape) {
 
 struct Physics::Impl {
   struct Prop {
-    PropModel model;
+    StartingProp given;
     btRigidBody* body = nullptr;
     btTransform start;       ///< X_WB, as Bullet counts
     btTransform seen;        ///< X_WB when it last moved visibly
@@ -101,7 +101,7 @@ struct Physics::Impl {
 
   void addFixed(const FixedCollision& collision);
   void addObject(const MovingCollisions& collisions);
-  void addProp(PropModel model);
+  void addProp(const StartingProp& given);
   void setVelocity(const Object& object, const Pose& X_WO_next) const;
 
   double step;  ///< [s]
@@ -125,11 +125,12 @@ void Physics::Impl::addObject(const MovingCollisions& collisions) {
   objects.push_back(object);
 }
 
-void Physics::Impl::addProp(PropModel model) {
+void Physics::Impl::addProp(const StartingProp& given) {
+  const PropModel& model = *given.model;
   btCollisionShape* shape = model.collisions.whole();
   btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(model.mass), nullptr, shape,
                                                 toBullet(model.moments_B));
-  info.m_startWorldTransform = bullet.toBulletWorld(model.X_WM * model.X_MB);
+  info.m_startWorldTransform = bullet.toBulletWorld(given.X_WM * model.X_MB);
   info.m_linearSleepingThreshold = btScalar(kSleepSpeed);
   info.m_angularSleepingThreshold = btScalar(kSleepSpin);
   Prop prop;
@@ -138,8 +139,8 @@ void Physics::Impl::addProp(PropModel model) {
   prop.body->setCcdMotionThreshold(swept);
   prop.body->setCcdSweptSphereRadius(swept);
   prop.start = prop.seen = info.m_startWorldTransform;
-  prop.model = std::move(model);
-  props.push_back(std::move(prop));
+  prop.given = given;
+  props.push_back(prop);
 }
 
 void Physics::Impl::setVelocity(const Object& object, const Pose& X_WO_next) const {
@@ -155,14 +156,15 @@ void Physics::Impl::setVelocity(const Object& object, const Pose& X_WO_next) con
 
 Physics::Physics(const Eigen::Vector3d& gravity, Duration step,
                  const std::vector<FixedCollision>& fixed,
-                 const std::vector<MovingCollisions>& objects, std::vector<PropModel> props) {
+                 const std::vector<MovingCollisions>& objects,
+                 const std::vector<StartingProp>& props) {
   // Any place near the props will do; whole metres keep round numbers round.
   Eigen::Vector3d origin_W = Eigen::Vector3d::Zero();
   if (!props.empty()) origin_W = props.front().X_WM.translation().array().round();
   impl_ = std::make_unique<Impl>(gravity, step, origin_W);
   for (const FixedCollision& collision : fixed) impl_->addFixed(collision);
   for (const MovingCollisions& collisions : objects) impl_->addObject(collisions);
-  for (PropModel& prop : props) impl_->addProp(std::move(prop));
+  for (const StartingProp& prop : props) impl_->addProp(prop);
 }
 
 Physics::~Physics() = default;
@@ -184,7 +186,7 @@ void Physics::step(const std::vector<Pose>& X_WO) {
   for (Impl::Prop& prop : impl_->props) {
     prop.moves = false;
     if (!prop.body->isActive()) continue;
-    requireFinite(*prop.body, prop.model.name);
+    requireFinite(*prop.body, prop.given.model->name);
     const btTransform& X = prop.body->getWorldTransform();
     if (!visiblyApart(X, prop.seen)) continue;
     prop.seen = X;
@@ -197,14 +199,19 @@ void Physics::step(const std::vector<Pose>& X_WO) {
 
 Pose Physics::propPose(std::size_t index, Duration since) const {
   const Impl::Prop& prop = impl_->props[index];
-  if (!prop.has_moved) return prop.model.X_WM;
+  if (!prop.has_moved) return prop.given.X_WM;
   btTransform shown = prop.seen;
   if (prop.moves && since > Duration::zero()) {
     btTransformUtil::integrateTransform(prop.seen, prop.body->getLinearVelocity(),
                                         prop.body->getAngularVelocity(),
                                         static_cast<btScalar>(toSeconds(since)), shown);
   }
-  return impl_->bullet.fromBulletWorld(shown) * prop.model.X_MB.inverse();
+  return impl_->bullet.fromBulletWorld(shown) * prop.given.model->X_MB.inverse();
+}
+
+bool Physics::isAtRest() const {
+  return std::none_of(impl_->props.begin(), impl_->props.end(),
+                      [](const Impl::Prop& prop) { return prop.body->isActive(); });
 }
 
 }  // namespace synthetic_dataset::world

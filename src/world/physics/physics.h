@@ -11,6 +11,12 @@
 
 namespace synthetic_dataset::world {
 
+/// A prop, and where it starts.
+struct StartingProp {
+  const PropModel* model = nullptr;  ///< has to outlive the physics
+  Pose X_WM = Pose::Identity();
+};
+
 /// Props under gravity, among things that stand and objects that move as they are told.
 ///
 /// One thread, one fixed step, an order that depends on nothing but the order of the arguments: the
@@ -22,7 +28,7 @@ class Physics {
   /// @param gravity  [m/s^2]
   /// @param fixed, objects  have to outlive this; an articulated object is several here
   Physics(const Eigen::Vector3d& gravity, Duration step, const std::vector<FixedCollision>& fixed,
-          const std::vector<MovingCollisions>& objects, std::vector<PropModel> props);
+          const std::vector<MovingCollisions>& objects, const std::vector<StartingProp>& props);
   ~Physics();
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
@@ -37,6 +43,9 @@ class Physics {
   /// X_WM of a prop `since` after the last step (less than one step): one that moves is taken on
   /// along its velocity, so that pictures taken between steps do not stutter.
   [[nodiscard]] Pose propPose(std::size_t prop, Duration since) const;
+
+  /// Whether every prop has come to rest: each has been still for two seconds.
+  [[nodiscard]] bool isAtRest() const;
 
  private:
   struct Impl;

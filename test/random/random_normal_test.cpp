@@ -1,10 +1,10 @@
-#include "sensor/random_normal.h"
+#include "random/random_normal.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace synthetic_dataset::sensor {
+namespace synthetic_dataset::random {
 namespace {
 
 constexpr int kDraws = 100000;
@@ -44,4 +44,4 @@ TEST(RandomNormal, NeighboursAndOtherSeedsAreUncorrelated) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::sensor
+}  // namespace synthetic_dataset::random

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace synthetic_dataset::sensor {
+namespace synthetic_dataset::random {
 
 /// Two independent normal numbers (mean 0, standard deviation 1) that belong to a seed and a place:
 /// the same on every machine and in whatever order they are asked for.
@@ -12,4 +12,4 @@ struct NormalPair {
 };
 [[nodiscard]] NormalPair randomNormals(std::uint64_t seed, std::uint64_t place);
 
-}  // namespace synthetic_dataset::sensor
+}  // namespace synthetic_dataset::random

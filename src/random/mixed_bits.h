@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace synthetic_dataset::sensor {
+namespace synthetic_dataset::random {
 
 /// The step of SplitMix64's counter (Steele, Lea and Flood 2014).
 inline constexpr std::uint64_t kCounterStep = 0x9E3779B97F4A7C15ULL;
@@ -14,4 +14,4 @@ inline constexpr std::uint64_t kCounterStep = 0x9E3779B97F4A7C15ULL;
   return x ^ (x >> 31);
 }
 
-}  // namespace synthetic_dataset::sensor
+}  // namespace synthetic_dataset::random

@@ -1,12 +1,12 @@
-#include "random_seed.h"
+#include "random/random_seed.h"
 
-#include "sensor/mixed_bits.h"
+#include "random/mixed_bits.h"
 #include "synthetic_dataset/fingerprint.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::random {
 namespace {
 
-std::uint64_t mixed(std::uint64_t x) { return sensor::mixedBits(x + sensor::kCounterStep); }
+std::uint64_t mixed(std::uint64_t x) { return mixedBits(x + kCounterStep); }
 
 }  // namespace
 
@@ -16,4 +16,4 @@ std::uint64_t randomSeed(std::uint64_t run_seed, std::int64_t scene_index,
   return mixed(of_scene ^ Fingerprint(purpose).value());
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::random

@@ -1,10 +1,10 @@
-#include "sensor/random_normal.h"
+#include "random/random_normal.h"
 
 #include <cmath>
 
-#include "sensor/mixed_bits.h"
+#include "random/mixed_bits.h"
 
-namespace synthetic_dataset::sensor {
+namespace synthetic_dataset::random {
 namespace {
 
 /// Above 0, up to 1.
@@ -21,4 +21,4 @@ NormalPair randomNormals(std::uint64_t seed, std::uint64_t place) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-}  // namespace synthetic_dataset::sensor
+}  // namespace synthetic_dataset::random

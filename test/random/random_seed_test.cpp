@@ -1,10 +1,10 @@
-#include "random_seed.h"
+#include "random/random_seed.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::random {
 namespace {
 
 TEST(RandomSeed, DiffersByRunSceneAndPurpose) {
@@ -24,4 +24,4 @@ TEST(RandomSeed, IsTheSameOnEveryMachine) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::random

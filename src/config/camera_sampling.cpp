@@ -1,0 +1,85 @@
+#include "config/camera_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "config/checked_values.h"
+#include "config/distribution_config.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+constexpr double kHalfTurn = 3.141592653589793;
+constexpr double kFarthest = 1e6;  // [m]
+constexpr DistributionRange kPlace{3, -kFarthest, kFarthest, true};
+
+/// A distribution that has a default.
+void read(const Parameters& group, const std::string& name, const DistributionRange& range,
+          random::Distribution& value) {
+  if (auto given = maybeDistribution(group, name, range)) value = std::move(*given);
+}
+
+/// `look_at: any | all | NAME | [x, y, z]`.
+void readAim(const Parameters& group, CameraSampling& sampling) {
+  const auto given = group.maybe<Value>("look_at");
+  if (!given) return;
+  if (!given->is<Value::List>()) {
+    sampling.look_at = group.required<std::string>("look_at");
+    return;
+  }
+  const auto numbers = group.required<std::vector<double>>("look_at");
+  const bool is_near = std::all_of(numbers.begin(), numbers.end(),
+                                   [](double each) { return std::abs(each) <= kFarthest; });
+  if (numbers.size() == 3 && is_near) {
+    sampling.look_at_point_G = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  } else if (numbers.size() == 3) {
+    group.addError("look_at", "found a number beyond 1e6 m; it should be nearer");
+  } else if (!numbers.empty() || isEmptyList(group, "look_at")) {
+    group.addError("look_at", "found " + std::to_string(numbers.size()) +
+                                  " numbers; it should be any, all, an object's name or a point "
+                                  "[x, y, z] of global_frame");
+  }
+}
+
+/// `position` in a box, or `distance`, `elevation` and `azimuth`.
+void readPlace(const Parameters& group, CameraSampling& sampling) {
+  sampling.position_G = maybeDistribution(group, "position", kPlace);
+  for (const char* name : {"distance", "elevation", "azimuth"}) {
+    if (!group.has("position") || !group.has(name)) continue;
+    group.addError(name,
+                   "found together with position; the camera's place should come from one "
+                   "of them");
+    group.ignore(name);
+  }
+  if (group.has("position")) return;
+  constexpr double kNearest = 1e-3;  // [m]
+  read(group, "distance", {1, kNearest, kFarthest}, sampling.distance);
+  read(group, "elevation", {1, -kHalfTurn / 2.0, kHalfTurn / 2.0}, sampling.elevation);
+  read(group, "azimuth", {1, -2.0 * kHalfTurn, 2.0 * kHalfTurn}, sampling.azimuth);
+}
+
+}  // namespace
+
+std::optional<CameraSampling> readCameraSampling(const Parameters& camera) {
+  if (!camera.has("sample")) return std::nullopt;
+  const Parameters group = camera.group("sample");
+  CameraSampling sampling;
+  readAim(group, sampling);
+  readPlace(group, sampling);
+  read(group, "aim_offset", kPlace, sampling.aim_offset);
+  read(group, "roll", {1, -2.0 * kHalfTurn, 2.0 * kHalfTurn}, sampling.roll);
+  sampling.clearance = group.maybe<double>("clearance").value_or(sampling.clearance);
+  if (!(sampling.clearance >= 0.0 && sampling.clearance <= kFarthest)) {
+    group.addError("clearance",
+                   "found " + Value(sampling.clearance).text() + " m; it should be 0 to 1e6");
+    sampling.clearance = 0.0;
+  }
+  constexpr int kMostTries = 1000000;
+  if (group.has("tries")) {
+    sampling.tries = numberBetween(group, "tries", sampling.tries, 1, kMostTries);
+  }
+  return sampling;
+}
+
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,231 @@
+#include "config/distribution_config.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "config/distribution_entry.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+using random::Distribution;
+using Numbers = Distribution::Numbers;
+
+constexpr double kLeastAboveZero = std::numeric_limits<double>::denorm_min();
+
+const std::vector<DistributionKind>& kindsOfNumbers() {
+  static const std::vector<DistributionKind> kKinds = {
+      {"uniform"}, {"log_uniform"}, {"normal", {"min", "max"}}, {"choice", {"weights"}}};
+  return kKinds;
+}
+
+/// Whether low <= high in each component.
+bool isOrdered(const Numbers& low, const Numbers& high) {
+  for (std::size_t i = 0; i < std::max(low.size(), high.size()); ++i) {
+    if (random::componentOf(low, i) > random::componentOf(high, i)) return false;
+  }
+  return true;
+}
+
+/// Reads a distribution that is there.
+class DistributionReader {
+ public:
+  DistributionReader(DistributionEntry entry, const DistributionRange& range)
+      : entry_(std::move(entry)), range_(range) {}
+
+  [[nodiscard]] std::optional<Distribution> constant(const Value& given) const {
+    const auto numbers = componentsIn(given);
+    if (!numbers) {
+      return entry_.refuse(shortText(given) + " (" + given.kind() + ")",
+                           component() + ", or a group with " + namesOf(kindsOfNumbers()));
+    }
+    if (!isInRange(*numbers)) return entry_.refuse(shortText(given), rangeText());
+    return Distribution::constant(vectorOf(*numbers));
+  }
+
+  [[nodiscard]] std::optional<Distribution> fromGroup(const Value::Map& given) const {
+    const auto kind = entry_.kindOf(given, kindsOfNumbers());
+    if (!kind) return std::nullopt;
+    if (kind->name == "normal") return normal(given);
+    if (kind->name == "choice") return choice(given);
+    return between(kind->name, given.at(kind->name));
+  }
+
+ private:
+  using Pair = std::array<Numbers, 2>;
+
+  /// Of `uniform` or `log_uniform`.
+  [[nodiscard]] std::optional<Distribution> between(const std::string& kind,
+                                                    const Value& given) const {
+    const std::string found = kind + ": " + shortText(given);
+    auto ends = pairIn(given);
+    if (!ends) return entry_.refuse(found, "[low, high], each " + component());
+    auto& [low, high] = *ends;
+    if (!isOrdered(low, high)) return entry_.refuse(found, "[low, high], low not above high");
+    const bool is_log = kind == "log_uniform";
+    if (is_log && !isOrdered({kLeastAboveZero}, low)) {
+      return entry_.refuse(found, "[low, high], both above 0");
+    }
+    if (!isInRange(low) || !isInRange(high)) return entry_.refuse(found, rangeText());
+    const auto make = is_log ? Distribution::logUniform : Distribution::uniform;
+    return make(parameter(low), parameter(high), range_.dimension);
+  }
+
+  [[nodiscard]] std::optional<Distribution> normal(const Value::Map& given) const {
+    const std::string found = "normal: " + shortText(given.at("normal"));
+    auto numbers = pairIn(given.at("normal"));
+    if (!numbers) return entry_.refuse(found, "[mean, stddev], each " + component());
+    auto& [mean, stddev] = *numbers;
+    if (!isOrdered({0.0}, stddev)) {
+      return entry_.refuse(found, "[mean, stddev], stddev not below 0");
+    }
+    if (!isInRange(mean)) return entry_.refuse(found, rangeText());
+    auto low = bound(given, "min", range_.low);
+    auto high = bound(given, "max", range_.high);
+    if (!low || !high) return std::nullopt;
+    // A mean beyond its bounds would be drawn in vain a thousand times, for the bound itself.
+    if (!isOrdered(*low, mean) || !isOrdered(mean, *high)) {
+      return entry_.refuse(found + boundsText(given),
+                           "[mean, stddev], mean not below min and not above max");
+    }
+    return Distribution::normalBetween(parameter(mean), parameter(stddev), parameter(*low),
+                                       parameter(*high), range_.dimension);
+  }
+
+  /// Where a normal distribution ends: with the range where nothing is given.
+  [[nodiscard]] std::optional<Numbers> bound(const Value::Map& given, const std::string& name,
+                                             double end_of_range) const {
+    const Value* value = valueIn(given, name);
+    if (value == nullptr) return Numbers{end_of_range};
+    const std::string found = name + ": " + shortText(*value);
+    auto numbers = componentsIn(*value);
+    if (!numbers) return entry_.refuse(found, component());
+    if (!isInRange(*numbers)) return entry_.refuse(found, rangeText());
+    return numbers;
+  }
+
+  [[nodiscard]] std::optional<Distribution> choice(const Value::Map& given) const {
+    const Value& value = given.at("choice");
+    const auto* list = value.as<Value::List>();
+    if (list == nullptr || list->empty()) {
+      return entry_.refuse("choice: " + shortText(value), "a list, each entry " + component());
+    }
+    std::vector<Numbers> values;
+    for (const Value& each : *list) {
+      const auto numbers = componentsIn(each);
+      const std::string found = shortText(each) + " in choice";
+      if (!numbers) return entry_.refuse(found, component());
+      if (!isInRange(*numbers)) return entry_.refuse(found, rangeText());
+      values.push_back(vectorOf(*numbers));
+    }
+    auto weights = entry_.weightsOf(given, values.size());
+    if (!weights) return std::nullopt;
+    return Distribution::choice(std::move(values), std::move(*weights));
+  }
+
+  /// One number, or one for each component.
+  [[nodiscard]] std::optional<Numbers> componentsIn(const Value& value) const {
+    if (!value.is<Value::List>()) {
+      const auto number = numberIn(value);
+      return number ? std::optional(Numbers{*number}) : std::nullopt;
+    }
+    auto numbers = numbersIn(value);
+    const bool is_vector = range_.dimension > 1 && numbers && numbers->size() == range_.dimension;
+    return is_vector ? numbers : std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Pair> pairIn(const Value& value) const {
+    const auto* list = value.as<Value::List>();
+    if (list == nullptr || list->size() != 2) return std::nullopt;
+    auto first = componentsIn(list->front());
+    auto second = componentsIn(list->back());
+    if (!first || !second) return std::nullopt;
+    return Pair{std::move(*first), std::move(*second)};
+  }
+
+  [[nodiscard]] Numbers vectorOf(const Numbers& numbers) const {
+    return numbers.size() == 1 ? Numbers(range_.dimension, numbers.front()) : numbers;
+  }
+
+  [[nodiscard]] Numbers parameter(const Numbers& numbers) const {
+    return range_.draws_each ? vectorOf(numbers) : numbers;
+  }
+
+  [[nodiscard]] bool isInRange(const Numbers& numbers) const {
+    return isOrdered({range_.low}, numbers) && isOrdered(numbers, {range_.high});
+  }
+
+  [[nodiscard]] std::string component() const {
+    if (range_.dimension == 1) return "a number";
+    return "a number or a list of " + std::to_string(range_.dimension);
+  }
+
+  [[nodiscard]] std::string rangeText() const {
+    const std::string low = Value(range_.low).text();
+    const std::string high = Value(range_.high).text();
+    if (std::isinf(range_.high)) return low + " or more";
+    return std::isinf(range_.low) ? high + " or less" : low + " to " + high;
+  }
+
+  [[nodiscard]] static std::string boundsText(const Value::Map& given) {
+    std::string text;
+    for (const char* name : {"min", "max"}) {
+      const Value* value = valueIn(given, name);
+      if (value != nullptr) text += std::string(", ") + name + ": " + shortText(*value);
+    }
+    return text;
+  }
+
+  DistributionEntry entry_;
+  DistributionRange range_;
+};
+
+std::vector<std::string> textsIn(const Value& value) {
+  std::vector<std::string> texts;
+  const auto* list = value.as<Value::List>();
+  if (list == nullptr) return texts;
+  for (const Value& each : *list) {
+    const auto* text = each.as<std::string>();
+    if (text == nullptr) return {};
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+std::optional<random::TextChoice> choiceOfTexts(const DistributionEntry& entry,
+                                                const Value::Map& given) {
+  const auto kind = entry.kindOf(given, {{"choice", {"weights"}}});
+  if (!kind) return std::nullopt;
+  const Value& value = given.at(kind->name);
+  auto texts = textsIn(value);
+  if (texts.empty()) return entry.refuse("choice: " + shortText(value), "a list of texts");
+  auto weights = entry.weightsOf(given, texts.size());
+  if (!weights) return std::nullopt;
+  return random::TextChoice{std::move(texts), std::move(*weights)};
+}
+
+}  // namespace
+
+std::optional<Distribution> maybeDistribution(const Parameters& group, const std::string& name,
+                                              const DistributionRange& range) {
+  const auto given = group.maybe<Value>(name);
+  if (!given) return std::nullopt;
+  const DistributionReader reader({group, name}, range);
+  const auto* map = given->as<Value::Map>();
+  return map == nullptr ? reader.constant(*given) : reader.fromGroup(*map);
+}
+
+std::optional<random::TextChoice> maybeChoice(const Parameters& group, const std::string& name) {
+  const auto given = group.maybe<Value>(name);
+  if (!given) return std::nullopt;
+  if (const auto* text = given->as<std::string>()) return random::TextChoice{{*text}, {}};
+  const DistributionEntry entry(group, name);
+  if (const auto* map = given->as<Value::Map>()) return choiceOfTexts(entry, *map);
+  return entry.refuse(shortText(*given) + " (" + given->kind() + ")",
+                      "a text, or a group with choice");
+}
+
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "random/distribution.h"
+#include "random/text_choice.h"
+#include "synthetic_dataset/parameters.h"
+
+namespace synthetic_dataset::config {
+
+/// What a distribution in the settings may draw, both ends included.
+struct DistributionRange {
+  std::size_t dimension = 1;                              ///< of vectors, such as 3 of colours
+  double low = -std::numeric_limits<double>::infinity();  ///< of each component
+  double high = std::numeric_limits<double>::infinity();  ///< of each component
+
+  /// Whether single numbers stand for a draw of each component: of places. Else they stand for one
+  /// draw that serves all: of colours, a grey.
+  bool draws_each = false;
+};
+
+/// What a number, or a vector of numbers, is drawn from: a number alone, which is a constant, or a
+/// group with one of
+///
+///     uniform: [low, high]
+///     log_uniform: [low, high]
+///     normal: [mean, stddev]    # and min and max, where it is not to reach the range's ends
+///     choice: [a, b, ...]       # and weights: [.., ..], as many
+///
+/// For vectors, each of these but the weights may be a list of a number for each component.
+///
+/// What is wrong, or could be drawn out of range, is noted in `group` as an error of `name`.
+/// @return nothing where it is not there or wrong
+[[nodiscard]] std::optional<random::Distribution> maybeDistribution(
+    const Parameters& group, const std::string& name, const DistributionRange& range = {});
+
+/// The same of a text: one alone, or a group with `choice` and perhaps `weights`.
+[[nodiscard]] std::optional<random::TextChoice> maybeChoice(const Parameters& group,
+                                                            const std::string& name);
+
+}  // namespace synthetic_dataset::config

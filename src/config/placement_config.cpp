@@ -1,0 +1,149 @@
+#include "config/placement_config.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "config/checked_values.h"
+#include "synthetic_dataset/nearest_name.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+constexpr double kFarthest = 1e6;  // [m] from the global frame's origin
+
+/// Bullet needs two seconds of stillness before something counts as lying.
+constexpr double kShortestFall = 2.5;  // [s]
+
+PlacementMode readMode(const Parameters& group) {
+  const auto mode = group.optional<std::string>("mode", "map");
+  if (mode == "volume") return PlacementMode::kVolume;
+  if (mode == "drop") return PlacementMode::kDrop;
+  if (mode != "map") {
+    group.addError("mode", "found '" + mode + "'; it should be map, volume or drop" +
+                               didYouMean(mode, {"map", "volume", "drop"}));
+  }
+  return PlacementMode::kMap;
+}
+
+/// One of two words. @return whether it is the first
+bool readWord(const Parameters& group, const std::string& name, const std::string& first,
+              const std::string& second) {
+  const auto word = group.optional<std::string>(name, first);
+  if (word != first && word != second) {
+    group.addError(name, "found '" + word + "'; it should be " + first + " or " + second);
+  }
+  return word != second;
+}
+
+/// Settings of another mode would do nothing, which nobody expects.
+void refuseOthers(const Parameters& group, PlacementMode mode) {
+  const bool is_map = mode == PlacementMode::kMap;
+  const auto refuse = [&](const char* name, const char* needed) {
+    if (!group.has(name)) return;
+    group.addError(name, std::string("has a meaning with mode: ") + needed + " alone");
+    group.ignore(name);
+  };
+  for (const char* name :
+       {"map", "map_topic", "surface", "height", "highest_surface", "steepest", "unevenness"}) {
+    if (!is_map) refuse(name, "map");
+  }
+  for (const char* name : {"volume", "orientation"}) {
+    if (is_map) refuse(name, "volume or drop");
+  }
+  if (mode != PlacementMode::kDrop) refuse("fall_time", "drop");
+}
+
+double numberFromZero(const Parameters& group, const std::string& name, double fallback,
+                      double most) {
+  const double number = group.optional(name, fallback);
+  if (number >= 0.0 && number <= most) return number;
+  group.addError(name,
+                 "found " + Value(number).text() + "; it should be 0 to " + Value(most).text());
+  return fallback;
+}
+
+double heightOf(const Parameters& group, const std::string& name, double fallback) {
+  const double height = group.optional(name, fallback);
+  if (std::abs(height) <= kFarthest) return height;
+  group.addError(name, "found " + Value(height).text() + " m; it should be -1e6 to 1e6");
+  return fallback;
+}
+
+void readSurface(const Parameters& group, PlacementConfig& placement) {
+  constexpr double kSteepest = 1.5;  // [rad] nearly a wall
+  placement.on_surface = readWord(group, "surface", "below", "none");
+  if (!placement.on_surface) {
+    placement.height = heightOf(group, "height", placement.height);
+    return;
+  }
+  placement.highest_surface = heightOf(group, "highest_surface", placement.highest_surface);
+  placement.steepest = numberFromZero(group, "steepest", placement.steepest, kSteepest);
+  placement.unevenness = numberFromZero(group, "unevenness", placement.unevenness, 1e3);
+}
+
+void readMap(const Parameters& group, PlacementConfig& placement) {
+  placement.map_file = group.maybe<std::string>("map");
+  placement.map_topic = group.maybe<std::string>("map_topic");
+  if (placement.map_file) placement.map_file = absolutePath(*placement.map_file);
+  if (placement.map_file && placement.map_topic) {
+    group.addError("map", "found together with map_topic; the map should come from one of them");
+  } else if (!group.has("map") && !group.has("map_topic")) {
+    group.addError(
+        "map", "no map; it should name map_server's YAML file, or map_topic a topic of the bag");
+  }
+  readSurface(group, placement);
+}
+
+std::optional<Eigen::Vector3d> readCorner(const Parameters& volume, const std::string& name) {
+  const auto numbers = volume.required<std::vector<double>>(name);
+  const bool is_near = std::all_of(numbers.begin(), numbers.end(),
+                                   [](double each) { return std::abs(each) <= kFarthest; });
+  if (numbers.size() == 3 && is_near) return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  if (numbers.size() == 3) {
+    volume.addError(name, "found a number beyond 1e6 m; it should be nearer");
+  } else if (!numbers.empty() || isEmptyList(volume, name)) {
+    volume.addError(name, "found " + std::to_string(numbers.size()) +
+                              " numbers; it should be [x, y, z] in metres");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Volume readVolume(const Parameters& group) {
+  if (!group.has("volume")) {
+    group.addError("volume",
+                   "missing; it should be {min: [x, y, z], max: [x, y, z]}, a box in global_frame");
+    return {};
+  }
+  const Parameters corners = group.group("volume");
+  const auto low = readCorner(corners, "min");
+  const auto high = readCorner(corners, "max");
+  if (!low || !high) return {};
+  if ((low->array() <= high->array()).all()) return {*low, *high};
+  group.addError("volume", "found a min above the max; min should be the lower corner");
+  return {};
+}
+
+PlacementConfig readPlacement(const Parameters& root) {
+  PlacementConfig placement;
+  const Parameters group = root.group("placement");
+  placement.mode = readMode(group);
+  if (placement.mode == PlacementMode::kMap) {
+    readMap(group, placement);
+  } else {
+    placement.volume = readVolume(group);
+    placement.upright = !readWord(group, "orientation", "random", "upright");
+  }
+  if (placement.mode == PlacementMode::kDrop) {
+    placement.fall_time = numberAbove(group, "fall_time", placement.fall_time, kShortestFall);
+  }
+  refuseOthers(group, placement.mode);
+  constexpr int kMostTries = 1000000;
+  placement.tries = numberBetween(group, "tries", placement.tries, 1, kMostTries);
+  return placement;
+}
+
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "config/distractor_config.h"
+#include "random/distribution.h"
+#include "synthetic_dataset/parameters.h"
+
+namespace synthetic_dataset::config {
+
+/// What is drawn anew of a light; nothing: as the world has it.
+struct LightRandomization {
+  std::optional<double> present;                  ///< how likely it is on, 0 .. 1
+  std::optional<random::Distribution> intensity;  ///< times that of the world, >= 0
+  std::optional<random::Distribution> colour;     ///< linear red, green, blue, >= 0, instead
+  std::optional<random::Distribution> elevation;  ///< sunlight comes from there, above the horizon
+                                                  ///< [rad]
+  std::optional<random::Distribution> azimuth;    ///< sunlight comes from there, from x to y [rad]
+  std::optional<random::Distribution> shift;      ///< of a lamp, in the global frame [m]
+};
+
+/// What is drawn anew of materials; nothing: as the models have it.
+struct MaterialRandomization {
+  bool for_each_visual = true;                    ///< else one draw serves the whole model
+  std::optional<random::Distribution> colour;     ///< sRGB-encoded red, green, blue, 0 .. 1
+  std::optional<random::Distribution> tint;       ///< times the colour that it has; 0 .. 1
+  std::optional<random::Distribution> roughness;  ///< 0 .. 1
+  std::optional<random::Distribution> metalness;  ///< 0 .. 1
+  std::optional<std::string> textures;  ///< `procedural`, or an absolute folder of pictures
+};
+
+/// What is drawn anew of a camera's sensor; nothing: as `effects` has it.
+struct SensorRandomization {
+  std::optional<random::Distribution> exposure;      ///< [stops]
+  std::optional<random::Distribution> blur;          ///< [px], >= 0
+  std::optional<random::Distribution> noise_stddev;  ///< of the full scale, 0 .. 1
+};
+
+/// Everything that differs from scene to scene so that a network does not learn it. Each entry's
+/// draws follow from the seed, the scene and the entry's name alone.
+struct Randomization {
+  std::map<std::string, LightRandomization> lights;  ///< by the world's names; `every`: others
+  std::optional<random::Distribution> ambient;       ///< sRGB-encoded red, green, blue
+  std::optional<random::Distribution> background;    ///< sRGB-encoded red, green, blue
+  std::map<std::string, MaterialRandomization> materials;  ///< by model, model::link or
+                                                           ///< model::link::visual; `objects`,
+                                                           ///< `world`: all of these
+  std::map<std::string, double> present;  ///< how likely an object is there, 0 .. 1, by its name;
+                                          ///< `every`: others
+  std::optional<DistractorConfig> distractors;
+  SensorRandomization sensor;  ///< of each camera
+
+  [[nodiscard]] bool changesLook() const {
+    return !lights.empty() || !materials.empty() || ambient || background;
+  }
+};
+
+/// Reads the group `randomize`, all of which may be left out.
+[[nodiscard]] Randomization readRandomization(const Parameters& root);
+
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,71 @@
+#include "motion/topic_search.h"
+
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include <rosbag/bag.h>
+
+#include "motion/bag_check.h"
+#include "synthetic_dataset/nearest_name.h"
+
+namespace synthetic_dataset::motion {
+namespace {
+
+std::string withoutSlash(const std::string& topic) {
+  return topic.empty() || topic.front() != '/' ? topic : topic.substr(1);
+}
+
+}  // namespace
+
+TopicSearch::TopicSearch(std::string topic, std::string type, std::string md5sum)
+    : topic_(std::move(topic)), type_(std::move(type)), md5sum_(std::move(md5sum)) {}
+
+void TopicSearch::in(const std::string& file,
+                     const std::function<void(rosbag::View& messages)>& see) {
+  has_bag_ = true;
+  try {
+    show(file, see);
+  } catch (const std::exception& error) {
+    throw Error("bag " + file + ": " + error.what());
+  }
+}
+
+void TopicSearch::show(const std::string& file,
+                       const std::function<void(rosbag::View& messages)>& see) {
+  const std::string name = withoutSlash(topic_);
+  checkBag(file, [&](const std::string& other) { return withoutSlash(other) == name; });
+  rosbag::Bag bag(file);
+  rosbag::View all(bag);
+  std::vector<std::string> names;
+  for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
+    const bool right_type = connection->md5sum == md5sum_;
+    if (right_type) topics_.insert(connection->topic);
+    if (withoutSlash(connection->topic) != name) continue;
+    if (right_type) {
+      names.push_back(connection->topic);
+    } else {
+      other_type_ = connection->datatype;
+    }
+  }
+  if (names.empty()) return;
+  rosbag::View messages(bag, rosbag::TopicQuery(names));
+  see(messages);
+}
+
+Error TopicSearch::notFound() const {
+  if (!has_bag_) {
+    return Error("found '" + topic_ + "', a topic of a recording; bag_file should name its bags");
+  }
+  if (!other_type_.empty()) {
+    return Error("found '" + topic_ + "', whose messages are " + other_type_ + "; they should be " +
+                 type_);
+  }
+  std::string there;
+  for (const std::string& topic : topics_) there += (there.empty() ? "" : ", ") + topic;
+  return Error("found '" + topic_ + "', a topic that the recording does not have; of type " +
+               type_ + " it has " + (there.empty() ? "none" : there) +
+               didYouMean(topic_, {topics_.begin(), topics_.end()}));
+}
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,92 @@
+#include "placement/distractor_placer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace synthetic_dataset::placement {
+namespace {
+
+/// Nearer, one would hide nearly all that a camera sees.
+constexpr double kFromCameras = 0.3;  // [m]
+
+SurfaceOptions surfaceOptions(const config::DistractorConfig& config) {
+  SurfaceOptions options;
+  options.highest = config.volume.high.z();
+  return options;
+}
+
+}  // namespace
+
+DistractorPlacer::DistractorPlacer(const config::DistractorConfig& config,
+                                   std::vector<Cuboid> boxes_M, world::World& world,
+                                   Surroundings& surroundings, std::uint64_t seed)
+    : config_(config),
+      boxes_M_(std::move(boxes_M)),
+      world_(world),
+      seed_(seed),
+      stand_(surroundings, surfaceOptions(config)) {}
+
+/// Which ones are in a scene, in ascending order.
+std::vector<std::size_t> DistractorPlacer::choose(std::int64_t scene) const {
+  random::RandomSource source(seed_, scene, "randomize/distractors/count");
+  const auto wished = std::llround(config_.count.drawNumber(source));
+  const std::size_t count = std::min(static_cast<std::size_t>(wished), boxes_M_.size());
+  std::vector<std::size_t> all(boxes_M_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  random::RandomSource which(seed_, scene, "randomize/distractors/which");
+  // The first steps of Fisher's and Yates's shuffle.
+  for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + which.index(all.size() - i)]);
+  all.resize(count);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::vector<int> DistractorPlacer::place(std::int64_t scene,
+                                         const std::vector<Eigen::Vector3d>& cameras_G) {
+  std::vector<std::optional<Pose>> placed(boxes_M_.size());
+  std::vector<int> numbers;
+  for (const std::size_t i : choose(scene)) {
+    placed[i] = findPlace(i, scene, placed, cameras_G);
+    if (placed[i]) numbers.push_back(static_cast<int>(i) + 1);
+  }
+  world_.placeDistractors(placed);
+  return numbers;
+}
+
+std::optional<Pose> DistractorPlacer::findPlace(
+    std::size_t distractor, std::int64_t scene, const std::vector<std::optional<Pose>>& placed,
+    const std::vector<Eigen::Vector3d>& cameras_G) const {
+  random::RandomSource source(seed_, scene,
+                              "randomize/distractors/" + std::to_string(distractor + 1));
+  for (int i = 0; i < config_.tries; ++i) {
+    const PoseOrReason drawn = draw(distractor, source);
+    const auto* X_GM = std::get_if<Pose>(&drawn);
+    if (X_GM == nullptr || isNearAny(cameras_G, distractor, *X_GM)) continue;
+    if (!world_.obstacleOfDistractor(distractor, *X_GM, placed)) return *X_GM;
+  }
+  return std::nullopt;
+}
+
+bool DistractorPlacer::isNearAny(const std::vector<Eigen::Vector3d>& cameras_G,
+                                 std::size_t distractor, const Pose& X_GM) const {
+  const Cuboid& box = boxes_M_[distractor];
+  const Eigen::Vector3d centre_G = X_GM * Eigen::Vector3d(0.5 * (box.low + box.high));
+  const double nearest = 0.5 * (box.high - box.low).norm() + kFromCameras;
+  return std::any_of(cameras_G.begin(), cameras_G.end(), [&](const Eigen::Vector3d& camera_G) {
+    return (camera_G - centre_G).norm() < nearest;
+  });
+}
+
+PoseOrReason DistractorPlacer::draw(std::size_t distractor, random::RandomSource& source) const {
+  const config::Volume& volume = config_.volume;
+  Eigen::Vector3d position;
+  for (int i = 0; i < 3; ++i) position[i] = source.uniform(volume.low[i], volume.high[i]);
+  if (config_.fly) return makePose(position, Eigen::Quaterniond(source.orientation()));
+  return stand_.at(position.head<2>(), source.angle(), boxes_M_[distractor]);
+}
+
+}  // namespace synthetic_dataset::placement

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include <Eigen/Core>
+
+#include "placement/surroundings.h"
+#include "synthetic_dataset/cuboid.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::placement {
+
+/// What a surface has to be like for a thing to stand on it.
+struct SurfaceOptions {
+  double highest = 2.0;      ///< what is above it in the global frame counts for nothing [m]
+  double steepest = 0.35;    ///< [rad] from the horizontal
+  double unevenness = 0.05;  ///< how far below or above the surface's plane it may lie at the
+                             ///< corners of what stands on it [m]
+};
+
+/// A pose, or why there is none.
+using PoseOrReason = std::variant<Pose, std::string>;
+
+/// Finds how things stand on what is there: floors, tables, ramps.
+class StandingPlace {
+ public:
+  /// @param surroundings  have to outlive this
+  StandingPlace(Surroundings& surroundings, const SurfaceOptions& options)
+      : surroundings_(surroundings), options_(options) {}
+
+  /// X_GO with which the thing stands on the highest surface at a place, its z axis along the
+  /// surface's normal.
+  /// @param place_G  of the thing's frame, as seen from above [m]
+  /// @param heading  about the normal [rad]
+  /// @param box_O  round the thing: its bottom is what stands
+  [[nodiscard]] PoseOrReason at(const Eigen::Vector2d& place_G, double heading,
+                                const Cuboid& box_O) const;
+
+ private:
+  [[nodiscard]] bool liesEven(const Pose& X_GO, const Cuboid& box_O) const;
+
+  Surroundings& surroundings_;
+  SurfaceOptions options_;
+};
+
+}  // namespace synthetic_dataset::placement

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "appearance/entry_draws.h"
+#include "appearance/look_sampler.h"
+#include "camera_rig.h"
+#include "config/config.h"
+#include "output/scene_facts.h"
+#include "render/renderer.h"
+#include "sensor/sensor_effects.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// Makes each scene look different: light, paint, sensors, as `randomize` says.
+class SceneVariation {
+ public:
+  /// @param world  has to outlive this
+  /// @throws ErrorList with the entries that mean nothing in this world
+  SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
+                 const world::World& world);
+
+  /// Draws what the scenes of a time look like, and lets the renderer and the cameras' sensors
+  /// follow.
+  void vary(std::int64_t instant, render::Renderer& renderer, std::vector<CameraRig>& cameras);
+
+  /// Draws which objects are there at a time, before anything of its scenes is placed.
+  /// @param world  that of the constructor
+  void choose(std::int64_t instant, world::World& world);
+
+  /// What was drawn last for a camera's scene.
+  [[nodiscard]] std::vector<output::DrawFacts> draws(std::size_t camera) const;
+
+ private:
+  [[nodiscard]] sensor::SensorEffects varied(const sensor::SensorEffects& effects,
+                                             appearance::EntryDraws& draws) const;
+
+  config::Randomization config_;
+  std::uint64_t seed_;
+  std::vector<sensor::SensorEffects> effects_;  ///< of the cameras, as they are set
+  std::optional<appearance::LookSampler> looks_;
+  std::vector<std::pair<std::string, std::optional<double>>> present_;  ///< of each object
+  std::vector<appearance::DrawnValue> chosen_;                ///< of the time: what is there
+  std::vector<appearance::DrawnValue> shared_;                ///< of the time: its look
+  std::vector<std::vector<appearance::DrawnValue>> cameras_;  ///< of each camera
+};
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,151 @@
+#include <utility>
+
+#include "world/world.h"
+#include "world/world_impl.h"
+
+/// What the world does for scenes that have nothing to do with one another.
+namespace synthetic_dataset::world {
+namespace {
+
+const std::vector<MovingCollisions> kNoObjects;
+
+/// @return whether all props have come to rest within `time`
+bool runToRest(Physics& physics, Duration time, Duration step) {
+  for (Duration passed{0}; passed < time && !physics.isAtRest(); passed += step) physics.step({});
+  return physics.isAtRest();
+}
+
+}  // namespace
+
+std::vector<StartingProp> World::Impl::startingProps() const {
+  std::vector<StartingProp> starting;
+  for (std::size_t i = 0; i < props.size(); ++i) starting.push_back({&prop_models[i], starts[i]});
+  return starting;
+}
+
+/// From now on, and shows them there.
+void World::Impl::startPropsAt(const std::vector<Pose>& X_WM) {
+  starts = X_WM;
+  showPropsAt(X_WM);
+}
+
+std::vector<StandingBody> World::Impl::standingProps() const {
+  std::vector<StandingBody> standing;
+  for (std::size_t i = 0; i < props.size(); ++i) {
+    const PropModel& model = prop_models[i];
+    standing.push_back({&model.collisions, X_WP[i] * model.X_MB, model.name});
+  }
+  return standing;
+}
+
+StandingBody World::Impl::standingObject(std::size_t object, const Pose& X_WO) const {
+  const std::size_t body = first_object_bodies[object];
+  return {&object_collisions[body], X_WO, body_names[body]};
+}
+
+/// Those that are there, where they are now.
+std::vector<StandingBody> World::Impl::standingObjects() const {
+  std::vector<StandingBody> standing;
+  for (std::size_t i = 0; i < X_WB.size(); ++i) {
+    if (!present[body_objects[i]]) continue;
+    standing.push_back({&object_collisions[i], X_WB[i], body_names[i]});
+  }
+  return standing;
+}
+
+std::vector<StandingBody> World::Impl::standingDistractors(
+    const std::vector<std::optional<Pose>>& X_WM) const {
+  std::vector<StandingBody> standing;
+  for (std::size_t i = 0; i < X_WM.size(); ++i) {
+    if (X_WM[i]) standing.push_back({&distractor_collisions[i], *X_WM[i], distractors[i].name});
+  }
+  return standing;
+}
+
+void World::restart() {
+  impl_->start_time.reset();
+  impl_->physics.reset();
+  impl_->startPropsAt(impl_->home);
+}
+
+void World::settleProps(Duration time) {
+  Impl& world = *impl_;
+  Physics physics(world.description.gravity, world.options.step, world.fixed, kNoObjects,
+                  world.startingProps());
+  runToRest(physics, time, world.options.step);
+  std::vector<Pose> settled;
+  for (std::size_t i = 0; i < world.props.size(); ++i) {
+    settled.push_back(physics.propPose(i, Duration::zero()));
+  }
+  world.home = settled;
+  world.startPropsAt(settled);
+}
+
+std::optional<std::vector<Pose>> World::drop(const std::vector<Pose>& X_WO, Duration time) {
+  Impl& world = *impl_;
+  std::vector<StartingProp> falling = world.startingProps();
+  for (std::size_t i = 0; i < X_WO.size(); ++i) {
+    if (world.present[i]) falling.push_back({&world.falling_objects[i], X_WO[i]});
+  }
+  Physics physics(world.description.gravity, world.options.step, world.fixed, kNoObjects, falling);
+  if (!runToRest(physics, time, world.options.step)) return std::nullopt;
+  std::size_t next = 0;
+  std::vector<Pose> props;
+  while (next < world.props.size()) props.push_back(physics.propPose(next++, Duration::zero()));
+  std::vector<Pose> objects = X_WO;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (world.present[i]) objects[i] = physics.propPose(next++, Duration::zero());
+  }
+  world.startPropsAt(props);
+  return objects;
+}
+
+std::optional<std::string> World::obstacleAt(int object, const Pose& X_WO,
+                                             const std::vector<Pose>& X_WO_before) const {
+  const Impl& world = *impl_;
+  std::vector<StandingBody> others = world.standingProps();
+  for (std::size_t i = 0; i < X_WO_before.size(); ++i) {
+    others.push_back(world.standingObject(i, X_WO_before[i]));
+  }
+  return world.overlaps->obstacle(world.standingObject(static_cast<std::size_t>(object), X_WO),
+                                  others, world.options.contact_tolerance);
+}
+
+void World::placeDistractors(const std::vector<std::optional<Pose>>& X_WM) {
+  Impl& world = *impl_;
+  for (std::size_t i = 0; i < world.distractors.size(); ++i) {
+    const std::size_t first = world.first_distractor_links[i];
+    if (X_WM[i]) world.show(world.distractors[i], first, *X_WM[i]);
+    for (std::size_t k = 0; k < world.distractors[i].links.size(); ++k) {
+      world.present_links[first + k] = X_WM[i].has_value();
+    }
+  }
+  world.X_WD = X_WM;
+  ++world.prop_revision;
+}
+
+std::optional<std::string> World::obstacleOfDistractor(
+    std::size_t distractor, const Pose& X_WM,
+    const std::vector<std::optional<Pose>>& X_WM_before) const {
+  const Impl& world = *impl_;
+  std::vector<StandingBody> others = world.standingProps();
+  for (StandingBody& object : world.standingObjects()) others.push_back(std::move(object));
+  for (StandingBody& each : world.standingDistractors(X_WM_before)) {
+    others.push_back(std::move(each));
+  }
+  const StandingBody body{&world.distractor_collisions[distractor], X_WM,
+                          world.distractors[distractor].name};
+  return world.overlaps->obstacle(body, others, world.options.contact_tolerance);
+}
+
+std::optional<std::string> World::obstacleNear(const Eigen::Vector3d& p_W, double radius) const {
+  const Impl& world = *impl_;
+  std::vector<StandingBody> others = world.standingProps();
+  for (StandingBody& object : world.standingObjects()) others.push_back(std::move(object));
+  for (StandingBody& each : world.standingDistractors(world.X_WD)) {
+    others.push_back(std::move(each));
+  }
+  return world.overlaps->obstacle(p_W, radius, others);
+}
+
+}  // namespace synthetic_dataset::world

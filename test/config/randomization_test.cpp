@@ -1,0 +1,261 @@
+#include "config/randomization.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "config/config.h"
+#include "config/yaml_value.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Key;
+using ::testing::UnorderedElementsAre;
+
+using Optional = std::optional<random::Distribution>;
+
+Parameters settings(const std::string& yaml) { return Parameters(parseYaml(yaml, "test")); }
+
+/// What is read of `randomize` where nothing is wrong or unknown.
+Randomization read(const std::string& randomize) {
+  const Parameters root = settings("randomize: " + randomize);
+  Randomization randomization = readRandomization(root);
+  EXPECT_THAT(root.errors(), IsEmpty()) << randomize;
+  EXPECT_THAT(root.unknownNames(), IsEmpty()) << randomize;
+  return randomization;
+}
+
+std::vector<std::string> errorsOf(const std::string& randomize) {
+  const Parameters root = settings("randomize: " + randomize);
+  (void)readRandomization(root);
+  return root.errors();
+}
+
+/// The one error of `sun`, `objects` or `sensor` with an entry.
+std::string errorOf(const std::string& group, const std::string& entry) {
+  const bool is_flat = group == "sensor";
+  const auto errors =
+      errorsOf(is_flat ? "{sensor: {" + entry + "}}"
+                       : "{" + group.substr(0, group.find('/')) + ": {" +
+                             group.substr(group.find('/') + 1) + ": {" + entry + "}}}");
+  EXPECT_EQ(errors.size(), 1U) << entry;
+  if (errors.empty()) return "no error";
+  const std::string prefix = "randomize/" + group + "/";
+  EXPECT_EQ(errors.front().substr(0, prefix.size()), prefix);
+  return errors.front().substr(prefix.size());
+}
+
+void expectRange(const Optional& distribution, std::size_t dimension, double low, double high) {
+  ASSERT_TRUE(distribution);
+  EXPECT_EQ(distribution->dimension(), dimension);
+  EXPECT_DOUBLE_EQ(distribution->lowest(), low);
+  EXPECT_DOUBLE_EQ(distribution->highest(), high);
+}
+
+TEST(Randomization, IsNothingWhereNothingIsGiven) {
+  const Randomization none = readRandomization(settings("seed: 1"));
+  EXPECT_FALSE(none.changesLook());
+  EXPECT_THAT(none.lights, IsEmpty());
+  EXPECT_THAT(none.materials, IsEmpty());
+  EXPECT_FALSE(none.sensor.exposure || none.sensor.blur || none.sensor.noise_stddev);
+}
+
+TEST(Randomization, ReadsAllOfALight) {
+  const Randomization given = read(
+      "{lights: {sun: {present: 0.75, intensity: {uniform: [0.5, 2]}, colour: {uniform: [[1, 1, 1],"
+      " [1, 2, 3]]}, elevation: {uniform: [0.2, 1.5]}, azimuth: {uniform: [-3, 3]}, shift: "
+      "{uniform: [-2, 1]}}}}");
+  ASSERT_THAT(given.lights, ElementsAre(Key("sun")));
+  const LightRandomization& sun = given.lights.at("sun");
+  EXPECT_EQ(sun.present, 0.75);
+  expectRange(sun.intensity, 1, 0.5, 2.0);
+  expectRange(sun.colour, 3, 1.0, 3.0);
+  expectRange(sun.elevation, 1, 0.2, 1.5);
+  expectRange(sun.azimuth, 1, -3.0, 3.0);
+  expectRange(sun.shift, 3, -2.0, 1.0);
+}
+
+TEST(Randomization, LeavesOutWhatALightDoesNotHave) {
+  const Randomization given = read("{lights: {sun: {intensity: 2}, every: {azimuth: 1}}}");
+  EXPECT_THAT(given.lights, UnorderedElementsAre(Key("sun"), Key("every")));
+  const LightRandomization& sun = given.lights.at("sun");
+  EXPECT_FALSE(sun.present || sun.colour || sun.elevation || sun.azimuth || sun.shift);
+  EXPECT_FALSE(given.lights.at("every").intensity);
+}
+
+TEST(Randomization, ReadsAllOfAMaterial) {
+  const Randomization given = read(
+      "{materials: {'rover::base_link': {for_each: model, colour: {uniform: [0, 1]}, tint: "
+      "{uniform: [0.5, 1]}, roughness: "
+      "{uniform: [0.25, 0.75]}, metalness: {choice: [0, 1]}, textures: procedural}}}");
+  ASSERT_THAT(given.materials, ElementsAre(Key("rover::base_link")));
+  const MaterialRandomization& material = given.materials.at("rover::base_link");
+  EXPECT_FALSE(material.for_each_visual);
+  expectRange(material.colour, 3, 0.0, 1.0);
+  expectRange(material.tint, 3, 0.5, 1.0);
+  expectRange(material.roughness, 1, 0.25, 0.75);
+  expectRange(material.metalness, 1, 0.0, 1.0);
+  EXPECT_EQ(material.textures, "procedural");
+}
+
+TEST(Randomization, DrawsForEachVisualUnlessItIsToldOtherwise) {
+  const Randomization given =
+      read("{materials: {objects: {colour: 0.5}, world: {for_each: visual}}}");
+  EXPECT_TRUE(given.materials.at("objects").for_each_visual);
+  EXPECT_TRUE(given.materials.at("world").for_each_visual);
+  EXPECT_FALSE(given.materials.at("objects").textures);
+}
+
+TEST(Randomization, MakesAFolderOfTexturesAbsolute) {
+  const auto texturesOf = [](const std::string& given) {
+    return read("{materials: {objects: {textures: " + given + "}}}")
+        .materials.at("objects")
+        .textures;
+  };
+  EXPECT_EQ(texturesOf("/data/x/../textures"), "/data/textures");
+  EXPECT_EQ(texturesOf("textures"), (std::filesystem::current_path() / "textures").string());
+}
+
+TEST(Randomization, ReadsHowLikelyObjectsAreThere) {
+  const Randomization given = read("{objects: {every: {present: 0.5}, rover_1: {present: 1}}}");
+  EXPECT_THAT(given.present,
+              UnorderedElementsAre(testing::Pair("every", 0.5), testing::Pair("rover_1", 1.0)));
+  EXPECT_FALSE(given.changesLook());
+  EXPECT_THAT(errorsOf("{objects: {rover_1: {present: 1.5}}}"),
+              ElementsAre("randomize/objects/rover_1/present: found 1.5; it should be a "
+                          "probability, 0 to 1"));
+}
+
+TEST(Randomization, ReadsAmbientLightAndBackground) {
+  const Randomization given = read("{ambient: {uniform: [0.25, 0.5]}, background: [0, 0.5, 1]}");
+  expectRange(given.ambient, 3, 0.25, 0.5);
+  expectRange(given.background, 3, 0.0, 1.0);
+}
+
+TEST(Randomization, ReadsAllOfASensor) {
+  const Randomization given = read(
+      "{sensor: {exposure: {normal: [0, 1]}, blur: {uniform: [0, 1.5]}, noise_stddev: {uniform: "
+      "[0.01, 0.02]}}}");
+  expectRange(given.sensor.exposure, 1, -10.0, 10.0);
+  expectRange(given.sensor.blur, 1, 0.0, 1.5);
+  expectRange(given.sensor.noise_stddev, 1, 0.01, 0.02);
+}
+
+TEST(Randomization, ChangesTheLookUnlessItIsOfSensorsAlone) {
+  EXPECT_FALSE(read("{sensor: {exposure: 1}}").changesLook());
+  EXPECT_TRUE(read("{lights: {sun: {intensity: 1}}}").changesLook());
+  EXPECT_TRUE(read("{materials: {world: {roughness: 1}}}").changesLook());
+  EXPECT_TRUE(read("{ambient: 1}").changesLook());
+  EXPECT_TRUE(read("{background: 1}").changesLook());
+}
+
+TEST(Randomization, ShiftsEachAxisByItselfAndTintsAllChannelsAlike) {
+  const Randomization given =
+      read("{lights: {lamp: {shift: {uniform: [-1, 1]}, colour: {uniform: [0, 1]}}}}");
+  random::RandomSource source(1);
+  const auto shift = given.lights.at("lamp").shift->draw(source);
+  EXPECT_NE(shift[0], shift[1]);
+  EXPECT_NE(shift[1], shift[2]);
+  const auto colour = given.lights.at("lamp").colour->draw(source);
+  EXPECT_EQ(colour[0], colour[1]);
+  EXPECT_EQ(colour[1], colour[2]);
+}
+
+// --- What is wrong ---
+
+TEST(Randomization, RefusesAProbabilityThatIsNone) {
+  const std::string group = "lights/sun";
+  EXPECT_EQ(errorOf(group, "present: 1.5"),
+            "present: found 1.5; it should be a probability, 0 to 1");
+  EXPECT_EQ(errorOf(group, "present: -0.1"),
+            "present: found -0.1; it should be a probability, 0 to 1");
+  EXPECT_EQ(errorOf(group, "present: .nan").substr(0, 14), "present: found");
+  EXPECT_EQ(errorOf(group, "present: maybe").substr(0, 14), "present: found");
+}
+
+TEST(Randomization, RefusesLightOutOfRange) {
+  const std::string group = "lights/sun";
+  EXPECT_EQ(errorOf(group, "intensity: -1"), "intensity: found -1; it should be 0.0 to 1000000.0");
+  EXPECT_EQ(errorOf(group, "colour: [1, 1, -1]"),
+            "colour: found [1, 1, -1]; it should be 0.0 to 1000000.0");
+  EXPECT_EQ(errorOf(group, "colour: {uniform: [[0, 0], 1]}"),
+            "colour: found uniform: [[0, 0], 1]; it should be [low, high], each a number or a list "
+            "of 3");
+  EXPECT_THAT(errorOf(group, "elevation: 1.6"),
+              HasSubstr("elevation: found 1.6; it should be -1.57"));
+  EXPECT_THAT(errorOf(group, "azimuth: {uniform: [0, 360]}"),
+              HasSubstr("azimuth: found uniform: [0, 360]; it should be -6.28"));
+  EXPECT_THAT(errorOf(group, "shift: [1, 2]"),
+              HasSubstr("shift: found [1, 2] (a list); it should be a number or a list of 3"));
+}
+
+TEST(Randomization, AllowsTheEndsOfItsRanges) {
+  (void)read(
+      "{lights: {a: {present: 0, intensity: 0}, b: {present: 1, elevation: 1.5707}}, "
+      "materials: {world: {colour: 1, roughness: 0, metalness: 1}}, sensor: {exposure: -10, "
+      "blur: 50, noise_stddev: 1}}");
+}
+
+TEST(Randomization, RefusesMaterialsOutOfRange) {
+  const std::string group = "materials/objects";
+  EXPECT_EQ(errorOf(group, "colour: {uniform: [0, 255]}"),
+            "colour: found uniform: [0, 255]; it should be 0.0 to 1.0");
+  EXPECT_EQ(errorOf(group, "roughness: 1.1"), "roughness: found 1.1; it should be 0.0 to 1.0");
+  EXPECT_EQ(errorOf(group, "metalness: -0.1"), "metalness: found -0.1; it should be 0.0 to 1.0");
+  EXPECT_EQ(errorOf(group, "for_each: link"),
+            "for_each: found 'link'; it should be visual or model");
+  EXPECT_THAT(errorOf(group, "textures: [a, b]"), HasSubstr("textures: found "));
+}
+
+TEST(Randomization, RefusesSensorsOutOfRange) {
+  EXPECT_EQ(errorOf("sensor", "exposure: 11"), "exposure: found 11; it should be -10.0 to 10.0");
+  EXPECT_EQ(errorOf("sensor", "blur: -1"), "blur: found -1; it should be 0.0 to 50.0");
+  EXPECT_EQ(errorOf("sensor", "noise_stddev: {uniform: [0, 2]}"),
+            "noise_stddev: found uniform: [0, 2]; it should be 0.0 to 1.0");
+}
+
+TEST(Randomization, RefusesColoursOfTheWorldOutOfRange) {
+  EXPECT_THAT(errorsOf("{ambient: 2}"),
+              ElementsAre("randomize/ambient: found 2; it should be 0.0 to 1.0"));
+  EXPECT_THAT(errorsOf("{background: [0, 0, 2]}"),
+              ElementsAre("randomize/background: found [0, 0, 2]; it should be 0.0 to 1.0"));
+}
+
+TEST(Randomization, RefusesWhatIsNoGroup) {
+  for (const char* text : {"5", "{lights: 5}", "{lights: {sun: 5}}", "{materials: [a]}",
+                           "{materials: {objects: red}}", "{sensor: 1}"}) {
+    EXPECT_EQ(errorsOf(text).size(), 1U) << text;
+  }
+}
+
+TEST(Randomization, FindsAllErrorsAtOnce) {
+  EXPECT_THAT(
+      errorsOf("{lights: {sun: {present: 2, intensity: -1}}, ambient: red, sensor: {blur: "
+               "-1}}"),
+      UnorderedElementsAre(HasSubstr("randomize/lights/sun/present: "),
+                           HasSubstr("randomize/lights/sun/intensity: "),
+                           HasSubstr("randomize/ambient: "), HasSubstr("randomize/sensor/blur: ")));
+}
+
+TEST(Randomization, KnowsNoOtherEntries) {
+  const Parameters root = settings(
+      "randomize: {lihgts: {sun: {intensity: 1}}, lights: {sun: {intensty: 1}}, materials: "
+      "{objects: {color: 1}}, sensor: {gain: 2}}");
+  (void)readRandomization(root);
+  EXPECT_THAT(root.unknownNames(),
+              UnorderedElementsAre("randomize/lihgts", "randomize/lights/sun/intensty",
+                                   "randomize/materials/objects/color", "randomize/sensor/gain"));
+  const auto errors = unknownParameterErrors(root);
+  EXPECT_THAT(
+      errors,
+      Contains("randomize/lights/sun/intensty: unknown parameter; did you mean 'intensity'?"));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::config
