@@ -59,7 +59,9 @@ StoreCounts Manifest::counts() const {
   scenes.step();
   counts.scenes = scenes.integer(0);
   SqliteStatement files(
-      database_, "SELECT count(*), coalesce(sum(iif(linked_to IS NULL, bytes, 0)), 0) FROM file");
+      database_,
+      "SELECT count(*), coalesce(sum(CASE WHEN linked_to IS NULL THEN bytes ELSE 0 END), 0) "
+      "FROM file");
   files.step();
   counts.files = files.integer(0);
   counts.bytes = files.integer(1);
