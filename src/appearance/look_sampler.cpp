@@ -8,6 +8,7 @@
 
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
+#include "world/material/picture_channels.h"
 
 namespace synthetic_dataset::appearance {
 namespace {
@@ -46,22 +47,12 @@ std::vector<std::string> modelNames(const world::World& world) {
   return {names.begin(), names.end()};
 }
 
-bool hasAlpha(const world::Texture& texture) {
-  const cv::Mat& pixels = texture.pixels;
-  for (int row = 0; row < pixels.rows; ++row) {
-    const auto* first = pixels.ptr<cv::Vec4b>(row);
-    if (std::any_of(first, first + pixels.cols, [](const cv::Vec4b& p) { return p[3] != 255; })) {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// A picture with holes, or of glass, is a part of the thing's shape; without texture coordinates
 /// none can be seen.
 bool takesTexture(const world::Surface& surface) {
   const std::shared_ptr<const world::Texture>& texture = surface.material.texture;
-  return !surface.mesh->texture_coordinates.empty() && !(texture && hasAlpha(*texture));
+  return !surface.mesh->texture_coordinates.empty() &&
+         (!texture || world::isOpaque(texture->pixels));
 }
 
 /// A lamp has a place, sunlight a direction. For `every`, each has its own.

@@ -10,10 +10,6 @@
 namespace synthetic_dataset::config {
 namespace {
 
-constexpr double kHalfTurn = 3.141592653589793;
-constexpr double kFarthest = 1e6;  // [m]
-constexpr DistributionRange kPlace{3, -kFarthest, kFarthest, true};
-
 /// A distribution that has a default.
 void read(const Parameters& group, const std::string& name, const DistributionRange& range,
           random::Distribution& value) {
@@ -44,7 +40,7 @@ void readAim(const Parameters& group, CameraSampling& sampling) {
 
 /// `position` in a box, or `distance`, `elevation` and `azimuth`.
 void readPlace(const Parameters& group, CameraSampling& sampling) {
-  sampling.position_G = maybeDistribution(group, "position", kPlace);
+  sampling.position_G = maybeDistribution(group, "position", kPlaceRange);
   for (const char* name : {"distance", "elevation", "azimuth"}) {
     if (!group.has("position") || !group.has(name)) continue;
     group.addError(name,
@@ -55,8 +51,8 @@ void readPlace(const Parameters& group, CameraSampling& sampling) {
   if (group.has("position")) return;
   constexpr double kNearest = 1e-3;  // [m]
   read(group, "distance", {1, kNearest, kFarthest}, sampling.distance);
-  read(group, "elevation", {1, -kHalfTurn / 2.0, kHalfTurn / 2.0}, sampling.elevation);
-  read(group, "azimuth", {1, -2.0 * kHalfTurn, 2.0 * kHalfTurn}, sampling.azimuth);
+  read(group, "elevation", kElevationRange, sampling.elevation);
+  read(group, "azimuth", kTurnRange, sampling.azimuth);
 }
 
 }  // namespace
@@ -67,8 +63,8 @@ std::optional<CameraSampling> readCameraSampling(const Parameters& camera) {
   CameraSampling sampling;
   readAim(group, sampling);
   readPlace(group, sampling);
-  read(group, "aim_offset", kPlace, sampling.aim_offset);
-  read(group, "roll", {1, -2.0 * kHalfTurn, 2.0 * kHalfTurn}, sampling.roll);
+  read(group, "aim_offset", kPlaceRange, sampling.aim_offset);
+  read(group, "roll", kTurnRange, sampling.roll);
   sampling.clearance = group.maybe<double>("clearance").value_or(sampling.clearance);
   if (!(sampling.clearance >= 0.0 && sampling.clearance <= kFarthest)) {
     group.addError("clearance",

@@ -22,6 +22,15 @@ struct DistributionRange {
   bool draws_each = false;
 };
 
+/// [m] from the global frame's origin, along each axis
+inline constexpr double kFarthest = 1e6;
+inline constexpr DistributionRange kPlaceRange{3, -kFarthest, kFarthest, true};
+
+/// [rad]: from straight below to straight above; and up to a whole turn either way.
+inline constexpr double kHalfTurn = 3.141592653589793;
+inline constexpr DistributionRange kElevationRange{1, -kHalfTurn / 2.0, kHalfTurn / 2.0};
+inline constexpr DistributionRange kTurnRange{1, -2.0 * kHalfTurn, 2.0 * kHalfTurn};
+
 /// What a number, or a vector of numbers, is drawn from: a number alone, which is a constant, or a
 /// group with one of
 ///

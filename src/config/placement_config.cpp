@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "config/checked_values.h"
+#include "config/distribution_config.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
-
-constexpr double kFarthest = 1e6;  // [m] from the global frame's origin
 
 /// Bullet needs two seconds of stillness before something counts as lying.
 constexpr double kShortestFall = 2.5;  // [s]

@@ -6,10 +6,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-constexpr double kHalfTurn = 3.141592653589793;
 constexpr double kBrightest = 1e6;
-constexpr double kFarthest = 1e6;  // [m]
-constexpr DistributionRange kPlace{3, -kFarthest, kFarthest, true};
 
 std::optional<double> maybeProbability(const Parameters& group, const std::string& name) {
   const auto value = group.maybe<double>(name);
@@ -23,9 +20,9 @@ LightRandomization readLight(const Parameters& group) {
   light.present = maybeProbability(group, "present");
   light.intensity = maybeDistribution(group, "intensity", {1, 0.0, kBrightest});
   light.colour = maybeDistribution(group, "colour", {3, 0.0, kBrightest});
-  light.elevation = maybeDistribution(group, "elevation", {1, -kHalfTurn / 2.0, kHalfTurn / 2.0});
-  light.azimuth = maybeDistribution(group, "azimuth", {1, -2.0 * kHalfTurn, 2.0 * kHalfTurn});
-  light.shift = maybeDistribution(group, "shift", kPlace);
+  light.elevation = maybeDistribution(group, "elevation", kElevationRange);
+  light.azimuth = maybeDistribution(group, "azimuth", kTurnRange);
+  light.shift = maybeDistribution(group, "shift", kPlaceRange);
   return light;
 }
 

@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "placement/random_place.h"
+
 namespace synthetic_dataset::placement {
 namespace {
 
@@ -82,9 +84,7 @@ bool DistractorPlacer::isNearAny(const std::vector<Eigen::Vector3d>& cameras_G,
 }
 
 PoseOrReason DistractorPlacer::draw(std::size_t distractor, random::RandomSource& source) const {
-  const config::Volume& volume = config_.volume;
-  Eigen::Vector3d position;
-  for (int i = 0; i < 3; ++i) position[i] = source.uniform(volume.low[i], volume.high[i]);
+  const Eigen::Vector3d position = drawWithin(config_.volume, source);
   if (config_.fly) return makePose(position, Eigen::Quaterniond(source.orientation()));
   return stand_.at(position.head<2>(), source.angle(), boxes_M_[distractor]);
 }

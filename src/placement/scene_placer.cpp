@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "placement/miss_reasons.h"
+#include "placement/random_place.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -114,10 +115,7 @@ PoseOrReason ScenePlacer::drawOnMap(std::size_t object, random::RandomSource& so
 }
 
 Pose ScenePlacer::drawInVolume(random::RandomSource& source) const {
-  Eigen::Vector3d position;
-  for (int i = 0; i < 3; ++i) {
-    position[i] = source.uniform(config_.volume.low[i], config_.volume.high[i]);
-  }
+  const Eigen::Vector3d position = drawWithin(config_.volume, source);
   const Eigen::AngleAxisd turn(source.angle(), Eigen::Vector3d::UnitZ());
   return makePose(position, config_.upright ? Eigen::Quaterniond(turn)
                                             : Eigen::Quaterniond(source.orientation()));

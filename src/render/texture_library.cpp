@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "synthetic_dataset/errors.h"
+#include "world/material/picture_channels.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -14,22 +15,12 @@ GLsizei mipmapLevels(int width, int height) {
   return levels;
 }
 
-bool isOpaque(const cv::Mat& pixels) {
-  for (int row = 0; row < pixels.rows; ++row) {
-    const auto* first = pixels.ptr<cv::Vec4b>(row);
-    if (!std::all_of(first, first + pixels.cols, [](const cv::Vec4b& p) { return p[3] == 255; })) {
-      return false;
-    }
-  }
-  return true;
-}
-
 UploadedTexture upload(const GlFunctions& gl, const world::Texture& texture, PixelMeaning meaning) {
   const cv::Mat& pixels = texture.pixels;
   if (pixels.empty() || pixels.type() != CV_8UC4) {
     throw Error(texture.file + ": a texture should have pixels of four channels");
   }
-  UploadedTexture result{makeTexture(gl, GL_TEXTURE_2D), isOpaque(pixels)};
+  UploadedTexture result{makeTexture(gl, GL_TEXTURE_2D), world::isOpaque(pixels)};
   const GLuint name = result.texture.name();
   gl.TextureStorage2D(name, mipmapLevels(pixels.cols, pixels.rows),
                       meaning == PixelMeaning::kColour ? GL_SRGB8_ALPHA8 : GL_RGBA8, pixels.cols,

@@ -30,8 +30,7 @@ struct World::Impl {
   void showProps(Stamp time);
   void showPropsAt(std::vector<Pose> poses);
   [[nodiscard]] std::vector<StandingBody> standingProps() const;
-  [[nodiscard]] std::vector<StandingBody> standingObjects() const;
-  [[nodiscard]] std::vector<StandingBody> standingDistractors(
+  [[nodiscard]] std::vector<StandingBody> standingBodies(
       const std::vector<std::optional<Pose>>& X_WM) const;
   [[nodiscard]] StandingBody standingObject(std::size_t object, const Pose& X_WO) const;
   void show(const Model& model, std::size_t first_link, const Pose& X_WM);

@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "world/world.h"
 #include "world/world_impl.h"
 
@@ -13,6 +11,13 @@ const std::vector<MovingCollisions> kNoObjects;
 bool runToRest(Physics& physics, Duration time, Duration step) {
   for (Duration passed{0}; passed < time && !physics.isAtRest(); passed += step) physics.step({});
   return physics.isAtRest();
+}
+
+/// Where the first `count` props are.
+std::vector<Pose> firstPoses(const Physics& physics, std::size_t count) {
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < count; ++i) poses.push_back(physics.propPose(i, Duration::zero()));
+  return poses;
 }
 
 }  // namespace
@@ -43,19 +48,15 @@ StandingBody World::Impl::standingObject(std::size_t object, const Pose& X_WO) c
   return {&object_collisions[body], X_WO, body_names[body]};
 }
 
-/// Those that are there, where they are now.
-std::vector<StandingBody> World::Impl::standingObjects() const {
-  std::vector<StandingBody> standing;
+/// All that moves or is moved, as far as it is there: props and objects where they are now.
+/// @param X_WM  of the distractors
+std::vector<StandingBody> World::Impl::standingBodies(
+    const std::vector<std::optional<Pose>>& X_WM) const {
+  std::vector<StandingBody> standing = standingProps();
   for (std::size_t i = 0; i < X_WB.size(); ++i) {
     if (!present[body_objects[i]]) continue;
     standing.push_back({&object_collisions[i], X_WB[i], body_names[i]});
   }
-  return standing;
-}
-
-std::vector<StandingBody> World::Impl::standingDistractors(
-    const std::vector<std::optional<Pose>>& X_WM) const {
-  std::vector<StandingBody> standing;
   for (std::size_t i = 0; i < X_WM.size(); ++i) {
     if (X_WM[i]) standing.push_back({&distractor_collisions[i], *X_WM[i], distractors[i].name});
   }
@@ -73,12 +74,8 @@ void World::settleProps(Duration time) {
   Physics physics(world.description.gravity, world.options.step, world.fixed, kNoObjects,
                   world.startingProps());
   runToRest(physics, time, world.options.step);
-  std::vector<Pose> settled;
-  for (std::size_t i = 0; i < world.props.size(); ++i) {
-    settled.push_back(physics.propPose(i, Duration::zero()));
-  }
-  world.home = settled;
-  world.startPropsAt(settled);
+  world.home = firstPoses(physics, world.props.size());
+  world.startPropsAt(world.home);
 }
 
 std::optional<std::vector<Pose>> World::drop(const std::vector<Pose>& X_WO, Duration time) {
@@ -89,14 +86,12 @@ std::optional<std::vector<Pose>> World::drop(const std::vector<Pose>& X_WO, Dura
   }
   Physics physics(world.description.gravity, world.options.step, world.fixed, kNoObjects, falling);
   if (!runToRest(physics, time, world.options.step)) return std::nullopt;
-  std::size_t next = 0;
-  std::vector<Pose> props;
-  while (next < world.props.size()) props.push_back(physics.propPose(next++, Duration::zero()));
+  std::size_t next = world.props.size();
   std::vector<Pose> objects = X_WO;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (world.present[i]) objects[i] = physics.propPose(next++, Duration::zero());
   }
-  world.startPropsAt(props);
+  world.startPropsAt(firstPoses(physics, world.props.size()));
   return objects;
 }
 
@@ -128,24 +123,14 @@ std::optional<std::string> World::obstacleOfDistractor(
     std::size_t distractor, const Pose& X_WM,
     const std::vector<std::optional<Pose>>& X_WM_before) const {
   const Impl& world = *impl_;
-  std::vector<StandingBody> others = world.standingProps();
-  for (StandingBody& object : world.standingObjects()) others.push_back(std::move(object));
-  for (StandingBody& each : world.standingDistractors(X_WM_before)) {
-    others.push_back(std::move(each));
-  }
   const StandingBody body{&world.distractor_collisions[distractor], X_WM,
                           world.distractors[distractor].name};
-  return world.overlaps->obstacle(body, others, world.options.contact_tolerance);
+  return world.overlaps->obstacle(body, world.standingBodies(X_WM_before),
+                                  world.options.contact_tolerance);
 }
 
 std::optional<std::string> World::obstacleNear(const Eigen::Vector3d& p_W, double radius) const {
-  const Impl& world = *impl_;
-  std::vector<StandingBody> others = world.standingProps();
-  for (StandingBody& object : world.standingObjects()) others.push_back(std::move(object));
-  for (StandingBody& each : world.standingDistractors(world.X_WD)) {
-    others.push_back(std::move(each));
-  }
-  return world.overlaps->obstacle(p_W, radius, others);
+  return impl_->overlaps->obstacle(p_W, radius, impl_->standingBodies(impl_->X_WD));
 }
 
 }  // namespace synthetic_dataset::world

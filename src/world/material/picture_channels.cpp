@@ -22,12 +22,6 @@ cv::Mat channel(const cv::Mat& picture, int index) {
   return result;
 }
 
-bool isOpaque(const cv::Mat& picture) {
-  double least = 0.0;
-  cv::minMaxLoc(channel(picture, kAlpha), &least);
-  return least == 255.0;
-}
-
 cv::Mat grey(const cv::Mat& picture) {
   cv::Mat result;
   cv::cvtColor(picture, result, cv::COLOR_BGRA2GRAY);
@@ -45,6 +39,12 @@ std::uint8_t encoded(float component) {
 }
 
 }  // namespace
+
+bool isOpaque(const cv::Mat& picture) {
+  double least = 0.0;
+  cv::minMaxLoc(channel(picture, kAlpha), &least);
+  return least == 255.0;
+}
 
 cv::Mat withoutAlpha(const cv::Mat& picture) {
   if (isOpaque(picture)) return picture;

@@ -6,6 +6,9 @@ namespace synthetic_dataset::world {
 
 // Pictures are CV_8UC4: blue, green, red, alpha. Each function gives a new one.
 
+/// Whether alpha is 255 all over.
+[[nodiscard]] bool isOpaque(const cv::Mat& picture);
+
 /// @return the picture itself where it is opaque already
 [[nodiscard]] cv::Mat withoutAlpha(const cv::Mat& picture);
 
