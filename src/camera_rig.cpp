@@ -62,6 +62,7 @@ std::string carrierOf(const config::CameraConfig& config,
                       const std::vector<config::ObjectConfig>& objects) {
   std::vector<std::string> names;
   for (const config::ObjectConfig& object : objects) {
+    if (!object.takes_part) continue;
     if (object.name == *config.on) return object.frame;
     names.push_back(object.name);
   }

@@ -27,21 +27,27 @@ ObjectInfo describeObject(const config::ObjectConfig& config) {
   return object;
 }
 
-/// The links of each object.
-std::vector<std::vector<const world::Link*>> linksByObject(
-    const std::vector<world::LinkInstance>& links, std::size_t object_count) {
+/// The links of each object, in the first motion's world that has it.
+std::vector<std::vector<const world::Link*>> linksByObject(const std::vector<MotionSetup>& motions,
+                                                           std::size_t object_count) {
   std::vector<std::vector<const world::Link*>> result(object_count);
-  for (const world::LinkInstance& each : links) {
-    if (each.object >= 0) result[static_cast<std::size_t>(each.object)].push_back(each.link);
+  for (auto motion = motions.rbegin(); motion != motions.rend(); ++motion) {
+    if (!motion->world) continue;
+    std::vector<std::vector<const world::Link*>> here(object_count);
+    for (const world::LinkInstance& each : motion->world->links()) {
+      if (each.object >= 0) here[static_cast<std::size_t>(each.object)].push_back(each.link);
+    }
+    for (std::size_t i = 0; i < object_count; ++i) {
+      if (motion->config.objects[i].takes_part) result[i] = std::move(here[i]);
+    }
   }
   return result;
 }
 
 }  // namespace
 
-DatasetInfo describeDataset(const config::Config& config, const std::vector<CameraRig>& cameras,
-                            const std::vector<world::LinkInstance>& links,
-                            std::int64_t instant_count, const SplitPlan& splits) {
+DatasetInfo describeDataset(const config::Config& config, const std::vector<MotionSetup>& motions,
+                            const SplitPlan& splits) {
   DatasetInfo info;
   for (const config::ObjectConfig& object : config.objects) {
     info.objects.push_back(describeObject(object));
@@ -49,13 +55,18 @@ DatasetInfo describeDataset(const config::Config& config, const std::vector<Came
   for (const config::ClassConfig& each : config.classes) {
     info.classes.push_back({each.id, each.name});
   }
-  for (const CameraRig& camera : cameras) {
+  for (const CameraRig& camera : motions.front().cameras) {
     info.cameras.push_back({camera.name, camera.frame, camera.model});
   }
-  info.scene_count = instant_count * static_cast<std::int64_t>(cameras.size());
-  info.splits = splits.splits(cameras.size());
+  for (const MotionSetup& motion : motions) {
+    info.motions.push_back({motion.entry.name, motion.first_instant, motion.instantCount()});
+  }
+  const std::int64_t instants =
+      info.motions.back().first_instant + info.motions.back().instant_count;
+  info.scene_count = instants * static_cast<std::int64_t>(info.cameras.size());
+  info.splits = splits.splits(info.cameras.size());
   info.global_frame = config.global_frame;
-  info.models = [object_links = linksByObject(links, config.objects.size())](std::size_t object) {
+  info.models = [object_links = linksByObject(motions, config.objects.size())](std::size_t object) {
     std::vector<Pose> X_OL;
     for (const world::Link* link : object_links.at(object)) X_OL.push_back(link->X_ML);
     return world::objectModel(object_links.at(object), X_OL);

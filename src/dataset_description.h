@@ -1,21 +1,19 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "camera_rig.h"
 #include "config/config.h"
+#include "motion_setup.h"
 #include "split_plan.h"
 #include "synthetic_dataset/label_writer.h"
-#include "world/world.h"
 
 namespace synthetic_dataset {
 
 /// What writers are told before the first scene.
-/// @param links  of the world; the description holds on to the links that they point to
+/// @param config  what holds for the whole dataset
+/// @param motions  at least one; the description holds on to the links of their worlds
 [[nodiscard]] DatasetInfo describeDataset(const config::Config& config,
-                                          const std::vector<CameraRig>& cameras,
-                                          const std::vector<world::LinkInstance>& links,
-                                          std::int64_t instant_count, const SplitPlan& splits);
+                                          const std::vector<MotionSetup>& motions,
+                                          const SplitPlan& splits);
 
 }  // namespace synthetic_dataset

@@ -46,6 +46,10 @@ ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
       if (links[k].object == static_cast<int>(i)) object.links.push_back(k);
     }
     const std::vector<const world::Link*> own = linksAt(links, object.links);
+    if (!config.takes_part) {
+      objects_.push_back(withoutShape(std::move(object), config));
+      continue;
+    }
     const world::ModelGeometry geometry(own);
     object.geometry = geometry;
     if (config.bounding_shape_O.empty() && geometry.isEmpty()) {
@@ -70,6 +74,16 @@ ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
     objects_.push_back(std::move(object));
   }
   errors.throwIfAny();
+}
+
+/// It has no label, but as many keypoints as elsewhere.
+ObjectShapes::Object ObjectShapes::withoutShape(Object object, const config::ObjectConfig& config) {
+  object.given.bounding_shape_O = {Eigen::Vector3d::Zero()};
+  const std::size_t count = config.farthest_points > 0
+                                ? static_cast<std::size_t>(config.farthest_points)
+                                : config.keypoints_O.size();
+  object.given.keypoints_O.assign(count, Eigen::Vector3d::Zero());
+  return object;
 }
 
 std::vector<Cuboid> ObjectShapes::boxesAtRest() const {

@@ -42,6 +42,8 @@ class ObjectShapes {
     std::vector<world::SurfacePoint> keypoints;  ///< where they were found on the model
   };
 
+  [[nodiscard]] static Object withoutShape(Object object, const config::ObjectConfig& config);
+
   std::vector<Object> objects_;
 };
 

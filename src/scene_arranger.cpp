@@ -72,7 +72,7 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
       frames_(frames),
       objects_(config.objects),
       boxes_O_(shapes.boxesAtRest()) {
-  const bool places_objects = config.motion.source == config::MotionSource::kPlacement;
+  const bool places_objects = config.isPlaced();
   const bool places_cameras =
       std::any_of(cameras.begin(), cameras.end(), [](const CameraRig& rig) { return rig.sampled; });
   const auto& distractors = config.randomization.distractors;
@@ -98,6 +98,10 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
 placement::PlacedObject SceneArranger::describe(const config::ObjectConfig& object,
                                                 const Cuboid& box_O, bool on_map) {
   placement::PlacedObject placed{object.name, object.safety_radius.value_or(0.0), box_O};
+  if (!object.takes_part) {
+    placed.X_GO_kept = frames_.pose(object.frame, Stamp{0});
+    return placed;
+  }
   if (on_map && !object.safety_radius) {
     placed.safety_radius = radiusOf(box_O);
     remarks_.push_back(object.name + "/safety_radius: " + fixed(placed.safety_radius, 3) +
@@ -126,7 +130,9 @@ void SceneArranger::setUpCameras(const config::Config& config,
         std::find_if(config.cameras.begin(), config.cameras.end(),
                      [&](const config::CameraConfig& each) { return each.name == rig.name; });
     std::vector<std::string> targets{"any", "all"};
-    for (const config::ObjectConfig& object : objects_) targets.push_back(object.name);
+    for (const config::ObjectConfig& object : objects_) {
+      if (object.takes_part) targets.push_back(object.name);
+    }
     const std::string& look_at = camera->sample->look_at;
     const bool is_told = look_at.empty();  // what is no text is an error already
     if (!is_told && std::find(targets.begin(), targets.end(), look_at) == targets.end()) {
@@ -143,7 +149,9 @@ void SceneArranger::setUpCameras(const config::Config& config,
 void SceneArranger::placeObjects(std::int64_t instant) {
   if (!placer_) return;
   const std::vector<Pose> X_GO = placer_->place(instant);
-  for (std::size_t i = 0; i < objects_.size(); ++i) frames_.place(objects_[i].frame, X_GO[i]);
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (objects_[i].takes_part) frames_.place(objects_[i].frame, X_GO[i]);
+  }
 }
 
 void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "seconds.h"
 #include "synthetic_dataset/errors.h"
@@ -57,7 +58,9 @@ motion::Timeline planScenes(const motion::FrameMotion& frame_motion, const confi
                             const std::vector<std::vector<DrivenLink>>& driven_links) {
   std::vector<std::string> frames;
   Duration open{0};
-  for (const config::ObjectConfig& object : config.objects) frames.push_back(object.frame);
+  for (const config::ObjectConfig& object : config.objects) {
+    if (object.takes_part) frames.push_back(object.frame);
+  }
   for (const CameraRig& camera : cameras) {
     if (camera.followsRecording()) frames.push_back(camera.frame);
     open = std::max(open, openTime(camera.shutter));
@@ -84,6 +87,15 @@ motion::Timeline planUnrelatedScenes(const config::Config& config) {
     timeline.stamps.push_back(scene * period);
   }
   return timeline;
+}
+
+void thinOut(motion::Timeline& timeline, std::int64_t count) {
+  std::vector<Stamp> kept;
+  const auto all = static_cast<std::int64_t>(timeline.stamps.size());
+  for (std::int64_t i = 0; i < count; ++i) {
+    kept.push_back(timeline.stamps[static_cast<std::size_t>(i * all / count)]);
+  }
+  timeline.stamps = std::move(kept);
 }
 
 void leaveOutScenesWithout(const std::string& frame, const motion::FrameMotion& frame_motion,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ namespace synthetic_dataset {
 /// The times of scenes that stand for themselves: as many as are asked for, one a period, from one
 /// period after 0 on.
 [[nodiscard]] motion::Timeline planUnrelatedScenes(const config::Config& config);
+
+/// Keeps so many of the scenes, evenly spread over all of them.
+/// @param count  at most as many as there are
+void thinOut(motion::Timeline& timeline, std::int64_t count);
 
 /// Takes the scenes out at which a frame that a writer asks for is not known.
 /// @throws Error when none is left

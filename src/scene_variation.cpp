@@ -37,6 +37,7 @@ SceneVariation::SceneVariation(const config::Config& config, const std::vector<C
   std::vector<std::string> names;
   for (const config::ObjectConfig& object : config.objects) {
     names.push_back(object.name);
+    takes_part_.push_back(object.takes_part);
     auto entry = config_.present.find(object.name);
     if (entry == config_.present.end()) entry = config_.present.find(kOthers);
     present_.emplace_back("objects/" + object.name + "/present", std::nullopt);
@@ -51,11 +52,11 @@ SceneVariation::SceneVariation(const config::Config& config, const std::vector<C
 }
 
 void SceneVariation::choose(std::int64_t instant, world::World& world) {
-  if (config_.present.empty()) return;
   appearance::EntryDraws draws(seed_, instant);
-  std::vector<bool> present;
-  for (const auto& [name, share] : present_) {
-    present.push_back(!share || draws.happens(name, *share));
+  std::vector<bool> present = takes_part_;
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    const auto& [name, share] = present_[i];
+    if (present[i] && share) present[i] = draws.happens(name, *share);
   }
   world.setPresent(present);
   chosen_ = draws.values();

@@ -45,6 +45,7 @@ class SceneVariation {
   std::uint64_t seed_;
   std::vector<sensor::SensorEffects> effects_;  ///< of the cameras, as they are set
   std::optional<appearance::LookSampler> looks_;
+  std::vector<bool> takes_part_;                                        ///< of each object
   std::vector<std::pair<std::string, std::optional<double>>> present_;  ///< of each object
   std::vector<appearance::DrawnValue> chosen_;                ///< of the time: what is there
   std::vector<appearance::DrawnValue> shared_;                ///< of the time: its look

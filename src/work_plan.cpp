@@ -17,9 +17,13 @@ WorkPlan::WorkPlan(std::int64_t instant_count, std::int64_t camera_count,
       if (!lacks(scene)) continue;
       ++missing_count_;
       wanted_[static_cast<std::size_t>(instant)] = true;
-      end_ = instant + 1;
     }
   }
+}
+
+std::int64_t WorkPlan::endOfWork(std::int64_t end) const {
+  while (end > 0 && !wants(end - 1)) --end;
+  return end;
 }
 
 }  // namespace synthetic_dataset

@@ -31,8 +31,8 @@ class WorkPlan {
     return !there_[static_cast<std::size_t>(scene)];
   }
 
-  /// Whether something is to be made at this instant or a later one.
-  [[nodiscard]] bool hasWorkFrom(std::int64_t instant) const { return instant < end_; }
+  /// Just behind the last instant before `end` of which a scene is to be made; 0 without one.
+  [[nodiscard]] std::int64_t endOfWork(std::int64_t end) const;
 
   /// Of the run or its shard: how many scenes it has, and how many of them are to be made.
   [[nodiscard]] std::int64_t sceneCount() const { return scene_count_; }
@@ -41,7 +41,6 @@ class WorkPlan {
  private:
   std::vector<bool> wanted_;  ///< by instant
   std::vector<bool> there_;   ///< by scene
-  std::int64_t end_ = 0;      ///< after the last wanted one
   std::int64_t scene_count_ = 0;
   std::int64_t missing_count_ = 0;
 };

@@ -74,6 +74,14 @@ struct CameraDescription {
   CameraModel model;
 };
 
+/// Scenes of one recording, or placed by one rule, in one world. No scene has to do with those of
+/// another motion, and the times of one have nothing to do with those of another.
+struct MotionInfo {
+  std::string name;
+  std::int64_t first_instant = 0;  ///< Scene::instant of its first scenes
+  std::int64_t instant_count = 0;
+};
+
 /// What is known of the dataset before the first scene.
 struct DatasetInfo {
   std::vector<ObjectInfo> objects;  ///< in the order of `robot_list`
@@ -82,6 +90,7 @@ struct DatasetInfo {
   std::vector<CameraDescription> cameras;  ///< at least one
   std::vector<ClassInfo> classes;          ///< in the order of their ids, each once
   std::vector<SplitInfo> splits;           ///< in the order train, val, test; empty: none asked for
+  std::vector<MotionInfo> motions;         ///< at least one, in the order of their scenes
 
   /// The surface of an object, with its links as its model file places them. Made anew at each
   /// call.

@@ -152,7 +152,7 @@ bool isUnusedBlock(const Value& value) {
 Config readConfig(const Parameters& root) {
   Config config;
   config.motion = readMotion(root);
-  if (config.motion.source == MotionSource::kPlacement) config.placement = readPlacement(root);
+  if (config.isPlaced()) config.placement = readPlacement(root);
   config.global_frame = root.optional("global_frame", config.global_frame);
   config.world = readWorld(root);
   config.cameras = readCameras(root);
@@ -179,10 +179,11 @@ Config readConfig(const Parameters& root) {
   return config;
 }
 
-std::vector<std::string> unknownParameterErrors(const Parameters& root) {
+std::vector<std::string> unknownParameterErrors(const Parameters& root,
+                                                const std::vector<std::string>& names) {
   // Asking whether a block is unused makes it known, so the suggestions come first.
   std::vector<std::pair<std::string, std::string>> found;
-  for (const std::string& name : root.unknownNames()) {
+  for (const std::string& name : names) {
     found.emplace_back(name,
                        didYouMean(name.substr(name.rfind('/') + 1), root.knownNeighbours(name)));
   }

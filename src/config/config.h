@@ -32,6 +32,7 @@ struct ObjectConfig {
   std::string class_name;            ///< of its class in Config::classes
   int class_id = 0;                  ///< of its class in Config::classes
   std::string id;                    ///< `id` as text
+  bool takes_part = true;            ///< in this motion
   std::string frame;                 ///< `frame`, else "<name>/<frame_id>"
   LinkFrames link_frames;            ///< of an articulated model
   std::optional<std::string> model;  ///< its model, the URI of it or its text; none: the world's
@@ -155,6 +156,9 @@ struct WriterConfig {
 };
 
 struct Config {
+  /// Whether scenes are placed at random, not recorded.
+  [[nodiscard]] bool isPlaced() const { return motion.source == MotionSource::kPlacement; }
+
   std::string global_frame = "map";
   MotionConfig motion;
   PlacementConfig placement;  ///< of MotionSource::kPlacement
@@ -179,6 +183,8 @@ struct Config {
 /// One error for each parameter that nobody reads, with the name that it may have meant. Ask when
 /// the writers have read theirs. Blocks of objects and writers that this run does not use are no
 /// error: the original's users keep them in their files.
-[[nodiscard]] std::vector<std::string> unknownParameterErrors(const Parameters& root);
+/// @param names  which of the root's unknownNames() are told
+[[nodiscard]] std::vector<std::string> unknownParameterErrors(
+    const Parameters& root, const std::vector<std::string>& names);
 
 }  // namespace synthetic_dataset::config

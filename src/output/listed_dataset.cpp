@@ -94,8 +94,8 @@ bool ListedDataset::listsTemporary(const std::string& path) const {
 void ListedDataset::forEachScene(const std::function<void(const SceneFacts&)>& visit) const {
   SqliteStatement rows(
       database_,
-      "SELECT \"index\", stamp_ns, instant, camera, split, seed, x, y, z, qx, qy, qz, qw FROM "
-      "scene WHERE state <> 'begun' ORDER BY \"index\"");
+      "SELECT \"index\", stamp_ns, instant, camera, split, seed, x, y, z, qx, qy, qz, qw, width, "
+      "height FROM scene WHERE state <> 'begun' ORDER BY \"index\"");
   while (rows.step()) {
     SceneFacts scene;
     scene.index = rows.integer(0);
@@ -105,6 +105,8 @@ void ListedDataset::forEachScene(const std::function<void(const SceneFacts&)>& v
     scene.split = rows.text(4);
     scene.seed = static_cast<std::uint64_t>(rows.integer(5));
     scene.X_GC = poseAt(rows, 6);
+    scene.width = static_cast<int>(rows.integer(13));
+    scene.height = static_cast<int>(rows.integer(14));
     addMeasures(scene);
     visit(scene);
   }

@@ -60,6 +60,11 @@ void insertContents(const SqliteDatabase& database, const std::string& folder,
   }
   SqliteStatement one_class(database, "INSERT INTO class VALUES (?, ?)");
   for (const auto& each : run.classes) one_class.run(std::int64_t{each.id}, each.name);
+  SqliteStatement motion(database, "INSERT INTO motion VALUES (?, ?, ?, ?)");
+  for (std::size_t i = 0; i < run.motions.size(); ++i) {
+    const auto& each = run.motions[i];
+    motion.run(signedIndex(i), each.name, each.first_instant, each.instant_count);
+  }
   SqliteStatement camera(database, "INSERT INTO camera VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.cameras.size(); ++i) {
     const auto& each = run.cameras[i];
@@ -179,7 +184,8 @@ Manifest::Manifest(const std::string& folder, const std::optional<Shard>& shard,
                  "SELECT coalesce('scene ' || scene, 'the whole dataset') || ' of writer ''' || "
                  "name || '''' FROM file JOIN writer ON writer.\"index\" = writer WHERE path = ?"),
       insert_scene_(database_,
-                    "INSERT INTO scene VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'begun')"),
+                    "INSERT INTO scene VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+                    "'begun')"),
       find_scene_(database_, "SELECT 1 FROM scene WHERE \"index\" = ?"),
       set_state_(database_, "UPDATE scene SET state = ? WHERE \"index\" = ?"),
       insert_object_(database_,
@@ -224,8 +230,9 @@ void Manifest::announceScene(const SceneFacts& scene, const std::vector<Manifest
   const Eigen::Vector3d p = scene.X_GC.translation();
   const Eigen::Quaterniond q(scene.X_GC.linear());
   insert_scene_.run(scene.index, scene.instant, std::int64_t{scene.stamp.count()}, scene.camera,
-                    scene.split, static_cast<std::int64_t>(scene.seed), p.x(), p.y(), p.z(), q.x(),
-                    q.y(), q.z(), q.w());
+                    std::int64_t{scene.width}, std::int64_t{scene.height}, scene.split,
+                    static_cast<std::int64_t>(scene.seed), p.x(), p.y(), p.z(), q.x(), q.y(), q.z(),
+                    q.w());
   for (const ManifestFile& file : files) insertFile(scene.index, file);
   transaction.commit();
 }

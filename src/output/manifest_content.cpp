@@ -36,8 +36,8 @@ void checkWholeness(const SqliteDatabase& database) {
   if (finding != "ok") throw Error("it is damaged: " + finding);
   // A table that is gone is damage, too, even where nobody asks for it now.
   for (const char* table :
-       {"run", "setting", "software", "input", "writer", "class", "camera", "object", "scene",
-        "scene_object", "contact", "draw", "file", "record", "warning"}) {
+       {"run", "setting", "software", "input", "writer", "class", "motion", "camera", "object",
+        "scene", "scene_object", "contact", "draw", "file", "record", "warning"}) {
     const SqliteStatement asks(database, std::string("SELECT 1 FROM ") + table);
   }
 }
@@ -77,6 +77,10 @@ void readDescription(const SqliteDatabase& database, RunDescription& run) {
   forEachRow(database, "SELECT id, name FROM class ORDER BY id", [&](const SqliteStatement& row) {
     run.classes.push_back({static_cast<int>(row.integer(0)), row.text(1)});
   });
+  forEachRow(database, "SELECT name, first_instant, instant_count FROM motion ORDER BY \"index\"",
+             [&](const SqliteStatement& row) {
+               run.motions.push_back({row.text(0), row.integer(1), row.integer(2)});
+             });
   forEachRow(database, "SELECT name, frame, width, height FROM camera ORDER BY \"index\"",
              [&](const SqliteStatement& row) {
                run.cameras.push_back({row.text(0), row.text(1), static_cast<int>(row.integer(2)),

@@ -15,13 +15,15 @@ const char* const kManifestTables = R"(
   CREATE TABLE writer ("index" INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,
                        output_folder TEXT NOT NULL);
   CREATE TABLE class (id INTEGER PRIMARY KEY, name TEXT NOT NULL);
+  CREATE TABLE motion ("index" INTEGER PRIMARY KEY, name TEXT NOT NULL,
+                       first_instant INTEGER NOT NULL, instant_count INTEGER NOT NULL);
   CREATE TABLE camera ("index" INTEGER PRIMARY KEY, name TEXT NOT NULL, frame TEXT NOT NULL,
                        width INTEGER NOT NULL, height INTEGER NOT NULL);
   CREATE TABLE object ("index" INTEGER PRIMARY KEY, name TEXT NOT NULL, class INTEGER NOT NULL,
                        id TEXT NOT NULL);
   CREATE TABLE scene ("index" INTEGER PRIMARY KEY, instant INTEGER NOT NULL,
-                      stamp_ns INTEGER NOT NULL, camera TEXT NOT NULL, split TEXT NOT NULL,
-                      seed INTEGER NOT NULL, x REAL, y REAL, z REAL, qx REAL, qy REAL, qz REAL,
+                      stamp_ns INTEGER NOT NULL, camera TEXT NOT NULL, width INTEGER NOT NULL,
+                      height INTEGER NOT NULL, split TEXT NOT NULL, seed INTEGER NOT NULL, x REAL, y REAL, z REAL, qx REAL, qy REAL, qz REAL,
                       qw REAL, state TEXT NOT NULL);
   CREATE TABLE scene_object (
     scene INTEGER NOT NULL, object INTEGER NOT NULL, x REAL NOT NULL, y REAL NOT NULL,

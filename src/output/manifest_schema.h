@@ -8,7 +8,7 @@
 namespace synthetic_dataset::output {
 
 /// The version of the manifest's tables; docs/manifest.md describes them.
-constexpr const char* kManifestVersion = "3";
+constexpr const char* kManifestVersion = "4";
 
 /// The tables of an empty manifest, as SQL.
 extern const char* const kManifestTables;

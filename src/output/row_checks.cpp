@@ -60,6 +60,20 @@ constexpr RowCheck kNumbers[] = {
     {"camera: sizes that no image has",
      "SELECT name FROM camera WHERE width NOT BETWEEN 1 AND 1000000 OR height NOT BETWEEN 1 AND "
      "1000000"},
+    {"scene: sizes that no image has",
+     "SELECT 'scene ' || \"index\" FROM scene WHERE width NOT BETWEEN 1 AND 1000000 OR height NOT "
+     "BETWEEN 1 AND 1000000"},
+    {"motion: indices that do not count from 0",
+     "SELECT name FROM motion m WHERE \"index\" <> (SELECT count(*) FROM motion WHERE \"index\" < "
+     "m.\"index\")"},
+    {"motion: names that are there twice",
+     "SELECT name FROM motion GROUP BY name HAVING count(*) > 1"},
+    {"motion: instants that do not follow those of the motion before, or are none",
+     "SELECT name FROM motion m WHERE instant_count < 1 OR first_instant <> (SELECT "
+     "coalesce(sum(instant_count), 0) FROM motion WHERE \"index\" < m.\"index\")"},
+    {"motion: instants in all that are not those of the run",
+     "SELECT value FROM run WHERE key = 'scene_count' AND CAST(value AS INTEGER) <> (SELECT "
+     "sum(instant_count) FROM motion) * (SELECT max(1, count(*)) FROM camera)"},
     {"writer: names that are there twice",
      "SELECT name FROM writer GROUP BY name HAVING count(*) > 1"},
     {"camera: names that are there twice",

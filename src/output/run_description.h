@@ -28,11 +28,16 @@ struct RunDescription {
     int id = 0;
     std::string name;
   };
+  struct Motion {
+    std::string name;
+    std::int64_t first_instant = 0;
+    std::int64_t instant_count = 0;
+  };
   struct Camera {
     std::string name;
-    std::string frame;
-    int width = 0;   ///< [px]
-    int height = 0;  ///< [px]
+    std::string frame;  ///< in the first motion
+    int width = 0;      ///< in the first motion [px]
+    int height = 0;     ///< in the first motion [px]
   };
   struct Object {
     std::string name;
@@ -44,6 +49,7 @@ struct RunDescription {
   std::map<std::string, std::string> software = {};  ///< name to version
   std::map<std::string, Input> inputs = {};          ///< by absolute path
   std::vector<Class> classes = {};
+  std::vector<Motion> motions = {};  ///< in the order of their scenes
   std::vector<Camera> cameras = {};
   std::vector<Object> objects = {};
   std::int64_t scene_count = 0;        ///< of the whole run, all shards together

@@ -20,6 +20,8 @@ SceneFacts sceneFacts(const Scene& scene) {
   facts.stamp = scene.stamp;
   facts.instant = scene.instant;
   facts.camera = scene.camera_name;
+  facts.width = scene.camera.width();
+  facts.height = scene.camera.height();
   facts.split = scene.split;
   facts.X_GC = scene.X_GC;
   return facts;

@@ -50,6 +50,8 @@ struct SceneFacts {
   Stamp stamp{0};
   std::int64_t instant = 0;  ///< place of its time among the run's times
   std::string camera = "camera";
+  int width = 0;   ///< of the image [px]
+  int height = 0;  ///< of the image [px]
   std::string split = "";
   std::uint64_t seed = 0;  ///< of all that is random in it
   Pose X_GC = Pose::Identity();

@@ -33,6 +33,7 @@ ScenePlacer::ScenePlacer(const config::PlacementConfig& config,
   if (config_.mode != config::PlacementMode::kMap) return;
   std::vector<std::string> errors;
   for (const PlacedObject& object : objects_) {
+    if (object.X_GO_kept) continue;
     const double radius = object.safety_radius;
     if (free_.count(radius) == 0) free_.emplace(radius, FreePlaces(*map, radius));
     if (free_.at(radius).cellCount() > 0) continue;
@@ -72,6 +73,10 @@ std::optional<std::vector<Pose>> ScenePlacer::placeAll(std::vector<random::Rando
                                                        std::string& problem) const {
   std::vector<Pose> placed;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (objects_[i].X_GO_kept) {
+      placed.push_back(*objects_[i].X_GO_kept);
+      continue;
+    }
     Misses misses;
     const auto X_GO = findPlace(i, sources[i], placed, misses);
     if (!X_GO) {
@@ -125,6 +130,7 @@ std::optional<std::string> ScenePlacer::whyNot(std::size_t object, const Pose& X
                                                const std::vector<Pose>& placed) const {
   const double radius = objects_[object].safety_radius;
   for (std::size_t i = 0; i < placed.size(); ++i) {
+    if (objects_[i].X_GO_kept) continue;
     Eigen::Vector3d apart = placed[i].translation() - X_GO.translation();
     if (config_.mode == config::PlacementMode::kMap) apart.z() = 0.0;  // as seen from above
     if (apart.norm() < radius + objects_[i].safety_radius) {

@@ -22,6 +22,9 @@ struct PlacedObject {
   std::string name;
   double safety_radius = 0.0;  ///< about its frame's origin: nothing else is nearer [m]
   Cuboid box_O;                ///< round it
+
+  /// Where it is if it is not to be put anywhere; it is out of the way of all others there.
+  std::optional<Pose> X_GO_kept = std::nullopt;
 };
 
 /// Puts objects somewhere at random, scene by scene: on the free places of a map as the paper's

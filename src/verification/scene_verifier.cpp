@@ -69,13 +69,6 @@ bool SceneVerifier::hasReadableLabels(const output::StoreWriter& writer) const {
   return hasLabelRules(writer.type) && (has_dataset_files || !needsDatasetFiles(writer.type));
 }
 
-cv::Size SceneVerifier::imageSize(const std::string& camera) const {
-  for (const auto& each : dataset_.content().run.cameras) {
-    if (each.name == camera) return {each.width, each.height};
-  }
-  return {};
-}
-
 void SceneVerifier::verifyDatasetFiles() {
   // Before the end they may be announced and not be there yet.
   if (!dataset_.content().complete) return;
@@ -115,7 +108,7 @@ void SceneVerifier::verifyScene(const output::SceneFacts& scene) {
     if (file.writer < files.size()) verifyFile(file, files[file.writer]);
   });
   if (depth_ != VerificationDepth::kLabels) return;
-  const cv::Size size = imageSize(scene.camera);
+  const cv::Size size(scene.width, scene.height);
   for (std::size_t i = 0; i < writers.size(); ++i) {
     if (!files[i].are_readable) continue;
     const std::string origin =

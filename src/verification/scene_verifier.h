@@ -43,7 +43,6 @@ class SceneVerifier {
                     const output::StoreWriter& writer, const WrittenFiles& files,
                     const cv::Size& size);
   [[nodiscard]] bool hasReadableLabels(const output::StoreWriter& writer) const;
-  [[nodiscard]] cv::Size imageSize(const std::string& camera) const;
 
   const output::ListedDataset& dataset_;
   VerificationDepth depth_;

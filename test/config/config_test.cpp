@@ -147,7 +147,7 @@ TEST(ReadConfig, KeypointsMayBeFarthestPoints) {
     const Reading reading(with("keypoints: []", text));
     EXPECT_THAT(reading.root.errors(), IsEmpty());
     EXPECT_EQ(reading.config.objects[0].farthest_points, 9);
-    EXPECT_THAT(unknownParameterErrors(reading.root),
+    EXPECT_THAT(unknownParameterErrors(reading.root, reading.root.unknownNames()),
                 testing::Not(Contains(HasSubstr("farthest_points"))));
   }
   const Reading without(with("  keypoints: []\n", ""));
@@ -214,7 +214,8 @@ TEST(ReadConfig, ObjectsMayHaveASafetyRadius) {
 TEST(ReadConfig, NothingIsUnknownInAGroupThatIsRefused) {
   const Reading reading(plus("placement: {map: /a.yaml, mode: map}\n"));
   EXPECT_THAT(reading.root.errors(), ElementsAre(HasSubstr("placement: has a meaning")));
-  EXPECT_THAT(unknownParameterErrors(reading.root), testing::Not(Contains(HasSubstr("placement"))));
+  EXPECT_THAT(unknownParameterErrors(reading.root, reading.root.unknownNames()),
+              testing::Not(Contains(HasSubstr("placement"))));
 }
 
 struct BadSetting {
@@ -318,7 +319,7 @@ TEST(ReadConfig, AnObjectCannotHaveAWritersName) {
 TEST(UnknownParameters, AreErrorsThatSayWhatTheyMayHaveMeant) {
   const Reading reading(plus("simulated_rte: 5\nbackground_subtractor: {history_lenght: 3}\n"));
   EXPECT_THAT(
-      unknownParameterErrors(reading.root),
+      unknownParameterErrors(reading.root, reading.root.unknownNames()),
       UnorderedElementsAre("simulated_rte: unknown parameter; did you mean 'simulated_rate'?",
                            "background_subtractor/history_lenght: unknown parameter; did you mean "
                            "'history_length'?",
@@ -332,7 +333,7 @@ TEST(UnknownParameters, BlocksOfUnusedObjectsAndWritersAreLeftInPeace) {
            "bravo: {class: drone, id: 3, keypoints: [], bounding_shape: [[0, 0, 0]]}\n"
            "old_writer: {output_folder: /somewhere, main_list: x}\n"));
   EXPECT_THAT(
-      unknownParameterErrors(reading.root),
+      unknownParameterErrors(reading.root, reading.root.unknownNames()),
       UnorderedElementsAre(HasSubstr("yolo: unknown"), HasSubstr("bounding_shape: unknown")));
 }
 

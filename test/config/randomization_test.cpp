@@ -251,7 +251,7 @@ TEST(Randomization, KnowsNoOtherEntries) {
   EXPECT_THAT(root.unknownNames(),
               UnorderedElementsAre("randomize/lihgts", "randomize/lights/sun/intensty",
                                    "randomize/materials/objects/color", "randomize/sensor/gain"));
-  const auto errors = unknownParameterErrors(root);
+  const auto errors = unknownParameterErrors(root, root.unknownNames());
   EXPECT_THAT(
       errors,
       Contains("randomize/lights/sun/intensty: unknown parameter; did you mean 'intensity'?"));

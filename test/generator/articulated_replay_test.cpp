@@ -59,9 +59,9 @@ class ArticulatedReplay : public testing::Test {
                                                Value((run.folder() / "links.bag").string())});
   }
 
-  RunSetup setUp() {
+  MotionSetup setUp() {
     parameters["alpha"] = Value(alpha);
-    return setUpRun(Value(parameters), {test::pluginXml()});
+    return std::move(setUpRun(Value(parameters), {test::pluginXml()}).motions.front());
   }
 
   std::vector<std::string> errors() {
@@ -76,7 +76,7 @@ class ArticulatedReplay : public testing::Test {
   using LinkPoses = std::map<std::string, Pose>;
 
   /// X_WL of alpha's links in the scene at 1000 + 50 i ms, reached by way of all scenes before.
-  LinkPoses linksAt(const RunSetup& setup, ObjectMotion& motion, int i) {
+  LinkPoses linksAt(const MotionSetup& setup, ObjectMotion& motion, int i) {
     for (const Stamp stamp : setup.timeline.stamps) {
       if (stamp <= reached) continue;
       if (stamp > milliseconds(1000 + 50 * i)) break;
@@ -94,7 +94,7 @@ class ArticulatedReplay : public testing::Test {
 
   LinkPoses linksAt(int i) {
     reached = Stamp(0);
-    const RunSetup setup = setUp();
+    const MotionSetup setup = setUp();
     ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
     return linksAt(setup, motion, i);
   }
@@ -130,7 +130,7 @@ TEST_F(ArticulatedReplay, LinksWithoutTfRideOnTheirParents) {
 }
 
 TEST_F(ArticulatedReplay, WithoutTfForLinksTheModelMovesAsOnePiece) {
-  const RunSetup setup = setUp();
+  const MotionSetup setup = setUp();
   EXPECT_THAT(setup.driven_links, ElementsAre(IsEmpty()));
   EXPECT_THAT(setup.remarks, ElementsAre("alpha: no TF moves its joints 'shoulder', 'elbow', "
                                          "'slide'; they are held as the model has them"));
@@ -192,7 +192,7 @@ TEST_F(ArticulatedReplay, ALinkOfTheObjectsFrameStandsThereWhereLinksFollowTf) {
 
 TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
   recordLinks("alpha/", 8);
-  const RunSetup setup = setUp();
+  const MotionSetup setup = setUp();
   EXPECT_THAT(setup.timeline.stamps, SizeIs(4));
   ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses early = linksAt(setup, motion, 5);
@@ -207,7 +207,7 @@ TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
 
 TEST_F(ArticulatedReplay, TheModelBoxFollowsTheLinks) {
   recordLinks();
-  const RunSetup setup = setUp();
+  const MotionSetup setup = setUp();
   ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape =
@@ -225,7 +225,7 @@ TEST_F(ArticulatedReplay, TheModelBoxFollowsTheLinks) {
 TEST_F(ArticulatedReplay, KeypointsMoveWithTheirLinks) {
   recordLinks();
   alpha["keypoints"] = Value(Value::Map{{"farthest_points", Value(9)}});
-  const RunSetup setup = setUp();
+  const MotionSetup setup = setUp();
   ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape =

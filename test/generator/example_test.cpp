@@ -44,15 +44,16 @@ double intersectionOverUnion(const cv::Mat& a, const cv::Mat& b) {
 TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   test::preparePluginEnvironment();
   const test::TemporaryFolder folder;
-  const RunSetup setup = setUpRun(exampleParameters(folder / "out"), {test::pluginXml()});
+  const RunSetup run = setUpRun(exampleParameters(folder / "out"), {test::pluginXml()});
+  const MotionSetup& setup = run.motions.front();
   render::Renderer renderer(setup.world->description(), setup.world->links(), {});
   const std::vector<config::ObjectConfig>& objects = setup.config.objects;
   Requirements masks;
   masks.silhouettes = true;
   config::MaskConfig subtraction = setup.config.masks;
   subtraction.method = config::MaskMethod::kMog2;
-  SceneMaker maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes,
-                   *setup.splits, masks, {subtraction, {}, {}});
+  SceneMaker maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes, *run.splits,
+                   masks, {subtraction, {}, {}});
   ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   std::vector<double> worst(objects.size(), 1.0);
   std::vector<double> sum(objects.size(), 0.0);

@@ -32,34 +32,37 @@ class PixelLabels : public testing::Test {
     parameters.erase("background_subtractor");
     parameters["bag_file"] = Value((run_.folder() / "placed.bag").string());
     for (const auto& [name, value] : change) parameters[name] = value;
-    setup_ = setUpRun(Value(parameters), {test::pluginXml()});
+    whole_ = setUpRun(Value(parameters), {test::pluginXml()});
+    setup_ = &whole_.motions.front();
   }
 
   /// The first scene with what these requirements ask for.
   Scene sceneWith(const Requirements& requirements) {
     maker_.reset();
     renderer_.reset();
-    renderer_ = std::make_unique<render::Renderer>(setup_.world->description(),
-                                                   setup_.world->links(), render::RenderOptions{});
-    motion_ = std::make_unique<ObjectMotion>(*setup_.frames, setup_.config, setup_.world->links(),
-                                             setup_.driven_links);
+    renderer_ = std::make_unique<render::Renderer>(setup_->world->description(),
+                                                   setup_->world->links(), render::RenderOptions{});
+    motion_ = std::make_unique<ObjectMotion>(*setup_->frames, setup_->config,
+                                             setup_->world->links(), setup_->driven_links);
     maker_ = std::make_unique<SceneMaker>(
-        *setup_.world, *renderer_, *setup_.frames, setup_.cameras, *setup_.shapes, *setup_.splits,
-        requirements, PixelLabelOptions{setup_.config.masks, setup_.config.labels, {1, 1}});
+        *setup_->world, *renderer_, *setup_->frames, setup_->cameras, *setup_->shapes,
+        *whole_.splits, requirements,
+        PixelLabelOptions{setup_->config.masks, setup_->config.labels, {1, 1}});
     moveTo(0);
     made_ = maker_->make(0, 0, stamp(0), motion_->objectPoses(stamp(0)));
     return made_->scene;
   }
 
-  [[nodiscard]] Stamp stamp(std::size_t i) const { return setup_.timeline.stamps.at(i); }
+  [[nodiscard]] Stamp stamp(std::size_t i) const { return setup_->timeline.stamps.at(i); }
 
   void moveTo(std::size_t i) {
-    setup_.world->advanceTo(stamp(i),
-                            [this](int object, Stamp time) { return motion_->at(object, time); });
+    setup_->world->advanceTo(stamp(i),
+                             [this](int object, Stamp time) { return motion_->at(object, time); });
   }
 
   test::TinyRun run_;
-  RunSetup setup_;
+  RunSetup whole_;
+  MotionSetup* setup_ = nullptr;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<ObjectMotion> motion_;
   std::unique_ptr<SceneMaker> maker_;

@@ -12,8 +12,8 @@ TEST(WorkPlan, OfAFreshRunIsAllOfIt) {
   EXPECT_EQ(plan.sceneCount(), 10);
   EXPECT_EQ(plan.missingCount(), 10);
   EXPECT_TRUE(plan.wants(0));
-  EXPECT_TRUE(plan.hasWorkFrom(4));
-  EXPECT_FALSE(plan.hasWorkFrom(5));
+  EXPECT_EQ(plan.endOfWork(5), 5);
+  EXPECT_EQ(plan.endOfWork(3), 3);
 }
 
 TEST(WorkPlan, LeavesOutInstantsOfWhichAllScenesAreThere) {
@@ -22,13 +22,14 @@ TEST(WorkPlan, LeavesOutInstantsOfWhichAllScenesAreThere) {
   EXPECT_TRUE(plan.wants(1));
   EXPECT_FALSE(plan.wants(2));
   EXPECT_EQ(plan.missingCount(), 1);
-  EXPECT_FALSE(plan.hasWorkFrom(2));
+  EXPECT_EQ(plan.endOfWork(3), 2);
+  EXPECT_EQ(plan.endOfWork(1), 0);
 }
 
 TEST(WorkPlan, OfACompleteRunIsEmpty) {
   const WorkPlan plan(3, 1, {}, {}, [](std::int64_t /*scene*/) { return true; });
   EXPECT_EQ(plan.missingCount(), 0);
-  EXPECT_FALSE(plan.hasWorkFrom(0));
+  EXPECT_EQ(plan.endOfWork(3), 0);
 }
 
 TEST(WorkPlan, MakesOnlyTheScenesThatAreAskedFor) {
@@ -39,8 +40,8 @@ TEST(WorkPlan, MakesOnlyTheScenesThatAreAskedFor) {
   EXPECT_TRUE(plan.wants(1));
   EXPECT_FALSE(plan.wants(2));
   EXPECT_TRUE(plan.wants(3));
-  EXPECT_TRUE(plan.hasWorkFrom(3));
-  EXPECT_FALSE(plan.hasWorkFrom(4));
+  EXPECT_EQ(plan.endOfWork(5), 4);
+  EXPECT_EQ(plan.endOfWork(3), 2);
 }
 
 }  // namespace

@@ -97,10 +97,12 @@ TEST_F(DatasetStoreTest, EncodesOnePictureInTwoFormats) {
 
 TEST_F(DatasetStoreTest, ListsWhatItWrote) {
   auto store = makeStore();
-  store->commitScene({7, Stamp{1650000000123456789}, 3, "front", "train", 42}, someScene(7));
+  store->commitScene({7, Stamp{1650000000123456789}, 3, "front", 640, 480, "train", 42},
+                     someScene(7));
   const auto image_bytes = std::to_string(fs::file_size(path("a/7.png")));
-  EXPECT_THAT(query("SELECT \"index\", instant, stamp_ns, camera, split, seed, state FROM scene"),
-              ElementsAre("7|3|1650000000123456789|front|train|42|written"));
+  EXPECT_THAT(query("SELECT \"index\", instant, stamp_ns, camera, width, height, split, seed, "
+                    "state FROM scene"),
+              ElementsAre("7|3|1650000000123456789|front|640|480|train|42|written"));
   EXPECT_THAT(query("SELECT path, writer, scene, bytes, linked_to FROM file"),
               UnorderedElementsAre("a/7.png|0|7|" + image_bytes + "|NULL", "a/7.txt|0|7|7|NULL",
                                    "b/x/7.png|1|7|" + image_bytes + "|a/7.png"));

@@ -1,0 +1,109 @@
+#include "config/motion_overlay.h"
+
+#include <vector>
+
+#include "config/settings_file.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool has(const Value::Map& map, const std::string& name) { return map.count(name) != 0; }
+
+Value::Map* groupIn(Value::Map& settings, const std::string& name) {
+  const auto entry = settings.find(name);
+  return entry == settings.end() ? nullptr : entry->second.as<Value::Map>();
+}
+
+const Value::Map* groupIn(const Value::Map& settings, const std::string& name) {
+  const auto entry = settings.find(name);
+  return entry == settings.end() ? nullptr : entry->second.as<Value::Map>();
+}
+
+/// Settings of which one is enough: where there is an own one, those below it are gone.
+void makeWay(Value::Map& below, const Value::Map& own, const Names& alternatives) {
+  bool is_there = false;
+  for (const std::string& name : alternatives) is_there = is_there || has(own, name);
+  for (const std::string& name : alternatives) {
+    if (is_there && !has(own, name)) below.erase(name);
+  }
+}
+
+void makeWayForCamera(Value::Map& below, const Value::Map& own) {
+  makeWay(below, own, {"info_file", "info_topic", "sensor"});
+  makeWay(below, own, {"pose", "mounted_on", "sample"});
+}
+
+void makeWayForCameras(Value::Map& settings, const Value::Map& own) {
+  makeWay(settings, own, {"camera", "cameras"});
+  if (has(own, "cameras")) settings.erase("camera_frame_id");
+  if (has(own, "camera") || has(own, "camera_frame_id")) settings.erase("cameras");
+  Value::Map* camera = groupIn(settings, "camera");
+  const Value::Map* own_camera = groupIn(own, "camera");
+  if (camera != nullptr && own_camera != nullptr) makeWayForCamera(*camera, *own_camera);
+  Value::Map* cameras = groupIn(settings, "cameras");
+  const Value::Map* own_cameras = groupIn(own, "cameras");
+  if (cameras == nullptr || own_cameras == nullptr) return;
+  for (auto& [name, below] : *cameras) {
+    const Value::Map* over = groupIn(*own_cameras, name);
+    if (over != nullptr && below.is<Value::Map>()) makeWayForCamera(*below.as<Value::Map>(), *over);
+  }
+}
+
+/// `world: FILE` and `world_file` are what `world: {file: FILE}` is.
+void spellOutWorld(Value::Map& settings) {
+  const auto world = settings.find("world");
+  if (world != settings.end() && world->second.is<std::string>()) {
+    world->second = Value::Map{{"file", world->second}};
+  }
+  const auto file = settings.find("world_file");
+  if (file == settings.end()) return;
+  const Value name = file->second;
+  settings.erase(file);
+  Value& group = settings.emplace("world", Value::Map{}).first->second;
+  if (group.is<Value::Map>()) (*group.as<Value::Map>())["file"] = name;
+}
+
+/// Another kind of placement has other settings.
+void makeWayForPlacement(Value::Map& settings, const Value::Map& own) {
+  Value::Map* below = groupIn(settings, "placement");
+  const Value::Map* over = groupIn(own, "placement");
+  if (below == nullptr || over == nullptr) return;
+  makeWay(*below, *over, {"map", "map_topic"});
+  if (has(*over, "mode")) settings.erase("placement");
+}
+
+}  // namespace
+
+const std::set<std::string>& settingsOfMotions() {
+  static const std::set<std::string> kNames = {
+      "bag_file",   "camera",         "camera_frame_id", "cameras",    "duration",
+      "max_tf_gap", "motion",         "physics",         "placement",  "randomize",
+      "scenes",     "simulated_rate", "world",           "world_file", "start_offset"};
+  return kNames;
+}
+
+const std::set<std::string>& settingsOfMovedObjects() {
+  static const std::set<std::string> kNames = {"frame", "frame_id", "link_frames", "safety_radius"};
+  return kNames;
+}
+
+void overlayMotion(Value::Map& settings, const Value::Map& own,
+                   const std::set<std::string>& objects) {
+  Value::Map over = own;
+  spellOutWorld(settings);
+  spellOutWorld(over);
+  makeWayForCameras(settings, over);
+  makeWayForPlacement(settings, over);
+  for (const std::string& name : objects) {
+    Value::Map* object = groupIn(settings, name);
+    const Value::Map* own_object = groupIn(own, name);
+    if (object == nullptr || own_object == nullptr) continue;
+    makeWay(*object, *own_object, {"frame", "frame_id"});
+    makeWay(*object, *own_object, {"link_frames"});
+  }
+  overlay(settings, over);
+}
+
+}  // namespace synthetic_dataset::config

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "articulation.h"
+#include "camera_rig.h"
+#include "config/config.h"
+#include "config/motion_list.h"
+#include "error_collector.h"
+#include "motion/frame_motion.h"
+#include "object_shapes.h"
+#include "scene_arranger.h"
+#include "scene_variation.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// What the scenes of one of a run's motions are made of: where things go, in which world, seen by
+/// which cameras, and when.
+struct MotionSetup {
+  config::MotionEntry entry;
+  config::Config config;  ///< all settings that hold for it
+  std::unique_ptr<motion::FrameMotion> frames;
+  motion::Timeline timeline;
+  std::int64_t first_instant = 0;  ///< in the run, of its timeline's first time
+  std::unique_ptr<world::World> world;
+  std::vector<CameraRig> cameras;
+  std::vector<std::vector<DrivenLink>> driven_links;  ///< of each object
+  std::unique_ptr<ObjectShapes> shapes;               ///< of the objects
+  std::unique_ptr<SceneArranger> arranger;
+  std::unique_ptr<SceneVariation> variation;
+
+  std::vector<std::string> notes;    ///< what the user should know
+  std::vector<std::string> remarks;  ///< what the user may like to know
+  std::set<std::string> inputs;      ///< files of the world and of its models
+  ErrorCollector errors;             ///< all that is wrong; what needs it is not there then
+
+  /// How many times it gives to the run.
+  [[nodiscard]] std::int64_t instantCount() const {
+    return static_cast<std::int64_t>(timeline.stamps.size());
+  }
+
+  /// Whether it has no recording, but is placed at random.
+  [[nodiscard]] bool isPlaced() const { return config.isPlaced(); }
+
+  /// Whether a camera has this frame: the recording need not know it then.
+  [[nodiscard]] bool isCameraFrame(const std::string& frame) const;
+};
+
+/// Reads the recording, the world and the cameras, and finds the times of all scenes. Writes
+/// nothing.
+/// @param config  of the entry's settings
+[[nodiscard]] MotionSetup setUpMotion(config::MotionEntry entry, config::Config config);
+
+}  // namespace synthetic_dataset

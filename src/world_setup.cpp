@@ -1,0 +1,175 @@
+#include "world_setup.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "appearance/distractor_models.h"
+#include "render/light_setup.h"
+#include "ros_packages.h"
+#include "seconds.h"
+#include "world/files/resource_finder.h"
+#include "world/world_loader.h"
+
+namespace synthetic_dataset {
+namespace {
+
+std::string modelNames(const world::Description& description) {
+  std::string names;
+  for (const world::Model& model : description.models) {
+    names += (names.empty() ? "" : ", ") + model.name;
+  }
+  return names.empty() ? "none" : names;
+}
+
+/// Takes the model of this name out of the world.
+std::optional<world::Model> takeModel(world::Description& description, const std::string& name) {
+  auto& models = description.models;
+  const auto found = std::find_if(models.begin(), models.end(),
+                                  [&](const world::Model& model) { return model.name == name; });
+  if (found == models.end()) return std::nullopt;
+  world::Model model = std::move(*found);
+  models.erase(found);
+  return model;
+}
+
+/// An object that does not take part.
+world::MovingObject nothingCalled(const std::string& name) {
+  world::Model model;
+  model.name = name;
+  model.links.emplace_back();
+  model.links.front().name = "nothing";
+  return {std::move(model), {}};
+}
+
+world::LoadOptions loadOptions(const config::Config& config) {
+  world::LoadOptions options;
+  options.default_near = config.cameras.front().near;
+  options.default_far = config.cameras.front().far;
+  if (config.world.on_missing_asset == config::OnMissingAsset::kWarn) {
+    options.on_missing_asset = world::OnMissingAsset::kWarn;
+  }
+  return options;
+}
+
+world::PhysicsOptions physicsOptions(const config::Config& config) {
+  world::PhysicsOptions physics;
+  physics.step = fromSeconds(config.physics.step);
+  physics.contact_tolerance = config.physics.contact_tolerance;
+  physics.drops_objects =
+      config.isPlaced() && config.placement.mode == config::PlacementMode::kDrop;
+  return physics;
+}
+
+std::vector<world::Model> loadDistractors(const config::Config& config,
+                                          world::WorldLoader& loader) {
+  const auto& distractors = config.randomization.distractors;
+  if (!distractors) return {};
+  const auto load = [&](const std::string& uri, const std::string& name) {
+    return loader.loadModel(uri, name);
+  };
+  const std::string group = "randomize/distractors";
+  try {
+    return appearance::makeDistractors(*distractors, static_cast<std::uint64_t>(config.seed), load);
+  } catch (const ErrorList& list) {
+    std::vector<std::string> messages;
+    for (const std::string& each : list.messages()) messages.push_back(group + "/models: " + each);
+    throw ErrorList(std::move(messages));
+  } catch (const Error& error) {
+    throw Error(group + (distractors->models.empty() ? "/textures: " : "/models: ") + error.what());
+  }
+}
+
+/// Loads the parts of a world one by one; what fails is noted.
+class WorldBuilder {
+ public:
+  WorldBuilder(const config::Config& config, const motion::FrameMotion* frames,
+               ErrorCollector& errors)
+      : config_(config),
+        frames_(frames),
+        errors_(errors),
+        finder_(config.world.model_folders, rosPackageFinder()),
+        loader_(finder_, loadOptions(config)) {}
+
+  WorldSetup build() {
+    auto description = errors_.attempt([&] { return loader_.loadWorld(config_.world.file); });
+    if (!description) return std::move(setup_);
+    model_names_ = modelNames(*description);
+    setup_.sensors = description->cameras;
+    for (const config::ObjectConfig& object : config_.objects) addObject(object, *description);
+    auto distractors = errors_.attempt([&] { return loadDistractors(config_, loader_); });
+    addTo(setup_.notes, loader_.modelNotes());
+    for (const auto& file : finder_.found()) setup_.inputs.insert(file.string());
+    const std::vector<world::CameraSensor>& on_objects = loader_.modelCameras();
+    setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
+    if (!distractors || objects_.size() != config_.objects.size()) return std::move(setup_);
+    auto world = errors_.attempt([&] {
+      return std::make_unique<world::World>(std::move(*description), std::move(objects_),
+                                            physicsOptions(config_), std::move(*distractors));
+    });
+    if (!world) return std::move(setup_);
+    setup_.world = std::move(*world);
+    addTo(setup_.notes, setup_.world->description().notes);
+    addTo(setup_.notes, render::shadowNotes(setup_.world->description().lights));
+    return std::move(setup_);
+  }
+
+ private:
+  static void addTo(std::vector<std::string>& all, const std::vector<std::string>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+
+  void addObject(const config::ObjectConfig& object, world::Description& surroundings) {
+    auto in_world = takeModel(surroundings, object.name);
+    if (!object.takes_part) {
+      objects_.push_back(nothingCalled(object.name));
+      setup_.driven_links.emplace_back();
+      return;
+    }
+    auto model =
+        object.model
+            ? errors_.attempt([&] { return loader_.loadModel(*object.model, object.name); })
+            : std::move(in_world);
+    if (model) {
+      addModel(std::move(*model), object);
+    } else if (!object.model) {
+      errors_.add("robot_list: the world '" + config_.world.file + "' has no model '" +
+                  object.name + "' (it has " + model_names_ +
+                  "); add one to the world, or name a model file in " + object.name + "/model");
+    }
+  }
+
+  void addModel(world::Model model, const config::ObjectConfig& object) {
+    Articulation articulation;
+    if (frames_ != nullptr) {
+      auto made = errors_.attempt([&] { return articulate(std::move(model), object, *frames_); });
+      if (!made) return;
+      articulation = std::move(*made);
+    } else {
+      articulation.model = std::move(model);
+    }
+    std::vector<std::size_t> links;
+    for (const DrivenLink& each : articulation.driven) links.push_back(each.link);
+    objects_.emplace_back(std::move(articulation.model), std::move(links));
+    setup_.driven_links.push_back(std::move(articulation.driven));
+    addTo(setup_.remarks, articulation.remarks);
+  }
+
+  const config::Config& config_;
+  const motion::FrameMotion* frames_;
+  ErrorCollector& errors_;
+  world::ResourceFinder finder_;
+  world::WorldLoader loader_;
+  std::string model_names_;  ///< of the world, objects included
+  std::vector<world::MovingObject> objects_;
+  WorldSetup setup_;
+};
+
+}  // namespace
+
+WorldSetup setUpWorld(const config::Config& config, const motion::FrameMotion* frames,
+                      ErrorCollector& errors) {
+  return WorldBuilder(config, frames, errors).build();
+}
+
+}  // namespace synthetic_dataset
