@@ -23,7 +23,8 @@ const Pose& nowhere() {
 /// Sets a motion up part by part; what fails is noted, and the parts that need it are passed over.
 class MotionBuilder {
  public:
-  MotionBuilder(config::MotionEntry entry, config::Config config) {
+  MotionBuilder(config::MotionEntry entry, config::Config config, WorldShelf& worlds)
+      : worlds_(worlds) {
     setup_.entry = std::move(entry);
     setup_.config = std::move(config);
     leaveOutOthers();
@@ -94,7 +95,8 @@ class MotionBuilder {
 
   void loadWorld() {
     if (config().world.file.empty()) return;
-    WorldSetup world = setUpWorld(config(), setup_.frames.get(), errors());
+    WorldSetup world =
+        setUpWorld(config(), setup_.frames.get(), worlds_.filesFor(config()), errors());
     sensors_ = std::move(world.sensors);
     setup_.driven_links = std::move(world.driven_links);
     setup_.inputs = std::move(world.inputs);
@@ -186,6 +188,7 @@ class MotionBuilder {
     all.insert(all.end(), more.begin(), more.end());
   }
 
+  WorldShelf& worlds_;
   MotionSetup setup_;
   std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
 };
@@ -197,8 +200,8 @@ bool MotionSetup::isCameraFrame(const std::string& frame) const {
                      [&](const CameraRig& camera) { return camera.frame == frame; });
 }
 
-MotionSetup setUpMotion(config::MotionEntry entry, config::Config config) {
-  return MotionBuilder(std::move(entry), std::move(config)).build();
+MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, WorldShelf& worlds) {
+  return MotionBuilder(std::move(entry), std::move(config), worlds).build();
 }
 
 }  // namespace synthetic_dataset

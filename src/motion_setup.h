@@ -16,6 +16,7 @@
 #include "scene_arranger.h"
 #include "scene_variation.h"
 #include "world/world.h"
+#include "world_files.h"
 
 namespace synthetic_dataset {
 
@@ -54,6 +55,8 @@ struct MotionSetup {
 /// Reads the recording, the world and the cameras, and finds the times of all scenes. Writes
 /// nothing.
 /// @param config  of the entry's settings
-[[nodiscard]] MotionSetup setUpMotion(config::MotionEntry entry, config::Config config);
+/// @param worlds  that were read for other motions of the run
+[[nodiscard]] MotionSetup setUpMotion(config::MotionEntry entry, config::Config config,
+                                      WorldShelf& worlds);
 
 }  // namespace synthetic_dataset

@@ -57,7 +57,7 @@ class Builder {
     roots_.emplace_back(entry.settings);
     config::Config config = config::readConfig(roots_.back());
     setting_errors_.push_back(roots_.back().errors());
-    setup_.motions.push_back(setUpMotion(entry, std::move(config)));
+    setup_.motions.push_back(setUpMotion(entry, std::move(config), worlds_));
   }
 
   /// In proportion to the motions' weights, if there are any.
@@ -245,6 +245,7 @@ class Builder {
   std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
   std::vector<std::string> writer_errors_;                ///< of the writers' settings
   std::vector<std::string> notes_;                        ///< of the run as a whole
+  WorldShelf worlds_;
   RunSetup setup_;
   ErrorCollector errors_;
 };

@@ -6,10 +6,7 @@
 
 #include "appearance/distractor_models.h"
 #include "render/light_setup.h"
-#include "ros_packages.h"
 #include "seconds.h"
-#include "world/files/resource_finder.h"
-#include "world/world_loader.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -37,19 +34,7 @@ std::optional<world::Model> takeModel(world::Description& description, const std
 world::MovingObject nothingCalled(const std::string& name) {
   world::Model model;
   model.name = name;
-  model.links.emplace_back();
-  model.links.front().name = "nothing";
   return {std::move(model), {}};
-}
-
-world::LoadOptions loadOptions(const config::Config& config) {
-  world::LoadOptions options;
-  options.default_near = config.cameras.front().near;
-  options.default_far = config.cameras.front().far;
-  if (config.world.on_missing_asset == config::OnMissingAsset::kWarn) {
-    options.on_missing_asset = world::OnMissingAsset::kWarn;
-  }
-  return options;
 }
 
 world::PhysicsOptions physicsOptions(const config::Config& config) {
@@ -58,15 +43,16 @@ world::PhysicsOptions physicsOptions(const config::Config& config) {
   physics.contact_tolerance = config.physics.contact_tolerance;
   physics.drops_objects =
       config.isPlaced() && config.placement.mode == config::PlacementMode::kDrop;
+  const auto& distractors = config.randomization.distractors;
+  physics.drops_distractors = distractors && distractors->mode == config::DistractorMode::kDrop;
   return physics;
 }
 
-std::vector<world::Model> loadDistractors(const config::Config& config,
-                                          world::WorldLoader& loader) {
+std::vector<world::Model> loadDistractors(const config::Config& config, WorldFiles& files) {
   const auto& distractors = config.randomization.distractors;
   if (!distractors) return {};
   const auto load = [&](const std::string& uri, const std::string& name) {
-    return loader.loadModel(uri, name);
+    return files.model(uri, name);
   };
   const std::string group = "randomize/distractors";
   try {
@@ -83,24 +69,20 @@ std::vector<world::Model> loadDistractors(const config::Config& config,
 /// Loads the parts of a world one by one; what fails is noted.
 class WorldBuilder {
  public:
-  WorldBuilder(const config::Config& config, const motion::FrameMotion* frames,
+  WorldBuilder(const config::Config& config, const motion::FrameMotion* frames, WorldFiles& files,
                ErrorCollector& errors)
-      : config_(config),
-        frames_(frames),
-        errors_(errors),
-        finder_(config.world.model_folders, rosPackageFinder()),
-        loader_(finder_, loadOptions(config)) {}
+      : config_(config), frames_(frames), files_(files), errors_(errors) {}
 
   WorldSetup build() {
-    auto description = errors_.attempt([&] { return loader_.loadWorld(config_.world.file); });
+    auto description = errors_.attempt([&] { return files_.world(); });
     if (!description) return std::move(setup_);
     model_names_ = modelNames(*description);
     setup_.sensors = description->cameras;
     for (const config::ObjectConfig& object : config_.objects) addObject(object, *description);
-    auto distractors = errors_.attempt([&] { return loadDistractors(config_, loader_); });
-    addTo(setup_.notes, loader_.modelNotes());
-    for (const auto& file : finder_.found()) setup_.inputs.insert(file.string());
-    const std::vector<world::CameraSensor>& on_objects = loader_.modelCameras();
+    auto distractors = errors_.attempt([&] { return loadDistractors(config_, files_); });
+    addTo(setup_.notes, files_.modelNotes());
+    for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
+    const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
     setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
     if (!distractors || objects_.size() != config_.objects.size()) return std::move(setup_);
     auto world = errors_.attempt([&] {
@@ -126,10 +108,9 @@ class WorldBuilder {
       setup_.driven_links.emplace_back();
       return;
     }
-    auto model =
-        object.model
-            ? errors_.attempt([&] { return loader_.loadModel(*object.model, object.name); })
-            : std::move(in_world);
+    auto model = object.model
+                     ? errors_.attempt([&] { return files_.model(*object.model, object.name); })
+                     : std::move(in_world);
     if (model) {
       addModel(std::move(*model), object);
     } else if (!object.model) {
@@ -157,9 +138,8 @@ class WorldBuilder {
 
   const config::Config& config_;
   const motion::FrameMotion* frames_;
+  WorldFiles& files_;
   ErrorCollector& errors_;
-  world::ResourceFinder finder_;
-  world::WorldLoader loader_;
   std::string model_names_;  ///< of the world, objects included
   std::vector<world::MovingObject> objects_;
   WorldSetup setup_;
@@ -168,8 +148,8 @@ class WorldBuilder {
 }  // namespace
 
 WorldSetup setUpWorld(const config::Config& config, const motion::FrameMotion* frames,
-                      ErrorCollector& errors) {
-  return WorldBuilder(config, frames, errors).build();
+                      WorldFiles& files, ErrorCollector& errors) {
+  return WorldBuilder(config, frames, files, errors).build();
 }
 
 }  // namespace synthetic_dataset

@@ -11,6 +11,7 @@
 #include "error_collector.h"
 #include "motion/frame_motion.h"
 #include "world/world.h"
+#include "world_files.h"
 
 namespace synthetic_dataset {
 
@@ -32,8 +33,9 @@ struct WorldSetup {
 /// as nothing that could be seen or touched.
 /// @param frames  which links follow frames of their own; none, which is an error already: no link
 ///     is driven
+/// @param files  of the world that config names
 /// @param errors  takes all that is wrong
 [[nodiscard]] WorldSetup setUpWorld(const config::Config& config, const motion::FrameMotion* frames,
-                                    ErrorCollector& errors);
+                                    WorldFiles& files, ErrorCollector& errors);
 
 }  // namespace synthetic_dataset

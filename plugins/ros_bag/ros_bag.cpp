@@ -51,6 +51,11 @@ class RosBagWriter : public LabelWriter {
     frames_ = BagFrames(dataset.global_frame,
                         parameters.optional<std::string>("frame_prefix", "synthetic/"));
     addCameras(dataset.cameras, readRoot(parameters));
+    if (dataset.motions.size() > 1) {
+      throw Error("a bag has one time line, and each of the " +
+                  std::to_string(dataset.motions.size()) +
+                  " motions has its own; leave this format out, or make each motion a dataset");
+    }
   }
 
   /// Of each instant, every pose is told once: tf2 warns of what it is told again.

@@ -2,16 +2,31 @@
 
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
+#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
 
-bool readFly(const Parameters& group) {
+DistractorMode readMode(const Parameters& group) {
   const auto mode = group.optional<std::string>("mode", "fly");
-  if (mode != "fly" && mode != "stand") {
-    group.addError("mode", "found '" + mode + "'; it should be fly or stand");
+  if (mode == "stand") return DistractorMode::kStand;
+  if (mode == "drop") return DistractorMode::kDrop;
+  if (mode != "fly") {
+    group.addError("mode", "found '" + mode + "'; it should be fly, stand or drop" +
+                               didYouMean(mode, {"fly", "stand", "drop"}));
   }
-  return mode != "stand";
+  return DistractorMode::kFly;
+}
+
+double readFallTime(const Parameters& group, DistractorMode mode, double fallback) {
+  if (mode == DistractorMode::kDrop) {
+    return numberAbove(group, "fall_time", fallback, kShortestFall);
+  }
+  if (group.has("fall_time")) {
+    group.addError("fall_time", "has a meaning with mode: drop alone");
+    group.ignore("fall_time");
+  }
+  return fallback;
 }
 
 std::string readTextures(const Parameters& group) {
@@ -39,7 +54,8 @@ std::optional<DistractorConfig> readDistractors(const Parameters& randomize) {
     }
     distractors.textures = readTextures(group);
   }
-  distractors.fly = readFly(group);
+  distractors.mode = readMode(group);
+  distractors.fall_time = readFallTime(group, distractors.mode, distractors.fall_time);
   distractors.volume = readVolume(group);
   if (group.has("tries")) {
     distractors.tries = numberBetween(group, "tries", distractors.tries, 1, 1000000);

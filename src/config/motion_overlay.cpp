@@ -101,7 +101,7 @@ void overlayMotion(Value::Map& settings, const Value::Map& own,
     const Value::Map* own_object = groupIn(own, name);
     if (object == nullptr || own_object == nullptr) continue;
     makeWay(*object, *own_object, {"frame", "frame_id"});
-    makeWay(*object, *own_object, {"link_frames"});
+    if (has(*own_object, "link_frames")) object->erase("link_frames");
   }
   overlay(settings, over);
 }

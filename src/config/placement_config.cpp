@@ -12,9 +12,6 @@
 namespace synthetic_dataset::config {
 namespace {
 
-/// Bullet needs two seconds of stillness before something counts as lying.
-constexpr double kShortestFall = 2.5;  // [s]
-
 PlacementMode readMode(const Parameters& group) {
   const auto mode = group.optional<std::string>("mode", "map");
   if (mode == "volume") return PlacementMode::kVolume;

@@ -10,6 +10,9 @@
 
 namespace synthetic_dataset::config {
 
+/// Bullet needs two seconds of stillness before something counts as lying.
+constexpr double kShortestFall = 2.5;  // [s]
+
 /// Where objects may be put.
 enum class PlacementMode {
   kMap,     ///< on the free places of an occupancy map

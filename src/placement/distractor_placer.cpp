@@ -1,6 +1,7 @@
 #include "placement/distractor_placer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -14,6 +15,11 @@ namespace {
 
 /// Nearer, one would hide nearly all that a camera sees.
 constexpr double kFromCameras = 0.3;  // [m]
+
+std::size_t countOf(const std::vector<std::optional<Pose>>& poses) {
+  return static_cast<std::size_t>(
+      std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return pose.has_value(); }));
+}
 
 SurfaceOptions surfaceOptions(const config::DistractorConfig& config) {
   SurfaceOptions options;
@@ -53,10 +59,29 @@ std::vector<int> DistractorPlacer::place(std::int64_t scene,
   std::vector<int> numbers;
   for (const std::size_t i : choose(scene)) {
     placed[i] = findPlace(i, scene, placed, cameras_G);
+  }
+  if (config_.mode == config::DistractorMode::kDrop) drop(placed, cameras_G);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
     if (placed[i]) numbers.push_back(static_cast<int>(i) + 1);
   }
   world_.placeDistractors(placed);
   return numbers;
+}
+
+/// All together. What has not come to rest, or would hide a camera's view, is left out; then what
+/// lay on it falls, too.
+void DistractorPlacer::drop(std::vector<std::optional<Pose>>& X_GM,
+                            const std::vector<Eigen::Vector3d>& cameras_G) const {
+  const auto time =
+      std::chrono::duration_cast<Duration>(std::chrono::duration<double>(config_.fall_time));
+  for (bool all_stay = false; !all_stay;) {
+    const std::size_t before = countOf(X_GM);
+    X_GM = world_.dropDistractors(X_GM, time);
+    for (std::size_t i = 0; i < X_GM.size(); ++i) {
+      if (X_GM[i] && isNearAny(cameras_G, i, *X_GM[i])) X_GM[i].reset();
+    }
+    all_stay = countOf(X_GM) == before;
+  }
 }
 
 std::optional<Pose> DistractorPlacer::findPlace(
@@ -85,7 +110,9 @@ bool DistractorPlacer::isNearAny(const std::vector<Eigen::Vector3d>& cameras_G,
 
 PoseOrReason DistractorPlacer::draw(std::size_t distractor, random::RandomSource& source) const {
   const Eigen::Vector3d position = drawWithin(config_.volume, source);
-  if (config_.fly) return makePose(position, Eigen::Quaterniond(source.orientation()));
+  if (config_.mode != config::DistractorMode::kStand) {
+    return makePose(position, Eigen::Quaterniond(source.orientation()));
+  }
   return stand_.at(position.head<2>(), source.angle(), boxes_M_[distractor]);
 }
 

@@ -33,6 +33,8 @@ class DistractorPlacer {
   [[nodiscard]] std::optional<Pose> findPlace(std::size_t distractor, std::int64_t scene,
                                               const std::vector<std::optional<Pose>>& placed,
                                               const std::vector<Eigen::Vector3d>& cameras_G) const;
+  void drop(std::vector<std::optional<Pose>>& X_GM,
+            const std::vector<Eigen::Vector3d>& cameras_G) const;
   [[nodiscard]] bool isNearAny(const std::vector<Eigen::Vector3d>& cameras_G,
                                std::size_t distractor, const Pose& X_GM) const;
 

@@ -34,6 +34,12 @@ void collectErrors(std::vector<std::string>& errors, const Make& make) {
   }
 }
 
+std::vector<const MovingCollisions*> pointersTo(const std::vector<MovingCollisions>& collisions) {
+  std::vector<const MovingCollisions*> pointers;
+  for (const MovingCollisions& each : collisions) pointers.push_back(&each);
+  return pointers;
+}
+
 bool samePoses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].matrix() != b[i].matrix()) return false;
@@ -60,9 +66,17 @@ World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_
   }
   for (const MovingObject& object : objects) {
     addObject(object, errors);
-    if (options.drops_objects) addFallingObject(object, errors);
+    if (!options.drops_objects) continue;
+    if (object.model.links.empty()) {
+      falling_objects.emplace_back();  // there is nothing of it to fall
+    } else {
+      addFalling(object.model, "object", falling_objects, errors);
+    }
   }
-  for (const Model& model : distractors) addDistractor(model, errors);
+  for (const Model& model : distractors) {
+    addDistractor(model, errors);
+    if (options.drops_distractors) addFalling(model, "distractor", falling_distractors, errors);
+  }
   if (!description.gravity.allFinite()) errors.emplace_back("the world's gravity is not finite");
   if (!errors.empty()) throw ErrorList(std::move(errors));
 
@@ -119,13 +133,14 @@ void World::Impl::addObject(const MovingObject& object, std::vector<std::string>
   });
 }
 
-void World::Impl::addFallingObject(const MovingObject& object, std::vector<std::string>& errors) {
-  if (!canMove(object.model)) {
-    errors.push_back("object '" + object.model.name +
+void World::Impl::addFalling(const Model& model, const std::string& what,
+                             std::vector<PropModel>& falling, std::vector<std::string>& errors) {
+  if (!canMove(model)) {
+    errors.push_back(what + " '" + model.name +
                      "': it cannot be dropped, as its model has no collision");
     return;
   }
-  collectErrors(errors, [&] { falling_objects.push_back(makeProp(object.model)); });
+  collectErrors(errors, [&] { falling.push_back(makeProp(model)); });
 }
 
 void World::Impl::addDistractor(const Model& model, std::vector<std::string>& errors) {
@@ -163,8 +178,8 @@ void World::Impl::start(Stamp time, const ObjectMotion& motion) {
   start_time = time;
   steps_done = 0;
   if (props.empty()) return;
-  physics = std::make_unique<Physics>(description.gravity, options.step, fixed, object_collisions,
-                                      startingProps());
+  physics = std::make_unique<Physics>(description.gravity, options.step, fixed,
+                                      pointersTo(object_collisions), startingProps());
   physics->placeObjects(X_WB);
 }
 

@@ -32,6 +32,7 @@ struct PhysicsOptions {
   Duration step = std::chrono::microseconds(4000);  ///< of the simulation, fixed; at least 1 us
   double contact_tolerance = 0.01;  ///< [m], >= 0: shallower overlaps are not reported
   bool drops_objects = false;       ///< whether drop() will be called
+  bool drops_distractors = false;   ///< whether dropDistractors() will be called
 };
 
 /// Two things that are inside one another.
@@ -80,6 +81,13 @@ class World {
   /// @param present  of each object
   void setPresent(const std::vector<bool>& present);
   [[nodiscard]] const std::vector<bool>& present() const;
+
+  /// Lets distractors fall from X_WM, each as one piece, among all that is there now, which stands
+  /// still meanwhile. Only where the options say so.
+  /// @param X_WM  of those that fall
+  /// @return where those lie that have come to rest before `time` is up; nothing for all others
+  [[nodiscard]] std::vector<std::optional<Pose>> dropDistractors(
+      const std::vector<std::optional<Pose>>& X_WM, Duration time) const;
 
   /// Puts the distractors somewhere until they are placed anew: X_WM of each that is there.
   void placeDistractors(const std::vector<std::optional<Pose>>& X_WM);

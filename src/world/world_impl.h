@@ -19,7 +19,8 @@ struct World::Impl {
   void addFixed(const Model& model, std::vector<std::string>& errors);
   void addProp(const Model& model, std::vector<std::string>& errors);
   void addObject(const MovingObject& object, std::vector<std::string>& errors);
-  void addFallingObject(const MovingObject& object, std::vector<std::string>& errors);
+  static void addFalling(const Model& model, const std::string& what,
+                         std::vector<PropModel>& falling, std::vector<std::string>& errors);
   void addDistractor(const Model& model, std::vector<std::string>& errors);
   void addLinks(const Model& model, Role role, int object);
 
@@ -60,6 +61,7 @@ struct World::Impl {
   std::vector<std::size_t> first_object_bodies;  ///< of objects, in object_collisions
   std::vector<ObjectBodies> object_bodies;       ///< of objects
   std::vector<PropModel> falling_objects;        ///< the objects, where they are dropped
+  std::vector<PropModel> falling_distractors;    ///< the distractors, where they are dropped
 
   std::vector<FixedCollision> fixed;
   std::vector<MovingCollisions> object_collisions;      ///< body by body, of all objects in turn

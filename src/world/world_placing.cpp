@@ -5,7 +5,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-const std::vector<MovingCollisions> kNoObjects;
+const std::vector<const MovingCollisions*> kNoObjects;
 
 /// @return whether all props have come to rest within `time`
 bool runToRest(Physics& physics, Duration time, Duration step) {
@@ -104,6 +104,36 @@ std::optional<std::string> World::obstacleAt(int object, const Pose& X_WO,
   }
   return world.overlaps->obstacle(world.standingObject(static_cast<std::size_t>(object), X_WO),
                                   others, world.options.contact_tolerance);
+}
+
+std::vector<std::optional<Pose>> World::dropDistractors(
+    const std::vector<std::optional<Pose>>& X_WM, Duration time) const {
+  const Impl& world = *impl_;
+  std::vector<const MovingCollisions*> standing;
+  std::vector<Pose> X_WB;
+  const std::vector<std::optional<Pose>> no_distractors(world.distractors.size());
+  for (const StandingBody& body : world.standingBodies(no_distractors)) {
+    standing.push_back(body.collisions);
+    X_WB.push_back(body.X_WB);
+  }
+  std::vector<StartingProp> falling;
+  for (std::size_t i = 0; i < X_WM.size(); ++i) {
+    if (X_WM[i]) falling.push_back({&world.falling_distractors[i], *X_WM[i]});
+  }
+  const Duration step = world.options.step;
+  Physics physics(world.description.gravity, step, world.fixed, standing, falling);
+  physics.placeObjects(X_WB);
+  for (Duration passed{0}; passed < time && !physics.isAtRest(); passed += step) {
+    physics.step(X_WB);
+  }
+  std::vector<std::optional<Pose>> lying(X_WM.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < X_WM.size(); ++i) {
+    if (!X_WM[i]) continue;
+    if (physics.isAtRest(next)) lying[i] = physics.propPose(next, Duration::zero());
+    ++next;
+  }
+  return lying;
 }
 
 void World::placeDistractors(const std::vector<std::optional<Pose>>& X_WM) {

@@ -29,7 +29,7 @@ TEST(DistractorConfig, NeedsNothingButAVolume) {
   EXPECT_THAT(reading.root.errors(), IsEmpty());
   ASSERT_TRUE(reading.distractors);
   EXPECT_EQ(reading.distractors->pool, 24);
-  EXPECT_TRUE(reading.distractors->fly);
+  EXPECT_EQ(reading.distractors->mode, DistractorMode::kFly);
   EXPECT_EQ(reading.distractors->textures, "procedural");
   EXPECT_EQ(reading.distractors->volume.low, Eigen::Vector3d(-1, -2, 0));
   EXPECT_EQ(reading.distractors->volume.high, Eigen::Vector3d(1, 2, 3));
@@ -45,7 +45,7 @@ TEST(DistractorConfig, ReadsEverySetting) {
   EXPECT_EQ(reading.distractors->pool, 5);
   EXPECT_EQ(reading.distractors->count.lowest(), 3.0);
   EXPECT_EQ(reading.distractors->size.highest(), 0.2);
-  EXPECT_FALSE(reading.distractors->fly);
+  EXPECT_EQ(reading.distractors->mode, DistractorMode::kStand);
   EXPECT_EQ(reading.distractors->textures, "none");
   EXPECT_EQ(reading.distractors->tries, 7);
 }
@@ -66,6 +66,13 @@ TEST(DistractorConfig, TellsWhatIsWrong) {
   EXPECT_THAT(errorsOf(volume + ", mode: hover"),
               Contains(HasSubstr("mode: found 'hover'; it should be fly or stand")));
   EXPECT_THAT(errorsOf(volume + ", pool: 0"), Contains(HasSubstr("pool: found 0")));
+  EXPECT_THAT(errorsOf(volume + ", mode: dorp"),
+              Contains(HasSubstr("found 'dorp'; it should be fly, stand or drop; did you mean "
+                                 "'drop'?")));
+  EXPECT_THAT(errorsOf(volume + ", fall_time: 5"),
+              Contains(HasSubstr("fall_time: has a meaning with mode: drop alone")));
+  EXPECT_THAT(errorsOf(volume + ", mode: drop, fall_time: 2"),
+              Contains(HasSubstr("distractors/fall_time: found 2")));
   EXPECT_THAT(errorsOf(volume + ", count: -1"), Contains(HasSubstr("distractors/count: found -1")));
   EXPECT_THAT(errorsOf(volume + ", size: 0"), Contains(HasSubstr("distractors/size: found 0")));
   EXPECT_THAT(errorsOf("volume: {min: [0, 0, 2], max: [1, 1, 1]}"),

@@ -101,7 +101,7 @@ TEST_F(DistractorPlacerTest, FlyWithinTheVolumeTurnedAnyhow) {
 }
 
 TEST_F(DistractorPlacerTest, StandOnWhatIsBelow) {
-  config.fly = false;
+  config.mode = config::DistractorMode::kStand;
   standing.push_back({"table", {1.5, 1.5, 0.7}, at(-1.2, -1.2, 0.35)});
   const Placer made = make();
   bool on_table = false;
@@ -115,6 +115,64 @@ TEST_F(DistractorPlacerTest, StandOnWhatIsBelow) {
     }
   }
   EXPECT_TRUE(on_table);
+}
+
+TEST_F(DistractorPlacerTest, WhatIsDroppedLiesOnSomething) {
+  config.mode = config::DistractorMode::kDrop;
+  config.volume = {{-1.5, -1.5, 1.2}, {1.5, 1.5, 2.5}};
+  standing.push_back({"table", {1.5, 1.5, 0.7}, at(-1.2, -1.2, 0.35)});
+  const Placer made = make();
+  int count = 0;
+  int on_others = 0;
+  for (std::int64_t scene = 0; scene < 12; ++scene) {
+    const std::vector<int> numbers = made.placer->place(scene);
+    const std::vector<SolidBox> there = shown(*made.world);
+    std::vector<std::optional<Pose>> poses(boxes.size());
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      poses[static_cast<std::size_t>(numbers[i] - 1)] = there[i].X_GB;
+    }
+    // Where they lie they stay.
+    const auto later = made.world->dropDistractors(poses, std::chrono::seconds(5));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (!poses[i]) continue;
+      ++count;
+      ASSERT_TRUE(later[i]) << scene << ": " << boxes[i].name;
+      EXPECT_LT((later[i]->translation() - poses[i]->translation()).norm(), 0.01);
+      // A little deeper, they would be inside what carries them.
+      Pose X_GB = *poses[i];
+      X_GB.translation().z() -= 2.5 * kTolerance;
+      std::vector<std::optional<Pose>> others = poses;
+      others[i].reset();
+      const auto below = made.world->obstacleOfDistractor(i, X_GB, others);
+      EXPECT_TRUE(below) << scene << ": " << boxes[i].name;
+      on_others += below && *below != "floor" ? 1 : 0;
+    }
+  }
+  EXPECT_GT(count, 40);
+  EXPECT_GT(on_others, 5);
+}
+
+TEST_F(DistractorPlacerTest, WhatFallsForEverIsLeftOut) {
+  config.mode = config::DistractorMode::kDrop;
+  config.fall_time = 3.0;
+  config.volume = {{20, 20, 1}, {22, 22, 2}};  // beside the floor
+  standing.front().size = {10, 10, 0.2};
+  standing.front().X_GB = at(0, 0, -0.1);
+  const Placer made = make();
+  EXPECT_THAT(made.placer->place(0), testing::IsEmpty());
+  EXPECT_THAT(shown(*made.world), testing::IsEmpty());
+}
+
+TEST_F(DistractorPlacerTest, FallingMovesNothingElse) {
+  config.mode = config::DistractorMode::kDrop;
+  config.volume = {{0.8, 0.8, 1.5}, {1.2, 1.2, 3.0}};  // above alpha
+  const Placer made = make();
+  const std::vector<Pose> before = made.world->linkPoses();
+  EXPECT_THAT(made.placer->place(3), testing::Not(testing::IsEmpty()));
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (made.world->links()[i].role == world::Role::kDistractor) continue;
+    EXPECT_EQ(made.world->linkPoses()[i].matrix(), before[i].matrix());
+  }
 }
 
 TEST_F(DistractorPlacerTest, AsManyAreThereAsAreDrawn) {

@@ -89,6 +89,7 @@ struct SolidBox {
   for (const SolidBox& box : objects) moving.emplace_back(box.model());
   world::PhysicsOptions options;
   options.drops_objects = drops_objects;
+  options.drops_distractors = !distractors.empty();
   std::vector<world::Model> others;
   for (const SolidBox& box : distractors) others.push_back(box.model());
   return std::make_unique<world::World>(world::descriptionOf(std::move(models)), std::move(moving),

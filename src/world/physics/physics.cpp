@@ -156,14 +156,14 @@ void Physics::Impl::setVelocity(const Object& object, const Pose& X_WO_next) con
 
 Physics::Physics(const Eigen::Vector3d& gravity, Duration step,
                  const std::vector<FixedCollision>& fixed,
-                 const std::vector<MovingCollisions>& objects,
+                 const std::vector<const MovingCollisions*>& objects,
                  const std::vector<StartingProp>& props) {
   // Any place near the props will do; whole metres keep round numbers round.
   Eigen::Vector3d origin_W = Eigen::Vector3d::Zero();
   if (!props.empty()) origin_W = props.front().X_WM.translation().array().round();
   impl_ = std::make_unique<Impl>(gravity, step, origin_W);
   for (const FixedCollision& collision : fixed) impl_->addFixed(collision);
-  for (const MovingCollisions& collisions : objects) impl_->addObject(collisions);
+  for (const MovingCollisions* collisions : objects) impl_->addObject(*collisions);
   for (const StartingProp& prop : props) impl_->addProp(prop);
 }
 
@@ -207,6 +207,11 @@ Pose Physics::propPose(std::size_t index, Duration since) const {
                                         static_cast<btScalar>(toSeconds(since)), shown);
   }
   return impl_->bullet.fromBulletWorld(shown) * prop.given.model->X_MB.inverse();
+}
+
+bool Physics::isAtRest(std::size_t prop) const {
+  const btRigidBody& body = *impl_->props[prop].body;
+  return !body.isActive() && body.getActivationState() != DISABLE_SIMULATION;
 }
 
 bool Physics::isAtRest() const {

@@ -26,9 +26,11 @@ struct StartingProp {
 class Physics {
  public:
   /// @param gravity  [m/s^2]
-  /// @param fixed, objects  have to outlive this; an articulated object is several here
+  /// @param fixed  and what objects point to has to outlive this; an articulated object is several
+  /// here
   Physics(const Eigen::Vector3d& gravity, Duration step, const std::vector<FixedCollision>& fixed,
-          const std::vector<MovingCollisions>& objects, const std::vector<StartingProp>& props);
+          const std::vector<const MovingCollisions*>& objects,
+          const std::vector<StartingProp>& props);
   ~Physics();
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
@@ -44,7 +46,10 @@ class Physics {
   /// along its velocity, so that pictures taken between steps do not stutter.
   [[nodiscard]] Pose propPose(std::size_t prop, Duration since) const;
 
-  /// Whether every prop has come to rest: each has been still for two seconds.
+  /// Whether a prop has come to rest: it has been still for two seconds, and lies somewhere.
+  [[nodiscard]] bool isAtRest(std::size_t prop) const;
+
+  /// Whether no prop moves any more: each has come to rest, or has fallen off the world.
   [[nodiscard]] bool isAtRest() const;
 
  private:
