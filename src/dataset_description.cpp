@@ -38,7 +38,7 @@ std::vector<std::vector<const world::Link*>> linksByObject(const std::vector<Mot
       if (each.object >= 0) here[static_cast<std::size_t>(each.object)].push_back(each.link);
     }
     for (std::size_t i = 0; i < object_count; ++i) {
-      if (motion->config.objects[i].takes_part) result[i] = std::move(here[i]);
+      if (!here[i].empty()) result[i] = std::move(here[i]);
     }
   }
   return result;

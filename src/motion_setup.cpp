@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <Eigen/Geometry>
-
 #include "scene_plan.h"
 #include "seconds.h"
 #include "synthetic_dataset/label_text.h"
@@ -12,13 +10,6 @@
 
 namespace synthetic_dataset {
 namespace {
-
-/// Where objects are that do not take part: so deep that nothing meets them.
-const Pose& nowhere() {
-  constexpr double kDepth = 1e5;  // [m]
-  static const Pose X_GO = makePose({0, 0, -kDepth}, Eigen::Quaterniond::Identity());
-  return X_GO;
-}
 
 /// Sets a motion up part by part; what fails is noted, and the parts that need it are passed over.
 class MotionBuilder {
@@ -48,6 +39,7 @@ class MotionBuilder {
     const std::set<std::string>& named = setup_.entry.objects;
     if (named.empty()) return;
     for (config::ObjectConfig& object : setup_.config.objects) {
+      if (object.is_distractor) continue;
       object.takes_part = named.count(object.name) != 0;
       if (!object.takes_part) object.frame = "not in this motion: " + object.name;
     }
@@ -74,7 +66,7 @@ class MotionBuilder {
     }
     if (!setup_.frames) return;
     for (const config::ObjectConfig& each : config().objects) {
-      if (!each.takes_part) setup_.frames->place(each.frame, nowhere());
+      if (!each.takes_part) setup_.frames->place(each.frame, motion::nowhere());
     }
   }
 

@@ -46,7 +46,7 @@ ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
       if (links[k].object == static_cast<int>(i)) object.links.push_back(k);
     }
     const std::vector<const world::Link*> own = linksAt(links, object.links);
-    if (!config.takes_part) {
+    if (!config.takes_part && !config.is_distractor) {
       objects_.push_back(withoutShape(std::move(object), config));
       continue;
     }

@@ -32,6 +32,7 @@ class Builder {
     if (list_.errors.empty()) shareScenes();
     countInstants();
     checkSameCameras();
+    checkSameDistractors();
     checkOnlyScenes();
     planSplits();
     const std::size_t errors_before = roots_.front().errors().size();
@@ -103,6 +104,23 @@ class Builder {
       errors_.add(motion.entry.group + "/cameras: found " + namesOf(motion) + "; " +
                   first.entry.group + " has " + namesOf(first) +
                   ", and all motions should have cameras of the same names");
+    }
+  }
+
+  /// Labelled distractors are objects of the dataset, which all motions share.
+  void checkSameDistractors() {
+    const auto hasSome = [](const MotionSetup& motion) {
+      return motion.config.robotCount() < motion.config.objects.size();
+    };
+    if (std::none_of(setup_.motions.begin(), setup_.motions.end(), hasSome)) return;
+    for (const MotionSetup& motion : setup_.motions) {
+      const auto randomize = motion.entry.own.find("randomize");
+      if (randomize == motion.entry.own.end()) continue;
+      const auto* own = randomize->second.as<Value::Map>();
+      if (own == nullptr || own->count("distractors") == 0) continue;
+      errors_.add(motion.entry.group +
+                  "/randomize/distractors: distractors with a class are objects of the whole "
+                  "dataset; their settings should stand beside motions");
     }
   }
 

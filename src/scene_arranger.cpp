@@ -70,7 +70,10 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
     : rigs_(cameras),
       world_(world),
       frames_(frames),
-      objects_(config.objects),
+      objects_(config.objects.begin(),
+               config.objects.begin() + static_cast<std::ptrdiff_t>(config.robotCount())),
+      labelled_distractors_(config.objects.begin() + static_cast<std::ptrdiff_t>(objects_.size()),
+                            config.objects.end()),
       boxes_O_(shapes.boxesAtRest()) {
   const bool places_objects = config.isPlaced();
   const bool places_cameras =
@@ -112,6 +115,7 @@ placement::PlacedObject SceneArranger::describe(const config::ObjectConfig& obje
 
 void SceneArranger::setUpPlacer(const config::Config& config) {
   const bool on_map = config.placement.mode == config::PlacementMode::kMap;
+  if (on_map && !config.placement.map_file && !config.placement.map_topic) return;  // told already
   std::optional<placement::OccupancyMap> map;
   if (on_map) map = readMap(config);
   std::vector<placement::PlacedObject> placed;
@@ -162,6 +166,10 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
     if (!rig.sampled) cameras_G.push_back(cameraPose(rig, world_, frames_, stamp).translation());
   }
   distractors_there_ = distractor_placer_->place(instant, cameras_G);
+  const std::vector<std::optional<Pose>>& X_GM = world_.distractorPoses();
+  for (std::size_t i = 0; i < labelled_distractors_.size(); ++i) {
+    frames_.place(labelled_distractors_[i].frame, X_GM[i].value_or(motion::nowhere()));
+  }
 }
 
 void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {

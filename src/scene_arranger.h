@@ -61,8 +61,9 @@ class SceneArranger {
   std::vector<CameraRig> rigs_;
   world::World& world_;
   motion::FrameMotion& frames_;
-  std::vector<config::ObjectConfig> objects_;
-  std::vector<Cuboid> boxes_O_;  ///< of the objects, their links at rest
+  std::vector<config::ObjectConfig> objects_;               ///< that are followed or placed
+  std::vector<config::ObjectConfig> labelled_distractors_;  ///< in the world's order
+  std::vector<Cuboid> boxes_O_;                             ///< of the objects, their links at rest
   std::vector<std::string> remarks_;
   std::optional<placement::Surroundings> surroundings_;
   std::optional<placement::ScenePlacer> placer_;

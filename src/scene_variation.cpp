@@ -36,6 +36,7 @@ SceneVariation::SceneVariation(const config::Config& config, const std::vector<C
   }));
   std::vector<std::string> names;
   for (const config::ObjectConfig& object : config.objects) {
+    if (object.is_distractor) continue;
     names.push_back(object.name);
     takes_part_.push_back(object.takes_part);
     auto entry = config_.present.find(object.name);

@@ -45,6 +45,7 @@ world::PhysicsOptions physicsOptions(const config::Config& config) {
       config.isPlaced() && config.placement.mode == config::PlacementMode::kDrop;
   const auto& distractors = config.randomization.distractors;
   physics.drops_distractors = distractors && distractors->mode == config::DistractorMode::kDrop;
+  physics.labels_distractors = distractors && distractors->label_class;
   return physics;
 }
 
@@ -78,13 +79,16 @@ class WorldBuilder {
     if (!description) return std::move(setup_);
     model_names_ = modelNames(*description);
     setup_.sensors = description->cameras;
-    for (const config::ObjectConfig& object : config_.objects) addObject(object, *description);
+    for (const config::ObjectConfig& object : config_.objects) {
+      if (!object.is_distractor) addObject(object, *description);
+    }
+    setup_.driven_links.resize(config_.objects.size());
     auto distractors = errors_.attempt([&] { return loadDistractors(config_, files_); });
     addTo(setup_.notes, files_.modelNotes());
     for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
     const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
     setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
-    if (!distractors || objects_.size() != config_.objects.size()) return std::move(setup_);
+    if (!distractors || objects_.size() != config_.robotCount()) return std::move(setup_);
     auto world = errors_.attempt([&] {
       return std::make_unique<world::World>(std::move(*description), std::move(objects_),
                                             physicsOptions(config_), std::move(*distractors));

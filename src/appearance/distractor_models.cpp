@@ -74,7 +74,7 @@ std::vector<world::Model> makeDistractors(
   if (config.models.empty() && config.textures != "none") textures.emplace(config.textures);
   std::vector<world::Model> models;
   for (int i = 0; i < config.pool; ++i) {
-    const std::string name = "distractor_" + std::to_string(i + 1);
+    const std::string name = config::distractorName(i + 1);
     if (!config.models.empty()) {
       const std::size_t which = static_cast<std::size_t>(i) % config.models.size();
       models.push_back(load(config.models[which], name));

@@ -156,12 +156,13 @@ Config readConfig(const Parameters& root) {
   config.global_frame = root.optional("global_frame", config.global_frame);
   config.world = readWorld(root);
   config.cameras = readCameras(root);
+  config.randomization = readRandomization(root);
   config.objects = readObjects(root);
+  addLabelledDistractors(root, config.randomization.distractors, config.objects);
   config.classes = readClasses(root, config.objects);
   config.masks = readMasks(root);
   config.labels = readLabels(root);
   config.split = readSplit(root);
-  config.randomization = readRandomization(root);
   config.physics = readPhysics(root, config.motion.source);
   config.rendering = readRendering(root);
   config.seed = root.maybe<std::int64_t>("seed").value_or(config.seed);

@@ -32,7 +32,8 @@ struct ObjectConfig {
   std::string class_name;            ///< of its class in Config::classes
   int class_id = 0;                  ///< of its class in Config::classes
   std::string id;                    ///< `id` as text
-  bool takes_part = true;            ///< in this motion
+  bool takes_part = true;            ///< in this motion, where its frame is
+  bool is_distractor = false;        ///< put somewhere now and then; these come last
   std::string frame;                 ///< `frame`, else "<name>/<frame_id>"
   LinkFrames link_frames;            ///< of an articulated model
   std::optional<std::string> model;  ///< its model, the URI of it or its text; none: the world's
@@ -158,6 +159,13 @@ struct WriterConfig {
 struct Config {
   /// Whether scenes are placed at random, not recorded.
   [[nodiscard]] bool isPlaced() const { return motion.source == MotionSource::kPlacement; }
+
+  /// How many objects are followed or placed, and no distractors.
+  [[nodiscard]] std::size_t robotCount() const {
+    std::size_t count = 0;
+    for (const ObjectConfig& object : objects) count += object.is_distractor ? 0 : 1;
+    return count;
+  }
 
   std::string global_frame = "map";
   MotionConfig motion;

@@ -2,6 +2,7 @@
 
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
+#include "config/object_config.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
@@ -36,6 +37,8 @@ std::string readTextures(const Parameters& group) {
 
 }  // namespace
 
+std::string distractorName(int number) { return "distractor_" + std::to_string(number); }
+
 std::optional<DistractorConfig> readDistractors(const Parameters& randomize) {
   if (!randomize.has("distractors")) return std::nullopt;
   const Parameters group = randomize.group("distractors");
@@ -57,6 +60,7 @@ std::optional<DistractorConfig> readDistractors(const Parameters& randomize) {
   distractors.mode = readMode(group);
   distractors.fall_time = readFallTime(group, distractors.mode, distractors.fall_time);
   distractors.volume = readVolume(group);
+  if (group.has("class")) distractors.label_class = readLabel(group, "class");
   if (group.has("tries")) {
     distractors.tries = numberBetween(group, "tries", distractors.tries, 1, 1000000);
   }

@@ -17,7 +17,7 @@ enum class DistractorMode {
   kDrop,   ///< as they lie when they have fallen from there
 };
 
-/// Things without a label that stand, lie or fly about, so that a network does not take all that
+/// Things that stand, lie or fly about, so that a network does not take all that
 /// stands out for an object.
 struct DistractorConfig {
   int pool = 24;  ///< different ones, made once for the run
@@ -28,8 +28,12 @@ struct DistractorConfig {
   DistractorMode mode = DistractorMode::kFly;
   double fall_time = 10.0;  ///< [s] in which those that are dropped come to rest, or are left out
   Volume volume;            ///< where they are, or above where, or from where they fall
-  int tries = 50;           ///< for each; one without a place is left out of the scene
+  std::optional<std::string> label_class;  ///< of all of them, as text; nothing: they have no label
+  int tries = 50;  ///< for each; one without a place is left out of the scene
 };
+
+/// What a run calls its distractors: "distractor_1" is number 1.
+[[nodiscard]] std::string distractorName(int number);
 
 /// Reads the group `distractors` of `randomize`, or nothing where there is none.
 [[nodiscard]] std::optional<DistractorConfig> readDistractors(const Parameters& randomize);

@@ -229,8 +229,11 @@ class Reader {
         }
         if (!is_placed) below.erase("placement");
       }
-      Value::Map own = entry.own;
-      for (const std::string& name : settingsOfEntries()) own.erase(name);
+      Value::Map own;  // all else is about the entry, or an error already
+      for (const auto& [name, value] : entry.own) {
+        const bool is_of_motion = settingsOfMotions().count(name) != 0;
+        if (is_of_motion || objects_.count(name) != 0) own.emplace(name, value);
+      }
       overlayMotion(below, own, objects_);
       placeAsManyAsNeeded(below);
       entry.settings = Value(std::move(below));

@@ -10,18 +10,6 @@
 namespace synthetic_dataset::config {
 namespace {
 
-/// `class` and `id` may be a text or a number. They are words of label files, a line an object.
-std::string readLabel(const Parameters& group, const std::string& name) {
-  const Value value = group.required<Value>(name);
-  std::string text = value.text();
-  if (value.is<Value::List>() || value.is<Value::Map>()) {
-    group.addError(name, "found " + value.kind() + "; it should be a text or a number");
-  } else if (const auto problem = nameProblem(text)) {
-    group.addError(name, "found a text that " + *problem);
-  }
-  return text;
-}
-
 /// `frame` as it is, else `frame_id` below the object's name.
 std::string readFrame(const Parameters& group, const std::string& name) {
   const auto frame = group.maybe<std::string>("frame");
@@ -224,7 +212,43 @@ ObjectConfig readObject(const Parameters& root, const std::string& name) {
   return object;
 }
 
+/// Of a distractor with a label; its shape is its model's.
+ObjectConfig labelledDistractor(int number, const std::string& label_class) {
+  ObjectConfig object;
+  object.name = object.id = distractorName(number);
+  object.class_text = object.class_name = label_class;
+  object.frame = "distractors/" + object.name;
+  object.takes_part = false;
+  object.is_distractor = true;
+  return object;
+}
+
 }  // namespace
+
+std::string readLabel(const Parameters& group, const std::string& name) {
+  const Value value = group.required<Value>(name);
+  std::string text = value.text();
+  if (value.is<Value::List>() || value.is<Value::Map>()) {
+    group.addError(name, "found " + value.kind() + "; it should be a text or a number");
+  } else if (const auto problem = nameProblem(text)) {
+    group.addError(name, "found a text that " + *problem);
+  }
+  return text;
+}
+
+void addLabelledDistractors(const Parameters& root,
+                            const std::optional<DistractorConfig>& distractors,
+                            std::vector<ObjectConfig>& objects) {
+  if (!distractors || !distractors->label_class) return;
+  std::set<std::string> taken;
+  for (const ObjectConfig& object : objects) taken.insert({object.name, object.id});
+  for (int number = 1; number <= distractors->pool; ++number) {
+    objects.push_back(labelledDistractor(number, *distractors->label_class));
+    if (taken.count(objects.back().name) == 0) continue;
+    root.addError("robot_list", "found an object with the name or id '" + objects.back().name +
+                                    "', which is that of a labelled distractor");
+  }
+}
 
 std::vector<ObjectConfig> readObjects(const Parameters& root) {
   const auto names = root.required<std::vector<std::string>>("robot_list");

@@ -7,6 +7,12 @@
 
 namespace synthetic_dataset::motion {
 
+const Pose& nowhere() {
+  constexpr double kDepth = 1e5;  // [m]
+  static const Pose X_GF = makePose({0, 0, -kDepth}, Eigen::Quaterniond::Identity());
+  return X_GF;
+}
+
 FrameMotion::FrameMotion(std::string global_frame, std::shared_ptr<const BagMotion> recording)
     : global_frame_(withoutLeadingSlashes(std::move(global_frame))),
       recording_(std::move(recording)) {}

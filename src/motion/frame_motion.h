@@ -10,6 +10,9 @@
 
 namespace synthetic_dataset::motion {
 
+/// X_GF of what is not there: so deep that nothing meets it.
+[[nodiscard]] const Pose& nowhere();
+
 /// Where frames are at a time: some are placed anew for each scene, all others are where the
 /// recording has them, if there is one. A copy keeps what is placed as it is, for who asks later.
 class FrameMotion {

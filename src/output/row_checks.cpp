@@ -73,7 +73,7 @@ constexpr RowCheck kNumbers[] = {
      "coalesce(sum(instant_count), 0) FROM motion WHERE \"index\" < m.\"index\")"},
     {"motion: instants in all that are not those of the run",
      "SELECT value FROM run WHERE key = 'scene_count' AND CAST(value AS INTEGER) <> (SELECT "
-     "sum(instant_count) FROM motion) * (SELECT max(1, count(*)) FROM camera)"},
+     "coalesce(sum(instant_count), 0) FROM motion) * (SELECT max(1, count(*)) FROM camera)"},
     {"writer: names that are there twice",
      "SELECT name FROM writer GROUP BY name HAVING count(*) > 1"},
     {"camera: names that are there twice",
@@ -135,13 +135,11 @@ constexpr RowCheck kMeasures[] = {
      "WHERE silhouette_pixels > 0 AND abs(visibility * silhouette_pixels - visible_pixels) > "
      "1e-6 * (1 + visible_pixels)"},
     {"scene_object: an in_view that is not whether the loose box shares area with the image",
-     "JOIN camera c ON c.name = s.camera WHERE in_view <> coalesce(max(loose_left, -0.5) < "
-     "min(loose_right, c.width - 0.5) AND max(loose_top, -0.5) < min(loose_bottom, c.height - "
-     "0.5), 0)"},
+     "WHERE in_view <> coalesce(max(loose_left, -0.5) < min(loose_right, s.width - 0.5) AND "
+     "max(loose_top, -0.5) < min(loose_bottom, s.height - 0.5), 0)"},
     {"scene_object: visible boxes that leave the image, or are there without a visible pixel",
-     "JOIN camera c ON c.name = s.camera WHERE visible_left < -0.5 OR visible_top < -0.5 OR "
-     "visible_right > c.width - 0.5 OR visible_bottom > c.height - 0.5 OR (visible_left NOT NULL "
-     "AND visible_pixels = 0)"},
+     "WHERE visible_left < -0.5 OR visible_top < -0.5 OR visible_right > s.width - 0.5 OR "
+     "visible_bottom > s.height - 0.5 OR (visible_left NOT NULL AND visible_pixels = 0)"},
     {"scene_object: more visible pixels than the visible box has",
      "WHERE mask_agreement IS NULL AND visible_left NOT NULL AND visible_pixels > (visible_right "
      "- visible_left) * (visible_bottom - visible_top) + 1e-6"},

@@ -83,6 +83,7 @@ World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_
   overlaps = std::make_unique<OverlapFinder>(fixed, object_collisions, body_names);
   home = starts = X_WP;
   present.assign(objects.size(), true);
+  if (options.labels_distractors) present.resize(objects.size() + distractors.size(), false);
   X_WD.assign(distractors.size(), std::nullopt);
   for (const LinkInstance& link : links) present_links.push_back(link.role != Role::kDistractor);
 }
@@ -145,7 +146,8 @@ void World::Impl::addFalling(const Model& model, const std::string& what,
 
 void World::Impl::addDistractor(const Model& model, std::vector<std::string>& errors) {
   first_distractor_links.push_back(links.size());
-  addLinks(model, Role::kDistractor, -1);
+  const auto number = static_cast<int>(objects.size() + first_distractor_links.size() - 1);
+  addLinks(model, Role::kDistractor, options.labels_distractors ? number : -1);
   collectErrors(errors, [&] {
     distractor_collisions.push_back(movingCollisions(model, Pose::Identity()));
     const auto& notes = distractor_collisions.back().notes;
@@ -253,10 +255,10 @@ const Description& World::description() const { return impl_->description; }
 const std::vector<LinkInstance>& World::links() const { return impl_->links; }
 
 void World::setPresent(const std::vector<bool>& present) {
-  impl_->present = present;
+  std::copy(present.begin(), present.end(), impl_->present.begin());
   for (std::size_t i = 0; i < impl_->links.size(); ++i) {
     const int object = impl_->links[i].object;
-    if (object >= 0) impl_->present_links[i] = present[static_cast<std::size_t>(object)];
+    if (object >= 0) impl_->present_links[i] = impl_->present[static_cast<std::size_t>(object)];
   }
 }
 

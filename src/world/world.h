@@ -17,14 +17,14 @@ enum class Role {
   kStatic,      ///< stands where its file puts it
   kProp,        ///< moved by physics
   kObject,      ///< follows TF, and is labelled
-  kDistractor,  ///< put somewhere now and then, and not labelled
+  kDistractor,  ///< put somewhere now and then
 };
 
 /// One link of one model in the running world.
 struct LinkInstance {
   const Link* link = nullptr;  ///< lives as long as the world
   Role role = Role::kStatic;
-  int object = -1;         ///< index of the object (kObject), else -1
+  int object = -1;         ///< index of the object, or labelled distractor, else -1
   std::string model = "";  ///< the name of its model
 };
 
@@ -33,6 +33,7 @@ struct PhysicsOptions {
   double contact_tolerance = 0.01;  ///< [m], >= 0: shallower overlaps are not reported
   bool drops_objects = false;       ///< whether drop() will be called
   bool drops_distractors = false;   ///< whether dropDistractors() will be called
+  bool labels_distractors = false;  ///< whether they are numbered as objects, behind the others
 };
 
 /// Two things that are inside one another.
@@ -80,6 +81,8 @@ class World {
   /// inside of nothing and does not fall; it pushes props all the same where it is led.
   /// @param present  of each object
   void setPresent(const std::vector<bool>& present);
+
+  /// Of each object, and then of each labelled distractor.
   [[nodiscard]] const std::vector<bool>& present() const;
 
   /// Lets distractors fall from X_WM, each as one piece, among all that is there now, which stands
@@ -91,6 +94,9 @@ class World {
 
   /// Puts the distractors somewhere until they are placed anew: X_WM of each that is there.
   void placeDistractors(const std::vector<std::optional<Pose>>& X_WM);
+
+  /// Where the distractors are: X_WM of each that is there.
+  [[nodiscard]] const std::vector<std::optional<Pose>>& distractorPoses() const;
 
   /// What a distractor would be inside of at X_WM: a static model, a prop, an object that is there,
   /// as they stand now, or a distractor before it, where `X_WM_before` puts it.

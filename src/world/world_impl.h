@@ -51,7 +51,7 @@ struct World::Impl {
 
   std::vector<LinkInstance> links;
   std::vector<Pose> X_WL;           ///< of links
-  std::vector<bool> present;        ///< of objects
+  std::vector<bool> present;        ///< of objects, then of labelled distractors
   std::vector<bool> present_links;  ///< of links
   std::vector<ShownProp> props;
   std::vector<PropModel> prop_models;            ///< of props

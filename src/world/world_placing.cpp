@@ -144,10 +144,15 @@ void World::placeDistractors(const std::vector<std::optional<Pose>>& X_WM) {
     for (std::size_t k = 0; k < world.distractors[i].links.size(); ++k) {
       world.present_links[first + k] = X_WM[i].has_value();
     }
+    if (world.options.labels_distractors) {
+      world.present[world.objects.size() + i] = X_WM[i].has_value();
+    }
   }
   world.X_WD = X_WM;
   ++world.prop_revision;
 }
+
+const std::vector<std::optional<Pose>>& World::distractorPoses() const { return impl_->X_WD; }
 
 std::optional<std::string> World::obstacleOfDistractor(
     std::size_t distractor, const Pose& X_WM,

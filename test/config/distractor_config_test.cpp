@@ -64,10 +64,10 @@ TEST(DistractorConfig, TellsWhatIsWrong) {
   };
   EXPECT_THAT(errorsOf("pool: 3"), Contains(HasSubstr("randomize/distractors/volume: missing")));
   EXPECT_THAT(errorsOf(volume + ", mode: hover"),
-              Contains(HasSubstr("mode: found 'hover'; it should be fly or stand")));
+              Contains(HasSubstr("mode: found 'hover'; it should be fly, stand or drop")));
   EXPECT_THAT(errorsOf(volume + ", pool: 0"), Contains(HasSubstr("pool: found 0")));
-  EXPECT_THAT(errorsOf(volume + ", mode: dorp"),
-              Contains(HasSubstr("found 'dorp'; it should be fly, stand or drop; did you mean "
+  EXPECT_THAT(errorsOf(volume + ", mode: dropp"),
+              Contains(HasSubstr("found 'dropp'; it should be fly, stand or drop; did you mean "
                                  "'drop'?")));
   EXPECT_THAT(errorsOf(volume + ", fall_time: 5"),
               Contains(HasSubstr("fall_time: has a meaning with mode: drop alone")));

@@ -57,6 +57,7 @@ TEST(ShippedSettings, OfParamsLackNothingButTheirFiles) {
 TEST(ShippedSettings, OfTheExamplesAreRight) {
   EXPECT_THAT(errorsOf(shipped("example.yaml")), IsEmpty());
   EXPECT_THAT(errorsOf(shipped("example_placement.yaml")), IsEmpty());
+  EXPECT_THAT(errorsOf(shipped("example_motions.yaml")), IsEmpty());
 }
 
 TEST(ShippedSettings, OfThePresetGoBelowAnyOthers) {

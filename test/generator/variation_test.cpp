@@ -261,6 +261,61 @@ TEST_F(Variation, DistractorsAreSeenAndHaveNoLabel) {
   EXPECT_GT(choices.size(), 4U);
 }
 
+/// What the manifest tells of an object in a scene.
+struct ObjectRow {
+  bool in_view;
+  bool dropped;
+  double height;  ///< of its frame [m]
+};
+
+/// By scene and the object's name.
+std::map<std::int64_t, std::map<std::string, ObjectRow>> objectsIn(const std::string& folder) {
+  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                        output::SqliteDatabase::Mode::kReadOnly);
+  output::SqliteStatement row(manifest,
+                              "SELECT scene, name, in_view, dropped, z "
+                              "FROM scene_object JOIN object ON object = object.\"index\"");
+  std::map<std::int64_t, std::map<std::string, ObjectRow>> objects;
+  while (row.step()) {
+    objects[row.integer(0)][row.text(1)] = {row.integer(2) != 0, row.integer(3) != 0, row.real(4)};
+  }
+  return objects;
+}
+
+TEST_F(Variation, DistractorsWithAClassAreLabelledWhereTheyAre) {
+  const std::string distractors =
+      "pool: 5, count: {uniform: [1, 4]}, volume: {min: [-1, -1, 0.3], max: [1, 1, 1.5]}";
+  randomize("{distractors: {" + distractors + "}}");
+  const Files unlabelled = generate();
+  randomize("{distractors: {" + distractors + ", class: clutter}}");
+  const Files labelled = generate();
+  EXPECT_EQ(labelled.at("yolo/00000003.png"), unlabelled.at("yolo/00000003.png"));
+  EXPECT_EQ(linesAbout("alpha", labelled), linesAbout("alpha", unlabelled));
+  int seen = 0;
+  const auto draws = drawsIn(folder);
+  for (const auto& [scene, objects] : objectsIn(folder)) {
+    ASSERT_EQ(objects.size(), 7U);
+    const std::vector<double>& there = draws.at(scene).at("distractors");
+    for (int number = 1; number <= 5; ++number) {
+      const std::string name = "distractor_" + std::to_string(number);
+      const ObjectRow& object = objects.at(name);
+      const bool is_there = std::find(there.begin(), there.end(), number) != there.end();
+      EXPECT_EQ(object.dropped, !is_there) << scene << ": " << name;
+      EXPECT_TRUE(is_there || !object.in_view) << scene << ": " << name;
+      EXPECT_TRUE(is_there ? object.height > 0.3 && object.height < 1.5 : object.height < -1e4);
+      seen += object.in_view ? 1 : 0;
+    }
+  }
+  EXPECT_GT(seen, 10);
+}
+
+TEST_F(Variation, ALabelledDistractorsNameIsItsOwn) {
+  randomize("{distractors: {class: 7, volume: {min: [-1, -1, 0.3], max: [1, 1, 1.5]}}}");
+  (*parameters["bravo"].as<Value::Map>())["id"] = Value("distractor_3");
+  EXPECT_THAT(errors(), Contains(HasSubstr("robot_list: found an object with the name or id "
+                                           "'distractor_3', which is that of a labelled")));
+}
+
 TEST_F(Variation, NamesEntriesThatMeanNothingBesideOtherErrors) {
   randomize("{lights: {snu: {intensity: 1}}, materials: {alphaa: {colour: 0.5}}, fog: 3}");
   parameters["simulated_rte"] = Value(3);
@@ -280,8 +335,8 @@ class VariedRun : public ::testing::Test {
         "{uniform: [0.1, 0.8]}, materials: {objects: {textures: procedural}, world: {for_each: "
         "model, colour: {uniform: [[0, 0, 0], 1]}}}, sensor: {exposure: {uniform: [-1, 1]}, "
         "noise_stddev: {uniform: [0, 0.03]}}, objects: {bravo: {present: 0.6}}, distractors: "
-        "{count: "
-        "{uniform: [0, 5]}, volume: {min: [-1, -1, 0.3], max: [1, 1, 1.2]}}}");
+        "{class: clutter, mode: drop, pool: 8, count: {uniform: [0, 5]}, volume: {min: [-1, -1, "
+        "0.3], max: [1, 1, 1.2]}}}");
   }
 
   [[nodiscard]] Files unbroken() const {

@@ -130,7 +130,7 @@ TEST_F(EarlierDatasetTest, AnotherVersionsManifestIsAnError) {
   earlierRun();
   (void)query("UPDATE run SET value = '99' WHERE key = 'format_version'");
   EXPECT_THAT(errors(IfExists::kOverwrite),
-              ElementsAre(HasSubstr("format version is '99', and this software reads version 3")));
+              ElementsAre(HasSubstr("format version is '99', and this software reads version 4")));
 }
 
 TEST_F(EarlierDatasetTest, AManifestWhoseFactsDoNotAgreeIsAnError) {

@@ -110,7 +110,7 @@ TEST_P(VerifyEveryFormat, SeesALabelOfAnObjectThatIsNotThere) {
 
 TEST_P(VerifyEveryFormat, SeesAPictureOfAnotherSize) {
   write({sceneOfBoth(0)}, GetParam().parameters);
-  change("UPDATE camera SET width = 641");
+  change("UPDATE scene SET width = 641");
   EXPECT_THAT(problems(), testing::Contains(testing::HasSubstr(
                               "is a picture of 640 x 480 pixels; it should be of its camera's "
                               "641 x 480")));

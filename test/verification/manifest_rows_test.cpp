@@ -33,15 +33,17 @@ TEST_P(VerifyManifest, TellsOf) {
 }
 
 const Change kStructure[] = {
-    {"Version", "UPDATE run SET value = '4' WHERE key = 'format_version'",
-     "its format version is '4'; this software verifies version 3"},
-    {"AnEarlierVersion", "UPDATE run SET value = '2' WHERE key = 'format_version'; DROP TABLE draw",
-     "its format version is '2'; this software verifies version 3"},
+    {"Version", "UPDATE run SET value = '5' WHERE key = 'format_version'",
+     "its format version is '5'; this software verifies version 4"},
+    {"AnEarlierVersion",
+     "UPDATE run SET value = '3' WHERE key = 'format_version'; DROP TABLE motion",
+     "its format version is '3'; this software verifies version 4"},
     {"NoVersion", "DELETE FROM run", "its format version is ''"},
-    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 3"},
-    {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 3"},
+    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 4"},
+    {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 4"},
+    {"LackingMotions", "DROP TABLE motion", "its tables are not those of version 4"},
     {"MoreTables", "CREATE VIEW more AS SELECT * FROM file",
-     "its tables are not those of version 3"},
+     "its tables are not those of version 4"},
     {"TextForNumber", "UPDATE scene SET stamp_ns = 'soon'",
      "scene: 4 values of 'stamp_ns' are of another kind; they should be integers"},
     {"Infinity", "UPDATE scene_object SET x = 9e999 WHERE scene = 0",
@@ -51,7 +53,7 @@ const Change kStructure[] = {
     {"Null",
      "PRAGMA writable_schema = ON; UPDATE sqlite_master SET sql = replace(sql, 'bytes INTEGER NOT "
      "NULL', 'bytes INTEGER') WHERE name = 'file'",
-     "its tables are not those of version 3"},
+     "its tables are not those of version 4"},
 };
 
 const Change kRun[] = {
@@ -137,6 +139,23 @@ const Change kNumbers[] = {
      "class: ids that are no numbers of classes: jug"},
     {"CamerasSizes", "UPDATE camera SET width = 5000000000",
      "camera: sizes that no image has: camera"},
+    {"ScenesSizes", "UPDATE scene SET height = 0 WHERE \"index\" = 2",
+     "scene: sizes that no image has: scene 2"},
+    {"MotionsNumbers", "UPDATE motion SET \"index\" = 3",
+     "motion: indices that do not count from 0: walk"},
+    {"MotionsNames",
+     "UPDATE motion SET instant_count = 1; INSERT INTO motion VALUES (1, 'walk', 1, 3)",
+     "motion: names that are there twice: walk"},
+    {"MotionsGaps",
+     "UPDATE motion SET instant_count = 1; INSERT INTO motion VALUES (1, 'run', 2, 3)",
+     "motion: instants that do not follow those of the motion before, or are none: run"},
+    {"MotionsStarts", "UPDATE motion SET first_instant = 1",
+     "motion: instants that do not follow those of the motion before, or are none: walk"},
+    {"MotionsWithoutScenes", "INSERT INTO motion VALUES (1, 'run', 4, 0)",
+     "motion: instants that do not follow those of the motion before, or are none: run"},
+    {"MotionsSum", "UPDATE motion SET instant_count = 5",
+     "motion: instants in all that are not those of the run: 4"},
+    {"NoMotion", "DELETE FROM motion", "motion: instants in all that are not those of the run: 4"},
     {"WritersNames", "INSERT INTO writer VALUES (1, 'w', 'test/X', 'x/')",
      "writer: names that are there twice: w"},
     {"CamerasNames", "INSERT INTO camera VALUES (1, 'camera', 'f', 640, 480)",
@@ -188,6 +207,21 @@ const Change kMeasures[] = {
 };
 
 const auto kNameOf = [](const testing::TestParamInfo<Change>& change) { return change.param.name; };
+
+class VerifyMotions : public VerificationTest {
+ protected:
+  VerifyMotions() : VerificationTest("Kitti") {
+    write({sceneOfBoth(0), sceneOfBoth(1), sceneOfBoth(2), sceneOfBoth(3)});
+  }
+};
+
+TEST_F(VerifyMotions, FindsNothingInSeveralThatFollowOneAnother) {
+  change(
+      "UPDATE motion SET instant_count = 1; INSERT INTO motion VALUES (1, 'run', 1, 2), (2, "
+      "'rest', "
+      "3, 1)");
+  EXPECT_THAT(problems(), IsEmpty());
+}
 
 INSTANTIATE_TEST_SUITE_P(Structure, VerifyManifest, testing::ValuesIn(kStructure), kNameOf);
 INSTANTIATE_TEST_SUITE_P(Run, VerifyManifest, testing::ValuesIn(kRun), kNameOf);

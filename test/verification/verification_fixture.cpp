@@ -76,6 +76,7 @@ output::RunDescription VerificationTest::description(const Value::Map& parameter
     run.objects.push_back({each.name, each.class_id, each.id});
   }
   run.scene_count = static_cast<std::int64_t>(scenes);
+  run.motions = {{"walk", 0, run.scene_count / static_cast<std::int64_t>(run.cameras.size())}};
   return run;
 }
 
