@@ -204,11 +204,17 @@ class DopeWriter : public LabelWriter {
         const std::string folder = folderOf(split, camera);
         output.addFile(folder + "_object_settings.json",
                        [&](std::ostream& stream) { stream << objects; });
-        output.addFile(folder + "_camera_settings.json", [&](std::ostream& stream) {
-          stream << indentedJson(cameraSettings(dataset_.cameras[camera]));
-        });
+        addCameraSettings(dataset_.cameras[camera], folder, output);
       }
     }
+  }
+
+  /// Where each image has intrinsics of its own, they are in its `camera_data` alone.
+  static void addCameraSettings(const CameraDescription& camera, const std::string& folder,
+                                DatasetOutput& output) {
+    if (camera.intrinsics_vary) return;
+    output.addFile(folder + "_camera_settings.json",
+                   [&](std::ostream& stream) { stream << indentedJson(cameraSettings(camera)); });
   }
 
   [[nodiscard]] std::string folderOf(const std::string& split, std::size_t camera) const {

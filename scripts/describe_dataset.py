@@ -41,6 +41,21 @@ def print_draws(database):
         print(f'  {name}, drawn for {len(values)} scenes: {describe_draws(values)}')
 
 
+def print_motions(database):
+    """Which scenes are whose, where there are several."""
+    tables = database.execute("SELECT 1 FROM sqlite_master WHERE name = 'motion'").fetchone()
+    if tables is None:  # a manifest of format version 3 or before
+        return
+    motions = database.execute(
+        'SELECT name, (SELECT count(*) FROM scene'
+        ' WHERE instant >= first_instant AND instant < first_instant + instant_count),'
+        ' first_instant, first_instant + instant_count - 1 FROM motion ORDER BY "index"').fetchall()
+    if len(motions) < 2:
+        return
+    for name, scenes, first, last in motions:
+        print(f"  motion '{name}': {scenes} scenes, numbers {first} to {last}")
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__.strip())
@@ -57,6 +72,7 @@ def main():
             ' (SELECT count(*) FROM file WHERE file.writer = writer."index")'
             ' FROM writer ORDER BY "index"'):
         print(f'  {name} ({kind}): {files} files in {(folder / output_folder).resolve()}')
+    print_motions(database)
     print_draws(database)
     return 0 if state == 'complete' else 1
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "field_of_view.h"
 #include "world/mesh/object_mesh.h"
 
 namespace synthetic_dataset {
@@ -25,6 +26,43 @@ ObjectInfo describeObject(const config::ObjectConfig& config) {
   }
   object.skeleton = config.skeleton;
   return object;
+}
+
+/// @param field_of_view  that is drawn for each scene
+CameraDescription describeCamera(const CameraRig& camera,
+                                 const std::optional<random::Distribution>& field_of_view) {
+  CameraDescription description{camera.name, camera.frame, camera.model, false};
+  if (!field_of_view) return description;
+  // What is always the same is not drawn.
+  description.intrinsics_vary = field_of_view->lowest() < field_of_view->highest();
+  if (!description.intrinsics_vary && canHaveFieldOfView(camera.model, field_of_view->highest())) {
+    description.model = withFieldOfView(camera.model, field_of_view->highest());
+  }
+  return description;
+}
+
+bool areAlike(const CameraModel& a, const CameraModel& b) {
+  const Intrinsics& k = a.intrinsics();
+  const Intrinsics& l = b.intrinsics();
+  return a.width() == b.width() && a.height() == b.height() && k.fx == l.fx && k.fy == l.fy &&
+         k.cx == l.cx && k.cy == l.cy && a.distortion().model == b.distortion().model &&
+         a.distortion().coefficients == b.distortion().coefficients;
+}
+
+/// A camera in all motions.
+CameraDescription describeCamera(std::size_t camera, const std::vector<MotionSetup>& motions) {
+  std::vector<CameraDescription> descriptions;
+  for (const MotionSetup& motion : motions) {
+    if (camera >= motion.cameras.size()) continue;  // something is wrong with it
+    descriptions.push_back(
+        describeCamera(motion.cameras[camera], motion.config.randomization.sensor.field_of_view));
+  }
+  CameraDescription description = descriptions.front();
+  for (const CameraDescription& other : descriptions) {
+    description.intrinsics_vary = description.intrinsics_vary || other.intrinsics_vary ||
+                                  !areAlike(description.model, other.model);
+  }
+  return description;
 }
 
 /// The links of each object, in the first motion's world that has it.
@@ -55,8 +93,8 @@ DatasetInfo describeDataset(const config::Config& config, const std::vector<Moti
   for (const config::ClassConfig& each : config.classes) {
     info.classes.push_back({each.id, each.name});
   }
-  for (const CameraRig& camera : motions.front().cameras) {
-    info.cameras.push_back({camera.name, camera.frame, camera.model});
+  for (std::size_t camera = 0; camera < motions.front().cameras.size(); ++camera) {
+    info.cameras.push_back(describeCamera(camera, motions));
   }
   for (const MotionSetup& motion : motions) {
     info.motions.push_back({motion.entry.name, motion.first_instant, motion.instantCount()});

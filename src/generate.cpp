@@ -5,16 +5,19 @@
 
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <ros/init.h>
 #include <ros/master.h>
+#include <ros/node_handle.h>
 
 #include "command_line.h"
 #include "config/settings_file.h"
 #include "console_reporter.h"
 #include "generator.h"
+#include "live_map.h"
 #include "ros_packages.h"
 #include "ros_parameters.h"
 #include "stop_signals.h"
@@ -113,5 +116,10 @@ int main(int argc, char** argv) {
     return generateOrTell([&] { return settingsWithoutMaster(command_line); });
   }
   if (!startNode(argc, argv)) return kFailed;
-  return generateOrTell([] { return readRosParameters(rosPackageFinder()); });
+  std::optional<ros::NodeHandle> node;  // to the end: with its end, rosconsole falls silent
+  return generateOrTell([&] {
+    Value settings = readRosParameters(rosPackageFinder());
+    if (wantsLiveMap(settings)) takeLiveMap(settings, node.emplace());
+    return settings;
+  });
 }

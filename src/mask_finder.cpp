@@ -8,6 +8,18 @@
 #include "object_links.h"
 
 namespace synthetic_dataset {
+namespace {
+
+/// Of one camera, whose focal lengths may have changed.
+bool isSame(const render::View& a, const render::View& b) {
+  const Intrinsics& k = a.camera.intrinsics();
+  const Intrinsics& other = b.camera.intrinsics();
+  return a.X_WC.matrix() == b.X_WC.matrix() && k.fx == other.fx && k.fy == other.fy &&
+         k.cx == other.cx && k.cy == other.cy;
+}
+
+}  // namespace
+
 MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
                        std::size_t object_count, const annotate::Mog2Options& options, bool clean)
     : world_(world),
@@ -91,7 +103,7 @@ cv::Mat MaskFinder::segment(const cv::Mat& alone, const cv::Rect& box) {
 
 void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region) {
   // Compared exactly: a scene's masks must not depend on which scene was made before it.
-  const bool stands_still = background_ && background_->X_GC.matrix() == view.X_WC.matrix() &&
+  const bool stands_still = background_ && isSame(background_->view, view) &&
                             background_->prop_revision == world_.propRevision() &&
                             background_->look_revision == renderer_.lookRevision();
   if (stands_still && (background_->region & region) == region) return;
@@ -99,7 +111,7 @@ void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region
   // nothing but the objects moves, the whole picture is good for all scenes to come.
   const cv::Rect whole(0, 0, view.camera.width(), view.camera.height());
   const cv::Rect drawn = stands_still ? whole : region;
-  background_ = Background{view.X_WC, world_.propRevision(), renderer_.lookRevision(), drawn,
+  background_ = Background{view, world_.propRevision(), renderer_.lookRevision(), drawn,
                            draw(view, without_objects_, {drawn})};
   segmenter_.train(background_->image);
 }

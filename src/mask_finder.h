@@ -28,7 +28,7 @@ class MaskFinder {
  private:
   /// The picture without objects that masks are found with.
   struct Background {
-    Pose X_GC = Pose::Identity();  ///< of the camera, when it was taken
+    render::View view;  ///< from which it was taken
     std::int64_t prop_revision = -1;
     std::int64_t look_revision = -1;
     cv::Rect region;  ///< the pixels that were drawn

@@ -116,15 +116,19 @@ std::vector<MotionRun::UnwrittenScene> MotionRun::lookAtInstant(std::int64_t ins
   const std::vector<Pose> X_GO = object_motion_.objectPoses(stamp);
   for (std::size_t camera = 0; camera < motion_.cameras.size(); ++camera) {
     scenes.push_back(
-        {scene_maker_.make(camera, instant, stamp, X_GO), {}, {}, {}, drawsOf(camera)});
+        {scene_maker_.make(camera, instant, stamp, X_GO), {}, {}, {}, drawsOf(camera, instant)});
   }
   scenes.front().contacts = findContacts(stamp);
   return scenes;
 }
 
 /// All that was drawn for a camera's scene.
-std::vector<output::DrawFacts> MotionRun::drawsOf(std::size_t camera) const {
+std::vector<output::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64_t instant) const {
   std::vector<output::DrawFacts> draws = motion_.variation->draws(camera);
+  if (const auto& jitter = motion_.timeline.jitter; !jitter.empty()) {
+    const auto place = static_cast<std::size_t>(instant - motion_.first_instant);
+    draws.push_back({"time/jitter", config::jsonText(Value(toSeconds(jitter[place])))});
+  }
   if (const auto& numbers = motion_.arranger->distractors()) {
     Value::List there;
     for (const int number : *numbers) there.emplace_back(number);

@@ -138,11 +138,13 @@ class MotionBuilder {
 
   /// Physics goes forward only, so a picture has to be exposed before the next one begins.
   void checkShutter(const config::CameraConfig& camera, const CameraRig& rig) {
-    const Duration period = motion::periodOf(config().motion.rate);
+    const Duration period = shortestPeriod(config());
     if (openTime(rig.shutter) <= period) return;
-    errors().add(camera.group + "/effects: found exposure_time + readout_time of " +
-                 fixed(toSeconds(openTime(rig.shutter)), 4) + " s; it should be at most the " +
-                 fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate)");
+    errors().add(
+        camera.group + "/effects: found exposure_time + readout_time of " +
+        fixed(toSeconds(openTime(rig.shutter)), 4) + " s; it should be at most the " +
+        fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate" +
+        (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)" : ")"));
   }
 
   void noteBlindLens(const config::CameraConfig& camera, const CameraRig& rig) {
@@ -159,6 +161,7 @@ class MotionBuilder {
     if (!setup_.frames || !setup_.shapes || setup_.cameras.empty()) return;
     setup_.variation = attempt(
         [&] { return std::make_unique<SceneVariation>(config(), setup_.cameras, *setup_.world); });
+    if (setup_.variation) addTo(setup_.notes, setup_.variation->notes());
     setup_.arranger = attempt([&] {
       return std::make_unique<SceneArranger>(config(), setup_.cameras, *setup_.shapes,
                                              *setup_.world, *setup_.frames);

@@ -4,7 +4,7 @@
 
 #include <libdeflate.h>
 
-#include "appearance/texture_source.h"
+#include "appearance/picture_folder.h"
 #include "config/map_file.h"
 #include "config/settings_text.h"
 #include "output/digest.h"
@@ -21,12 +21,15 @@ bool isIn(const std::set<std::string>& names, const std::string& setting) {
   return false;
 }
 
-std::vector<std::string> textureFolders(const config::Randomization& randomization) {
+std::vector<std::string> pictureFolders(const config::Randomization& randomization) {
   std::vector<std::string> sources;
   for (const auto& [name, material] : randomization.materials) {
     if (material.textures) sources.push_back(*material.textures);
   }
   if (randomization.distractors) sources.push_back(randomization.distractors->textures);
+  if (randomization.background.pictures) {
+    sources.push_back(randomization.background.pictures->folder);
+  }
   std::vector<std::string> folders;
   for (const std::string& source : sources) {
     if (source != "procedural" && source != "none") folders.push_back(source);
@@ -74,7 +77,7 @@ std::set<std::string> inputsNamedBy(const config::Config& config) {
     inputs.insert(*config.placement.map_file);
     inputs.insert(config::readMapFile(*config.placement.map_file).image);
   }
-  for (const std::string& folder : textureFolders(config.randomization)) {
+  for (const std::string& folder : pictureFolders(config.randomization)) {
     for (const std::string& file : appearance::picturesIn(folder)) inputs.insert(file);
   }
   return inputs;

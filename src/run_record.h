@@ -24,7 +24,7 @@ namespace synthetic_dataset {
 [[nodiscard]] std::map<std::string, std::string> softwareVersions();
 
 /// The files that settings name, but for the world's and its models': recordings, calibrations,
-/// maps, and the pictures that surfaces may wear.
+/// maps, and the pictures that surfaces may wear or that lie behind the world.
 [[nodiscard]] std::set<std::string> inputsNamedBy(const config::Config& config);
 
 /// Sizes and digests of the files that a dataset is made from.

@@ -7,6 +7,7 @@
 #include "error_collector.h"
 #include "motion/frame_names.h"
 #include "placement/map_reader.h"
+#include "received_map.h"
 #include "seconds.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -40,6 +41,20 @@ std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
   return boxes;
 }
 
+/// What came on the topic, from a running system or in the bags.
+motion::RecordedMap topicsMap(const config::Config& config) {
+  const config::PlacementConfig& placement = config.placement;
+  if (placement.received_map) return receivedMap(*placement.received_map);
+  if (!config.motion.bag_files.empty()) {
+    return motion::readMap(config.motion.bag_files, *placement.map_topic);
+  }
+  throw Error("found '" + *placement.map_topic +
+              "', a topic, and nothing that has it; bag_file should name the bags in which it was "
+              "recorded, or `generate` should run beside the system that publishes it, as a node "
+              "(roslaunch, or rosrun without --config); or placement/map should name map_server's "
+              "YAML file");
+}
+
 placement::OccupancyMap readMap(const config::Config& config) {
   const config::PlacementConfig& placement = config.placement;
   if (placement.map_file) {
@@ -52,11 +67,13 @@ placement::OccupancyMap readMap(const config::Config& config) {
     }
   }
   try {
-    const motion::RecordedMap map = motion::readMap(config.motion.bag_files, *placement.map_topic);
+    const motion::RecordedMap map = topicsMap(config);
     const std::string global_frame = motion::withoutLeadingSlashes(config.global_frame);
     if (map.frame == global_frame) return placement::mapOf(map);
     throw Error("found '" + *placement.map_topic + "', a map in the frame '" + map.frame +
                 "'; it should be in global_frame, '" + global_frame + "'");
+  } catch (const ErrorList&) {
+    throw;
   } catch (const Error& error) {
     throw Error(std::string("placement/map_topic: ") + error.what());
   }

@@ -78,7 +78,7 @@ void SceneMaker::addOpticalFlow(MadeScene& made, std::optional<Stamp> next) cons
   const Pose X_GC_next = cameraPose(rig, world_, frames_, *next);
   scene.optical_flow =
       annotate::opticalFlow(scene.camera, surface.depth, surface.range, surface.links, scene.X_GC,
-                            made.X_GL, X_GC_next, world_.linkPoses());
+                            made.X_GL, rig.model, X_GC_next, world_.linkPoses());
 }
 
 std::vector<output::ObjectFacts> SceneMaker::objectFacts(const MadeScene& made) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "appearance/entry_draws.h"
 #include "seconds.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
@@ -12,22 +13,36 @@
 namespace synthetic_dataset {
 namespace {
 
-motion::TimelineOptions timelineOptions(const config::MotionConfig& config) {
+motion::TimelineOptions timelineOptions(const config::Config& config) {
+  const config::MotionConfig& motion = config.motion;
   motion::TimelineOptions options;
-  options.period = motion::periodOf(config.rate);
-  options.start_offset = fromSeconds(config.start_offset);
-  if (config.duration) options.duration = fromSeconds(*config.duration);
-  if (config.max_tf_gap) options.max_tf_gap = fromSeconds(*config.max_tf_gap);
+  options.period = motion::periodOf(motion.rate);
+  options.start_offset = fromSeconds(motion.start_offset);
+  if (motion.duration) options.duration = fromSeconds(*motion.duration);
+  if (motion.max_tf_gap) options.max_tf_gap = fromSeconds(*motion.max_tf_gap);
+  const auto& jitter = config.randomization.time_jitter;
+  if (!jitter) return options;
+  // By the regular time, not by the scene's number: what another frame leaves out moves no scene.
+  options.jitter = [&jitter, seed = static_cast<std::uint64_t>(config.seed)](std::int64_t place) {
+    appearance::EntryDraws draws(seed, place);
+    return fromSeconds(*draws.number("time/jitter", jitter));
+  };
   return options;
 }
 
 /// Takes scenes out and counts them.
 template <class Unwanted>
 void leaveOut(const Unwanted& unwanted, motion::Timeline& timeline) {
-  auto& stamps = timeline.stamps;
-  const std::size_t before = stamps.size();
-  stamps.erase(std::remove_if(stamps.begin(), stamps.end(), unwanted), stamps.end());
-  timeline.left_out_unknown += static_cast<std::int64_t>(before - stamps.size());
+  motion::Timeline kept;
+  for (std::size_t i = 0; i < timeline.stamps.size(); ++i) {
+    if (unwanted(timeline.stamps[i])) continue;
+    kept.stamps.push_back(timeline.stamps[i]);
+    if (!timeline.jitter.empty()) kept.jitter.push_back(timeline.jitter[i]);
+  }
+  timeline.left_out_unknown +=
+      static_cast<std::int64_t>(timeline.stamps.size() - kept.stamps.size());
+  timeline.stamps = std::move(kept.stamps);
+  timeline.jitter = std::move(kept.jitter);
 }
 
 /// Scenes during whose exposure a frame is not known, as at the recording's ends.
@@ -65,14 +80,22 @@ motion::Timeline planScenes(const motion::FrameMotion& frame_motion, const confi
     if (camera.followsRecording()) frames.push_back(camera.frame);
     open = std::max(open, openTime(camera.shutter));
   }
-  motion::Timeline timeline = frame_motion.recording()->timeline(config.global_frame, frames,
-                                                                 timelineOptions(config.motion));
+  motion::Timeline timeline =
+      frame_motion.recording()->timeline(config.global_frame, frames, timelineOptions(config));
   if (open.count() == 0) return timeline;
   for (const auto& object : driven_links) {
     for (const DrivenLink& link : object) frames.push_back(link.frame);
   }
   leaveOutHalfExposed(frames, open, frame_motion, timeline);
   return timeline;
+}
+
+Duration shortestPeriod(const config::Config& config) {
+  const Duration period = motion::periodOf(config.motion.rate);
+  const auto& jitter = config.randomization.time_jitter;
+  if (!jitter) return period;
+  const Duration range = fromSeconds(jitter->highest()) - fromSeconds(jitter->lowest());
+  return std::max(period - range, Duration{0});
 }
 
 motion::Timeline planUnrelatedScenes(const config::Config& config) {
@@ -90,12 +113,15 @@ motion::Timeline planUnrelatedScenes(const config::Config& config) {
 }
 
 void thinOut(motion::Timeline& timeline, std::int64_t count) {
-  std::vector<Stamp> kept;
-  const auto all = static_cast<std::int64_t>(timeline.stamps.size());
+  const motion::Timeline all = timeline;
+  const auto all_count = static_cast<std::int64_t>(all.stamps.size());
+  timeline.stamps.clear();
+  timeline.jitter.clear();
   for (std::int64_t i = 0; i < count; ++i) {
-    kept.push_back(timeline.stamps[static_cast<std::size_t>(i * all / count)]);
+    const auto place = static_cast<std::size_t>(i * all_count / count);
+    timeline.stamps.push_back(all.stamps[place]);
+    if (!all.jitter.empty()) timeline.jitter.push_back(all.jitter[place]);
   }
-  timeline.stamps = std::move(kept);
 }
 
 void leaveOutScenesWithout(const std::string& frame, const motion::FrameMotion& frame_motion,

@@ -20,6 +20,9 @@ namespace synthetic_dataset {
                                           const std::vector<CameraRig>& cameras,
                                           const std::vector<std::vector<DrivenLink>>& driven_links);
 
+/// The least time that there may be from one scene to the next.
+[[nodiscard]] Duration shortestPeriod(const config::Config& config);
+
 /// The times of scenes that stand for themselves: as many as are asked for, one a period, from one
 /// period after 0 on.
 [[nodiscard]] motion::Timeline planUnrelatedScenes(const config::Config& config);

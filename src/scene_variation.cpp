@@ -6,6 +6,7 @@
 
 #include "config/settings_text.h"
 #include "error_collector.h"
+#include "field_of_view.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
 
@@ -13,6 +14,7 @@ namespace synthetic_dataset {
 namespace {
 
 const char* const kOthers = "every";
+const char* const kFieldOfView = "randomize/sensor/field_of_view";
 
 Value valueOf(const appearance::DrawnValue& drawn) {
   if (const auto* text = std::get_if<std::string>(&drawn.value)) return Value(*text);
@@ -28,8 +30,18 @@ SceneVariation::SceneVariation(const config::Config& config, const std::vector<C
     : config_(config.randomization),
       seed_(static_cast<std::uint64_t>(config.seed)),
       cameras_(cameras.size()) {
-  for (const CameraRig& camera : cameras) effects_.push_back(camera.effects);
+  for (const CameraRig& camera : cameras) {
+    effects_.push_back(camera.effects);
+    models_.push_back(camera.model);
+  }
   ErrorCollector errors;
+  static_cast<void>(errors.attempt([&] {
+    const auto& field_of_view = config_.sensor.field_of_view;
+    if (!field_of_view) return true;
+    checkFieldOfView(*field_of_view, kFieldOfView, cameras);
+    notes_ = fieldOfViewNotes(*field_of_view, kFieldOfView, cameras);
+    return true;
+  }));
   static_cast<void>(errors.attempt([&] {
     if (config_.changesLook()) looks_.emplace(config_, world);
     return true;
@@ -73,6 +85,8 @@ void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     appearance::EntryDraws draws(seed_, instant, cameras[i].name);
     cameras[i].effects = varied(effects_[i], draws);
+    const auto angle = draws.number("sensor/field_of_view", config_.sensor.field_of_view);
+    if (angle) cameras[i].model = withFieldOfView(models_[i], *angle);
     cameras_[i] = draws.values();
   }
 }

@@ -18,7 +18,7 @@
 
 namespace synthetic_dataset {
 
-/// Makes each scene look different: light, paint, sensors, as `randomize` says.
+/// Makes each scene look different: light, paint, sensors, lenses, as `randomize` says.
 class SceneVariation {
  public:
   /// @param world  has to outlive this
@@ -26,13 +26,16 @@ class SceneVariation {
   SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
                  const world::World& world);
 
-  /// Draws what the scenes of a time look like, and lets the renderer and the cameras' sensors
-  /// follow.
+  /// Draws what the scenes of a time look like, and lets the renderer and the cameras' sensors and
+  /// lenses follow.
   void vary(std::int64_t instant, render::Renderer& renderer, std::vector<CameraRig>& cameras);
 
   /// Draws which objects are there at a time, before anything of its scenes is placed.
   /// @param world  that of the constructor
   void choose(std::int64_t instant, world::World& world);
+
+  /// What the user should know.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
   /// What was drawn last for a camera's scene.
   [[nodiscard]] std::vector<output::DrawFacts> draws(std::size_t camera) const;
@@ -44,6 +47,8 @@ class SceneVariation {
   config::Randomization config_;
   std::uint64_t seed_;
   std::vector<sensor::SensorEffects> effects_;  ///< of the cameras, as they are set
+  std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
+  std::vector<std::string> notes_;
   std::optional<appearance::LookSampler> looks_;
   std::vector<bool> takes_part_;                                        ///< of each object
   std::vector<std::pair<std::string, std::optional<double>>> present_;  ///< of each object

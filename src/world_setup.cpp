@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "appearance/distractor_models.h"
+#include "appearance/entry_errors.h"
 #include "render/light_setup.h"
 #include "seconds.h"
 
@@ -55,16 +56,11 @@ std::vector<world::Model> loadDistractors(const config::Config& config, WorldFil
   const auto load = [&](const std::string& uri, const std::string& name) {
     return files.model(uri, name);
   };
-  const std::string group = "randomize/distractors";
-  try {
+  const std::string entry =
+      std::string("randomize/distractors/") + (distractors->models.empty() ? "textures" : "models");
+  return appearance::forEntry(entry, [&] {
     return appearance::makeDistractors(*distractors, static_cast<std::uint64_t>(config.seed), load);
-  } catch (const ErrorList& list) {
-    std::vector<std::string> messages;
-    for (const std::string& each : list.messages()) messages.push_back(group + "/models: " + each);
-    throw ErrorList(std::move(messages));
-  } catch (const Error& error) {
-    throw Error(group + (distractors->models.empty() ? "/textures: " : "/models: ") + error.what());
-  }
+  });
 }
 
 /// Loads the parts of a world one by one; what fails is noted.

@@ -72,6 +72,10 @@ struct CameraDescription {
   std::string name;
   std::string frame;  ///< of its optical frame
   CameraModel model;
+
+  /// Whether there may be scenes with another model than `model`: of each scene, Scene::camera
+  /// counts. A format that has room for one calibration alone cannot hold such scenes.
+  bool intrinsics_vary = false;
 };
 
 /// Scenes of one recording, or placed by one rule, in one world. No scene has to do with those of

@@ -254,7 +254,8 @@ class BopWriter : public LabelWriter {
   }
 
   /// What the format has no place for: which object has which obj_id, where its model's origin is
-  /// in its frame [mm], and which cameras there are.
+  /// in its frame [mm], which cameras there are, and whether scene_camera.json alone has their
+  /// intrinsics.
   [[nodiscard]] Json datasetInfo() const {
     Json objects = Json::array();
     for (std::size_t i = 0; i < dataset_.objects.size(); ++i) {
@@ -267,7 +268,9 @@ class BopWriter : public LabelWriter {
     }
     Json cameras = Json::array();
     for (const CameraDescription& camera : dataset_.cameras) {
-      cameras.push_back({{"name", camera.name}, {"frame", camera.frame}});
+      cameras.push_back({{"name", camera.name},
+                         {"frame", camera.frame},
+                         {"intrinsics_vary", camera.intrinsics_vary}});
     }
     return {{"objects", std::move(objects)},
             {"cameras", std::move(cameras)},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
@@ -37,6 +38,17 @@ void warnOfDistortion(const CameraModel& camera, SceneOutput& output) {
   output.addWarning(
       "the format has no lens distortion: its camera matrix does not describe the image; "
       "`rectified: true` of the camera makes images that it does describe");
+}
+
+void refuseVaryingIntrinsics(const DatasetInfo& dataset, const std::string& file) {
+  for (const CameraDescription& camera : dataset.cameras) {
+    if (!camera.intrinsics_vary) continue;
+    throw Error("found a camera, '" + camera.name +
+                "', whose intrinsics differ from scene to scene, and the format has one " + file +
+                " for all of its images; they should be the same: without "
+                "randomize/sensor/field_of_view, and with recordings of one camera alone in "
+                "bag_file. BOP, DOPE, KITTI and others hold each image's own");
+  }
 }
 
 std::array<double, 9> cameraMatrix(const Intrinsics& intrinsics) {

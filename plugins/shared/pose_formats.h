@@ -27,6 +27,11 @@ namespace synthetic_dataset {
 /// Warns where a scene's lens is not the pinhole that the format takes it for.
 void warnOfDistortion(const CameraModel& camera, SceneOutput& output);
 
+/// For formats that hold one calibration of each camera for all of its images.
+/// @param file  in which it stands
+/// @throws Error where a camera's intrinsics differ from scene to scene
+void refuseVaryingIntrinsics(const DatasetInfo& dataset, const std::string& file);
+
 /// The 3x3 camera matrix, row by row.
 [[nodiscard]] std::array<double, 9> cameraMatrix(const Intrinsics& intrinsics);
 

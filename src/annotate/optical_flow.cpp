@@ -23,7 +23,8 @@ std::vector<Pose> motions(const Pose& X_WC, const std::vector<Pose>& X_WL, const
 
 cv::Mat opticalFlow(const CameraModel& camera, const cv::Mat& depth, const cv::Mat& range,
                     const cv::Mat& links, const Pose& X_WC, const std::vector<Pose>& X_WL,
-                    const Pose& X_WC_next, const std::vector<Pose>& X_WL_next) {
+                    const CameraModel& camera_next, const Pose& X_WC_next,
+                    const std::vector<Pose>& X_WL_next) {
   const std::vector<Pose> motion = motions(X_WC, X_WL, X_WC_next, X_WL_next);
   constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
   cv::Mat flow(depth.size(), CV_32FC2, cv::Scalar::all(static_cast<double>(kNowhere)));
@@ -36,7 +37,7 @@ cv::Mat opticalFlow(const CameraModel& camera, const cv::Mat& depth, const cv::M
     const double distance = range.empty() ? static_cast<double>(depth.at<float>(v, u)) / ray_C->z()
                                           : static_cast<double>(range.at<float>(v, u));
     const Eigen::Vector3d p_C = distance * *ray_C;
-    const auto to = camera.project(motion.at(static_cast<std::size_t>(link - 1)) * p_C);
+    const auto to = camera_next.project(motion.at(static_cast<std::size_t>(link - 1)) * p_C);
     if (!to) return;
     const Eigen::Vector2f step = (*to - from).cast<float>();
     flow.at<cv::Vec2f>(v, u) = {step.x(), step.y()};

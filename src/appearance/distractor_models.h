@@ -14,7 +14,7 @@ namespace synthetic_dataset::appearance {
 /// sizes and patterns, or the given models in turn. They follow from the seed and each one's number
 /// alone.
 /// @param load  reads a model, by its URI and its new name
-/// @throws Error for a folder of textures without pictures; and what `load` throws
+/// @throws Error as PictureFolder does for a folder of textures; and what `load` throws
 [[nodiscard]] std::vector<world::Model> makeDistractors(
     const config::DistractorConfig& config, std::uint64_t seed,
     const std::function<world::Model(const std::string& uri, const std::string& name)>& load);

@@ -34,6 +34,9 @@ class EntryDraws {
   /// The entry's own random numbers, for what is drawn in other ways.
   [[nodiscard]] random::RandomSource source(const std::string& name) const;
   void note(const std::string& name, const std::string& value) { values_.push_back({name, value}); }
+  void note(const std::string& name, double value) {
+    values_.push_back({name, std::vector<double>{value}});
+  }
 
   /// All of them, in the order of drawing.
   [[nodiscard]] const std::vector<DrawnValue>& values() const { return values_; }

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <utility>
 
+#include "appearance/entry_errors.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
+#include "synthetic_dataset/value.h"
 #include "world/material/picture_channels.h"
 
 namespace synthetic_dataset::appearance {
@@ -78,12 +81,26 @@ Eigen::Vector3d shiningFrom(double elevation, double azimuth) {
                           std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
 }
 
+/// Does something; adds its errors to those that there are.
+template <class Work>
+void gather(std::vector<std::string>& errors, const Work& work) {
+  try {
+    work();
+  } catch (const ErrorList& list) {
+    errors.insert(errors.end(), list.messages().begin(), list.messages().end());
+  } catch (const Error& error) {
+    errors.emplace_back(error.what());
+  }
+}
+
 }  // namespace
 
 LookSampler::LookSampler(const config::Randomization& config, const world::World& world)
     : world_(world), config_(config) {
   std::vector<std::string> errors;
   findLights(config, errors);
+  checkLightCount(errors);
+  gather(errors, [&] { background_.emplace(config.background); });
   std::vector<std::pair<std::ptrdiff_t, std::string>> targets;
   for (const auto& [target, material] : config.materials) {
     targets.emplace_back(rankOf(target), target);
@@ -114,17 +131,31 @@ void LookSampler::findLights(const config::Randomization& config,
   }
 }
 
+/// A number half above the lights' own is rounded to it, at its range's end alone.
+void LookSampler::checkLightCount(std::vector<std::string>& errors) const {
+  const std::size_t count = world_.description().lights.size();
+  if (!config_.light_count) return;
+  const double highest = config_.light_count->highest();
+  if (highest <= static_cast<double>(count) + 0.5) return;
+  errors.push_back("randomize/light_count: found up to " + Value(highest).text() +
+                   "; the world has " + std::to_string(count) +
+                   (count == 1 ? " light" : " lights") +
+                   ", and it should be no more (where a normal distribution ends, its `max` says)");
+}
+
 void LookSampler::findSurfaces(const std::string& target,
                                const config::MaterialRandomization& config,
                                std::vector<std::string>& errors) {
   const std::string parameter = "randomize/materials/" + target;
+  TextureSource* textures = nullptr;
   if (config.textures) {
-    try {
-      textures_.emplace_back(*config.textures);
-    } catch (const Error& error) {
-      errors.push_back(parameter + "/textures: " + error.what());
-      return;
-    }
+    const auto make = [&] {
+      forEntry(parameter + "/textures", [&] {
+        textures = &textures_.try_emplace(*config.textures, *config.textures).first->second;
+      });
+    };
+    gather(errors, make);
+    if (textures == nullptr) return;
   }
   std::map<std::string, std::size_t> places;  // in materials_, by name
   for (const world::LinkInstance& link : world_.links()) {
@@ -134,8 +165,7 @@ void LookSampler::findSurfaces(const std::string& target,
       const std::string name = "materials/" + target + (what == target ? "" : "/" + what);
       const auto [place, is_new] = places.try_emplace(name, materials_.size());
       if (is_new) {
-        const std::size_t textures = textures_.empty() ? 0 : textures_.size() - 1;
-        materials_.push_back({name, config, {}, {}, textures});
+        materials_.push_back({name, config, {}, {}, textures, parameter + "/textures"});
       }
       for (const world::Surface& surface : visual.surfaces) {
         materials_[place->second].surfaces.push_back(&surface);
@@ -153,12 +183,11 @@ void LookSampler::findSurfaces(const std::string& target,
 world::Look LookSampler::sample(EntryDraws& draws) {
   world::Look look(world_.description());
   for (const LightEntry& entry : lights_) relight(entry, draws, look.lights[entry.light]);
+  chooseLights(draws, look);
   if (const auto ambient = draws.vector("ambient", config_.ambient)) {
     look.ambient = ambient->cast<float>();
   }
-  if (const auto background = draws.vector("background", config_.background)) {
-    look.background = background->cast<float>();
-  }
+  background_->sample(draws, look);
   for (const MaterialEntry& entry : materials_) repaint(entry, draws, look);
   return look;
 }
@@ -189,6 +218,26 @@ void LookSampler::relight(const LightEntry& entry, EntryDraws& draws, world::Lig
   light.direction_L = light.X_WL.linear().transpose() * direction;
 }
 
+/// Turns the lights off that are too many, whichever they are.
+void LookSampler::chooseLights(EntryDraws& draws, world::Look& look) const {
+  if (!config_.light_count) return;
+  const std::string entry = "light_count";
+  random::RandomSource random = draws.source(entry);
+  const auto wanted =
+      static_cast<std::size_t>(std::lround(config_.light_count->drawNumber(random)));
+  const std::size_t on = std::min(wanted, look.lights.size());
+  draws.note(entry, static_cast<double>(on));
+  std::vector<std::size_t> order(look.lights.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  random::RandomSource shuffling = draws.source(entry + "/lights");
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    std::swap(order[i], order[i + shuffling.index(order.size() - i)]);
+    world::Light& light = look.lights[order[i]];
+    draws.note("lights/" + light.name + "/present", i < on ? 1.0 : 0.0);
+    if (i >= on) light.diffuse.setZero();
+  }
+}
+
 void LookSampler::repaint(const MaterialEntry& entry, EntryDraws& draws, world::Look& look) {
   const config::MaterialRandomization& config = entry.config;
   const auto colour = draws.vector(entry.name + "/colour", config.colour);
@@ -198,7 +247,8 @@ void LookSampler::repaint(const MaterialEntry& entry, EntryDraws& draws, world::
   std::shared_ptr<const world::Texture> texture;
   if (config.textures) {
     random::RandomSource random = draws.source(entry.name + "/textures");
-    auto [name, drawn] = textures_[entry.textures].draw(random);
+    auto [name, drawn] =
+        forEntry(entry.textures_entry, [&] { return entry.textures->draw(random); });
     draws.note(entry.name + "/textures", name);
     texture = std::move(drawn);
   }

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "appearance/background_sampler.h"
 #include "appearance/entry_draws.h"
 #include "appearance/texture_source.h"
 #include "config/randomization.h"
@@ -16,11 +19,12 @@ namespace synthetic_dataset::appearance {
 class LookSampler {
  public:
   /// @param world  has to outlive this
-  /// @throws ErrorList naming the entries whose light, model, link or visual the world does not
-  ///     have, and folders without pictures
+  /// @throws ErrorList naming the entries whose lights, model, link or visual the world does not
+  ///     have, folders without pictures, and pictures that cannot be decoded
   LookSampler(const config::Randomization& config, const world::World& world);
 
   /// The look of a scene; what is drawn for it is added to the draws.
+  /// @throws Error naming the entry, for a picture that cannot be decoded after all
   [[nodiscard]] world::Look sample(EntryDraws& draws);
 
  private:
@@ -36,21 +40,25 @@ class LookSampler {
     std::string name;  ///< "materials/rover_1/rover_1::base_link::hull"
     config::MaterialRandomization config;
     std::vector<const world::Surface*> surfaces;
-    std::vector<bool> takes_texture;  ///< of surfaces
-    std::size_t textures = 0;         ///< index in textures_
+    std::vector<bool> takes_texture;    ///< of surfaces
+    TextureSource* textures = nullptr;  ///< one of textures_, where they are drawn
+    std::string textures_entry;         ///< "randomize/materials/rover_1/textures"
   };
 
   void findLights(const config::Randomization& config, std::vector<std::string>& errors);
+  void checkLightCount(std::vector<std::string>& errors) const;
   void findSurfaces(const std::string& target, const config::MaterialRandomization& config,
                     std::vector<std::string>& errors);
   void relight(const LightEntry& entry, EntryDraws& draws, world::Light& light) const;
+  void chooseLights(EntryDraws& draws, world::Look& look) const;
   void repaint(const MaterialEntry& entry, EntryDraws& draws, world::Look& look);
 
   const world::World& world_;
   config::Randomization config_;
   std::vector<LightEntry> lights_;
-  std::vector<MaterialEntry> materials_;  ///< the more special ones later
-  std::vector<TextureSource> textures_;
+  std::optional<BackgroundSampler> background_;
+  std::vector<MaterialEntry> materials_;           ///< the more special ones later
+  std::map<std::string, TextureSource> textures_;  ///< by where they are from
 };
 
 }  // namespace synthetic_dataset::appearance

@@ -64,6 +64,13 @@ int numberBetween(const Parameters& group, const std::string& name, int fallback
   return fallback;
 }
 
+std::optional<double> maybeProbability(const Parameters& group, const std::string& name) {
+  const auto value = group.maybe<double>(name);
+  if (!value || (*value >= 0.0 && *value <= 1.0)) return value;
+  group.addError(name, "found " + Value(*value).text() + "; it should be a probability, 0 to 1");
+  return std::nullopt;
+}
+
 std::optional<double> maybeSeconds(const Parameters& group, const std::string& name) {
   constexpr double kLongest = 1e9;
   const auto number = group.maybe<double>(name);

@@ -16,6 +16,10 @@ namespace synthetic_dataset::config {
 [[nodiscard]] int numberBetween(const Parameters& group, const std::string& name, int fallback,
                                 int low, int high);
 
+/// A probability, 0 to 1; nothing where it is not there or wrong, which is noted.
+[[nodiscard]] std::optional<double> maybeProbability(const Parameters& group,
+                                                     const std::string& name);
+
 /// A length of time in seconds, at most about 30 years, so that nanoseconds stay in range.
 [[nodiscard]] std::optional<double> maybeSeconds(const Parameters& group, const std::string& name);
 

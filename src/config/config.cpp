@@ -72,6 +72,28 @@ MotionConfig readMotion(const Parameters& root) {
   return motion;
 }
 
+/// Scenes keep their order: physics goes forward only.
+void checkJitter(const Parameters& root, const MotionConfig& motion,
+                 const Randomization& randomization) {
+  if (!randomization.time_jitter) return;
+  const Parameters group = root.group("randomize").group("time");
+  if (motion.source == MotionSource::kPlacement) {
+    group.addError("jitter",
+                   "has a meaning with motion: bag alone; what is placed at random stands still");
+    return;
+  }
+  constexpr double kRounding = 3e-9;  // [s] periods and times are whole nanoseconds
+  const double earliest = randomization.time_jitter->lowest();
+  const double latest = randomization.time_jitter->highest();
+  const double period = 1.0 / motion.rate;
+  if (latest - earliest <= period - kRounding) return;
+  group.addError("jitter", "found " + Value(earliest).text() + " to " + Value(latest).text() +
+                               " s; the two should be less than " + Value(period).text() +
+                               " s apart, the time from scene to scene (simulated_rate), so that "
+                               "scenes keep their order; a normal distribution needs `min` and "
+                               "`max`");
+}
+
 OnMissingAsset readOnMissingAsset(const Parameters& group) {
   const std::string found = group.maybe<std::string>("on_missing_asset").value_or("error");
   if (found != "error" && found != "warn") {
@@ -163,6 +185,7 @@ Config readConfig(const Parameters& root) {
   config.masks = readMasks(root);
   config.labels = readLabels(root);
   config.split = readSplit(root);
+  checkJitter(root, config.motion, config.randomization);
   config.physics = readPhysics(root, config.motion.source);
   config.rendering = readRendering(root);
   config.seed = root.maybe<std::int64_t>("seed").value_or(config.seed);

@@ -70,7 +70,7 @@ void makeWayForPlacement(Value::Map& settings, const Value::Map& own) {
   Value::Map* below = groupIn(settings, "placement");
   const Value::Map* over = groupIn(own, "placement");
   if (below == nullptr || over == nullptr) return;
-  makeWay(*below, *over, {"map", "map_topic"});
+  makeWay(*below, *over, {"map", "map_topic", "received_map"});
   if (has(*over, "mode")) settings.erase("placement");
 }
 

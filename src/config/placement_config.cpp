@@ -41,8 +41,8 @@ void refuseOthers(const Parameters& group, PlacementMode mode) {
     group.addError(name, std::string("has a meaning with mode: ") + needed + " alone");
     group.ignore(name);
   };
-  for (const char* name :
-       {"map", "map_topic", "surface", "height", "highest_surface", "steepest", "unevenness"}) {
+  for (const char* name : {"map", "map_topic", "received_map", "surface", "height",
+                           "highest_surface", "steepest", "unevenness"}) {
     if (!is_map) refuse(name, "map");
   }
   for (const char* name : {"volume", "orientation"}) {
@@ -82,12 +82,18 @@ void readSurface(const Parameters& group, PlacementConfig& placement) {
 void readMap(const Parameters& group, PlacementConfig& placement) {
   placement.map_file = group.maybe<std::string>("map");
   placement.map_topic = group.maybe<std::string>("map_topic");
+  placement.received_map = group.maybe<Value>("received_map");
+  if (placement.received_map && !placement.map_topic) {
+    group.addError("received_map", "found without map_topic, on which it has come");
+  }
   if (placement.map_file) placement.map_file = absolutePath(*placement.map_file);
   if (placement.map_file && placement.map_topic) {
     group.addError("map", "found together with map_topic; the map should come from one of them");
   } else if (!group.has("map") && !group.has("map_topic")) {
     group.addError(
-        "map", "no map; it should name map_server's YAML file, or map_topic a topic of the bag");
+        "map",
+        "no map; it should name map_server's YAML file, or map_topic a topic of the bag or of the "
+        "running system");
   }
   readSurface(group, placement);
 }

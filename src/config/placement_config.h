@@ -30,7 +30,8 @@ struct Volume {
 struct PlacementConfig {
   PlacementMode mode = PlacementMode::kMap;
   std::optional<std::string> map_file;   ///< map_server's YAML; absolute
-  std::optional<std::string> map_topic;  ///< of the bag
+  std::optional<std::string> map_topic;  ///< of the bag, or of a running system
+  std::optional<Value> received_map;     ///< what that has sent: see received_map.h
   bool on_surface = true;                ///< of kMap: on what is below; else at `height`
   double height = 0.0;                   ///< of the objects' frames in the global frame [m]
   double highest_surface = 2.0;          ///< what is above it is no place to stand on [m]

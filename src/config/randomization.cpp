@@ -8,13 +8,6 @@ namespace {
 
 constexpr double kBrightest = 1e6;
 
-std::optional<double> maybeProbability(const Parameters& group, const std::string& name) {
-  const auto value = group.maybe<double>(name);
-  if (!value || (*value >= 0.0 && *value <= 1.0)) return value;
-  group.addError(name, "found " + Value(*value).text() + "; it should be a probability, 0 to 1");
-  return std::nullopt;
-}
-
 LightRandomization readLight(const Parameters& group) {
   LightRandomization light;
   light.present = maybeProbability(group, "present");
@@ -24,6 +17,21 @@ LightRandomization readLight(const Parameters& group) {
   light.azimuth = maybeDistribution(group, "azimuth", kTurnRange);
   light.shift = maybeDistribution(group, "shift", kPlaceRange);
   return light;
+}
+
+/// How many lights are on; nothing where each light goes its own way.
+std::optional<random::Distribution> readLightCount(
+    const Parameters& group, const std::map<std::string, LightRandomization>& lights) {
+  constexpr double kMost = 1000.0;  // the world's own number is known later
+  const std::string name = "light_count";
+  auto count = maybeDistribution(group, name, {1, 0.0, kMost});
+  for (const auto& [light, entry] : lights) {
+    if (!count || !entry.present) continue;
+    group.addError(name, "found it beside lights/" + light +
+                             "/present; it should be one of the two, since each says which lights "
+                             "are on");
+  }
+  return count;
 }
 
 bool readForEachVisual(const Parameters& group) {
@@ -55,6 +63,10 @@ SensorRandomization readSensor(const Parameters& group) {
   sensor.exposure = maybeDistribution(group, "exposure", {1, -kMostStops, kMostStops});
   sensor.blur = maybeDistribution(group, "blur", {1, 0.0, kWidestBlur});
   sensor.noise_stddev = maybeDistribution(group, "noise_stddev", {1, 0.0, 1.0});
+  // A fisheye may see all round; what each camera's lens can have is known later.
+  constexpr double kNarrowestView = 0.01;  // [rad]
+  sensor.field_of_view =
+      maybeDistribution(group, "field_of_view", {1, kNarrowestView, 2.0 * kHalfTurn});
   return sensor;
 }
 
@@ -68,6 +80,7 @@ Randomization readRandomization(const Parameters& root) {
   for (const std::string& name : lights.names()) {
     randomization.lights[name] = readLight(lights.group(name));
   }
+  randomization.light_count = readLightCount(group, randomization.lights);
   const Parameters objects = group.group("objects");
   for (const std::string& name : objects.names()) {
     const auto present = maybeProbability(objects.group(name), "present");
@@ -79,8 +92,11 @@ Randomization readRandomization(const Parameters& root) {
   }
   randomization.distractors = readDistractors(group);
   randomization.ambient = maybeDistribution(group, "ambient", {3, 0.0, 1.0});
-  randomization.background = maybeDistribution(group, "background", {3, 0.0, 1.0});
+  randomization.background = readBackground(group);
   randomization.sensor = readSensor(group.group("sensor"));
+  constexpr double kLongest = 1e6;  // [s]; the time from scene to scene is the real limit
+  randomization.time_jitter =
+      maybeDistribution(group.group("time"), "jitter", {1, -kLongest, kLongest});
   return randomization;
 }
 

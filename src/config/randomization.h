@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "config/background_config.h"
 #include "config/distractor_config.h"
 #include "random/distribution.h"
 #include "synthetic_dataset/parameters.h"
@@ -31,19 +32,26 @@ struct MaterialRandomization {
   std::optional<std::string> textures;  ///< `procedural`, or an absolute folder of pictures
 };
 
-/// What is drawn anew of a camera's sensor; nothing: as `effects` has it.
+/// What is drawn anew of a camera's sensor and lens; nothing: as `effects` and the calibration have
+/// it.
 struct SensorRandomization {
   std::optional<random::Distribution> exposure;      ///< [stops]
   std::optional<random::Distribution> blur;          ///< [px], >= 0
   std::optional<random::Distribution> noise_stddev;  ///< of the full scale, 0 .. 1
+
+  /// Horizontal, of the lens without its distortion's coefficients [rad]; instead of that of the
+  /// calibration.
+  std::optional<random::Distribution> field_of_view;
 };
 
 /// Everything that differs from scene to scene so that a network does not learn it. Each entry's
 /// draws follow from the seed, the scene and the entry's name alone.
 struct Randomization {
   std::map<std::string, LightRandomization> lights;  ///< by the world's names; `every`: others
+  std::optional<random::Distribution> light_count;   ///< how many of the lights are on, rounded;
+                                                     ///< nothing: as each one's `present` says
   std::optional<random::Distribution> ambient;       ///< sRGB-encoded red, green, blue
-  std::optional<random::Distribution> background;    ///< sRGB-encoded red, green, blue
+  BackgroundRandomization background;
   std::map<std::string, MaterialRandomization> materials;  ///< by model, model::link or
                                                            ///< model::link::visual; `objects`,
                                                            ///< `world`: all of these
@@ -52,8 +60,13 @@ struct Randomization {
   std::optional<DistractorConfig> distractors;
   SensorRandomization sensor;  ///< of each camera
 
+  /// How much later than the regular timeline has it a scene of a recording is [s]; below 0
+  /// earlier.
+  std::optional<random::Distribution> time_jitter;
+
   [[nodiscard]] bool changesLook() const {
-    return !lights.empty() || !materials.empty() || ambient || background;
+    return !lights.empty() || light_count || !materials.empty() || ambient || background.colour ||
+           background.pictures;
   }
 };
 

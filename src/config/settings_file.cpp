@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -110,6 +111,23 @@ std::vector<std::string> takeIncluded(Value::Map& settings, const std::string& f
               "; it should be the name of a settings file, or a list of names");
 }
 
+bool holdsAny(const Value::Map& group, const std::set<std::string>& names) {
+  return std::any_of(group.begin(), group.end(),
+                     [&](const auto& entry) { return names.count(entry.first) != 0; });
+}
+
+/// Whether a group is no group of settings, but says what one of them is drawn from.
+bool isDistribution(const Value::Map& group) {
+  static const std::set<std::string> kKinds = {"uniform", "log_uniform", "normal", "choice"};
+  return holdsAny(group, kKinds);
+}
+
+/// Of two distributions the upper one counts alone; but weights or limits may be laid over one.
+bool replaces(const Value::Map& over, const Value::Map& below) {
+  static const std::set<std::string> kBeside = {"weights", "min", "max"};
+  return isDistribution(over) || (isDistribution(below) && !holdsAny(over, kBeside));
+}
+
 Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
                     std::vector<std::string> above) {
   std::error_code problem;  // of which reading the file tells
@@ -153,7 +171,8 @@ void overlay(Value::Map& settings, const Value::Map& over) {
     if (group == nullptr) {
       below = value;
     } else {
-      if (!below.is<Value::Map>()) below = Value::Map{};
+      const auto* group_below = below.as<Value::Map>();
+      if (group_below == nullptr || replaces(*group, *group_below)) below = Value::Map{};
       overlay(*below.as<Value::Map>(), *group);
     }
   }

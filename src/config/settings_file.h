@@ -23,7 +23,7 @@ namespace synthetic_dataset::config {
 /// @throws Error where a name is given twice, or as a group and as a value, or is global otherwise
 [[nodiscard]] Value::Map asParameters(const Value& tree, const std::string& origin);
 
-/// Puts settings over others: groups are merged, all else is replaced.
+/// Puts settings over others: groups are merged, all else is replaced, distributions too.
 void overlay(Value::Map& settings, const Value::Map& over);
 
 /// The settings that `name:=text` on the command line stands for.

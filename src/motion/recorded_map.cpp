@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "motion/checked_messages.h"
-#include "motion/frame_names.h"
+#include "motion/map_message.h"
 #include "motion/topic_search.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/value.h"
@@ -29,47 +29,28 @@ void takeLast(const std::string& file, TopicSearch& search, std::optional<LastGr
   });
 }
 
-std::string sidesOf(const nav_msgs::MapMetaData& info) {
-  return std::to_string(info.width) + " x " + std::to_string(info.height) + " cells";
-}
-
-/// An orientation of zeros, which a sender has forgotten, is none, as RViz has it.
-Pose poseOf(const geometry_msgs::Pose& origin) {
-  const auto& p = origin.position;
-  const auto& q = origin.orientation;
-  return makePose({p.x, p.y, p.z}, Eigen::Quaterniond(q.w, q.x, q.y, q.z));
-}
-
-void check(const nav_msgs::OccupancyGrid& grid, const Pose& X_FM) {
-  const std::uint64_t cell_count = std::uint64_t{grid.info.width} * grid.info.height;
-  if (cell_count == 0) {
-    throw Error("found a map of " + sidesOf(grid.info) + "; it should have some");
-  }
-  if (cell_count != grid.data.size()) {
-    throw Error("found a map of " + sidesOf(grid.info) + " with the values of " +
-                std::to_string(grid.data.size()) + "; it should have one for each cell");
-  }
-  if (!std::isfinite(grid.info.resolution) || grid.info.resolution <= 0.0F) {
-    throw Error("found a resolution of " + Value(double{grid.info.resolution}).text() +
-                " m; it should be above 0");
-  }
-  if (!X_FM.matrix().allFinite()) {
-    throw Error("found an origin that is no pose; it should be of finite numbers");
-  }
-}
-
-RecordedMap toMap(const nav_msgs::OccupancyGrid& grid) {
-  const Pose X_FM = poseOf(grid.info.origin);
-  check(grid, X_FM);
-  return {grid.info.width,
-          grid.info.height,
-          grid.info.resolution,
-          X_FM,
-          withoutLeadingSlashes(grid.header.frame_id),
-          grid.data};
+std::string sidesOf(const RecordedMap& map) {
+  return std::to_string(map.width) + " x " + std::to_string(map.height) + " cells";
 }
 
 }  // namespace
+
+void checkMap(const RecordedMap& map) {
+  if (map.width == 0 || map.height == 0) {
+    throw Error("found a map of " + sidesOf(map) + "; it should have some");
+  }
+  if (map.cells.size() / map.width != map.height || map.cells.size() % map.width != 0) {
+    throw Error("found a map of " + sidesOf(map) + " with the values of " +
+                std::to_string(map.cells.size()) + "; it should have one for each cell");
+  }
+  if (!std::isfinite(map.resolution) || map.resolution <= 0.0) {
+    throw Error("found a resolution of " + Value(map.resolution).text() +
+                " m; it should be above 0");
+  }
+  if (!map.X_FM.matrix().allFinite()) {
+    throw Error("found an origin that is no pose; it should be of finite numbers");
+  }
+}
 
 RecordedMap readMap(const std::vector<std::string>& bag_files, const std::string& topic) {
   auto search = TopicSearch::of<nav_msgs::OccupancyGrid>(topic);
@@ -77,7 +58,7 @@ RecordedMap readMap(const std::vector<std::string>& bag_files, const std::string
   for (const std::string& file : bag_files) takeLast(file, search, last);
   if (!last) throw search.notFound();
   try {
-    return toMap(last->message);
+    return mapOf(last->message);
   } catch (const Error& error) {
     throw Error("the last map of '" + topic + "': " + error.what());
   }

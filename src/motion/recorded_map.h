@@ -19,12 +19,16 @@ struct RecordedMap {
   std::vector<std::int8_t> cells;  ///< row by row, the lowest first: 0 (free) to 100, or -1
 };
 
+/// @throws Error when it is no map: without cells or with another number of them than its sides
+/// say,
+///     without a size of its cells or a place
+void checkMap(const RecordedMap& map);
+
 /// The last nav_msgs/OccupancyGrid of a topic that was recorded in any of the bags: a map grows
 /// while it is built, and the last is the fullest.
 /// @param bag_files  bags that can be read
 /// @throws Error when no bag has such a topic (with those of its type that there are), it has
-///     messages of another type, or the last is no map: without cells or with another number of
-///     them than its sides say, without a size of its cells or a place
+///     messages of another type, or the last is no map, as checkMap has it
 [[nodiscard]] RecordedMap readMap(const std::vector<std::string>& bag_files,
                                   const std::string& topic);
 

@@ -137,14 +137,17 @@ std::optional<Timeline> findTimeline(const FrameTree& tree, const FramesToKnow& 
   checkCount(scenes, period);
   Timeline timeline;
   timeline.stamps.reserve(static_cast<std::size_t>(scenes));
+  const std::int64_t first = (*start - part.start) / period;
   for (std::int64_t i = 0; i < scenes; ++i) {
-    const Stamp time = *start + i * period;
+    const Duration jitter = options.jitter ? options.jitter(first + i) : Duration{0};
+    const Stamp time = *start + i * period + jitter;
     if (!connections.allKnownAt(time)) {
       ++timeline.left_out_unknown;
     } else if (options.max_tf_gap && connections.gapAbove(*options.max_tf_gap, time)) {
       ++timeline.left_out_gap;
     } else {
       timeline.stamps.push_back(time);
+      if (options.jitter) timeline.jitter.push_back(jitter);
     }
   }
   return timeline;

@@ -61,11 +61,9 @@ LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& parts, LensLib
 
 LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>& X_WL,
                                        const LinkSelection& drawn, const LabelPlanes& planes) {
-  const int width = view.camera.width();
-  const int height = view.camera.height();
-  const LabelTarget& target =
-      targets_.try_emplace({width, height, planes}, gl_, width, height, planes).first->second;
-  target.begin();
+  const cv::Size size(view.camera.width(), view.camera.height());
+  const LabelTarget& target = targetFor(size, planes);
+  target.begin(size);
   const auto draw = [&](const std::vector<const Part*>& parts, GLenum depth_func) {
     gl_.DepthFunc(depth_func);
     for (const Part* part : parts) {
@@ -81,7 +79,19 @@ LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>
   draw(parts_.solidParts(X_CW, X_WL, drawn, true), GL_GEQUAL);
   draw(parts_.solidParts(X_CW, X_WL, drawn, false), GL_GREATER);
   draw(parts_.transparentParts(X_CW, X_WL, drawn), GL_GREATER);
-  return target.read();
+  return target.read(size);
+}
+
+/// Drawn into as it is, or made anew where it is too small: faces of lenses are of many sizes.
+const LabelTarget& LabelPainter::targetFor(const cv::Size& size, const LabelPlanes& planes) {
+  std::optional<LabelTarget>& target = targets_[planes];
+  if (!target || target->width() < size.width || target->height() < size.height) {
+    const cv::Size held = target ? cv::Size(target->width(), target->height()) : cv::Size();
+    target.reset();
+    target.emplace(gl_, std::max(size.width, held.width), std::max(size.height, held.height),
+                   planes);
+  }
+  return *target;
 }
 
 LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,
@@ -102,10 +112,10 @@ LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,
   if (pass.normals) images.normals = cv::Mat::zeros(size, CV_32FC3);
   if (pass.range) images.range = cv::Mat::zeros(size, CV_32FC1);
   planes.slopes = true;
-  const LensMap& lens = lenses_.get(view.camera);
-  const std::vector<View> views = faceViews(lens, view);
+  const auto lens = lenses_.get(view.camera);
+  const std::vector<View> views = faceViews(*lens, view);
   for (std::size_t face = 0; face < views.size(); ++face) {
-    resampleLabels(lens, face, paintPinhole(views[face], X_WL, pass.drawn, planes), images);
+    resampleLabels(*lens, face, paintPinhole(views[face], X_WL, pass.drawn, planes), images);
   }
   return images;
 }

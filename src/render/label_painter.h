@@ -1,7 +1,7 @@
 #pragma once
 
 #include <map>
-#include <tuple>
+#include <optional>
 #include <vector>
 
 #include "render/draw_list.h"
@@ -39,12 +39,13 @@ class LabelPainter {
  private:
   [[nodiscard]] LabelImages paintPinhole(const View& view, const std::vector<Pose>& X_WL,
                                          const LinkSelection& drawn, const LabelPlanes& planes);
+  [[nodiscard]] const LabelTarget& targetFor(const cv::Size& size, const LabelPlanes& planes);
 
   const GlFunctions& gl_;
   const DrawList& parts_;
   LensLibrary& lenses_;
   ShaderFamily programs_;
-  std::map<std::tuple<int, int, LabelPlanes>, LabelTarget> targets_;  // by size
+  std::map<LabelPlanes, std::optional<LabelTarget>> targets_;  // as large as the largest so far
 };
 
 }  // namespace synthetic_dataset::render

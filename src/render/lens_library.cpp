@@ -1,18 +1,16 @@
 #include "render/lens_library.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace synthetic_dataset::render {
 namespace {
 
-/// All that tells one camera's pictures from another's.
+/// All that tells one camera's pictures from another's but the focal lengths.
 std::vector<double> keyOf(const CameraModel& camera) {
   const Intrinsics& k = camera.intrinsics();
   const Distortion& distortion = camera.distortion();
   std::vector<double> key = {static_cast<double>(camera.width()),
                              static_cast<double>(camera.height()),
-                             k.fx,
-                             k.fy,
                              k.cx,
                              k.cy,
                              camera.near(),
@@ -25,11 +23,19 @@ std::vector<double> keyOf(const CameraModel& camera) {
 
 }  // namespace
 
-const LensMap& LensLibrary::get(const CameraModel& camera) {
-  std::vector<double> key = keyOf(camera);
-  const auto known = maps_.find(key);
-  if (known != maps_.end()) return known->second;
-  return maps_.emplace(std::move(key), makeLensMap(camera)).first->second;
+std::shared_ptr<const LensMap> LensLibrary::get(const CameraModel& camera) {
+  std::deque<Zoom>& zooms = lenses_[keyOf(camera)];
+  const Intrinsics& k = camera.intrinsics();
+  const auto known = std::find_if(zooms.begin(), zooms.end(), [&](const Zoom& zoom) {
+    return zoom.fx == k.fx && zoom.fy == k.fy;
+  });
+  if (known != zooms.end()) {
+    std::rotate(zooms.begin(), known, known + 1);
+  } else {
+    if (zooms.size() == kMostZooms) zooms.pop_back();
+    zooms.push_front({k.fx, k.fy, std::make_shared<const LensMap>(makeLensMap(camera))});
+  }
+  return zooms.front().map;
 }
 
 std::vector<View> faceViews(const LensMap& lens, const View& view) {

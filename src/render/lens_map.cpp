@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <opencv2/core/utility.hpp>
+
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::render {
@@ -72,15 +74,18 @@ LensMap lookAlongRays(const CameraModel& camera) {
   LensMap map;
   map.rays = cv::Mat::zeros(camera.height(), camera.width(), CV_32FC3);
   map.face = cv::Mat(camera.height(), camera.width(), CV_16SC1, cv::Scalar(-1));
-  for (int v = 0; v < camera.height(); ++v) {
-    for (int u = 0; u < camera.width(); ++u) {
-      const auto ray = camera.ray(Eigen::Vector2d(u, v));
-      if (!ray) continue;
-      const Eigen::Vector3f r = ray->cast<float>();
-      map.rays.at<cv::Vec3f>(v, u) = {r.x(), r.y(), r.z()};
-      map.face.at<std::int16_t>(v, u) = 0;
+  // Rows are worked on side by side; no two calls share a pixel.
+  cv::parallel_for_(cv::Range(0, camera.height()), [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v) {
+      for (int u = 0; u < camera.width(); ++u) {
+        const auto ray = camera.ray(Eigen::Vector2d(u, v));
+        if (!ray) continue;
+        const Eigen::Vector3f r = ray->cast<float>();
+        map.rays.at<cv::Vec3f>(v, u) = {r.x(), r.y(), r.z()};
+        map.face.at<std::int16_t>(v, u) = 0;
+      }
     }
-  }
+  });
   return map;
 }
 

@@ -58,6 +58,7 @@ LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
                           std::to_string(kPartsInRow) + "\n"),
       glass_programs_(gl, shaders::kMeshVertex, shaders::kGlassFragment, kAllFeatures,
                       lightMacros(description.lights)),
+      background_painter_(gl),
       materials_(makeMaterialTable(gl, parts.parts())),
       drawing_(gl) {
   checkLightCount(lights_);
@@ -70,6 +71,7 @@ void LightPainter::setLook(const world::Look& look) {
   ambient_ = linearFromSrgb(look.ambient);
   background_ = linearFromSrgb(look.background);
   fillMaterialTable(gl_, parts_.parts(), materials_);
+  background_painter_.setPicture(look.background_picture);
   if (sky_) sky_->setLights(lights_);
 }
 
@@ -80,7 +82,11 @@ void LightPainter::paint(const ColourScene& scene, const GeometryBuffer& geometr
   gl_.DepthMask(GL_FALSE);
   light(scene, geometry, regions);
   gl_.DepthFunc(GL_GEQUAL);
-  if (sky_) sky_->paint(scene.view, scene.exposure, regions);
+  if (background_painter_.hasPicture()) {
+    background_painter_.paint(scene.view, scene.whole, scene.exposure, regions);
+  } else if (sky_) {
+    sky_->paint(scene.view, scene.exposure, regions);
+  }
   if (see_through) drawSeenThrough(scene);
   gl_.DepthMask(GL_TRUE);
 }

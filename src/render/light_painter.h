@@ -5,6 +5,7 @@
 
 #include <opencv2/core/types.hpp>
 
+#include "render/background_painter.h"
 #include "render/draw_list.h"
 #include "render/geometry_buffer.h"
 #include "render/light_setup.h"
@@ -24,6 +25,9 @@ struct ColourScene {
   const LinkSelection& drawn;
   const std::vector<ShadowProjection>& shadows;
   float exposure = 1.0F;
+
+  /// Through a lens: what it sees, of which `view` is a face.
+  const View* whole = nullptr;
 };
 
 /// Lights what was drawn into a GeometryBuffer, in the bound LightTarget.
@@ -35,13 +39,14 @@ class LightPainter {
   /// Lights and surroundings from now on; what the parts wear is read from them.
   void setLook(const world::Look& look);
 
-  /// The lit surfaces, the sky or the background behind them, and what one can see through before
-  /// them, if that is selected and `see_through`.
+  /// The lit surfaces, a picture, the sky or the background's colour behind them, and what one can
+  /// see through before them, if that is selected and `see_through`.
   /// @param regions  of the picture, none of them over another; beside them nothing is sure
   void paint(const ColourScene& scene, const GeometryBuffer& geometry, GLuint shadow_maps,
              bool see_through, const std::vector<cv::Rect>& regions);
 
-  /// What a picture shows where nothing is: blue, green, red, sRGB-encoded.
+  /// What a picture shows where nothing is, neither sky nor another picture: blue, green, red,
+  /// sRGB-encoded.
   [[nodiscard]] cv::Scalar backgroundPixel(float exposure) const;
 
  private:
@@ -60,6 +65,7 @@ class LightPainter {
   std::optional<world::Fog> fog_;
   ShaderFamily light_programs_;
   ShaderFamily glass_programs_;
+  BackgroundPainter background_painter_;
   std::optional<SkyPainter> sky_;
   GlTexture materials_;
   RectangleDrawing drawing_;

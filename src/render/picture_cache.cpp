@@ -6,13 +6,17 @@
 namespace synthetic_dataset::render {
 namespace {
 
+/// What a painter of this size takes, of geometry, light and what is kept of them [byte].
+std::size_t bytesOf(const cv::Size& size) {
+  constexpr std::size_t kPixelBytes = 104;
+  return kPixelBytes * static_cast<std::size_t>(size.area());
+}
+
 /// How many painters of this size there may be.
 std::size_t mostOf(const cv::Size& size) {
-  constexpr std::size_t kPixelBytes = 104;      // of geometry, light and what is kept of them
   constexpr std::size_t kMemory = 512U << 20U;  // [byte]
   constexpr std::size_t kMost = 8;
-  const std::size_t bytes = kPixelBytes * static_cast<std::size_t>(size.area());
-  return std::clamp(kMemory / bytes, std::size_t{1}, kMost);
+  return std::clamp(kMemory / bytesOf(size), std::size_t{1}, kMost);
 }
 
 }  // namespace
@@ -43,8 +47,22 @@ std::vector<PictureCache::Entry>::iterator PictureCache::freeFor(const View& vie
     last = entry;
   }
   if (count >= (comes_back ? mostOf(size) : 1)) return last;
+  if (!comes_back) makeRoomFor(size);
   entries_.push_back({std::make_unique<PicturePainter>(crew_, size), comes_back});
   return entries_.end() - 1;
+}
+
+/// Painters of sizes that were not asked for lately go: a lens whose focal length changes from
+/// scene to scene has faces of other sizes in each.
+void PictureCache::makeRoomFor(const cv::Size& size) {
+  constexpr std::size_t kMemory = 512U << 20U;  // [byte] of all for places that do not come back
+  std::size_t bytes = bytesOf(size);
+  const auto isLeftOver = [&](const Entry& entry) {
+    if (entry.comes_back) return false;
+    bytes += bytesOf(entry.painter->size());
+    return bytes > kMemory;
+  };
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), isLeftOver), entries_.end());
 }
 
 /// Whether pictures are taken from here again and again, not only several of one instant.

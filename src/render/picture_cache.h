@@ -33,6 +33,7 @@ class PictureCache {
 
   [[nodiscard]] bool comesBack(const View& view);
   [[nodiscard]] std::vector<Entry>::iterator freeFor(const View& view);
+  void makeRoomFor(const cv::Size& size);
 
   PictureCrew crew_;
   std::vector<Entry> entries_;  ///< the last used first

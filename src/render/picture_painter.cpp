@@ -21,6 +21,25 @@ cv::Mat grown(const std::vector<cv::Rect>& regions, const cv::Size& picture) {
   return result;
 }
 
+/// The lens and its place, where a face of it is drawn: a picture behind it is bent accordingly.
+std::vector<double> lensOf(const ColourScene& scene) {
+  if (scene.whole == nullptr) return {};
+  const CameraModel& camera = scene.whole->camera;
+  const Intrinsics& k = camera.intrinsics();
+  const auto& distortion = camera.distortion().coefficients;
+  const Eigen::Matrix4d& place = scene.whole->X_WC.matrix();
+  std::vector<double> lens = {static_cast<double>(camera.width()),
+                              static_cast<double>(camera.height()),
+                              k.fx,
+                              k.fy,
+                              k.cx,
+                              k.cy,
+                              static_cast<double>(camera.distortion().model)};
+  lens.insert(lens.end(), distortion.begin(), distortion.end());
+  lens.insert(lens.end(), place.data(), place.data() + place.size());
+  return lens;
+}
+
 }  // namespace
 
 bool PicturePainter::GeometryKey::operator==(const GeometryKey& other) const {
@@ -28,7 +47,8 @@ bool PicturePainter::GeometryKey::operator==(const GeometryKey& other) const {
 }
 
 bool PicturePainter::LightKey::operator==(const LightKey& other) const {
-  return shadows == other.shadows && casting == other.casting && exposure == other.exposure;
+  return shadows == other.shadows && casting == other.casting && exposure == other.exposure &&
+         lens == other.lens;
 }
 
 bool PicturePainter::Content::operator==(const Content& other) const {
@@ -124,7 +144,7 @@ LinkSelection PicturePainter::standing(const LinkSelection& links) const {
 
 PicturePainter::LightKey PicturePainter::lightKey(const ColourScene& scene,
                                                   const LinkSelection& casting) const {
-  LightKey key{{}, standing(casting), scene.exposure};
+  LightKey key{{}, standing(casting), scene.exposure, lensOf(scene)};
   for (const ShadowProjection& shadow : scene.shadows) {
     key.shadows.push_back(shadow.shadow_from_world);
   }

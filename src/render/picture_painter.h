@@ -72,6 +72,7 @@ class PicturePainter {
     std::vector<Eigen::Matrix4d> shadows;
     LinkSelection casting;  ///< of what never moves
     float exposure = 0.0F;
+    std::vector<double> lens;  ///< of which this is a face, and how it is turned in it
 
     [[nodiscard]] bool operator==(const LightKey& other) const;
   };

@@ -26,12 +26,14 @@ LabelTarget::LabelTarget(const GlFunctions& gl, int width, int height, const Lab
   attachPlanes(gl, framebuffer_, {&ids_, &depth_, &links_, &normals_, &slopes_}, &depth_buffer_);
 }
 
-void LabelTarget::begin() const {
+void LabelTarget::begin(const cv::Size& image) const {
   constexpr std::array<GLuint, 4> kNobody = {0, 0, 0, 0};
   constexpr std::array<float, 4> kNothing = {0.0F, 0.0F, 0.0F, 0.0F};
   const GLuint name = framebuffer_.name();
   gl_.BindFramebuffer(GL_FRAMEBUFFER, name);
-  gl_.Viewport(0, 0, width_, height_);
+  gl_.Viewport(0, 0, image.width, image.height);
+  gl_.Enable(GL_SCISSOR_TEST);  // for the clearing, too
+  gl_.Scissor(0, 0, image.width, image.height);
   gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kIds, kNobody.data());
   gl_.ClearNamedFramebufferfv(name, GL_COLOR, kDepths, kNothing.data());
   if (links_.name() != 0) gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kLinks, kNobody.data());
@@ -40,9 +42,10 @@ void LabelTarget::begin() const {
   gl_.ClearNamedFramebufferfv(name, GL_DEPTH, 0, kNothing.data());
 }
 
-LabelImages LabelTarget::read() const {
+LabelImages LabelTarget::read(const cv::Size& image) const {
+  gl_.Disable(GL_SCISSOR_TEST);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  const cv::Rect all(0, 0, width_, height_);
+  const cv::Rect all(cv::Point(), image);
   const auto plane = [&](int output, int type, GLenum format, GLenum component) {
     return readPlane(gl_, framebuffer_, output, all, type, format, component);
   };

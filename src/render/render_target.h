@@ -46,10 +46,15 @@ class LabelTarget {
  public:
   LabelTarget(const GlFunctions& gl, int width, int height, const LabelPlanes& planes);
 
-  void begin() const;
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+
+  /// Binds the target and empties the part of it that is drawn until read().
+  /// @param image  the picture's size, at most the target's
+  void begin(const cv::Size& image) const;
 
   /// Without LabelImages::range.
-  [[nodiscard]] LabelImages read() const;
+  [[nodiscard]] LabelImages read(const cv::Size& image) const;
 
  private:
   const GlFunctions& gl_;

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -50,35 +51,36 @@ struct Renderer::Impl {
 
   PendingPicture drawPinhole(const View& view, const std::vector<Pose>& X_WL,
                              const ColourPass& pass, const std::vector<cv::Rect>& regions,
-                             const std::vector<ShadowProjection>& shadows) {
+                             const std::vector<ShadowProjection>& shadows,
+                             const View* whole = nullptr) {
     const bool smooth = pass.sampling == Sampling::kSmooth;
     UnfinishedPicture picture = pictures.get(view).paint(
-        {view, X_WL, pass.drawn, shadows, pass.exposure}, pass.casting, smooth, regions);
+        {view, X_WL, pass.drawn, shadows, pass.exposure, whole}, pass.casting, smooth, regions);
     return [this, picture = std::move(picture)] { return finished(picture, edge_smoother); };
   }
 
   PendingPicture drawThroughLens(const View& view, const std::vector<Pose>& X_WL,
                                  const ColourPass& pass,
                                  const std::vector<ShadowProjection>& shadows) {
-    const LensMap& lens = lenses.get(view.camera);
+    const std::shared_ptr<const LensMap> lens = lenses.get(view.camera);
     const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
     const std::vector<cv::Rect> regions = within(image, pass.regions);
     std::map<std::size_t, PendingPicture> faces;
-    const std::vector<View> views = faceViews(lens, view);
+    const std::vector<View> views = faceViews(*lens, view);
     for (std::size_t face = 0; face < views.size(); ++face) {
       std::vector<cv::Rect> needed;
-      for (const cv::Rect& region : regions) needed.push_back(neededOf(lens, face, region));
+      for (const cv::Rect& region : regions) needed.push_back(neededOf(*lens, face, region));
       if (boundsOf(needed).empty()) continue;
-      faces[face] = drawPinhole(views[face], X_WL, pass, needed, shadows);
+      faces[face] = drawPinhole(views[face], X_WL, pass, needed, shadows, &view);
     }
     const cv::Scalar background = light_painter.backgroundPixel(pass.exposure);
     const auto resample = pass.sampling == Sampling::kSmooth ? resampleSmooth : resampleCentres;
-    return [=, &lens, faces = std::move(faces)] {
+    return [=, faces = std::move(faces)] {
       cv::Mat picture(image.size(), CV_8UC3, background);
-      picture.setTo(cv::Scalar::all(0), lens.face < 0);
+      picture.setTo(cv::Scalar::all(0), lens->face < 0);
       for (const auto& [face, draw] : faces) {
         const cv::Mat drawn = draw();
-        for (const cv::Rect& region : regions) resample(lens, face, drawn, region, picture);
+        for (const cv::Rect& region : regions) resample(*lens, face, drawn, region, picture);
       }
       return picture;
     };
@@ -128,7 +130,7 @@ PendingPicture Renderer::draw(const View& view, const std::vector<Pose>& X_WL,
   const bool distorted = hasDistortion(view.camera);
   const auto shadows = shadowProjections(
       impl.lights,
-      distorted ? faceViews(impl.lenses.get(view.camera), view) : std::vector<View>{view},
+      distorted ? faceViews(*impl.lenses.get(view.camera), view) : std::vector<View>{view},
       impl.draw_list.casterBounds(X_WL, pass.casting), impl.options.shadow_distance,
       impl.options.shadow_map_size);
   return distorted ? impl.drawThroughLens(view, X_WL, pass, shadows)

@@ -180,12 +180,12 @@ cv::Mat SilhouettePainter::drawPinhole(const Subject& subject, const View& view,
 cv::Mat SilhouettePainter::draw(const Subject& subject, const View& view, const cv::Rect& region) {
   if (!hasDistortion(view.camera)) return drawPinhole(subject, view, region);
   cv::Mat mask = cv::Mat::zeros(region.size(), CV_8UC1);
-  const LensMap& lens = lenses_.get(view.camera);
-  const std::vector<View> views = faceViews(lens, view);
+  const auto lens = lenses_.get(view.camera);
+  const std::vector<View> views = faceViews(*lens, view);
   for (std::size_t face = 0; face < views.size(); ++face) {
-    const cv::Rect needed = neededOf(lens, face, region);
+    const cv::Rect needed = neededOf(*lens, face, region);
     if (needed.empty()) continue;
-    resampleMask(lens, face, drawPinhole(subject, views[face], needed), needed, region, mask);
+    resampleMask(*lens, face, drawPinhole(subject, views[face], needed), needed, region, mask);
   }
   return mask;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -8,6 +10,18 @@
 #include "world/description.h"
 
 namespace synthetic_dataset::world {
+
+/// A picture that is seen where nothing is.
+struct BackgroundPicture {
+  /// A picture fills the image, or lies round the world: then it is equirectangular, its upper edge
+  /// at +z and its middle along x, from which the columns to its right turn towards -y.
+  enum class Projection { kBackdrop, kPanorama };
+
+  std::shared_ptr<const Texture> picture;
+  Projection projection = Projection::kBackdrop;
+  double yaw = 0.0;         ///< of a panorama: it is turned about z, from x to y [rad]
+  double brightness = 1.0;  ///< times its light
+};
 
 /// How a world is lit and painted for a while: what of its description may differ from scene to
 /// scene while its things stay the same.
@@ -20,6 +34,9 @@ struct Look {
   std::vector<Light> lights;   ///< as many as the description has, of the same types, in its order
   Eigen::Vector3f ambient;     ///< sRGB-encoded
   Eigen::Vector3f background;  ///< sRGB-encoded
+
+  /// In place of the background's colour, and of the sky; it lights nothing.
+  std::optional<BackgroundPicture> background_picture;
 
   /// What surfaces wear instead of the materials that they were made with. Each is as transparent
   /// as what it replaces, double-sided and lit if that is, and has a normal or an emissive map only

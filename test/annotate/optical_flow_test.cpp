@@ -65,7 +65,7 @@ TEST_P(OpticalFlow, IsWhereProjectPointsPutsTheMovedPoints) {
   const BoxView seen = now.look(camera);
 
   const cv::Mat flow = opticalFlow(camera, seen.depth, seen.range, seen.links, now.X_WC, now.X_WL,
-                                   next.X_WC, next.X_WL);
+                                   camera, next.X_WC, next.X_WL);
 
   // The other way round: a point known on a box in the box's own frame, seen in both pictures.
   int compared = 0;
@@ -91,7 +91,7 @@ TEST_P(OpticalFlow, IsNothingWhereNothingMoves) {
   const BoxView seen = scene.look(camera);
 
   const cv::Mat flow = opticalFlow(camera, seen.depth, seen.range, seen.links, scene.X_WC,
-                                   scene.X_WL, scene.X_WC, scene.X_WL);
+                                   scene.X_WL, camera, scene.X_WC, scene.X_WL);
 
   EXPECT_LT(cv::norm(flow, cv::NORM_INF), 1e-3);
 }
@@ -102,7 +102,7 @@ TEST_P(OpticalFlow, IsTheSameFromDepthAlone) {
   next.X_WL[0] = next.X_WL[0] * pose({0.05, -0.03, 0.02}, {1, 1, 0}, 0.1);
   const BoxView seen = now.look(camera);
   const auto flow = [&](const cv::Mat& range) {
-    return opticalFlow(camera, seen.depth, range, seen.links, now.X_WC, now.X_WL, next.X_WC,
+    return opticalFlow(camera, seen.depth, range, seen.links, now.X_WC, now.X_WL, camera, next.X_WC,
                        next.X_WL);
   };
 
@@ -118,11 +118,25 @@ TEST(OpticalFlowOfAMovingCamera, SpreadsFromWhereItGoes) {
   const BoxView seen = test::look(kCamera, {{X_WL[0], {40, 40, 1}, 0}});
 
   const cv::Mat flow = opticalFlow(kCamera, seen.depth, seen.range, seen.links, Pose::Identity(),
-                                   X_WL, pose({0, 0, 0.5}), X_WL);
+                                   X_WL, kCamera, pose({0, 0, 0.5}), X_WL);
 
   for (const auto& [u, v] : {std::pair{0, 0}, {159, 0}, {100, 60}, {20, 110}}) {
     EXPECT_NEAR(static_cast<double>(flow.at<cv::Vec2f>(v, u)[0]), (u - 80.2) / 3, 1e-4);
     EXPECT_NEAR(static_cast<double>(flow.at<cv::Vec2f>(v, u)[1]), (v - 59.6) / 3, 1e-4);
+  }
+}
+
+TEST(OpticalFlowOfAZoomingCamera, SpreadsAsItsFieldOfViewNarrows) {
+  const CameraModel zoomed(160, 120, {195.0, 196.5, 80.2, 59.6}, 0.05, 100.0);  // half as much more
+  const std::vector<Pose> X_WL = {pose({0, 0, 2.5})};
+  const BoxView seen = test::look(kCamera, {{X_WL[0], {40, 40, 1}, 0}});
+
+  const cv::Mat flow = opticalFlow(kCamera, seen.depth, seen.range, seen.links, Pose::Identity(),
+                                   X_WL, zoomed, Pose::Identity(), X_WL);
+
+  for (const auto& [u, v] : {std::pair{0, 0}, {159, 0}, {100, 60}, {20, 110}}) {
+    EXPECT_NEAR(static_cast<double>(flow.at<cv::Vec2f>(v, u)[0]), (u - 80.2) / 2, 1e-4);
+    EXPECT_NEAR(static_cast<double>(flow.at<cv::Vec2f>(v, u)[1]), (v - 59.6) / 2, 1e-4);
   }
 }
 
@@ -134,7 +148,7 @@ TEST(OpticalFlowOfAFisheye, HoldsBesideAndBehindTheCamera) {
   cv::Mat depth = cv::Mat::zeros(150, 150, CV_32FC1);
   cv::Mat links(150, 150, CV_32SC1, cv::Scalar(1));
 
-  const cv::Mat flow = opticalFlow(kFisheye, depth, range, links, Pose::Identity(), X_WL,
+  const cv::Mat flow = opticalFlow(kFisheye, depth, range, links, Pose::Identity(), X_WL, kFisheye,
                                    pose({0, 0, 0}, {0, 0, 1}, kTurn), X_WL);
 
   int behind = 0;
@@ -160,7 +174,7 @@ TEST(OpticalFlowOfNothing, IsNoNumber) {
   const std::vector<Pose> X_WL = {pose({0, 0, 2})};
   const BoxView seen = test::look(kCamera, {{X_WL[0], {0.2, 0.2, 0.2}, 1}});
   const auto flow = [&](const Pose& X_WL_next) {
-    return opticalFlow(kCamera, seen.depth, seen.range, seen.links, Pose::Identity(), X_WL,
+    return opticalFlow(kCamera, seen.depth, seen.range, seen.links, Pose::Identity(), X_WL, kCamera,
                        Pose::Identity(), {X_WL_next});
   };
 

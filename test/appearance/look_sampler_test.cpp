@@ -287,6 +287,59 @@ TEST_F(LookSamplerTest, DrawsAmbientLightAndBackground) {
   EXPECT_EQ(look.ambient, Vector3f::Constant(static_cast<float>(drawn("ambient")))) << "a grey";
 }
 
+// --- How many lights are on ---
+
+TEST_F(LookSamplerTest, TurnsAsManyLightsOnAsAreDrawn) {
+  std::map<std::set<std::size_t>, int> times;  // by which were on
+  for (int scene = 0; scene < 300; ++scene) {
+    const world::Look look = sample("light_count: {choice: [1, 2]}", scene);
+    std::set<std::size_t> on;
+    for (std::size_t i = 0; i < look.lights.size(); ++i) {
+      const bool is_on = look.lights[i].diffuse == hall().lights[i].diffuse;
+      if (is_on) on.insert(i);
+      EXPECT_TRUE(is_on || look.lights[i].diffuse.isZero());
+      EXPECT_EQ(drawn("lights/" + look.lights[i].name + "/present"), is_on ? 1.0 : 0.0);
+    }
+    EXPECT_EQ(drawn("light_count"), static_cast<double>(on.size()));
+    ++times[on];
+  }
+  ASSERT_EQ(times.size(), 6U) << "each one, and each two";
+  for (const auto& [on, count] : times) EXPECT_GT(count, 25) << on.size();
+}
+
+TEST_F(LookSamplerTest, RoundsTheNumberOfLights) {
+  std::map<double, int> times;
+  for (int scene = 0; scene < 300; ++scene) {
+    (void)sample("light_count: {uniform: [0.5, 3.5]}", scene);
+    ++times[drawn("light_count")];
+  }
+  EXPECT_THAT(times,
+              ElementsAre(testing::Pair(1.0, testing::Gt(70)), testing::Pair(2.0, testing::Gt(70)),
+                          testing::Pair(3.0, testing::Gt(70))));
+  (void)sample("light_count: 0");
+  EXPECT_EQ(drawn("lights/sun/present") + drawn("lights/lamp/present"), 0.0);
+}
+
+TEST_F(LookSamplerTest, DrawsTheRestOfLightsWhetherTheyAreOnOrNot) {
+  const std::string lights = "lights: {every: {intensity: {uniform: [1, 2]}}}";
+  (void)sample(lights);
+  const Draws before = draws;
+  const world::Look look = sample(lights + ", light_count: 1");
+  for (const auto& [name, value] : before) EXPECT_EQ(draws.at(name), value) << name;
+  int on = 0;
+  for (const world::Light& light : look.lights) on += light.diffuse.isZero() ? 0 : 1;
+  EXPECT_EQ(on, 1);
+}
+
+TEST_F(LookSamplerTest, RefusesMoreLightsThanTheWorldHas) {
+  EXPECT_THAT(errorsOf("light_count: {uniform: [1, 4]}"),
+              ElementsAre("randomize/light_count: found up to 4.0; the world has 3 lights, and it "
+                          "should be no more (where a normal distribution ends, its `max` says)"));
+  EXPECT_THAT(errorsOf("light_count: {normal: [2, 1]}"),
+              ElementsAre(testing::HasSubstr("found up to 1000.0")));
+  EXPECT_THAT(errorsOf("light_count: {normal: [2, 1], max: 3}"), IsEmpty());
+}
+
 // --- Materials ---
 
 TEST_F(LookSamplerTest, PaintsAllSurfacesOfAVisual) {
@@ -414,6 +467,32 @@ TEST_F(LookSamplerTest, TakesEachEntrysTexturesFromItsOwnFolder) {
   EXPECT_EQ(worn(look, "ball::body::skin").texture->file, (folder / "light/a.png").string());
   const std::set<std::string> kinds = {"checkers", "stripes", "dots", "gradient", "clouds"};
   EXPECT_THAT(kinds, Contains(worn(look, "rover_2::base_link::hull").texture->file));
+}
+
+TEST_F(LookSamplerTest, NamesTheEntryOfAPictureThatCannotBeDecoded) {
+  const test::TemporaryFolder folder;
+  folder.write("broken.png", "no picture");
+  EXPECT_THAT(
+      errorsOf("materials: {objects: {textures: " + folder.path().string() +
+               "}, world: {textures: " + folder.path().string() +
+               "}}, background: {pictures: " + folder.path().string() + "}"),
+      UnorderedElementsAre(testing::HasSubstr("randomize/materials/objects/textures: picture '"),
+                           testing::HasSubstr("randomize/materials/world/textures: picture '"),
+                           testing::HasSubstr("randomize/background/pictures: picture '")));
+}
+
+TEST_F(LookSamplerTest, NamesTheEntryOfAPictureThatCannotBeDecodedAfterAll) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder / "a.png").string();
+  cv::imwrite(file, cv::Mat(2, 2, CV_8UC3));
+  const Parameters root(config::parseYaml(
+      "randomize: {materials: {world: {textures: " + folder.path().string() + "}}}", "test"));
+  LookSampler sampler(config::readRandomization(root), world);
+  std::filesystem::remove(file);
+  EntryDraws entry_draws(1, 0);
+  EXPECT_THAT([&] { (void)sampler.sample(entry_draws); },
+              testing::ThrowsMessage<Error>("randomize/materials/world/textures: picture '" + file +
+                                            "' cannot be opened"));
 }
 
 // --- Draws ---

@@ -142,13 +142,12 @@ TEST_F(TextureFolder, WithoutPicturesIsNamed) {
                                    "', a folder without pictures (png, jpg, bmp, tif, webp)"));
 }
 
-TEST_F(TextureFolder, NamesAPictureThatCannotBeDecoded) {
+TEST_F(TextureFolder, NamesAPictureThatCannotBeDecodedBeforeOneIsDrawn) {
+  add("red.png", {0, 0, 255});
   folder.write("broken.png", "\x89PNG but no more");
-  TextureSource textures = source();
-  random::RandomSource random(1);
   EXPECT_THAT(
-      [&] { (void)textures.draw(random); },
-      ThrowsMessage<Error>(AllOf(HasSubstr("texture '" + (folder / "broken.png").string() + "': "),
+      [&] { (void)source(); },
+      ThrowsMessage<Error>(AllOf(HasSubstr("picture '" + (folder / "broken.png").string() + "' "),
                                  HasSubstr("cannot be decoded"))));
 }
 

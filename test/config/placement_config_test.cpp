@@ -116,9 +116,11 @@ INSTANTIATE_TEST_SUITE_P(
                      "'map'?"},
         BadPlacement{"",
                      "placement/map: no map; it should name map_server's YAML file, or "
-                     "map_topic a topic of the bag"},
+                     "map_topic a topic of the bag or of the running system"},
         BadPlacement{"map: /a.yaml, map_topic: /map",
                      "placement/map: found together with map_topic"},
+        BadPlacement{"map: /a.yaml, received_map: {width: 3}",
+                     "placement/received_map: found without map_topic"},
         BadPlacement{"map: 3", "placement/map: found 3"},
         BadPlacement{"map: /a.yaml, surface: above",
                      "placement/surface: found 'above'; it should be below or none"},

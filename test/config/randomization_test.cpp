@@ -135,7 +135,25 @@ TEST(Randomization, ReadsHowLikelyObjectsAreThere) {
 TEST(Randomization, ReadsAmbientLightAndBackground) {
   const Randomization given = read("{ambient: {uniform: [0.25, 0.5]}, background: [0, 0.5, 1]}");
   expectRange(given.ambient, 3, 0.25, 0.5);
-  expectRange(given.background, 3, 0.0, 1.0);
+  expectRange(given.background.colour, 3, 0.0, 1.0);
+  EXPECT_EQ(given.background.colour_name, "background");
+  EXPECT_FALSE(given.background.pictures);
+}
+
+TEST(Randomization, ReadsHowManyLightsAreOn) {
+  EXPECT_FALSE(read("{lights: {sun: {present: 0.5}}}").light_count);
+  expectRange(read("{light_count: {choice: [1, 2, 4]}}").light_count, 1, 1.0, 4.0);
+  const Randomization given = read("{lights: {light_count: {present: 0.5}}}");
+  EXPECT_THAT(given.lights, ElementsAre(Key("light_count"))) << "a light may be called so";
+  EXPECT_FALSE(given.light_count);
+}
+
+TEST(Randomization, RefusesACountOfLightsBesideLightsThatAreOnByChance) {
+  EXPECT_THAT(errorsOf("{light_count: 1, lights: {sun: {intensity: 2}, every: {present: 0.5}}}"),
+              ElementsAre("randomize/light_count: found it beside lights/every/present; it should "
+                          "be one of the two, since each says which lights are on"));
+  EXPECT_THAT(errorsOf("{light_count: -1}"),
+              ElementsAre("randomize/light_count: found -1; it should be 0.0 to 1000.0"));
 }
 
 TEST(Randomization, ReadsAllOfASensor) {
@@ -153,6 +171,8 @@ TEST(Randomization, ChangesTheLookUnlessItIsOfSensorsAlone) {
   EXPECT_TRUE(read("{materials: {world: {roughness: 1}}}").changesLook());
   EXPECT_TRUE(read("{ambient: 1}").changesLook());
   EXPECT_TRUE(read("{background: 1}").changesLook());
+  EXPECT_TRUE(read("{background: {pictures: /data}}").changesLook());
+  EXPECT_TRUE(read("{light_count: 1}").changesLook());
 }
 
 TEST(Randomization, ShiftsEachAxisByItselfAndTintsAllChannelsAlike) {
@@ -255,6 +275,14 @@ TEST(Randomization, KnowsNoOtherEntries) {
   EXPECT_THAT(
       errors,
       Contains("randomize/lights/sun/intensty: unknown parameter; did you mean 'intensity'?"));
+}
+
+TEST(Randomization, OfTheFieldOfViewIsAnAngle) {
+  const auto sensor = read("{sensor: {field_of_view: {uniform: [0.6, 1.4]}}}").sensor;
+  expectRange(sensor.field_of_view, 1, 0.6, 1.4);
+  EXPECT_FALSE(read("{sensor: {blur: 1}}").sensor.field_of_view);
+  EXPECT_THAT(errorOf("sensor", "field_of_view: 0"), HasSubstr("it should be 0.01 to 6.28"));
+  EXPECT_THAT(errorOf("sensor", "field_of_view: {uniform: [1, 7]}"), HasSubstr("0.01 to 6.28"));
 }
 
 }  // namespace

@@ -70,6 +70,23 @@ TEST(Overlay, MergesGroupsAndReplacesAllElse) {
       (Map{{"a", Map{{"x", 1}, {"y", Value::List{2}}}}, {"b", Map{{"z", 2}}}, {"c", 3}, {"d", 4}}));
 }
 
+TEST(Overlay, ReplacesADistributionByAnother) {
+  const auto over = [](const Map& below, const Map& above) {
+    Value::Map settings{{"blur", Value(below)}};
+    overlay(settings, {{"blur", Value(above)}});
+    return settings.at("blur");
+  };
+  const Map uniform{{"uniform", Value::List{0, 1}}};
+  const Map normal{{"normal", Value::List{0, 1}}, {"max", 2}};
+  const Map choice{{"choice", Value::List{0, 1}}};
+  EXPECT_EQ(over(uniform, normal), Value(normal));
+  EXPECT_EQ(over(normal, uniform), Value(uniform));
+  EXPECT_EQ(over({{"pictures", "sky"}}, uniform), Value(uniform));
+  EXPECT_EQ(over(uniform, {{"pictures", "sky"}}), Value(Map{{"pictures", "sky"}}));
+  EXPECT_EQ(over(choice, {{"weights", Value::List{1, 2}}}),
+            Value(Map{{"choice", Value::List{0, 1}}, {"weights", Value::List{1, 2}}}));
+}
+
 TEST(SettingOf, ReadsYamlBelowAPath) {
   EXPECT_EQ(settingOf("shard/index", "2"), (Map{{"shard", Map{{"index", 2}}}}));
   EXPECT_EQ(settingOf("output_folder", "/data/run 1"), (Map{{"output_folder", "/data/run 1"}}));

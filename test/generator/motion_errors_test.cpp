@@ -90,6 +90,12 @@ TEST_F(UnknownOfMotions, OfTheRunIsToldOnceAndFirst) {
               ElementsAre("nonsense: unknown parameter", "motions/1: drivel: unknown parameter"));
 }
 
+TEST_F(UnknownOfMotions, OfTheRunsGroupIsNotThatOfAMotionWithOtherSettingsInIt) {
+  add("{group: {far: 1, nonsense: 2}}", "{}", {"group/far"});
+  add("{group: {far: 3, nonsense: 2}}", "{group: {far: 3}}", {"group/far"});
+  EXPECT_THAT(unknownParameters(entries, roots), ElementsAre("group/nonsense: unknown parameter"));
+}
+
 TEST_F(UnknownOfMotions, IsNotASettingThatOneMotionReadsAndAnotherReplaces) {
   // The first one has a sample instead of the run's pose.
   add("{camera: {sample: 1}}", "{camera: {sample: 1}}", {"camera/sample"});

@@ -43,16 +43,21 @@ void writeBags(const TemporaryFolder& folder) {
   BagBuilder other(folder / "other.bag");
   other.fix("map", "alpha/base_link", milliseconds(5000), poseAt(0.5, -0.4, 0.0));
   BagBuilder lone(folder / "lone.bag");
+  BagBuilder below(folder / "below.bag");
+  below.fix("map", "bravo/base_link", milliseconds(1000), poseAt(0.3, -0.8, 0.0));
   for (int i = 0; i <= 20; ++i) {
     if (i <= 10) {
       other.move("map", "bravo/base_link", milliseconds(5000 + 50 * i),
                  poseAt(0.0, 0.2 + 0.05 * i, 0.0));
     }
-    lone.move("map", "alpha/base_link", milliseconds(1000 + 50 * i),
-              poseAt(0.0, -0.5 + 0.05 * i, 0.0));
+    for (BagBuilder* bag : {&lone, &below}) {
+      bag->move("map", "alpha/base_link", milliseconds(1000 + 50 * i),
+                poseAt(0.0, -0.5 + 0.05 * i, 0.0));
+    }
   }
   other.close();
   lone.close();
+  below.close();
 }
 
 }  // namespace

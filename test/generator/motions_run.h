@@ -34,6 +34,7 @@ struct ListedMotion {
 /// A tiny run (4 scenes, all with exact masks) and what others of its motions may be made of:
 ///   other.bag   half a second, 2 scenes: alpha stands, bravo drives
 ///   lone.bag    the tiny bag without bravo
+///   below.bag   the tiny bag with bravo standing below the ball
 ///   yard.world  the tiny world on a green floor
 ///   lone.world  the tiny world without bravo
 ///   wide.yaml   a camera of 320 x 100 pixels, with distortion

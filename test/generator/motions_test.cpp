@@ -182,6 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Alone{"Camera", "camera: {info_file: DIR/wide.yaml}"},
                       Alone{"Pose", "camera: {pose: [-3, 0.5, 1, -0.5, 0.5, -0.5, 0.5]}"},
                       Alone{"Rate", "simulated_rate: 3"}, Alone{"Window", "start_offset: 0.4"},
+                      Alone{"Settled", "physics: {settle: 1}"},
                       Alone{"All",
                             "bag_file: DIR/other.bag, world: DIR/yard.world, simulated_rate: "
                             "10, camera: {info_file: DIR/wide.yaml}"}),
@@ -324,16 +325,18 @@ TEST_F(MotionsTest, ShowAnObjectOfTheWorldOnlyWhereItTakesPart) {
               Contains("yolo/00000003.png"));
 }
 
-TEST_F(MotionsTest, HaveNothingPushedByAnObjectThatDoesNotTakePart) {
-  // Bravo drives where the ball falls.
-  run.set("randomize", "{objects: {bravo: {present: 1}}}");
-  run.set("camera", "{info_file: DIR/camera.yaml, pose: [-3, -0.6, 0.5, -0.5, 0.5, -0.5, 0.5]}");
-  run.set("simulated_rate", "20");
+TEST_F(MotionsTest, HaveNothingFallOnAnObjectThatDoesNotTakePart) {
   run.list(
-      "[{robot_list: [alpha]}, {robot_list: [alpha], world: DIR/lone.world}, "
-      "{bravo: {frame: alpha/base_link}, alpha: {frame: bravo/base_link}}]");
+      "[{bag_file: DIR/below.bag, robot_list: [alpha]}, {robot_list: [alpha]}, "
+      "{bag_file: DIR/below.bag}]");
   const Files files = run.files();
-  EXPECT_THAT(differences(filesOf(files, 0, 20), shifted(filesOf(files, 20, 40), -20)), IsEmpty());
+  EXPECT_THAT(differences(filesOf(files, 0, 4), shifted(filesOf(files, 4, 8), -4)), IsEmpty());
+  // Where the ball lies on bravo, 0.5 m above the floor.
+  const auto onBravo = [&](const std::string& scene) {
+    return cv::imread(run.folder() + "/yolo/" + scene + ".png").at<cv::Vec3b>(59, 122);
+  };
+  EXPECT_EQ(onBravo("00000003"), onBravo("00000007"));
+  EXPECT_NE(onBravo("00000003"), onBravo("00000011"));
 }
 
 TEST_F(MotionsTest, LetAnObjectHaveTheFrameOfOneThatDoesNotTakePart) {
@@ -354,6 +357,12 @@ TEST_F(MotionsTest, LetAnObjectHaveTheFrameOfOneThatDoesNotTakePart) {
   EXPECT_EQ(centre(2, "alpha"), centre(0, "bravo")) << "it is where bravo was";
   EXPECT_EQ(centre(3, "alpha"), centre(1, "bravo"));
   EXPECT_NE(centre(4, "alpha"), "nowhere");
+}
+
+TEST_F(MotionsTest, KeepNoPlaceForAnObjectThatDoesNotTakePart) {
+  run.list("[{}, {scenes: 2, robot_list: [alpha], bravo: {safety_radius: 9}, " +
+           std::string(kPlaced) + "}]");
+  EXPECT_EQ(run.run().scenes, 6) << "with it there would be no place for alpha";
 }
 
 TEST_F(MotionsTest, AimCamerasAtWhatTakesPart) {

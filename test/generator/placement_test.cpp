@@ -583,6 +583,11 @@ TEST_F(PlacementTest, NamesACameraThatIsNowhere) {
               Contains(HasSubstr("camera: nothing says where it is; camera/pose should")));
 }
 
+TEST_F(PlacementTest, NamesAPlacementWithoutAMap) {
+  placement({{"tries", Value(5)}});
+  EXPECT_THAT(errors(), ::testing::ElementsAre(HasSubstr("placement/map: no map; it should name")));
+}
+
 TEST_F(PlacementTest, NamesWhatIsWrongWithSeveralSettingsAtOnce) {
   parameters.erase("scenes");
   parameters["start_offset"] = Value(1.0);

@@ -160,6 +160,19 @@ TEST_F(Variation, OfTheExposureMakesPicturesBrighter) {
   EXPECT_GT(floorIn(sorted.back()), 2.0 * floorIn(sorted.front()));
 }
 
+TEST_F(Variation, OfTheNumberOfLightsIsTold) {
+  randomize("{light_count: {choice: [0, 1]}}");
+  generate();
+  std::map<double, double> brightest;
+  for (const auto& [scene, draws] : drawsIn(folder)) {
+    EXPECT_THAT(namesOf(draws), ElementsAre("light_count", "lights/sun/present"));
+    const double count = draws.at("light_count").at(0);
+    EXPECT_EQ(draws.at("lights/sun/present").at(0), count);
+    brightest[count] = std::max(brightest[count], floorIn(scene));
+  }
+  EXPECT_GT(brightest.at(1.0), brightest.at(0.0) + 30.0);
+}
+
 TEST_F(Variation, IsThatOfTheWorldsOwnLightWhereItIsDrawnSo) {
   const Files as_described = generate();
   randomize("{lights: {sun: {intensity: 1, present: 1}}, sensor: {exposure: 0, blur: 0}}");
@@ -330,8 +343,17 @@ TEST_F(Variation, NamesEntriesThatMeanNothingBesideOtherErrors) {
 class VariedRun : public ::testing::Test {
  protected:
   VariedRun() {
+    const std::string skies = run.input("skies");
+    fs::create_directory(skies);
+    for (const int shade : {0, 100, 200}) {
+      cv::imwrite(skies + "/" + std::to_string(shade) + ".png",
+                  cv::Mat(20, 40, CV_8UC3, cv::Scalar(shade, 150, 200)));
+    }
     run.parameters["randomize"] = yaml(
-        "{lights: {sun: {intensity: {uniform: [0.2, 2]}, azimuth: {uniform: [-3, 3]}}}, ambient: "
+        "{background: {pictures: '" + skies +
+        "', projection: panorama, present: 0.7, yaw: "
+        "{uniform: [-3, 3]}}, light_count: {choice: [0, 1], weights: [1, 4]}, "
+        "lights: {sun: {intensity: {uniform: [0.2, 2]}, azimuth: {uniform: [-3, 3]}}}, ambient: "
         "{uniform: [0.1, 0.8]}, materials: {objects: {textures: procedural}, world: {for_each: "
         "model, colour: {uniform: [[0, 0, 0], 1]}}}, sensor: {exposure: {uniform: [-1, 1]}, "
         "noise_stddev: {uniform: [0, 0.03]}}, objects: {bravo: {present: 0.6}}, distractors: "

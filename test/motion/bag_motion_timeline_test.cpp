@@ -80,6 +80,45 @@ TEST(Timeline, EndsWithTheRecordingWhenTheDurationIsLonger) {
   EXPECT_THAT(motion.timeline("map", {"alpha"}, options).stamps, SizeIs(2));
 }
 
+/// So many milliseconds later as the place says.
+TimelineOptions laterByPlace(std::int64_t period) {
+  TimelineOptions options = everyMilliseconds(period);
+  options.jitter = [](std::int64_t place) { return milliseconds(10 * place); };
+  return options;
+}
+
+TEST(Timeline, MovesEachSceneByWhatItsPlaceOnTheGridSays) {
+  const auto jittered = [](std::int64_t first_of_bravo) {
+    const BagMotion motion = recorded([&](BagBuilder& bag) {
+      moveAlongX(bag, "map", "alpha", 1000, 3000);
+      moveAlongX(bag, "map", "bravo", first_of_bravo, 3000);
+    });
+    return motion.timeline("map", {"alpha", "bravo"}, laterByPlace(500));
+  };
+  EXPECT_THAT(jittered(1000).stamps, ElementsAre(milliseconds(1000), milliseconds(1510),
+                                                 milliseconds(2020), milliseconds(2530)));
+  EXPECT_THAT(jittered(1400).stamps,
+              ElementsAre(milliseconds(1510), milliseconds(2020), milliseconds(2530)))
+      << "a scene that is not there moves no other";
+  EXPECT_THAT(jittered(1400).jitter,
+              ElementsAre(milliseconds(10), milliseconds(20), milliseconds(30)));
+}
+
+TEST(Timeline, LeavesOutScenesThatAreMovedToWhereATransformIsNotKnown) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "alpha", 1000, 2000);
+    moveAlongX(bag, "map", "bravo", 1000, 1400);
+    bag.move("elsewhere", "bravo", milliseconds(1510));
+    moveAlongX(bag, "map", "bravo", 1600, 2000);
+  });
+  TimelineOptions options = everyMilliseconds(250);
+  options.jitter = [](std::int64_t place) { return milliseconds(place == 0 ? -5 : 12); };
+  const Timeline timeline = motion.timeline("map", {"alpha", "bravo"}, options);
+  EXPECT_THAT(timeline.stamps, ElementsAre(milliseconds(1262), milliseconds(1762)));
+  EXPECT_THAT(timeline.jitter, SizeIs(2));
+  EXPECT_EQ(timeline.left_out_unknown, 2) << "before the recording, and at 1512";
+}
+
 TEST(Timeline, LeavesOutScenesAtWhichATransformIsNotKnown) {
   const BagMotion motion = recorded([](BagBuilder& bag) {
     moveAlongX(bag, "map", "alpha", 1000, 1400);

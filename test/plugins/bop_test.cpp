@@ -89,6 +89,17 @@ TEST_F(Bop, ReprojectsModelsToTheScenesOwnPixels) {
   }
 }
 
+TEST_F(Bop, WritesEachImagesIntrinsics) {
+  dataset_.cameras[0].intrinsics_vary = true;
+  load({});
+  runAll({scene(0, {}), zoomed(scene(1, {}), 700.0)});
+  const json cameras = jsonOf("train/000000/scene_camera.json");
+  EXPECT_EQ(cameras.at("0").at("cam_K").at(0), 500.0);
+  EXPECT_EQ(cameras.at("1").at("cam_K").at(0), 700.0);
+  EXPECT_EQ(jsonOf("camera.json").at("fx"), 500.0) << "of the calibration";
+  EXPECT_EQ(jsonOf("dataset_info.json").at("cameras").at(0).at("intrinsics_vary"), true);
+}
+
 TEST_F(Bop, CountsPixelsAndMeasuresBoxesAsTheToolkitDoes) {
   load({});
   runAll({scene(0, roverAndLift())});

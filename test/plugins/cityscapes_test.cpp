@@ -152,6 +152,9 @@ TEST_F(Cityscapes, WritesTheCamera) {
   const auto json = jsonOf(posed, "camera/train/camera/camera_000000_000019_camera.json");
   EXPECT_EQ(json["intrinsic"]["fx"], 500.0);
   EXPECT_EQ(json["intrinsic"]["v0"], 240.0);
+  EXPECT_EQ(jsonOf(zoomed(posed, 700.0),
+                   "camera/train/camera/camera_000000_000019_camera.json")["intrinsic"]["fx"],
+            700.0);
   EXPECT_EQ(json["extrinsic"]["z"], 3.0);
   EXPECT_NEAR(json["extrinsic"]["yaw"].get<double>(), 0.5 * M_PI, 1e-12);
   EXPECT_NEAR(json["extrinsic"]["pitch"].get<double>(), 0.1, 1e-12);

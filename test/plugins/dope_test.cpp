@@ -181,6 +181,20 @@ TEST_F(Dope, WritesSettingsOfCameraAndClasses) {
   EXPECT_NEAR(settings.at("horizontal_fov").get<double>(), 65.2385, 1e-3);  // 2 atan(320 / 500)
 }
 
+TEST_F(Dope, WritesEachImagesIntrinsicsAndNoneForAllWhereTheyVary) {
+  dataset_.cameras[0].intrinsics_vary = true;
+  load({});
+  const Scene narrow = zoomed(scene(1, {rover()}), 700.0);
+  runAll({scene(0, {rover()}), narrow});
+  EXPECT_EQ(jsonOf("00000000.json").at("camera_data").at("intrinsics").at("fx"), 500.0);
+  EXPECT_EQ(jsonOf("00000001.json").at("camera_data").at("intrinsics").at("fx"), 700.0);
+  const json places = jsonOf("00000001.json").at("objects").at(0).at("projected_cuboid");
+  EXPECT_THAT(numbers(places.at(0)),
+              Pointwise(DoubleNear(1e-9), {320 + 700 / 9.5, 240 - 420 / 9.5}));
+  EXPECT_FALSE(std::filesystem::exists(folder() + "_camera_settings.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder() + "_object_settings.json"));
+}
+
 TEST_F(Dope, HasFoldersForSplitsAndCameras) {
   dataset_.splits = {{"train", 1}, {"val", 1}};
   dataset_.cameras = {{"front", "f", camera()}, {"rear", "r", camera()}};

@@ -72,6 +72,13 @@ TEST_F(ImageFolder, DescribesImageAndCamera) {
             json({1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 2.0, 0.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0, 1.0}));
 }
 
+TEST_F(ImageFolder, TellsTheIntrinsicsThatAnImageHas) {
+  dataset_.cameras[0].intrinsics_vary = true;
+  load({});
+  EXPECT_EQ(lineOf(zoomed(scene(3, {}), 700.0))["camera"]["K"],
+            json({700.0, 0.0, 320.0, 0.0, 700.0, 240.0, 0.0, 0.0, 1.0}));
+}
+
 TEST_F(ImageFolder, DescribesObjects) {
   dataset_.objects.resize(1);
   dataset_.objects[0].keypoint_count = 3;

@@ -192,6 +192,8 @@ TEST_F(Kitti, WritesTheCameraOfEachImage) {
                               "240.000000 0.000000 0.000000 0.000000 1.000000 0.000000\n"));
   EXPECT_THAT(text, HasSubstr("\nR0_rect: 1.000000 0.000000 0.000000 0.000000 1.000000"));
   EXPECT_THAT(text, HasSubstr("\nTr_velo_to_cam: 0.000000 -1.000000 0.000000 0.000000"));
+  EXPECT_THAT(filesOf(zoomed(scene(8, {}), 700.0)).at("training/calib/000008.txt"),
+              HasSubstr("P2: 700.000000 0.000000 320.000000 0.000000 0.000000 700.000000 "));
 }
 
 TEST_F(Kitti, WarnsOfObjectsTiltedByMoreThanADegree) {

@@ -42,6 +42,11 @@ Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
 
 CameraModel PluginTest::camera() { return {640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0}; }
 
+Scene PluginTest::zoomed(Scene scene, double focal_length) {
+  scene.camera = CameraModel(640, 480, {focal_length, focal_length, 320.0, 240.0}, 0.05, 100.0);
+  return scene;
+}
+
 SceneObject PluginTest::object(const std::string& name) {
   SceneObject object;
   object.name = name;

@@ -29,6 +29,9 @@ class PluginTest : public testing::Test {
 
   [[nodiscard]] static CameraModel camera();
 
+  /// The same scene as a camera of another focal length [px] has it.
+  [[nodiscard]] static Scene zoomed(Scene scene, double focal_length);
+
   /// An object at p_GO = (0, 0, 10) without turn, in view, with empty masks of its own.
   [[nodiscard]] static SceneObject object(const std::string& name);
 

@@ -10,15 +10,18 @@
 
 #include "plugins/model_shapes.h"
 #include "plugins/plugin_harness.h"
+#include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::ThrowsMessage;
 using testing::UnorderedElementsAre;
 
 const Cuboid kRover{{-1.0, -0.5, 0.0}, {1.0, 0.5, 0.6}};
@@ -258,6 +261,14 @@ TEST_F(PvNet, GivesEachObjectAndCameraAFolder) {
   EXPECT_THAT(namesIn(name + "/rear/rgb"), ElementsAre("0.jpg"));
   EXPECT_THAT(jsonOf(name + "/front/train.json").at("images"), IsEmpty());
   EXPECT_EQ(numbersOf("rover/rear/camera.txt").at(0), 400.0);
+}
+
+TEST_F(PvNet, RefusesACameraWhoseIntrinsicsVary) {
+  dataset_.cameras = {{"front", "f", camera()}, {"rear", "r", camera(), true}};
+  EXPECT_THAT([&] { load({}); },
+              ThrowsMessage<Error>(
+                  AllOf(HasSubstr("writer 'w': "), HasSubstr("'rear'"), HasSubstr("one camera.txt"),
+                        HasSubstr("randomize/sensor/field_of_view"), HasSubstr("bag_file"))));
 }
 
 TEST_F(PvNet, WarnsOfALensThatTheFormatCannotExpress) {

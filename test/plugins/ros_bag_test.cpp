@@ -195,6 +195,16 @@ TEST_F(RosBag, DescribesAPinholeCamera) {
               ElementsAre(500.0, 0.0, 320.0, 0.0, 0.0, 500.0, 240.0, 0.0, 0.0, 0.0, 1.0, 0.0));
 }
 
+TEST_F(RosBag, TellsTheIntrinsicsThatAnImageHas) {
+  dataset_.cameras[0].intrinsics_vary = true;
+  load({});
+  runAll({zoomed(timed(0, {}), 700.0)});
+  for (const char* topic : {"/camera/camera_info", "/camera/depth/camera_info"}) {
+    const auto info = onlyMessage<sensor_msgs::CameraInfo>(topic);
+    EXPECT_THAT(info.K, ElementsAre(700.0, 0.0, 320.0, 0.0, 700.0, 240.0, 0.0, 0.0, 1.0));
+  }
+}
+
 TEST_F(RosBag, GivesTheLensItsCoefficients) {
   struct Case {
     DistortionModel model;

@@ -20,7 +20,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr const char* kUndecodable =
-    "cannot be decoded; PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS and PSD pictures can";
+    "cannot be decoded; PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS, PSD and PGM pictures can";
 
 TrialLimits decodingLimits() {
   TrialLimits limits;
@@ -36,6 +36,17 @@ void checkSize(const PictureSize& size) {
   throw Error("is too large: " + std::to_string(size.width) + " x " + std::to_string(size.height) +
               " pixels; at most " + std::to_string(kLongestPictureSide) + " a side and " +
               std::to_string(kLargestPicture >> 20U) + " million in all can be read");
+}
+
+/// What of a file makes its pixels, where nothing speaks against decoding it.
+Bytes checked(const Bytes& file) {
+  if (file.empty()) throw Error("cannot be decoded: the file is empty");
+  if (const std::optional<PictureSize> size = claimedSize(file)) checkSize(*size);
+  Bytes essential = withoutColourProfile(file);
+  if (essential.empty() || !isWhole(essential)) {
+    throw Error("cannot be decoded: the file breaks off or is damaged");
+  }
+  return essential;
 }
 
 /// Neither library's threads are used here, so that this can run in a process that was forked.
@@ -101,12 +112,7 @@ cv::Mat toBgra(const cv::Mat& picture) {
 }  // namespace
 
 cv::Mat decodePixels(const Bytes& file, const std::string& name) {
-  if (file.empty()) throw Error("cannot be decoded: the file is empty");
-  if (const std::optional<PictureSize> size = claimedSize(file)) checkSize(*size);
-  const Bytes essential = withoutColourProfile(file);
-  if (essential.empty() || !isWhole(essential)) {
-    throw Error("cannot be decoded: the file breaks off or is damaged");
-  }
+  const Bytes essential = checked(file);
   const auto work = [&] { return toBytes(decode(essential, name)); };
   const std::variant<std::string, Breakdown> answer = tryWork(work, decodingLimits());
   if (const auto* breakdown = std::get_if<Breakdown>(&answer)) {
@@ -116,6 +122,14 @@ cv::Mat decodePixels(const Bytes& file, const std::string& name) {
   const bool known_depth = pixels.depth() == CV_8U || pixels.depth() == CV_16U;
   if (pixels.empty() || !known_depth) throw Error(kUndecodable);
   return pixels;
+}
+
+PictureSize checkPicture(const Bytes& file, const std::string& name) {
+  static_cast<void>(checked(file));
+  const std::optional<PictureSize> size = claimedSize(file);
+  if (size && size->width > 0 && size->height > 0) return *size;
+  const cv::Mat pixels = decodePixels(file, name);
+  return {static_cast<std::uint64_t>(pixels.cols), static_cast<std::uint64_t>(pixels.rows)};
 }
 
 cv::Mat decodePicture(const Bytes& file, const std::string& name) {

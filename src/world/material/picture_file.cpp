@@ -20,13 +20,22 @@ std::uint32_t bigEndian(const Bytes& file, std::size_t at) {
          static_cast<std::uint32_t>(file[at + 2]) << 8U | file[at + 3];
 }
 
+/// What each value of a byte makes of a checksum.
+std::array<std::uint32_t, 256> makeChecksumTable() {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
+    std::uint32_t sum = byte;
+    for (int bit = 0; bit < 8; ++bit) sum = (sum & 1U) != 0 ? 0xEDB88320U ^ (sum >> 1U) : sum >> 1U;
+    table[byte] = sum;
+  }
+  return table;
+}
+
 /// The checksum of a chunk (PNG specification, annex D).
 std::uint32_t checksum(const Bytes& file, std::size_t from, std::size_t to) {
+  static const std::array<std::uint32_t, 256> kTable = makeChecksumTable();
   std::uint32_t sum = 0xFFFFFFFFU;
-  for (std::size_t i = from; i < to; ++i) {
-    sum ^= file[i];
-    for (int bit = 0; bit < 8; ++bit) sum = (sum & 1U) != 0 ? 0xEDB88320U ^ (sum >> 1U) : sum >> 1U;
-  }
+  for (std::size_t i = from; i < to; ++i) sum = kTable[(sum ^ file[i]) & 0xFFU] ^ (sum >> 8U);
   return ~sum;
 }
 

@@ -137,6 +137,45 @@ TEST(PictureDecoder, RefusesWhatBreaksOff) {
   EXPECT_THAT(errorOf(tga, "a.tga"), HasSubstr("cannot be decoded"));
 }
 
+TEST(PictureDecoder, NamesThePicturesThatItReads) {
+  EXPECT_THAT(errorOf({'n', 'o', 'n', 'e'}), HasSubstr("PSD and PGM pictures can"));
+  const Bytes pgm = encoded(".pgm", cv::Mat(2, 3, CV_8UC1, cv::Scalar(7)));
+  EXPECT_EQ(pixel(decodePicture(pgm, "a.pgm")), cv::Vec4b(7, 7, 7, 255));
+}
+
+TEST(PictureDecoder, ChecksWithoutDecoding) {
+  const cv::Mat picture(3, 5, CV_8UC3, cv::Scalar(1, 2, 3));
+  for (const char* extension : {".png", ".jpg", ".bmp", ".tiff", ".webp", ".pgm"}) {
+    const cv::Mat grey(picture.size(), CV_8UC1, cv::Scalar(9));
+    const bool is_grey = std::string(extension) == ".pgm";
+    const PictureSize size = checkPicture(encoded(extension, is_grey ? grey : picture), "a");
+    EXPECT_EQ(size.width, 5U) << extension;
+    EXPECT_EQ(size.height, 3U) << extension;
+  }
+}
+
+TEST(PictureDecoder, ChecksThatNothingBreaksOffOrClaimsToBeLarge) {
+  const auto problem = [](const Bytes& bytes) -> std::string {
+    try {
+      (void)checkPicture(bytes, "a");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const cv::Mat picture(64, 64, CV_8UC3, cv::Scalar(1, 2, 3));
+  for (const char* extension : {".png", ".jpg", ".bmp"}) {
+    Bytes bytes = encoded(extension, picture);
+    bytes.resize(bytes.size() - 20);
+    EXPECT_THAT(problem(bytes), HasSubstr("breaks off or is damaged")) << extension;
+  }
+  Bytes png = encoded(".png", picture);
+  png[17] = 1;
+  EXPECT_THAT(problem(png), HasSubstr("is too large"));
+  EXPECT_THAT(problem({'n', 'o', 'n', 'e'}), HasSubstr("cannot be decoded"));
+  EXPECT_THAT(problem({}), HasSubstr("the file is empty"));
+}
+
 /// A TGA file of 4 x 2 pixels and nothing behind them.
 Bytes tgaOf(std::uint8_t kind, std::uint8_t depth, const Bytes& content) {
   const bool has_palette = kind % 8 == 1;
@@ -212,13 +251,13 @@ TEST(PictureDecoder, RefusesBmpGifAndPsdThatBreakOff) {
 TEST(PictureDecoder, RefusesWhatElseItsLibraryKnows) {
   const Bytes picture = encodedByFreeImage(FIF_XPM, false);
   ASSERT_GT(picture.size(), 40U);
-  EXPECT_THAT(errorOf(picture, "a.xpm"), HasSubstr("DDS and PSD pictures can"));
+  EXPECT_THAT(errorOf(picture, "a.xpm"), HasSubstr("PSD and PGM pictures can"));
 }
 
 TEST(PictureDecoder, RefusesWhatIsNoPicture) {
   const std::string text = "hello, I am a text";
   EXPECT_THAT(errorOf(Bytes(text.begin(), text.end()), "a.png"),
-              HasSubstr("PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS and PSD pictures can"));
+              HasSubstr("PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS, PSD and PGM pictures can"));
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "appearance/entry_draws.h"
+#include "appearance/picture_folder.h"
+#include "config/background_config.h"
+#include "world/look.h"
+
+namespace synthetic_dataset::appearance {
+
+/// Draws what is seen where nothing is: a colour, or a picture of a folder.
+class BackgroundSampler {
+ public:
+  /// @throws ErrorList naming the entry, for a folder without pictures, pictures that cannot be
+  ///     decoded, and panoramas that are not twice as wide as they are high
+  explicit BackgroundSampler(const config::BackgroundRandomization& config);
+
+  /// Draws a scene's background into its look.
+  void sample(EntryDraws& draws, world::Look& look);
+
+ private:
+  void checkProportions() const;
+  [[nodiscard]] world::BackgroundPicture drawPicture(EntryDraws& draws);
+
+  config::BackgroundRandomization config_;
+  std::optional<PictureFolder> pictures_;  ///< none where a colour alone is drawn
+};
+
+}  // namespace synthetic_dataset::appearance

@@ -1,0 +1,76 @@
+#include "config/background_config.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "config/checked_values.h"
+#include "config/distribution_config.h"
+#include "synthetic_dataset/nearest_name.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+constexpr double kBrightest = 1e6;
+constexpr DistributionRange kColourRange{3, 0.0, 1.0};
+
+const std::vector<std::string>& entryNames() {
+  static const std::vector<std::string> kNames = {"colour",     "pictures", "present",
+                                                  "projection", "yaw",      "brightness"};
+  return kNames;
+}
+
+/// Whether it has entries of its own, or such as are misspelt; else it is a distribution.
+bool isGroup(const std::optional<Value>& background) {
+  const auto* map = background ? background->as<Value::Map>() : nullptr;
+  if (map == nullptr) return false;
+  return std::any_of(map->begin(), map->end(), [](const auto& entry) {
+    return nearestName(entry.first, entryNames()).has_value();
+  });
+}
+
+BackgroundProjection readProjection(const Parameters& group) {
+  const auto projection = group.optional<std::string>("projection", "backdrop");
+  if (projection != "backdrop" && projection != "panorama") {
+    group.addError("projection", "found '" + projection + "'; it should be backdrop or panorama");
+  }
+  return projection == "panorama" ? BackgroundProjection::kPanorama
+                                  : BackgroundProjection::kBackdrop;
+}
+
+BackgroundPictures readPictures(const Parameters& group) {
+  BackgroundPictures pictures;
+  pictures.folder = absolutePath(group.required<std::string>("pictures"));
+  pictures.present = maybeProbability(group, "present");
+  pictures.projection = readProjection(group);
+  if (pictures.projection == BackgroundProjection::kPanorama) {
+    pictures.yaw = maybeDistribution(group, "yaw", kTurnRange);
+  }
+  pictures.brightness = maybeDistribution(group, "brightness", {1, 0.0, kBrightest});
+  return pictures;
+}
+
+}  // namespace
+
+BackgroundRandomization readBackground(const Parameters& randomize) {
+  const std::string name = "background";
+  BackgroundRandomization background;
+  if (!randomize.has(name)) return background;
+  if (!isGroup(randomize.maybe<Value>(name))) {
+    background.colour = maybeDistribution(randomize, name, kColourRange);
+    return background;
+  }
+  const Parameters group = randomize.group(name);
+  background.colour_name = name + "/colour";
+  background.colour = maybeDistribution(group, "colour", kColourRange);
+  if (!group.has("pictures")) return background;
+  background.pictures = readPictures(group);
+  const bool is_always_there = background.pictures->present.value_or(1.0) >= 1.0;
+  if (background.colour && is_always_there) {
+    group.addError("colour",
+                   "found a colour behind pictures that cover it; it should be left out, or "
+                   "`present` be given, the probability of a picture");
+  }
+  return background;
+}
+
+}  // namespace synthetic_dataset::config

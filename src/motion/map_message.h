@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nav_msgs/OccupancyGrid.h>
+
+#include "motion/recorded_map.h"
+
+namespace synthetic_dataset::motion {
+
+/// What a message tells.
+/// @throws Error when it is no map, as checkMap has it
+[[nodiscard]] RecordedMap mapOf(const nav_msgs::OccupancyGrid& grid);
+
+}  // namespace synthetic_dataset::motion

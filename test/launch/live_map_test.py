@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""The node `generate` with the map of a running system."""
+import os
+import pathlib
+import sqlite3
+import subprocess
+import tempfile
+import unittest
+import xmlrpc.client
+
+import rosunit
+import yaml
+
+from dataset_reading import Manifest
+import ros_programs
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLE = REPOSITORY / 'config' / 'example.yaml'
+SCENES = 2
+
+
+class LiveMap(unittest.TestCase):
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix='synthetic_dataset_')
+        self.addCleanup(scratch.cleanup)
+        self.environ = ros_programs.environment(scratch.name)
+        self.dataset = pathlib.Path(scratch.name) / 'dataset'
+
+    def publish(self, *arguments):
+        node = subprocess.Popen(['rosrun', 'synthetic_dataset', 'publish_map', *arguments],
+                                env=self.environ)
+        self.addCleanup(node.wait)
+        self.addCleanup(node.terminate)
+
+    def generate(self, **settings):
+        text = EXAMPLE.read_text(encoding='utf-8')
+        parameters = yaml.safe_load(text.replace('$(find synthetic_dataset)', str(REPOSITORY)))
+        del parameters['bag_file']
+        parameters.update(output_folder=str(self.dataset), motion='placement', scenes=SCENES,
+                          placement={'map_topic': 'hall_map'})
+        parameters['camera']['sample'] = {'look_at': 'all', 'distance': 4.0, 'elevation': 0.6}
+        parameters.update(settings)
+        master = xmlrpc.client.ServerProxy(os.environ['ROS_MASTER_URI'])
+        master.deleteParam('/live_map_test', '/generate')
+        master.setParam('/live_map_test', '/generate', parameters)
+        run = subprocess.run(['rosrun', 'synthetic_dataset', 'generate'], env=self.environ,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False,
+                             universal_newlines=True, timeout=ros_programs.TIMEOUT)
+        return run.returncode, run.stdout
+
+    def query(self, sql):
+        with sqlite3.connect(self.dataset / 'manifest.sqlite') as manifest:
+            return manifest.execute(sql).fetchall()
+
+    def test_places_objects_on_the_free_part(self):
+        self.publish('/hall_map')
+        code, log = self.generate()
+        self.assertEqual(code, 0, log)
+        self.assertEqual(Manifest(self.dataset).state, 'complete')
+        places = self.query('SELECT x, y FROM scene_object')
+        self.assertEqual(len(places), SCENES * 3)
+        for x, y in places:
+            self.assertTrue(-2.0 < x < 2.0 and -1.9 < y < 2.0, (x, y))
+
+    def test_is_kept_in_the_manifest(self):
+        self.publish('/hall_map')
+        self.assertEqual(self.generate()[0], 0)
+        cells = self.query("SELECT value FROM setting WHERE name = 'placement/received_map/cells'")
+        self.assertEqual(cells, [('"100x160 0x6240"',)])
+        code, log = self.generate()
+        self.assertEqual(code, 0, log)
+        self.assertIn('complete already', log)
+
+    def test_of_another_frame_is_an_error(self):
+        self.publish('/hall_map', 'odom')
+        code, log = self.generate()
+        self.assertEqual(code, 1, log)
+        self.assertIn("a map in the frame 'odom'", log)
+
+    def test_that_does_not_come_is_an_error_that_says_what_there_is(self):
+        self.publish('/hall_maps')
+        code, log = self.generate()
+        self.assertEqual(code, 1, log)
+        self.assertIn("placement/map_topic: found '/hall_map', on which no map came within 10 s", log)
+        self.assertIn("did you mean '/hall_maps'?", log)
+        self.assertFalse(self.dataset.exists())
+
+    def test_topic_of_another_type_is_an_error_at_once(self):
+        code, log = self.generate(placement={'map_topic': '/rosout'})  # its own messages
+        self.assertEqual(code, 1, log)
+        self.assertRegex(log, "'/rosout', which .*/generate.* publishes as rosgraph_msgs/Log; it "
+                              'should be nav_msgs/OccupancyGrid')
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('synthetic_dataset', 'live_map', '__main__')
