@@ -193,6 +193,7 @@ void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
   if (cameras_.empty()) return;
   std::vector<placement::CameraTarget> targets;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (!objects_[i].takes_part) continue;
     const Cuboid& box_O = boxes_O_[i];
     const Eigen::Vector3d centre_O = 0.5 * (box_O.low + box_O.high);
     targets.push_back(

@@ -68,10 +68,10 @@ std::vector<std::int64_t> sharesOf(const std::vector<SharingMotion>& motions,
     const std::string found = motion.group + "/weight: found " + Value(motion.weight).text() +
                               " of " + Value(sum).text() + " in all, ";
     if (counts[i] > motion.available) {
-      errors.push_back(found + "which is " + std::to_string(counts[i]) + " of the " +
-                       std::to_string(*total) + " scenes; this motion has " +
-                       std::to_string(motion.available) +
-                       " (fewer scenes in all, a smaller weight or a higher simulated_rate helps)");
+      errors.push_back(
+          found + "which is " + std::to_string(counts[i]) + " of the " + std::to_string(*total) +
+          " scenes; this motion has " + std::to_string(motion.available) +
+          " (fewer scenes in all, a smaller weight or more scenes of this motion help)");
     } else if (counts[i] == 0) {
       errors.push_back(found + "which is less than one scene; it should be larger" +
                        (total ? ", or scenes should" : ""));

@@ -44,6 +44,9 @@ BackgroundPictures readPictures(const Parameters& group) {
   pictures.projection = readProjection(group);
   if (pictures.projection == BackgroundProjection::kPanorama) {
     pictures.yaw = maybeDistribution(group, "yaw", kTurnRange);
+  } else if (group.has("yaw")) {
+    group.addError("yaw", "has a meaning with projection: panorama alone");
+    group.ignore("yaw");
   }
   pictures.brightness = maybeDistribution(group, "brightness", {1, 0.0, kBrightest});
   return pictures;

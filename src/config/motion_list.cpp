@@ -43,6 +43,14 @@ bool isPlacement(const Value::Map& settings) {
   return entry != settings.end() && entry->second == Value("placement");
 }
 
+/// The only motion of a run whose list is wrong. Above a list, `scenes` is a recording's, too.
+MotionEntry withoutMotions(const Value::Map& run) {
+  Value::Map settings = run;
+  settings.erase("motions");
+  if (!isPlacement(run)) settings.erase("scenes");
+  return {"", "0", 1.0, {}, {}, {}, Value(std::move(settings))};
+}
+
 /// Reads the entries one by one.
 class Reader {
  public:
@@ -52,7 +60,7 @@ class Reader {
     readTotal();
     if (given.empty()) error("motions: found an empty list; it should have a motion at least");
     for (std::size_t i = 0; i < given.size(); ++i) readEntry(given[i], i);
-    if (list_.entries.empty()) list_.entries.push_back({"", "0", 1.0, {}, {}, {}, Value(run_)});
+    if (list_.entries.empty()) list_.entries.push_back(withoutMotions(run_));
     checkNames();
     checkAllTakePart();
     layOver();
@@ -271,9 +279,7 @@ MotionList readMotions(const Value& parameters) {
   if (given != nullptr) return Reader(*run).read(*given);
   only.errors.push_back("motions: found " + motions->second.kind() +
                         "; it should be a list of groups of settings, one for each motion");
-  Value::Map rest = *run;
-  rest.erase("motions");
-  only.entries.front().settings = Value(std::move(rest));
+  only.entries.front() = withoutMotions(*run);
   return only;
 }
 

@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "output/file_system.h"
@@ -304,6 +306,25 @@ void Manifest::setContent(const std::string& path, std::int64_t bytes, const std
 
 bool Manifest::isInPlace() const { return identityOf(file_) == identity_; }
 
+namespace {
+
+/// SQLite itself does not wait here for those who read, as they may at any time.
+void endLog(const SqliteDatabase& database) {
+  constexpr int kMostTries = 1000;
+  constexpr std::chrono::milliseconds kPause(20);
+  database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  for (int tries = 1;; ++tries) {
+    try {
+      return database.execute("PRAGMA journal_mode = DELETE");
+    } catch (const Error&) {
+      if (tries == kMostTries) throw;
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+}
+
+}  // namespace
+
 void Manifest::finish() {
   const std::string copy = temporaryPath(file_);
   ::unlink(copy.c_str());
@@ -319,8 +340,7 @@ void Manifest::finish() {
   }
   syncFile(copy);
   // The log belongs to the file that is about to go; the new one would be read with it.
-  database_.execute("PRAGMA wal_checkpoint(TRUNCATE)");
-  database_.execute("PRAGMA journal_mode = DELETE");
+  endLog(database_);
   giveName(copy, file_);
 }
 

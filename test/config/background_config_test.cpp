@@ -102,7 +102,8 @@ TEST(BackgroundConfig, KnowsNoEntryThatWouldMeanNothing) {
     (void)readBackground(group);
     return group.unknownNames();
   };
-  EXPECT_THAT(unknownIn("{pictures: /data, yaw: 1}"), ElementsAre("background/yaw"));
+  EXPECT_THAT(errorsOf("{pictures: /data, yaw: 1}"),
+              ElementsAre("background/yaw: has a meaning with projection: panorama alone"));
   EXPECT_THAT(unknownIn("{colour: 0.5, projection: panorama}"),
               ElementsAre("background/projection"));
   EXPECT_THAT(unknownIn("{picturs: /data}"), ElementsAre("background/picturs"));

@@ -102,6 +102,14 @@ TEST_F(MotionsErrors, NameWhatIsNoListBesideOthers) {
   EXPECT_THAT(run.errors(), Contains(StartsWith("motions: found an empty list")));
 }
 
+TEST_F(MotionsErrors, SayNothingElseOfAListThatIsWrong) {
+  run.set("scenes", "9");
+  run.list("[]");
+  EXPECT_THAT(run.errors(), ElementsAre(StartsWith("motions: found an empty list")));
+  run.set("motions", "{a: 1}");
+  EXPECT_THAT(run.errors(), ElementsAre(StartsWith("motions: found a group; it should be")));
+}
+
 TEST_F(MotionsErrors, NameAMotionWithTooFewScenes) {
   run.set("scenes", "9");
   run.list("[{}, {bag_file: DIR/other.bag, weight: 2}]");

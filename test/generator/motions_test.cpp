@@ -380,6 +380,13 @@ TEST_F(MotionsTest, AimCamerasAtWhatTakesPart) {
   }
 }
 
+TEST_F(MotionsTest, AimCamerasAtWhatTakesPartWhereAllOfThatIsAbsent) {
+  run.set("randomize", "{objects: {every: {present: 0}}}");
+  run.list("[{}, {scenes: 4, robot_list: [bravo], camera: {sample: {look_at: all}}, " +
+           std::string(kPlaced) + "}]");
+  EXPECT_EQ(run.run().scenes, 8) << "alpha is where no camera finds a place";
+}
+
 TEST_F(MotionsTest, HaveTheModelOfAnObjectThatTakesPartLater) {
   for (const char* name : {"yolo", "bounding_shape"}) run.parameters.erase(name);
   run.set("writers", "[{name: bop, type: synthetic_dataset/Bop}]");

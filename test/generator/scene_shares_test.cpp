@@ -68,8 +68,8 @@ TEST(SharesOf, NameAMotionThatHasTooFew) {
   EXPECT_THAT(
       errorsOf({{"motions/0", 3, 10}, {"motions/1", 1, 100}}, 40),
       ElementsAre("motions/0/weight: found 3.0 of 4.0 in all, which is 30 of the 40 scenes; "
-                  "this motion has 10 (fewer scenes in all, a smaller weight or a higher "
-                  "simulated_rate helps)"));
+                  "this motion has 10 (fewer scenes in all, a smaller weight or more "
+                  "scenes of this motion help)"));
 }
 
 TEST(SharesOf, NameAMotionThatWouldGiveNone) {

@@ -1,11 +1,14 @@
 #include "output/dataset_store.h"
 
+#include <atomic>
 #include <filesystem>
 #include <ostream>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "output/sqlite.h"
 #include "output/store_fixture.h"
 #include "synthetic_dataset/errors.h"
 
@@ -303,6 +306,29 @@ TEST(DatasetStore, MakesEqualManifestsInEqualRuns) {
   const test::TemporaryFolder first;
   const test::TemporaryFolder second;
   EXPECT_EQ(manifestOfARun(first.path().string()), manifestOfARun((second / "deeper").string()));
+}
+
+/// SQLite's log ends with the run, for which no reader may be there.
+TEST(DatasetStore, EndsWhileOthersReadItsManifest) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder / "manifest.sqlite").string();
+  std::atomic<bool> is_over{false};
+  std::thread reader([&] {
+    while (!is_over) {
+      if (!fs::exists(file)) continue;
+      try {
+        const SqliteDatabase manifest(file, SqliteDatabase::Mode::kReadOnly);
+        SqliteStatement count(manifest, "SELECT count(*) FROM scene");
+        while (count.step()) continue;
+      } catch (const Error&) {
+        continue;  // it came between the file's making and its tables
+      }
+    }
+  });
+  const std::string manifest = manifestOfARun(folder.path().string());
+  is_over = true;
+  reader.join();
+  EXPECT_NE(manifest, "");
 }
 
 TEST(DatasetStore, LeavesASingleManifestFile) {

@@ -49,6 +49,20 @@ Bytes checked(const Bytes& file) {
   return essential;
 }
 
+/// OpenCV sets its codecs up when somebody first asks for them. A process that is forked while
+/// another thread does that would wait for it for ever: the process has no such thread.
+void setUpCodecs() {
+  static const bool kAreSetUp = [] {
+    for (const char* kind : {".png", ".jpg"}) {
+      std::vector<std::uint8_t> file;
+      cv::imencode(kind, cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(0)), file);
+      static_cast<void>(cv::imdecode(file, cv::IMREAD_UNCHANGED));
+    }
+    return true;
+  }();
+  static_cast<void>(kAreSetUp);
+}
+
 /// Neither library's threads are used here, so that this can run in a process that was forked.
 cv::Mat decode(const Bytes& file, const std::string& name) {
   cv::Mat pixels;
@@ -113,6 +127,7 @@ cv::Mat toBgra(const cv::Mat& picture) {
 
 cv::Mat decodePixels(const Bytes& file, const std::string& name) {
   const Bytes essential = checked(file);
+  setUpCodecs();
   const auto work = [&] { return toBytes(decode(essential, name)); };
   const std::variant<std::string, Breakdown> answer = tryWork(work, decodingLimits());
   if (const auto* breakdown = std::get_if<Breakdown>(&answer)) {
