@@ -1,5 +1,6 @@
 // Settings: YAML, and all that is read of them before the run.
 #include "config/config.h"
+#include "config/motion_list.h"
 #include "config/yaml_value.h"
 #include "fuzzing.h"
 
@@ -7,9 +8,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;
   fuzzing::tolerating([&] {
     const Value settings = config::parseYaml(std::string(fuzzing::view(data, size)), "settings");
-    const Parameters root(settings);
-    static_cast<void>(config::readConfig(root));
-    static_cast<void>(config::unknownParameterErrors(root));
+    for (const config::MotionEntry& motion : config::readMotions(settings).entries) {
+      const Parameters root(motion.settings);
+      static_cast<void>(config::readConfig(root));
+      static_cast<void>(config::unknownParameterErrors(root, root.unknownNames()));
+    }
   });
   return 0;
 }
