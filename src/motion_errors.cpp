@@ -16,16 +16,6 @@ std::string inGroup(const std::string& group, const std::string& message) {
   return group.empty() ? message : group + ": " + message;
 }
 
-/// Whether a motion says this itself: "camera/info_file".
-bool isOwn(const Value::Map& own, const std::string& full_name) {
-  const std::size_t slash = full_name.find('/');
-  const auto entry = own.find(full_name.substr(0, slash));
-  if (entry == own.end()) return false;
-  const auto* group = entry->second.as<Value::Map>();
-  return slash == std::string::npos || group == nullptr ||
-         isOwn(*group, full_name.substr(slash + 1));
-}
-
 /// Those of the first that are among those of all others, too.
 std::vector<std::string> commonTo(const std::vector<std::vector<std::string>>& lists) {
   std::vector<std::string> common;
@@ -60,7 +50,7 @@ std::vector<std::string> unusedSettings(const std::vector<config::MotionEntry>& 
   for (std::size_t i = 0; i < roots.size(); ++i) {
     unused.emplace_back();
     for (const std::string& name : roots[i].unknownNames()) {
-      if (!isOwn(entries[i].own, name)) unused.back().push_back(name);
+      if (!entries[i].says(name)) unused.back().push_back(name);
     }
   }
   return commonTo(unused);
@@ -73,7 +63,7 @@ std::vector<std::string> unknownParameters(const std::vector<config::MotionEntry
   for (std::size_t i = 0; i < roots.size(); ++i) {
     std::vector<std::string> own;
     for (const std::string& name : roots[i].unknownNames()) {
-      if (isOwn(entries[i].own, name)) own.push_back(name);
+      if (entries[i].says(name)) own.push_back(name);
     }
     for (const std::string& message : config::unknownParameterErrors(roots[i], own)) {
       errors.push_back(inGroup(entries[i].group, message));

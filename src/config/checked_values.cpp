@@ -71,6 +71,15 @@ std::optional<double> maybeProbability(const Parameters& group, const std::strin
   return std::nullopt;
 }
 
+std::optional<std::int64_t> maybeSceneCount(const Parameters& group, const std::string& name) {
+  constexpr std::int64_t kMost = 100000000;
+  const auto count = group.maybe<std::int64_t>(name);
+  if (!count || (*count >= 1 && *count <= kMost)) return count;
+  group.addError(name, "found " + std::to_string(*count) +
+                           "; it should be 1 to 100000000, the number of scenes to make");
+  return std::nullopt;
+}
+
 std::optional<double> maybeSeconds(const Parameters& group, const std::string& name) {
   constexpr double kLongest = 1e9;
   const auto number = group.maybe<double>(name);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,11 @@ namespace synthetic_dataset::config {
 /// A probability, 0 to 1; nothing where it is not there or wrong, which is noted.
 [[nodiscard]] std::optional<double> maybeProbability(const Parameters& group,
                                                      const std::string& name);
+
+/// How many scenes there are to be, 1 to 100000000: their files' names have eight digits. Nothing
+/// where it is not there or wrong, which is noted.
+[[nodiscard]] std::optional<std::int64_t> maybeSceneCount(const Parameters& group,
+                                                          const std::string& name);
 
 /// A length of time in seconds, at most about 30 years, so that nanoseconds stay in range.
 [[nodiscard]] std::optional<double> maybeSeconds(const Parameters& group, const std::string& name);

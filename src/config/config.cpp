@@ -21,18 +21,6 @@ MotionSource readSource(const Parameters& root) {
   return source == "placement" ? MotionSource::kPlacement : MotionSource::kBag;
 }
 
-void readSceneCount(const Parameters& root, MotionConfig& motion) {
-  constexpr std::int64_t kMost = 100000000;  // file names have eight digits
-  motion.scenes = root.required<std::int64_t>("scenes");
-  const auto given = root.maybe<Value>("scenes");
-  const bool is_number = given && given->is<std::int64_t>();
-  if (is_number && (motion.scenes < 1 || motion.scenes > kMost)) {
-    root.addError("scenes", "found " + std::to_string(motion.scenes) +
-                                "; it should be 1 to 100000000, the number of scenes to make");
-    motion.scenes = 1;
-  }
-}
-
 /// Settings of the other source would do nothing, which nobody expects.
 void refuse(const Parameters& root, const std::vector<std::string>& names,
             const std::string& needed) {
@@ -49,7 +37,8 @@ MotionConfig readMotion(const Parameters& root) {
   const bool is_placed = motion.source == MotionSource::kPlacement;
   if (is_placed) {
     motion.bag_files = root.maybe<std::vector<std::string>>("bag_file").value_or(motion.bag_files);
-    readSceneCount(root, motion);
+    if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which tells so
+    motion.scenes = maybeSceneCount(root, "scenes").value_or(1);
     refuse(root, {"start_offset", "duration", "max_tf_gap"}, "bag");
   } else {
     motion.bag_files = root.required<std::vector<std::string>>("bag_file");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/checked_values.h"
 #include "config/motion_overlay.h"
 #include "config/settings_file.h"
 #include "synthetic_dataset/errors.h"
@@ -11,8 +12,6 @@
 
 namespace synthetic_dataset::config {
 namespace {
-
-constexpr std::int64_t kMostScenes = 100000000;  // file names have eight digits
 
 const std::set<std::string>& settingsOfEntries() {
   static const std::set<std::string> kNames = {"name", "weight", "split", "robot_list"};
@@ -74,16 +73,8 @@ class Reader {
   void readTotal() {
     if (run_.count("scenes") == 0) return;
     list_.is_weighted = true;
-    list_.scenes = numberOfScenes(all_.maybe<std::int64_t>("scenes"), all_.fullName("scenes"));
+    list_.scenes = maybeSceneCount(all_, "scenes");
     for (const std::string& message : all_.errors()) error(message);
-  }
-
-  std::optional<std::int64_t> numberOfScenes(const std::optional<std::int64_t>& found,
-                                             const std::string& name) {
-    if (!found || (*found >= 1 && *found <= kMostScenes)) return found;
-    error(name + ": found " + std::to_string(*found) +
-          "; it should be 1 to 100000000, the number of scenes to make");
-    return std::nullopt;
   }
 
   void readEntry(const Value& given, std::size_t place) {
@@ -267,7 +258,18 @@ class Reader {
   MotionList list_;
 };
 
+/// Whether settings have one of this full name.
+bool has(const Value::Map& settings, const std::string& full_name) {
+  const std::size_t slash = full_name.find('/');
+  const auto entry = settings.find(full_name.substr(0, slash));
+  if (entry == settings.end()) return false;
+  const auto* group = entry->second.as<Value::Map>();
+  return slash == std::string::npos || group == nullptr || has(*group, full_name.substr(slash + 1));
+}
+
 }  // namespace
+
+bool MotionEntry::says(const std::string& full_name) const { return has(own, full_name); }
 
 MotionList readMotions(const Value& parameters) {
   MotionList only;

@@ -19,6 +19,9 @@ struct MotionEntry {
   std::set<std::string> objects = {};  ///< of robot_list, that take part in it; empty: all
   Value::Map own = {};                 ///< what it says itself
   Value settings;                      ///< all that holds for it: its own settings over the run's
+
+  /// Whether it says this itself: "camera/info_file".
+  [[nodiscard]] bool says(const std::string& full_name) const;
 };
 
 /// Where a run's scenes come from, in the order in which they are numbered.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -43,14 +42,10 @@ std::vector<std::size_t> DistractorPlacer::choose(std::int64_t scene) const {
   random::RandomSource source(seed_, scene, "randomize/distractors/count");
   const auto wished = std::llround(config_.count.drawNumber(source));
   const std::size_t count = std::min(static_cast<std::size_t>(wished), boxes_M_.size());
-  std::vector<std::size_t> all(boxes_M_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
   random::RandomSource which(seed_, scene, "randomize/distractors/which");
-  // The first steps of Fisher's and Yates's shuffle.
-  for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + which.index(all.size() - i)]);
-  all.resize(count);
-  std::sort(all.begin(), all.end());
-  return all;
+  std::vector<std::size_t> chosen = which.choice(count, boxes_M_.size());
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
 }
 
 std::vector<int> DistractorPlacer::place(std::int64_t scene,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "random/mixed_bits.h"
 #include "random/random_normal.h"
@@ -35,6 +37,15 @@ std::size_t RandomSource::index(std::size_t count) {
   std::uint64_t draw = bits();
   while (draw >= limit) draw = bits();
   return static_cast<std::size_t>(draw % count);
+}
+
+std::vector<std::size_t> RandomSource::choice(std::size_t count, std::size_t all) {
+  std::vector<std::size_t> numbers(all);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  // The first steps of Fisher's and Yates's shuffle.
+  for (std::size_t i = 0; i < count; ++i) std::swap(numbers[i], numbers[i + index(all - i)]);
+  numbers.resize(count);
+  return numbers;
 }
 
 double RandomSource::angle() { return kPi - 2.0 * kPi * unit(); }

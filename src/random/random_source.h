@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -30,6 +31,10 @@ class RandomSource {
 
   /// 0 <= number < count, each as likely as the others. @param count  > 0
   [[nodiscard]] std::size_t index(std::size_t count);
+
+  /// So many of the numbers 0 .. all - 1, each as likely as the others, in a random order.
+  /// @param count  <= all
+  [[nodiscard]] std::vector<std::size_t> choice(std::size_t count, std::size_t all);
 
   /// A heading: -pi < angle <= pi.
   [[nodiscard]] double angle();

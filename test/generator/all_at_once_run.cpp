@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include <gtest/gtest.h>
+
 #include "generator.h"
 #include "writers/plugin_environment.h"
 
@@ -70,6 +72,15 @@ std::map<std::string, std::string> AllAtOnceRun::files(const std::string& folder
     files[fs::relative(entry.path(), folder).string()] = readFile(entry.path());
   }
   return files;
+}
+
+void AllAtOnceRun::expectFiles(const std::map<std::string, std::string>& expected) const {
+  const std::map<std::string, std::string> made = files(folder());
+  EXPECT_EQ(made.size(), expected.size());
+  for (const auto& [name, bytes] : expected) {
+    const auto found = made.find(name);
+    EXPECT_TRUE(found != made.end() && found->second == bytes) << name;
+  }
 }
 
 }  // namespace synthetic_dataset::test

@@ -45,6 +45,9 @@ class AllAtOnceRun {
   /// Every file below a dataset's folder, by its relative path.
   [[nodiscard]] static std::map<std::string, std::string> files(const std::string& folder);
 
+  /// Expects these files in `folder`, and no others.
+  void expectFiles(const std::map<std::string, std::string>& expected) const;
+
   Value::Map parameters;
 
  private:

@@ -175,15 +175,6 @@ class ZoomingRun : public ::testing::Test {
     return files;
   }
 
-  void expectFiles(const Files& expected) const {
-    const Files made = AllAtOnceRun::files(run.folder());
-    EXPECT_EQ(made.size(), expected.size());
-    for (const auto& [name, bytes] : expected) {
-      const auto found = made.find(name);
-      EXPECT_TRUE(found != made.end() && found->second == bytes) << name;
-    }
-  }
-
   [[nodiscard]] std::vector<WrittenScene> scenesOf(const std::string& camera) const {
     std::ifstream file(run.folder() + "/w_ImageFolder/train/metadata.jsonl");
     std::vector<WrittenScene> scenes;
@@ -310,18 +301,18 @@ TEST_F(ZoomingRun, GivesTheSameBytesResumedInShardsAndAlone) {
   StoppingReporter stopping(5);
   EXPECT_TRUE(run.run(stopping, run.folder()).stopped);
   (void)run.run();
-  expectFiles(expected);
+  run.expectFiles(expected);
   fs::remove_all(run.folder());
   for (const int index : {1, 0}) (void)run.runShard(index, 2, run.folder());
   Reporter silent;
   mergeShards(run.folder(), {}, silent, {test::pluginXml()});
-  expectFiles(expected);
+  run.expectFiles(expected);
   fs::remove_all(run.folder());
   run.parameters["only_scenes"] = yaml("[5]");
   EXPECT_EQ(run.run().scenes, 2);
   run.parameters.erase("only_scenes");
   (void)run.run();
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 class ReusingRun : public ZoomingRun, public ::testing::WithParamInterface<const char*> {};
@@ -334,7 +325,7 @@ TEST_P(ReusingRun, GivesTheSameBytesWhereNothingIsKept) {
   const Files expected = unbroken();
   run.parameters["rendering"] = yaml("{reuse: false}");
   (void)run.run();
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cameras, ReusingRun,

@@ -83,15 +83,6 @@ class PartsOfMotions : public ::testing::Test {
     return files;
   }
 
-  void expectFiles(const Files& expected) const {
-    const Files made = AllAtOnceRun::files(run.folder());
-    EXPECT_EQ(made.size(), expected.size());
-    for (const auto& [name, bytes] : expected) {
-      const auto found = made.find(name);
-      EXPECT_TRUE(found != made.end() && found->second == bytes) << name;
-    }
-  }
-
   static constexpr std::int64_t kScenes = 20;
   AllAtOnceRun run;
 };
@@ -107,7 +98,7 @@ TEST_F(PartsOfMotions, GiveTheBytesOfAllAtOnceWhenResumedWithinAnyOfThem) {
     EXPECT_LE(rest.scenes, kScenes - 2 * times + 2) << "one waited for the next";
     EXPECT_EQ(rest.dataset_scenes, kScenes);
     SCOPED_TRACE("stopped after " + std::to_string(times));
-    expectFiles(expected);
+    run.expectFiles(expected);
   }
 }
 
@@ -116,14 +107,14 @@ TEST_F(PartsOfMotions, GiveTheBytesOfAllAtOnceInShards) {
   for (const int index : {2, 0, 1}) (void)run.runShard(index, 3, run.folder());
   Reporter silent;
   mergeShards(run.folder(), {}, silent, {test::pluginXml()});
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(PartsOfMotions, GiveTheSameBytesWhereNothingIsKept) {
   const Files expected = atOnce();
   run.parameters["rendering"] = yaml("{reuse: false}");
   (void)run.run();
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(PartsOfMotions, MakeSomeScenesAlone) {
@@ -139,7 +130,7 @@ TEST_F(PartsOfMotions, MakeSomeScenesAlone) {
   EXPECT_GT(files, 30);
   run.parameters.erase("only_scenes");
   EXPECT_EQ(run.run().scenes, kScenes - 6);
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(PartsOfMotions, AreNotGoneThroughAgainWhenTheyAreComplete) {

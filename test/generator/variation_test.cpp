@@ -368,15 +368,6 @@ class VariedRun : public ::testing::Test {
     return files;
   }
 
-  void expectFiles(const Files& expected) const {
-    const Files made = AllAtOnceRun::files(run.folder());
-    EXPECT_EQ(made.size(), expected.size());
-    for (const auto& [name, bytes] : expected) {
-      const auto found = made.find(name);
-      EXPECT_TRUE(found != made.end() && found->second == bytes) << name;
-    }
-  }
-
   /// What was made so far is what these have.
   void expectScenesOf(const Files& expected) const {
     int files = 0;
@@ -423,7 +414,7 @@ TEST_F(VariedRun, GivesTheBytesOfAnUnbrokenOneWhenResumed) {
   StoppingReporter stopping(5);
   EXPECT_TRUE(run.run(stopping, run.folder()).stopped);
   EXPECT_LT(run.run().scenes, 16);
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(VariedRun, GivesTheBytesOfASingleOneInShards) {
@@ -431,14 +422,14 @@ TEST_F(VariedRun, GivesTheBytesOfASingleOneInShards) {
   for (const int index : {1, 0}) (void)run.runShard(index, 2, run.folder());
   Reporter silent;
   mergeShards(run.folder(), {}, silent, {test::pluginXml()});
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(VariedRun, GivesTheSameBytesWhereNothingIsKept) {
   const Files expected = unbroken();
   run.parameters["rendering"] = yaml("{reuse: false}");
   (void)run.run();
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(VariedRun, MakesOneSceneByItself) {
@@ -474,7 +465,7 @@ TEST_F(VariedRun, IsCompletedByTheSameCommandWithoutOnlyScenes) {
   EXPECT_FALSE(rest.was_complete);
   EXPECT_EQ(rest.scenes, 10);
   EXPECT_EQ(rest.dataset_scenes, 16);
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(VariedRun, LeavesTheDatasetOpenEvenIfAllScenesAreChosen) {
@@ -488,7 +479,7 @@ TEST_F(VariedRun, LeavesTheDatasetOpenEvenIfAllScenesAreChosen) {
   const RunSummary rest = run.run();
   EXPECT_FALSE(rest.was_complete);
   EXPECT_EQ(rest.scenes, 0);
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(VariedRun, ThatIsCompleteHasNothingToMake) {
@@ -496,7 +487,7 @@ TEST_F(VariedRun, ThatIsCompleteHasNothingToMake) {
   (void)run.run();
   only("[0]");
   EXPECT_TRUE(run.run().was_complete);
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(VariedRun, MakesTheScenesOfAShardThatAreChosen) {
@@ -508,7 +499,7 @@ TEST_F(VariedRun, MakesTheScenesOfAShardThatAreChosen) {
   for (const int index : {0, 1}) (void)run.runShard(index, 2, run.folder());
   Reporter silent;
   mergeShards(run.folder(), {}, silent, {test::pluginXml()});
-  expectFiles(expected);
+  run.expectFiles(expected);
 }
 
 TEST_F(VariedRun, NamesScenesThatItDoesNotHave) {

@@ -1,6 +1,8 @@
 #include "random/random_source.h"
 
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -99,6 +101,22 @@ TEST(RandomSource, OrientationsFillTheGroupOfRotations) {
   }
   EXPECT_NEAR(angles / kDraws, kPi / 2.0 + 2.0 / kPi, 0.01);
   EXPECT_LT((turned / kDraws).norm(), 0.01);
+}
+
+/// Of 6 things, 2 at a time: each ordered pair as often as the others.
+TEST(RandomSource, ChoosesEachPairAsOften) {
+  RandomSource source(5);
+  std::map<std::pair<std::size_t, std::size_t>, int> counts;
+  constexpr int kPairs = 30000;
+  for (int i = 0; i < kPairs; ++i) {
+    const std::vector<std::size_t> chosen = source.choice(2, 6);
+    ASSERT_EQ(chosen.size(), 2U);
+    ASSERT_NE(chosen[0], chosen[1]);
+    ++counts[{chosen[0], chosen[1]}];
+  }
+  EXPECT_EQ(counts.size(), 30U);
+  for (const auto& [pair, count] : counts) EXPECT_NEAR(count, kPairs / 30, 160);
+  EXPECT_TRUE(source.choice(0, 3).empty());
 }
 
 }  // namespace
