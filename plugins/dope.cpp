@@ -246,12 +246,15 @@ class DopeWriter : public LabelWriter {
     std::map<std::string, Json> by_class;
     for (std::size_t i = 0; i < dataset_.objects.size(); ++i) {
       const ObjectInfo& object = dataset_.objects[i];
-      by_class.emplace(object.class_name,
-                       Json{{"class", object.class_name},
-                            {"segmentation_class_id", object.class_id},
-                            {"segmentation_instance_id", i + 1},
-                            {"fixed_model_transform", transposedMatrix(Pose::Identity(), 1.0)},
-                            {"cuboid_dimensions", numbersOf(unitsInAMetre(style_) * sizes_[i])}});
+      Json settings = {{"class", object.class_name},
+                       {"segmentation_class_id", object.class_id},
+                       {"segmentation_instance_id", i + 1},
+                       {"fixed_model_transform", transposedMatrix(Pose::Identity(), 1.0)}};
+      // No one size is true of an object that has several.
+      if (!object.model_varies) {
+        settings["cuboid_dimensions"] = numbersOf(unitsInAMetre(style_) * sizes_[i]);
+      }
+      by_class.emplace(object.class_name, std::move(settings));
     }
     Json classes = Json::array();
     Json objects = Json::array();

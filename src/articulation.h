@@ -16,12 +16,14 @@ struct DrivenLink {
   std::string frame;
 };
 
+using DrivenLinks = std::vector<DrivenLink>;
+
 /// How an object follows the recording.
 struct Articulation {
   /// The object's model. Where links other than that of the object's frame follow TF, it is moved
   /// in its frame so that this one lies at the origin: else its body would not fit to them.
   world::Model model;
-  std::vector<DrivenLink> driven;    ///< by index; empty: the model moves as one piece
+  DrivenLinks driven;                ///< by index; empty: the model moves as one piece
   std::vector<std::string> remarks;  ///< what the user may like to know
 };
 

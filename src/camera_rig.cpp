@@ -54,6 +54,14 @@ std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
   };
   const auto found = std::find_if(links.begin(), links.end(), carries);
   if (found == links.end()) return std::nullopt;
+  const bool varies = std::any_of(links.begin(), links.end(), [&](const world::LinkInstance& link) {
+    return link.object == found->object && link.variant > 0;
+  });
+  if (varies && found->role == world::Role::kObject) {
+    throw Error("found '" + sensor.name + "', a camera on '" + sensor.model() +
+                "', whose model or size is drawn in randomize/objects; it should be on something "
+                "that is always the same, or be put there by mounted_on");
+  }
   return static_cast<std::size_t>(found - links.begin());
 }
 
@@ -84,7 +92,11 @@ void findPose(const config::CameraConfig& config, const world::CameraSensor* sen
   rig.X_GC = config.X_GC;
   if (rig.X_GC || frames.knowsFrame(rig.frame)) return;
   if (sensor != nullptr) {
-    rig.link = movingLinkOf(*sensor, links);
+    try {
+      rig.link = movingLinkOf(*sensor, links);
+    } catch (const Error& error) {
+      throw Error(config.group + "/sensor: " + error.what());
+    }
     rig.X_LC = sensor->X_LC;
     if (!rig.link) rig.X_GC = sensor->X_WC;
     return;

@@ -1,5 +1,6 @@
 #include "dataset_description.h"
 
+#include <set>
 #include <string>
 #include <utility>
 
@@ -42,11 +43,8 @@ CameraDescription describeCamera(const CameraRig& camera,
 }
 
 bool areAlike(const CameraModel& a, const CameraModel& b) {
-  const Intrinsics& k = a.intrinsics();
-  const Intrinsics& l = b.intrinsics();
-  return a.width() == b.width() && a.height() == b.height() && k.fx == l.fx && k.fy == l.fy &&
-         k.cx == l.cx && k.cy == l.cy && a.distortion().model == b.distortion().model &&
-         a.distortion().coefficients == b.distortion().coefficients;
+  return a.width() == b.width() && a.height() == b.height() && a.intrinsics() == b.intrinsics() &&
+         a.distortion() == b.distortion();
 }
 
 /// A camera in all motions.
@@ -65,7 +63,21 @@ CameraDescription describeCamera(std::size_t camera, const std::vector<MotionSet
   return description;
 }
 
-/// The links of each object, in the first motion's world that has it.
+/// Whether an object has several models or sizes, in all motions that it takes part in. Of those
+/// that are the world's own, worlds are taken to have the same one.
+bool modelVaries(std::size_t object, const std::vector<MotionSetup>& motions) {
+  std::set<std::pair<std::string, double>> found;
+  for (const MotionSetup& motion : motions) {
+    const config::ObjectConfig& config = motion.config.objects[object];
+    if (!config.takes_part || object >= motion.variants.size()) continue;
+    for (const ObjectVariant& variant : motion.variants[object].all()) {
+      found.emplace(variant.model.value_or(""), variant.scale);
+    }
+  }
+  return found.size() > 1;
+}
+
+/// The links of each object's first model, in the first motion's world that has it.
 std::vector<std::vector<const world::Link*>> linksByObject(const std::vector<MotionSetup>& motions,
                                                            std::size_t object_count) {
   std::vector<std::vector<const world::Link*>> result(object_count);
@@ -73,7 +85,8 @@ std::vector<std::vector<const world::Link*>> linksByObject(const std::vector<Mot
     if (!motion->world) continue;
     std::vector<std::vector<const world::Link*>> here(object_count);
     for (const world::LinkInstance& each : motion->world->links()) {
-      if (each.object >= 0) here[static_cast<std::size_t>(each.object)].push_back(each.link);
+      if (each.object < 0 || each.variant > 0) continue;
+      here[static_cast<std::size_t>(each.object)].push_back(each.link);
     }
     for (std::size_t i = 0; i < object_count; ++i) {
       if (!here[i].empty()) result[i] = std::move(here[i]);
@@ -89,6 +102,7 @@ DatasetInfo describeDataset(const config::Config& config, const std::vector<Moti
   DatasetInfo info;
   for (const config::ObjectConfig& object : config.objects) {
     info.objects.push_back(describeObject(object));
+    info.objects.back().model_varies = modelVaries(info.objects.size() - 1, motions);
   }
   for (const config::ClassConfig& each : config.classes) {
     info.classes.push_back({each.id, each.name});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "error_collector.h"
+#include "config/error_collector.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -52,7 +52,7 @@ CameraModel withFieldOfView(const CameraModel& camera, double field_of_view) {
 
 void checkFieldOfView(const random::Distribution& field_of_view, const std::string& parameter,
                       const std::vector<CameraRig>& cameras) {
-  ErrorCollector errors;
+  config::ErrorCollector errors;
   for (const CameraRig& camera : cameras) {
     if (canHaveFieldOfView(camera.model, field_of_view.highest())) continue;
     errors.add(parameter + ": found up to " + fixed(field_of_view.highest(), 3) +

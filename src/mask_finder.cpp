@@ -12,10 +12,7 @@ namespace {
 
 /// Of one camera, whose focal lengths may have changed.
 bool isSame(const render::View& a, const render::View& b) {
-  const Intrinsics& k = a.camera.intrinsics();
-  const Intrinsics& other = b.camera.intrinsics();
-  return a.X_WC.matrix() == b.X_WC.matrix() && k.fx == other.fx && k.fy == other.fy &&
-         k.cx == other.cx && k.cy == other.cy;
+  return a.X_WC.matrix() == b.X_WC.matrix() && a.camera.intrinsics() == b.camera.intrinsics();
 }
 
 }  // namespace
@@ -29,7 +26,7 @@ MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
       nothing_(world.links().size(), false),
       without_objects_(linksOf(kNoObject, world.links())) {
   for (std::size_t i = 0; i < object_count; ++i) {
-    object_links_.push_back(linksOf(static_cast<int>(i), world.links()));
+    all_object_links_.push_back(linksOf(static_cast<int>(i), world.links()));
   }
 }
 
@@ -42,10 +39,11 @@ std::vector<cv::Mat> MaskFinder::find(const render::View& view,
     boxes.push_back(object.in_view ? annotate::pixelsOf(*object.loose_box, size) : cv::Rect());
     all |= boxes.back();
   }
-  without_objects_ = linksOf(kNoObject, world_.links());
-  const std::vector<bool>& present = world_.presentLinks();
-  std::transform(present.begin(), present.end(), without_objects_.begin(), without_objects_.begin(),
-                 std::logical_and<>());
+  without_objects_ = presentOf(linksOf(kNoObject, world_.links()), world_);
+  object_links_.clear();
+  for (const render::LinkSelection& links : all_object_links_) {
+    object_links_.push_back(presentOf(links, world_));
+  }
   takeBackground(view, all);
   std::vector<cv::Mat> masks(objects.size());
   for (cv::Mat& mask : masks) mask = cv::Mat::zeros(size, CV_8UC1);

@@ -49,7 +49,8 @@ class MaskFinder {
   std::optional<Background> background_;
   render::LinkSelection nothing_;
   render::LinkSelection without_objects_;
-  std::vector<render::LinkSelection> object_links_;  ///< by object
+  std::vector<render::LinkSelection> all_object_links_;  ///< by object
+  std::vector<render::LinkSelection> object_links_;      ///< those of them that are there
 };
 
 }  // namespace synthetic_dataset

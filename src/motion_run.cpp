@@ -28,9 +28,8 @@ PixelLabelOptions labelOptions(const config::Config& config) {
 
 }  // namespace
 
-MotionRun::MotionRun(RunSetup& setup, MotionSetup& motion, Sink sink)
-    : setup_(setup),
-      motion_(motion),
+MotionRun::MotionRun(const RunSetup& setup, MotionSetup& motion, Sink sink)
+    : motion_(motion),
       sink_(std::move(sink)),
       renderer_(motion.world->description(), motion.world->links(),
                 renderOptions(motion.config.rendering)),
@@ -67,8 +66,8 @@ void MotionRun::settle() {
 void MotionRun::moveWorld(Stamp stamp) {
   motion_.world->advanceTo(
       // While things settle, the objects stand where they start.
-      stamp, [this](int object, Stamp time) {
-        return object_motion_.at(object, std::max(time, motion_start_));
+      stamp, [this](int moving_object, Stamp time) {
+        return object_motion_.at(moving_object, std::max(time, motion_start_));
       });
   for (const std::string& gap : object_motion_.takeGaps()) news_.push_back({gap});
 }
@@ -164,7 +163,7 @@ output::SceneFacts MotionRun::factsOf(const UnwrittenScene& each) const {
   const Scene& scene = each.made.scene;
   output::SceneFacts facts = output::sceneFacts(scene);
   facts.seed =
-      random::randomSeed(static_cast<std::uint64_t>(setup_.config.seed), scene.index, "scene");
+      random::randomSeed(static_cast<std::uint64_t>(motion_.config.seed), scene.index, "scene");
   facts.objects = scene_maker_.objectFacts(each.made);
   facts.contacts = each.contacts;
   facts.warnings = each.warnings;

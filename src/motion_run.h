@@ -26,7 +26,7 @@ class MotionRun {
   /// @param setup  has to outlive this
   /// @param motion  of setup.motions
   /// @param sink  is given the scenes that are made, in their order
-  MotionRun(RunSetup& setup, MotionSetup& motion, Sink sink);
+  MotionRun(const RunSetup& setup, MotionSetup& motion, Sink sink);
 
   [[nodiscard]] bool isOf(const MotionSetup& motion) const { return &motion == &motion_; }
 
@@ -60,7 +60,6 @@ class MotionRun {
   void write(std::optional<Stamp> now, const WorkPlan& work);
   [[nodiscard]] output::SceneFacts factsOf(const UnwrittenScene& each) const;
 
-  RunSetup& setup_;
   MotionSetup& motion_;
   Sink sink_;
   render::Renderer renderer_;

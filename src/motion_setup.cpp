@@ -32,7 +32,7 @@ class MotionBuilder {
 
  private:
   [[nodiscard]] const config::Config& config() const { return setup_.config; }
-  [[nodiscard]] ErrorCollector& errors() { return setup_.errors; }
+  [[nodiscard]] config::ErrorCollector& errors() { return setup_.errors; }
 
   /// Objects that do not take part have a frame that no other one has.
   void leaveOutOthers() {
@@ -87,8 +87,11 @@ class MotionBuilder {
 
   void loadWorld() {
     if (config().world.file.empty()) return;
-    WorldSetup world =
-        setUpWorld(config(), setup_.frames.get(), worlds_.filesFor(config()), errors());
+    for (const config::ObjectConfig& object : config().objects) {
+      setup_.variants.emplace_back(object, config().randomization);
+    }
+    WorldSetup world = setUpWorld(config(), setup_.variants, setup_.frames.get(),
+                                  worlds_.filesFor(config()), errors());
     sensors_ = std::move(world.sensors);
     setup_.driven_links = std::move(world.driven_links);
     setup_.inputs = std::move(world.inputs);
@@ -96,8 +99,9 @@ class MotionBuilder {
     addTo(setup_.remarks, world.remarks);
     setup_.world = std::move(world.world);
     if (!setup_.world) return;
-    setup_.shapes = attempt(
-        [&] { return std::make_unique<ObjectShapes>(config().objects, setup_.world->links()); });
+    setup_.shapes = attempt([&] {
+      return std::make_unique<ObjectShapes>(config().objects, setup_.variants, *setup_.world);
+    });
   }
 
   void setUpCameras() {
@@ -159,12 +163,14 @@ class MotionBuilder {
 
   void arrangeScenes() {
     if (!setup_.frames || !setup_.shapes || setup_.cameras.empty()) return;
-    setup_.variation = attempt(
-        [&] { return std::make_unique<SceneVariation>(config(), setup_.cameras, *setup_.world); });
+    setup_.variation = attempt([&] {
+      return std::make_unique<SceneVariation>(config(), setup_.cameras, setup_.variants,
+                                              *setup_.world);
+    });
     if (setup_.variation) addTo(setup_.notes, setup_.variation->notes());
     setup_.arranger = attempt([&] {
-      return std::make_unique<SceneArranger>(config(), setup_.cameras, *setup_.shapes,
-                                             *setup_.world, *setup_.frames);
+      return std::make_unique<SceneArranger>(config(), setup_.cameras, setup_.variants,
+                                             *setup_.shapes, *setup_.world, *setup_.frames);
     });
     if (setup_.arranger) addTo(setup_.remarks, setup_.arranger->remarks());
   }

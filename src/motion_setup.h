@@ -9,10 +9,11 @@
 #include "articulation.h"
 #include "camera_rig.h"
 #include "config/config.h"
+#include "config/error_collector.h"
 #include "config/motion_list.h"
-#include "error_collector.h"
 #include "motion/frame_motion.h"
 #include "object_shapes.h"
+#include "object_variants.h"
 #include "scene_arranger.h"
 #include "scene_variation.h"
 #include "world/world.h"
@@ -27,18 +28,19 @@ struct MotionSetup {
   config::Config config;  ///< all settings that hold for it
   std::unique_ptr<motion::FrameMotion> frames;
   motion::Timeline timeline;
-  std::int64_t first_instant = 0;  ///< in the run, of its timeline's first time
+  std::int64_t first_instant = 0;        ///< in the run, of its timeline's first time
+  std::vector<ObjectVariants> variants;  ///< of each object
   std::unique_ptr<world::World> world;
   std::vector<CameraRig> cameras;
-  std::vector<std::vector<DrivenLink>> driven_links;  ///< of each object
-  std::unique_ptr<ObjectShapes> shapes;               ///< of the objects
+  std::vector<std::vector<DrivenLinks>> driven_links;  ///< of each object's variants
+  std::unique_ptr<ObjectShapes> shapes;                ///< of the objects
   std::unique_ptr<SceneArranger> arranger;
   std::unique_ptr<SceneVariation> variation;
 
   std::vector<std::string> notes;    ///< what the user should know
   std::vector<std::string> remarks;  ///< what the user may like to know
   std::set<std::string> inputs;      ///< files of the world and of its models
-  ErrorCollector errors;             ///< all that is wrong; what needs it is not there then
+  config::ErrorCollector errors;     ///< all that is wrong; what needs it is not there then
 
   /// How many times it gives to the run.
   [[nodiscard]] std::int64_t instantCount() const {

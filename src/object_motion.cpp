@@ -20,33 +20,44 @@ std::vector<std::size_t> parentsFirst(const std::vector<const world::Link*>& lin
   return order;
 }
 
+std::vector<const world::Link*> linksOf(std::size_t object, std::size_t variant,
+                                        const std::vector<world::LinkInstance>& links) {
+  std::vector<const world::Link*> result;
+  for (const world::LinkInstance& each : links) {
+    const bool is_meant = each.object == static_cast<int>(object) && each.variant == variant;
+    if (is_meant) result.push_back(each.link);
+  }
+  return result;
+}
+
 }  // namespace
 
 ObjectMotion::ObjectMotion(const motion::FrameMotion& frames, const config::Config& config,
                            const std::vector<world::LinkInstance>& links,
-                           const std::vector<std::vector<DrivenLink>>& driven)
+                           const std::vector<std::vector<DrivenLinks>>& driven)
     : frames_(frames) {
-  std::vector<std::vector<const world::Link*>> links_of(config.objects.size());
-  for (const world::LinkInstance& each : links) {
-    if (each.object >= 0) links_of[static_cast<std::size_t>(each.object)].push_back(each.link);
-  }
   for (std::size_t i = 0; i < config.objects.size(); ++i) {
-    Object object;
-    object.name = config.objects[i].name;
-    object.frame = config.objects[i].frame;
-    for (const world::Link* link : links_of[i]) {
-      const Pose X_OL = link->X_ML;
-      const Pose X_PL =
-          link->parent ? Pose(links_of[i][*link->parent]->X_ML.inverse() * X_OL) : X_OL;
-      object.links.push_back({link->name, link->parent, std::nullopt, X_PL});
+    objects_.push_back({config.objects[i].name, config.objects[i].frame});
+    for (std::size_t variant = 0; variant < driven[i].size(); ++variant) {
+      variants_.push_back(makeVariant(i, linksOf(i, variant, links), driven[i][variant]));
     }
-    for (const DrivenLink& each : driven[i]) {
-      object.links[each.link].frame = each.frame;
-      object.driven.push_back(each.link);
-    }
-    object.order = parentsFirst(links_of[i]);
-    objects_.push_back(std::move(object));
   }
+}
+
+ObjectMotion::Variant ObjectMotion::makeVariant(std::size_t object,
+                                                const std::vector<const world::Link*>& links,
+                                                const DrivenLinks& driven) {
+  Variant variant{object, {}, parentsFirst(links), {}};
+  for (const world::Link* link : links) {
+    const Pose X_OL = link->X_ML;
+    const Pose X_PL = link->parent ? Pose(links[*link->parent]->X_ML.inverse() * X_OL) : X_OL;
+    variant.links.push_back({link->name, link->parent, std::nullopt, X_PL});
+  }
+  for (const DrivenLink& each : driven) {
+    variant.links[each.link].frame = each.frame;
+    variant.driven.push_back(each.link);
+  }
+  return variant;
 }
 
 std::optional<Pose> ObjectMotion::lookUp(const std::string& frame, Stamp time) const {
@@ -59,7 +70,7 @@ const Pose& ObjectMotion::objectPose(Object& object, Stamp time) const {
   return object.X_GO;
 }
 
-Pose ObjectMotion::linkPose(Object& object, LinkState& link, const Pose& X_GP, Stamp time) {
+Pose ObjectMotion::linkPose(const Object& object, LinkState& link, const Pose& X_GP, Stamp time) {
   if (!link.frame) return X_GP * link.X_PL;
   if (const auto X_GL = lookUp(*link.frame, time)) {
     link.X_PL = X_GP.inverse() * *X_GL;
@@ -74,16 +85,17 @@ Pose ObjectMotion::linkPose(Object& object, LinkState& link, const Pose& X_GP, S
   return X_GP * link.X_PL;
 }
 
-world::ObjectPose ObjectMotion::at(int index, Stamp time) {
-  Object& object = objects_[static_cast<std::size_t>(index)];
+world::ObjectPose ObjectMotion::at(int moving_object, Stamp time) {
+  Variant& variant = variants_[static_cast<std::size_t>(moving_object)];
+  Object& object = objects_[variant.object];
   world::ObjectPose pose(objectPose(object, time));
-  if (object.driven.empty()) return pose;
-  std::vector<Pose> X_GL(object.links.size());
-  for (const std::size_t i : object.order) {
-    LinkState& link = object.links[i];
+  if (variant.driven.empty()) return pose;
+  std::vector<Pose> X_GL(variant.links.size());
+  for (const std::size_t i : variant.order) {
+    LinkState& link = variant.links[i];
     X_GL[i] = linkPose(object, link, link.parent ? X_GL[*link.parent] : pose.X_WO, time);
   }
-  for (const std::size_t link : object.driven) pose.X_WL.push_back(X_GL[link]);
+  for (const std::size_t link : variant.driven) pose.X_WL.push_back(X_GL[link]);
   return pose;
 }
 

@@ -18,12 +18,13 @@ class ObjectMotion {
  public:
   /// @param frames  has to outlive this
   /// @param links  of the world; their Link objects have to outlive this
-  /// @param driven  the driven links of each object
+  /// @param driven  the driven links of each object's variants
   ObjectMotion(const motion::FrameMotion& frames, const config::Config& config,
                const std::vector<world::LinkInstance>& links,
-               const std::vector<std::vector<DrivenLink>>& driven);
+               const std::vector<std::vector<DrivenLinks>>& driven);
 
-  [[nodiscard]] world::ObjectPose at(int object, Stamp time);
+  /// @param moving_object  an object, or one of its variants: its place among all of them
+  [[nodiscard]] world::ObjectPose at(int moving_object, Stamp time);
 
   /// X_GO of all objects at a time at which the recording knows them.
   [[nodiscard]] std::vector<Pose> objectPoses(Stamp time);
@@ -44,17 +45,24 @@ class ObjectMotion {
     std::string name;
     std::string frame;
     Pose X_GO = Pose::Identity();  ///< last known
+  };
+  struct Variant {
+    std::size_t object;
     std::vector<LinkState> links;
     std::vector<std::size_t> order;  ///< of the links: parents before children
     std::vector<std::size_t> driven;
   };
 
+  [[nodiscard]] static Variant makeVariant(std::size_t object,
+                                           const std::vector<const world::Link*>& links,
+                                           const DrivenLinks& driven);
   [[nodiscard]] std::optional<Pose> lookUp(const std::string& frame, Stamp time) const;
   [[nodiscard]] const Pose& objectPose(Object& object, Stamp time) const;
-  [[nodiscard]] Pose linkPose(Object& object, LinkState& link, const Pose& X_GP, Stamp time);
+  [[nodiscard]] Pose linkPose(const Object& object, LinkState& link, const Pose& X_GP, Stamp time);
 
   const motion::FrameMotion& frames_;
   std::vector<Object> objects_;
+  std::vector<Variant> variants_;  ///< of all objects in turn
   std::vector<std::string> gaps_;
 };
 

@@ -63,7 +63,8 @@ void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     if (!world_.present()[i]) continue;
     SceneObject& object = scene.objects[i];
-    render::Silhouette silhouette = renderer_.silhouette(view, world_.linkPoses(), links_of_[i]);
+    render::Silhouette silhouette =
+        renderer_.silhouette(view, world_.linkPoses(), presentOf(links_of_[i], world_));
     object.silhouette_box = silhouette.box;
     object.pixels.silhouette = silhouette.pixels;
     object.pixels.silhouette_in_image = silhouette.pixels_in_image;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "error_collector.h"
+#include "config/error_collector.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/parameters.h"
 
@@ -93,7 +93,7 @@ motion::RecordedMap receivedMap(const Value& settings) {
                    "it should be runs of equal values that fill width x height cells, "
                    "such as \"0x1200 100x3 -1x40\"");
   }
-  ErrorCollector errors;
+  config::ErrorCollector errors;
   errors.add(group.errors());
   errors.throwIfAny();
   motion::checkMap(map);

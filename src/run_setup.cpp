@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "config/error_collector.h"
 #include "config/motion_list.h"
 #include "dataset_description.h"
-#include "error_collector.h"
 #include "motion_errors.h"
 #include "run_record.h"
 #include "scene_plan.h"
@@ -114,10 +114,7 @@ class Builder {
     };
     if (std::none_of(setup_.motions.begin(), setup_.motions.end(), hasSome)) return;
     for (const MotionSetup& motion : setup_.motions) {
-      const auto randomize = motion.entry.own.find("randomize");
-      if (randomize == motion.entry.own.end()) continue;
-      const auto* own = randomize->second.as<Value::Map>();
-      if (own == nullptr || own->count("distractors") == 0) continue;
+      if (!motion.entry.says("randomize/distractors")) continue;
       errors_.add(motion.entry.group +
                   "/randomize/distractors: distractors with a class are objects of the whole "
                   "dataset; their settings should stand beside motions");
@@ -165,10 +162,8 @@ class Builder {
     for (const std::string& frame : setup_.writers->requirements().frames) {
       if (motion.isCameraFrame(frame)) continue;
       if (motion.frames->knowsFrame(frame)) {
-        static_cast<void>(motion.errors.attempt([&] {
-          leaveOutScenesWithout(frame, *motion.frames, motion.timeline);
-          return true;
-        }));
+        motion.errors.attempt(
+            [&] { leaveOutScenesWithout(frame, *motion.frames, motion.timeline); });
       } else {
         motion.errors.add("a writer asks for the frame '" + frame +
                           (motion.isPlaced() ? "', which nothing that is placed has"
@@ -197,7 +192,7 @@ class Builder {
   }
 
   void throwErrors() {
-    ErrorCollector all;
+    config::ErrorCollector all;
     std::vector<MotionErrors> of_motions;
     for (std::size_t i = 0; i < roots_.size(); ++i) {
       of_motions.push_back({setup_.motions[i].entry.group, setting_errors_[i]});
@@ -265,7 +260,7 @@ class Builder {
   std::vector<std::string> notes_;                        ///< of the run as a whole
   WorldShelf worlds_;
   RunSetup setup_;
-  ErrorCollector errors_;
+  config::ErrorCollector errors_;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "error_collector.h"
+#include "config/error_collector.h"
 #include "motion/frame_names.h"
 #include "placement/map_reader.h"
 #include "received_map.h"
@@ -82,6 +82,7 @@ placement::OccupancyMap readMap(const config::Config& config) {
 }  // namespace
 
 SceneArranger::SceneArranger(const config::Config& config, const std::vector<CameraRig>& cameras,
+                             const std::vector<ObjectVariants>& variants,
                              const ObjectShapes& shapes, world::World& world,
                              motion::FrameMotion& frames)
     : rigs_(cameras),
@@ -90,8 +91,8 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
       objects_(config.objects.begin(),
                config.objects.begin() + static_cast<std::ptrdiff_t>(config.robotCount())),
       labelled_distractors_(config.objects.begin() + static_cast<std::ptrdiff_t>(objects_.size()),
-                            config.objects.end()),
-      boxes_O_(shapes.boxesAtRest()) {
+                            config.objects.end()) {
+  for (std::size_t i = 0; i < objects_.size(); ++i) boxes_O_.push_back(shapes.boxesAtRest(i));
   const bool places_objects = config.isPlaced();
   const bool places_cameras =
       std::any_of(cameras.begin(), cameras.end(), [](const CameraRig& rig) { return rig.sampled; });
@@ -99,15 +100,9 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
   if (!places_objects && !places_cameras && !distractors) return;
   if (places_objects) world_.settleProps(fromSeconds(config.physics.settle));
   surroundings_.emplace(world_);
-  ErrorCollector errors;
-  const auto attempt = [&](auto step) {
-    static_cast<void>(errors.attempt([&] {
-      step();
-      return true;
-    }));
-  };
-  if (places_objects) attempt([&] { setUpPlacer(config); });
-  attempt([&] { setUpCameras(config, cameras); });
+  config::ErrorCollector errors;
+  if (places_objects) errors.attempt([&] { setUpPlacer(config, variants); });
+  errors.attempt([&] { setUpCameras(config, cameras); });
   if (distractors) {
     distractor_placer_.emplace(*distractors, boxesOf(world::Role::kDistractor, world_), world_,
                                *surroundings_, static_cast<std::uint64_t>(config.seed));
@@ -115,29 +110,37 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
   errors.throwIfAny();
 }
 
-placement::PlacedObject SceneArranger::describe(const config::ObjectConfig& object,
-                                                const Cuboid& box_O, bool on_map) {
-  placement::PlacedObject placed{object.name, object.safety_radius.value_or(0.0), box_O};
-  if (!object.takes_part) {
-    placed.X_GO_kept = frames_.pose(object.frame, Stamp{0});
-    return placed;
+placement::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
+                                                bool on_map) {
+  const config::ObjectConfig& config = objects_[object];
+  placement::PlacedObject placed{config.name, {}};
+  if (!config.takes_part) placed.X_GO_kept = frames_.pose(config.frame, Stamp{0});
+  std::vector<double> reaches;
+  for (std::size_t i = 0; i < variants.all().size(); ++i) {
+    const Cuboid& box_O = boxes_O_[object][i];
+    reaches.push_back(radiusOf(box_O));
+    const double own_radius = on_map ? reaches.back() : 0.0;
+    const auto& given = config.safety_radius;
+    placed.rooms.push_back({given ? *given * variants.all()[i].scale : own_radius, box_O});
   }
-  if (on_map && !object.safety_radius) {
-    placed.safety_radius = radiusOf(box_O);
-    remarks_.push_back(object.name + "/safety_radius: " + fixed(placed.safety_radius, 3) +
+  if (config.takes_part && on_map && !config.safety_radius) {
+    const auto [low, high] = std::minmax_element(reaches.begin(), reaches.end());
+    remarks_.push_back(config.name + "/safety_radius: " + fixed(*low, 3) +
+                       (*low < *high ? " to " + fixed(*high, 3) : "") +
                        " m, how far the model reaches");
   }
   return placed;
 }
 
-void SceneArranger::setUpPlacer(const config::Config& config) {
+void SceneArranger::setUpPlacer(const config::Config& config,
+                                const std::vector<ObjectVariants>& variants) {
   const bool on_map = config.placement.mode == config::PlacementMode::kMap;
   if (on_map && !config.placement.map_file && !config.placement.map_topic) return;  // told already
   std::optional<placement::OccupancyMap> map;
   if (on_map) map = readMap(config);
   std::vector<placement::PlacedObject> placed;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    placed.push_back(describe(objects_[i], boxes_O_[i], on_map));
+    placed.push_back(describe(i, variants[i], on_map));
   }
   placer_.emplace(config.placement, map, std::move(placed), world_, *surroundings_,
                   static_cast<std::uint64_t>(config.seed));
@@ -194,7 +197,7 @@ void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
   std::vector<placement::CameraTarget> targets;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!objects_[i].takes_part) continue;
-    const Cuboid& box_O = boxes_O_[i];
+    const Cuboid& box_O = boxes_O_[i][world_.worn()[i]];
     const Eigen::Vector3d centre_O = 0.5 * (box_O.low + box_O.high);
     targets.push_back(
         {objects_[i].name, frames_.pose(objects_[i].frame, stamp) * centre_O, world_.present()[i]});

@@ -9,6 +9,7 @@
 #include "config/config.h"
 #include "motion/frame_motion.h"
 #include "object_shapes.h"
+#include "object_variants.h"
 #include "placement/camera_sampler.h"
 #include "placement/distractor_placer.h"
 #include "placement/scene_placer.h"
@@ -21,11 +22,13 @@ namespace synthetic_dataset {
 /// follow, and cameras.
 class SceneArranger {
  public:
-  /// Lets the props come to rest where objects are placed among them. All references have to
-  /// outlive this.
+  /// Lets the props come to rest where objects are placed among them.
+  /// @param variants  of each object
+  /// @param shapes, world, frames  have to outlive this
   /// @throws ErrorList with all that keeps objects and cameras from being placed
   SceneArranger(const config::Config& config, const std::vector<CameraRig>& cameras,
-                const ObjectShapes& shapes, world::World& world, motion::FrameMotion& frames);
+                const std::vector<ObjectVariants>& variants, const ObjectShapes& shapes,
+                world::World& world, motion::FrameMotion& frames);
 
   /// Whether no scene has to do with the one before.
   [[nodiscard]] bool standsAlone() const { return placer_.has_value(); }
@@ -53,17 +56,17 @@ class SceneArranger {
     placement::CameraSampler sampler;
   };
 
-  void setUpPlacer(const config::Config& config);
+  void setUpPlacer(const config::Config& config, const std::vector<ObjectVariants>& variants);
   void setUpCameras(const config::Config& config, const std::vector<CameraRig>& cameras);
-  [[nodiscard]] placement::PlacedObject describe(const config::ObjectConfig& object,
-                                                 const Cuboid& box_O, bool on_map);
+  [[nodiscard]] placement::PlacedObject describe(std::size_t object, const ObjectVariants& variants,
+                                                 bool on_map);
 
   std::vector<CameraRig> rigs_;
   world::World& world_;
   motion::FrameMotion& frames_;
   std::vector<config::ObjectConfig> objects_;               ///< that are followed or placed
   std::vector<config::ObjectConfig> labelled_distractors_;  ///< in the world's order
-  std::vector<Cuboid> boxes_O_;                             ///< of the objects, their links at rest
+  std::vector<std::vector<Cuboid>> boxes_O_;  ///< of the objects' variants, their links at rest
   std::vector<std::string> remarks_;
   std::optional<placement::Surroundings> surroundings_;
   std::optional<placement::ScenePlacer> placer_;

@@ -47,7 +47,7 @@ MadeScene SceneMaker::make(std::size_t camera, std::int64_t instant, Stamp stamp
   scene.split = splits_.at(instant);
   scene.stamp = stamp;
   scene.X_GC = view.X_WC;
-  const std::vector<annotate::ObjectShape> shapes = shapes_.at(world_.linkPoses(), X_GO);
+  const std::vector<annotate::ObjectShape> shapes = shapes_.at(X_GO);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     scene.objects.push_back(annotate::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
     if (!world_.present()[i]) leaveOut(scene.objects.back());

@@ -70,7 +70,7 @@ void leaveOutHalfExposed(const std::vector<std::string>& frames, Duration open,
 
 motion::Timeline planScenes(const motion::FrameMotion& frame_motion, const config::Config& config,
                             const std::vector<CameraRig>& cameras,
-                            const std::vector<std::vector<DrivenLink>>& driven_links) {
+                            const std::vector<std::vector<DrivenLinks>>& driven_links) {
   std::vector<std::string> frames;
   Duration open{0};
   for (const config::ObjectConfig& object : config.objects) {
@@ -83,8 +83,10 @@ motion::Timeline planScenes(const motion::FrameMotion& frame_motion, const confi
   motion::Timeline timeline =
       frame_motion.recording()->timeline(config.global_frame, frames, timelineOptions(config));
   if (open.count() == 0) return timeline;
-  for (const auto& object : driven_links) {
-    for (const DrivenLink& link : object) frames.push_back(link.frame);
+  for (const std::vector<DrivenLinks>& object : driven_links) {
+    for (const DrivenLinks& variant : object) {
+      for (const DrivenLink& link : variant) frames.push_back(link.frame);
+    }
   }
   leaveOutHalfExposed(frames, open, frame_motion, timeline);
   return timeline;

@@ -15,10 +15,10 @@ namespace synthetic_dataset {
 /// known, over the whole exposure of each picture.
 /// @param frames  with a recording
 /// @throws ErrorList when there is none, saying why
-[[nodiscard]] motion::Timeline planScenes(const motion::FrameMotion& frame_motion,
-                                          const config::Config& config,
-                                          const std::vector<CameraRig>& cameras,
-                                          const std::vector<std::vector<DrivenLink>>& driven_links);
+[[nodiscard]] motion::Timeline planScenes(
+    const motion::FrameMotion& frame_motion, const config::Config& config,
+    const std::vector<CameraRig>& cameras,
+    const std::vector<std::vector<DrivenLinks>>& driven_links);
 
 /// The least time that there may be from one scene to the next.
 [[nodiscard]] Duration shortestPeriod(const config::Config& config);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <variant>
 
+#include "config/error_collector.h"
 #include "config/settings_text.h"
-#include "error_collector.h"
 #include "field_of_view.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
@@ -13,7 +14,6 @@
 namespace synthetic_dataset {
 namespace {
 
-const char* const kOthers = "every";
 const char* const kFieldOfView = "randomize/sensor/field_of_view";
 
 Value valueOf(const appearance::DrawnValue& drawn) {
@@ -26,38 +26,31 @@ Value valueOf(const appearance::DrawnValue& drawn) {
 }  // namespace
 
 SceneVariation::SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
-                               const world::World& world)
+                               std::vector<ObjectVariants> variants, const world::World& world)
     : config_(config.randomization),
       seed_(static_cast<std::uint64_t>(config.seed)),
+      objects_(config.objects.begin(),
+               config.objects.begin() + static_cast<std::ptrdiff_t>(config.robotCount())),
+      variants_(std::move(variants)),
       cameras_(cameras.size()) {
   for (const CameraRig& camera : cameras) {
     effects_.push_back(camera.effects);
     models_.push_back(camera.model);
   }
-  ErrorCollector errors;
-  static_cast<void>(errors.attempt([&] {
+  config::ErrorCollector errors;
+  errors.attempt([&] {
     const auto& field_of_view = config_.sensor.field_of_view;
-    if (!field_of_view) return true;
+    if (!field_of_view) return;
     checkFieldOfView(*field_of_view, kFieldOfView, cameras);
     notes_ = fieldOfViewNotes(*field_of_view, kFieldOfView, cameras);
-    return true;
-  }));
-  static_cast<void>(errors.attempt([&] {
+  });
+  errors.attempt([&] {
     if (config_.changesLook()) looks_.emplace(config_, world);
-    return true;
-  }));
+  });
   std::vector<std::string> names;
-  for (const config::ObjectConfig& object : config.objects) {
-    if (object.is_distractor) continue;
-    names.push_back(object.name);
-    takes_part_.push_back(object.takes_part);
-    auto entry = config_.present.find(object.name);
-    if (entry == config_.present.end()) entry = config_.present.find(kOthers);
-    present_.emplace_back("objects/" + object.name + "/present", std::nullopt);
-    if (entry != config_.present.end()) present_.back().second = entry->second;
-  }
-  for (const auto& [name, share] : config_.present) {
-    if (name == kOthers || std::find(names.begin(), names.end(), name) != names.end()) continue;
+  for (const config::ObjectConfig& object : objects_) names.push_back(object.name);
+  for (const auto& [name, entry] : config_.objects) {
+    if (name == config::kOthers || std::count(names.begin(), names.end(), name) > 0) continue;
     errors.add("randomize/objects/" + name + ": robot_list has no object of this name" +
                didYouMean(name, names));
   }
@@ -66,12 +59,19 @@ SceneVariation::SceneVariation(const config::Config& config, const std::vector<C
 
 void SceneVariation::choose(std::int64_t instant, world::World& world) {
   appearance::EntryDraws draws(seed_, instant);
-  std::vector<bool> present = takes_part_;
-  for (std::size_t i = 0; i < present.size(); ++i) {
-    const auto& [name, share] = present_[i];
-    if (present[i] && share) present[i] = draws.happens(name, *share);
+  std::vector<bool> present;
+  std::vector<std::size_t> worn;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const config::ObjectConfig& object = objects_[i];
+    const auto share = config_.ofObject(object.name).present;
+    present.push_back(object.takes_part);
+    if (object.takes_part && share) {
+      present.back() = draws.happens("objects/" + object.name + "/present", *share);
+    }
+    worn.push_back(variants_[i].draw(draws));
   }
   world.setPresent(present);
+  world.wear(worn);
   chosen_ = draws.values();
 }
 

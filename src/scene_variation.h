@@ -3,14 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "appearance/entry_draws.h"
 #include "appearance/look_sampler.h"
 #include "camera_rig.h"
 #include "config/config.h"
+#include "object_variants.h"
 #include "output/scene_facts.h"
 #include "render/renderer.h"
 #include "sensor/sensor_effects.h"
@@ -21,16 +20,18 @@ namespace synthetic_dataset {
 /// Makes each scene look different: light, paint, sensors, lenses, as `randomize` says.
 class SceneVariation {
  public:
+  /// @param variants  of each object
   /// @param world  has to outlive this
   /// @throws ErrorList with the entries that mean nothing in this world
   SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
-                 const world::World& world);
+                 std::vector<ObjectVariants> variants, const world::World& world);
 
   /// Draws what the scenes of a time look like, and lets the renderer and the cameras' sensors and
   /// lenses follow.
   void vary(std::int64_t instant, render::Renderer& renderer, std::vector<CameraRig>& cameras);
 
-  /// Draws which objects are there at a time, before anything of its scenes is placed.
+  /// Draws which objects are there at a time and which of their models they wear, before anything
+  /// of its scenes is placed.
   /// @param world  that of the constructor
   void choose(std::int64_t instant, world::World& world);
 
@@ -50,8 +51,8 @@ class SceneVariation {
   std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
   std::vector<std::string> notes_;
   std::optional<appearance::LookSampler> looks_;
-  std::vector<bool> takes_part_;                                        ///< of each object
-  std::vector<std::pair<std::string, std::optional<double>>> present_;  ///< of each object
+  std::vector<config::ObjectConfig> objects_;                 ///< that are followed or placed
+  std::vector<ObjectVariants> variants_;                      ///< of each object
   std::vector<appearance::DrawnValue> chosen_;                ///< of the time: what is there
   std::vector<appearance::DrawnValue> shared_;                ///< of the time: its look
   std::vector<std::vector<appearance::DrawnValue>> cameras_;  ///< of each camera

@@ -8,6 +8,7 @@
 #include "appearance/entry_errors.h"
 #include "render/light_setup.h"
 #include "seconds.h"
+#include "world/mesh/scaled_model.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -66,25 +67,26 @@ std::vector<world::Model> loadDistractors(const config::Config& config, WorldFil
 /// Loads the parts of a world one by one; what fails is noted.
 class WorldBuilder {
  public:
-  WorldBuilder(const config::Config& config, const motion::FrameMotion* frames, WorldFiles& files,
-               ErrorCollector& errors)
-      : config_(config), frames_(frames), files_(files), errors_(errors) {}
+  WorldBuilder(const config::Config& config, const std::vector<ObjectVariants>& variants,
+               const motion::FrameMotion* frames, WorldFiles& files, config::ErrorCollector& errors)
+      : config_(config), variants_(variants), frames_(frames), files_(files), errors_(errors) {}
 
   WorldSetup build() {
     auto description = errors_.attempt([&] { return files_.world(); });
     if (!description) return std::move(setup_);
     model_names_ = modelNames(*description);
     setup_.sensors = description->cameras;
-    for (const config::ObjectConfig& object : config_.objects) {
-      if (!object.is_distractor) addObject(object, *description);
+    for (std::size_t i = 0; i < config_.objects.size(); ++i) {
+      setup_.driven_links.emplace_back();
+      const config::ObjectConfig& object = config_.objects[i];
+      if (!object.is_distractor) addObject(object, variants_[i].all(), *description);
     }
-    setup_.driven_links.resize(config_.objects.size());
     auto distractors = errors_.attempt([&] { return loadDistractors(config_, files_); });
     addTo(setup_.notes, files_.modelNotes());
     for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
     const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
     setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
-    if (!distractors || objects_.size() != config_.robotCount()) return std::move(setup_);
+    if (!distractors || lacks_objects_) return std::move(setup_);
     auto world = errors_.attempt([&] {
       return std::make_unique<world::World>(std::move(*description), std::move(objects_),
                                             physicsOptions(config_), std::move(*distractors));
@@ -101,55 +103,69 @@ class WorldBuilder {
     all.insert(all.end(), more.begin(), more.end());
   }
 
-  void addObject(const config::ObjectConfig& object, world::Description& surroundings) {
-    auto in_world = takeModel(surroundings, object.name);
+  void addObject(const config::ObjectConfig& object, const std::vector<ObjectVariant>& variants,
+                 world::Description& surroundings) {
+    const auto in_world = takeModel(surroundings, object.name);
     if (!object.takes_part) {
       objects_.push_back(nothingCalled(object.name));
-      setup_.driven_links.emplace_back();
+      setup_.driven_links.back().emplace_back();
       return;
     }
-    auto model = object.model
-                     ? errors_.attempt([&] { return files_.model(*object.model, object.name); })
-                     : std::move(in_world);
-    if (model) {
-      addModel(std::move(*model), object);
-    } else if (!object.model) {
+    if (!in_world && !variants.front().model) {
+      lacks_objects_ = true;
       errors_.add("robot_list: the world '" + config_.world.file + "' has no model '" +
                   object.name + "' (it has " + model_names_ +
                   "); add one to the world, or name a model file in " + object.name + "/model");
+      return;
+    }
+    for (const ObjectVariant& variant : variants) {
+      const bool is_made = errors_.attempt([&] { addVariant(variant, object, in_world); });
+      if (is_made) continue;
+      lacks_objects_ = true;
+      return;  // the others would likely have the same errors
     }
   }
 
-  void addModel(world::Model model, const config::ObjectConfig& object) {
+  void addVariant(const ObjectVariant& variant, const config::ObjectConfig& object,
+                  const std::optional<world::Model>& in_world) {
+    world::Model model = world::scaled(
+        variant.model ? files_.model(*variant.model, object.name) : *in_world, variant.scale);
     Articulation articulation;
     if (frames_ != nullptr) {
-      auto made = errors_.attempt([&] { return articulate(std::move(model), object, *frames_); });
-      if (!made) return;
-      articulation = std::move(*made);
+      articulation = articulate(std::move(model), object, *frames_);
     } else {
       articulation.model = std::move(model);
     }
+    if (variant.scale != 1.0 && !articulation.driven.empty()) {
+      throw Error("randomize/objects/" + object.name +
+                  "/scale: links of this object follow TF, which leaves them as far apart as they "
+                  "are in any size; it should be without scale, or its link_frames name no links");
+    }
+    DrivenLinks& driven = setup_.driven_links.back().emplace_back(std::move(articulation.driven));
     std::vector<std::size_t> links;
-    for (const DrivenLink& each : articulation.driven) links.push_back(each.link);
-    objects_.emplace_back(std::move(articulation.model), std::move(links));
-    setup_.driven_links.push_back(std::move(articulation.driven));
-    addTo(setup_.remarks, articulation.remarks);
+    for (const DrivenLink& each : driven) links.push_back(each.link);
+    const bool is_first = setup_.driven_links.back().size() == 1;
+    objects_.emplace_back(std::move(articulation.model), std::move(links), !is_first);
+    if (is_first) addTo(setup_.remarks, articulation.remarks);
   }
 
   const config::Config& config_;
+  const std::vector<ObjectVariants>& variants_;
   const motion::FrameMotion* frames_;
   WorldFiles& files_;
-  ErrorCollector& errors_;
+  config::ErrorCollector& errors_;
   std::string model_names_;  ///< of the world, objects included
   std::vector<world::MovingObject> objects_;
+  bool lacks_objects_ = false;
   WorldSetup setup_;
 };
 
 }  // namespace
 
-WorldSetup setUpWorld(const config::Config& config, const motion::FrameMotion* frames,
-                      WorldFiles& files, ErrorCollector& errors) {
-  return WorldBuilder(config, frames, files, errors).build();
+WorldSetup setUpWorld(const config::Config& config, const std::vector<ObjectVariants>& variants,
+                      const motion::FrameMotion* frames, WorldFiles& files,
+                      config::ErrorCollector& errors) {
+  return WorldBuilder(config, variants, frames, files, errors).build();
 }
 
 }  // namespace synthetic_dataset

@@ -8,8 +8,9 @@
 
 #include "articulation.h"
 #include "config/config.h"
-#include "error_collector.h"
+#include "config/error_collector.h"
 #include "motion/frame_motion.h"
+#include "object_variants.h"
 #include "world/world.h"
 #include "world_files.h"
 
@@ -17,8 +18,8 @@ namespace synthetic_dataset {
 
 /// A motion's world, and what was learnt from its files.
 struct WorldSetup {
-  std::unique_ptr<world::World> world;                ///< nothing where something is wrong
-  std::vector<std::vector<DrivenLink>> driven_links;  ///< of each object
+  std::unique_ptr<world::World> world;                 ///< nothing where something is wrong
+  std::vector<std::vector<DrivenLinks>> driven_links;  ///< of each object's variants
 
   /// Of the world and of the objects' models; nothing where the world cannot be read.
   std::optional<std::vector<world::CameraSensor>> sensors;
@@ -28,14 +29,17 @@ struct WorldSetup {
   std::set<std::string> inputs;      ///< the files that were read
 };
 
-/// Loads the world, the objects' models and the distractors. An object's model is its own, else the
-/// world's of its name, which leaves the world in any case; one that does not take part is there
-/// as nothing that could be seen or touched.
+/// Loads the world, the objects' models and the distractors. An object's model is that of its
+/// variant, else the world's of its name, which leaves the world in any case; one that does not
+/// take part is there as nothing that could be seen or touched.
+/// @param variants  of each object
 /// @param frames  which links follow frames of their own; none, which is an error already: no link
 ///     is driven
 /// @param files  of the world that config names
 /// @param errors  takes all that is wrong
-[[nodiscard]] WorldSetup setUpWorld(const config::Config& config, const motion::FrameMotion* frames,
-                                    WorldFiles& files, ErrorCollector& errors);
+[[nodiscard]] WorldSetup setUpWorld(const config::Config& config,
+                                    const std::vector<ObjectVariants>& variants,
+                                    const motion::FrameMotion* frames, WorldFiles& files,
+                                    config::ErrorCollector& errors);
 
 }  // namespace synthetic_dataset

@@ -19,6 +19,10 @@ struct Intrinsics {
   double cy = 0.0;
 };
 
+[[nodiscard]] inline bool operator==(const Intrinsics& a, const Intrinsics& b) {
+  return a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy;
+}
+
 /// The lens's distortion, by the names of sensor_msgs/CameraInfo.
 enum class DistortionModel {
   kNone,
@@ -36,6 +40,10 @@ struct Distortion {
   /// The lens shows nothing that is farther from its axis than this [rad], in (0, pi].
   double cutoff_angle = 3.14159265358979323846;
 };
+
+[[nodiscard]] inline bool operator==(const Distortion& a, const Distortion& b) {
+  return a.model == b.model && a.coefficients == b.coefficients && a.cutoff_angle == b.cutoff_angle;
+}
 
 /// How points of the optical frame (x right, y down, z forward; metres) fall on the image.
 ///

@@ -51,6 +51,11 @@ struct ObjectInfo {
   std::size_t keypoint_count = 0;
   std::vector<std::string> keypoint_names;  ///< as many: the parameter, else "0", "1", ...
 
+  /// Whether there may be scenes in which it wears another model than DatasetInfo::model() has, or
+  /// is of another size: of each scene, SceneObject counts. A format that has room for one model
+  /// alone cannot hold such scenes.
+  bool model_varies = false;
+
   /// Pairs of keypoints to draw lines between, by their places from 0.
   std::vector<std::array<std::size_t, 2>> skeleton;
 };

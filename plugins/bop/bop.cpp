@@ -90,6 +90,7 @@ void addJson(DatasetOutput& output, const std::string& path, const Json& json) {
 class BopWriter : public LabelWriter {
  private:
   void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+    refuseVaryingModels(dataset, "mesh in models/");
     dataset_ = dataset;
     models_ = readBopModels(parameters, dataset);
     train_folder_ = "train";

@@ -94,6 +94,7 @@ class PvNetWriter : public LabelWriter {
 
   void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
     refuseVaryingIntrinsics(dataset, "camera.txt");
+    refuseVaryingModels(dataset, "model.ply");
     dataset_ = dataset;
     image_format_ = "." + optionalChoice(parameters, "image_format", {"jpg", "png"}, "jpg");
     data_root_ = parameters.optional<std::string>("data_root", "data/custom");

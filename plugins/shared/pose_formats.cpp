@@ -46,8 +46,20 @@ void refuseVaryingIntrinsics(const DatasetInfo& dataset, const std::string& file
     throw Error("found a camera, '" + camera.name +
                 "', whose intrinsics differ from scene to scene, and the format has one " + file +
                 " for all of its images; they should be the same: without "
-                "randomize/sensor/field_of_view, and with recordings of one camera alone in "
-                "bag_file. BOP, DOPE, KITTI and others hold each image's own");
+                "randomize/sensor/field_of_view, and with the same calibration in all motions. "
+                "BOP, DOPE, KITTI and others hold each image's own");
+  }
+}
+
+void refuseVaryingModels(const DatasetInfo& dataset, const std::string& file) {
+  for (const ObjectInfo& object : dataset.objects) {
+    if (!object.model_varies) continue;
+    throw Error("found an object, '" + object.name +
+                "', whose model or size differs from scene to scene, and the format has one " +
+                file +
+                " of it for all images; it should be the same: without model and scale in "
+                "randomize/objects, and with the same model in all motions. COCO, YOLO, KITTI and "
+                "others hold what is seen in each image");
   }
 }
 

@@ -32,6 +32,11 @@ void warnOfDistortion(const CameraModel& camera, SceneOutput& output);
 /// @throws Error where a camera's intrinsics differ from scene to scene
 void refuseVaryingIntrinsics(const DatasetInfo& dataset, const std::string& file);
 
+/// For formats that hold one model of each object for all images.
+/// @param file  in which it stands
+/// @throws Error where an object's model or size differs from scene to scene
+void refuseVaryingModels(const DatasetInfo& dataset, const std::string& file);
+
 /// The 3x3 camera matrix, row by row.
 [[nodiscard]] std::array<double, 9> cameraMatrix(const Intrinsics& intrinsics);
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <utility>
 
 #include "appearance/entry_errors.h"
+#include "config/error_collector.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
@@ -16,7 +16,6 @@
 namespace synthetic_dataset::appearance {
 namespace {
 
-const char* const kOtherLights = "every";
 const char* const kObjects = "objects";
 const char* const kWorld = "world";
 const char* const kDistractors = "distractors";
@@ -60,18 +59,18 @@ bool takesTexture(const world::Surface& surface) {
 
 /// A lamp has a place, sunlight a direction. For `every`, each has its own.
 void checkMeaning(const world::Light& light, const config::LightRandomization& config,
-                  std::vector<std::string>& errors) {
+                  config::ErrorCollector& errors) {
   const std::string parameter = "randomize/lights/" + light.name;
   const bool is_sun = light.type == world::LightType::kDirectional;
   if (is_sun && config.shift) {
-    errors.push_back(parameter +
-                     "/shift: a directional light has no place; elevation and azimuth "
-                     "turn it");
+    errors.add(parameter +
+               "/shift: a directional light has no place; elevation and azimuth "
+               "turn it");
   }
   if (!is_sun && (config.elevation || config.azimuth)) {
-    errors.push_back(parameter +
-                     "/elevation, azimuth: only directional lights are turned; shift "
-                     "moves a lamp");
+    errors.add(parameter +
+               "/elevation, azimuth: only directional lights are turned; shift "
+               "moves a lamp");
   }
 }
 
@@ -81,26 +80,14 @@ Eigen::Vector3d shiningFrom(double elevation, double azimuth) {
                           std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
 }
 
-/// Does something; adds its errors to those that there are.
-template <class Work>
-void gather(std::vector<std::string>& errors, const Work& work) {
-  try {
-    work();
-  } catch (const ErrorList& list) {
-    errors.insert(errors.end(), list.messages().begin(), list.messages().end());
-  } catch (const Error& error) {
-    errors.emplace_back(error.what());
-  }
-}
-
 }  // namespace
 
 LookSampler::LookSampler(const config::Randomization& config, const world::World& world)
     : world_(world), config_(config) {
-  std::vector<std::string> errors;
+  config::ErrorCollector errors;
   findLights(config, errors);
   checkLightCount(errors);
-  gather(errors, [&] { background_.emplace(config.background); });
+  errors.attempt([&] { background_.emplace(config.background); });
   std::vector<std::pair<std::ptrdiff_t, std::string>> targets;
   for (const auto& [target, material] : config.materials) {
     targets.emplace_back(rankOf(target), target);
@@ -109,43 +96,41 @@ LookSampler::LookSampler(const config::Randomization& config, const world::World
   for (const auto& [rank, target] : targets) {
     findSurfaces(target, config.materials.at(target), errors);
   }
-  if (!errors.empty()) throw ErrorList(std::move(errors));
+  errors.throwIfAny();
 }
 
-void LookSampler::findLights(const config::Randomization& config,
-                             std::vector<std::string>& errors) {
+void LookSampler::findLights(const config::Randomization& config, config::ErrorCollector& errors) {
   std::set<std::string> names;
   const std::vector<world::Light>& lights = world_.description().lights;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     names.insert(lights[i].name);
     auto entry = config.lights.find(lights[i].name);
-    if (entry == config.lights.end()) entry = config.lights.find(kOtherLights);
+    if (entry == config.lights.end()) entry = config.lights.find(config::kOthers);
     if (entry == config.lights.end()) continue;
-    if (entry->first != kOtherLights) checkMeaning(lights[i], entry->second, errors);
+    if (entry->first != config::kOthers) checkMeaning(lights[i], entry->second, errors);
     lights_.push_back({i, "lights/" + lights[i].name, entry->second});
   }
   for (const auto& [name, light] : config.lights) {
-    if (name == kOtherLights || names.count(name) != 0) continue;
-    errors.push_back("randomize/lights/" + name + ": the world has no light of this name" +
-                     didYouMean(name, {names.begin(), names.end()}));
+    if (name == config::kOthers || names.count(name) != 0) continue;
+    errors.add("randomize/lights/" + name + ": the world has no light of this name" +
+               didYouMean(name, {names.begin(), names.end()}));
   }
 }
 
 /// A number half above the lights' own is rounded to it, at its range's end alone.
-void LookSampler::checkLightCount(std::vector<std::string>& errors) const {
+void LookSampler::checkLightCount(config::ErrorCollector& errors) const {
   const std::size_t count = world_.description().lights.size();
   if (!config_.light_count) return;
   const double highest = config_.light_count->highest();
   if (highest <= static_cast<double>(count) + 0.5) return;
-  errors.push_back("randomize/light_count: found up to " + Value(highest).text() +
-                   "; the world has " + std::to_string(count) +
-                   (count == 1 ? " light" : " lights") +
-                   ", and it should be no more (where a normal distribution ends, its `max` says)");
+  errors.add("randomize/light_count: found up to " + Value(highest).text() + "; the world has " +
+             std::to_string(count) + (count == 1 ? " light" : " lights") +
+             ", and it should be no more (where a normal distribution ends, its `max` says)");
 }
 
 void LookSampler::findSurfaces(const std::string& target,
                                const config::MaterialRandomization& config,
-                               std::vector<std::string>& errors) {
+                               config::ErrorCollector& errors) {
   const std::string parameter = "randomize/materials/" + target;
   TextureSource* textures = nullptr;
   if (config.textures) {
@@ -154,8 +139,7 @@ void LookSampler::findSurfaces(const std::string& target,
         textures = &textures_.try_emplace(*config.textures, *config.textures).first->second;
       });
     };
-    gather(errors, make);
-    if (textures == nullptr) return;
+    if (!errors.attempt(make)) return;
   }
   std::map<std::string, std::size_t> places;  // in materials_, by name
   for (const world::LinkInstance& link : world_.links()) {
@@ -174,10 +158,10 @@ void LookSampler::findSurfaces(const std::string& target,
     }
   }
   if (!places.empty()) return;
-  errors.push_back(parameter +
-                   ": the world has nothing of this name that can be seen; it should be objects, "
-                   "distractors, world, a model, model::link or model::link::visual" +
-                   didYouMean(target, modelNames(world_)));
+  errors.add(parameter +
+             ": the world has nothing of this name that can be seen; it should be objects, "
+             "distractors, world, a model, model::link or model::link::visual" +
+             didYouMean(target, modelNames(world_)));
 }
 
 world::Look LookSampler::sample(EntryDraws& draws) {
@@ -227,11 +211,9 @@ void LookSampler::chooseLights(EntryDraws& draws, world::Look& look) const {
       static_cast<std::size_t>(std::lround(config_.light_count->drawNumber(random)));
   const std::size_t on = std::min(wanted, look.lights.size());
   draws.note(entry, static_cast<double>(on));
-  std::vector<std::size_t> order(look.lights.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
   random::RandomSource shuffling = draws.source(entry + "/lights");
+  const std::vector<std::size_t> order = shuffling.choice(look.lights.size(), look.lights.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    std::swap(order[i], order[i + shuffling.index(order.size() - i)]);
     world::Light& light = look.lights[order[i]];
     draws.note("lights/" + light.name + "/present", i < on ? 1.0 : 0.0);
     if (i >= on) light.diffuse.setZero();

@@ -56,6 +56,40 @@ MaterialRandomization readMaterial(const Parameters& group) {
   return material;
 }
 
+std::optional<random::TextChoice> readModels(const Parameters& group) {
+  auto models = maybeChoice(group, "model");
+  if (!models) return std::nullopt;
+  for (std::string& model : models->texts) {
+    if (model.rfind("param:", 0) == 0 || model.find('<') != std::string::npos) {
+      group.addError("model",
+                     "found a model that is no file; where one of several is drawn, each "
+                     "should be the path or URI of an SDF or URDF file");
+      return std::nullopt;
+    }
+    model = pathOrUri(model);
+  }
+  return models;
+}
+
+ObjectRandomization readObject(const Parameters& group) {
+  constexpr double kSmallest = 1e-3;
+  constexpr double kLargest = 1e3;
+  constexpr int kMostSizes = 100;
+  ObjectRandomization object;
+  object.present = maybeProbability(group, "present");
+  object.model = readModels(group);
+  object.scale = maybeDistribution(group, "scale", {1, kSmallest, kLargest});
+  if (object.scale && object.scale->values().empty()) {
+    object.sizes = numberBetween(group, "sizes", object.sizes, 1, kMostSizes);
+  } else if (group.has("sizes")) {
+    group.addError("sizes",
+                   "has a meaning beside a scale that is drawn from a range: how many "
+                   "sizes are made of it");
+    group.ignore("sizes");
+  }
+  return object;
+}
+
 SensorRandomization readSensor(const Parameters& group) {
   constexpr double kMostStops = 10.0;
   constexpr double kWidestBlur = 50.0;  // [px]
@@ -72,6 +106,12 @@ SensorRandomization readSensor(const Parameters& group) {
 
 }  // namespace
 
+ObjectRandomization Randomization::ofObject(const std::string& name) const {
+  auto entry = objects.find(name);
+  if (entry == objects.end()) entry = objects.find(kOthers);
+  return entry == objects.end() ? ObjectRandomization{} : entry->second;
+}
+
 Randomization readRandomization(const Parameters& root) {
   Randomization randomization;
   if (!root.has("randomize")) return randomization;
@@ -83,8 +123,7 @@ Randomization readRandomization(const Parameters& root) {
   randomization.light_count = readLightCount(group, randomization.lights);
   const Parameters objects = group.group("objects");
   for (const std::string& name : objects.names()) {
-    const auto present = maybeProbability(objects.group(name), "present");
-    if (present) randomization.present[name] = *present;
+    randomization.objects[name] = readObject(objects.group(name));
   }
   const Parameters materials = group.group("materials");
   for (const std::string& name : materials.names()) {

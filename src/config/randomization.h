@@ -7,6 +7,7 @@
 #include "config/background_config.h"
 #include "config/distractor_config.h"
 #include "random/distribution.h"
+#include "random/text_choice.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {
@@ -32,6 +33,14 @@ struct MaterialRandomization {
   std::optional<std::string> textures;  ///< `procedural`, or an absolute folder of pictures
 };
 
+/// What is drawn anew of an object; nothing: as `robot_list` and its group have it.
+struct ObjectRandomization {
+  std::optional<double> present;              ///< how likely it is there, 0 .. 1
+  std::optional<random::TextChoice> model;    ///< absolute paths or URIs, instead of its own
+  std::optional<random::Distribution> scale;  ///< times the model's size, > 0
+  int sizes = 8;  ///< so many are made of what `scale` draws, unless that is a few values
+};
+
 /// What is drawn anew of a camera's sensor and lens; nothing: as `effects` and the calibration have
 /// it.
 struct SensorRandomization {
@@ -55,8 +64,7 @@ struct Randomization {
   std::map<std::string, MaterialRandomization> materials;  ///< by model, model::link or
                                                            ///< model::link::visual; `objects`,
                                                            ///< `world`: all of these
-  std::map<std::string, double> present;  ///< how likely an object is there, 0 .. 1, by its name;
-                                          ///< `every`: others
+  std::map<std::string, ObjectRandomization> objects;      ///< by their names; `every`: others
   std::optional<DistractorConfig> distractors;
   SensorRandomization sensor;  ///< of each camera
 
@@ -64,11 +72,17 @@ struct Randomization {
   /// earlier.
   std::optional<random::Distribution> time_jitter;
 
+  /// What is drawn of an object.
+  [[nodiscard]] ObjectRandomization ofObject(const std::string& name) const;
+
   [[nodiscard]] bool changesLook() const {
     return !lights.empty() || light_count || !materials.empty() || ambient || background.colour ||
            background.pictures;
   }
 };
+
+/// In the groups of lights and objects: those that have no group of their own.
+inline const char* const kOthers = "every";
 
 /// Reads the group `randomize`, all of which may be left out.
 [[nodiscard]] Randomization readRandomization(const Parameters& root);

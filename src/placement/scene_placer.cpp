@@ -1,5 +1,6 @@
 #include "placement/scene_placer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -17,9 +18,9 @@ namespace {
 /// what was dropped has not come to rest.
 constexpr int kMostAttempts = 10;
 
-std::string noPlaceOnMap(const PlacedObject& object, double largest) {
+std::string noPlaceOnMap(const PlacedObject& object, double radius, double largest) {
   return "placement/map: no place for '" + object.name + "': " + object.name +
-         "/safety_radius is " + fixed(object.safety_radius, 3) +
+         "/safety_radius is " + fixed(radius, 3) +
          " m, and the map has no free place that is farther than " + fixed(largest, 3) +
          " m from all that is not free";
 }
@@ -34,10 +35,14 @@ ScenePlacer::ScenePlacer(const config::PlacementConfig& config,
   std::vector<std::string> errors;
   for (const PlacedObject& object : objects_) {
     if (object.X_GO_kept) continue;
-    const double radius = object.safety_radius;
-    if (free_.count(radius) == 0) free_.emplace(radius, FreePlaces(*map, radius));
-    if (free_.at(radius).cellCount() > 0) continue;
-    errors.push_back(noPlaceOnMap(object, largestClearance(*map)));
+    double greatest = 0.0;
+    for (const NeededRoom& room : object.rooms) {
+      const double radius = room.safety_radius;
+      if (free_.count(radius) == 0) free_.emplace(radius, FreePlaces(*map, radius));
+      greatest = std::max(greatest, radius);
+    }
+    if (free_.at(greatest).cellCount() > 0) continue;
+    errors.push_back(noPlaceOnMap(object, greatest, largestClearance(*map)));
   }
   if (!errors.empty()) throw ErrorList(std::move(errors));
   if (config_.on_surface) {
@@ -105,16 +110,22 @@ std::optional<Pose> ScenePlacer::findPlace(std::size_t object, random::RandomSou
   return std::nullopt;
 }
 
+/// As it is now.
+const NeededRoom& ScenePlacer::roomOf(std::size_t object) const {
+  return objects_[object].rooms[world_.worn()[object]];
+}
+
 PoseOrReason ScenePlacer::draw(std::size_t object, random::RandomSource& source) const {
   if (config_.mode == config::PlacementMode::kMap) return drawOnMap(object, source);
   return drawInVolume(source);
 }
 
 PoseOrReason ScenePlacer::drawOnMap(std::size_t object, random::RandomSource& source) const {
-  const auto place = free_.at(objects_[object].safety_radius).draw(source, 1);
+  const NeededRoom& room = roomOf(object);
+  const auto place = free_.at(room.safety_radius).draw(source, 1);
   if (!place) return "were nearer than safety_radius to what is not free";
   const double heading = source.angle();
-  if (stand_) return stand_->at(*place, heading, objects_[object].box_O);
+  if (stand_) return stand_->at(*place, heading, room.box_O);
   const Eigen::AngleAxisd turn(heading, Eigen::Vector3d::UnitZ());
   return makePose({place->x(), place->y(), config_.height}, Eigen::Quaterniond(turn));
 }
@@ -128,12 +139,12 @@ Pose ScenePlacer::drawInVolume(random::RandomSource& source) const {
 
 std::optional<std::string> ScenePlacer::whyNot(std::size_t object, const Pose& X_GO,
                                                const std::vector<Pose>& placed) const {
-  const double radius = objects_[object].safety_radius;
+  const double radius = roomOf(object).safety_radius;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (objects_[i].X_GO_kept) continue;
     Eigen::Vector3d apart = placed[i].translation() - X_GO.translation();
     if (config_.mode == config::PlacementMode::kMap) apart.z() = 0.0;  // as seen from above
-    if (apart.norm() < radius + objects_[i].safety_radius) {
+    if (apart.norm() < radius + roomOf(i).safety_radius) {
       return "were too near '" + objects_[i].name + "'";
     }
   }

@@ -17,11 +17,16 @@
 
 namespace synthetic_dataset::placement {
 
+/// How much room something needs.
+struct NeededRoom {
+  double safety_radius = 0.0;  ///< about its frame's origin: nothing else is nearer [m]
+  Cuboid box_O;                ///< round it
+};
+
 /// Something to be put somewhere.
 struct PlacedObject {
   std::string name;
-  double safety_radius = 0.0;  ///< about its frame's origin: nothing else is nearer [m]
-  Cuboid box_O;                ///< round it
+  std::vector<NeededRoom> rooms;  ///< of each of its variants
 
   /// Where it is if it is not to be put anywhere; it is out of the way of all others there.
   std::optional<Pose> X_GO_kept = std::nullopt;
@@ -42,13 +47,14 @@ class ScenePlacer {
               std::vector<PlacedObject> objects, world::World& world, Surroundings& surroundings,
               std::uint64_t seed);
 
-  /// X_GO of all objects in a scene; the world starts anew.
+  /// X_GO of all objects in a scene, in what they wear; the world starts anew.
   /// @throws Error naming an object for which no place was found, and why
   [[nodiscard]] std::vector<Pose> place(std::int64_t scene);
 
  private:
   using Misses = std::map<std::string, int>;  ///< how often, by what happened
 
+  [[nodiscard]] const NeededRoom& roomOf(std::size_t object) const;
   [[nodiscard]] PoseOrReason draw(std::size_t object, random::RandomSource& source) const;
   [[nodiscard]] PoseOrReason drawOnMap(std::size_t object, random::RandomSource& source) const;
   [[nodiscard]] Pose drawInVolume(random::RandomSource& source) const;

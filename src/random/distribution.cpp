@@ -126,6 +126,11 @@ std::vector<double> Distribution::draw(RandomSource& source) const {
   return std::visit(Draw{source, dimension_}, kind_);
 }
 
+std::vector<Numbers> Distribution::values() const {
+  const auto* choice = std::get_if<Choice>(&kind_);
+  return choice == nullptr ? std::vector<Numbers>{} : choice->values;
+}
+
 double Distribution::lowest() const { return std::visit(Extremes{}, kind_).first; }
 
 double Distribution::highest() const { return std::visit(Extremes{}, kind_).second; }

@@ -62,6 +62,9 @@ class Distribution {
 
   [[nodiscard]] std::size_t dimension() const { return dimension_; }
 
+  /// All that can be drawn, where that is one of several; else nothing.
+  [[nodiscard]] std::vector<Numbers> values() const;
+
  private:
   struct Uniform {
     Numbers low;

@@ -8,6 +8,13 @@
 namespace synthetic_dataset::world {
 namespace {
 
+/// So deep that nothing meets it.
+const Pose& nowhere() {
+  constexpr double kDepth = 1e5;  // [m]
+  static const Pose X_WO = makePose({0, 0, -kDepth}, Eigen::Quaterniond::Identity());
+  return X_WO;
+}
+
 constexpr Duration kShortestStep = std::chrono::microseconds(1);
 
 std::string text(Stamp time) { return std::to_string(time.count()) + " ns"; }
@@ -82,15 +89,17 @@ World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_
 
   overlaps = std::make_unique<OverlapFinder>(fixed, object_collisions, body_names);
   home = starts = X_WP;
-  present.assign(objects.size(), true);
-  if (options.labels_distractors) present.resize(objects.size() + distractors.size(), false);
+  worn.assign(first_variants.size(), 0);
+  present.assign(first_variants.size(), true);
+  if (options.labels_distractors) present.resize(present.size() + distractors.size(), false);
   X_WD.assign(distractors.size(), std::nullopt);
   for (const LinkInstance& link : links) present_links.push_back(link.role != Role::kDistractor);
+  updatePresentLinks();
 }
 
-void World::Impl::addLinks(const Model& model, Role role, int object) {
+void World::Impl::addLinks(const Model& model, Role role, int object, std::size_t variant) {
   for (const Link& link : model.links) {
-    links.push_back({&link, role, object, model.name});
+    links.push_back({&link, role, object, model.name, variant});
     X_WL.push_back(model.X_WM * link.X_ML);
   }
 }
@@ -119,15 +128,19 @@ void World::Impl::addProp(const Model& model, std::vector<std::string>& errors) 
 }
 
 void World::Impl::addObject(const MovingObject& object, std::vector<std::string>& errors) {
+  const std::size_t place = object_of.size();
+  if (!object.is_variant) first_variants.push_back(place);
+  object_of.push_back(first_variants.size() - 1);
   first_object_links.push_back(links.size());
   first_object_bodies.push_back(object_collisions.size());
-  addLinks(object.model, Role::kObject, static_cast<int>(first_object_links.size()) - 1);
+  addLinks(object.model, Role::kObject, static_cast<int>(object_of.back()),
+           place - first_variants.back());
   collectErrors(errors, [&] {
     object_bodies.emplace_back(object);
     for (const Model& body : object_bodies.back().models(object.model)) {
       object_collisions.push_back(movingCollisions(body, Pose::Identity()));
       body_names.push_back(object.model.name);
-      body_objects.push_back(first_object_links.size() - 1);
+      body_objects.push_back(place);
       const auto& notes = object_collisions.back().notes;
       description.notes.insert(description.notes.end(), notes.begin(), notes.end());
     }
@@ -146,7 +159,7 @@ void World::Impl::addFalling(const Model& model, const std::string& what,
 
 void World::Impl::addDistractor(const Model& model, std::vector<std::string>& errors) {
   first_distractor_links.push_back(links.size());
-  const auto number = static_cast<int>(objects.size() + first_distractor_links.size() - 1);
+  const auto number = static_cast<int>(first_variants.size() + first_distractor_links.size() - 1);
   addLinks(model, Role::kDistractor, options.labels_distractors ? number : -1);
   collectErrors(errors, [&] {
     distractor_collisions.push_back(movingCollisions(model, Pose::Identity()));
@@ -175,6 +188,40 @@ std::vector<Pose> World::Impl::bodyPoses(Stamp time, const ObjectMotion& motion)
   return poses;
 }
 
+/// Where bodies can be pushed against and push: those that no object wears are out of the way.
+std::vector<Pose> World::Impl::tangible(std::vector<Pose> poses) const {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!isWorn(body_objects[i])) poses[i] = nowhere();
+  }
+  return poses;
+}
+
+/// @return a place in objects
+std::size_t World::Impl::wornBy(std::size_t object) const {
+  return first_variants[object] + worn[object];
+}
+
+bool World::Impl::isWorn(std::size_t moving_object) const {
+  return wornBy(object_of[moving_object]) == moving_object;
+}
+
+std::vector<bool> World::Impl::presentBodies() const {
+  std::vector<bool> bodies;
+  for (const std::size_t moving_object : body_objects) {
+    bodies.push_back(present[object_of[moving_object]] && isWorn(moving_object));
+  }
+  return bodies;
+}
+
+/// Those of objects; distractors are there when they are placed.
+void World::Impl::updatePresentLinks() {
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (links[i].role != Role::kObject) continue;
+    const auto object = static_cast<std::size_t>(links[i].object);
+    present_links[i] = present[object] && worn[object] == links[i].variant;
+  }
+}
+
 void World::Impl::start(Stamp time, const ObjectMotion& motion) {
   X_WB = bodyPoses(time, motion);
   start_time = time;
@@ -182,14 +229,14 @@ void World::Impl::start(Stamp time, const ObjectMotion& motion) {
   if (props.empty()) return;
   physics = std::make_unique<Physics>(description.gravity, options.step, fixed,
                                       pointersTo(object_collisions), startingProps());
-  physics->placeObjects(X_WB);
+  physics->placeObjects(tangible(X_WB));
 }
 
 void World::Impl::simulateUntil(Stamp time, const ObjectMotion& motion) {
   if (!physics) return;
   const std::int64_t steps = (time - *start_time) / options.step;
   for (; steps_done < steps; ++steps_done) {
-    physics->step(bodyPoses(*start_time + (steps_done + 1) * options.step, motion));
+    physics->step(tangible(bodyPoses(*start_time + (steps_done + 1) * options.step, motion)));
   }
 }
 
@@ -256,13 +303,17 @@ const std::vector<LinkInstance>& World::links() const { return impl_->links; }
 
 void World::setPresent(const std::vector<bool>& present) {
   std::copy(present.begin(), present.end(), impl_->present.begin());
-  for (std::size_t i = 0; i < impl_->links.size(); ++i) {
-    const int object = impl_->links[i].object;
-    if (object >= 0) impl_->present_links[i] = impl_->present[static_cast<std::size_t>(object)];
-  }
+  impl_->updatePresentLinks();
 }
 
 const std::vector<bool>& World::present() const { return impl_->present; }
+
+void World::wear(const std::vector<std::size_t>& variants) {
+  impl_->worn = variants;
+  impl_->updatePresentLinks();
+}
+
+const std::vector<std::size_t>& World::worn() const { return impl_->worn; }
 
 const std::vector<bool>& World::presentLinks() const { return impl_->present_links; }
 
@@ -272,9 +323,8 @@ std::int64_t World::propRevision() const { return impl_->prop_revision; }
 
 std::vector<Interpenetration> World::interpenetrations() const {
   if (!impl_->start_time) return {};
-  std::vector<bool> bodies;
-  for (const std::size_t object : impl_->body_objects) bodies.push_back(impl_->present[object]);
-  return impl_->overlaps->find(impl_->X_WB, bodies, impl_->options.contact_tolerance);
+  return impl_->overlaps->find(impl_->X_WB, impl_->presentBodies(),
+                               impl_->options.contact_tolerance);
 }
 
 }  // namespace synthetic_dataset::world

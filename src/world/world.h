@@ -24,8 +24,9 @@ enum class Role {
 struct LinkInstance {
   const Link* link = nullptr;  ///< lives as long as the world
   Role role = Role::kStatic;
-  int object = -1;         ///< index of the object, or labelled distractor, else -1
-  std::string model = "";  ///< the name of its model
+  int object = -1;          ///< index of the object, or labelled distractor, else -1
+  std::string model = "";   ///< the name of its model
+  std::size_t variant = 0;  ///< of its object, whose first model is number 0
 };
 
 struct PhysicsOptions {
@@ -49,18 +50,21 @@ struct Interpenetration {
 ///
 /// Models that are no object and not static are props, each one rigid body: its links hold together
 /// as the file places them. An object is one kinematic body, or, where TF drives its links,
-/// several, which never count as inside one another. Meshes of props and objects collide as their
-/// convex hulls, those of static models as their triangles. A prop without any collision that could
-/// hold it (Gazebo would let it fall for ever) stands still and counts as static; a prop that falls
-/// off the world stops after 10 km.
+/// several, which never count as inside one another. It may have several models, its variants, of
+/// which it wears one at a time; objects are numbered without them. Meshes of props and objects
+/// collide as their convex hulls, those of static models as their triangles. A prop without any
+/// collision that could hold it (Gazebo would let it fall for ever) stands still and counts as
+/// static; a prop that falls off the world stops after 10 km.
 class World {
  public:
-  /// Where object `object` and its driven links are at a time. Called for every step of the
-  /// simulation, so it has to answer at any time between two scenes.
-  using ObjectMotion = std::function<ObjectPose(int object, Stamp time)>;
+  /// Where a moving object, by its place among those given, and its driven links are at a time:
+  /// variants that are not worn, too. Called for every step of the simulation, so it has to answer
+  /// at any time between two scenes.
+  using ObjectMotion = std::function<ObjectPose(int moving_object, Stamp time)>;
 
   /// @param description  models that are no object and not static are props
-  /// @param objects  in the order of `robot_list`; their models' poses are ignored
+  /// @param objects  in the order of `robot_list`, each followed by its variants; their models'
+  ///     poses are ignored
   /// @param distractors  nowhere until they are placed; nothing is pushed by them
   /// @throws ErrorList with every collision shape or mass that cannot be simulated, and its model
   World(Description description, std::vector<MovingObject> objects, const PhysicsOptions& options,
@@ -85,6 +89,14 @@ class World {
   /// Of each object, and then of each labelled distractor.
   [[nodiscard]] const std::vector<bool>& present() const;
 
+  /// Which of its models each object wears from now on; at first, number 0. The others are nowhere
+  /// to be seen or touched.
+  /// @param variants  of each object, in range
+  void wear(const std::vector<std::size_t>& variants);
+
+  /// What each object wears.
+  [[nodiscard]] const std::vector<std::size_t>& worn() const;
+
   /// Lets distractors fall from X_WM, each as one piece, among all that is there now, which stands
   /// still meanwhile. Only where the options say so.
   /// @param X_WM  of those that fall
@@ -104,7 +116,8 @@ class World {
       std::size_t distractor, const Pose& X_WM,
       const std::vector<std::optional<Pose>>& X_WM_before) const;
 
-  /// The same of each link: of objects and distractors that are there, and of all else.
+  /// The same of each link: of what objects wear and of distractors, as far as they are there, and
+  /// of all else.
   [[nodiscard]] const std::vector<bool>& presentLinks() const;
 
   /// Puts everything back to where it started, and the clock too: the next advanceTo is a first

@@ -22,7 +22,7 @@ struct World::Impl {
   static void addFalling(const Model& model, const std::string& what,
                          std::vector<PropModel>& falling, std::vector<std::string>& errors);
   void addDistractor(const Model& model, std::vector<std::string>& errors);
-  void addLinks(const Model& model, Role role, int object);
+  void addLinks(const Model& model, Role role, int object, std::size_t variant = 0);
 
   [[nodiscard]] std::vector<StartingProp> startingProps() const;
   void startPropsAt(const std::vector<Pose>& X_WM);
@@ -37,6 +37,11 @@ struct World::Impl {
   void show(const Model& model, std::size_t first_link, const Pose& X_WM);
   void showObjects();
   [[nodiscard]] std::vector<Pose> bodyPoses(Stamp time, const ObjectMotion& motion) const;
+  [[nodiscard]] std::vector<Pose> tangible(std::vector<Pose> poses) const;
+  [[nodiscard]] std::size_t wornBy(std::size_t object) const;
+  [[nodiscard]] bool isWorn(std::size_t moving_object) const;
+  [[nodiscard]] std::vector<bool> presentBodies() const;
+  void updatePresentLinks();
 
   /// A model of the description that moves, and where its links stand in `links`.
   struct ShownProp {
@@ -45,13 +50,16 @@ struct World::Impl {
   };
 
   Description description;
-  const std::vector<MovingObject> objects;
+  const std::vector<MovingObject> objects;  ///< each one followed by its variants
   const PhysicsOptions options;
   const std::vector<Model> distractors;
 
   std::vector<LinkInstance> links;
-  std::vector<Pose> X_WL;           ///< of links
-  std::vector<bool> present;        ///< of objects, then of labelled distractors
+  std::vector<Pose> X_WL;                   ///< of links
+  std::vector<std::size_t> first_variants;  ///< of each object that is no variant, in objects
+  std::vector<std::size_t> object_of;       ///< of objects: the number without variants
+  std::vector<std::size_t> worn;            ///< variants, of objects by that number
+  std::vector<bool> present;        ///< of objects by that number, then of labelled distractors
   std::vector<bool> present_links;  ///< of links
   std::vector<ShownProp> props;
   std::vector<PropModel> prop_models;            ///< of props
@@ -66,7 +74,7 @@ struct World::Impl {
   std::vector<FixedCollision> fixed;
   std::vector<MovingCollisions> object_collisions;      ///< body by body, of all objects in turn
   std::vector<std::string> body_names;                  ///< of the objects that they belong to
-  std::vector<std::size_t> body_objects;                ///< those objects
+  std::vector<std::size_t> body_objects;                ///< those, in objects
   std::vector<MovingCollisions> distractor_collisions;  ///< of distractors
   std::vector<std::size_t> first_distractor_links;      ///< of distractors
   std::unique_ptr<OverlapFinder> overlaps;

@@ -44,7 +44,7 @@ std::vector<StandingBody> World::Impl::standingProps() const {
 }
 
 StandingBody World::Impl::standingObject(std::size_t object, const Pose& X_WO) const {
-  const std::size_t body = first_object_bodies[object];
+  const std::size_t body = first_object_bodies[wornBy(object)];
   return {&object_collisions[body], X_WO, body_names[body]};
 }
 
@@ -53,8 +53,9 @@ StandingBody World::Impl::standingObject(std::size_t object, const Pose& X_WO) c
 std::vector<StandingBody> World::Impl::standingBodies(
     const std::vector<std::optional<Pose>>& X_WM) const {
   std::vector<StandingBody> standing = standingProps();
+  const std::vector<bool> present_bodies = presentBodies();
   for (std::size_t i = 0; i < X_WB.size(); ++i) {
-    if (!present[body_objects[i]]) continue;
+    if (!present_bodies[i]) continue;
     standing.push_back({&object_collisions[i], X_WB[i], body_names[i]});
   }
   for (std::size_t i = 0; i < X_WM.size(); ++i) {
@@ -82,7 +83,7 @@ std::optional<std::vector<Pose>> World::drop(const std::vector<Pose>& X_WO, Dura
   Impl& world = *impl_;
   std::vector<StartingProp> falling = world.startingProps();
   for (std::size_t i = 0; i < X_WO.size(); ++i) {
-    if (world.present[i]) falling.push_back({&world.falling_objects[i], X_WO[i]});
+    if (world.present[i]) falling.push_back({&world.falling_objects[world.wornBy(i)], X_WO[i]});
   }
   Physics physics(world.description.gravity, world.options.step, world.fixed, kNoObjects, falling);
   if (!runToRest(physics, time, world.options.step)) return std::nullopt;
@@ -145,7 +146,7 @@ void World::placeDistractors(const std::vector<std::optional<Pose>>& X_WM) {
       world.present_links[first + k] = X_WM[i].has_value();
     }
     if (world.options.labels_distractors) {
-      world.present[world.objects.size() + i] = X_WM[i].has_value();
+      world.present[world.first_variants.size() + i] = X_WM[i].has_value();
     }
   }
   world.X_WD = X_WM;

@@ -124,12 +124,42 @@ TEST(Randomization, MakesAFolderOfTexturesAbsolute) {
 
 TEST(Randomization, ReadsHowLikelyObjectsAreThere) {
   const Randomization given = read("{objects: {every: {present: 0.5}, rover_1: {present: 1}}}");
-  EXPECT_THAT(given.present,
-              UnorderedElementsAre(testing::Pair("every", 0.5), testing::Pair("rover_1", 1.0)));
+  EXPECT_EQ(given.ofObject("rover_1").present, 1.0);
+  EXPECT_EQ(given.ofObject("rover_2").present, 0.5);
+  EXPECT_FALSE(read("{objects: {rover_1: {present: 1}}}").ofObject("rover_2").present);
   EXPECT_FALSE(given.changesLook());
   EXPECT_THAT(errorsOf("{objects: {rover_1: {present: 1.5}}}"),
               ElementsAre("randomize/objects/rover_1/present: found 1.5; it should be a "
                           "probability, 0 to 1"));
+}
+
+TEST(Randomization, ReadsWhatObjectsWear) {
+  const Randomization given = read(
+      "{objects: {every: {scale: {uniform: [0.5, 2]}, sizes: 3}, rover_1: {model: {choice: "
+      "['model://a', /data/b.sdf], weights: [1, 3]}, scale: {choice: [1, 2]}}}}");
+  const ObjectRandomization rover = given.ofObject("rover_1");
+  EXPECT_THAT(rover.model->texts, ElementsAre("model://a", "/data/b.sdf"));
+  EXPECT_THAT(rover.model->weights, ElementsAre(1.0, 3.0));
+  expectRange(rover.scale, 1, 1.0, 2.0);
+  const ObjectRandomization other = given.ofObject("rover_2");
+  EXPECT_FALSE(other.model);
+  expectRange(other.scale, 1, 0.5, 2.0);
+  EXPECT_EQ(other.sizes, 3);
+  EXPECT_EQ(read("{objects: {a: {scale: {uniform: [1, 2]}}}}").ofObject("a").sizes, 8);
+  EXPECT_EQ(read("{objects: {a: {model: rover.sdf}}}").ofObject("a").model->texts.at(0),
+            (std::filesystem::current_path() / "rover.sdf").string());
+}
+
+TEST(Randomization, NamesWhatObjectsCannotWear) {
+  EXPECT_THAT(errorOf("objects/a", "scale: {uniform: [0, 2]}"), HasSubstr("scale: found uniform"));
+  EXPECT_THAT(errorOf("objects/a", "scale: {uniform: [1, 2]}, sizes: 0"),
+              HasSubstr("sizes: found 0; it should be"));
+  EXPECT_THAT(errorOf("objects/a", "scale: {choice: [1, 2]}, sizes: 3"),
+              HasSubstr("sizes: has a meaning beside a scale that is drawn from a range"));
+  EXPECT_THAT(errorOf("objects/a", "sizes: 3"), HasSubstr("sizes: has a meaning"));
+  EXPECT_THAT(errorOf("objects/a", "model: 'param:/robot_description'"),
+              HasSubstr("model: found a model that is no file"));
+  EXPECT_THAT(errorOf("objects/a", "model: '<robot/>'"), HasSubstr("model: found a model that is"));
 }
 
 TEST(Randomization, ReadsAmbientLightAndBackground) {

@@ -131,7 +131,7 @@ TEST_F(ArticulatedReplay, LinksWithoutTfRideOnTheirParents) {
 
 TEST_F(ArticulatedReplay, WithoutTfForLinksTheModelMovesAsOnePiece) {
   const MotionSetup setup = setUp();
-  EXPECT_THAT(setup.driven_links, ElementsAre(IsEmpty()));
+  EXPECT_THAT(setup.driven_links, ElementsAre(ElementsAre(IsEmpty())));
   EXPECT_THAT(setup.remarks, ElementsAre("alpha: no TF moves its joints 'shoulder', 'elbow', "
                                          "'slide'; they are held as the model has them"));
   expectAt(linksAt(5)["gripper"], base(5) * poseAt(0, 0, 1.12));
@@ -210,8 +210,7 @@ TEST_F(ArticulatedReplay, TheModelBoxFollowsTheLinks) {
   const MotionSetup setup = setUp();
   ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
-  const auto shape =
-      setup.shapes->at(setup.world->linkPoses(), motion.objectPoses(milliseconds(1750)))[0];
+  const auto shape = setup.shapes->at(motion.objectPoses(milliseconds(1750)))[0];
 
   // The elbow bends by 0.9 rad: the ball at the gripper, and the upper arm's edges, reach highest.
   const Eigen::Vector3d gripper_O = base(15).inverse() * links["gripper"].translation();
@@ -228,8 +227,7 @@ TEST_F(ArticulatedReplay, KeypointsMoveWithTheirLinks) {
   const MotionSetup setup = setUp();
   ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
-  const auto shape =
-      setup.shapes->at(setup.world->linkPoses(), motion.objectPoses(milliseconds(1750)))[0];
+  const auto shape = setup.shapes->at(motion.objectPoses(milliseconds(1750)))[0];
   ASSERT_THAT(shape.keypoints_O, SizeIs(9));
   // Upright, the arm's top is one of the points farthest from all others; it has moved along.
   const Eigen::Vector3d gripper_O = base(15).inverse() * links["gripper"].translation();

@@ -86,7 +86,7 @@ class ScenePlacerTest : public ::testing::Test {
     made.surroundings = std::make_unique<Surroundings>(*made.world);
     std::vector<PlacedObject> placed;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      placed.push_back({objects[i].name, radii[i], objects[i].cuboid()});
+      placed.push_back({objects[i].name, {{radii[i], objects[i].cuboid()}}});
     }
     made.placer =
         std::make_unique<ScenePlacer>(config, map, placed, *made.world, *made.surroundings, seed);

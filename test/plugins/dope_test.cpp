@@ -181,6 +181,16 @@ TEST_F(Dope, WritesSettingsOfCameraAndClasses) {
   EXPECT_NEAR(settings.at("horizontal_fov").get<double>(), 65.2385, 1e-3);  // 2 atan(320 / 500)
 }
 
+TEST_F(Dope, TellsNoSizeOfAnObjectThatHasSeveral) {
+  dataset_.objects[0].model_varies = true;
+  load({});
+  runAll({scene(0, {rover()})});
+  const json object = jsonOf("_object_settings.json").at("exported_objects").at(0);
+  EXPECT_EQ(object.at("class"), "vehicle");
+  EXPECT_EQ(object.count("cuboid_dimensions"), 0U);
+  EXPECT_EQ(jsonOf("00000000.json").at("objects").at(0).at("projected_cuboid").size(), 9U);
+}
+
 TEST_F(Dope, WritesEachImagesIntrinsicsAndNoneForAllWhereTheyVary) {
   dataset_.cameras[0].intrinsics_vary = true;
   load({});

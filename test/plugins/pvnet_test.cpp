@@ -265,10 +265,19 @@ TEST_F(PvNet, GivesEachObjectAndCameraAFolder) {
 
 TEST_F(PvNet, RefusesACameraWhoseIntrinsicsVary) {
   dataset_.cameras = {{"front", "f", camera()}, {"rear", "r", camera(), true}};
+  EXPECT_THAT(
+      [&] { load({}); },
+      ThrowsMessage<Error>(AllOf(
+          HasSubstr("writer 'w': "), HasSubstr("'rear'"), HasSubstr("one camera.txt"),
+          HasSubstr("randomize/sensor/field_of_view"), HasSubstr("calibration in all motions"))));
+}
+
+TEST_F(PvNet, RefusesAnObjectWhoseModelVaries) {
+  dataset_.objects[0].model_varies = true;
   EXPECT_THAT([&] { load({}); },
-              ThrowsMessage<Error>(
-                  AllOf(HasSubstr("writer 'w': "), HasSubstr("'rear'"), HasSubstr("one camera.txt"),
-                        HasSubstr("randomize/sensor/field_of_view"), HasSubstr("bag_file"))));
+              ThrowsMessage<Error>(AllOf(HasSubstr("'" + dataset_.objects[0].name + "'"),
+                                         HasSubstr("one model.ply of it"),
+                                         HasSubstr("model and scale in randomize/objects"))));
 }
 
 TEST_F(PvNet, WarnsOfALensThatTheFormatCannotExpress) {

@@ -264,5 +264,12 @@ TEST(TextChoice, DrawsAllAlikeWithoutWeights) {
   EXPECT_LT(chiSquared(counts, {0.5, 0.5}), 11.0);
 }
 
+TEST(Distribution, ListsTheValuesOfAChoice) {
+  EXPECT_THAT(Distribution::choice({{3.0}, {1.0}}, {1.0, 0.0}).values(),
+              ElementsAre(ElementsAre(3.0), ElementsAre(1.0)));
+  EXPECT_THAT(Distribution::constant({2.0}).values(), ElementsAre(ElementsAre(2.0)));
+  EXPECT_THAT(Distribution::uniform({1.0}, {2.0}).values(), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace synthetic_dataset::random

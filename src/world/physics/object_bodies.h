@@ -10,11 +10,15 @@ namespace synthetic_dataset::world {
 
 /// A model that is moved from outside: as a whole, and, link by link, where it is articulated.
 struct MovingObject {
-  MovingObject(Model model_in, std::vector<std::size_t> driven_links_in = {})
-      : model(std::move(model_in)), driven_links(std::move(driven_links_in)) {}
+  MovingObject(Model model_in, std::vector<std::size_t> driven_links_in = {},
+               bool is_variant_in = false)
+      : model(std::move(model_in)),
+        driven_links(std::move(driven_links_in)),
+        is_variant(is_variant_in) {}
 
   Model model;                            ///< its frame M is the object's frame O
   std::vector<std::size_t> driven_links;  ///< indices in the model's links, each once
+  bool is_variant;                        ///< of the object before it: worn in its place
 };
 
 /// Where an object is.

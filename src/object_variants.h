@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "appearance/entry_draws.h"
+#include "config/config.h"
+
+namespace synthetic_dataset {
+
+/// What an object may look like in a scene.
+struct ObjectVariant {
+  std::optional<std::string> model;  ///< as ObjectConfig::model
+  double scale = 1.0;                ///< times the model's size
+};
+
+/// The models and sizes of which an object wears one in each scene, as `randomize/objects` says.
+/// They are made before the first scene, so of a size that is drawn from a range there are some few
+/// all over that range, each as likely as what it stands for.
+class ObjectVariants {
+ public:
+  ObjectVariants(const config::ObjectConfig& object, const config::Randomization& randomization);
+
+  /// All of them: at least one.
+  [[nodiscard]] const std::vector<ObjectVariant>& all() const { return all_; }
+
+  /// Which one is worn: a place among all of them.
+  [[nodiscard]] std::size_t draw(appearance::EntryDraws& draws) const;
+
+ private:
+  [[nodiscard]] std::size_t drawModel(appearance::EntryDraws& draws) const;
+  [[nodiscard]] std::size_t drawSize(appearance::EntryDraws& draws) const;
+
+  std::string entry_;  ///< "objects/NAME"
+  config::ObjectRandomization config_;
+  std::vector<std::string> models_;  ///< each once; empty: its own alone
+  std::vector<double> sizes_;        ///< ascending; empty: none is drawn
+  std::vector<ObjectVariant> all_;   ///< model by model, of each its sizes
+};
+
+}  // namespace synthetic_dataset
