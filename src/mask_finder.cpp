@@ -33,21 +33,23 @@ MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
 std::vector<cv::Mat> MaskFinder::find(const render::View& view,
                                       const std::vector<SceneObject>& objects) {
   const cv::Size size(view.camera.width(), view.camera.height());
-  std::vector<cv::Rect> boxes;
-  cv::Rect all;  // OpenCV's union with an empty rectangle is the other one
-  for (const SceneObject& object : objects) {
-    boxes.push_back(object.in_view ? annotate::pixelsOf(*object.loose_box, size) : cv::Rect());
-    all |= boxes.back();
-  }
   without_objects_ = presentOf(linksOf(kNoObject, world_.links()), world_);
   object_links_.clear();
-  for (const render::LinkSelection& links : all_object_links_) {
-    object_links_.push_back(presentOf(links, world_));
+  std::vector<cv::Rect> boxes;
+  cv::Rect all;  // OpenCV's union with an empty rectangle is the other one
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    object_links_.push_back(presentOf(all_object_links_[i], world_));
+    boxes.emplace_back();
+    if (!objects[i].in_view) continue;
+    // Not its own box: the shape that the user gives may be smaller than what is seen.
+    const cv::Rect reach = renderer_.reach(view, world_.linkPoses(), object_links_[i]);
+    boxes.back() = reach & cv::Rect(cv::Point(), size);
+    all |= boxes.back();
   }
   takeBackground(view, all);
   std::vector<cv::Mat> masks(objects.size());
   for (cv::Mat& mask : masks) mask = cv::Mat::zeros(size, CV_8UC1);
-  for (const std::vector<std::size_t>& group : apart(view, boxes)) {
+  for (const std::vector<std::size_t>& group : apart(boxes)) {
     render::LinkSelection drawn = without_objects_;
     std::vector<cv::Rect> regions;
     for (const std::size_t i : group) {
@@ -62,17 +64,11 @@ std::vector<cv::Mat> MaskFinder::find(const render::View& view,
 }
 
 /// The objects that have a box, in groups of which none can be seen in the box of another.
-std::vector<std::vector<std::size_t>> MaskFinder::apart(const render::View& view,
-                                                        const std::vector<cv::Rect>& boxes) const {
-  std::vector<cv::Rect> reaches;  // a box may be smaller than what is in it
+std::vector<std::vector<std::size_t>> MaskFinder::apart(const std::vector<cv::Rect>& boxes) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    reaches.emplace_back();
     if (boxes[i].empty()) continue;
-    reaches[i] = renderer_.reach(view, world_.linkPoses(), object_links_[i]);
-    const auto disturbs = [&](std::size_t other) {
-      return !(reaches[i] & boxes[other]).empty() || !(reaches[other] & boxes[i]).empty();
-    };
+    const auto disturbs = [&](std::size_t other) { return !(boxes[i] & boxes[other]).empty(); };
     const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
       return std::none_of(group.begin(), group.end(), disturbs);
     });

@@ -37,8 +37,8 @@ class MaskFinder {
 
   [[nodiscard]] cv::Mat segment(const cv::Mat& alone, const cv::Rect& box);
   void takeBackground(const render::View& view, const cv::Rect& region);
-  [[nodiscard]] std::vector<std::vector<std::size_t>> apart(
-      const render::View& view, const std::vector<cv::Rect>& boxes) const;
+  [[nodiscard]] static std::vector<std::vector<std::size_t>> apart(
+      const std::vector<cv::Rect>& boxes);
   [[nodiscard]] cv::Mat draw(const render::View& view, const render::LinkSelection& drawn,
                              const std::vector<cv::Rect>& regions);
 

@@ -99,9 +99,25 @@ class MotionBuilder {
     addTo(setup_.remarks, world.remarks);
     setup_.world = std::move(world.world);
     if (!setup_.world) return;
+    noteSharedShapes();
     setup_.shapes = attempt([&] {
       return std::make_unique<ObjectShapes>(config().objects, setup_.variants, *setup_.world);
     });
+  }
+
+  /// Points that are given are those of one model.
+  void noteSharedShapes() {
+    for (std::size_t i = 0; i < config().objects.size(); ++i) {
+      const config::ObjectConfig& object = config().objects[i];
+      const auto note = [&](const std::string& parameter, const std::string& instead) {
+        setup_.notes.push_back(object.name + "/" + parameter +
+                               ": the same points are taken for all models of randomize/objects; " +
+                               instead + " would find them on each");
+      };
+      if (!setup_.variants[i].hasSeveralModels()) continue;
+      if (!object.bounding_shape_O.empty()) note("bounding_shape", "model_box");
+      if (!object.keypoints_O.empty()) note("keypoints", "farthest_points");
+    }
   }
 
   void setUpCameras() {

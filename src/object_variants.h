@@ -26,6 +26,8 @@ class ObjectVariants {
   /// All of them: at least one.
   [[nodiscard]] const std::vector<ObjectVariant>& all() const { return all_; }
 
+  [[nodiscard]] bool hasSeveralModels() const { return models_.size() > 1; }
+
   /// Which one is worn: a place among all of them.
   [[nodiscard]] std::size_t draw(appearance::EntryDraws& draws) const;
 

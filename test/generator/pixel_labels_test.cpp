@@ -97,6 +97,20 @@ TEST_F(PixelLabels, AnObjectInTheOpenIsAllVisible) {
   EXPECT_TRUE(alpha.labelled());
 }
 
+TEST_F(PixelLabels, AMaskReachesBeyondABoundingShapeThatIsTooSmall) {
+  Value::Map alpha = test::TinyRun::object("alpha");
+  const Value corner(Value::List{Value(0.1), Value(0.1), Value(0.1)});
+  alpha["bounding_shape"] =
+      Value(Value::List{corner, Value(Value::List{Value(-0.1), Value(-0.1), Value(0.3)})});
+  place(test::poseAt(0, kAxis, 0), test::poseAt(0, 5, 0),
+        {{"masks", methodOf("mog2")}, {"alpha", Value(alpha)}});
+  const cv::Mat by_subtraction = sceneWith(everything()).objects[0].silhouette;
+  place(test::poseAt(0, kAxis, 0), test::poseAt(0, 5, 0), {{"masks", methodOf("exact")}});
+  const cv::Mat exact = sceneWith(everything()).objects[0].silhouette;
+  ASSERT_GT(cv::countNonZero(exact), 400);
+  EXPECT_LT(cv::countNonZero(by_subtraction != exact), 20);
+}
+
 TEST_F(PixelLabels, AnObjectOutOfViewIsNotLabelled) {
   place(test::poseAt(0, kAxis, 0), test::poseAt(0, 5, 0));
   const SceneObject bravo = sceneWith(everything()).objects[1];
