@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "config/yaml_value.h"
-#include "generator.h"
-#include "reporter.h"
+#include "run/generator.h"
+#include "run/reporter.h"
 
 namespace {
 

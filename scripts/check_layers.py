@@ -28,8 +28,15 @@ MAY_INCLUDE = {
     'src/writers': {API, 'writers', 'output'},
     'src/readback': {API, 'readback'},
     'src/verification': {API, 'verification', 'config', 'output', 'readback'},
-    'src': {API, 'random', 'config', 'motion', 'placement', 'appearance', 'world', 'sensor',
-            'render', 'annotate', 'output', 'writers', 'readback', 'verification', 'src'},
+    'src/scene': {API, 'scene', 'random', 'config', 'motion', 'placement', 'appearance', 'world',
+                  'sensor', 'render', 'annotate', 'output'},
+    'src/setup': {API, 'setup', 'scene', 'config', 'motion', 'appearance', 'world', 'render',
+                  'random', 'output', 'writers'},
+    'src/run': {API, 'run', 'setup', 'scene', 'config', 'random', 'render', 'output', 'writers'},
+    'src/gallery': {API, 'gallery', 'world', 'render'},
+    'src/console': {API, 'console', 'config', 'motion', 'placement', 'output', 'run'},
+    'src': {API, 'config', 'console', 'gallery', 'output', 'readback', 'run', 'setup',
+            'verification'},
     'plugins': {API, 'plugins'},
 }
 
@@ -50,10 +57,12 @@ CONFINED = [
     ('OpenSSL', re.compile(r'openssl/'), {'src/output'}),
     ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),
     ('pluginlib', re.compile(r'pluginlib/'), {'src/writers', 'plugins'}),
-    ("ROS's time", re.compile(r'ros/(time|duration)\.h$'), {'src/motion', 'src', 'plugins'}),
+    ("ROS's time", re.compile(r'ros/(time|duration)\.h$'),
+     {'src/motion', 'src/console', 'plugins'}),
     ("ROS's serialization", re.compile(r'ros/(serialization|message_traits)\.h$'),
      {'src/motion', 'plugins'}),
-    ('roscpp', re.compile(r'ros/(?!(time|duration|serialization|message_traits)\.h$)'), {'src'}),
+    ('roscpp', re.compile(r'ros/(?!(time|duration|serialization|message_traits)\.h$)'),
+     {'src/console', 'src'}),
 ]
 
 SOURCES = {'.h', '.hpp', '.cpp'}

@@ -14,8 +14,8 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "model_gallery.h"
-#include "ros_packages.h"
+#include "gallery/model_gallery.h"
+#include "setup/ros_packages.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {

@@ -13,14 +13,14 @@
 #include <ros/master.h>
 #include <ros/node_handle.h>
 
-#include "command_line.h"
 #include "config/settings_file.h"
-#include "console_reporter.h"
-#include "generator.h"
-#include "live_map.h"
-#include "ros_packages.h"
-#include "ros_parameters.h"
-#include "stop_signals.h"
+#include "console/command_line.h"
+#include "console/console_reporter.h"
+#include "console/live_map.h"
+#include "console/ros_parameters.h"
+#include "console/stop_signals.h"
+#include "run/generator.h"
+#include "setup/ros_packages.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {

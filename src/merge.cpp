@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "console_reporter.h"
-#include "merger.h"
+#include "console/console_reporter.h"
+#include "run/merger.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "model_gallery.h"
+#include "gallery/model_gallery.h"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "model_portrait.h"
+#include "gallery/model_portrait.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include "config/settings_file.h"
 #include "config/settings_text.h"
-#include "ros_packages.h"
+#include "setup/ros_packages.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {

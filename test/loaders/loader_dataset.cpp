@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "config/yaml_value.h"
-#include "generator.h"
+#include "run/generator.h"
 #include "support/bag_builder.h"
 #include "synthetic_dataset/label_text.h"
 #include "writers/plugin_environment.h"

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "model_gallery.h"
+#include "gallery/model_gallery.h"
 #include "reference/golden_case.h"
-#include "ros_packages.h"
+#include "setup/ros_packages.h"
 
 namespace synthetic_dataset {
 namespace {

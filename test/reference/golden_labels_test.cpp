@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator.h"
 #include "reference/golden_case.h"
+#include "run/generator.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/label_text.h"
 #include "writers/plugin_environment.h"

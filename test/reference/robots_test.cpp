@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "config/yaml_value.h"
-#include "generator.h"
 #include "reference/golden_case.h"
+#include "run/generator.h"
 #include "support/temporary_folder.h"
 #include "world/world_loader.h"
 #include "writers/plugin_environment.h"

@@ -1,0 +1,178 @@
+#include "run/merger.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "config/settings_text.h"
+#include "output/file_name_rules.h"
+#include "output/manifest_content.h"
+#include "run/open_output.h"
+#include "setup/run_setup.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FoundShard {
+  std::string manifest;
+  output::ShardPlace place;
+  output::ManifestContent content;
+};
+
+std::string folderName(const std::string& folder) {
+  const std::string path = output::absolutePath(folder);
+  return path.size() > 1 && path.back() == '/' ? path.substr(0, path.size() - 1) : path;
+}
+
+std::vector<FoundShard> findShards(const std::set<std::string>& folders) {
+  std::vector<FoundShard> shards;
+  for (const std::string& folder : folders) {
+    if (!fs::is_directory(folder)) throw Error("'" + folder + "': no such folder");
+    for (const std::string& manifest : output::shardManifests(folder)) {
+      const auto shard = output::shardOfManifest(fs::path(manifest).filename().string());
+      shards.push_back({manifest, {folder, *shard}, output::readManifest(manifest)});
+    }
+  }
+  std::sort(shards.begin(), shards.end(), [](const FoundShard& a, const FoundShard& b) {
+    return a.place.shard.index < b.place.shard.index;
+  });
+  return shards;
+}
+
+std::string named(const FoundShard& shard) {
+  return "shard " + output::shardText(shard.place.shard) + " in '" + shard.place.folder + "'";
+}
+
+/// Where a writer of a shard writes in the merged dataset.
+std::string mergedFolder(const std::string& folder, const std::string& shard_folder,
+                         const std::string& output_folder) {
+  if (!output::liesWithin(folder, shard_folder)) return folder;
+  return output_folder + folder.substr(shard_folder.size());
+}
+
+/// Whether a shard's writers write where those of another do, seen from their folders.
+bool writeAlike(const FoundShard& one, const FoundShard& other) {
+  const auto& a = one.content.writers;
+  const auto& b = other.content.writers;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const auto& x, const auto& y) {
+    return mergedFolder(x.output_folder, one.place.folder, "") ==
+           mergedFolder(y.output_folder, other.place.folder, "");
+  });
+}
+
+/// What keeps shards from being one run.
+std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
+  std::vector<std::string> problems;
+  const FoundShard& first = shards.front();
+  std::map<std::int64_t, const FoundShard*> by_index;
+  for (const FoundShard& each : shards) {
+    if (each.place.shard.count != first.place.shard.count) {
+      problems.push_back(named(each) + " and " + named(first) + " are of different divisions");
+      continue;
+    }
+    const auto [other, is_new] = by_index.emplace(each.place.shard.index, &each);
+    if (!is_new) problems.push_back(named(each) + " is there twice: " + named(*other->second));
+    if (!each.content.complete) {
+      problems.push_back(named(each) + " is not complete: it has " +
+                         std::to_string(each.content.scene_count) +
+                         " scenes so far; run it again to go on with it");
+    }
+    if (!writeAlike(first, each)) {
+      problems.push_back(named(first) + " and " + named(each) +
+                         " have writers whose output_folder lies elsewhere");
+    }
+    for (const std::string& difference :
+         output::differences(first.content.run, each.content.run, named(first), named(each))) {
+      problems.push_back("the shards have different settings: " + difference);
+    }
+  }
+  for (std::int64_t index = 0; index < first.place.shard.count; ++index) {
+    if (by_index.count(index) != 0) continue;
+    problems.push_back("shard " + output::shardText({index, first.place.shard.count}) +
+                       " is missing");
+  }
+  return problems;
+}
+
+/// The run's parameters, to write into the merged dataset's folder.
+Value mergedParameters(const FoundShard& shard, const std::string& output_folder) {
+  std::map<std::string, std::string> given;
+  for (const auto& [name, setting] : shard.content.run.settings) {
+    if (!setting.is_default) given[name] = setting.value;
+  }
+  given["output_folder"] = config::jsonText(Value(output_folder));
+  for (const output::StoreWriter& writer : shard.content.writers) {
+    given[writer.name + "/output_folder"] = config::jsonText(
+        Value(mergedFolder(writer.output_folder, shard.place.folder, output_folder)));
+  }
+  return config::settingsTree(given);
+}
+
+/// The files of the dataset as a whole follow from the inputs: these have to be as they were.
+/// @param now  takes what only those who draw know
+void requireSameRun(const FoundShard& shard, output::RunDescription& now) {
+  const auto& software = shard.content.run.software;
+  const auto opengl = software.find("opengl");
+  if (opengl != software.end()) now.software.insert(*opengl);
+  std::vector<std::string> problems = output::differences(shard.content.run, now, "then", "now");
+  if (problems.empty()) return;
+  for (std::string& problem : problems) {
+    problem = "the shards were made otherwise than they would be now: " + problem;
+  }
+  throw ErrorList(problems);
+}
+
+/// A dataset that is complete, and of which only the manifests of its shards are left.
+void removeShardManifests(const std::vector<FoundShard>& shards, const std::string& folder) {
+  for (const FoundShard& each : shards) {
+    if (each.place.folder == folder) ::unlink(each.manifest.c_str());
+  }
+}
+
+}  // namespace
+
+void mergeShards(const std::string& output_folder, const std::vector<std::string>& shard_folders,
+                 Reporter& reporter, const std::vector<std::string>& plugin_xml_files) {
+  const std::string folder = folderName(output_folder);
+  std::set<std::string> folders;
+  for (const std::string& each : shard_folders) folders.insert(folderName(each));
+  if (fs::is_directory(folder) || folders.empty()) folders.insert(folder);
+  const std::vector<FoundShard> shards = findShards(folders);
+  if (shards.empty()) {
+    if (fs::exists(output::manifestFile(folder)) &&
+        output::readManifest(output::manifestFile(folder)).complete) {
+      reporter.info("the dataset in '" + folder + "' is complete already: there is nothing to do");
+      return;
+    }
+    throw Error("'" + *folders.begin() + "': no shards are there (each leaves a " +
+                "manifest.shard-INDEX-of-COUNT.sqlite in its output_folder)");
+  }
+  const std::vector<std::string> problems = problemsOf(shards);
+  if (!problems.empty()) throw ErrorList(problems);
+
+  RunSetup setup = setUpRun(mergedParameters(shards.front(), folder), plugin_xml_files);
+  requireSameRun(shards.front(), setup.description);
+  const auto store = openMerged(setup);
+  if (!store->wasComplete()) {
+    for (const FoundShard& each : shards) store->takeIn(each.place);
+    const std::int64_t found = store->counts().scenes;
+    if (found != setup.description.scene_count) {
+      throw Error("the shards have " + std::to_string(found) + " scenes together; the run has " +
+                  std::to_string(setup.description.scene_count));
+    }
+    setup.writers->finalize(*store);
+    store->complete();
+    reporter.info(std::to_string(found) + " scenes of " + std::to_string(shards.size()) +
+                  " shards merged");
+  }
+  removeShardManifests(shards, folder);
+  reporter.info("manifest: " + store->manifestPath());
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,41 @@
+#include "run/run_summary.h"
+
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+
+std::vector<std::string> summaryLines(const RunSummary& summary) {
+  std::vector<std::string> lines;
+  if (summary.was_complete) return {"manifest: " + summary.manifest};
+  const double rate =
+      summary.seconds > 0.0 ? static_cast<double>(summary.scenes) / summary.seconds : 0.0;
+  std::string made = std::to_string(summary.scenes) + " of " +
+                     std::to_string(summary.planned_scenes) + " scenes in " +
+                     fixed(summary.seconds, 1) + " s (" + fixed(rate, 1) + " scenes/s)";
+  if (summary.dataset_scenes > summary.scenes) {
+    made += ", " + std::to_string(summary.dataset_scenes - summary.scenes) + " made before";
+  }
+  lines.push_back(made + "; " + std::to_string(summary.files) + " files, " +
+                  fixed(static_cast<double>(summary.bytes) / 1e6, 1) + " MB");
+  for (const RunSummary::Object& object : summary.objects) {
+    std::string line = "object " + object.name + ": in view in " +
+                       std::to_string(object.scenes_in_view) + " scenes";
+    if (object.scenes_seen > 0) line += ", seen in " + std::to_string(object.scenes_seen);
+    if (object.scenes_dropped > 0) {
+      line += ", too little seen for a label in " + std::to_string(object.scenes_dropped);
+    }
+    if (object.mask_agreement) {
+      line += "; visible masks by background subtraction: mean intersection over union " +
+              fixed(*object.mask_agreement, 4) + " with exact ones";
+    }
+    lines.push_back(line);
+  }
+  for (const auto& [kind, count] : summary.warnings) {
+    lines.push_back("warning, " + std::to_string(count) + (count == 1 ? " time: " : " times: ") +
+                    kind);
+  }
+  lines.push_back("manifest: " + summary.manifest);
+  return lines;
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,140 @@
+#include "scene/articulation.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "motion/frame_names.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/nearest_name.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// Of each link; nothing for one whose frame the recording does not have.
+using Frames = std::vector<std::optional<std::string>>;
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+std::string lastPart(const std::string& link) {
+  const std::size_t scope = link.rfind("::");
+  return scope == std::string::npos ? link : link.substr(scope + 2);
+}
+
+/// A link's names as frames may have them: "arm::wrist" is "arm/wrist", or "wrist" where it is the
+/// model's only one.
+std::vector<std::string> frameNames(const world::Model& model, const world::Link& link) {
+  std::vector<std::string> names{replaced(link.name, "::", "/")};
+  const std::string last = lastPart(link.name);
+  const auto namesakes =
+      std::count_if(model.links.begin(), model.links.end(),
+                    [&](const world::Link& other) { return lastPart(other.name) == last; });
+  if (namesakes == 1 && last != link.name) names.push_back(last);
+  return names;
+}
+
+Frames framesByPattern(const world::Model& model, const config::ObjectConfig& object,
+                       const motion::FrameMotion& frame_motion) {
+  Frames frames;
+  for (const world::Link& link : model.links) {
+    std::optional<std::string> known;
+    for (const std::string& name : frameNames(model, link)) {
+      const std::string frame =
+          replaced(replaced(object.link_frames.pattern, "{object}", object.name), "{link}", name);
+      if (!known && frame_motion.knowsFrame(frame)) known = frame;
+    }
+    frames.push_back(known);
+  }
+  return frames;
+}
+
+Frames framesByLink(const world::Model& model, const config::ObjectConfig& object,
+                    const motion::FrameMotion& frame_motion) {
+  Frames frames(model.links.size());
+  std::vector<std::string> names;
+  for (const world::Link& link : model.links) names.push_back(link.name);
+  std::vector<std::string> errors;
+  for (const auto& [link, frame] : object.link_frames.by_link) {
+    const std::string place = object.name + "/link_frames/" + link + ": ";
+    const auto found = std::find(names.begin(), names.end(), link);
+    if (found == names.end()) {
+      errors.push_back(place + "the model has no link '" + link + "'" + didYouMean(link, names));
+    } else if (!frame_motion.knowsFrame(frame)) {
+      errors.push_back(place + "the recording has no frame '" + frame + "'" +
+                       frame_motion.suggestFrame(frame));
+    } else {
+      frames[static_cast<std::size_t>(found - names.begin())] = frame;
+    }
+  }
+  if (!errors.empty()) throw ErrorList(std::move(errors));
+  return frames;
+}
+
+bool hangsOnDriven(const world::Model& model, const Frames& frames, std::size_t link) {
+  for (auto at = model.links[link].parent; at; at = model.links[*at].parent) {
+    if (frames[*at]) return true;
+  }
+  return false;
+}
+
+/// Moves the model in its frame so that a link lies at the origin.
+void moveToOrigin(world::Model& model, std::size_t link) {
+  const Pose X_LM = model.links[link].X_ML.inverse();
+  for (world::Link& each : model.links) each.X_ML = X_LM * each.X_ML;
+  model.links[link].X_ML = Pose::Identity();
+}
+
+std::string heldJoints(const world::Model& model, const Frames& frames) {
+  std::string joints;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (frames[i] || model.links[i].moving_joint.empty()) continue;
+    joints += (joints.empty() ? "'" : ", '") + model.links[i].moving_joint + "'";
+  }
+  return joints;
+}
+
+}  // namespace
+
+Articulation articulate(world::Model model, const config::ObjectConfig& object,
+                        const motion::FrameMotion& frame_motion) {
+  const Frames frames = object.link_frames.by_link.empty()
+                            ? framesByPattern(model, object, frame_motion)
+                            : framesByLink(model, object, frame_motion);
+  const std::string object_frame = motion::withoutLeadingSlashes(object.frame);
+  std::optional<std::size_t> base;
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (!frames[i]) continue;
+    if (motion::withoutLeadingSlashes(*frames[i]) == object_frame && !base) {
+      base = i;
+    } else {
+      ++others;
+    }
+  }
+  Articulation result;
+  const std::string joints = heldJoints(model, frames);
+  if (others > 0) {
+    if (base) moveToOrigin(model, *base);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      // The link of the object's own frame is part of its body, unless another one would carry it.
+      if (!frames[i] || (i == base && !hangsOnDriven(model, frames, i))) continue;
+      result.driven.push_back({i, *frames[i]});
+    }
+    result.remarks.push_back(object.name + ": " + std::to_string(others + (base ? 1 : 0)) + " of " +
+                             std::to_string(model.links.size()) + " links follow TF");
+  }
+  if (!joints.empty()) {
+    result.remarks.push_back(object.name + ": no TF moves its joints " + joints +
+                             "; they are held as the model has them");
+  }
+  result.model = std::move(model);
+  return result;
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,183 @@
+#include "scene/camera_rig.h"
+
+#include <algorithm>
+
+#include "config/camera_info.h"
+#include "motion/recorded_camera_info.h"
+#include "scene/seconds.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/nearest_name.h"
+
+namespace synthetic_dataset {
+namespace {
+
+const world::CameraSensor* findSensor(const config::CameraConfig& config,
+                                      const std::vector<world::CameraSensor>& sensors) {
+  if (!config.sensor) return nullptr;
+  const auto found = std::find_if(
+      sensors.begin(), sensors.end(),
+      [&](const world::CameraSensor& camera) { return camera.name == *config.sensor; });
+  if (found != sensors.end()) return &*found;
+  std::string there;
+  for (const world::CameraSensor& camera : sensors) {
+    there += (there.empty() ? "" : ", ") + camera.name;
+  }
+  throw Error(config.group + "/sensor: the world has no camera '" + *config.sensor +
+              "' (model::link::sensor); it has " + (there.empty() ? "none" : there));
+}
+
+/// Reads what the recording tells of a camera: its intrinsics and its frame.
+void readRecordedInfo(const config::CameraConfig& config, const std::vector<std::string>& bag_files,
+                      std::optional<CameraModel>& model, std::string& frame) {
+  const std::string parameter = config.group + "/info_topic: ";
+  try {
+    const motion::RecordedCameraInfo recorded =
+        motion::readCameraInfo(bag_files, *config.info_topic);
+    if (frame.empty()) frame = recorded.frame;
+    model = config::cameraModelOf(recorded.info, parameter + *config.info_topic, config.rectified,
+                                  config.near, config.far);
+  } catch (const ErrorList&) {
+    throw;  // names the parameter already
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    const bool named = message.rfind(parameter, 0) == 0;
+    throw Error((named ? "" : parameter) + message);
+  }
+}
+
+/// The link that carries a sensor, if it is one that moves.
+std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
+                                        const std::vector<world::LinkInstance>& links) {
+  const auto carries = [&](const world::LinkInstance& link) {
+    return link.role != world::Role::kStatic && link.model == sensor.model() &&
+           link.link->name == sensor.link;
+  };
+  const auto found = std::find_if(links.begin(), links.end(), carries);
+  if (found == links.end()) return std::nullopt;
+  const bool varies = std::any_of(links.begin(), links.end(), [&](const world::LinkInstance& link) {
+    return link.object == found->object && link.variant > 0;
+  });
+  if (varies && found->role == world::Role::kObject) {
+    throw Error("found '" + sensor.name + "', a camera on '" + sensor.model() +
+                "', whose model or size is drawn in randomize/objects; it should be on something "
+                "that is always the same, or be put there by mounted_on");
+  }
+  return static_cast<std::size_t>(found - links.begin());
+}
+
+/// The frame of the object that a camera is mounted on.
+std::string carrierOf(const config::CameraConfig& config,
+                      const std::vector<config::ObjectConfig>& objects) {
+  std::vector<std::string> names;
+  for (const config::ObjectConfig& object : objects) {
+    if (!object.takes_part) continue;
+    if (object.name == *config.on) return object.frame;
+    names.push_back(object.name);
+  }
+  throw Error(config.group + "/mounted_on: found '" + *config.on +
+              "'; it should be an object of robot_list" + didYouMean(*config.on, names));
+}
+
+void findPose(const config::CameraConfig& config, const world::CameraSensor* sensor,
+              const std::vector<world::LinkInstance>& links,
+              const std::vector<config::ObjectConfig>& objects, const motion::FrameMotion& frames,
+              CameraRig& rig) {
+  rig.sampled = config.sample.has_value();
+  if (rig.sampled) return;
+  if (config.on) {
+    rig.carrier = carrierOf(config, objects);
+    rig.X_LC = config.X_GC.value_or(Pose::Identity());
+    return;
+  }
+  rig.X_GC = config.X_GC;
+  if (rig.X_GC || frames.knowsFrame(rig.frame)) return;
+  if (sensor != nullptr) {
+    try {
+      rig.link = movingLinkOf(*sensor, links);
+    } catch (const Error& error) {
+      throw Error(config.group + "/sensor: " + error.what());
+    }
+    rig.X_LC = sensor->X_LC;
+    if (!rig.link) rig.X_GC = sensor->X_WC;
+    return;
+  }
+  if (frames.recording() == nullptr) {
+    throw Error(config.group + ": nothing says where it is; " + config.group +
+                "/pose should, or sample, mounted_on or sensor");
+  }
+  const std::string parameter =
+      config.group == "camera" ? "camera_frame_id" : config.group + "/frame_id";
+  throw Error(parameter + ": found '" + rig.frame +
+              "', a frame that the recording does not have (name one of its frames, or give " +
+              config.group + "/pose or " + config.group + "/sensor)" +
+              frames.suggestFrame(rig.frame));
+}
+
+Shutter shutterOf(const config::EffectsConfig& config) {
+  return {fromSeconds(config.exposure_time), config.motion_samples,
+          fromSeconds(config.readout_time), config.readout_bands};
+}
+
+sensor::SensorEffects effectsOf(const config::EffectsConfig& config,
+                                const world::CameraSensor* sensor) {
+  sensor::SensorEffects effects;
+  effects.exposure = config.exposure;
+  effects.blur = config.blur;
+  effects.vignetting = config.vignetting;
+  effects.full_well = config.full_well;
+  effects.noise_mean = config.noise_mean.value_or(sensor != nullptr ? sensor->noise.mean : 0.0);
+  effects.noise_stddev =
+      config.noise_stddev.value_or(sensor != nullptr ? sensor->noise.stddev : 0.0);
+  return effects;
+}
+
+}  // namespace
+
+CameraRig makeCameraRig(const config::CameraConfig& config,
+                        const std::vector<std::string>& bag_files,
+                        const std::vector<world::CameraSensor>& sensors,
+                        const std::vector<world::LinkInstance>& links,
+                        const std::vector<config::ObjectConfig>& objects,
+                        const motion::FrameMotion& frames) {
+  const world::CameraSensor* sensor = findSensor(config, sensors);
+  std::optional<CameraModel> model;
+  std::string frame = config.frame.value_or("");
+  if (config.info_file) {
+    model = config::readCameraInfo(*config.info_file, config.rectified, config.near, config.far);
+  } else if (config.info_topic) {
+    readRecordedInfo(config, bag_files, model, frame);
+  } else if (sensor != nullptr) {
+    model = sensor->camera;
+  }
+  if (!model) throw Error(config.group + ": no intrinsics");
+  CameraRig rig{config.name, *model, frame};
+  findPose(config, sensor, links, objects, frames, rig);
+  rig.shutter = shutterOf(config.effects);
+  rig.effects = effectsOf(config.effects, sensor);
+  return rig;
+}
+
+double seenShare(const CameraModel& camera) {
+  constexpr int kSteps = 24;  // a side of a grid of pixels
+  int seen = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    for (int j = 0; j < kSteps; ++j) {
+      const Eigen::Vector2d pixel((i + 0.5) / kSteps * camera.width() - 0.5,
+                                  (j + 0.5) / kSteps * camera.height() - 0.5);
+      seen += camera.ray(pixel).has_value() ? 1 : 0;
+    }
+  }
+  return static_cast<double>(seen) / (kSteps * kSteps);
+}
+
+Pose cameraPose(const CameraRig& camera, const world::World& world,
+                const motion::FrameMotion& frames, Stamp instant, Duration offset) {
+  if (camera.X_GC) return *camera.X_GC;
+  if (camera.link) return world.linkPoses()[*camera.link] * camera.X_LC;
+  const std::string& frame = camera.carrier.value_or(camera.frame);
+  const bool known = frames.hasPose(frame, instant + offset);
+  const Pose X_GF = frames.pose(frame, known ? instant + offset : instant);
+  return camera.carrier ? Pose(X_GF * camera.X_LC) : X_GF;
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "motion/frame_motion.h"
+#include "scene/shutter.h"
+#include "sensor/sensor_effects.h"
+#include "synthetic_dataset/camera_model.h"
+#include "world/description.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// A camera of the run: what it sees with, and where it is at a time.
+struct CameraRig {
+  std::string name;
+  CameraModel model;
+  std::string frame;                        ///< of the optical frame
+  std::optional<Pose> X_GC = std::nullopt;  ///< where it stands; none: it moves
+  std::optional<std::size_t> link =
+      std::nullopt;  ///< of the world's links, on which it rides at X_LC
+  Pose X_LC = Pose::Identity();
+  std::optional<std::string> carrier = std::nullopt;  ///< the frame on which it rides at X_LC
+  bool sampled = false;                               ///< its frame is placed for each scene
+  Shutter shutter = {};
+  sensor::SensorEffects effects = {};
+
+  /// Whether its pose is that of its frame, which the recording has.
+  [[nodiscard]] bool followsRecording() const { return !X_GC && !link && !carrier && !sampled; }
+};
+
+/// Finds the intrinsics (a calibration file, a recorded CameraInfo, else the world's sensor) and
+/// the pose (drawn, the parameter, else the recording's TF, else the link that the world's sensor
+/// is on).
+/// @param sensors  the cameras of the world and of the objects' models
+/// @throws ErrorList naming the parameters that would mend it
+[[nodiscard]] CameraRig makeCameraRig(const config::CameraConfig& config,
+                                      const std::vector<std::string>& bag_files,
+                                      const std::vector<world::CameraSensor>& sensors,
+                                      const std::vector<world::LinkInstance>& links,
+                                      const std::vector<config::ObjectConfig>& objects,
+                                      const motion::FrameMotion& frames);
+
+/// The share of the image's pixels along which the lens sees something, 0 .. 1: less than all in
+/// the corners of a fisheye's image, and nearly none where a calibration's numbers are wrong.
+[[nodiscard]] double seenShare(const CameraModel& camera);
+
+/// X_GC at a time round `instant`, at which the world stands: where the recording does not know it
+/// then, that of the instant.
+[[nodiscard]] Pose cameraPose(const CameraRig& camera, const world::World& world,
+                              const motion::FrameMotion& frames, Stamp instant,
+                              Duration offset = Duration{0});
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,83 @@
+#include "scene/field_of_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/error_collector.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Next to pi, nearly all of a plane's image lies in its middle.
+constexpr double kWidestPlane = 3.1;
+
+bool isEquidistant(const CameraModel& camera) {
+  return camera.distortion().model == DistortionModel::kEquidistant;
+}
+
+/// [rad]
+double widestOf(const CameraModel& camera) {
+  return isEquidistant(camera) ? 2.0 * kPi : kWidestPlane;
+}
+
+}  // namespace
+
+double fieldOfView(const CameraModel& camera) {
+  const double width_in_focal_lengths = camera.width() / camera.intrinsics().fx;
+  return isEquidistant(camera) ? width_in_focal_lengths
+                               : 2.0 * std::atan(0.5 * width_in_focal_lengths);
+}
+
+bool canHaveFieldOfView(const CameraModel& camera, double field_of_view) {
+  return field_of_view > 0.0 && field_of_view <= widestOf(camera);
+}
+
+CameraModel withFieldOfView(const CameraModel& camera, double field_of_view) {
+  if (!canHaveFieldOfView(camera, field_of_view)) {
+    throw Error("field of view: found " + fixed(field_of_view, 3) +
+                " rad; it should be above 0 and at most " + fixed(widestOf(camera), 3));
+  }
+  const double fx = isEquidistant(camera) ? camera.width() / field_of_view
+                                          : 0.5 * camera.width() / std::tan(0.5 * field_of_view);
+  Intrinsics intrinsics = camera.intrinsics();
+  intrinsics.fy *= fx / intrinsics.fx;
+  intrinsics.fx = fx;
+  return {camera.width(), camera.height(), intrinsics,
+          camera.near(),  camera.far(),    camera.distortion()};
+}
+
+void checkFieldOfView(const random::Distribution& field_of_view, const std::string& parameter,
+                      const std::vector<CameraRig>& cameras) {
+  config::ErrorCollector errors;
+  for (const CameraRig& camera : cameras) {
+    if (canHaveFieldOfView(camera.model, field_of_view.highest())) continue;
+    errors.add(parameter + ": found up to " + fixed(field_of_view.highest(), 3) +
+               " rad; it should be at most " + fixed(widestOf(camera.model), 3) + ", as '" +
+               camera.name +
+               "' is no fisheye (calibrated as `equidistant`); a normal distribution ends at its "
+               "`max`");
+  }
+  errors.throwIfAny();
+}
+
+std::vector<std::string> fieldOfViewNotes(const random::Distribution& field_of_view,
+                                          const std::string& parameter,
+                                          const std::vector<CameraRig>& cameras) {
+  constexpr double kLittle = 0.5;
+  std::vector<std::string> notes;
+  for (const CameraRig& camera : cameras) {
+    const double widest = std::min(field_of_view.highest(), widestOf(camera.model));
+    const double share = seenShare(withFieldOfView(camera.model, widest));
+    if (share >= kLittle || share >= 0.9 * seenShare(camera.model)) continue;
+    notes.push_back(parameter + ": at " + fixed(widest, 3) + " rad, the lens of '" + camera.name +
+                    "' sees something in only " + fixed(100.0 * share, 0) +
+                    " % of the image; the rest is black");
+  }
+  return notes;
+}
+
+}  // namespace synthetic_dataset

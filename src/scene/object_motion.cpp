@@ -1,0 +1,110 @@
+#include "scene/object_motion.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace synthetic_dataset {
+namespace {
+
+/// The model's links, parents before children.
+std::vector<std::size_t> parentsFirst(const std::vector<const world::Link*>& links) {
+  std::vector<std::pair<std::size_t, std::size_t>> by_depth;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    std::size_t depth = 0;
+    for (auto at = links[i]->parent; at; at = links[*at]->parent) ++depth;
+    by_depth.emplace_back(depth, i);
+  }
+  std::sort(by_depth.begin(), by_depth.end());
+  std::vector<std::size_t> order;
+  for (const auto& [depth, link] : by_depth) order.push_back(link);
+  return order;
+}
+
+std::vector<const world::Link*> linksOf(std::size_t object, std::size_t variant,
+                                        const std::vector<world::LinkInstance>& links) {
+  std::vector<const world::Link*> result;
+  for (const world::LinkInstance& each : links) {
+    const bool is_meant = each.object == static_cast<int>(object) && each.variant == variant;
+    if (is_meant) result.push_back(each.link);
+  }
+  return result;
+}
+
+}  // namespace
+
+ObjectMotion::ObjectMotion(const motion::FrameMotion& frames, const config::Config& config,
+                           const std::vector<world::LinkInstance>& links,
+                           const std::vector<std::vector<DrivenLinks>>& driven)
+    : frames_(frames) {
+  for (std::size_t i = 0; i < config.objects.size(); ++i) {
+    objects_.push_back({config.objects[i].name, config.objects[i].frame});
+    for (std::size_t variant = 0; variant < driven[i].size(); ++variant) {
+      variants_.push_back(makeVariant(i, linksOf(i, variant, links), driven[i][variant]));
+    }
+  }
+}
+
+ObjectMotion::Variant ObjectMotion::makeVariant(std::size_t object,
+                                                const std::vector<const world::Link*>& links,
+                                                const DrivenLinks& driven) {
+  Variant variant{object, {}, parentsFirst(links), {}};
+  for (const world::Link* link : links) {
+    const Pose X_OL = link->X_ML;
+    const Pose X_PL = link->parent ? Pose(links[*link->parent]->X_ML.inverse() * X_OL) : X_OL;
+    variant.links.push_back({link->name, link->parent, std::nullopt, X_PL});
+  }
+  for (const DrivenLink& each : driven) {
+    variant.links[each.link].frame = each.frame;
+    variant.driven.push_back(each.link);
+  }
+  return variant;
+}
+
+std::optional<Pose> ObjectMotion::lookUp(const std::string& frame, Stamp time) const {
+  if (!frames_.hasPose(frame, time)) return std::nullopt;
+  return frames_.pose(frame, time);
+}
+
+const Pose& ObjectMotion::objectPose(Object& object, Stamp time) const {
+  if (const auto X_GO = lookUp(object.frame, time)) object.X_GO = *X_GO;
+  return object.X_GO;
+}
+
+Pose ObjectMotion::linkPose(const Object& object, LinkState& link, const Pose& X_GP, Stamp time) {
+  if (!link.frame) return X_GP * link.X_PL;
+  if (const auto X_GL = lookUp(*link.frame, time)) {
+    link.X_PL = X_GP.inverse() * *X_GL;
+    return *X_GL;
+  }
+  if (!std::exchange(link.gap_told, true)) {
+    gaps_.push_back("'" + object.name + "': the frame '" + *link.frame + "' of its link '" +
+                    link.name +
+                    "' is not known to TF all the time; meanwhile the link keeps its place on what "
+                    "it hangs on");
+  }
+  return X_GP * link.X_PL;
+}
+
+world::ObjectPose ObjectMotion::at(int moving_object, Stamp time) {
+  Variant& variant = variants_[static_cast<std::size_t>(moving_object)];
+  Object& object = objects_[variant.object];
+  world::ObjectPose pose(objectPose(object, time));
+  if (variant.driven.empty()) return pose;
+  std::vector<Pose> X_GL(variant.links.size());
+  for (const std::size_t i : variant.order) {
+    LinkState& link = variant.links[i];
+    X_GL[i] = linkPose(object, link, link.parent ? X_GL[*link.parent] : pose.X_WO, time);
+  }
+  for (const std::size_t link : variant.driven) pose.X_WL.push_back(X_GL[link]);
+  return pose;
+}
+
+std::vector<Pose> ObjectMotion::objectPoses(Stamp time) {
+  std::vector<Pose> poses;
+  for (Object& object : objects_) poses.push_back(objectPose(object, time));
+  return poses;
+}
+
+std::vector<std::string> ObjectMotion::takeGaps() { return std::exchange(gaps_, {}); }
+
+}  // namespace synthetic_dataset

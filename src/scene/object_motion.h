@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "motion/frame_motion.h"
+#include "scene/articulation.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// Where objects and their links are, between scenes too: where the recording says, or, over a gap,
+/// where they were; a link whose frame is not known keeps its last pose relative to the link that
+/// it hangs on, at first that of the model at rest.
+class ObjectMotion {
+ public:
+  /// @param frames  has to outlive this
+  /// @param links  of the world; their Link objects have to outlive this
+  /// @param driven  the driven links of each object's variants
+  ObjectMotion(const motion::FrameMotion& frames, const config::Config& config,
+               const std::vector<world::LinkInstance>& links,
+               const std::vector<std::vector<DrivenLinks>>& driven);
+
+  /// @param moving_object  an object, or one of its variants: its place among all of them
+  [[nodiscard]] world::ObjectPose at(int moving_object, Stamp time);
+
+  /// X_GO of all objects at a time at which the recording knows them.
+  [[nodiscard]] std::vector<Pose> objectPoses(Stamp time);
+
+  /// The links whose frames were found unknown at some time since the last asking, each told once
+  /// in all.
+  [[nodiscard]] std::vector<std::string> takeGaps();
+
+ private:
+  struct LinkState {
+    std::string name;
+    std::optional<std::size_t> parent;
+    std::optional<std::string> frame;  ///< where it is driven
+    Pose X_PL = Pose::Identity();      ///< last known, in the parent's frame, or the object's
+    bool gap_told = false;
+  };
+  struct Object {
+    std::string name;
+    std::string frame;
+    Pose X_GO = Pose::Identity();  ///< last known
+  };
+  struct Variant {
+    std::size_t object;
+    std::vector<LinkState> links;
+    std::vector<std::size_t> order;  ///< of the links: parents before children
+    std::vector<std::size_t> driven;
+  };
+
+  [[nodiscard]] static Variant makeVariant(std::size_t object,
+                                           const std::vector<const world::Link*>& links,
+                                           const DrivenLinks& driven);
+  [[nodiscard]] std::optional<Pose> lookUp(const std::string& frame, Stamp time) const;
+  [[nodiscard]] const Pose& objectPose(Object& object, Stamp time) const;
+  [[nodiscard]] Pose linkPose(const Object& object, LinkState& link, const Pose& X_GP, Stamp time);
+
+  const motion::FrameMotion& frames_;
+  std::vector<Object> objects_;
+  std::vector<Variant> variants_;  ///< of all objects in turn
+  std::vector<std::string> gaps_;
+};
+
+}  // namespace synthetic_dataset

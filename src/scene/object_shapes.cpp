@@ -1,0 +1,147 @@
+#include "scene/object_shapes.h"
+
+#include <string>
+#include <utility>
+
+#include "config/error_collector.h"
+
+namespace synthetic_dataset {
+namespace {
+
+std::vector<const world::Link*> linksAt(const std::vector<world::LinkInstance>& links,
+                                        const std::vector<std::size_t>& indices) {
+  std::vector<const world::Link*> result;
+  for (const std::size_t index : indices) result.push_back(links[index].link);
+  return result;
+}
+
+std::string needsVisuals(const config::ObjectConfig& object, const std::string& parameter,
+                         const std::string& what, const std::string& instead) {
+  return object.name + "/" + parameter + ": " + what +
+         " is found on the model's visuals, and that of '" + object.name +
+         "' has none; add a visual to the model, or " + instead;
+}
+
+std::vector<std::size_t> linksOf(std::size_t object, std::size_t variant,
+                                 const std::vector<world::LinkInstance>& links) {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const bool is_meant =
+        links[i].object == static_cast<int>(object) && links[i].variant == variant;
+    if (is_meant) indices.push_back(i);
+  }
+  return indices;
+}
+
+/// What the parameters say, in a size.
+annotate::ObjectShape givenShape(const config::ObjectConfig& config, int instance, double scale) {
+  annotate::ObjectShape shape{config.name,        config.class_text,       config.class_name,
+                              config.id,          config.class_id,         instance,
+                              config.keypoints_O, config.bounding_shape_O, {}};
+  for (Eigen::Vector3d& point : shape.keypoints_O) point *= scale;
+  for (Eigen::Vector3d& point : shape.bounding_shape_O) point *= scale;
+  return shape;
+}
+
+/// Of what is not there, and so has no label, but as many keypoints as elsewhere.
+void leaveOutShape(annotate::ObjectShape& shape, const config::ObjectConfig& config) {
+  shape.bounding_shape_O = {Eigen::Vector3d::Zero()};
+  const std::size_t count = config.farthest_points > 0
+                                ? static_cast<std::size_t>(config.farthest_points)
+                                : config.keypoints_O.size();
+  shape.keypoints_O.assign(count, Eigen::Vector3d::Zero());
+}
+
+}  // namespace
+
+Cuboid boxRound(const std::vector<Eigen::Vector3d>& points) {
+  Cuboid box{points.front(), points.front()};
+  for (const Eigen::Vector3d& point : points) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  return box;
+}
+
+ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
+                           const std::vector<ObjectVariants>& variants, const world::World& world)
+    : world_(world) {
+  config::ErrorCollector errors;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const config::ObjectConfig& config = objects[i];
+    const std::vector<ObjectVariant>& all = variants[i].all();
+    Object& object = objects_.emplace_back(all.size());
+    for (std::size_t k = 0; k < object.size(); ++k) {
+      object[k].given = givenShape(config, static_cast<int>(i) + 1, all[k].scale);
+      object[k].links = linksOf(i, k, world.links());
+      if (!config.takes_part && !config.is_distractor) {
+        leaveOutShape(object[k].given, config);
+      } else if (!errors.attempt([&] { object[k] = measure(object[k], config); })) {
+        break;  // the others would likely have the same errors
+      }
+    }
+  }
+  errors.throwIfAny();
+}
+
+/// @throws ErrorList where the parameters need what the model does not have
+ObjectShapes::Variant ObjectShapes::measure(Variant variant,
+                                            const config::ObjectConfig& config) const {
+  config::ErrorCollector errors;
+  const std::vector<const world::Link*> own = linksAt(world_.links(), variant.links);
+  variant.geometry = world::ModelGeometry(own);
+  const bool is_seen = !variant.geometry.isEmpty();
+  if (config.bounding_shape_O.empty() && !is_seen) {
+    errors.add(needsVisuals(config, "bounding_shape", "model_box", "list points here"));
+  }
+  if (config.farthest_points > 0 && !is_seen) {
+    errors.add(needsVisuals(config, "keypoints", "farthest_points", "list points here"));
+  } else if (config.farthest_points > 0) {
+    try {
+      variant.keypoints = world::farthestPoints(own, config.farthest_points);
+    } catch (const Error& error) {
+      errors.add(config.name + "/keypoints: " + error.what());
+    }
+  }
+  errors.throwIfAny();
+  std::vector<Pose> X_OL;
+  for (const world::Link* link : own) X_OL.push_back(link->X_ML);
+  variant.box_at_rest_O =
+      boxRound(is_seen ? variant.geometry.box(X_OL) : variant.given.bounding_shape_O);
+  return variant;
+}
+
+std::vector<Cuboid> ObjectShapes::boxesAtRest(std::size_t object) const {
+  std::vector<Cuboid> boxes;
+  for (const Variant& variant : objects_[object]) boxes.push_back(variant.box_at_rest_O);
+  return boxes;
+}
+
+std::vector<annotate::ObjectShape> ObjectShapes::at(const std::vector<Pose>& X_WO) const {
+  const std::vector<std::size_t>& worn = world_.worn();
+  std::vector<annotate::ObjectShape> shapes;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const std::size_t variant = i < worn.size() ? worn[i] : 0;  // distractors have no others
+    shapes.push_back(shapeOf(objects_[i][variant], X_WO[i]));
+  }
+  return shapes;
+}
+
+annotate::ObjectShape ObjectShapes::shapeOf(const Variant& variant, const Pose& X_WO) const {
+  annotate::ObjectShape shape = variant.given;
+  std::vector<Pose> X_OL;
+  for (const std::size_t link : variant.links) {
+    X_OL.push_back(X_WO.inverse() * world_.linkPoses()[link]);
+  }
+  const bool is_seen = !variant.geometry.isEmpty();
+  if (is_seen && shape.bounding_shape_O.empty()) {
+    shape.bounding_shape_O = variant.geometry.box(X_OL);
+  }
+  shape.cuboid_O = boxRound(is_seen ? variant.geometry.box(X_OL) : shape.bounding_shape_O);
+  for (const world::SurfacePoint& point : variant.keypoints) {
+    shape.keypoints_O.push_back(X_OL[point.link] * point.p_L);
+  }
+  return shape;
+}
+
+}  // namespace synthetic_dataset

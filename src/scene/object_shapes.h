@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "annotate/object_labels.h"
+#include "config/config.h"
+#include "scene/object_variants.h"
+#include "world/mesh/model_geometry.h"
+#include "world/mesh/surface_points.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// The smallest box along the axes round points, of which there is one at least.
+[[nodiscard]] Cuboid boxRound(const std::vector<Eigen::Vector3d>& points);
+
+/// The objects' keypoints and bounding shapes: as the parameters give them, in the size of what the
+/// objects wear, or found on that, scene by scene.
+class ObjectShapes {
+ public:
+  /// @param variants  of each object
+  /// @param world  has to outlive this
+  /// @throws ErrorList naming the parameters that need a model that can be seen
+  ObjectShapes(const std::vector<config::ObjectConfig>& objects,
+               const std::vector<ObjectVariants>& variants, const world::World& world);
+
+  [[nodiscard]] std::size_t size() const { return objects_.size(); }
+
+  /// A box round each variant of an object in the object's frame, its links as the model has them.
+  [[nodiscard]] std::vector<Cuboid> boxesAtRest(std::size_t object) const;
+
+  /// The shapes of all objects as the world stands.
+  [[nodiscard]] std::vector<annotate::ObjectShape> at(const std::vector<Pose>& X_WO) const;
+
+ private:
+  struct Variant {
+    annotate::ObjectShape given;
+    std::vector<std::size_t> links;  ///< indices in the world's
+    world::ModelGeometry geometry{{}};
+    Cuboid box_at_rest_O;
+    std::vector<world::SurfacePoint> keypoints;  ///< where they were found on the model
+  };
+  using Object = std::vector<Variant>;
+
+  [[nodiscard]] Variant measure(Variant variant, const config::ObjectConfig& config) const;
+  [[nodiscard]] annotate::ObjectShape shapeOf(const Variant& variant, const Pose& X_WO) const;
+
+  const world::World& world_;
+  std::vector<Object> objects_;
+};
+
+}  // namespace synthetic_dataset

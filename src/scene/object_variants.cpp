@@ -1,0 +1,85 @@
+#include "scene/object_variants.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "random/random_source.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// Each once, in the order of their first places.
+std::vector<std::string> withoutCopies(const std::vector<std::string>& texts) {
+  std::vector<std::string> result;
+  for (const std::string& text : texts) {
+    if (std::find(result.begin(), result.end(), text) == result.end()) result.push_back(text);
+  }
+  return result;
+}
+
+/// The values of a choice; else the middles of parts of the distribution that are as likely as each
+/// other.
+std::vector<double> sizesOf(const random::Distribution& scale, int count) {
+  std::vector<double> sizes;
+  for (const random::Distribution::Numbers& value : scale.values()) sizes.push_back(value.front());
+  if (sizes.empty()) {
+    // The same sizes for all seeds: datasets of several runs have the same ones.
+    random::RandomSource source(0);
+    constexpr std::size_t kDrawsOfEach = 1001;  // odd: there is a middle one
+    std::vector<double> drawn(kDrawsOfEach * static_cast<std::size_t>(count));
+    std::generate(drawn.begin(), drawn.end(), [&] { return scale.drawNumber(source); });
+    std::sort(drawn.begin(), drawn.end());
+    for (std::size_t at = kDrawsOfEach / 2; at < drawn.size(); at += kDrawsOfEach) {
+      sizes.push_back(drawn[at]);
+    }
+  }
+  std::sort(sizes.begin(), sizes.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+  return sizes;
+}
+
+}  // namespace
+
+ObjectVariants::ObjectVariants(const config::ObjectConfig& object,
+                               const config::Randomization& randomization)
+    : entry_("objects/" + object.name) {
+  // Nothing of what is not there is made; distractors have models and sizes of their own.
+  if (object.takes_part && !object.is_distractor) config_ = randomization.ofObject(object.name);
+  if (config_.model) models_ = withoutCopies(config_.model->texts);
+  if (config_.scale) sizes_ = sizesOf(*config_.scale, config_.sizes);
+  std::vector<std::optional<std::string>> models(models_.begin(), models_.end());
+  if (models.empty()) models.push_back(object.model);
+  for (const auto& model : models) {
+    if (sizes_.empty()) all_.push_back({model});
+    for (const double size : sizes_) all_.push_back({model, size});
+  }
+}
+
+std::size_t ObjectVariants::draw(appearance::EntryDraws& draws) const {
+  const std::size_t model = drawModel(draws);
+  return model * std::max<std::size_t>(sizes_.size(), 1) + drawSize(draws);
+}
+
+std::size_t ObjectVariants::drawModel(appearance::EntryDraws& draws) const {
+  if (models_.empty()) return 0;
+  random::RandomSource source = draws.source(entry_ + "/model");
+  const std::string& drawn = config_.model->draw(source);
+  draws.note(entry_ + "/model", drawn);
+  return static_cast<std::size_t>(std::find(models_.begin(), models_.end(), drawn) -
+                                  models_.begin());
+}
+
+/// The size that is nearest to what is drawn; that one is noted.
+std::size_t ObjectVariants::drawSize(appearance::EntryDraws& draws) const {
+  if (sizes_.empty()) return 0;
+  random::RandomSource source = draws.source(entry_ + "/scale");
+  const double drawn = config_.scale->drawNumber(source);
+  const auto nearer = [&](double one, double other) {
+    return std::abs(one - drawn) < std::abs(other - drawn);
+  };
+  const auto nearest = std::min_element(sizes_.begin(), sizes_.end(), nearer);
+  draws.note(entry_ + "/scale", *nearest);
+  return static_cast<std::size_t>(nearest - sizes_.begin());
+}
+
+}  // namespace synthetic_dataset

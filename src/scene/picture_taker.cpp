@@ -1,0 +1,69 @@
+#include "scene/picture_taker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "random/random_seed.h"
+
+namespace synthetic_dataset {
+
+PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer,
+                           const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+                           std::int64_t seed)
+    : world_(world),
+      renderer_(renderer),
+      frames_(frames),
+      cameras_(cameras),
+      seed_(static_cast<std::uint64_t>(seed)),
+      offsets_{Duration{0}} {
+  for (const CameraRig& camera : cameras_) {
+    Sensor sensor;
+    sensor.shots = shotsOf(camera.shutter, camera.model.height());
+    for (const Shot& shot : sensor.shots) offsets_.push_back(shot.offset);
+    if (sensor.shots.size() > 1) {
+      sensor.light.emplace(cv::Size(camera.model.width(), camera.model.height()));
+    }
+    sensors_.push_back(std::move(sensor));
+  }
+  std::sort(offsets_.begin(), offsets_.end());
+  offsets_.erase(std::unique(offsets_.begin(), offsets_.end()), offsets_.end());
+}
+
+void PictureTaker::expose(Stamp instant, Duration offset) {
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    const CameraRig& camera = cameras_[i];
+    Sensor& sensor = sensors_[i];
+    for (const Shot& shot : sensor.shots) {
+      if (shot.offset != offset) continue;
+      if (!sensor.light) {
+        sensor.picture = draw(camera, instant, offset, {});
+        continue;
+      }
+      const cv::Rect rows(0, shot.first_row, camera.model.width(), shot.row_count);
+      sensor.light->add(draw(camera, instant, offset, {rows})()(rows), rows, shot.weight);
+    }
+  }
+}
+
+render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset,
+                                          std::vector<cv::Rect> regions) {
+  render::ColourPass pass{world_.presentLinks(), world_.presentLinks()};
+  pass.regions = std::move(regions);
+  pass.exposure = static_cast<float>(sensor::gainOf(camera.effects));
+  const Pose X_GC = cameraPose(camera, world_, frames_, instant, offset);
+  return renderer_.draw({camera.model, X_GC}, world_.linkPoses(), pass);
+}
+
+render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t scene_index) {
+  Sensor& sensor = sensors_[camera];
+  if (sensor.light) {
+    sensor.picture = [seen = sensor.light->result()] { return seen; };
+    sensor.light->clear();
+  }
+  return [picture = std::exchange(sensor.picture, {}), effects = cameras_[camera].effects,
+          seed = random::randomSeed(seed_, scene_index, "sensor noise")] {
+    return sensor::applyEffects(picture(), effects, seed);
+  };
+}
+
+}  // namespace synthetic_dataset

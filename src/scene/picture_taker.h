@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/frame_motion.h"
+#include "render/renderer.h"
+#include "scene/camera_rig.h"
+#include "scene/shutter.h"
+#include "sensor/linear_accumulator.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// Takes the cameras' pictures as their sensors would: over the time that their shutters are open,
+/// with the effects of lens and sensor.
+///
+/// For each instant: move the world to each of `offsets` from the instant and `expose`, then
+/// `develop` each camera's picture.
+class PictureTaker {
+ public:
+  /// All references have to outlive this.
+  PictureTaker(const world::World& world, render::Renderer& renderer,
+               const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+               std::int64_t seed);
+
+  /// The times round an instant at which a shutter lets light in, ascending; 0 is among them.
+  [[nodiscard]] const std::vector<Duration>& offsets() const { return offsets_; }
+
+  /// Lets the world as it stands at `instant + offset` fall on the sensors.
+  void expose(Stamp instant, Duration offset);
+
+  /// What a camera has seen, to be made in any thread as long as the renderer lives: CV_8UC3, blue
+  /// green red. Its sensor is dark again then.
+  /// @param scene_index  its noise belongs to this scene
+  [[nodiscard]] render::PendingPicture develop(std::size_t camera, std::int64_t scene_index);
+
+ private:
+  /// A camera's plan, and what has fallen on its sensor so far.
+  struct Sensor {
+    std::vector<Shot> shots;
+    std::optional<sensor::LinearAccumulator> light;  ///< where a picture takes several shots
+    render::PendingPicture picture;                  ///< where it takes one
+  };
+
+  [[nodiscard]] render::PendingPicture draw(const CameraRig& camera, Stamp instant, Duration offset,
+                                            std::vector<cv::Rect> regions);
+
+  const world::World& world_;
+  render::Renderer& renderer_;
+  const motion::FrameMotion& frames_;
+  const std::vector<CameraRig>& cameras_;
+  std::uint64_t seed_;
+  std::vector<Sensor> sensors_;  ///< of cameras_
+  std::vector<Duration> offsets_;
+};
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,142 @@
+#include "scene/pixel_labeller.h"
+
+#include "annotate/keypoint_states.h"
+#include "scene/object_links.h"
+
+namespace synthetic_dataset {
+namespace {
+
+annotate::Mog2Options mog2Options(const config::MaskConfig& config) {
+  return {config.history_length, config.var_threshold, config.detect_shadows};
+}
+
+}  // namespace
+
+PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& renderer,
+                             std::size_t object_count, const Requirements& requirements,
+                             const PixelLabelOptions& options)
+    : world_(world),
+      renderer_(renderer),
+      requirements_(requirements),
+      options_(options),
+      pass_{render::LinkSelection(world.links().size(), true)},
+      finder_(world, renderer, object_count, mog2Options(options.masks), options.masks.clean) {
+  Requirements& needed = requirements_;
+  needed.visible_masks = needed.visible_masks || needed.class_map;
+  needed.visibility = needed.visibility || options_.labels.min_visibility > 0.0;
+  needs_labels_ = needed.visible_masks || needed.visibility || needed.keypoint_states ||
+                  needed.depth || needed.normals || needed.optical_flow ||
+                  options_.labels.hasThresholds() || (needed.silhouettes && usesSubtraction());
+  needs_silhouettes_ = needed.visibility || (needed.silhouettes && !usesSubtraction());
+  pass_.links = needed.optical_flow;
+  pass_.normals = needed.normals;
+  pass_.range = needed.keypoint_states || needed.optical_flow;
+  for (std::size_t i = 0; i < object_count; ++i) {
+    links_of_.push_back(linksOf(static_cast<int>(i), world.links()));
+  }
+}
+
+bool PixelLabeller::usesSubtraction() const {
+  return options_.masks.method == config::MaskMethod::kMog2;
+}
+
+PixelFindings PixelLabeller::label(const render::View& view, Scene& scene) {
+  if (needs_silhouettes_) measureSilhouettes(view, scene);
+  if (!needs_labels_) return {};
+  pass_.drawn = world_.presentLinks();
+  const render::LabelImages images = renderer_.labels(view, world_.linkPoses(), pass_);
+  addImages(images, scene);
+  PixelFindings findings;
+  findings.mask_agreement = addMasks(view, images.ids, scene);
+  if (requirements_.keypoint_states) addKeypointStates(images, scene);
+  drop(scene);
+  if (requirements_.optical_flow) findings.surface = {images.depth, images.range, images.links};
+  return findings;
+}
+
+void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) const {
+  if (requirements_.depth) scene.depth = images.depth;
+  if (requirements_.normals) scene.normals = images.normals;
+}
+
+void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!world_.present()[i]) continue;
+    SceneObject& object = scene.objects[i];
+    render::Silhouette silhouette =
+        renderer_.silhouette(view, world_.linkPoses(), presentOf(links_of_[i], world_));
+    object.silhouette_box = silhouette.box;
+    object.pixels.silhouette = silhouette.pixels;
+    object.pixels.silhouette_in_image = silhouette.pixels_in_image;
+    if (silhouette.pixels > 0) {
+      object.truncation = 1.0 - static_cast<double>(silhouette.pixels_in_image) /
+                                    static_cast<double>(silhouette.pixels);
+    }
+    if (requirements_.silhouettes) object.silhouette = std::move(silhouette.mask);
+  }
+}
+
+std::vector<std::optional<double>> PixelLabeller::addMasks(const render::View& view,
+                                                           const cv::Mat& ids, Scene& scene) {
+  const std::size_t count = scene.objects.size();
+  cv::Mat map = annotate::instanceMap(ids);
+  std::vector<annotate::InstancePixels> parts = annotate::instancePixels(map, count);
+  std::vector<double> distances;
+  std::vector<std::optional<double>> agreement;
+  for (std::size_t i = 0; i < count; ++i) {
+    SceneObject& object = scene.objects[i];
+    object.pixels.visible = parts[i].count;
+    if (object.pixels.silhouette > 0) {
+      object.visibility = static_cast<double>(object.pixels.visible) /
+                          static_cast<double>(object.pixels.silhouette);
+    }
+    distances.push_back(object.distance());
+  }
+  const bool has_masks = requirements_.silhouettes || requirements_.visible_masks;
+  if (has_masks && usesSubtraction()) {
+    const std::vector<cv::Mat> masks = finder_.find(view, scene.objects);
+    for (std::size_t i = 0; i < count && requirements_.silhouettes; ++i) {
+      scene.objects[i].silhouette = masks[i];
+    }
+    const cv::Mat layered = annotate::layeredInstanceMap(masks, ids, distances);
+    agreement = annotate::intersectionOverUnion(layered, map, count);
+    map = layered;
+    parts = annotate::instancePixels(map, count);
+  }
+  if (requirements_.visible_masks) addVisibleParts(map, parts, scene);
+  return agreement;
+}
+
+void PixelLabeller::addVisibleParts(const cv::Mat& instance_map,
+                                    const std::vector<annotate::InstancePixels>& parts,
+                                    Scene& scene) const {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    SceneObject& object = scene.objects[i];
+    object.visible_box = parts[i].box();
+    object.visible_mask = annotate::instanceMask(instance_map, object.instance, parts[i].bounds);
+  }
+  scene.instance_map = instance_map;
+  if (requirements_.class_map) {
+    scene.class_map = annotate::renumbered(instance_map, options_.class_numbers);
+  }
+}
+
+void PixelLabeller::addKeypointStates(const render::LabelImages& images, Scene& scene) const {
+  for (SceneObject& object : scene.objects) {
+    std::vector<Eigen::Vector3d> keypoints_C;
+    for (const Eigen::Vector3d& p_O : object.keypoints_O) keypoints_C.push_back(object.X_CO * p_O);
+    annotate::findKeypointStates(object.keypoints, keypoints_C, object.instance, images.ids,
+                                 images.range, scene.camera, options_.labels.keypoint_tolerance);
+  }
+}
+
+void PixelLabeller::drop(Scene& scene) const {
+  const config::LabelConfig& labels = options_.labels;
+  if (!labels.hasThresholds()) return;
+  for (SceneObject& object : scene.objects) {
+    object.dropped = object.pixels.visible == 0 || object.pixels.visible < labels.min_pixels ||
+                     object.visibility < labels.min_visibility;
+  }
+}
+
+}  // namespace synthetic_dataset

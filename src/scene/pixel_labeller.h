@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "annotate/instance_map.h"
+#include "config/config.h"
+#include "render/renderer.h"
+#include "scene/mask_finder.h"
+#include "synthetic_dataset/label_writer.h"
+#include "synthetic_dataset/scene.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// How labels are taken from pixels.
+struct PixelLabelOptions {
+  config::MaskConfig masks;
+  config::LabelConfig labels;
+  std::vector<std::uint16_t> class_numbers;  ///< of the objects: their values in Scene::class_map
+};
+
+/// What is kept of a scene's pixels until it is known where they go.
+struct SeenSurface {
+  cv::Mat depth;
+  cv::Mat range;
+  cv::Mat links;
+};
+
+/// What labelling a scene's pixels tells beside the scene's labels.
+struct PixelFindings {
+  SeenSurface surface;  ///< what its optical flow needs; empty unless that is required
+
+  /// How well each object's visible mask of background subtraction agrees with the exact one:
+  /// intersection over union, nothing where there is neither. Empty where nothing was subtracted.
+  std::vector<std::optional<double>> mask_agreement;
+};
+
+/// Labels that follow from one camera's pixels: masks, measures, what hides what, maps. Computes
+/// what the requirements ask for, and nothing else.
+class PixelLabeller {
+ public:
+  /// All references have to outlive this.
+  PixelLabeller(const world::World& world, render::Renderer& renderer, std::size_t object_count,
+                const Requirements& requirements, const PixelLabelOptions& options);
+
+  /// Adds labels to a scene whose objects have all that follows from their poses.
+  [[nodiscard]] PixelFindings label(const render::View& view, Scene& scene);
+
+  /// Whether PixelCounts::visible is counted, and whether PixelCounts::silhouette.
+  [[nodiscard]] bool countsVisible() const { return needs_labels_; }
+  [[nodiscard]] bool countsSilhouettes() const { return needs_silhouettes_; }
+
+ private:
+  void addImages(const render::LabelImages& images, Scene& scene) const;
+  void measureSilhouettes(const render::View& view, Scene& scene);
+  /// @return PixelFindings::mask_agreement
+  std::vector<std::optional<double>> addMasks(const render::View& view, const cv::Mat& ids,
+                                              Scene& scene);
+  void addVisibleParts(const cv::Mat& instance_map,
+                       const std::vector<annotate::InstancePixels>& parts, Scene& scene) const;
+  void addKeypointStates(const render::LabelImages& images, Scene& scene) const;
+  void drop(Scene& scene) const;
+  [[nodiscard]] bool usesSubtraction() const;
+
+  const world::World& world_;
+  render::Renderer& renderer_;
+  Requirements requirements_;
+  PixelLabelOptions options_;
+  bool needs_labels_ = false;       ///< the renderer's identifiers and depths
+  bool needs_silhouettes_ = false;  ///< drawn object by object
+  render::LabelPass pass_;
+  std::vector<render::LinkSelection> links_of_;  ///< of each object
+  MaskFinder finder_;
+};
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,210 @@
+#include "scene/scene_arranger.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "config/error_collector.h"
+#include "motion/frame_names.h"
+#include "placement/map_reader.h"
+#include "placement/received_map.h"
+#include "scene/seconds.h"
+#include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/nearest_name.h"
+#include "world/mesh/model_geometry.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// How far a box reaches from its frame's origin, as seen from above [m].
+double radiusOf(const Cuboid& box) {
+  const Eigen::Vector3d far = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs());
+  return std::hypot(far.x(), far.y());
+}
+
+/// Round each model of a role, in its own frame, in the world's order.
+std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
+  std::vector<std::vector<const world::Link*>> models;
+  std::string last;
+  for (const world::LinkInstance& link : world.links()) {
+    if (link.role != role) continue;
+    if (models.empty() || link.model != last) models.emplace_back();
+    models.back().push_back(link.link);
+    last = link.model;
+  }
+  std::vector<Cuboid> boxes;
+  for (const std::vector<const world::Link*>& links : models) {
+    std::vector<Pose> X_ML;
+    for (const world::Link* link : links) X_ML.push_back(link->X_ML);
+    boxes.push_back(boxRound(world::ModelGeometry(links).box(X_ML)));
+  }
+  return boxes;
+}
+
+/// What came on the topic, from a running system or in the bags.
+motion::RecordedMap topicsMap(const config::Config& config) {
+  const config::PlacementConfig& placement = config.placement;
+  if (placement.received_map) return placement::receivedMap(*placement.received_map);
+  if (!config.motion.bag_files.empty()) {
+    return motion::readMap(config.motion.bag_files, *placement.map_topic);
+  }
+  throw Error("found '" + *placement.map_topic +
+              "', a topic, and nothing that has it; bag_file should name the bags in which it was "
+              "recorded, or `generate` should run beside the system that publishes it, as a node "
+              "(roslaunch, or rosrun without --config); or placement/map should name map_server's "
+              "YAML file");
+}
+
+placement::OccupancyMap readMap(const config::Config& config) {
+  const config::PlacementConfig& placement = config.placement;
+  if (placement.map_file) {
+    try {
+      return placement::readMapFile(*placement.map_file);
+    } catch (const ErrorList&) {
+      throw;
+    } catch (const Error& error) {
+      throw Error(std::string("placement/map: ") + error.what());
+    }
+  }
+  try {
+    const motion::RecordedMap map = topicsMap(config);
+    const std::string global_frame = motion::withoutLeadingSlashes(config.global_frame);
+    if (map.frame == global_frame) return placement::mapOf(map);
+    throw Error("found '" + *placement.map_topic + "', a map in the frame '" + map.frame +
+                "'; it should be in global_frame, '" + global_frame + "'");
+  } catch (const ErrorList&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(std::string("placement/map_topic: ") + error.what());
+  }
+}
+
+}  // namespace
+
+SceneArranger::SceneArranger(const config::Config& config, const std::vector<CameraRig>& cameras,
+                             const std::vector<ObjectVariants>& variants,
+                             const ObjectShapes& shapes, world::World& world,
+                             motion::FrameMotion& frames)
+    : rigs_(cameras),
+      world_(world),
+      frames_(frames),
+      objects_(config.objects.begin(),
+               config.objects.begin() + static_cast<std::ptrdiff_t>(config.robotCount())),
+      labelled_distractors_(config.objects.begin() + static_cast<std::ptrdiff_t>(objects_.size()),
+                            config.objects.end()) {
+  for (std::size_t i = 0; i < objects_.size(); ++i) boxes_O_.push_back(shapes.boxesAtRest(i));
+  const bool places_objects = config.isPlaced();
+  const bool places_cameras =
+      std::any_of(cameras.begin(), cameras.end(), [](const CameraRig& rig) { return rig.sampled; });
+  const auto& distractors = config.randomization.distractors;
+  if (!places_objects && !places_cameras && !distractors) return;
+  if (places_objects) world_.settleProps(fromSeconds(config.physics.settle));
+  surroundings_.emplace(world_);
+  config::ErrorCollector errors;
+  if (places_objects) errors.attempt([&] { setUpPlacer(config, variants); });
+  errors.attempt([&] { setUpCameras(config, cameras); });
+  if (distractors) {
+    distractor_placer_.emplace(*distractors, boxesOf(world::Role::kDistractor, world_), world_,
+                               *surroundings_, static_cast<std::uint64_t>(config.seed));
+  }
+  errors.throwIfAny();
+}
+
+placement::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
+                                                bool on_map) {
+  const config::ObjectConfig& config = objects_[object];
+  placement::PlacedObject placed{config.name, {}};
+  if (!config.takes_part) placed.X_GO_kept = frames_.pose(config.frame, Stamp{0});
+  std::vector<double> reaches;
+  for (std::size_t i = 0; i < variants.all().size(); ++i) {
+    const Cuboid& box_O = boxes_O_[object][i];
+    reaches.push_back(radiusOf(box_O));
+    const double own_radius = on_map ? reaches.back() : 0.0;
+    const auto& given = config.safety_radius;
+    placed.rooms.push_back({given ? *given * variants.all()[i].scale : own_radius, box_O});
+  }
+  if (config.takes_part && on_map && !config.safety_radius) {
+    const auto [low, high] = std::minmax_element(reaches.begin(), reaches.end());
+    remarks_.push_back(config.name + "/safety_radius: " + fixed(*low, 3) +
+                       (*low < *high ? " to " + fixed(*high, 3) : "") +
+                       " m, how far the model reaches");
+  }
+  return placed;
+}
+
+void SceneArranger::setUpPlacer(const config::Config& config,
+                                const std::vector<ObjectVariants>& variants) {
+  const bool on_map = config.placement.mode == config::PlacementMode::kMap;
+  if (on_map && !config.placement.map_file && !config.placement.map_topic) return;  // told already
+  std::optional<placement::OccupancyMap> map;
+  if (on_map) map = readMap(config);
+  std::vector<placement::PlacedObject> placed;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    placed.push_back(describe(i, variants[i], on_map));
+  }
+  placer_.emplace(config.placement, map, std::move(placed), world_, *surroundings_,
+                  static_cast<std::uint64_t>(config.seed));
+}
+
+void SceneArranger::setUpCameras(const config::Config& config,
+                                 const std::vector<CameraRig>& cameras) {
+  for (const CameraRig& rig : cameras) {
+    if (!rig.sampled) continue;
+    const auto camera =
+        std::find_if(config.cameras.begin(), config.cameras.end(),
+                     [&](const config::CameraConfig& each) { return each.name == rig.name; });
+    std::vector<std::string> targets{"any", "all"};
+    for (const config::ObjectConfig& object : objects_) {
+      if (object.takes_part) targets.push_back(object.name);
+    }
+    const std::string& look_at = camera->sample->look_at;
+    const bool is_told = look_at.empty();  // what is no text is an error already
+    if (!is_told && std::find(targets.begin(), targets.end(), look_at) == targets.end()) {
+      throw Error(camera->group + "/sample/look_at: found '" + look_at +
+                  "'; it should be any, all, an object of robot_list or a point [x, y, z]" +
+                  didYouMean(look_at, targets));
+    }
+    cameras_.push_back({rig.frame,
+                        {*camera->sample, camera->group, world_, *surroundings_,
+                         static_cast<std::uint64_t>(config.seed)}});
+  }
+}
+
+void SceneArranger::placeObjects(std::int64_t instant) {
+  if (!placer_) return;
+  const std::vector<Pose> X_GO = placer_->place(instant);
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (objects_[i].takes_part) frames_.place(objects_[i].frame, X_GO[i]);
+  }
+}
+
+void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
+  if (!distractor_placer_) return;
+  // Cameras that find a place afterwards keep away themselves.
+  std::vector<Eigen::Vector3d> cameras_G;
+  for (const CameraRig& rig : rigs_) {
+    if (!rig.sampled) cameras_G.push_back(cameraPose(rig, world_, frames_, stamp).translation());
+  }
+  distractors_there_ = distractor_placer_->place(instant, cameras_G);
+  const std::vector<std::optional<Pose>>& X_GM = world_.distractorPoses();
+  for (std::size_t i = 0; i < labelled_distractors_.size(); ++i) {
+    frames_.place(labelled_distractors_[i].frame, X_GM[i].value_or(motion::nowhere()));
+  }
+}
+
+void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
+  if (cameras_.empty()) return;
+  std::vector<placement::CameraTarget> targets;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (!objects_[i].takes_part) continue;
+    const Cuboid& box_O = boxes_O_[i][world_.worn()[i]];
+    const Eigen::Vector3d centre_O = 0.5 * (box_O.low + box_O.high);
+    targets.push_back(
+        {objects_[i].name, frames_.pose(objects_[i].frame, stamp) * centre_O, world_.present()[i]});
+  }
+  for (const SampledCamera& camera : cameras_) {
+    frames_.place(camera.frame, camera.sampler.sample(instant, targets));
+  }
+}
+
+}  // namespace synthetic_dataset

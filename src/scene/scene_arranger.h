@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "motion/frame_motion.h"
+#include "placement/camera_sampler.h"
+#include "placement/distractor_placer.h"
+#include "placement/scene_placer.h"
+#include "placement/surroundings.h"
+#include "scene/camera_rig.h"
+#include "scene/object_shapes.h"
+#include "scene/object_variants.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// Puts what is put somewhere at random, scene by scene: objects, where there is no recording to
+/// follow, and cameras.
+class SceneArranger {
+ public:
+  /// Lets the props come to rest where objects are placed among them.
+  /// @param variants  of each object
+  /// @param shapes, world, frames  have to outlive this
+  /// @throws ErrorList with all that keeps objects and cameras from being placed
+  SceneArranger(const config::Config& config, const std::vector<CameraRig>& cameras,
+                const std::vector<ObjectVariants>& variants, const ObjectShapes& shapes,
+                world::World& world, motion::FrameMotion& frames);
+
+  /// Whether no scene has to do with the one before.
+  [[nodiscard]] bool standsAlone() const { return placer_.has_value(); }
+
+  /// Puts the objects of a time's scenes, if that is done here: the world starts anew then.
+  void placeObjects(std::int64_t instant);
+
+  /// Puts the distractors of a time's scenes, as the world stands.
+  void placeDistractors(std::int64_t instant, Stamp stamp);
+
+  /// The numbers of the distractors that were placed last; nothing where there are none at all.
+  [[nodiscard]] const std::optional<std::vector<int>>& distractors() const {
+    return distractors_there_;
+  }
+
+  /// Puts the cameras of a time's scenes that are put at random, as the world stands.
+  void placeCameras(std::int64_t instant, Stamp stamp);
+
+  /// What the user may like to know.
+  [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
+
+ private:
+  struct SampledCamera {
+    std::string frame;
+    placement::CameraSampler sampler;
+  };
+
+  void setUpPlacer(const config::Config& config, const std::vector<ObjectVariants>& variants);
+  void setUpCameras(const config::Config& config, const std::vector<CameraRig>& cameras);
+  [[nodiscard]] placement::PlacedObject describe(std::size_t object, const ObjectVariants& variants,
+                                                 bool on_map);
+
+  std::vector<CameraRig> rigs_;
+  world::World& world_;
+  motion::FrameMotion& frames_;
+  std::vector<config::ObjectConfig> objects_;               ///< that are followed or placed
+  std::vector<config::ObjectConfig> labelled_distractors_;  ///< in the world's order
+  std::vector<std::vector<Cuboid>> boxes_O_;  ///< of the objects' variants, their links at rest
+  std::vector<std::string> remarks_;
+  std::optional<placement::Surroundings> surroundings_;
+  std::optional<placement::ScenePlacer> placer_;
+  std::optional<placement::DistractorPlacer> distractor_placer_;
+  std::optional<std::vector<int>> distractors_there_;
+  std::vector<SampledCamera> cameras_;
+};
+
+}  // namespace synthetic_dataset

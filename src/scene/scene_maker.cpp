@@ -1,0 +1,109 @@
+#include "scene/scene_maker.h"
+
+#include <limits>
+#include <utility>
+
+#include "annotate/optical_flow.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// An object that is not there has a pose, and no label.
+void leaveOut(SceneObject& object) {
+  object.in_view = false;
+  object.loose_box.reset();
+  object.dropped = true;
+}
+
+}  // namespace
+
+SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
+                       const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+                       const ObjectShapes& shapes, const Requirements& requirements,
+                       const PixelLabelOptions& options)
+    : world_(world),
+      frames_(frames),
+      cameras_(cameras),
+      shapes_(shapes),
+      needs_optical_flow_(requirements.optical_flow) {
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    labellers_.emplace_back(world, renderer, shapes.size(), requirements, options);
+  }
+}
+
+MadeScene SceneMaker::make(std::size_t camera, std::int64_t instant, Stamp stamp,
+                           const std::vector<Pose>& X_GO) {
+  const CameraRig& rig = cameras_[camera];
+  const render::View view{rig.model, cameraPose(rig, world_, frames_, stamp)};
+  const auto count = static_cast<std::int64_t>(cameras_.size());
+  Scene scene(view.camera);
+  scene.index = instant * count + static_cast<std::int64_t>(camera);
+  scene.name = (count > 1 ? rig.name + "/" : "") + sceneNumber(instant);
+  scene.camera_name = rig.name;
+  scene.instant = instant;
+  scene.camera_index = camera;
+  scene.stamp = stamp;
+  scene.X_GC = view.X_WC;
+  const std::vector<annotate::ObjectShape> shapes = shapes_.at(X_GO);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    scene.objects.push_back(annotate::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
+    if (!world_.present()[i]) leaveOut(scene.objects.back());
+  }
+  // Writers ask in their own thread, when the next scene may have been placed already.
+  scene.lookup = [frames = frames_, stamp, X_GC = cameraPoses(stamp)](const std::string& target,
+                                                                      const std::string& source) {
+    const auto inGlobal = [&](const std::string& frame) {
+      const auto found = X_GC.find(frame);
+      return found != X_GC.end() ? found->second : frames.pose(frame, stamp);
+    };
+    return Pose(inGlobal(target).inverse() * inGlobal(source));
+  };
+  PixelFindings findings = labellers_[camera].label(view, scene);
+  return {std::move(scene), std::move(findings),
+          needs_optical_flow_ ? world_.linkPoses() : std::vector<Pose>{}};
+}
+
+void SceneMaker::addOpticalFlow(MadeScene& made, std::optional<Stamp> next) const {
+  Scene& scene = made.scene;
+  if (!next) {
+    scene.optical_flow = cv::Mat(scene.camera.height(), scene.camera.width(), CV_32FC2,
+                                 cv::Scalar::all(std::numeric_limits<double>::quiet_NaN()));
+    return;
+  }
+  const SeenSurface& surface = made.findings.surface;
+  const CameraRig& rig = cameras_[scene.camera_index];
+  const Pose X_GC_next = cameraPose(rig, world_, frames_, *next);
+  scene.optical_flow =
+      annotate::opticalFlow(scene.camera, surface.depth, surface.range, surface.links, scene.X_GC,
+                            made.X_GL, rig.model, X_GC_next, world_.linkPoses());
+}
+
+std::vector<output::ObjectFacts> SceneMaker::objectFacts(const MadeScene& made) const {
+  const PixelLabeller& labeller = labellers_[made.scene.camera_index];
+  std::vector<output::ObjectFacts> all;
+  for (const SceneObject& object : made.scene.objects) {
+    output::ObjectFacts facts = output::objectFacts(object);
+    if (labeller.countsVisible()) facts.visible_pixels = object.pixels.visible;
+    if (labeller.countsSilhouettes()) {
+      facts.silhouette_pixels = object.pixels.silhouette;
+      facts.truncation = object.truncation;
+      if (labeller.countsVisible()) facts.visibility = object.visibility;
+    }
+    if (all.size() < made.findings.mask_agreement.size()) {
+      facts.mask_agreement = made.findings.mask_agreement[all.size()];
+    }
+    all.push_back(std::move(facts));
+  }
+  return all;
+}
+
+std::map<std::string, Pose> SceneMaker::cameraPoses(Stamp stamp) const {
+  std::map<std::string, Pose> poses;
+  for (const CameraRig& camera : cameras_) {
+    poses.emplace(camera.frame, cameraPose(camera, world_, frames_, stamp));
+  }
+  return poses;
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "motion/frame_motion.h"
+#include "output/scene_facts.h"
+#include "render/renderer.h"
+#include "scene/camera_rig.h"
+#include "scene/object_shapes.h"
+#include "scene/pixel_labeller.h"
+#include "synthetic_dataset/label_writer.h"
+#include "synthetic_dataset/scene.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// A scene, and what its optical flow needs once the world has moved on.
+struct MadeScene {
+  Scene scene;
+  PixelFindings findings;
+  std::vector<Pose> X_GL;  ///< of the world's links
+};
+
+/// Labels what a camera sees of the world as it stands: what the writers' requirements ask for, and
+/// nothing else.
+class SceneMaker {
+ public:
+  /// All references have to outlive the maker.
+  /// @param shapes  of the objects, in the world's order
+  SceneMaker(const world::World& world, render::Renderer& renderer,
+             const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+             const ObjectShapes& shapes, const Requirements& requirements,
+             const PixelLabelOptions& options);
+
+  /// What a camera's picture shows, of the world as it stands now; the picture itself is left to
+  /// the PictureTaker, the optical flow to addOpticalFlow, the split to who plans them.
+  /// @param instant  the place of the scene's time in the timeline
+  /// @param X_GO  the objects' poses, in their order
+  [[nodiscard]] MadeScene make(std::size_t camera, std::int64_t instant, Stamp stamp,
+                               const std::vector<Pose>& X_GO);
+
+  /// Whether scenes have to wait for the next one.
+  [[nodiscard]] bool needsOpticalFlow() const { return needs_optical_flow_; }
+
+  /// Where what is seen has moved to in the world as it stands now, at `next`.
+  /// @param next  nothing after the last scene
+  void addOpticalFlow(MadeScene& made, std::optional<Stamp> next) const;
+
+  /// What a scene's manifest is told of its objects: what was measured, and nothing else.
+  [[nodiscard]] std::vector<output::ObjectFacts> objectFacts(const MadeScene& made) const;
+
+ private:
+  /// X_GC of all cameras, by their frames.
+  [[nodiscard]] std::map<std::string, Pose> cameraPoses(Stamp stamp) const;
+
+  const world::World& world_;
+  const motion::FrameMotion& frames_;
+  const std::vector<CameraRig>& cameras_;
+  const ObjectShapes& shapes_;
+  bool needs_optical_flow_;
+  std::vector<PixelLabeller> labellers_;  ///< of cameras_
+};
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,115 @@
+#include "scene/scene_variation.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "config/error_collector.h"
+#include "config/settings_text.h"
+#include "scene/field_of_view.h"
+#include "synthetic_dataset/nearest_name.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset {
+namespace {
+
+const char* const kFieldOfView = "randomize/sensor/field_of_view";
+
+Value valueOf(const appearance::DrawnValue& drawn) {
+  if (const auto* text = std::get_if<std::string>(&drawn.value)) return Value(*text);
+  const auto& numbers = std::get<std::vector<double>>(drawn.value);
+  if (numbers.size() == 1) return Value(numbers.front());
+  return Value(Value::List(numbers.begin(), numbers.end()));
+}
+
+}  // namespace
+
+SceneVariation::SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
+                               std::vector<ObjectVariants> variants, const world::World& world)
+    : config_(config.randomization),
+      seed_(static_cast<std::uint64_t>(config.seed)),
+      objects_(config.objects.begin(),
+               config.objects.begin() + static_cast<std::ptrdiff_t>(config.robotCount())),
+      variants_(std::move(variants)),
+      cameras_(cameras.size()) {
+  for (const CameraRig& camera : cameras) {
+    effects_.push_back(camera.effects);
+    models_.push_back(camera.model);
+  }
+  config::ErrorCollector errors;
+  errors.attempt([&] {
+    const auto& field_of_view = config_.sensor.field_of_view;
+    if (!field_of_view) return;
+    checkFieldOfView(*field_of_view, kFieldOfView, cameras);
+    notes_ = fieldOfViewNotes(*field_of_view, kFieldOfView, cameras);
+  });
+  errors.attempt([&] {
+    if (config_.changesLook()) looks_.emplace(config_, world);
+  });
+  std::vector<std::string> names;
+  for (const config::ObjectConfig& object : objects_) names.push_back(object.name);
+  for (const auto& [name, entry] : config_.objects) {
+    if (name == config::kOthers || std::count(names.begin(), names.end(), name) > 0) continue;
+    errors.add("randomize/objects/" + name + ": robot_list has no object of this name" +
+               didYouMean(name, names));
+  }
+  errors.throwIfAny();
+}
+
+void SceneVariation::choose(std::int64_t instant, world::World& world) {
+  appearance::EntryDraws draws(seed_, instant);
+  std::vector<bool> present;
+  std::vector<std::size_t> worn;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const config::ObjectConfig& object = objects_[i];
+    const auto share = config_.ofObject(object.name).present;
+    present.push_back(object.takes_part);
+    if (object.takes_part && share) {
+      present.back() = draws.happens("objects/" + object.name + "/present", *share);
+    }
+    worn.push_back(variants_[i].draw(draws));
+  }
+  world.setPresent(present);
+  world.wear(worn);
+  chosen_ = draws.values();
+}
+
+void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,
+                          std::vector<CameraRig>& cameras) {
+  if (looks_) {
+    appearance::EntryDraws draws(seed_, instant);
+    renderer.setLook(looks_->sample(draws));
+    shared_ = draws.values();
+  }
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    appearance::EntryDraws draws(seed_, instant, cameras[i].name);
+    cameras[i].effects = varied(effects_[i], draws);
+    const auto angle = draws.number("sensor/field_of_view", config_.sensor.field_of_view);
+    if (angle) cameras[i].model = withFieldOfView(models_[i], *angle);
+    cameras_[i] = draws.values();
+  }
+}
+
+sensor::SensorEffects SceneVariation::varied(const sensor::SensorEffects& effects,
+                                             appearance::EntryDraws& draws) const {
+  const config::SensorRandomization& sensor = config_.sensor;
+  sensor::SensorEffects result = effects;
+  result.exposure = draws.number("sensor/exposure", sensor.exposure).value_or(effects.exposure);
+  result.blur = draws.number("sensor/blur", sensor.blur).value_or(effects.blur);
+  result.noise_stddev =
+      draws.number("sensor/noise_stddev", sensor.noise_stddev).value_or(effects.noise_stddev);
+  return result;
+}
+
+std::vector<output::DrawFacts> SceneVariation::draws(std::size_t camera) const {
+  std::vector<output::DrawFacts> facts;
+  for (const auto* values : {&chosen_, &shared_, &cameras_[camera]}) {
+    for (const appearance::DrawnValue& drawn : *values) {
+      facts.push_back({drawn.name, config::jsonText(valueOf(drawn))});
+    }
+  }
+  return facts;
+}
+
+}  // namespace synthetic_dataset

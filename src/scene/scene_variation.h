@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "appearance/entry_draws.h"
+#include "appearance/look_sampler.h"
+#include "config/config.h"
+#include "output/scene_facts.h"
+#include "render/renderer.h"
+#include "scene/camera_rig.h"
+#include "scene/object_variants.h"
+#include "sensor/sensor_effects.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// Makes each scene look different: light, paint, sensors, lenses, as `randomize` says.
+class SceneVariation {
+ public:
+  /// @param variants  of each object
+  /// @param world  has to outlive this
+  /// @throws ErrorList with the entries that mean nothing in this world
+  SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
+                 std::vector<ObjectVariants> variants, const world::World& world);
+
+  /// Draws what the scenes of a time look like, and lets the renderer and the cameras' sensors and
+  /// lenses follow.
+  void vary(std::int64_t instant, render::Renderer& renderer, std::vector<CameraRig>& cameras);
+
+  /// Draws which objects are there at a time and which of their models they wear, before anything
+  /// of its scenes is placed.
+  /// @param world  that of the constructor
+  void choose(std::int64_t instant, world::World& world);
+
+  /// What the user should know.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+  /// What was drawn last for a camera's scene.
+  [[nodiscard]] std::vector<output::DrawFacts> draws(std::size_t camera) const;
+
+ private:
+  [[nodiscard]] sensor::SensorEffects varied(const sensor::SensorEffects& effects,
+                                             appearance::EntryDraws& draws) const;
+
+  config::Randomization config_;
+  std::uint64_t seed_;
+  std::vector<sensor::SensorEffects> effects_;  ///< of the cameras, as they are set
+  std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
+  std::vector<std::string> notes_;
+  std::optional<appearance::LookSampler> looks_;
+  std::vector<config::ObjectConfig> objects_;                 ///< that are followed or placed
+  std::vector<ObjectVariants> variants_;                      ///< of each object
+  std::vector<appearance::DrawnValue> chosen_;                ///< of the time: what is there
+  std::vector<appearance::DrawnValue> shared_;                ///< of the time: its look
+  std::vector<std::vector<appearance::DrawnValue>> cameras_;  ///< of each camera
+};
+
+}  // namespace synthetic_dataset

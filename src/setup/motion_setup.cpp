@@ -1,0 +1,224 @@
+#include "setup/motion_setup.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/seconds.h"
+#include "setup/scene_plan.h"
+#include "setup/world_setup.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// Sets a motion up part by part; what fails is noted, and the parts that need it are passed over.
+class MotionBuilder {
+ public:
+  MotionBuilder(config::MotionEntry entry, config::Config config, WorldShelf& worlds)
+      : worlds_(worlds) {
+    setup_.entry = std::move(entry);
+    setup_.config = std::move(config);
+    leaveOutOthers();
+  }
+
+  MotionSetup build() {
+    openRecording();
+    loadWorld();
+    setUpCameras();
+    arrangeScenes();
+    planScenes();
+    return std::move(setup_);
+  }
+
+ private:
+  [[nodiscard]] const config::Config& config() const { return setup_.config; }
+  [[nodiscard]] config::ErrorCollector& errors() { return setup_.errors; }
+
+  /// Objects that do not take part have a frame that no other one has.
+  void leaveOutOthers() {
+    const std::set<std::string>& named = setup_.entry.objects;
+    if (named.empty()) return;
+    for (config::ObjectConfig& object : setup_.config.objects) {
+      if (object.is_distractor) continue;
+      object.takes_part = named.count(object.name) != 0;
+      if (!object.takes_part) object.frame = "not in this motion: " + object.name;
+    }
+  }
+
+  /// Runs a step that makes a part; none when it failed, with the errors noted.
+  template <class Make>
+  auto attempt(Make make) -> decltype(make()) {
+    auto made = errors().attempt(make);
+    return made ? std::move(*made) : nullptr;
+  }
+
+  void openRecording() {
+    if (setup_.isPlaced()) {
+      setup_.frames = std::make_unique<motion::FrameMotion>(config().global_frame, nullptr);
+      placeObjects();
+    } else if (!config().motion.bag_files.empty()) {
+      auto recording =
+          attempt([&] { return std::make_unique<motion::BagMotion>(config().motion.bag_files); });
+      if (!recording) return;
+      addTo(setup_.notes, recording->notes());
+      setup_.frames =
+          std::make_unique<motion::FrameMotion>(config().global_frame, std::move(recording));
+    }
+    if (!setup_.frames) return;
+    for (const config::ObjectConfig& each : config().objects) {
+      if (!each.takes_part) setup_.frames->place(each.frame, motion::nowhere());
+    }
+  }
+
+  void placeObjects() {
+    for (const config::ObjectConfig& each : config().objects) {
+      if (!each.takes_part) continue;
+      if (setup_.frames->isPlaced(each.frame) || each.frame == config().global_frame) {
+        errors().add(each.name + "/frame: found '" + each.frame +
+                     "', which is not its own; each object that is placed needs a frame of its "
+                     "own");
+      }
+      placeSomewhere(each.frame);
+    }
+  }
+
+  /// Frames that are placed scene by scene are known from the start.
+  void placeSomewhere(const std::string& frame) { setup_.frames->place(frame, Pose::Identity()); }
+
+  void loadWorld() {
+    if (config().world.file.empty()) return;
+    for (const config::ObjectConfig& object : config().objects) {
+      setup_.variants.emplace_back(object, config().randomization);
+    }
+    WorldSetup world = setUpWorld(config(), setup_.variants, setup_.frames.get(),
+                                  worlds_.filesFor(config()), errors());
+    sensors_ = std::move(world.sensors);
+    setup_.driven_links = std::move(world.driven_links);
+    setup_.inputs = std::move(world.inputs);
+    addTo(setup_.notes, world.notes);
+    addTo(setup_.remarks, world.remarks);
+    setup_.world = std::move(world.world);
+    if (!setup_.world) return;
+    noteSharedShapes();
+    setup_.shapes = attempt([&] {
+      return std::make_unique<ObjectShapes>(config().objects, setup_.variants, *setup_.world);
+    });
+  }
+
+  /// Points that are given are those of one model.
+  void noteSharedShapes() {
+    for (std::size_t i = 0; i < config().objects.size(); ++i) {
+      const config::ObjectConfig& object = config().objects[i];
+      const auto note = [&](const std::string& parameter, const std::string& instead) {
+        setup_.notes.push_back(object.name + "/" + parameter +
+                               ": the same points are taken for all models of randomize/objects; " +
+                               instead + " would find them on each");
+      };
+      if (!setup_.variants[i].hasSeveralModels()) continue;
+      if (!object.bounding_shape_O.empty()) note("bounding_shape", "model_box");
+      if (!object.keypoints_O.empty()) note("keypoints", "farthest_points");
+    }
+  }
+
+  void setUpCameras() {
+    static const std::vector<world::LinkInstance> kNoLinks;
+    if (!setup_.frames || !sensors_) return;
+    for (const config::CameraConfig& camera : config().cameras) {
+      const bool two_sources = camera.info_file && camera.info_topic;
+      const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
+      if (two_sources || no_source) continue;  // told already
+      auto rig = errors().attempt([&] {
+        return makeCameraRig(camera, config().motion.bag_files, *sensors_,
+                             setup_.world ? setup_.world->links() : kNoLinks, config().objects,
+                             *setup_.frames);
+      });
+      if (!rig) continue;
+      if (rig->sampled && isTaken(rig->frame, camera)) continue;
+      if (rig->sampled) placeSomewhere(rig->frame);
+      checkShutter(camera, *rig);
+      noteBlindLens(camera, *rig);
+      setup_.cameras.push_back(std::move(*rig));
+    }
+  }
+
+  /// What is placed has a frame of its own: else one would be where the other is.
+  bool isTaken(const std::string& frame, const config::CameraConfig& camera) {
+    std::string owner = frame == config().global_frame ? "global_frame" : "";
+    for (const config::ObjectConfig& object : config().objects) {
+      if (object.frame == frame) owner = object.name;
+    }
+    for (const CameraRig& other : setup_.cameras) {
+      if (other.frame == frame) owner = "the camera " + other.name;
+    }
+    if (owner.empty()) return false;
+    errors().add(camera.group + "/frame_id: found '" + frame + "', which is also the frame of " +
+                 owner + "; a camera that is put somewhere needs a frame of its own");
+    return true;
+  }
+
+  /// Physics goes forward only, so a picture has to be exposed before the next one begins.
+  void checkShutter(const config::CameraConfig& camera, const CameraRig& rig) {
+    const Duration period = shortestPeriod(config());
+    if (openTime(rig.shutter) <= period) return;
+    errors().add(
+        camera.group + "/effects: found exposure_time + readout_time of " +
+        fixed(toSeconds(openTime(rig.shutter)), 4) + " s; it should be at most the " +
+        fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate" +
+        (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)" : ")"));
+  }
+
+  void noteBlindLens(const config::CameraConfig& camera, const CameraRig& rig) {
+    constexpr double kLittle = 0.25;  // a fisheye's circle in a wide image fills more than this
+    const double share = seenShare(rig.model);
+    if (share >= kLittle) return;
+    setup_.notes.push_back(camera.group + ": its lens sees something in only " +
+                           fixed(100.0 * share, 0) +
+                           " % of the image; the rest is black (are the distortion's numbers "
+                           "right?)");
+  }
+
+  void arrangeScenes() {
+    if (!setup_.frames || !setup_.shapes || setup_.cameras.empty()) return;
+    setup_.variation = attempt([&] {
+      return std::make_unique<SceneVariation>(config(), setup_.cameras, setup_.variants,
+                                              *setup_.world);
+    });
+    if (setup_.variation) addTo(setup_.notes, setup_.variation->notes());
+    setup_.arranger = attempt([&] {
+      return std::make_unique<SceneArranger>(config(), setup_.cameras, setup_.variants,
+                                             *setup_.shapes, *setup_.world, *setup_.frames);
+    });
+    if (setup_.arranger) addTo(setup_.remarks, setup_.arranger->remarks());
+  }
+
+  void planScenes() {
+    if (!setup_.frames || config().objects.empty()) return;
+    auto timeline = errors().attempt([&] {
+      if (setup_.isPlaced()) return planUnrelatedScenes(config());
+      return synthetic_dataset::planScenes(*setup_.frames, config(), setup_.cameras,
+                                           setup_.driven_links);
+    });
+    if (timeline) setup_.timeline = std::move(*timeline);
+  }
+
+  static void addTo(std::vector<std::string>& all, const std::vector<std::string>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+
+  WorldShelf& worlds_;
+  MotionSetup setup_;
+  std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
+};
+
+}  // namespace
+
+bool MotionSetup::isCameraFrame(const std::string& frame) const {
+  return std::any_of(cameras.begin(), cameras.end(),
+                     [&](const CameraRig& camera) { return camera.frame == frame; });
+}
+
+MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, WorldShelf& worlds) {
+  return MotionBuilder(std::move(entry), std::move(config), worlds).build();
+}
+
+}  // namespace synthetic_dataset

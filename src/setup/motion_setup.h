@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "config/error_collector.h"
+#include "config/motion_list.h"
+#include "motion/frame_motion.h"
+#include "scene/articulation.h"
+#include "scene/camera_rig.h"
+#include "scene/object_shapes.h"
+#include "scene/object_variants.h"
+#include "scene/scene_arranger.h"
+#include "scene/scene_variation.h"
+#include "setup/world_files.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// What the scenes of one of a run's motions are made of: where things go, in which world, seen by
+/// which cameras, and when.
+struct MotionSetup {
+  config::MotionEntry entry;
+  config::Config config;  ///< all settings that hold for it
+  std::unique_ptr<motion::FrameMotion> frames;
+  motion::Timeline timeline;
+  std::int64_t first_instant = 0;        ///< in the run, of its timeline's first time
+  std::vector<ObjectVariants> variants;  ///< of each object
+  std::unique_ptr<world::World> world;
+  std::vector<CameraRig> cameras;
+  std::vector<std::vector<DrivenLinks>> driven_links;  ///< of each object's variants
+  std::unique_ptr<ObjectShapes> shapes;                ///< of the objects
+  std::unique_ptr<SceneArranger> arranger;
+  std::unique_ptr<SceneVariation> variation;
+
+  std::vector<std::string> notes;    ///< what the user should know
+  std::vector<std::string> remarks;  ///< what the user may like to know
+  std::set<std::string> inputs;      ///< files of the world and of its models
+  config::ErrorCollector errors;     ///< all that is wrong; what needs it is not there then
+
+  /// How many times it gives to the run.
+  [[nodiscard]] std::int64_t instantCount() const {
+    return static_cast<std::int64_t>(timeline.stamps.size());
+  }
+
+  /// Whether it has no recording, but is placed at random.
+  [[nodiscard]] bool isPlaced() const { return config.isPlaced(); }
+
+  /// Whether a camera has this frame: the recording need not know it then.
+  [[nodiscard]] bool isCameraFrame(const std::string& frame) const;
+};
+
+/// Reads the recording, the world and the cameras, and finds the times of all scenes. Writes
+/// nothing.
+/// @param config  of the entry's settings
+/// @param worlds  that were read for other motions of the run
+[[nodiscard]] MotionSetup setUpMotion(config::MotionEntry entry, config::Config config,
+                                      WorldShelf& worlds);
+
+}  // namespace synthetic_dataset

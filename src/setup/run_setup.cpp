@@ -1,0 +1,276 @@
+#include "setup/run_setup.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "config/error_collector.h"
+#include "config/motion_list.h"
+#include "setup/dataset_description.h"
+#include "setup/motion_errors.h"
+#include "setup/run_record.h"
+#include "setup/scene_plan.h"
+#include "setup/scene_shares.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// Builds a run part by part; what fails is noted, and the parts that need it are passed over.
+class Builder {
+ public:
+  Builder(const Value& parameters, const std::vector<std::string>& plugin_xml_files)
+      : parameters_(parameters),
+        plugin_xml_files_(plugin_xml_files),
+        list_(config::readMotions(parameters)) {}
+
+  RunSetup build() {
+    for (config::MotionEntry& entry : list_.entries) addMotion(entry);
+    setup_.config = setup_.motions.front().config;
+    errors_.add(list_.errors);
+    if (list_.errors.empty()) shareScenes();
+    countInstants();
+    checkSameCameras();
+    checkSameDistractors();
+    checkOnlyScenes();
+    planSplits();
+    const std::size_t errors_before = roots_.front().errors().size();
+    loadWriters();
+    const std::vector<std::string>& of_first = roots_.front().errors();
+    writer_errors_.assign(of_first.begin() + static_cast<std::ptrdiff_t>(errors_before),
+                          of_first.end());
+    for (MotionSetup& motion : setup_.motions) checkFrames(motion);
+    countInstants();
+    if (setup_.splits) planSplits();  // else there is an error already
+    if (setup_.splits) noteEmptySplits();
+    noteSubtraction();
+    const std::vector<std::string> unused = unusedSettings(list_.entries, roots_);
+    throwErrors();
+    describe(unused);
+    return std::move(setup_);
+  }
+
+ private:
+  [[nodiscard]] const config::Config& config() const { return setup_.config; }
+
+  void addMotion(const config::MotionEntry& entry) {
+    roots_.emplace_back(entry.settings);
+    config::Config config = config::readConfig(roots_.back());
+    setting_errors_.push_back(roots_.back().errors());
+    setup_.motions.push_back(setUpMotion(entry, std::move(config), worlds_));
+  }
+
+  /// In proportion to the motions' weights, if there are any.
+  void shareScenes() {
+    if (!list_.is_weighted) return;
+    std::vector<SharingMotion> sharing;
+    for (const MotionSetup& motion : setup_.motions) {
+      if (motion.timeline.stamps.empty()) return;  // told already
+      sharing.push_back({motion.entry.group, motion.entry.weight, motion.instantCount()});
+    }
+    const auto counts = errors_.attempt([&] { return sharesOf(sharing, list_.scenes); });
+    if (!counts) return;
+    for (std::size_t i = 0; i < counts->size(); ++i) {
+      MotionSetup& motion = setup_.motions[i];
+      if (motion.isPlaced()) {
+        motion.timeline.stamps.resize(static_cast<std::size_t>((*counts)[i]));
+      } else {
+        thinOut(motion.timeline, (*counts)[i]);
+      }
+    }
+  }
+
+  void countInstants() {
+    std::int64_t count = 0;
+    for (MotionSetup& motion : setup_.motions) {
+      motion.first_instant = count;
+      count += motion.instantCount();
+    }
+  }
+
+  /// Scenes are numbered through all cameras.
+  void checkSameCameras() {
+    const auto namesOf = [](const MotionSetup& motion) {
+      std::string names;
+      for (const config::CameraConfig& camera : motion.config.cameras) {
+        names += (names.empty() ? "'" : ", '") + camera.name + "'";
+      }
+      return names;
+    };
+    const MotionSetup& first = setup_.motions.front();
+    for (const MotionSetup& motion : setup_.motions) {
+      if (namesOf(motion) == namesOf(first)) continue;
+      errors_.add(motion.entry.group + "/cameras: found " + namesOf(motion) + "; " +
+                  first.entry.group + " has " + namesOf(first) +
+                  ", and all motions should have cameras of the same names");
+    }
+  }
+
+  /// Labelled distractors are objects of the dataset, which all motions share.
+  void checkSameDistractors() {
+    const auto hasSome = [](const MotionSetup& motion) {
+      return motion.config.robotCount() < motion.config.objects.size();
+    };
+    if (std::none_of(setup_.motions.begin(), setup_.motions.end(), hasSome)) return;
+    for (const MotionSetup& motion : setup_.motions) {
+      if (!motion.entry.says("randomize/distractors")) continue;
+      errors_.add(motion.entry.group +
+                  "/randomize/distractors: distractors with a class are objects of the whole "
+                  "dataset; their settings should stand beside motions");
+    }
+  }
+
+  void checkOnlyScenes() {
+    const std::set<std::int64_t>& only = config().output.only_scenes;
+    const std::int64_t count = setup_.instantCount();
+    if (count == 0 || only.empty() || *only.rbegin() < count) return;
+    errors_.add("only_scenes: found " + std::to_string(*only.rbegin()) +
+                "; this run's scenes are 0 to " + std::to_string(count - 1));
+  }
+
+  void planSplits() {
+    std::vector<SplitPart> parts;
+    for (const MotionSetup& motion : setup_.motions) {
+      parts.push_back({motion.instantCount(), motion.entry.split});
+    }
+    const auto plan = errors_.attempt([&] {
+      return SplitPlan(config().split, static_cast<std::uint64_t>(config().seed), parts);
+    });
+    if (plan) setup_.splits = std::make_unique<SplitPlan>(*plan);
+  }
+
+  [[nodiscard]] DatasetInfo dataset() const {
+    return describeDataset(config(), setup_.motions, *setup_.splits);
+  }
+
+  void loadWriters() {
+    std::vector<writers::WriterChoice> choices;
+    for (const config::WriterConfig& writer : config().writers) {
+      choices.push_back({writer.name, writer.type, writer.output_folder, writer.parameters});
+    }
+    if (choices.empty() || !setup_.splits) return;
+    auto made = errors_.attempt([&] {
+      return std::make_unique<writers::WriterHost>(choices, dataset(), plugin_xml_files_);
+    });
+    if (made) setup_.writers = std::move(*made);
+  }
+
+  /// The frames that writers ask for: unknown ones are errors, scenes without them are left out.
+  void checkFrames(MotionSetup& motion) {
+    if (!setup_.writers || !motion.frames) return;
+    for (const std::string& frame : setup_.writers->requirements().frames) {
+      if (motion.isCameraFrame(frame)) continue;
+      if (motion.frames->knowsFrame(frame)) {
+        motion.errors.attempt(
+            [&] { leaveOutScenesWithout(frame, *motion.frames, motion.timeline); });
+      } else {
+        motion.errors.add("a writer asks for the frame '" + frame +
+                          (motion.isPlaced() ? "', which nothing that is placed has"
+                                             : "', which the recording does not have") +
+                          motion.frames->suggestFrame(frame));
+      }
+    }
+  }
+
+  /// When it is known how many scenes there are.
+  void noteEmptySplits() {
+    if (setup_.instantCount() == 0) return;
+    for (const SplitInfo& split : setup_.splits->splits(config().cameras.size())) {
+      if (split.scene_count == 0) addNote("split/" + split.name + ": no scene falls into it");
+    }
+  }
+
+  /// Users of nn_data_collection's settings may not know that there are exact masks.
+  void noteSubtraction() {
+    const config::MaskConfig& masks = config().masks;
+    if (masks.method == config::MaskMethod::kExact || masks.method_is_given) return;
+    if (!setup_.writers || !setup_.writers->requirements().visible_masks) return;
+    addNote(
+        "masks are found by background subtraction since background_subtractor is set; "
+        "masks/method: exact gives exact ones");
+  }
+
+  void throwErrors() {
+    config::ErrorCollector all;
+    std::vector<MotionErrors> of_motions;
+    for (std::size_t i = 0; i < roots_.size(); ++i) {
+      of_motions.push_back({setup_.motions[i].entry.group, setting_errors_[i]});
+    }
+    all.add(mergedErrors(of_motions));
+    all.add(writer_errors_);
+    // Writers that could not be loaded have not read theirs: nothing can be said to be unknown.
+    if (setup_.writers) all.add(unknownParameters(list_.entries, roots_));
+    for (std::size_t i = 0; i < roots_.size(); ++i) {
+      of_motions[i].messages = setup_.motions[i].errors.messages();
+    }
+    all.add(mergedErrors(of_motions));
+    all.add(errors_.messages());
+    all.throwIfAny();
+  }
+
+  /// What the manifest tells of the run, and the user at its start.
+  /// @param unused  settings that nobody reads
+  void describe(const std::vector<std::string>& unused) {
+    output::RunDescription& run = setup_.description;
+    std::map<std::string, Value> defaults;
+    for (const Parameters& root : roots_) {
+      defaults.insert(root.defaultValues().begin(), root.defaultValues().end());
+      for (const std::string& taken : root.defaultsTaken()) addOnce(setup_.defaults_taken, taken);
+    }
+    run.settings = usedSettings(parameters_, config(), unused, defaults);
+    run.software = softwareVersions();
+    std::set<std::string> inputs;
+    for (const MotionSetup& motion : setup_.motions) {
+      const std::set<std::string> named = inputsNamedBy(motion.config);
+      inputs.insert(named.begin(), named.end());
+      inputs.insert(motion.inputs.begin(), motion.inputs.end());
+      for (const std::string& note : motion.notes) addOnce(notes_, note);
+      for (const std::string& remark : motion.remarks) addOnce(setup_.remarks, remark);
+    }
+    run.inputs = describeInputs(inputs);
+    describeContents(dataset(), run);
+    for (const std::string& note : notes_) run.warnings.push_back({note});
+    std::int64_t in_gaps = 0;
+    std::int64_t unknown = 0;
+    for (const MotionSetup& motion : setup_.motions) {
+      in_gaps += motion.timeline.left_out_gap;
+      unknown += motion.timeline.left_out_unknown;
+    }
+    countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap", in_gaps);
+    countLeftOut("scene left out: a transform is not known at its time", unknown);
+  }
+
+  void countLeftOut(const std::string& kind, std::int64_t count) {
+    if (count > 0) setup_.description.warnings.push_back({kind, "", count});
+  }
+
+  void addNote(const std::string& note) { addOnce(notes_, note); }
+
+  static void addOnce(std::vector<std::string>& texts, const std::string& text) {
+    if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
+  }
+
+  const Value& parameters_;
+  const std::vector<std::string>& plugin_xml_files_;
+  config::MotionList list_;
+  std::vector<Parameters> roots_;                         ///< of the entries
+  std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
+  std::vector<std::string> writer_errors_;                ///< of the writers' settings
+  std::vector<std::string> notes_;                        ///< of the run as a whole
+  WorldShelf worlds_;
+  RunSetup setup_;
+  config::ErrorCollector errors_;
+};
+
+}  // namespace
+
+std::int64_t RunSetup::instantCount() const {
+  return motions.back().first_instant + motions.back().instantCount();
+}
+
+RunSetup setUpRun(const Value& parameters, const std::vector<std::string>& plugin_xml_files) {
+  return Builder(parameters, plugin_xml_files).build();
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "output/run_description.h"
+#include "setup/motion_setup.h"
+#include "setup/split_plan.h"
+#include "synthetic_dataset/value.h"
+#include "writers/writer_host.h"
+
+namespace synthetic_dataset {
+
+/// Everything that a run is made of, checked and ready for the first scene.
+struct RunSetup {
+  config::Config config;             ///< what holds for the whole dataset is that of every motion
+  std::vector<MotionSetup> motions;  ///< at least one, in the order of their scenes
+  std::unique_ptr<SplitPlan> splits;
+  std::unique_ptr<writers::WriterHost> writers;
+  output::RunDescription description;       ///< for the manifest; with what the user should know
+  std::vector<std::string> remarks;         ///< what the user may like to know
+  std::vector<std::string> defaults_taken;  ///< "parameter: value"
+
+  /// The times of all motions together.
+  [[nodiscard]] std::int64_t instantCount() const;
+};
+
+/// Reads parameters, recordings, worlds, cameras and writers. Writes nothing.
+/// @throws ErrorList with all that is wrong
+[[nodiscard]] RunSetup setUpRun(const Value& parameters,
+                                const std::vector<std::string>& plugin_xml_files);
+
+}  // namespace synthetic_dataset

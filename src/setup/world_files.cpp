@@ -1,0 +1,49 @@
+#include "setup/world_files.h"
+
+#include "config/settings_text.h"
+#include "setup/ros_packages.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset {
+namespace {
+
+world::LoadOptions loadOptions(const config::Config& config) {
+  world::LoadOptions options;
+  options.default_near = config.cameras.front().near;
+  options.default_far = config.cameras.front().far;
+  if (config.world.on_missing_asset == config::OnMissingAsset::kWarn) {
+    options.on_missing_asset = world::OnMissingAsset::kWarn;
+  }
+  return options;
+}
+
+}  // namespace
+
+WorldFiles::WorldFiles(const config::Config& config)
+    : world_file_(config.world.file),
+      finder_(config.world.model_folders, rosPackageFinder()),
+      loader_(finder_, loadOptions(config)) {}
+
+const world::Description& WorldFiles::world() {
+  if (!world_) world_ = loader_.loadWorld(world_file_);
+  return *world_;
+}
+
+const world::Model& WorldFiles::model(const std::string& model_or_uri, const std::string& name) {
+  const auto key = std::make_pair(model_or_uri, name);
+  const auto found = models_.find(key);
+  if (found != models_.end()) return found->second;
+  return models_.emplace(key, loader_.loadModel(model_or_uri, name)).first->second;
+}
+
+WorldFiles& WorldShelf::filesFor(const config::Config& config) {
+  const world::LoadOptions options = loadOptions(config);
+  Value::List key{config.world.file, options.default_near, options.default_far,
+                  options.on_missing_asset == world::OnMissingAsset::kWarn};
+  for (const std::string& folder : config.world.model_folders) key.emplace_back(folder);
+  std::unique_ptr<WorldFiles>& files = files_[config::jsonText(Value(key))];
+  if (!files) files = std::make_unique<WorldFiles>(config);
+  return *files;
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,171 @@
+#include "setup/world_setup.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "appearance/distractor_models.h"
+#include "appearance/entry_errors.h"
+#include "render/light_setup.h"
+#include "scene/seconds.h"
+#include "world/mesh/scaled_model.h"
+
+namespace synthetic_dataset {
+namespace {
+
+std::string modelNames(const world::Description& description) {
+  std::string names;
+  for (const world::Model& model : description.models) {
+    names += (names.empty() ? "" : ", ") + model.name;
+  }
+  return names.empty() ? "none" : names;
+}
+
+/// Takes the model of this name out of the world.
+std::optional<world::Model> takeModel(world::Description& description, const std::string& name) {
+  auto& models = description.models;
+  const auto found = std::find_if(models.begin(), models.end(),
+                                  [&](const world::Model& model) { return model.name == name; });
+  if (found == models.end()) return std::nullopt;
+  world::Model model = std::move(*found);
+  models.erase(found);
+  return model;
+}
+
+/// An object that does not take part.
+world::MovingObject nothingCalled(const std::string& name) {
+  world::Model model;
+  model.name = name;
+  return {std::move(model), {}};
+}
+
+world::PhysicsOptions physicsOptions(const config::Config& config) {
+  world::PhysicsOptions physics;
+  physics.step = fromSeconds(config.physics.step);
+  physics.contact_tolerance = config.physics.contact_tolerance;
+  physics.drops_objects =
+      config.isPlaced() && config.placement.mode == config::PlacementMode::kDrop;
+  const auto& distractors = config.randomization.distractors;
+  physics.drops_distractors = distractors && distractors->mode == config::DistractorMode::kDrop;
+  physics.labels_distractors = distractors && distractors->label_class;
+  return physics;
+}
+
+std::vector<world::Model> loadDistractors(const config::Config& config, WorldFiles& files) {
+  const auto& distractors = config.randomization.distractors;
+  if (!distractors) return {};
+  const auto load = [&](const std::string& uri, const std::string& name) {
+    return files.model(uri, name);
+  };
+  const std::string entry =
+      std::string("randomize/distractors/") + (distractors->models.empty() ? "textures" : "models");
+  return appearance::forEntry(entry, [&] {
+    return appearance::makeDistractors(*distractors, static_cast<std::uint64_t>(config.seed), load);
+  });
+}
+
+/// Loads the parts of a world one by one; what fails is noted.
+class WorldBuilder {
+ public:
+  WorldBuilder(const config::Config& config, const std::vector<ObjectVariants>& variants,
+               const motion::FrameMotion* frames, WorldFiles& files, config::ErrorCollector& errors)
+      : config_(config), variants_(variants), frames_(frames), files_(files), errors_(errors) {}
+
+  WorldSetup build() {
+    auto description = errors_.attempt([&] { return files_.world(); });
+    if (!description) return std::move(setup_);
+    model_names_ = modelNames(*description);
+    setup_.sensors = description->cameras;
+    for (std::size_t i = 0; i < config_.objects.size(); ++i) {
+      setup_.driven_links.emplace_back();
+      const config::ObjectConfig& object = config_.objects[i];
+      if (!object.is_distractor) addObject(object, variants_[i].all(), *description);
+    }
+    auto distractors = errors_.attempt([&] { return loadDistractors(config_, files_); });
+    addTo(setup_.notes, files_.modelNotes());
+    for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
+    const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
+    setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
+    if (!distractors || lacks_objects_) return std::move(setup_);
+    auto world = errors_.attempt([&] {
+      return std::make_unique<world::World>(std::move(*description), std::move(objects_),
+                                            physicsOptions(config_), std::move(*distractors));
+    });
+    if (!world) return std::move(setup_);
+    setup_.world = std::move(*world);
+    addTo(setup_.notes, setup_.world->description().notes);
+    addTo(setup_.notes, render::shadowNotes(setup_.world->description().lights));
+    return std::move(setup_);
+  }
+
+ private:
+  static void addTo(std::vector<std::string>& all, const std::vector<std::string>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+
+  void addObject(const config::ObjectConfig& object, const std::vector<ObjectVariant>& variants,
+                 world::Description& surroundings) {
+    const auto in_world = takeModel(surroundings, object.name);
+    if (!object.takes_part) {
+      objects_.push_back(nothingCalled(object.name));
+      setup_.driven_links.back().emplace_back();
+      return;
+    }
+    if (!in_world && !variants.front().model) {
+      lacks_objects_ = true;
+      errors_.add("robot_list: the world '" + config_.world.file + "' has no model '" +
+                  object.name + "' (it has " + model_names_ +
+                  "); add one to the world, or name a model file in " + object.name + "/model");
+      return;
+    }
+    for (const ObjectVariant& variant : variants) {
+      const bool is_made = errors_.attempt([&] { addVariant(variant, object, in_world); });
+      if (is_made) continue;
+      lacks_objects_ = true;
+      return;  // the others would likely have the same errors
+    }
+  }
+
+  void addVariant(const ObjectVariant& variant, const config::ObjectConfig& object,
+                  const std::optional<world::Model>& in_world) {
+    world::Model model = world::scaled(
+        variant.model ? files_.model(*variant.model, object.name) : *in_world, variant.scale);
+    Articulation articulation;
+    if (frames_ != nullptr) {
+      articulation = articulate(std::move(model), object, *frames_);
+    } else {
+      articulation.model = std::move(model);
+    }
+    if (variant.scale != 1.0 && !articulation.driven.empty()) {
+      throw Error("randomize/objects/" + object.name +
+                  "/scale: links of this object follow TF, which leaves them as far apart as they "
+                  "are in any size; it should be without scale, or its link_frames name no links");
+    }
+    DrivenLinks& driven = setup_.driven_links.back().emplace_back(std::move(articulation.driven));
+    std::vector<std::size_t> links;
+    for (const DrivenLink& each : driven) links.push_back(each.link);
+    const bool is_first = setup_.driven_links.back().size() == 1;
+    objects_.emplace_back(std::move(articulation.model), std::move(links), !is_first);
+    if (is_first) addTo(setup_.remarks, articulation.remarks);
+  }
+
+  const config::Config& config_;
+  const std::vector<ObjectVariants>& variants_;
+  const motion::FrameMotion* frames_;
+  WorldFiles& files_;
+  config::ErrorCollector& errors_;
+  std::string model_names_;  ///< of the world, objects included
+  std::vector<world::MovingObject> objects_;
+  bool lacks_objects_ = false;
+  WorldSetup setup_;
+};
+
+}  // namespace
+
+WorldSetup setUpWorld(const config::Config& config, const std::vector<ObjectVariants>& variants,
+                      const motion::FrameMotion* frames, WorldFiles& files,
+                      config::ErrorCollector& errors) {
+  return WorldBuilder(config, variants, frames, files, errors).build();
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "config/error_collector.h"
+#include "motion/frame_motion.h"
+#include "scene/articulation.h"
+#include "scene/object_variants.h"
+#include "setup/world_files.h"
+#include "world/world.h"
+
+namespace synthetic_dataset {
+
+/// A motion's world, and what was learnt from its files.
+struct WorldSetup {
+  std::unique_ptr<world::World> world;                 ///< nothing where something is wrong
+  std::vector<std::vector<DrivenLinks>> driven_links;  ///< of each object's variants
+
+  /// Of the world and of the objects' models; nothing where the world cannot be read.
+  std::optional<std::vector<world::CameraSensor>> sensors;
+
+  std::vector<std::string> notes;    ///< what was left out or replaced, for the user to know
+  std::vector<std::string> remarks;  ///< what the user may like to know
+  std::set<std::string> inputs;      ///< the files that were read
+};
+
+/// Loads the world, the objects' models and the distractors. An object's model is that of its
+/// variant, else the world's of its name, which leaves the world in any case; one that does not
+/// take part is there as nothing that could be seen or touched.
+/// @param variants  of each object
+/// @param frames  which links follow frames of their own; none, which is an error already: no link
+///     is driven
+/// @param files  of the world that config names
+/// @param errors  takes all that is wrong
+[[nodiscard]] WorldSetup setUpWorld(const config::Config& config,
+                                    const std::vector<ObjectVariants>& variants,
+                                    const motion::FrameMotion* frames, WorldFiles& files,
+                                    config::ErrorCollector& errors);
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,86 @@
+#include "all_at_once_run.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "run/generator.h"
+#include "writers/plugin_environment.h"
+
+namespace synthetic_dataset::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+Value::Map cameraAt(const Value::Map& camera, double y) {
+  Value::Map moved = camera;
+  (*moved.at("pose").as<Value::List>())[1] = Value(y);
+  moved["effects"] = Value(Value::Map{{"noise_stddev", Value(0.01)}});
+  return moved;
+}
+
+}  // namespace
+
+AllAtOnceRun::AllAtOnceRun() {
+  preparePluginEnvironment();
+  parameters = tiny_.parameters();
+  const Value::Map camera = *parameters.at("camera").as<Value::Map>();
+  parameters.erase("camera");
+  parameters["cameras"] = Value(
+      Value::Map{{"left", Value(cameraAt(camera, 0.4))}, {"right", Value(cameraAt(camera, 0.0))}});
+  parameters["simulated_rate"] = Value(8.0);
+  parameters["seed"] = Value(7);
+  parameters.erase("yolo");
+  parameters.erase("bounding_shape");
+  const std::map<std::string, Value::Map> formats = {
+      {"Bop", {}},   {"Coco", {}},   {"ImageFolder", {{"optical_flow", Value(true)}}},
+      {"PvNet", {}}, {"RosBag", {}}, {"UltralyticsYolo", {{"task", Value("segment")}}}};
+  Value::List writers;
+  for (const auto& [type, settings] : formats) {
+    writers.emplace_back(
+        Value::Map{{"name", Value("w_" + type)}, {"type", Value("synthetic_dataset/" + type)}});
+    parameters["w_" + type] = Value(settings);
+  }
+  parameters["writers"] = Value(writers);
+}
+
+RunSummary AllAtOnceRun::run(Reporter& reporter, const std::string& folder) const {
+  Value::Map settings = parameters;
+  settings["output_folder"] = Value(folder);
+  Generator generator(Value(settings), reporter, {pluginXml()});
+  return generator.run();
+}
+
+RunSummary AllAtOnceRun::run() const {
+  Reporter silent;
+  return run(silent, folder());
+}
+
+RunSummary AllAtOnceRun::runShard(int index, int count, const std::string& folder) const {
+  Value::Map settings = parameters;
+  settings["output_folder"] = Value(folder);
+  settings["shard"] = Value(Value::Map{{"index", Value(index)}, {"count", Value(count)}});
+  Reporter silent;
+  Generator generator(Value(settings), silent, {pluginXml()});
+  return generator.run();
+}
+
+std::map<std::string, std::string> AllAtOnceRun::files(const std::string& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    files[fs::relative(entry.path(), folder).string()] = readFile(entry.path());
+  }
+  return files;
+}
+
+void AllAtOnceRun::expectFiles(const std::map<std::string, std::string>& expected) const {
+  const std::map<std::string, std::string> made = files(folder());
+  EXPECT_EQ(made.size(), expected.size());
+  for (const auto& [name, bytes] : expected) {
+    const auto found = made.find(name);
+    EXPECT_TRUE(found != made.end() && found->second == bytes) << name;
+  }
+}
+
+}  // namespace synthetic_dataset::test

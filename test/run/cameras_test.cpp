@@ -1,0 +1,250 @@
+/// Runs with several cameras, recorded calibrations and sensors' effects.
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "run/generator.h"
+#include "support/bag_builder.h"
+#include "support/tiny_run.h"
+#include "synthetic_dataset/errors.h"
+#include "writers/plugin_environment.h"
+
+namespace synthetic_dataset {
+namespace {
+
+namespace fs = std::filesystem;
+using test::milliseconds;
+using test::poseAt;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+class CamerasTest : public ::testing::Test {
+ protected:
+  void SetUp() override { test::preparePluginEnvironment(); }
+
+  RunSummary generate() {
+    Generator generator(Value(parameters), reporter, {test::pluginXml()});
+    return generator.run();
+  }
+
+  std::vector<std::string> errors() {
+    try {
+      Generator generator(Value(parameters), reporter, {test::pluginXml()});
+    } catch (const ErrorList& list) {
+      return list.messages();
+    }
+    return {};
+  }
+
+  [[nodiscard]] fs::path file(const std::string& path) const { return run.folder() / "out" / path; }
+
+  [[nodiscard]] cv::Mat picture(const std::string& path) const {
+    return cv::imread(file(path).string());
+  }
+
+  Value::Map& camera() { return *parameters.at("camera").as<Value::Map>(); }
+  void setEffects(const Value::Map& effects) { camera()["effects"] = Value(effects); }
+
+  /// The column of alpha's left edge in a row of a mask-like picture of what is red.
+  static double leftEdge(const cv::Mat& image, int row) {
+    for (int u = 0; u < image.cols; ++u) {
+      const cv::Vec3b pixel = image.at<cv::Vec3b>(row, u);
+      if (pixel[2] > pixel[0] + 40) return u;
+    }
+    return -1.0;
+  }
+
+  /// A recording in which alpha crosses the view at 4 m/s.
+  void recordFastAlpha() {
+    test::BagBuilder bag(run.folder() / "tiny.bag");
+    bag.fix("map", "bravo/base_link", milliseconds(1000), poseAt(4.0, 1.0, 0.0));
+    for (int i = 0; i <= 20; ++i) {
+      bag.move("map", "alpha/base_link", milliseconds(1000 + 50 * i), poseAt(0, 2.0 - 0.2 * i, 0));
+    }
+    bag.close();
+  }
+
+  test::TinyRun run;
+  Value::Map parameters = run.parameters();
+  Reporter reporter;
+};
+
+TEST_F(CamerasTest, EachCameraHasAFolderAndASceneATime) {
+  Value::Map left = camera();
+  Value::Map right = camera();
+  (*right.at("pose").as<Value::List>())[1] = Value(-0.2);
+  parameters.erase("camera");
+  parameters["cameras"] = Value(Value::Map{{"left", Value(left)}, {"right", Value(right)}});
+  const RunSummary summary = generate();
+  EXPECT_EQ(summary.scenes, 8);
+  EXPECT_EQ(summary.planned_scenes, 8);
+  for (const std::string camera : {"left", "right"}) {
+    EXPECT_TRUE(fs::exists(file("yolo/" + camera + "/00000000.png")));
+    EXPECT_TRUE(fs::exists(file("yolo/" + camera + "/00000003.txt")));
+    EXPECT_TRUE(fs::exists(file("stvnet/alpha/mask/" + camera + "/00000003.png")));
+  }
+  EXPECT_FALSE(fs::exists(file("yolo/left/00000004.png")));
+  const std::string list = test::readFile(file("yolo/list.txt"));
+  EXPECT_THAT(
+      list, AllOf(HasSubstr("/yolo/left/00000000.png\n"), HasSubstr("/yolo/right/00000003.png\n")));
+}
+
+TEST_F(CamerasTest, ACameraAmongSeveralSeesWhatItSeesAlone) {
+  generate();
+  const std::string label = test::readFile(file("yolo/00000002.txt"));
+  const std::string image = test::readFile(file("yolo/00000002.png"));
+  const std::string mask = test::readFile(file("stvnet/bravo/mask/00000002.png"));
+  Value::Map other = camera();
+  (*other.at("pose").as<Value::List>())[1] = Value(-0.6);
+  parameters["cameras"] = Value(Value::Map{{"a_first", Value(other)}, {"same", Value(camera())}});
+  parameters.erase("camera");
+  parameters["if_exists"] = Value("overwrite");
+  generate();
+  EXPECT_EQ(test::readFile(file("yolo/same/00000002.txt")), label);
+  EXPECT_TRUE(test::readFile(file("yolo/same/00000002.png")) == image);
+  EXPECT_TRUE(test::readFile(file("stvnet/bravo/mask/same/00000002.png")) == mask);
+  EXPECT_NE(test::readFile(file("yolo/a_first/00000002.txt")), label);
+}
+
+TEST_F(CamerasTest, ARecordedCalibrationAndItsFrameMakeTheCamera) {
+  generate();
+  const std::string by_hand = test::readFile(file("yolo/00000000.png"));
+  const Pose X_GC = makePose({-3.0, 0.2, 0.5}, Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5));
+  test::BagBuilder bag(run.folder() / "tiny.bag");
+  bag.calibrate("/eye/camera_info", "eye_optical", milliseconds(1000), 140);
+  bag.fix("map", "eye_optical", milliseconds(1000), X_GC);
+  bag.fix("map", "bravo/base_link", milliseconds(1000), poseAt(0, 1, 0));
+  for (int i = 0; i <= 20; ++i) {
+    bag.move("map", "alpha/base_link", milliseconds(1000 + 50 * i), poseAt(0, -0.5 + 0.05 * i, 0));
+  }
+  bag.close();
+  parameters["camera"] = Value(Value::Map{{"info_topic", Value("/eye/camera_info")}});
+  parameters["if_exists"] = Value("overwrite");
+  generate();
+  EXPECT_TRUE(test::readFile(file("yolo/00000000.png")) == by_hand);
+}
+
+TEST_F(CamerasTest, ASensorOfAnObjectRidesOnIt) {
+  std::string world = test::readFile(run.folder() / "tiny.world");
+  const std::string link = "<model name='alpha'><link name='body'>";
+  world.replace(world.find(link), link.size(),
+                link +
+                    "<sensor name='eye' type='camera'><pose>0.3 0 0.3 0 0 0</pose><camera>"
+                    "<horizontal_fov>1.2</horizontal_fov><image><width>160</width>"
+                    "<height>120</height></image></camera></sensor>");
+  run.folder().write("tiny.world", world);
+  parameters["camera"] = Value(Value::Map{{"sensor", Value("alpha::body::eye")}});
+  (*parameters.at("bounding_shape").as<Value::Map>())["output_frame"] =
+      Value("camera/optical_link");
+  generate();
+  const auto bravoX = [&](const std::string& number) {
+    const std::string text = test::readFile(file("bounding_shape/" + number + ".txt"));
+    return std::stod(text.substr(text.find("bravo ") + 6));
+  };
+  // alpha goes 0.25 m to its left from scene to scene; bravo's first corner begins 1.3 m left of
+  // it.
+  EXPECT_NEAR(bravoX("00000000"), -1.3, 1e-4);
+  EXPECT_NEAR(bravoX("00000001"), -1.05, 1e-4);
+}
+
+TEST_F(CamerasTest, ScenesThatAreExposedBeforeTheRecordingAreLeftOut) {
+  setEffects({{"exposure_time", Value(0.02)}, {"motion_samples", Value(2)}});
+  const RunSummary summary = generate();
+  EXPECT_EQ(summary.scenes, 3) << "the first of four begins with the recording";
+  EXPECT_EQ(summary.warnings.at("scene left out: a transform is not known at its time"), 1);
+}
+
+TEST_F(CamerasTest, ALensThatSeesLittleIsToldOf) {
+  const std::string sound = test::readFile(run.folder() / "camera.yaml");
+  const std::string numbers = "data: [0, 0, 0, 0, 0]";
+  std::string folding = sound;
+  folding.replace(folding.find(numbers), numbers.size(), "data: [-9.0, 0, 0, 0, 0]");
+  run.folder().write("camera.yaml", folding);
+  bool told = false;
+  for (const auto& [kind, count] : generate().warnings) {
+    told = told || kind.find("camera: its lens sees something in only") == 0;
+  }
+  EXPECT_TRUE(told);
+}
+
+TEST_F(CamerasTest, AListOfCamerasIsRefused) {
+  parameters.erase("camera");
+  parameters["cameras"] = Value(Value::List{Value("front")});
+  EXPECT_THAT(errors(), Contains(HasSubstr("cameras: found")));
+}
+
+TEST_F(CamerasTest, ATopicThatIsNotRecordedIsNamed) {
+  camera().erase("info_file");
+  camera()["info_topic"] = Value("/eye/camera_info");
+  EXPECT_THAT(errors(), Contains(HasSubstr("camera/info_topic: found '/eye/camera_info', a topic "
+                                           "that the recording does not have")));
+}
+
+TEST_F(CamerasTest, MotionBlursWhatMovesAndLeavesTheRestAndTheLabels) {
+  recordFastAlpha();
+  generate();
+  const cv::Mat sharp = picture("yolo/00000002.png");
+  const std::string label = test::readFile(file("yolo/00000002.txt"));
+  setEffects({{"exposure_time", Value(0.05)}, {"motion_samples", Value(8)}});
+  parameters["if_exists"] = Value("overwrite");
+  generate();
+  // The first scene is exposed before the recording begins, and left out.
+  const cv::Mat blurred = picture("yolo/00000001.png");
+  EXPECT_EQ(test::readFile(file("yolo/00000001.txt")), label);
+  // alpha's front, 2.8 m away, moves 0.2 m in the exposure: 10 px. Before it there is the floor.
+  const int row = 75;
+  const int edge = static_cast<int>(leftEdge(sharp, row));
+  ASSERT_GT(edge, 10);
+  const int before = sharp.at<cv::Vec3b>(row, edge + 2)[0];
+  const int after = blurred.at<cv::Vec3b>(row, edge + 2)[0];
+  EXPECT_GT(std::abs(after - before), 10);
+  cv::Mat difference;
+  cv::absdiff(sharp.rowRange(0, 30), blurred.rowRange(0, 30), difference);
+  double most = 0;
+  cv::minMaxLoc(difference.reshape(1), nullptr, &most);
+  EXPECT_LE(most, 1.0) << "the background, up to rounding";
+}
+
+TEST_F(CamerasTest, ARollingShutterSkewsWhatCrossesTheView) {
+  recordFastAlpha();
+  setEffects({{"readout_time", Value(0.2)}, {"readout_bands", Value(120)}});
+  generate();
+  const cv::Mat image = picture("yolo/00000002.png");
+  // Rows are 0.2 s / 120 apart, in which alpha's front moves 0.333 px to the right.
+  const double upper = leftEdge(image, 66);
+  const double lower = leftEdge(image, 80);
+  ASSERT_GT(upper, 0);
+  EXPECT_NEAR(lower - upper, 14 * 200.0 * 0.2 / 120, 1.1);
+}
+
+TEST_F(CamerasTest, NoiseIsInThePictureAndNotInTheMask) {
+  generate();
+  const cv::Mat clean = picture("yolo/00000001.png");
+  const std::string mask = test::readFile(file("stvnet/alpha/mask/00000001.png"));
+  setEffects({{"noise_stddev", Value(0.02)}});
+  parameters["if_exists"] = Value("overwrite");
+  generate();
+  const cv::Mat noisy = picture("yolo/00000001.png");
+  cv::Mat difference;
+  cv::subtract(noisy, clean, difference, cv::noArray(), CV_32F);
+  cv::Scalar mean;
+  cv::Scalar deviation;
+  cv::meanStdDev(difference.reshape(1), mean, deviation);
+  EXPECT_NEAR(mean[0], 0.0, 0.2);
+  EXPECT_NEAR(deviation[0], 0.02 * 255, 0.3);
+  EXPECT_TRUE(test::readFile(file("stvnet/alpha/mask/00000001.png")) == mask);
+}
+
+TEST_F(CamerasTest, AnExposureLongerThanThePeriodIsRefused) {
+  setEffects({{"exposure_time", Value(0.2)}, {"readout_time", Value(0.1)}});
+  EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("camera/effects: found exposure_time + "
+                                                 "readout_time of 0.3000 s"),
+                                       HasSubstr("0.2500 s"))));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset

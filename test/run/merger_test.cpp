@@ -1,0 +1,135 @@
+#include "run/merger.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "all_at_once_run.h"
+#include "synthetic_dataset/errors.h"
+#include "writers/plugin_environment.h"
+
+namespace synthetic_dataset {
+namespace {
+
+namespace fs = std::filesystem;
+using test::AllAtOnceRun;
+using test::StoppingReporter;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+class MergerTest : public ::testing::Test {
+ protected:
+  void merge(const std::string& folder, const std::vector<std::string>& shard_folders = {}) const {
+    Reporter silent;
+    mergeShards(folder, shard_folders, silent, {test::pluginXml()});
+  }
+
+  [[nodiscard]] std::vector<std::string> errorsOfMerging(
+      const std::string& folder, const std::vector<std::string>& shard_folders = {}) const {
+    try {
+      merge(folder, shard_folders);
+    } catch (const ErrorList& errors) {
+      return errors.messages();
+    } catch (const Error& error) {
+      return {error.what()};
+    }
+    return {};
+  }
+
+  /// The files of a run that makes all scenes.
+  [[nodiscard]] std::map<std::string, std::string> single() const {
+    (void)run.run();
+    auto files = AllAtOnceRun::files(run.folder());
+    fs::remove_all(run.folder());
+    return files;
+  }
+
+  AllAtOnceRun run;
+};
+
+TEST_F(MergerTest, MakesTheBytesOfASingleRunInTheShardsFolder) {
+  const auto expected = single();
+  for (const int index : {2, 0, 1}) (void)run.runShard(index, 3, run.folder());
+  merge(run.folder());
+  EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == expected);
+}
+
+TEST_F(MergerTest, MakesTheBytesOfASingleRunOfShardsElsewhere) {
+  const auto expected = single();
+  const std::string one = run.input("one");
+  const std::string two = run.input("two");
+  (void)run.runShard(0, 2, one);
+  (void)run.runShard(1, 2, two);
+  const auto before = AllAtOnceRun::files(one);
+  merge(run.folder(), {two, one});
+  EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == expected);
+  EXPECT_TRUE(AllAtOnceRun::files(one) == before);
+}
+
+TEST_F(MergerTest, ShardsShareTheScenesAmongThem) {
+  std::int64_t scenes = 0;
+  for (const int index : {0, 1, 2}) {
+    const RunSummary shard = run.runShard(index, 3, run.folder());
+    EXPECT_GT(shard.scenes, 0);
+    scenes += shard.scenes;
+  }
+  EXPECT_EQ(scenes, 16);
+}
+
+TEST_F(MergerTest, AResumedShardIsAsGoodAsAnUnbrokenOne) {
+  const auto expected = single();
+  Value::Map whole = run.parameters;
+  run.parameters["shard"] = Value(Value::Map{{"index", Value(1)}, {"count", Value(2)}});
+  StoppingReporter stopping(3);
+  (void)run.run(stopping, run.folder());
+  run.parameters = whole;
+  (void)run.runShard(1, 2, run.folder());
+  (void)run.runShard(0, 2, run.folder());
+  merge(run.folder());
+  EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == expected);
+}
+
+TEST_F(MergerTest, NamesTheShardThatIsMissing) {
+  (void)run.runShard(1, 3, run.folder());
+  EXPECT_THAT(errorsOfMerging(run.folder()),
+              testing::ElementsAre("shard 0/3 is missing", "shard 2/3 is missing"));
+}
+
+TEST_F(MergerTest, NamesTheShardThatIsNotComplete) {
+  (void)run.runShard(0, 2, run.folder());
+  run.parameters["shard"] = Value(Value::Map{{"index", Value(1)}, {"count", Value(2)}});
+  StoppingReporter stopping(2);
+  (void)run.run(stopping, run.folder());
+  EXPECT_THAT(errorsOfMerging(run.folder()),
+              Contains(HasSubstr("shard 1/2 in '" + run.folder() + "' is not complete")));
+}
+
+TEST_F(MergerTest, NamesTheSettingInWhichShardsDiffer) {
+  (void)run.runShard(0, 2, run.folder());
+  run.parameters["seed"] = Value(8);
+  (void)run.runShard(1, 2, run.folder());
+  EXPECT_THAT(errorsOfMerging(run.folder()), Contains(HasSubstr("seed: shard 0/2")));
+}
+
+TEST_F(MergerTest, NamesTheInputThatHasChangedSince) {
+  (void)run.runShard(0, 1, run.folder());
+  const std::string world = run.input("tiny.world");
+  const std::string text = test::readFile(world);
+  std::ofstream(world) << text << "<!-- the same, but for this -->";
+  EXPECT_THAT(errorsOfMerging(run.folder()), Contains(HasSubstr("the file " + world + ": then ")));
+}
+
+TEST_F(MergerTest, TellsThatThereAreNoShards) {
+  EXPECT_THAT(errorsOfMerging(run.input("")), Contains(HasSubstr("no shards are there")));
+}
+
+TEST_F(MergerTest, HasNothingToDoTwice) {
+  (void)run.runShard(0, 1, run.folder());
+  merge(run.folder());
+  EXPECT_NO_THROW(merge(run.folder()));
+  EXPECT_TRUE(run.runShard(0, 1, run.folder()).was_complete);
+}
+
+}  // namespace
+}  // namespace synthetic_dataset

@@ -1,0 +1,132 @@
+#include "scene/object_variants.h"
+
+#include <cmath>
+#include <map>
+
+#include <gmock/gmock.h>
+
+namespace synthetic_dataset {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+class ObjectVariantsTest : public ::testing::Test {
+ protected:
+  ObjectVariantsTest() {
+    object.name = "rover";
+    object.model = "own.sdf";
+  }
+
+  [[nodiscard]] ObjectVariants make() const {
+    config::Randomization randomization;
+    randomization.objects["rover"] = entry;
+    return {object, randomization};
+  }
+
+  /// How often each is worn in so many scenes.
+  [[nodiscard]] std::map<std::size_t, int> wornIn(int scenes) const {
+    const ObjectVariants variants = make();
+    std::map<std::size_t, int> worn;
+    for (int scene = 0; scene < scenes; ++scene) {
+      appearance::EntryDraws draws(7, scene);
+      ++worn[variants.draw(draws)];
+    }
+    return worn;
+  }
+
+  config::ObjectConfig object;
+  config::ObjectRandomization entry;
+};
+
+std::vector<double> sizesOf(const ObjectVariants& variants) {
+  std::vector<double> sizes;
+  for (const ObjectVariant& variant : variants.all()) sizes.push_back(variant.scale);
+  return sizes;
+}
+
+TEST_F(ObjectVariantsTest, WithoutDrawsThereIsTheModelAsItIs) {
+  const ObjectVariants variants = make();
+  ASSERT_EQ(variants.all().size(), 1U);
+  EXPECT_EQ(variants.all()[0].model, "own.sdf");
+  EXPECT_EQ(variants.all()[0].scale, 1.0);
+  appearance::EntryDraws draws(1, 2);
+  EXPECT_EQ(variants.draw(draws), 0U);
+  EXPECT_THAT(draws.values(), IsEmpty());
+}
+
+TEST_F(ObjectVariantsTest, AreAllModelsInAllSizes) {
+  entry.model = random::TextChoice{{"a", "b", "a"}, {}};
+  entry.scale = random::Distribution::choice({{2.0}, {0.5}});
+  std::vector<std::pair<std::string, double>> all;
+  const ObjectVariants variants = make();
+  for (const ObjectVariant& variant : variants.all())
+    all.emplace_back(*variant.model, variant.scale);
+  EXPECT_THAT(all, ElementsAre(std::pair("a", 0.5), std::pair("a", 2.0), std::pair("b", 0.5),
+                               std::pair("b", 2.0)));
+}
+
+TEST_F(ObjectVariantsTest, OfOneThatIsNotThereThereIsNothingToDraw) {
+  object.takes_part = false;
+  entry.model = random::TextChoice{{"a", "b"}, {}};
+  EXPECT_EQ(make().all().size(), 1U);
+}
+
+/// Of equal parts of the range, the middles.
+TEST_F(ObjectVariantsTest, SizesOfARangeAreAllOverIt) {
+  entry.scale = random::Distribution::uniform({1.0}, {2.0});
+  entry.sizes = 4;
+  const std::vector<double> sizes = sizesOf(make());
+  ASSERT_EQ(sizes.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(sizes[i], 1.125 + 0.25 * double(i), 0.03);
+  entry.scale = random::Distribution::logUniform({0.25}, {4.0});
+  const std::vector<double> logarithmic = sizesOf(make());
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(std::log2(logarithmic[i]), -1.5 + double(i), 0.1);
+  }
+}
+
+TEST_F(ObjectVariantsTest, OfARangeEachSizeIsAsLikelyAsTheOthers) {
+  entry.scale = random::Distribution::uniform({0.5}, {1.5});
+  entry.sizes = 5;
+  constexpr int kScenes = 5000;
+  for (const auto& [variant, count] : wornIn(kScenes)) {
+    EXPECT_NEAR(count, kScenes / 5.0, 5.0 * std::sqrt(kScenes / 5.0)) << variant;
+  }
+}
+
+TEST_F(ObjectVariantsTest, AreWornAsOftenAsTheirWeightsSay) {
+  entry.model = random::TextChoice{{"a", "b", "c"}, {1.0, 0.0, 3.0}};
+  const std::map<std::size_t, int> worn = wornIn(4000);
+  EXPECT_NEAR(worn.at(0), 1000, 150);
+  EXPECT_EQ(worn.count(1), 0U);
+  EXPECT_NEAR(worn.at(2), 3000, 150);
+}
+
+TEST_F(ObjectVariantsTest, TellsWhatIsWorn) {
+  entry.model = random::TextChoice{{"a", "b"}, {}};
+  entry.scale = random::Distribution::uniform({1.0}, {2.0});
+  const ObjectVariants variants = make();
+  for (int scene = 0; scene < 20; ++scene) {
+    appearance::EntryDraws draws(3, scene);
+    const ObjectVariant& worn = variants.all().at(variants.draw(draws));
+    ASSERT_EQ(draws.values().size(), 2U);
+    EXPECT_EQ(draws.values()[0].name, "objects/rover/model");
+    EXPECT_EQ(std::get<std::string>(draws.values()[0].value), *worn.model);
+    EXPECT_EQ(draws.values()[1].name, "objects/rover/scale");
+    EXPECT_EQ(std::get<std::vector<double>>(draws.values()[1].value),
+              std::vector<double>{worn.scale});
+  }
+}
+
+TEST_F(ObjectVariantsTest, OfOneEntryLeavesTheOthersDraws) {
+  entry.model = random::TextChoice{{"a", "b", "c"}, {}};
+  const std::map<std::size_t, int> models = wornIn(300);
+  entry.scale = random::Distribution::choice({{1.0}, {2.0}});
+  std::map<std::size_t, int> of_models;
+  for (const auto& [variant, count] : wornIn(300)) of_models[variant / 2] += count;
+  EXPECT_EQ(of_models, models);
+}
+
+}  // namespace
+}  // namespace synthetic_dataset
