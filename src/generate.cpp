@@ -119,7 +119,10 @@ int main(int argc, char** argv) {
   std::optional<ros::NodeHandle> node;  // to the end: with its end, rosconsole falls silent
   return generateOrTell([&] {
     Value settings = readRosParameters(rosPackageFinder());
-    if (wantsLiveMap(settings)) takeLiveMap(settings, node.emplace());
+    if (wantsLiveMap(settings)) {
+      ConsoleReporter reporter;
+      takeLiveMap(settings, node.emplace(), reporter);
+    }
     return settings;
   });
 }

@@ -151,7 +151,7 @@ bool wantsLiveMap(const Value& settings) {
                      [](const auto& motion) { return !wantedTopic(motion.settings).empty(); });
 }
 
-void takeLiveMap(Value& settings, ros::NodeHandle& node) {
+void takeLiveMap(Value& settings, ros::NodeHandle& node, Reporter& reporter) {
   std::map<std::string, Value> maps;  // by topic
   const config::MotionList motions = config::readMotions(settings);
   for (std::size_t i = 0; i < motions.entries.size(); ++i) {
@@ -160,7 +160,11 @@ void takeLiveMap(Value& settings, ros::NodeHandle& node) {
     if (wanted.empty()) continue;
     try {
       const std::string topic = node.resolveName(wanted);
-      if (maps.count(topic) == 0) maps[topic] = placement::settingsOf(motion::mapOf(waitFor(topic, node)));
+      if (maps.count(topic) == 0) {
+        reporter.info("waiting for a map on '" + topic + "', " + fixed(kPatience, 0) +
+                      " s at most");
+        maps[topic] = placement::settingsOf(motion::mapOf(waitFor(topic, node)));
+      }
       placementOf(settings, motion)["received_map"] = maps[topic];
     } catch (const std::exception& error) {
       throw Error((motion.group.empty() ? "" : motion.group + ": ") +

@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include "run/reporter.h"
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset {
@@ -13,7 +14,8 @@ namespace synthetic_dataset {
 /// Waits for each such map and adds it as `placement/received_map`.
 /// @param settings  that want one
 /// @param node  subscribes for as long as it takes
+/// @param reporter  is told what is waited for
 /// @throws Error when no map comes, with what there is instead
-void takeLiveMap(Value& settings, ros::NodeHandle& node);
+void takeLiveMap(Value& settings, ros::NodeHandle& node, Reporter& reporter);
 
 }  // namespace synthetic_dataset

@@ -64,13 +64,19 @@ struct Generator::Impl {
     }
   }
 
+  [[nodiscard]] static std::string whenMade(const MotionSetup& motion) {
+    if (motion.isPlaced()) return ", placed";
+    return " from " + startOf(motion) + " s on, every " +
+           fixed(1.0 / motion.config.motion.rate, 4) + " s" +
+           (motion.timeline.jitter.empty() ? "" : " but for randomize/time/jitter");
+  }
+
   void tellMotions() {
     const std::string all = std::to_string(setup.description.scene_count) + " scenes" + ofCameras();
     const std::string rest = ofSplits() + ofShard() + ofChoice();
     if (setup.motions.size() == 1) {
       const MotionSetup& motion = setup.motions.front();
-      reporter.info(all + " from " + startOf(motion) + " s on, every " +
-                    fixed(1.0 / motion.config.motion.rate, 4) + " s" + rest);
+      reporter.info(all + whenMade(motion) + rest);
       return;
     }
     reporter.info(all + " of " + std::to_string(setup.motions.size()) + " motions" + rest);

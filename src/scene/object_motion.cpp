@@ -76,12 +76,11 @@ Pose ObjectMotion::linkPose(const Object& object, LinkState& link, const Pose& X
     link.X_PL = X_GP.inverse() * *X_GL;
     return *X_GL;
   }
-  if (!std::exchange(link.gap_told, true)) {
-    gaps_.push_back("'" + object.name + "': the frame '" + *link.frame + "' of its link '" +
-                    link.name +
-                    "' is not known to TF all the time; meanwhile the link keeps its place on what "
-                    "it hangs on");
-  }
+  const std::string gap = "'" + object.name + "': the frame '" + *link.frame + "' of its link '" +
+                          link.name +
+                          "' is not known to TF all the time; meanwhile the link keeps its place "
+                          "on what it hangs on";
+  if (told_gaps_.insert(gap).second) gaps_.push_back(gap);
   return X_GP * link.X_PL;
 }
 

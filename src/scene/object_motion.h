@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,6 @@ class ObjectMotion {
     std::optional<std::size_t> parent;
     std::optional<std::string> frame;  ///< where it is driven
     Pose X_PL = Pose::Identity();      ///< last known, in the parent's frame, or the object's
-    bool gap_told = false;
   };
   struct Object {
     std::string name;
@@ -64,6 +64,7 @@ class ObjectMotion {
   std::vector<Object> objects_;
   std::vector<Variant> variants_;  ///< of all objects in turn
   std::vector<std::string> gaps_;
+  std::set<std::string> told_gaps_;  ///< variants have the same ones
 };
 
 }  // namespace synthetic_dataset
