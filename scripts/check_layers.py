@@ -36,7 +36,7 @@ MAY_INCLUDE = {
     'src/gallery': {API, 'gallery', 'world', 'render'},
     'src/console': {API, 'console', 'config', 'motion', 'placement', 'output', 'run'},
     'src': {API, 'config', 'console', 'gallery', 'output', 'readback', 'run', 'setup',
-            'verification'},
+            'verification', 'world'},
     'plugins': {API, 'plugins'},
 }
 

@@ -17,6 +17,7 @@
 #include "gallery/model_gallery.h"
 #include "setup/ros_packages.h"
 #include "synthetic_dataset/errors.h"
+#include "world/files/model_folders.h"
 
 namespace {
 
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 int makeContactSheet(const fs::path& given_folder, const std::string& picture) {
   const cv::Size cell(256, 192);
   const fs::path folder = fs::weakly_canonical(given_folder);
-  const std::vector<fs::path> models = findModels(folder);
+  const std::vector<fs::path> models = world::findModels(folder);
   if (models.empty()) {
     throw Error(folder.string() + ": found no model: no model.config, .sdf or .urdf file");
   }

@@ -8,6 +8,7 @@
 #include "appearance/texture_source.h"
 #include "random/random_source.h"
 #include "synthetic_dataset/errors.h"
+#include "world/files/model_folders.h"
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::appearance {
@@ -72,15 +73,19 @@ std::vector<world::Model> makeDistractors(
     const std::function<world::Model(const std::string& uri, const std::string& name)>& load) {
   std::optional<TextureSource> textures;
   if (config.models.empty() && config.textures != "none") textures.emplace(config.textures);
+  std::vector<std::string> files;
+  for (const std::string& each : config.models) {
+    for (const std::string& file : world::modelsAt(each)) files.push_back(file);
+  }
   std::vector<world::Model> models;
   for (int i = 0; i < config.pool; ++i) {
     const std::string name = config::distractorName(i + 1);
-    if (!config.models.empty()) {
-      const std::size_t which = static_cast<std::size_t>(i) % config.models.size();
-      models.push_back(load(config.models[which], name));
+    if (!files.empty()) {
+      const std::string& file = files[static_cast<std::size_t>(i) % files.size()];
+      models.push_back(load(file, name));
       models.back().X_WM = Pose::Identity();
       if (!canBeSeen(models.back())) {
-        throw Error("found '" + config.models[which] + "', a model of which nothing can be seen");
+        throw Error("found '" + file + "', a model of which nothing can be seen");
       }
       continue;
     }

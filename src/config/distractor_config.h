@@ -23,7 +23,8 @@ struct DistractorConfig {
   int pool = 24;  ///< different ones, made once for the run
   random::Distribution count = random::Distribution::uniform({0.0}, {8.0});     ///< in a scene
   random::Distribution size = random::Distribution::logUniform({0.08}, {0.4});  ///< of a side [m]
-  std::vector<std::string> models;      ///< URIs or paths; empty: boxes, balls and cylinders
+  std::vector<std::string> models;      ///< URIs or paths of models, or of folders that hold some;
+                                        ///< empty: boxes, balls and cylinders
   std::string textures = "procedural";  ///< of those; or an absolute folder, or `none`
   DistractorMode mode = DistractorMode::kFly;
   double fall_time = 10.0;  ///< [s] in which those that are dropped come to rest, or are left out

@@ -36,7 +36,8 @@ struct MaterialRandomization {
 /// What is drawn anew of an object; nothing: as `robot_list` and its group have it.
 struct ObjectRandomization {
   std::optional<double> present;              ///< how likely it is there, 0 .. 1
-  std::optional<random::TextChoice> model;    ///< absolute paths or URIs, instead of its own
+  std::optional<random::TextChoice> model;    ///< absolute paths or URIs, instead of its own; of a
+                                              ///< folder that holds models, one of them
   std::optional<random::Distribution> scale;  ///< times the model's size, > 0
   int sizes = 8;  ///< so many are made of what `scale` draws, unless that is a few values
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <set>
 #include <sstream>
 
 #include <opencv2/imgproc.hpp>
@@ -67,36 +66,7 @@ void drawCell(cv::Mat& sheet, const cv::Rect& cell, const GalleryEntry& entry) {
         {cell.x + kMargin, cell.br().y - kCaptionHeight / 3}, kInk);
 }
 
-bool isModelFile(const fs::path& file) {
-  const std::string extension = file.extension().string();
-  return extension == ".sdf" || extension == ".urdf";
-}
-
-/// Depth first and sorted; what lies in a model's folder belongs to that model.
-void collect(const fs::path& folder, std::vector<fs::path>& models) {
-  if (fs::exists(folder / "model.config")) {
-    models.push_back(folder);
-    return;
-  }
-  std::set<fs::path> entries;
-  for (const auto& entry : fs::directory_iterator(folder)) entries.insert(entry.path());
-  for (const fs::path& entry : entries) {
-    if (fs::is_directory(entry) && !fs::is_symlink(entry)) {
-      collect(entry, models);
-    } else if (isModelFile(entry)) {
-      models.push_back(entry);
-    }
-  }
-}
-
 }  // namespace
-
-std::vector<fs::path> findModels(const fs::path& folder) {
-  if (!fs::is_directory(folder)) throw Error(folder.string() + ": no such folder");
-  std::vector<fs::path> models;
-  collect(folder, models);
-  return models;
-}
 
 std::vector<std::string> modelFolders(const fs::path& folder, const std::vector<fs::path>& models) {
   std::vector<std::string> folders = {folder.string()};

@@ -20,11 +20,6 @@ struct GalleryEntry {
   cv::Mat picture;                 ///< CV_8UC3; none if there is nothing to see
 };
 
-/// The models below a folder, sorted: folders with a model.config, and .sdf and .urdf files that
-/// are in no such folder.
-/// @throws Error if there is no such folder
-[[nodiscard]] std::vector<std::filesystem::path> findModels(const std::filesystem::path& folder);
-
 /// The folders that `model://` and `package://` URIs of these models may mean: the given one, and
 /// all that hold one of the models.
 [[nodiscard]] std::vector<std::string> modelFolders(

@@ -4,18 +4,11 @@
 #include <cmath>
 
 #include "random/random_source.h"
+#include "synthetic_dataset/errors.h"
+#include "world/files/model_folders.h"
 
 namespace synthetic_dataset {
 namespace {
-
-/// Each once, in the order of their first places.
-std::vector<std::string> withoutCopies(const std::vector<std::string>& texts) {
-  std::vector<std::string> result;
-  for (const std::string& text : texts) {
-    if (std::find(result.begin(), result.end(), text) == result.end()) result.push_back(text);
-  }
-  return result;
-}
 
 /// The values of a choice; else the middles of parts of the distribution that are as likely as each
 /// other.
@@ -45,13 +38,33 @@ ObjectVariants::ObjectVariants(const config::ObjectConfig& object,
     : entry_("objects/" + object.name) {
   // Nothing of what is not there is made; distractors have models and sizes of their own.
   if (object.takes_part && !object.is_distractor) config_ = randomization.ofObject(object.name);
-  if (config_.model) models_ = withoutCopies(config_.model->texts);
+  if (config_.model) findModels();
   if (config_.scale) sizes_ = sizesOf(*config_.scale, config_.sizes);
   std::vector<std::optional<std::string>> models(models_.begin(), models_.end());
   if (models.empty()) models.push_back(object.model);
   for (const auto& model : models) {
     if (sizes_.empty()) all_.push_back({model});
     for (const double size : sizes_) all_.push_back({model, size});
+  }
+  constexpr std::size_t kMost = 1000;
+  if (all_.size() <= kMost) return;
+  throw Error("randomize/" + entry_ + ": found " + std::to_string(models.size()) + " models in " +
+              std::to_string(sizes_.size()) +
+              " sizes; there should be 1000 of them at most (fewer sizes, or fewer models), as all "
+              "are made before the first scene");
+}
+
+void ObjectVariants::findModels() {
+  for (const std::string& text : config_.model->texts) {
+    try {
+      models_of_[text] = world::modelsAt(text);
+    } catch (const Error& error) {
+      throw Error("randomize/" + entry_ + "/model: " + error.what());
+    }
+    for (const std::string& model : models_of_[text]) {
+      const bool is_new = std::find(models_.begin(), models_.end(), model) == models_.end();
+      if (is_new) models_.push_back(model);
+    }
   }
 }
 
@@ -63,7 +76,9 @@ std::size_t ObjectVariants::draw(appearance::EntryDraws& draws) const {
 std::size_t ObjectVariants::drawModel(appearance::EntryDraws& draws) const {
   if (models_.empty()) return 0;
   random::RandomSource source = draws.source(entry_ + "/model");
-  const std::string& drawn = config_.model->draw(source);
+  const std::vector<std::string>& models = models_of_.at(config_.model->draw(source));
+  const std::string& drawn =
+      models.size() == 1 ? models.front() : models[source.index(models.size())];
   draws.note(entry_ + "/model", drawn);
   return static_cast<std::size_t>(std::find(models_.begin(), models_.end(), drawn) -
                                   models_.begin());

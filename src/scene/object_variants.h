@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct ObjectVariant {
 /// all over that range, each as likely as what it stands for.
 class ObjectVariants {
  public:
+  /// @throws Error naming a folder without models, or more variants than can be made
   ObjectVariants(const config::ObjectConfig& object, const config::Randomization& randomization);
 
   /// All of them: at least one.
@@ -32,12 +34,15 @@ class ObjectVariants {
   [[nodiscard]] std::size_t draw(appearance::EntryDraws& draws) const;
 
  private:
+  void findModels();
   [[nodiscard]] std::size_t drawModel(appearance::EntryDraws& draws) const;
   [[nodiscard]] std::size_t drawSize(appearance::EntryDraws& draws) const;
 
   std::string entry_;  ///< "objects/NAME"
   config::ObjectRandomization config_;
-  std::vector<std::string> models_;  ///< each once; empty: its own alone
+  std::map<std::string, std::vector<std::string>> models_of_;  ///< by what is drawn: it, or the
+                                                               ///< models in the folder that it is
+  std::vector<std::string> models_;  ///< of all of these, each once; empty: its own alone
   std::vector<double> sizes_;        ///< ascending; empty: none is drawn
   std::vector<ObjectVariant> all_;   ///< model by model, of each its sizes
 };

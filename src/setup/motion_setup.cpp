@@ -88,7 +88,10 @@ class MotionBuilder {
   void loadWorld() {
     if (config().world.file.empty()) return;
     for (const config::ObjectConfig& object : config().objects) {
-      setup_.variants.emplace_back(object, config().randomization);
+      if (!errors().attempt(
+              [&] { setup_.variants.emplace_back(object, config().randomization); })) {
+        setup_.variants.emplace_back(object, config::Randomization{});
+      }
     }
     WorldSetup world = setUpWorld(config(), setup_.variants, setup_.frames.get(),
                                   worlds_.filesFor(config()), errors());

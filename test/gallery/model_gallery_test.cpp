@@ -8,6 +8,7 @@
 
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
+#include "world/files/model_folders.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -36,7 +37,7 @@ class ModelGallery : public ::testing::Test {
 
   [[nodiscard]] GalleryEntry portrait(const std::string& name) const {
     const std::filesystem::path root(folder.path());
-    const auto models = findModels(root);
+    const auto models = world::findModels(root);
     const world::ResourceFinder finder(
         modelFolders(root, models),
         [](const std::string&) -> std::optional<std::string> { return std::nullopt; });
@@ -45,25 +46,6 @@ class ModelGallery : public ::testing::Test {
 
   const test::TemporaryFolder folder;
 };
-
-TEST_F(ModelGallery, FindsModelsInSubfoldersSorted) {
-  writeModel("shop/shelf", modelFile(kBox));
-  writeModel("box", modelFile(kBox));
-  folder.write("shop/cart.urdf", "<robot name='cart'/>");
-  const std::filesystem::path root(folder.path());
-
-  EXPECT_THAT(findModels(root),
-              ElementsAre(root / "box", root / "shop/cart.urdf", root / "shop/shelf"));
-}
-
-TEST_F(ModelGallery, NamesAFolderThatIsMissing) {
-  try {
-    (void)findModels("/nowhere/models");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("/nowhere/models: no such folder"));
-  }
-}
 
 TEST_F(ModelGallery, TakesAPictureOfAModel) {
   writeModel("box", modelFile(kBox));

@@ -8,6 +8,7 @@
 #include "gallery/model_gallery.h"
 #include "reference/golden_case.h"
 #include "setup/ros_packages.h"
+#include "world/files/model_folders.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -50,7 +51,7 @@ const std::map<std::string, Expected> kExpected = {
 
 TEST(GazeboModels, LoadWithAllTheirPartsAndTextures) {
   const std::filesystem::path folder = test::referenceFolder() / "models";
-  const auto models = findModels(folder);
+  const auto models = world::findModels(folder);
   const world::ResourceFinder finder(modelFolders(folder, models), rosPackageFinder());
   std::size_t loaded = 0;
   for (const auto& model : models) {

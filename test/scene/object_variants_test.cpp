@@ -5,6 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include "support/temporary_folder.h"
+#include "synthetic_dataset/errors.h"
+
 namespace synthetic_dataset {
 namespace {
 
@@ -101,6 +104,33 @@ TEST_F(ObjectVariantsTest, AreWornAsOftenAsTheirWeightsSay) {
   EXPECT_NEAR(worn.at(0), 1000, 150);
   EXPECT_EQ(worn.count(1), 0U);
   EXPECT_NEAR(worn.at(2), 3000, 150);
+}
+
+/// Half of all scenes have the file, the others any of the folder's four.
+TEST_F(ObjectVariantsTest, OfAFolderEachModelIsAsLikely) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a", "b", "c", "d"}) {
+    folder.write(std::string(name) + "/model.config", "");
+  }
+  entry.model = random::TextChoice{{"own.sdf", folder.path().string()}, {}};
+  ASSERT_EQ(make().all().size(), 5U);
+  EXPECT_EQ(make().all()[4].model, (folder / "d").string());
+  const std::map<std::size_t, int> worn = wornIn(4000);
+  EXPECT_NEAR(worn.at(0), 2000, 160);
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_NEAR(worn.at(i), 500, 110) << i;
+}
+
+TEST_F(ObjectVariantsTest, TellsWhatCannotBeMade) {
+  const test::TemporaryFolder folder;
+  entry.model = random::TextChoice{{folder.path().string()}, {}};
+  EXPECT_THAT([&] { (void)make(); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("randomize/objects/rover/model: ")));
+  entry.model = random::TextChoice{{}, {}};
+  for (int i = 0; i < 11; ++i) entry.model->texts.push_back(std::to_string(i) + ".sdf");
+  entry.scale = random::Distribution::uniform({1.0}, {2.0});
+  entry.sizes = 100;
+  EXPECT_THAT([&] { (void)make(); }, testing::ThrowsMessage<Error>(testing::HasSubstr(
+                                         "randomize/objects/rover: found 11 models in 100 sizes")));
 }
 
 TEST_F(ObjectVariantsTest, TellsWhatIsWorn) {

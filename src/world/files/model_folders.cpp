@@ -1,0 +1,61 @@
+#include "world/files/model_folders.h"
+
+#include <set>
+#include <system_error>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isModelFile(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".sdf" || extension == ".urdf";
+}
+
+bool isModelFolder(const fs::path& folder) {
+  return fs::exists(folder / "model.config") || fs::exists(folder / "manifest.xml");
+}
+
+/// Depth first and sorted; what lies in a model's folder belongs to that model.
+void collect(const fs::path& folder, std::vector<fs::path>& models) {
+  if (fs::exists(folder / "model.config")) {
+    models.push_back(folder);
+    return;
+  }
+  std::set<fs::path> entries;
+  for (const auto& entry : fs::directory_iterator(folder)) entries.insert(entry.path());
+  for (const fs::path& entry : entries) {
+    if (fs::is_directory(entry) && !fs::is_symlink(entry)) {
+      collect(entry, models);
+    } else if (isModelFile(entry)) {
+      models.push_back(entry);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<fs::path> findModels(const fs::path& folder) {
+  if (!fs::is_directory(folder)) throw Error(folder.string() + ": no such folder");
+  std::vector<fs::path> models;
+  collect(folder, models);
+  return models;
+}
+
+std::vector<std::string> modelsAt(const std::string& path_or_uri) {
+  std::error_code ignored;
+  if (!fs::is_directory(path_or_uri, ignored) || isModelFolder(path_or_uri)) return {path_or_uri};
+  std::vector<std::string> models;
+  for (const fs::path& model : findModels(path_or_uri)) models.push_back(model.string());
+  if (models.empty()) {
+    throw Error("found '" + path_or_uri +
+                "', a folder that is no model, for it has no model.config, and that has none; it "
+                "should be a model, or hold folders with a model.config, .sdf or .urdf files");
+  }
+  return models;
+}
+
+}  // namespace synthetic_dataset::world
