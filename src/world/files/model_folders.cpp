@@ -51,9 +51,10 @@ std::vector<std::string> modelsAt(const std::string& path_or_uri) {
   std::vector<std::string> models;
   for (const fs::path& model : findModels(path_or_uri)) models.push_back(model.string());
   if (models.empty()) {
-    throw Error("found '" + path_or_uri +
-                "', a folder that is no model, for it has no model.config, and that has none; it "
-                "should be a model, or hold folders with a model.config, .sdf or .urdf files");
+    throw Error(
+        "found '" + path_or_uri +
+        "', a folder that is no model (it has no model.config) and has none in it; it should "
+        "be a model, or hold folders with a model.config, .sdf or .urdf files");
   }
   return models;
 }
