@@ -1,20 +1,22 @@
 #include "scene/object_variants.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "random/random_source.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/model_folders.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace {}  // namespace
 
 /// The values of a choice; else the middles of parts of the distribution that are as likely as each
 /// other.
-std::vector<double> sizesOf(const random::Distribution& scale, int count) {
-  std::vector<double> sizes;
-  for (const random::Distribution::Numbers& value : scale.values()) sizes.push_back(value.front());
+std::vector<ObjectVariants::Size> ObjectVariants::sizesOf(const random::Distribution& scale,
+                                                          int count) {
+  std::vector<Size> sizes;
+  for (const random::Distribution::Numbers& value : scale.values()) {
+    sizes.push_back({value.front(), value.front()});
+  }
   if (sizes.empty()) {
     // The same sizes for all seeds: datasets of several runs have the same ones.
     random::RandomSource source(0);
@@ -22,16 +24,22 @@ std::vector<double> sizesOf(const random::Distribution& scale, int count) {
     std::vector<double> drawn(kDrawsOfEach * static_cast<std::size_t>(count));
     std::generate(drawn.begin(), drawn.end(), [&] { return scale.drawNumber(source); });
     std::sort(drawn.begin(), drawn.end());
-    for (std::size_t at = kDrawsOfEach / 2; at < drawn.size(); at += kDrawsOfEach) {
-      sizes.push_back(drawn[at]);
+    for (std::size_t first = 0; first < drawn.size(); first += kDrawsOfEach) {
+      sizes.push_back({drawn[first + kDrawsOfEach / 2], drawn[first + kDrawsOfEach - 1]});
     }
   }
-  std::sort(sizes.begin(), sizes.end());
-  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
-  return sizes;
+  std::sort(sizes.begin(), sizes.end(),
+            [](const Size& a, const Size& b) { return a.factor < b.factor; });
+  std::vector<Size> different;
+  for (const Size& size : sizes) {
+    if (!different.empty() && different.back().factor == size.factor) {
+      different.back().up_to = size.up_to;
+    } else {
+      different.push_back(size);
+    }
+  }
+  return different;
 }
-
-}  // namespace
 
 ObjectVariants::ObjectVariants(const config::ObjectConfig& object,
                                const config::Randomization& randomization)
@@ -44,7 +52,7 @@ ObjectVariants::ObjectVariants(const config::ObjectConfig& object,
   if (models.empty()) models.push_back(object.model);
   for (const auto& model : models) {
     if (sizes_.empty()) all_.push_back({model});
-    for (const double size : sizes_) all_.push_back({model, size});
+    for (const Size& size : sizes_) all_.push_back({model, size.factor});
   }
   constexpr std::size_t kMost = 1000;
   if (all_.size() <= kMost) return;
@@ -84,17 +92,16 @@ std::size_t ObjectVariants::drawModel(appearance::EntryDraws& draws) const {
                                   models_.begin());
 }
 
-/// The size that is nearest to what is drawn; that one is noted.
+/// The size that stands for what is drawn; that one is noted.
 std::size_t ObjectVariants::drawSize(appearance::EntryDraws& draws) const {
   if (sizes_.empty()) return 0;
   random::RandomSource source = draws.source(entry_ + "/scale");
   const double drawn = config_.scale->drawNumber(source);
-  const auto nearer = [&](double one, double other) {
-    return std::abs(one - drawn) < std::abs(other - drawn);
-  };
-  const auto nearest = std::min_element(sizes_.begin(), sizes_.end(), nearer);
-  draws.note(entry_ + "/scale", *nearest);
-  return static_cast<std::size_t>(nearest - sizes_.begin());
+  auto size = std::find_if(sizes_.begin(), sizes_.end(),
+                           [&](const Size& each) { return drawn <= each.up_to; });
+  if (size == sizes_.end()) --size;
+  draws.note(entry_ + "/scale", size->factor);
+  return static_cast<std::size_t>(size - sizes_.begin());
 }
 
 }  // namespace synthetic_dataset

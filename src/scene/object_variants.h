@@ -34,6 +34,13 @@ class ObjectVariants {
   [[nodiscard]] std::size_t draw(appearance::EntryDraws& draws) const;
 
  private:
+  /// A size, and the greatest number for which it stands.
+  struct Size {
+    double factor;
+    double up_to;
+  };
+
+  [[nodiscard]] static std::vector<Size> sizesOf(const random::Distribution& scale, int count);
   void findModels();
   [[nodiscard]] std::size_t drawModel(appearance::EntryDraws& draws) const;
   [[nodiscard]] std::size_t drawSize(appearance::EntryDraws& draws) const;
@@ -43,7 +50,7 @@ class ObjectVariants {
   std::map<std::string, std::vector<std::string>> models_of_;  ///< by what is drawn: it, or the
                                                                ///< models in the folder that it is
   std::vector<std::string> models_;  ///< of all of these, each once; empty: its own alone
-  std::vector<double> sizes_;        ///< ascending; empty: none is drawn
+  std::vector<Size> sizes_;          ///< ascending; empty: none is drawn
   std::vector<ObjectVariant> all_;   ///< model by model, of each its sizes
 };
 

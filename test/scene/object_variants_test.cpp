@@ -90,11 +90,17 @@ TEST_F(ObjectVariantsTest, SizesOfARangeAreAllOverIt) {
 }
 
 TEST_F(ObjectVariantsTest, OfARangeEachSizeIsAsLikelyAsTheOthers) {
-  entry.scale = random::Distribution::uniform({0.5}, {1.5});
   entry.sizes = 5;
   constexpr int kScenes = 5000;
-  for (const auto& [variant, count] : wornIn(kScenes)) {
-    EXPECT_NEAR(count, kScenes / 5.0, 5.0 * std::sqrt(kScenes / 5.0)) << variant;
+  for (const auto& scale : {random::Distribution::uniform({0.5}, {1.5}),
+                            random::Distribution::logUniform({0.1}, {10.0}),
+                            random::Distribution::normalBetween({1.0}, {0.2}, {0.5}, {3.0})}) {
+    entry.scale = scale;
+    const std::map<std::size_t, int> worn = wornIn(kScenes);
+    EXPECT_EQ(worn.size(), 5U);
+    for (const auto& [variant, count] : worn) {
+      EXPECT_NEAR(count, kScenes / 5.0, 5.0 * std::sqrt(kScenes / 5.0)) << variant;
+    }
   }
 }
 
