@@ -118,18 +118,27 @@ class WorldBuilder {
                   "); add one to the world, or name a model file in " + object.name + "/model");
       return;
     }
+    std::optional<std::string> broken;  // all sizes of a model would have the same errors
     for (const ObjectVariant& variant : variants) {
-      const bool is_made = errors_.attempt([&] { addVariant(variant, object, in_world); });
-      if (is_made) continue;
+      if (broken && variant.model == broken) continue;
+      if (errors_.attempt([&] { addVariant(variant, object, in_world); })) continue;
       lacks_objects_ = true;
-      return;  // the others would likely have the same errors
+      broken = variant.model;
+      if (!broken) return;
     }
+  }
+
+  const world::Model& modelOf(const ObjectVariant& variant, const config::ObjectConfig& object) {
+    if (variant.model == object.model) return files_.model(*variant.model, object.name);
+    return appearance::forEntry(
+        "randomize/objects/" + object.name + "/model",
+        [&]() -> const world::Model& { return files_.model(*variant.model, object.name); });
   }
 
   void addVariant(const ObjectVariant& variant, const config::ObjectConfig& object,
                   const std::optional<world::Model>& in_world) {
-    world::Model model = world::scaled(
-        variant.model ? files_.model(*variant.model, object.name) : *in_world, variant.scale);
+    world::Model model =
+        world::scaled(variant.model ? modelOf(variant, object) : *in_world, variant.scale);
     Articulation articulation;
     if (frames_ != nullptr) {
       articulation = articulate(std::move(model), object, *frames_);

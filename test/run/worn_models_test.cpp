@@ -174,7 +174,10 @@ INSTANTIATE_TEST_SUITE_P(Masks, WornModels, ::testing::Values("exact", "mog2"));
 TEST_F(WornModelsTest, NamesWhatCannotBeWorn) {
   parameters["randomize"] = yaml(
       "{objects: {bravo: {model: {choice: [/nowhere/a.sdf, /nowhere/b.sdf]}}, alpah: {scale: 2}}}");
-  EXPECT_THAT(errors(), Contains(HasSubstr("/nowhere/a.sdf")));
+  for (const char* model : {"/nowhere/a.sdf", "/nowhere/b.sdf"}) {
+    EXPECT_THAT(errors(), Contains(HasSubstr("randomize/objects/bravo/model: '" +
+                                             std::string(model) + "': no such file")));
+  }
   parameters["randomize"] = yaml("{objects: {alpah: {scale: 2}}}");
   setBravo(write("box.sdf", box(0.4)), 1.0);
   EXPECT_THAT(errors(), Contains(HasSubstr("randomize/objects/alpah: robot_list has no object")));
