@@ -61,7 +61,9 @@ bool MotionRun::run(const WorkPlan& work, const std::function<bool()>& is_told_t
 void MotionRun::settle() {
   if (motion_.arranger->standsAlone()) return;  // it has done so
   const Duration time = fromSeconds(motion_.config.physics.settle);
-  if (time.count() > 0) moveWorld(motion_start_ - std::min(time, motion_start_ - Stamp(1)));
+  if (time.count() == 0) return;
+  motion_.variation->choose(motion_.first_instant, *motion_.world);  // about what is worn first
+  moveWorld(motion_start_ - std::min(time, motion_start_ - Stamp(1)));
 }
 
 void MotionRun::moveWorld(Stamp stamp) {

@@ -146,9 +146,11 @@ class WorldBuilder {
       articulation.model = std::move(model);
     }
     if (variant.scale != 1.0 && !articulation.driven.empty()) {
-      throw Error("randomize/objects/" + object.name +
-                  "/scale: links of this object follow TF, which leaves them as far apart as they "
-                  "are in any size; it should be without scale, or its link_frames name no links");
+      throw Error(
+          "randomize/objects/" + object.name +
+          "/scale: links of this object follow TF, which leaves them as far apart as they "
+          "are in any size; it should be without scale, or have link_frames that TF does not "
+          "know, such as 'rigid/{link}'");
     }
     DrivenLinks& driven = setup_.driven_links.back().emplace_back(std::move(articulation.driven));
     std::vector<std::size_t> links;

@@ -136,6 +136,26 @@ class WornModelsTest : public ::testing::Test {
   const std::string folder = (run.folder() / "out").string();
 };
 
+/// What is never worn pushes nothing, wherever it stands in the list: a block that would lie about
+/// the falling ball.
+TEST_F(WornModelsTest, PropsSettleAboutWhatIsWorn) {
+  parameters["physics"] = yaml("{settle: 2.0}");
+  const std::string block = write("block.sdf", box(0.7));
+  const std::string post = write("post.sdf", box(0.4));
+  setBravo(post, 1.0);
+  const auto filesWith = [&](const std::string& models, const std::string& weights) {
+    parameters["randomize"] =
+        yaml("{objects: {alpha: {model: {choice: [" + models + "], weights: [" + weights + "]}}}}");
+    Files files = generate();
+    files.erase("manifest.sqlite");  // which has the settings
+    return files;
+  };
+  const Files without = filesWith("'" + post + "'", "1");
+  EXPECT_GT(without.size(), 30U);
+  EXPECT_TRUE(filesWith("'" + block + "', '" + post + "'", "0, 1") == without);
+  EXPECT_FALSE(filesWith("'" + block + "', '" + post + "'", "1, 0") == without);
+}
+
 class WornModels : public WornModelsTest, public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(WornModels, AreSeenAndLabelledAsIfTheyWereTheOnlyOnes) {
