@@ -106,10 +106,11 @@ SensorRandomization readSensor(const Parameters& group) {
 
 }  // namespace
 
-ObjectRandomization Randomization::ofObject(const std::string& name) const {
+const ObjectRandomization& Randomization::ofObject(const std::string& name) const {
+  static const ObjectRandomization kNothing;
   auto entry = objects.find(name);
   if (entry == objects.end()) entry = objects.find(kOthers);
-  return entry == objects.end() ? ObjectRandomization{} : entry->second;
+  return entry == objects.end() ? kNothing : entry->second;
 }
 
 Randomization readRandomization(const Parameters& root) {

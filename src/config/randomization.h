@@ -74,7 +74,7 @@ struct Randomization {
   std::optional<random::Distribution> time_jitter;
 
   /// What is drawn of an object.
-  [[nodiscard]] ObjectRandomization ofObject(const std::string& name) const;
+  [[nodiscard]] const ObjectRandomization& ofObject(const std::string& name) const;
 
   [[nodiscard]] bool changesLook() const {
     return !lights.empty() || light_count || !materials.empty() || ambient || background.colour ||

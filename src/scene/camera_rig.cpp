@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "appearance/entry_errors.h"
 #include "config/camera_info.h"
 #include "motion/recorded_camera_info.h"
 #include "scene/seconds.h"
@@ -92,11 +93,8 @@ void findPose(const config::CameraConfig& config, const world::CameraSensor* sen
   rig.X_GC = config.X_GC;
   if (rig.X_GC || frames.knowsFrame(rig.frame)) return;
   if (sensor != nullptr) {
-    try {
-      rig.link = movingLinkOf(*sensor, links);
-    } catch (const Error& error) {
-      throw Error(config.group + "/sensor: " + error.what());
-    }
+    rig.link = appearance::forEntry(config.group + "/sensor",
+                                    [&] { return movingLinkOf(*sensor, links); });
     rig.X_LC = sensor->X_LC;
     if (!rig.link) rig.X_GC = sensor->X_WC;
     return;

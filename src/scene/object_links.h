@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -20,7 +21,25 @@ inline constexpr int kNoObject = -1;
   return selection;
 }
 
-/// Those of them that are there.
+/// Where the links of an object's variant are.
+[[nodiscard]] inline std::vector<std::size_t> linksOfVariant(
+    std::size_t object, std::size_t variant, const std::vector<world::LinkInstance>& links) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const bool is_of_object = links[i].object == static_cast<int>(object);
+    if (is_of_object && links[i].variant == variant) places.push_back(i);
+  }
+  return places;
+}
+
+[[nodiscard]] inline std::vector<const world::Link*> linksAt(
+    const std::vector<std::size_t>& places, const std::vector<world::LinkInstance>& links) {
+  std::vector<const world::Link*> result;
+  for (const std::size_t place : places) result.push_back(links[place].link);
+  return result;
+}
+
+/// Those of a selection that are there.
 [[nodiscard]] inline render::LinkSelection presentOf(render::LinkSelection links,
                                                      const world::World& world) {
   const std::vector<bool>& present = world.presentLinks();

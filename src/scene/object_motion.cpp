@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/object_links.h"
+
 namespace synthetic_dataset {
 namespace {
 
@@ -20,16 +22,6 @@ std::vector<std::size_t> parentsFirst(const std::vector<const world::Link*>& lin
   return order;
 }
 
-std::vector<const world::Link*> linksOf(std::size_t object, std::size_t variant,
-                                        const std::vector<world::LinkInstance>& links) {
-  std::vector<const world::Link*> result;
-  for (const world::LinkInstance& each : links) {
-    const bool is_meant = each.object == static_cast<int>(object) && each.variant == variant;
-    if (is_meant) result.push_back(each.link);
-  }
-  return result;
-}
-
 }  // namespace
 
 ObjectMotion::ObjectMotion(const motion::FrameMotion& frames, const config::Config& config,
@@ -39,7 +31,8 @@ ObjectMotion::ObjectMotion(const motion::FrameMotion& frames, const config::Conf
   for (std::size_t i = 0; i < config.objects.size(); ++i) {
     objects_.push_back({config.objects[i].name, config.objects[i].frame});
     for (std::size_t variant = 0; variant < driven[i].size(); ++variant) {
-      variants_.push_back(makeVariant(i, linksOf(i, variant, links), driven[i][variant]));
+      const auto own = linksAt(linksOfVariant(i, variant, links), links);
+      variants_.push_back(makeVariant(i, own, driven[i][variant]));
     }
   }
 }

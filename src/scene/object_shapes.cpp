@@ -4,33 +4,16 @@
 #include <utility>
 
 #include "config/error_collector.h"
+#include "scene/object_links.h"
 
 namespace synthetic_dataset {
 namespace {
-
-std::vector<const world::Link*> linksAt(const std::vector<world::LinkInstance>& links,
-                                        const std::vector<std::size_t>& indices) {
-  std::vector<const world::Link*> result;
-  for (const std::size_t index : indices) result.push_back(links[index].link);
-  return result;
-}
 
 std::string needsVisuals(const config::ObjectConfig& object, const std::string& parameter,
                          const std::string& what, const std::string& instead) {
   return object.name + "/" + parameter + ": " + what +
          " is found on the model's visuals, and that of '" + object.name +
          "' has none; add a visual to the model, or " + instead;
-}
-
-std::vector<std::size_t> linksOf(std::size_t object, std::size_t variant,
-                                 const std::vector<world::LinkInstance>& links) {
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const bool is_meant =
-        links[i].object == static_cast<int>(object) && links[i].variant == variant;
-    if (is_meant) indices.push_back(i);
-  }
-  return indices;
 }
 
 /// What the parameters say, in a size.
@@ -73,7 +56,7 @@ ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
     Object& object = objects_.emplace_back(all.size());
     for (std::size_t k = 0; k < object.size(); ++k) {
       object[k].given = givenShape(config, static_cast<int>(i) + 1, all[k].scale);
-      object[k].links = linksOf(i, k, world.links());
+      object[k].links = linksOfVariant(i, k, world.links());
       if (!config.takes_part && !config.is_distractor) {
         leaveOutShape(object[k].given, config);
       } else if (!errors.attempt([&] { object[k] = measure(object[k], config); })) {
@@ -88,7 +71,7 @@ ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
 ObjectShapes::Variant ObjectShapes::measure(Variant variant,
                                             const config::ObjectConfig& config) const {
   config::ErrorCollector errors;
-  const std::vector<const world::Link*> own = linksAt(world_.links(), variant.links);
+  const std::vector<const world::Link*> own = linksAt(variant.links, world_.links());
   variant.geometry = world::ModelGeometry(own);
   const bool is_seen = !variant.geometry.isEmpty();
   if (config.bounding_shape_O.empty() && !is_seen) {

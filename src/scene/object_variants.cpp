@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "appearance/entry_errors.h"
 #include "random/random_source.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/model_folders.h"
 
 namespace synthetic_dataset {
-namespace {}  // namespace
-
 /// The values of a choice; else the middles of parts of the distribution that are as likely as each
 /// other.
 std::vector<ObjectVariants::Size> ObjectVariants::sizesOf(const random::Distribution& scale,
@@ -57,18 +56,15 @@ ObjectVariants::ObjectVariants(const config::ObjectConfig& object,
   constexpr std::size_t kMost = 1000;
   if (all_.size() <= kMost) return;
   throw Error("randomize/" + entry_ + ": found " + std::to_string(models.size()) + " models in " +
-              std::to_string(sizes_.size()) +
+              std::to_string(std::max<std::size_t>(sizes_.size(), 1)) +
               " sizes; there should be 1000 of them at most (fewer sizes, or fewer models), as all "
               "are made before the first scene");
 }
 
 void ObjectVariants::findModels() {
   for (const std::string& text : config_.model->texts) {
-    try {
-      models_of_[text] = world::modelsAt(text);
-    } catch (const Error& error) {
-      throw Error("randomize/" + entry_ + "/model: " + error.what());
-    }
+    models_of_[text] = appearance::forEntry("randomize/" + entry_ + "/model",
+                                            [&] { return world::modelsAt(text); });
     for (const std::string& model : models_of_[text]) {
       const bool is_new = std::find(models_.begin(), models_.end(), model) == models_.end();
       if (is_new) models_.push_back(model);

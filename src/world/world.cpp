@@ -168,32 +168,45 @@ void World::Impl::addDistractor(const Model& model, std::vector<std::string>& er
   });
 }
 
-std::vector<Pose> World::Impl::bodyPoses(Stamp time, const ObjectMotion& motion) const {
-  std::vector<Pose> poses;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const ObjectPose pose = motion(static_cast<int>(i), time);
-    if (pose.X_WL.size() != objects[i].driven_links.size()) {
-      throw Error("object '" + objects[i].model.name +
-                  "': " + std::to_string(objects[i].driven_links.size()) +
-                  " links are driven, but " + std::to_string(pose.X_WL.size()) + " poses given");
-    }
-    for (const Pose& X_WB_one : ObjectBodies::poses(pose)) {
-      if (!X_WB_one.matrix().allFinite()) {
-        throw Error("object '" + objects[i].model.name + "': its pose at " + text(time) +
-                    " is not finite");
-      }
-      poses.push_back(X_WB_one);
-    }
+std::vector<Pose> World::Impl::bodyPosesOf(std::size_t moving_object, Stamp time,
+                                           const ObjectMotion& motion) const {
+  const MovingObject& object = objects[moving_object];
+  const ObjectPose pose = motion(static_cast<int>(moving_object), time);
+  if (pose.X_WL.size() != object.driven_links.size()) {
+    throw Error("object '" + object.model.name +
+                "': " + std::to_string(object.driven_links.size()) + " links are driven, but " +
+                std::to_string(pose.X_WL.size()) + " poses given");
+  }
+  std::vector<Pose> poses = ObjectBodies::poses(pose);
+  for (const Pose& X_WB_one : poses) {
+    if (X_WB_one.matrix().allFinite()) continue;
+    throw Error("object '" + object.model.name + "': its pose at " + text(time) + " is not finite");
   }
   return poses;
 }
 
-/// Where bodies can be pushed against and push: those that no object wears are out of the way.
-std::vector<Pose> World::Impl::tangible(std::vector<Pose> poses) const {
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (!isWorn(body_objects[i])) poses[i] = nowhere();
+std::vector<Pose> World::Impl::bodyPoses(Stamp time, const ObjectMotion& motion) const {
+  std::vector<Pose> all;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::vector<Pose> poses = bodyPosesOf(i, time, motion);
+    all.insert(all.end(), poses.begin(), poses.end());
   }
-  return poses;
+  return all;
+}
+
+/// Where bodies push and are pushed against: those that no object wears are out of the way, and
+/// nobody is asked where they would be.
+std::vector<Pose> World::Impl::tangiblePoses(Stamp time, const ObjectMotion& motion) const {
+  std::vector<Pose> all;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (isWorn(i)) {
+      const std::vector<Pose> poses = bodyPosesOf(i, time, motion);
+      all.insert(all.end(), poses.begin(), poses.end());
+    } else {
+      all.insert(all.end(), objects[i].driven_links.size() + 1, nowhere());
+    }
+  }
+  return all;
 }
 
 /// @return a place in objects
@@ -229,14 +242,18 @@ void World::Impl::start(Stamp time, const ObjectMotion& motion) {
   if (props.empty()) return;
   physics = std::make_unique<Physics>(description.gravity, options.step, fixed,
                                       pointersTo(object_collisions), startingProps());
-  physics->placeObjects(tangible(X_WB));
+  std::vector<Pose> tangible = X_WB;
+  for (std::size_t i = 0; i < tangible.size(); ++i) {
+    if (!isWorn(body_objects[i])) tangible[i] = nowhere();
+  }
+  physics->placeObjects(tangible);
 }
 
 void World::Impl::simulateUntil(Stamp time, const ObjectMotion& motion) {
   if (!physics) return;
   const std::int64_t steps = (time - *start_time) / options.step;
   for (; steps_done < steps; ++steps_done) {
-    physics->step(tangible(bodyPoses(*start_time + (steps_done + 1) * options.step, motion)));
+    physics->step(tangiblePoses(*start_time + (steps_done + 1) * options.step, motion));
   }
 }
 

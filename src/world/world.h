@@ -58,8 +58,8 @@ struct Interpenetration {
 class World {
  public:
   /// Where a moving object, by its place among those given, and its driven links are at a time:
-  /// variants that are not worn, too. Called for every step of the simulation, so it has to answer
-  /// at any time between two scenes.
+  /// variants that are not worn, too, but of those only at the times that are shown. Called for
+  /// every step of the simulation, so it has to answer at any time between two scenes.
   using ObjectMotion = std::function<ObjectPose(int moving_object, Stamp time)>;
 
   /// @param description  models that are no object and not static are props

@@ -37,7 +37,9 @@ struct World::Impl {
   void show(const Model& model, std::size_t first_link, const Pose& X_WM);
   void showObjects();
   [[nodiscard]] std::vector<Pose> bodyPoses(Stamp time, const ObjectMotion& motion) const;
-  [[nodiscard]] std::vector<Pose> tangible(std::vector<Pose> poses) const;
+  [[nodiscard]] std::vector<Pose> bodyPosesOf(std::size_t moving_object, Stamp time,
+                                              const ObjectMotion& motion) const;
+  [[nodiscard]] std::vector<Pose> tangiblePoses(Stamp time, const ObjectMotion& motion) const;
   [[nodiscard]] std::size_t wornBy(std::size_t object) const;
   [[nodiscard]] bool isWorn(std::size_t moving_object) const;
   [[nodiscard]] std::vector<bool> presentBodies() const;
