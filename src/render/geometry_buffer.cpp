@@ -28,11 +28,11 @@ GeometryBuffer::GeometryBuffer(const GlFunctions& gl, int width, int height,
       normal_metalness_(makePlane(gl, GL_RGBA16F, width, height)),
       faces_(makeIf(planes.faces, gl, width, height)),
       glows_(makeIf(planes.glows, gl, width, height)),
-      depth_buffer_(makePlane(gl, GL_DEPTH_COMPONENT32F, width, height)),
+      depth_buffer_(makePlane(gl, GL_DEPTH32F_STENCIL8, width, height)),
       framebuffer_(makeFramebuffer(gl)) {
   attachPlanes(gl, framebuffer_,
                {&parts_, &depths_, &base_roughness_, &normal_metalness_, &faces_, &glows_},
-               &depth_buffer_);
+               &depth_buffer_, GL_DEPTH_STENCIL_ATTACHMENT);
 }
 
 void GeometryBuffer::bind() const {
@@ -42,12 +42,11 @@ void GeometryBuffer::bind() const {
 
 void GeometryBuffer::begin() const {
   constexpr std::array<GLuint, 4> kNobody = {0, 0, 0, 0};
-  constexpr std::array<float, 4> kNothing = {0.0F, 0.0F, 0.0F, 0.0F};
   const GLuint name = framebuffer_.name();
   bind();
   // What else a pixel without a part holds is not looked at.
   gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kParts, kNobody.data());
-  gl_.ClearNamedFramebufferfv(name, GL_DEPTH, 0, kNothing.data());
+  gl_.ClearNamedFramebufferfi(name, GL_DEPTH_STENCIL, 0, 0.0F, 0);
 }
 
 void GeometryBuffer::copyTo(const GeometryBuffer& to, const cv::Rect& pixels) const {
@@ -87,6 +86,14 @@ GeometryImages GeometryBuffer::read(const cv::Rect& pixels, bool normals) const 
     images.normals = plane(output, CV_16UC4, GL_RGBA, GL_HALF_FLOAT);
   }
   return images;
+}
+
+cv::Mat GeometryBuffer::readStencil(const cv::Rect& pixels) const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  cv::Mat bits(pixels.size(), CV_8UC1);
+  gl_.ReadPixels(pixels.x, pixels.y, pixels.width, pixels.height, GL_STENCIL_INDEX,
+                 GL_UNSIGNED_BYTE, bits.data);
+  return bits;
 }
 
 }  // namespace synthetic_dataset::render

@@ -37,11 +37,14 @@ class GeometryBuffer {
   /// Binds its planes to the texture units of the shader that lights them.
   void bindTextures() const;
 
-  /// Depth for OpenGL's depth test, reversed.
+  /// Depth for OpenGL's depth test, reversed; and a stencil of 8 bits, which is empty at first.
   [[nodiscard]] const GlTexture& depthBuffer() const { return depth_buffer_; }
 
   /// @param normals  whether they are read, too
   [[nodiscard]] GeometryImages read(const cv::Rect& pixels, bool normals) const;
+
+  /// CV_8UC1: the bits that were set (SilhouetteBits).
+  [[nodiscard]] cv::Mat readStencil(const cv::Rect& pixels) const;
 
  private:
   const GlFunctions& gl_;

@@ -3,6 +3,7 @@
 #include "render/draw_list.h"
 #include "render/geometry_buffer.h"
 #include "render/shader_family.h"
+#include "render/silhouette_bits.h"
 #include "render/view.h"
 
 namespace synthetic_dataset::render {
@@ -19,10 +20,13 @@ class GeometryPainter {
 
   /// The selected parts that one cannot see through.
   /// @param stand_still  those that do, which have to be drawn before the others, or the others
+  /// @param bits  that the parts set in the stencil, hidden or not
   void paint(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
-             bool stand_still);
+             bool stand_still, const SilhouetteBits& bits);
 
  private:
+  void setStencil(GLuint bits);
+
   const GlFunctions& gl_;
   const DrawList& parts_;
   GeometryPlanes planes_;

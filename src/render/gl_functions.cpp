@@ -37,6 +37,9 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(DepthFunc, "glDepthFunc");
   fill(DepthMask, "glDepthMask");
   fill(FrontFace, "glFrontFace");
+  fill(StencilFunc, "glStencilFunc");
+  fill(StencilOp, "glStencilOp");
+  fill(StencilMask, "glStencilMask");
   fill(BlendFunc, "glBlendFunc");
   fill(ClipControl, "glClipControl");
   fill(PixelStorei, "glPixelStorei");
@@ -72,6 +75,7 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(NamedFramebufferReadBuffer, "glNamedFramebufferReadBuffer");
   fill(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");
   fill(ClearNamedFramebufferfv, "glClearNamedFramebufferfv");
+  fill(ClearNamedFramebufferfi, "glClearNamedFramebufferfi");
   fill(ClearNamedFramebufferuiv, "glClearNamedFramebufferuiv");
   fill(CreateShader, "glCreateShader");
   fill(DeleteShader, "glDeleteShader");

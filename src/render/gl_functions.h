@@ -21,6 +21,9 @@ struct GlFunctions {
   PFNGLDEPTHFUNCPROC DepthFunc = nullptr;
   PFNGLDEPTHMASKPROC DepthMask = nullptr;
   PFNGLFRONTFACEPROC FrontFace = nullptr;
+  PFNGLSTENCILFUNCPROC StencilFunc = nullptr;
+  PFNGLSTENCILOPPROC StencilOp = nullptr;
+  PFNGLSTENCILMASKPROC StencilMask = nullptr;
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
   PFNGLPIXELSTOREIPROC PixelStorei = nullptr;
@@ -59,6 +62,7 @@ struct GlFunctions {
   PFNGLNAMEDFRAMEBUFFERREADBUFFERPROC NamedFramebufferReadBuffer = nullptr;
   PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;
   PFNGLCLEARNAMEDFRAMEBUFFERFVPROC ClearNamedFramebufferfv = nullptr;
+  PFNGLCLEARNAMEDFRAMEBUFFERFIPROC ClearNamedFramebufferfi = nullptr;
   PFNGLCLEARNAMEDFRAMEBUFFERUIVPROC ClearNamedFramebufferuiv = nullptr;
 
   PFNGLCREATESHADERPROC CreateShader = nullptr;

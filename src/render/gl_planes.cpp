@@ -21,7 +21,8 @@ GlTexture makePlane(const GlFunctions& gl, GLenum format, int width, int height)
 }
 
 void attachPlanes(const GlFunctions& gl, const GlFramebuffer& framebuffer,
-                  const std::vector<const GlTexture*>& planes, const GlTexture* depth) {
+                  const std::vector<const GlTexture*>& planes, const GlTexture* depth,
+                  GLenum depth_attachment) {
   const GLuint name = framebuffer.name();
   std::vector<GLenum> outputs(planes.size(), GL_NONE);
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -29,7 +30,7 @@ void attachPlanes(const GlFunctions& gl, const GlFramebuffer& framebuffer,
     outputs[i] = attachment(i);
     gl.NamedFramebufferTexture(name, outputs[i], planes[i]->name(), 0);
   }
-  if (depth != nullptr) gl.NamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth->name(), 0);
+  if (depth != nullptr) gl.NamedFramebufferTexture(name, depth_attachment, depth->name(), 0);
   gl.NamedFramebufferDrawBuffers(name, static_cast<GLsizei>(outputs.size()), outputs.data());
   const GLenum status = gl.CheckNamedFramebufferStatus(name, GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {

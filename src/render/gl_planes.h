@@ -15,9 +15,11 @@ namespace synthetic_dataset::render {
 /// Makes the planes the outputs 0, 1, ... of what is drawn into a framebuffer; outputs whose plane
 /// is none are not kept.
 /// @param depth  for the depth test, or none
+/// @param depth_attachment  GL_DEPTH_STENCIL_ATTACHMENT where it has a stencil that is used
 /// @throws Error when OpenGL cannot draw into them
 void attachPlanes(const GlFunctions& gl, const GlFramebuffer& framebuffer,
-                  const std::vector<const GlTexture*>& planes, const GlTexture* depth);
+                  const std::vector<const GlTexture*>& planes, const GlTexture* depth,
+                  GLenum depth_attachment = GL_DEPTH_ATTACHMENT);
 
 /// Some pixels of an output of the framebuffer, which has to be bound.
 /// @param type  of the matrix, that of `format` and `component`

@@ -29,6 +29,13 @@ PicturePainter& PictureCache::get(const View& view) {
   return *entries_.front().painter;
 }
 
+const PicturePainter* PictureCache::find(const View& view) const {
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return entry.painter->drewFrom(view);
+  });
+  return found != entries_.end() ? found->painter.get() : nullptr;
+}
+
 void PictureCache::forget() {
   for (const Entry& entry : entries_) entry.painter->forget();
   places_.clear();  // a place that comes back looks different then

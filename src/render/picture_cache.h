@@ -18,6 +18,9 @@ class PictureCache {
   /// call.
   [[nodiscard]] PicturePainter& get(const View& view);
 
+  /// The one that drew from this place last, or null.
+  [[nodiscard]] const PicturePainter* find(const View& view) const;
+
   /// Nothing that was drawn so far is of use any more.
   void forget();
 

@@ -1,5 +1,6 @@
 #include "render/picture_painter.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <opencv2/imgproc.hpp>
@@ -63,6 +64,7 @@ PicturePainter::PicturePainter(const PictureCrew& crew, const cv::Size& size)
 
 void PicturePainter::forget() {
   content_.reset();
+  bits_ = {};
   geometry_key_ = {};
   keeps_geometry_ = false;
   covered_.clear();
@@ -134,6 +136,20 @@ GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose
   return geometry_.read(image_, false);
 }
 
+std::optional<CoveredPixels> PicturePainter::covered(const View& view,
+                                                     const std::vector<Pose>& X_WL,
+                                                     const LinkSelection& links) const {
+  const auto isThere = [](const Pose& pose, const Eigen::Matrix4d& drawn) {
+    return pose.matrix() == drawn;
+  };
+  const bool is_drawn =
+      content_ && drewFrom(view) &&
+      std::equal(X_WL.begin(), X_WL.end(), content_->X_WL.begin(), content_->X_WL.end(), isThere);
+  const auto place = is_drawn ? bits_.find(links) : std::nullopt;
+  if (!place) return std::nullopt;
+  return CoveredPixels{place->pixels, (geometry_.readStencil(place->pixels) & place->bit) != 0};
+}
+
 LinkSelection PicturePainter::standing(const LinkSelection& links) const {
   LinkSelection selected(links.size(), false);
   for (const Part& part : crew_.parts.parts()) {
@@ -168,10 +184,14 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
     keeps_geometry_ = false;
     for (KeptPicture& kept : kept_pictures_) kept = {};
     geometry_.begin();
-    crew_.geometry_painter.paint(view, X_WL, drawn, true);
+    crew_.geometry_painter.paint(view, X_WL, drawn, true, {});
   }
+  // What a first picture would save, OpenGL takes to make shaders for it.
+  bits_ =
+      crew_.keeps && has_drawn_ ? SilhouetteBits(crew_.parts, view, X_WL, drawn) : SilhouetteBits();
+  has_drawn_ = true;
   geometry_.bind();
-  crew_.geometry_painter.paint(view, X_WL, drawn, false);
+  crew_.geometry_painter.paint(view, X_WL, drawn, false, bits_);
   covered_ = regionsOf(crew_.parts.parts(), view, X_WL,
                        [&](const Part& part) { return drawn[part.link] && !part.stands_still; });
   content_ = std::move(content);
@@ -187,7 +207,7 @@ void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Po
     return;
   }
   geometry_.begin();
-  crew_.geometry_painter.paint(view, X_WL, drawn, true);
+  crew_.geometry_painter.paint(view, X_WL, drawn, true, {});
   if (!kept_geometry_) {
     kept_geometry_.emplace(crew_.gl, image_.width, image_.height, crew_.geometry_painter.planes());
   }

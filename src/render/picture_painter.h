@@ -13,6 +13,8 @@
 #include "render/light_painter.h"
 #include "render/light_target.h"
 #include "render/shadow_painter.h"
+#include "render/silhouette_bits.h"
+#include "render/silhouette_painter.h"
 #include "render/unfinished_picture.h"
 
 namespace synthetic_dataset::render {
@@ -56,6 +58,11 @@ class PicturePainter {
   /// What the pixels' centres see: what a picture and labels of the same things have in common.
   [[nodiscard]] GeometryImages geometry(const View& view, const std::vector<Pose>& X_WL,
                                         const LinkSelection& drawn);
+
+  /// What of the image links cover, whatever hides them, where what was drawn last tells.
+  [[nodiscard]] std::optional<CoveredPixels> covered(const View& view,
+                                                     const std::vector<Pose>& X_WL,
+                                                     const LinkSelection& links) const;
 
  private:
   /// What the surfaces that never move look like depends on.
@@ -111,6 +118,8 @@ class PicturePainter {
   GeometryBuffer geometry_;
   LightTarget light_;
   GeometryKey geometry_key_;        ///< of geometry_
+  SilhouetteBits bits_;             ///< in geometry_
+  bool has_drawn_ = false;          ///< at least once
   std::optional<Content> content_;  ///< of geometry_; nothing while that is what never moves
   std::optional<GeometryBuffer> kept_geometry_;
   bool keeps_geometry_ = false;               ///< kept_geometry_ is that of geometry_key_

@@ -149,7 +149,9 @@ LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,
 
 Silhouette Renderer::silhouette(const View& view, const std::vector<Pose>& X_WL,
                                 const LinkSelection& links) {
-  return impl_->silhouette_painter.paint(view, X_WL, links);
+  const PicturePainter* drawn = hasDistortion(view.camera) ? nullptr : impl_->pictures.find(view);
+  return impl_->silhouette_painter.paint(
+      view, X_WL, links, drawn != nullptr ? drawn->covered(view, X_WL, links) : std::nullopt);
 }
 
 cv::Rect Renderer::reach(const View& view, const std::vector<Pose>& X_WL,

@@ -240,7 +240,8 @@ void SilhouettePainter::addBesideTheLens(const Subject& subject, const View& vie
 }
 
 Silhouette SilhouettePainter::paint(const View& view, const std::vector<Pose>& X_WL,
-                                    const LinkSelection& links) {
+                                    const LinkSelection& links,
+                                    const std::optional<CoveredPixels>& in_image) {
   const Subject subject{X_WL, links};
   Silhouette silhouette;
   silhouette.mask = cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
@@ -248,10 +249,11 @@ Silhouette SilhouettePainter::paint(const View& view, const std::vector<Pose>& X
   if (!bounds) return silhouette;
   Tally tally;
   const Window image = imageWindow(view.camera);
-  const cv::Rect region = cellsWithin(image, *bounds);
+  const cv::Rect region = in_image ? in_image->place : cellsWithin(image, *bounds);
   if (!region.empty()) {
-    draw(subject, view, region).copyTo(silhouette.mask(region));
-    tally.addPixels(image, region, silhouette.mask(region));
+    const cv::Mat covered = in_image ? in_image->mask : draw(subject, view, region);
+    covered.copyTo(silhouette.mask(region));
+    tally.addPixels(image, region, covered);
     silhouette.pixels_in_image = tally.pixels();
   }
   if (!holds(view.camera.imageBounds(), *bounds)) {

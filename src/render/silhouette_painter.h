@@ -23,6 +23,12 @@ struct Silhouette {
   std::int64_t pixels_in_image = 0;  ///< those of the mask
 };
 
+/// What links cover, whatever hides them, within some pixels of an image.
+struct CoveredPixels {
+  cv::Rect place;  ///< they cover none beside these
+  cv::Mat mask;    ///< CV_8UC1 of that size: 255 on the links, 0 elsewhere
+};
+
 /// Draws what links cover, in the image and beyond its edge.
 ///
 /// Only the pixels where the links' bounds fall are drawn. In the image they are those of
@@ -39,8 +45,10 @@ class SilhouettePainter {
   SilhouettePainter(const GlFunctions& gl, const DrawList& parts, LensLibrary& lenses);
 
   /// @param links  those that are seen
+  /// @param in_image  what they cover in the image, if that is known
   [[nodiscard]] Silhouette paint(const View& view, const std::vector<Pose>& X_WL,
-                                 const LinkSelection& links);
+                                 const LinkSelection& links,
+                                 const std::optional<CoveredPixels>& in_image);
 
  private:
   struct Subject;  ///< what is painted, and where it stands

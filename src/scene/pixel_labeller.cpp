@@ -41,10 +41,12 @@ bool PixelLabeller::usesSubtraction() const {
 }
 
 PixelFindings PixelLabeller::label(const render::View& view, Scene& scene) {
+  pass_.drawn = world_.presentLinks();
+  const render::LabelImages images =
+      needs_labels_ ? renderer_.labels(view, world_.linkPoses(), pass_) : render::LabelImages();
+  // After that, the renderer knows most silhouettes.
   if (needs_silhouettes_) measureSilhouettes(view, scene);
   if (!needs_labels_) return {};
-  pass_.drawn = world_.presentLinks();
-  const render::LabelImages images = renderer_.labels(view, world_.linkPoses(), pass_);
   addImages(images, scene);
   PixelFindings findings;
   findings.mask_agreement = addMasks(view, images.ids, scene);
