@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "world/mesh/closed_surface.h"
+
 namespace synthetic_dataset::render {
 namespace {
 
@@ -53,11 +55,20 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
         part.stands_still = links[link].role == world::Role::kStatic;
         part.casts_shadow =
             visual.casts_shadow && !part.transparent && !isLargeAndFlat(part.bounds_V);
+        // What stands still casts its shadow but once.
+        part.casts_by_front = part.casts_shadow && !part.stands_still && !part.has_holes &&
+                              isSurfaceOfBodies(surface.mesh);
         features_ |= part.features;
         parts_.push_back(std::move(part));
       }
     }
   }
+}
+
+bool DrawList::isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh) {
+  const auto [found, is_new] = surfaces_of_bodies_.try_emplace(mesh.get(), false);
+  if (is_new) found->second = world::isSurfaceOfBodies(*mesh);
+  return found->second;
 }
 
 Part DrawList::makePart(const world::Surface& surface) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "render/light_setup.h"
@@ -38,7 +39,8 @@ struct Part {
   Bounds bounds_V;
   bool transparent = false;  ///< somewhere; it casts no shadow then
   bool casts_shadow = true;
-  bool stands_still = false;  ///< the link is of what never moves
+  bool casts_by_front = false;  ///< the backs of its triangles add nothing to its shadow
+  bool stands_still = false;    ///< the link is of what never moves
   bool double_sided = false;
   bool has_holes = false;  ///< where its texture's alpha is small
 };
@@ -92,6 +94,7 @@ class DrawList {
  private:
   [[nodiscard]] Part makePart(const world::Surface& surface);
   void dress(Part& part);
+  [[nodiscard]] bool isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh);
 
   /// By the depth of their bounds' centres times `sign`, the least first.
   [[nodiscard]] std::vector<const Part*> sorted(
@@ -102,6 +105,7 @@ class DrawList {
   TextureLibrary textures_;
   SurfaceFeatures features_ = 0;
   std::vector<Part> parts_;
+  std::map<const world::Mesh*, bool> surfaces_of_bodies_;  ///< of those looked at so far
   std::map<const world::Material*, world::Material> worn_;
 };
 

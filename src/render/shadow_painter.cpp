@@ -17,6 +17,11 @@ cv::Rect grown(const cv::Rect& rectangle, const cv::Size& by) {
           rectangle.height + 2 * by.height};
 }
 
+/// Whether the light comes from far away.
+bool isParallel(const ShadowProjection& shadow) {
+  return shadow.shadow_from_world.row(3).head<3>().isZero();
+}
+
 /// How many columns and rows from its own place a surface's light asks for texels.
 cv::Size reachOf(const ShadowProjection& shadow, int map_size) {
   constexpr int kGathered = 2;  // on each side (lighting.glsl)
@@ -27,7 +32,7 @@ cv::Size reachOf(const ShadowProjection& shadow, int map_size) {
     return static_cast<int>(std::ceil(shift)) + kGathered + kSpare;
   };
   const Eigen::Matrix4d& map = shadow.shadow_from_world;
-  if (map.row(3).head<3>().isZero()) {
+  if (isParallel(shadow)) {
     const auto texels_in_metre = [&](int axis) { return half * map.row(axis).head<3>().norm(); };
     return {reach(kRaise * shadow.texel * texels_in_metre(0)),
             reach(kRaise * shadow.texel * texels_in_metre(1))};
@@ -61,7 +66,6 @@ ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& parts, int s
 void ShadowPainter::begin() {
   gl_.Enable(GL_DEPTH_CLAMP);  // what stands before the map's range still casts
   gl_.DepthFunc(GL_LESS);
-  gl_.Disable(GL_CULL_FACE);
 }
 
 void ShadowPainter::paint(const std::vector<ShadowProjection>& shadows,
@@ -175,6 +179,8 @@ cv::Rect ShadowPainter::texelsOf(const Bounds& caster, const ShadowProjection& s
 
 void ShadowPainter::draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                          const LinkSelection& casting, Casters casters) {
+  // A lamp may be within a body.
+  const bool is_parallel = isParallel(shadow);
   for (const Part& part : parts_.parts()) {
     if (!part.casts_shadow || !casting[part.link]) continue;
     if (casters != Casters::kAll && part.stands_still != (casters == Casters::kStanding)) continue;
@@ -184,6 +190,11 @@ void ShadowPainter::draw(const ShadowProjection& shadow, const std::vector<Pose>
     program.use();
     program.set("shadow_from_mesh", Eigen::Matrix4f(shadow_from_mesh.cast<float>()));
     bindHoles(gl_, program, part);
+    if (part.casts_by_front && is_parallel) {
+      gl_.Enable(GL_CULL_FACE);
+    } else {
+      gl_.Disable(GL_CULL_FACE);
+    }
     part.mesh->draw();
   }
 }
