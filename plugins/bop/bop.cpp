@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -17,8 +18,8 @@
 namespace synthetic_dataset {
 namespace {
 
-constexpr double kMillimetres = 1000.0;     // in a metre
-constexpr double kGreatestDepth = 65535.0;  // that a pixel can hold
+constexpr double kMillimetres = 1000.0;  // in a metre
+constexpr int kGreatestDepth = 65535;    // that a pixel can hold
 
 /// Of visibility: the toolkit's smallest for a target, and below which it ignores a detection.
 constexpr double kFewestVisible = 0.1;
@@ -38,19 +39,20 @@ struct DepthImage {
 };
 
 DepthImage depthImage(const cv::Mat& depth, double scale) {
-  DepthImage image{cv::Mat(depth.size(), CV_16UC1, cv::Scalar(0)), false};
+  constexpr double kTooMuch = kGreatestDepth + 1.0;
+  DepthImage image{cv::Mat(depth.size(), CV_16UC1), false};
   for (int row = 0; row < depth.rows; ++row) {
     const auto* from = depth.ptr<float>(row);
     auto* to = image.pixels.ptr<std::uint16_t>(row);
+    int greatest = 0;
     for (int column = 0; column < depth.cols; ++column) {
-      if (!(from[column] > 0.0F)) continue;
-      const double value = std::round(kMillimetres / scale * from[column]);
-      if (value > kGreatestDepth) {
-        image.is_cut_off = true;
-      } else {
-        to[column] = static_cast<std::uint16_t>(value);
-      }
+      // Without jumps, so that several pixels are worked out at a time; below 0 is behind.
+      const double value = std::clamp(kMillimetres / scale * from[column], 0.0, kTooMuch);
+      const int rounded = static_cast<int>(value + 0.5);
+      greatest = std::max(greatest, rounded);
+      to[column] = static_cast<std::uint16_t>(rounded > kGreatestDepth ? 0 : rounded);
     }
+    image.is_cut_off = image.is_cut_off || greatest > kGreatestDepth;
   }
   return image;
 }

@@ -1,5 +1,6 @@
 #include "output/scene_contents.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -29,8 +30,12 @@ std::uint32_t checksumOf(const cv::Mat& pixels) {
   return sum;
 }
 
+/// Whether these are not only alike, as images that several writers were given are.
+bool areSame(const cv::Mat& a, const cv::Mat& b) {
+  return a.data == b.data && a.size() == b.size() && a.type() == b.type() && a.step[0] == b.step[0];
+}
+
 bool haveSamePixels(const cv::Mat& a, const cv::Mat& b) {
-  if (a.data == b.data && a.step[0] == b.step[0]) return true;
   bool same = true;
   visitRows(a, [&](const uchar* bytes, std::size_t size, int row) {
     same = same && std::memcmp(bytes, b.ptr(row), size) == 0;
@@ -43,6 +48,20 @@ class EqualImages {
  public:
   /// The content of an equal image, or null; then the image has this content.
   const std::size_t* find(const OutputFile& file, ImageFormat format, std::size_t content) {
+    const cv::Mat& pixels = file.pixels;
+    const auto given = std::find_if(given_.begin(), given_.end(), [&](const Given& other) {
+      return other.format == format && areSame(other.file->pixels, pixels) &&
+             other.file->palette == file.palette;
+    });
+    if (given != given_.end()) return &given->content;
+    const std::size_t* equal = findEqual(file, format, content);
+    given_.push_back({&file, format, equal != nullptr ? *equal : content});
+    return equal;
+  }
+
+ private:
+  /// One whose pixels are looked at.
+  const std::size_t* findEqual(const OutputFile& file, ImageFormat format, std::size_t content) {
     const cv::Mat& pixels = file.pixels;
     std::vector<uchar> colours;
     for (const cv::Vec3b& colour : file.palette) {
@@ -57,13 +76,18 @@ class EqualImages {
     return nullptr;
   }
 
- private:
+  struct Given {
+    const OutputFile* file;
+    ImageFormat format;
+    std::size_t content;
+  };
   struct Image {
     cv::Mat pixels;
     std::size_t content;
   };
   using Key = std::tuple<int, int, int, ImageFormat, std::vector<uchar>, std::uint32_t>;
 
+  std::vector<Given> given_;
   std::map<Key, std::vector<Image>> images_;
 };
 

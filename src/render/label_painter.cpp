@@ -16,12 +16,12 @@ cv::Mat rangeOf(const cv::Mat& depth, const Intrinsics& k) {
   // By rows, so that many pixels are worked out at a time.
   const Eigen::ArrayXd x =
       (Eigen::ArrayXd::LinSpaced(depth.cols, 0.0, depth.cols - 1.0) - k.cx) / k.fx;
-  const Eigen::ArrayXd xx = x * x;
+  const Eigen::ArrayXf xx = (x * x).cast<float>();
   for (int v = 0; v < depth.rows; ++v) {
     const double y = (v - k.cy) / k.fy;
     const Eigen::Map<const Eigen::ArrayXf> z(depth.ptr<float>(v), depth.cols);
     Eigen::Map<Eigen::ArrayXf>(range.ptr<float>(v), depth.cols) =
-        (z.cast<double>() * (xx + (y * y + 1.0)).sqrt()).cast<float>();
+        z * (xx + static_cast<float>(y * y + 1.0)).sqrt();
   }
   return range;
 }
