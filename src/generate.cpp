@@ -1,8 +1,6 @@
 /// The program `generate`: settings from a file or from ROS parameters in, a dataset out, the
 /// result as exit code.
 
-#include <malloc.h>
-
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -16,6 +14,7 @@
 #include "config/settings_file.h"
 #include "console/command_line.h"
 #include "console/console_reporter.h"
+#include "console/heap.h"
 #include "console/live_map.h"
 #include "console/ros_parameters.h"
 #include "console/stop_signals.h"
@@ -87,17 +86,10 @@ int generateOrTell(ReadSettings read_settings) {
   return kFailed;
 }
 
-/// Pictures come and go, each of some megabytes: the C library would ask the system for each of
-/// them, which fills it with zeros, and give it back.
-void keepMemory() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);   // [byte]; the most that all versions take
-  mallopt(M_TRIM_THRESHOLD, 256 << 20);  // [byte]
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  keepMemory();
+  heap::prepare();
   CommandLine command_line;
   try {
     command_line = parseCommandLine({argv + 1, argv + argc});

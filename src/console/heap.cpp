@@ -1,0 +1,50 @@
+#include "console/heap.h"
+
+#include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+namespace synthetic_dataset::heap {
+namespace {
+
+constexpr int kMegabyte = 1 << 20;
+
+/// The C library would ask the system for each picture, which fills it with zeros, and give it
+/// back.
+void keepPictures() {
+  mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the most that all versions take
+  mallopt(M_TRIM_THRESHOLD, 512 * kMegabyte);
+}
+
+/// A shadow map's neighbouring rows lie on pages of their own; the processor finds few large pages
+/// sooner. The heap is laid out for some hundred megabytes, which take memory once they are used.
+void useLargePages() {
+  constexpr int kHeap = 256 * kMegabyte;
+  constexpr int kUsualPad = 128 << 10;
+  constexpr std::uintptr_t kPage = 2 * kMegabyte;
+  mallopt(M_TOP_PAD, kHeap);
+  void* const first = std::malloc(kMegabyte);
+  mallopt(M_TOP_PAD, kUsualPad);
+  const auto place = reinterpret_cast<std::uintptr_t>(first);
+  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
+  const std::uintptr_t begin = (place + kPage - 1) / kPage * kPage;
+  // Elsewhere it is where a sanitizer has its own heap, or where there is no room for so large a
+  // one.
+  if (first != nullptr && begin < end && end - begin <= 2 * std::uintptr_t{kHeap}) {
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  }
+  std::free(first);
+}
+
+}  // namespace
+
+void prepare() {
+  keepPictures();
+  useLargePages();
+}
+
+}  // namespace synthetic_dataset::heap
