@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstddef>
@@ -20,20 +21,26 @@ void keepPictures() {
   mallopt(M_TRIM_THRESHOLD, 512 * kMegabyte);
 }
 
+/// Whether addresses may be laid out that nothing may ever come to be at.
+bool hasRoom() {
+  rlimit addresses{};
+  return getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur == RLIM_INFINITY;
+}
+
 /// A shadow map's neighbouring rows lie on pages of their own; the processor finds few large pages
 /// sooner. The heap is laid out for some hundred megabytes, which take memory once they are used.
 void useLargePages() {
   constexpr int kHeap = 256 * kMegabyte;
   constexpr int kUsualPad = 128 << 10;
   constexpr std::uintptr_t kPage = 2 * kMegabyte;
+  if (!hasRoom()) return;
   mallopt(M_TOP_PAD, kHeap);
   void* const first = std::malloc(kMegabyte);
   mallopt(M_TOP_PAD, kUsualPad);
   const auto place = reinterpret_cast<std::uintptr_t>(first);
   const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
   const std::uintptr_t begin = (place + kPage - 1) / kPage * kPage;
-  // Elsewhere it is where a sanitizer has its own heap, or where there is no room for so large a
-  // one.
+  // A sanitizer has a heap elsewhere.
   if (first != nullptr && begin < end && end - begin <= 2 * std::uintptr_t{kHeap}) {
     madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
   }
