@@ -2,8 +2,8 @@
 
 import json
 import os
-import shutil
 import subprocess
+import tempfile
 import time
 
 from room import camera_rotation, quaternion, RATE
@@ -59,6 +59,13 @@ def write_camera(scene, folder):
             "projection_matrix": {"rows": 3, "cols": 4, "data": projection}}, out)
 
 
+def set_aside(output):
+    """Makes room for a dataset. What was there stays: for minutes after many files were deleted,
+    ext4 takes longer to make new ones."""
+    if os.path.exists(output):
+        os.rename(output, tempfile.mkdtemp(prefix="earlier_", dir=os.path.dirname(output)))
+
+
 def run(program, parameters, folder, before=(), keep=False):
     """Makes a dataset, anew or, with keep, over what is there.
 
@@ -66,7 +73,7 @@ def run(program, parameters, folder, before=(), keep=False):
     program, with arguments, that starts ours.
     """
     if not keep:
-        shutil.rmtree(parameters["output_folder"], ignore_errors=True)
+        set_aside(parameters["output_folder"])
     with open(f"{folder}/settings.yaml", "w") as out:
         json.dump(parameters, out)
     began = time.monotonic()

@@ -101,14 +101,16 @@ def main():
     arguments = parser.parse_args()
     os.makedirs(arguments.results, exist_ok=True)
     results = []
-    for size in ((640, 480), (1280, 720)):
-        for objects in arguments.objects:
-            with tempfile.TemporaryDirectory() as folder:
-                best = measure(arguments.programs, folder, objects, size, arguments)
-            results.append({"objects": objects, "width": size[0], "height": size[1], "seconds": best})
-            print(table(results[-1:]), flush=True)
-            with open(f"{arguments.results}/results.json", "w") as out:
-                json.dump(results, out, indent=1)
+    with tempfile.TemporaryDirectory() as folder:  # deleted at the end alone (ours.set_aside)
+        for size in ((640, 480), (1280, 720)):
+            for objects in arguments.objects:
+                place = tempfile.mkdtemp(dir=folder)
+                best = measure(arguments.programs, place, objects, size, arguments)
+                results.append({"objects": objects, "width": size[0], "height": size[1],
+                                "seconds": best})
+                print(table(results[-1:]), flush=True)
+                with open(f"{arguments.results}/results.json", "w") as out:
+                    json.dump(results, out, indent=1)
     with open(f"{arguments.results}/table.md", "w") as out:
         out.write(table(results))
     try:
