@@ -8,6 +8,7 @@
 #include <fstream>
 #include <new>
 #include <string_view>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -28,24 +29,6 @@ constexpr int kPipeSize = 1 << 20;  // [byte]; the kernel's default is a sixteen
 
 /// A child that waits, and uses no processor time, gets so many times its limit.
 constexpr unsigned kPatience = 4;
-
-/// One end of a pipe.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  [[nodiscard]] int number() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-
- private:
-  int number_;
-};
 
 /// The process' address space [byte] (proc(5), statm).
 std::uint64_t addressSpace() {
@@ -125,28 +108,55 @@ std::string howItEnded(int signal, const TrialLimits& limits) {
 
 }  // namespace
 
-std::variant<std::string, Breakdown> tryWork(const std::function<std::string()>& work,
-                                             const TrialLimits& limits) {
+TrialProcess::TrialProcess(std::function<std::string()> work, const TrialLimits& limits)
+    : work_(std::move(work)), limits_(limits) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) return work();
-  const Descriptor reading(ends[0]);
-  Descriptor writing(ends[1]);
-  static_cast<void>(fcntl(writing.number(), F_SETPIPE_SZ, kPipeSize));  // slower where it may not
-  const pid_t child = fork();
-  if (child < 0) return work();
-  if (child == 0) run(work, limits, writing.number());
-  writing.close();
-  std::string answer = readAll(reading.number());
-  const int status = statusOf(child);
-  if (WIFSIGNALED(status)) return Breakdown{howItEnded(WTERMSIG(status), limits)};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) return;
+  const auto [reading, writing] = ends;
+  static_cast<void>(fcntl(writing, F_SETPIPE_SZ, kPipeSize));  // slower where it may not
+  child_ = fork();
+  if (child_ == 0) run(work_, limits_, writing);
+  close(writing);
+  if (child_ < 0) {
+    close(reading);
+  } else {
+    reading_ = reading;
+  }
+}
+
+TrialProcess::TrialProcess(TrialProcess&& other) noexcept
+    : work_(std::move(other.work_)),
+      limits_(other.limits_),
+      child_(std::exchange(other.child_, -1)),
+      reading_(std::exchange(other.reading_, -1)) {}
+
+TrialProcess::~TrialProcess() {
+  if (child_ < 0) return;
+  kill(child_, SIGKILL);
+  close(reading_);
+  while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+std::variant<std::string, Breakdown> TrialProcess::finish() {
+  if (child_ < 0) return work_();
+  std::string answer = readAll(reading_);
+  close(std::exchange(reading_, -1));
+  const int status = statusOf(std::exchange(child_, -1));
+  if (WIFSIGNALED(status)) return Breakdown{howItEnded(WTERMSIG(status), limits_)};
   if (WEXITSTATUS(status) == kOutOfMemory) {
-    return Breakdown{"needs more than " + std::to_string(limits.memory >> 20U) + " MiB of memory"};
+    return Breakdown{"needs more than " + std::to_string(limits_.memory >> 20U) + " MiB of memory"};
   }
   if (WEXITSTATUS(status) == kError) throw Error(answer);
   if (WEXITSTATUS(status) != kDone) {
     return Breakdown{"ends with exit code " + std::to_string(WEXITSTATUS(status))};
   }
   return answer;
+}
+
+std::variant<std::string, Breakdown> tryWork(const std::function<std::string()>& work,
+                                             const TrialLimits& limits) {
+  return TrialProcess(work, limits).finish();
 }
 
 }  // namespace synthetic_dataset::world

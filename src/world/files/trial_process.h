@@ -18,12 +18,38 @@ struct Breakdown {
   std::string how;
 };
 
-/// Does a piece of work in a process of its own, so that a library that crashes or never ends takes
+/// A piece of work in a process of its own, so that a library that crashes or never ends takes
 /// nothing else with it. What the work changes or prints is lost; what it returns is handed over.
-/// Where no process is to be had the work is done in this one.
-/// @param work  may throw Error
-/// @return the work's result, or how it broke down
-/// @throws Error as the work does
+/// Where no process is to be had the work is done in this one, when it is finished.
+///
+/// Several may work at a time. They should be started by one thread: a sanitizer's heap may be
+/// locked for ever in a process that is started while another thread starts one.
+class TrialProcess {
+ public:
+  /// Starts it.
+  /// @param work  may throw Error
+  TrialProcess(std::function<std::string()> work, const TrialLimits& limits);
+
+  /// Ends it at once, if it has not been finished.
+  ~TrialProcess();
+  TrialProcess(TrialProcess&& other) noexcept;
+  TrialProcess(const TrialProcess&) = delete;
+  TrialProcess& operator=(const TrialProcess&) = delete;
+  TrialProcess& operator=(TrialProcess&&) = delete;
+
+  /// Waits for its end; to be called once, in any thread.
+  /// @return the work's result, or how it broke down
+  /// @throws Error as the work does
+  [[nodiscard]] std::variant<std::string, Breakdown> finish();
+
+ private:
+  std::function<std::string()> work_;
+  TrialLimits limits_;
+  int child_ = -1;    ///< its process, or -1 for none
+  int reading_ = -1;  ///< the end of the pipe that brings its answer, or -1 for none
+};
+
+/// Starts and finishes a piece of work.
 [[nodiscard]] std::variant<std::string, Breakdown> tryWork(const std::function<std::string()>& work,
                                                            const TrialLimits& limits);
 

@@ -40,10 +40,11 @@ std::string importAll(const Files& files) {
   return writer.take();
 }
 
-std::map<std::string, MeshFile> readShare(const Files& files) {
+/// What a share's process has read.
+std::map<std::string, MeshFile> takeShare(TrialProcess& process) {
   std::map<std::string, MeshFile> result;
   try {
-    const auto answer = tryWork([&] { return importAll(files); }, limitsFor(files));
+    const auto answer = process.finish();
     const auto* bytes = std::get_if<std::string>(&answer);
     if (bytes == nullptr) return result;
     ByteReader reader(*bytes);
@@ -62,9 +63,15 @@ std::map<std::string, MeshFile> readMeshFiles(const Files& files) {
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   std::vector<Files> shares(std::min(cores, files.size()));
   for (std::size_t i = 0; i < files.size(); ++i) shares[i % shares.size()].push_back(files[i]);
-  std::vector<std::future<std::map<std::string, MeshFile>>> readings;
+  std::vector<TrialProcess> processes;
+  processes.reserve(shares.size());
   for (const Files& share : shares) {
-    readings.push_back(std::async(std::launch::async, readShare, std::cref(share)));
+    processes.emplace_back([&share] { return importAll(share); }, limitsFor(share));
+  }
+  std::vector<std::future<std::map<std::string, MeshFile>>> readings;
+  readings.reserve(processes.size());
+  for (TrialProcess& process : processes) {
+    readings.push_back(std::async(std::launch::async, takeShare, std::ref(process)));
   }
   std::map<std::string, MeshFile> result;
   for (auto& reading : readings) result.merge(reading.get());

@@ -1,5 +1,9 @@
 #include "world/files/trial_process.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <vector>
@@ -57,6 +61,29 @@ TEST(TryWork, TellsOfWorkThatDoesNotEnd) {
   };
   EXPECT_THAT(tryWork(work, limits),
               VariantWith<Breakdown>(Field(&Breakdown::how, HasSubstr("within 1 s"))));
+}
+
+TEST(TrialProcess, WorksBesideOthers) {
+  std::vector<TrialProcess> processes;
+  for (const char letter : {'a', 'b', 'c'}) {
+    const auto work = [letter] { return std::string(std::size_t{3} << 20U, letter); };
+    processes.emplace_back(work, TrialLimits());
+  }
+  for (const std::size_t i : {2, 0, 1}) {
+    const auto answer = std::get<std::string>(processes[i].finish());
+    EXPECT_EQ(answer.size(), std::size_t{3} << 20U);
+    EXPECT_EQ(answer.back(), "abc"[i]);
+  }
+}
+
+TEST(TrialProcess, EndsWithItsObject) {
+  const auto sleep = [] {
+    pause();
+    return std::string();
+  };
+  { const TrialProcess process(sleep, TrialLimits()); }
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "a process is left";
+  EXPECT_EQ(errno, ECHILD);
 }
 
 }  // namespace
