@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "render/osmesa_context.h"
+#include "render/picture_taking.h"
 #include "render/renderer.h"
 #include "support/box_world.h"
 #include "support/random_poses.h"
@@ -57,7 +58,7 @@ TEST(SilhouetteBits, AreOfNoObjectThatOneCanSeeThroughAndOfNoneBesideTheImage) {
 }
 
 /// Objects in a heap, more than there are bits for, behind a pole: some partly out of the picture,
-/// one of glass, one that is seen from both sides.
+/// one of glass, one that is seen from both sides, one with holes.
 class Heap : public testing::Test {
  protected:
   static constexpr int kObjects = 14;
@@ -67,11 +68,14 @@ class Heap : public testing::Test {
     glass.diffuse.w() = 0.5F;
     world::Material paper;
     paper.double_sided = true;
+    world::Material sieve;
+    sieve.texture = test::halvedTexture({0, 0, 0, 0}, {0, 0, 0, 255});
+    sieve.alpha_threshold = 0.5F;
     for (int i = 0; i < kObjects; ++i) {
       if (i % 2 == 0) {
         stage.addMesh(world::sphereMesh(0.25), {}, i, i == 4 ? glass : world::Material());
       } else {
-        stage.addBox({0.3, 0.2, 0.4}, {}, i, i == 5 ? paper : world::Material());
+        stage.addBox({0.3, 0.2, 0.4}, {}, i, i == 5 ? paper : i == 7 ? sieve : world::Material());
       }
     }
     stage.addBox({0.1, 3, 0.1}, at(0, 0, 1.2));
