@@ -47,7 +47,8 @@ DepthImage depthImage(const cv::Mat& depth, double scale) {
     int greatest = 0;
     for (int column = 0; column < depth.cols; ++column) {
       // Without jumps, so that several pixels are worked out at a time; below 0 is behind.
-      const double value = std::clamp(kMillimetres / scale * from[column], 0.0, kTooMuch);
+      const double value =
+          from[column] > 0.0F ? std::min(kMillimetres / scale * from[column], kTooMuch) : 0.0;
       const int rounded = static_cast<int>(value + 0.5);
       greatest = std::max(greatest, rounded);
       to[column] = static_cast<std::uint16_t>(rounded > kGreatestDepth ? 0 : rounded);

@@ -23,8 +23,11 @@ void keepPictures() {
 
 /// Whether addresses may be laid out that nothing may ever come to be at.
 bool hasRoom() {
-  rlimit addresses{};
-  return getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur == RLIM_INFINITY;
+  const auto isFree = [](auto resource) {
+    rlimit limit{};
+    return getrlimit(resource, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
+  };
+  return isFree(RLIMIT_AS) && isFree(RLIMIT_DATA);
 }
 
 /// A shadow map's neighbouring rows lie on pages of their own; the processor finds few large pages

@@ -8,7 +8,7 @@ namespace {
 
 /// What a painter of this size takes, of geometry, light and what is kept of them [byte].
 std::size_t bytesOf(const cv::Size& size) {
-  constexpr std::size_t kPixelBytes = 104;
+  constexpr std::size_t kPixelBytes = 112;
   return kPixelBytes * static_cast<std::size_t>(size.area());
 }
 

@@ -26,7 +26,9 @@ void usePicture() {
 
 /// Sanitizers have heaps of their own.
 constexpr bool isTheLibrarysHeap() {
-#if defined(__has_feature)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return false;
+#elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
   return false;
 #endif

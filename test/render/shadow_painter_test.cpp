@@ -69,6 +69,30 @@ TEST(CastShadows, OfBodiesAreNoOthersWithoutTheBacksOfTheirTriangles) {
   }
 }
 
+/// The camera, too, is in the body, whose faces it does not see from within.
+TEST(CastShadows, OfABodyFallOnWhatIsInIt) {
+  world::Description description;
+  description.ambient = {0.3F, 0.3F, 0.3F};
+  world::Light sun;
+  sun.casts_shadow = true;
+  sun.direction_L = Eigen::Vector3d(0.1, 0.2, -1.0).normalized();
+  description.lights = {sun};
+  const View view{CameraModel(64, 64, {60.0, 60.0, 31.5, 31.5}, 0.05, 100.0),
+                  makePose({0, 0, 0.4}, Eigen::Quaterniond(0, 1, 0, 0))};  // downwards
+  std::vector<double> brightness;
+  for (const bool is_covered : {true, false}) {
+    test::Stage stage;
+    stage.addBox({20, 20, 0.1}, makePose({0, 0, -3}, Eigen::Quaterniond::Identity()));
+    stage.addMesh(world::planeMesh(Eigen::Vector3d::UnitZ(), {0.5, 0.5}), Pose::Identity(), 0, {});
+    if (is_covered) stage.addMesh(world::boxMesh({1, 1, 1}), Pose::Identity(), 1, {});
+    Renderer renderer(description, stage.links(), {});
+    const cv::Mat picture =
+        renderer.colour(view, stage.poses(), {stage.all(), stage.all(), Sampling::kCentre});
+    brightness.push_back(picture.at<cv::Vec3b>(32, 32)[1]);
+  }
+  EXPECT_LT(brightness[0], 0.8 * brightness[1]);
+}
+
 TEST(CastShadows, OfALeafFallWhicheverSideIsLit) {
   for (const double side : {1.0, -1.0}) {
     const Meshes leaf = {world::planeMesh({0, 0, side}, {1, 1})};

@@ -58,10 +58,11 @@ TEST(SilhouetteBits, AreOfNoObjectThatOneCanSeeThroughAndOfNoneBesideTheImage) {
 }
 
 /// Objects in a heap, more than there are bits for, behind a pole: some partly out of the picture,
-/// one of glass, one that is seen from both sides, one with holes.
+/// one of glass, one that is seen from both sides, one with holes, one of two links.
 class Heap : public testing::Test {
  protected:
   static constexpr int kObjects = 14;
+  static constexpr int kOfTwoLinks = 1;  ///< the other one is behind all objects' first ones
 
   Heap() {
     world::Material glass;
@@ -78,13 +79,14 @@ class Heap : public testing::Test {
         stage.addBox({0.3, 0.2, 0.4}, {}, i, i == 5 ? paper : i == 7 ? sieve : world::Material());
       }
     }
+    stage.addBox({0.2, 0.1, 0.2}, {}, kOfTwoLinks);
     stage.addBox({0.1, 3, 0.1}, at(0, 0, 1.2));
   }
 
   /// Moves the objects to their places of a time.
   void move(unsigned time) {
     std::mt19937 random(time);
-    for (int i = 0; i < kObjects; ++i) {
+    for (int i = 0; i <= kObjects; ++i) {
       Eigen::Vector3d place = test::randomPoint(random, 1.5);
       place.z() = 2.5 + 0.5 * place.z();
       stage.poses()[static_cast<std::size_t>(i)] = makePose(place, test::randomOrientation(random));
@@ -95,6 +97,7 @@ class Heap : public testing::Test {
   [[nodiscard]] LinkSelection linksOf(int object) const {
     LinkSelection links(stage.poses().size(), false);
     links[static_cast<std::size_t>(object)] = true;
+    if (object == kOfTwoLinks) links[kObjects] = true;
     return links;
   }
 
@@ -114,6 +117,8 @@ class Heap : public testing::Test {
       ASSERT_EQ(found[i].box.has_value(), wanted[i].box.has_value());
       if (!wanted[i].box) continue;
       EXPECT_EQ(found[i].box->left, wanted[i].box->left);
+      EXPECT_EQ(found[i].box->top, wanted[i].box->top);
+      EXPECT_EQ(found[i].box->right, wanted[i].box->right);
       EXPECT_EQ(found[i].box->bottom, wanted[i].box->bottom);
     }
   }
@@ -131,6 +136,7 @@ TEST_F(Heap, HasTheSilhouettesThatEachOfItHasAlone) {
       // Glass needs labels of its own; what is drawn without it is what silhouettes are told of.
       LinkSelection drawn = stage.all();
       drawn[4] = time % 2 == 0;
+      drawn[kObjects] = time % 3 != 0;
       (void)renderer.labels(kView, stage.poses(), {drawn});
       (void)renderer.colour(kView, stage.poses(), {drawn, drawn});
       found.push_back(silhouettes(renderer));

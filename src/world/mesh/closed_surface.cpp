@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,7 +16,7 @@ using Index = std::uint32_t;
 
 /// For each vertex the first one at its place.
 std::vector<Index> placesOf(const std::vector<Eigen::Vector3f>& positions) {
-  constexpr double kSteps = 1U << 18U;  // in the mesh's size
+  constexpr double kSteps = 1U << 23U;  // in the mesh's size: what single precision tells apart
   float size = 0.0F;
   for (const Eigen::Vector3f& position : positions) {
     size = std::max(size, position.cwiseAbs().maxCoeff());
@@ -36,41 +38,60 @@ std::vector<Index> placesOf(const std::vector<Eigen::Vector3f>& positions) {
   return places;
 }
 
-/// Whether along each edge as many triangles go one way as the other.
-bool edgesMeet(const std::vector<Index>& corners) {
-  std::vector<std::pair<std::uint64_t, int>> edges;  // the vertices, and which way
-  edges.reserve(corners.size());
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-    for (std::size_t side = 0; side < 3; ++side) {
-      const std::uint64_t from = corners[i + side];
-      const std::uint64_t to = corners[i + (side + 1) % 3];
-      if (from < to) edges.emplace_back(from << 32U | to, 1);
-      if (from > to) edges.emplace_back(to << 32U | from, -1);
-    }
+using Triangle = std::array<Index, 3>;
+
+/// Those with three different corners.
+std::vector<Triangle> trianglesOf(const Mesh& mesh, const std::vector<Index>& places) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.indices.size() / 3);
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Triangle corners = {places[mesh.indices[i]], places[mesh.indices[i + 1]],
+                              places[mesh.indices[i + 2]]};
+    const bool is_line =
+        corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+    if (!is_line) triangles.push_back(corners);
   }
-  std::sort(edges.begin(), edges.end());
-  std::int64_t sum = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (i > 0 && edges[i].first != edges[i - 1].first && sum != 0) return false;
-    sum += edges[i].second;
-  }
-  return sum == 0;
+  return triangles;
 }
 
-/// Which vertices hang together.
+/// A triangle's side.
+struct Edge {
+  std::uint64_t ends = 0;   ///< its vertices, the smaller first
+  bool is_forward = false;  ///< whether the triangle goes from the smaller to the larger
+  Index triangle = 0;
+};
+
+std::vector<Edge> edgesOf(const std::vector<Triangle>& triangles) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t side = 0; side < 3; ++side) {
+      const std::uint64_t from = triangles[i].at(side);
+      const std::uint64_t to = triangles[i].at((side + 1) % 3);
+      edges.push_back(
+          {std::min(from, to) << 32U | std::max(from, to), from < to, static_cast<Index>(i)});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::tie(a.ends, a.triangle) < std::tie(b.ends, b.triangle);
+  });
+  return edges;
+}
+
+/// Which triangles hang together.
 class Pieces {
  public:
   explicit Pieces(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), Index{0});
   }
 
-  /// The vertex that stands for a piece.
-  [[nodiscard]] Index of(Index vertex) {
-    while (parents_[vertex] != vertex) {
-      parents_[vertex] = parents_[parents_[vertex]];
-      vertex = parents_[vertex];
+  /// The triangle that stands for a piece.
+  [[nodiscard]] Index of(Index triangle) {
+    while (parents_[triangle] != triangle) {
+      parents_[triangle] = parents_[parents_[triangle]];
+      triangle = parents_[triangle];
     }
-    return vertex;
+    return triangle;
   }
 
   void join(Index a, Index b) { parents_[of(a)] = of(b); }
@@ -79,24 +100,34 @@ class Pieces {
   std::vector<Index> parents_;
 };
 
+/// The pieces, where each edge is one of two triangles that wind alike; else nothing.
+std::optional<Pieces> closedPieces(const std::vector<Triangle>& triangles) {
+  const std::vector<Edge> edges = edgesOf(triangles);
+  Pieces pieces(triangles.size());
+  for (std::size_t i = 0; i < edges.size(); i += 2) {
+    const bool are_two = i + 1 < edges.size() && edges[i].ends == edges[i + 1].ends &&
+                         (i + 2 == edges.size() || edges[i + 2].ends != edges[i].ends);
+    if (!are_two || edges[i].is_forward == edges[i + 1].is_forward) return std::nullopt;
+    pieces.join(edges[i].triangle, edges[i + 1].triangle);
+  }
+  return pieces;
+}
+
 /// Whether triangles face outwards, piece by piece.
-bool enclosesVolume(const std::vector<Index>& corners,
-                    const std::vector<Eigen::Vector3f>& positions) {
-  Pieces pieces(positions.size());
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-    pieces.join(corners[i], corners[i + 1]);
-    pieces.join(corners[i], corners[i + 2]);
-  }
-  std::vector<double> volumes(positions.size(), 0.0);  // times six
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-    const Index piece = pieces.of(corners[i]);
+bool encloseVolume(const std::vector<Triangle>& triangles, Pieces& pieces,
+                   const std::vector<Eigen::Vector3f>& positions) {
+  std::vector<double> volumes(triangles.size(), 0.0);  // times six
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto corner = [&](std::size_t which) {
-      return Eigen::Vector3d((positions[corners[i + which]] - positions[piece]).cast<double>());
+      const Eigen::Vector3f& origin = positions[triangles.front()[0]];
+      return Eigen::Vector3d((positions[triangles[i].at(which)] - origin).cast<double>());
     };
-    volumes[piece] += corner(0).dot(corner(1).cross(corner(2)));
+    volumes[pieces.of(static_cast<Index>(i))] += corner(0).dot(corner(1).cross(corner(2)));
   }
-  return std::all_of(corners.begin(), corners.end(),
-                     [&](Index corner) { return volumes[pieces.of(corner)] > 0.0; });
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (!(volumes[pieces.of(static_cast<Index>(i))] > 0.0)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -106,11 +137,9 @@ bool isSurfaceOfBodies(const Mesh& mesh) {
       std::all_of(mesh.positions.begin(), mesh.positions.end(),
                   [](const Eigen::Vector3f& position) { return position.allFinite(); });
   if (!are_finite) return false;
-  const std::vector<Index> places = placesOf(mesh.positions);
-  std::vector<Index> corners;
-  corners.reserve(mesh.indices.size());
-  for (const Index index : mesh.indices) corners.push_back(places[index]);
-  return !corners.empty() && edgesMeet(corners) && enclosesVolume(corners, mesh.positions);
+  const std::vector<Triangle> triangles = trianglesOf(mesh, placesOf(mesh.positions));
+  std::optional<Pieces> pieces = closedPieces(triangles);
+  return pieces && !triangles.empty() && encloseVolume(triangles, *pieces, mesh.positions);
 }
 
 }  // namespace synthetic_dataset::world

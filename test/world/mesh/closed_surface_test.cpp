@@ -56,6 +56,20 @@ TEST(ClosedSurface, IsNotOneThatFacesInwardsAsARoomDoes) {
       isSurfaceOfBodies(together(*boxMesh({9, 9, 9}), insideOut(*boxMesh({1, 1, 1})), {20, 0, 0})));
 }
 
+TEST(ClosedSurface, IsNotOneThatTouchesAnotherThatIsInsideOut) {
+  const Mesh box = *boxMesh({2, 2, 2});
+  const Mesh leg = *boxMesh({1, 1, 1});
+  const Eigen::Vector3f by_a_corner(1.5F, 1.5F, 1.5F);
+  EXPECT_TRUE(isSurfaceOfBodies(together(box, leg, by_a_corner)));
+  EXPECT_FALSE(isSurfaceOfBodies(together(box, insideOut(leg), by_a_corner)));
+}
+
+TEST(ClosedSurface, MayHaveTrianglesWithoutArea) {
+  Mesh box = *boxMesh({1, 1, 1});
+  box.indices.insert(box.indices.end(), {box.indices[0], box.indices[1], box.indices[1]});
+  EXPECT_TRUE(isSurfaceOfBodies(box));
+}
+
 TEST(ClosedSurface, MayBeOfSeveralBodies) {
   EXPECT_TRUE(isSurfaceOfBodies(together(*boxMesh({1, 1, 1}), *sphereMesh(0.2), {5, 0, 0})));
   EXPECT_TRUE(isSurfaceOfBodies(together(*boxMesh({1, 1, 1}), *sphereMesh(0.4), {0.5, 0, 0})));
