@@ -1,5 +1,6 @@
 #include "world/files/trial_process.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -7,10 +8,12 @@
 #include <exception>
 #include <fstream>
 #include <new>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,6 +32,11 @@ constexpr int kPipeSize = 1 << 20;  // [byte]; the kernel's default is a sixteen
 
 /// A child that waits, and uses no processor time, gets so many times its limit.
 constexpr unsigned kPatience = 4;
+
+/// How often a child is started anew that waits without using the processor.
+constexpr int kRestarts = 3;
+
+constexpr std::chrono::milliseconds kForEver{-1};  // poll(2)
 
 /// The process' address space [byte] (proc(5), statm).
 std::uint64_t addressSpace() {
@@ -78,10 +86,40 @@ void writeAll(int to, std::string_view bytes) {
   _exit(code);  // without the parent's exit handlers and buffers
 }
 
-std::string readAll(int from) {
+/// The processor time of a process that waits [clock ticks], or -1 where it does not (proc(5)).
+std::int64_t timeOfWaiting(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string stat;
+  std::getline(file, stat);
+  // The name, in brackets, may hold anything; the state follows it, the two times are 11 further.
+  std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
+  std::string state;
+  std::string other;
+  std::int64_t user = 0;
+  std::int64_t system = 0;
+  fields >> state;
+  for (int i = 0; i < 10; ++i) fields >> other;
+  fields >> user >> system;
+  return state == "S" && fields ? user + system : -1;
+}
+
+/// What a child sends until it ends; nothing if, from one `interval` to the next, it sends nothing
+/// and waits without having used the processor.
+std::optional<std::string> readAll(int from, pid_t child, std::chrono::milliseconds interval) {
   std::string bytes;
   std::array<char, 1U << 16U> buffer{};
+  std::int64_t before = -1;
   while (true) {
+    pollfd end{from, POLLIN, 0};
+    const int ready = poll(&end, 1, static_cast<int>(interval.count()));
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready == 0) {
+      const std::int64_t now = timeOfWaiting(child);
+      if (now >= 0 && now == before) return std::nullopt;
+      before = now;
+      continue;
+    }
+    before = -1;
     const ssize_t count = read(from, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return bytes;
@@ -110,6 +148,10 @@ std::string howItEnded(int signal, const TrialLimits& limits) {
 
 TrialProcess::TrialProcess(std::function<std::string()> work, const TrialLimits& limits)
     : work_(std::move(work)), limits_(limits) {
+  start();
+}
+
+void TrialProcess::start() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return;
   const auto [reading, writing] = ends;
@@ -130,28 +172,42 @@ TrialProcess::TrialProcess(TrialProcess&& other) noexcept
       child_(std::exchange(other.child_, -1)),
       reading_(std::exchange(other.reading_, -1)) {}
 
-TrialProcess::~TrialProcess() {
+TrialProcess::~TrialProcess() { stop(); }
+
+void TrialProcess::stop() noexcept {
   if (child_ < 0) return;
   kill(child_, SIGKILL);
-  close(reading_);
+  close(std::exchange(reading_, -1));
   while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
   }
+  child_ = -1;
+}
+
+std::optional<std::string> TrialProcess::receive() {
+  for (int restarts = 0; child_ >= 0; ++restarts) {
+    const auto interval = restarts < kRestarts ? limits_.idle : kForEver;
+    std::optional<std::string> answer = readAll(reading_, child_, interval);
+    if (answer) return answer;
+    stop();
+    start();
+  }
+  return std::nullopt;
 }
 
 std::variant<std::string, Breakdown> TrialProcess::finish() {
-  if (child_ < 0) return work_();
-  std::string answer = readAll(reading_);
+  std::optional<std::string> answer = receive();
+  if (!answer) return work_();
   close(std::exchange(reading_, -1));
   const int status = statusOf(std::exchange(child_, -1));
   if (WIFSIGNALED(status)) return Breakdown{howItEnded(WTERMSIG(status), limits_)};
   if (WEXITSTATUS(status) == kOutOfMemory) {
     return Breakdown{"needs more than " + std::to_string(limits_.memory >> 20U) + " MiB of memory"};
   }
-  if (WEXITSTATUS(status) == kError) throw Error(answer);
+  if (WEXITSTATUS(status) == kError) throw Error(*answer);
   if (WEXITSTATUS(status) != kDone) {
     return Breakdown{"ends with exit code " + std::to_string(WEXITSTATUS(status))};
   }
-  return answer;
+  return std::move(*answer);
 }
 
 std::variant<std::string, Breakdown> tryWork(const std::function<std::string()>& work,

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -11,6 +12,11 @@ namespace synthetic_dataset::world {
 struct TrialLimits {
   std::chrono::seconds processor_time{120};
   std::uint64_t memory = std::uint64_t{4} << 30U;  ///< [byte], beyond what is in use already
+
+  /// A process that sends nothing and waits without using the processor for one to two times this
+  /// long is started anew, three times at most: where another thread held a lock (of a heap, of a
+  /// library) when the process was forked, nobody will ever unlock it there.
+  std::chrono::milliseconds idle{1000};
 };
 
 /// How a piece of work broke down: "crashes (Segmentation fault)".
@@ -22,8 +28,7 @@ struct Breakdown {
 /// nothing else with it. What the work changes or prints is lost; what it returns is handed over.
 /// Where no process is to be had the work is done in this one, when it is finished.
 ///
-/// Several may work at a time. They should be started by one thread: a sanitizer's heap may be
-/// locked for ever in a process that is started while another thread starts one.
+/// Several may work at a time. The work may be started more than once (see TrialLimits::idle).
 class TrialProcess {
  public:
   /// Starts it.
@@ -43,6 +48,10 @@ class TrialProcess {
   [[nodiscard]] std::variant<std::string, Breakdown> finish();
 
  private:
+  void start();
+  void stop() noexcept;
+  std::optional<std::string> receive();  ///< its answer, or nothing if there is no process
+
   std::function<std::string()> work_;
   TrialLimits limits_;
   int child_ = -1;    ///< its process, or -1 for none

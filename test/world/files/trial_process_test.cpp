@@ -4,12 +4,18 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 
+#include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::world {
@@ -74,6 +80,47 @@ TEST(TrialProcess, WorksBesideOthers) {
     EXPECT_EQ(answer.size(), std::size_t{3} << 20U);
     EXPECT_EQ(answer.back(), "abc"[i]);
   }
+}
+
+/// Work that waits for ever, as it does for a lock that another thread held when the process was
+/// forked, until it is started for the n-th time.
+class WaitingWork {
+ public:
+  explicit WaitingWork(std::uintmax_t waits) : waits_(waits) {}
+
+  std::string operator()() const {
+    std::ofstream(file_, std::ios::app) << '.' << std::flush;
+    if (starts() <= waits_) pause();
+    return "done";
+  }
+  [[nodiscard]] std::uintmax_t starts() const { return std::filesystem::file_size(file_); }
+
+ private:
+  test::TemporaryFolder folder_;
+  std::string file_ = folder_.path() / "starts";
+  std::uintmax_t waits_;
+};
+
+TrialLimits impatient() {
+  TrialLimits limits;
+  limits.idle = std::chrono::milliseconds(20);
+  return limits;
+}
+
+TEST(TrialProcess, IsStartedAnewWhereItWaits) {
+  const WaitingWork work(2);
+  EXPECT_THAT(tryWork(std::cref(work), impatient()), VariantWith<std::string>("done"));
+  EXPECT_EQ(work.starts(), 3);
+}
+
+TEST(TrialProcess, IsNotStartedAnewForEver) {
+  const WaitingWork waiting(1000);
+  const auto work = [&waiting] {
+    ualarm(200'000, 0);  // it ends by itself, long after it should have been started anew
+    return waiting();
+  };
+  EXPECT_THAT(tryWork(work, impatient()), VariantWith<Breakdown>(testing::_));
+  EXPECT_EQ(waiting.starts(), 4);
 }
 
 TEST(TrialProcess, EndsWithItsObject) {
