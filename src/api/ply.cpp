@@ -1,7 +1,6 @@
-#include <ios>
-#include <locale>
+#include <array>
+#include <charconv>
 #include <ostream>
-#include <sstream>
 #include <string>
 
 #include "synthetic_dataset/object_model.h"
@@ -10,46 +9,23 @@ namespace synthetic_dataset {
 inline namespace v1 {
 namespace {
 
-/// Numbers as the file's `float` properties hold them: the fewest digits that read back as the same
-/// float, whatever the locale.
-class FloatText {
- public:
-  FloatText() {
-    writing_.imbue(std::locale::classic());
-    reading_.imbue(std::locale::classic());
+/// A number as the file's `float` properties hold it: the fewest digits that read back as the same
+/// float, from 6 on, which say what they can without trailing zeros, to 9, which all floats
+/// survive.
+std::string floatText(double number) {
+  constexpr int kFewestDigits = 6;
+  constexpr int kMostDigits = 9;
+  const float value = static_cast<float>(number) + 0.0F;  // no "-0"
+  std::array<char, 32> text{};
+  for (int digits = kFewestDigits;; ++digits) {
+    char* const end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                    std::chars_format::general, digits)
+                          .ptr;
+    float read = 0.0F;
+    std::from_chars(text.data(), end, read);
+    if (digits == kMostDigits || read == value) return std::string(text.data(), end);
   }
-
-  std::string of(double number) {
-    const float value = static_cast<float>(number) + 0.0F;  // no "-0"
-    for (int digits = kFewestDigits;; ++digits) {
-      std::string text = printed(value, digits);
-      if (digits == kMostDigits || readBack(text) == value) return text;
-    }
-  }
-
- private:
-  // All floats survive 9 digits, and what 6 digits can say, they say without trailing zeros.
-  static constexpr int kFewestDigits = 6;
-  static constexpr int kMostDigits = 9;
-
-  std::string printed(float value, int digits) {
-    writing_.str("");
-    writing_.precision(digits);
-    writing_ << value;
-    return writing_.str();
-  }
-
-  float readBack(const std::string& text) {
-    reading_.clear();
-    reading_.str(text);
-    float value = 0.0F;
-    reading_ >> value;
-    return value;
-  }
-
-  std::ostringstream writing_;
-  std::istringstream reading_;
-};
+}
 
 std::string header(const ObjectModel& model) {
   std::string text = "ply\nformat ascii 1.0\n";
@@ -67,12 +43,11 @@ std::string header(const ObjectModel& model) {
 }  // namespace
 
 void writePly(std::ostream& stream, const ObjectModel& model, double scale) {
-  FloatText text;
   stream << header(model);
   for (const ObjectModel::Vertex& vertex : model.vertices) {
     std::string line;
-    for (const double coordinate : vertex.position) line += text.of(scale * coordinate) + " ";
-    for (const double coordinate : vertex.normal) line += text.of(coordinate) + " ";
+    for (const double coordinate : vertex.position) line += floatText(scale * coordinate) + " ";
+    for (const double coordinate : vertex.normal) line += floatText(coordinate) + " ";
     const auto& [red, green, blue] = vertex.colour;
     line += std::to_string(red) + " " + std::to_string(green) + " " + std::to_string(blue) + "\n";
     stream << line;
