@@ -1,5 +1,6 @@
 #include "render/geometry_buffer.h"
 
+#include <algorithm>
 #include <array>
 
 #include "render/gl_planes.h"
@@ -73,19 +74,23 @@ void GeometryBuffer::bindTextures() const {
   if (glows_.name() != 0) gl_.BindTextureUnit(kGlowsUnit, glows_.name());
 }
 
-GeometryImages GeometryBuffer::read(const cv::Rect& pixels, bool normals) const {
+GeometryImages GeometryBuffer::read(const cv::Rect& pixels) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  const auto plane = [&](int output, int type, GLenum format, GLenum component) {
-    return readPlane(gl_, framebuffer_, output, pixels, type, format, component);
-  };
   GeometryImages images;
-  images.parts = plane(kParts, CV_32SC1, GL_RED_INTEGER, GL_UNSIGNED_INT);
-  images.depth = plane(kDepths, CV_32FC1, GL_RED, GL_FLOAT);
-  if (normals) {
-    const GeometryOutput output = faces_.name() != 0 ? kFaces : kNormalMetalness;
-    images.normals = plane(output, CV_16UC4, GL_RGBA, GL_HALF_FLOAT);
-  }
+  images.parts =
+      readPlane(gl_, framebuffer_, kParts, pixels, CV_32SC1, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  images.depth = readPlane(gl_, framebuffer_, kDepths, pixels, CV_32FC1, GL_RED, GL_FLOAT);
+  const int* parts = images.parts.ptr<int>();
+  auto* depth = images.depth.ptr<float>();
+  std::transform(parts, parts + images.parts.total(), depth, depth,
+                 [](int part, float z) { return part != 0 ? z : 0.0F; });
   return images;
+}
+
+cv::Mat GeometryBuffer::readNormals(const cv::Rect& pixels) const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  const GeometryOutput output = faces_.name() != 0 ? kFaces : kNormalMetalness;
+  return readPlane(gl_, framebuffer_, output, pixels, CV_16UC4, GL_RGBA, GL_HALF_FLOAT);
 }
 
 cv::Mat GeometryBuffer::readStencil(const cv::Rect& pixels) const {

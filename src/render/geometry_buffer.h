@@ -15,10 +15,10 @@ struct GeometryPlanes {
 /// A part of a GeometryBuffer, pixel by pixel, sampled at the pixels' centres.
 struct GeometryImages {
   cv::Mat parts;    ///< CV_32SC1: the place of what is seen in the draw list + 1, 0 for nothing
-  cv::Mat depth;    ///< CV_32FC1: z in the optical frame [m]
+  cv::Mat depth;    ///< CV_32FC1: z in the optical frame [m], 0 for nothing
   cv::Mat normals;  ///< CV_16UC4: x, y, z in the optical frame, as the vertices have them, without
-                    ///< normal maps, as numbers of 16 bits; the fourth means nothing. Empty unless
-                    ///< asked for
+                    ///< normal maps, as numbers of 16 bits; the fourth means nothing. Empty where
+                    ///< they were not read
 };
 
 /// Where surfaces are drawn before they are lit, one sample a pixel.
@@ -40,8 +40,11 @@ class GeometryBuffer {
   /// Depth for OpenGL's depth test, reversed; and a stencil of 8 bits, which is empty at first.
   [[nodiscard]] const GlTexture& depthBuffer() const { return depth_buffer_; }
 
-  /// @param normals  whether they are read, too
-  [[nodiscard]] GeometryImages read(const cv::Rect& pixels, bool normals) const;
+  /// Parts and depths.
+  [[nodiscard]] GeometryImages read(const cv::Rect& pixels) const;
+
+  /// As GeometryImages has them.
+  [[nodiscard]] cv::Mat readNormals(const cv::Rect& pixels) const;
 
   /// CV_8UC1: the bits that were set (SilhouetteBits).
   [[nodiscard]] cv::Mat readStencil(const cv::Rect& pixels) const;

@@ -47,7 +47,6 @@ LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
   LabelImages labels;
   labels.ids = translated(identifiers);
   labels.depth = images.depth;
-  labels.depth.setTo(0.0F, images.parts == 0);
   if (pass.links) labels.links = translated(links);
   if (pass.range) labels.range = rangeOf(labels.depth, intrinsics);
   return labels;

@@ -63,12 +63,18 @@ PicturePainter::PicturePainter(const PictureCrew& crew, const cv::Size& size)
       light_(crew.gl, size.width, size.height, geometry_) {}
 
 void PicturePainter::forget() {
-  content_.reset();
+  forgetContent();
   bits_ = {};
   geometry_key_ = {};
   keeps_geometry_ = false;
   covered_.clear();
   for (KeptPicture& kept : kept_pictures_) kept = {};
+}
+
+/// geometry_ will show something else.
+void PicturePainter::forgetContent() {
+  content_.reset();
+  images_ = {};
 }
 
 bool PicturePainter::drewFrom(const View& view) const {
@@ -127,13 +133,20 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
     texels.push_back(crew_.shadow_painter.changedTexels(shadow));
   }
   const ChangedPixels changed(crew_.parts, scene.view);
-  return changed.find(regions, {geometry_.read(place, false), place}, texels, edges) & wanted;
+  return changed.find(regions, {read(place), place}, texels, edges) & wanted;
 }
 
 GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose>& X_WL,
                                         const LinkSelection& drawn) {
   drawGeometry(view, X_WL, drawn);
-  return geometry_.read(image_, false);
+  return read(image_);
+}
+
+/// Of what geometry_ shows. Most of a picture is read as a whole: what labels ask for next.
+GeometryImages PicturePainter::read(const cv::Rect& pixels) {
+  if (images_.parts.empty() && 2 * pixels.area() < image_.area()) return geometry_.read(pixels);
+  if (images_.parts.empty()) images_ = geometry_.read(image_);
+  return {images_.parts(pixels), images_.depth(pixels), {}};
 }
 
 std::optional<CoveredPixels> PicturePainter::covered(const View& view,
@@ -175,11 +188,11 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
   GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), standing(drawn)};
   const bool came_before = crew_.keeps && geometry_key_ == key;
   if (came_before && content_ && *content_ == content) return;
+  forgetContent();
   if (came_before) {
     drawStandingGeometry(view, X_WL, drawn);
   } else {
     // It may not come again: what would be kept is drawn only when it does.
-    content_.reset();
     geometry_key_ = std::move(key);
     keeps_geometry_ = false;
     for (KeptPicture& kept : kept_pictures_) kept = {};
@@ -200,7 +213,7 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
 /// Afterwards geometry_ is that of what never moves.
 void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Pose>& X_WL,
                                           const LinkSelection& drawn) {
-  content_.reset();
+  forgetContent();
   if (keeps_geometry_) {
     for (const cv::Rect& region : covered_) kept_geometry_->copyTo(geometry_, region);
     covered_.clear();
@@ -259,7 +272,8 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   crew_.light_painter.paint(scene, geometry_, crew_.shadow_painter.texture(), see_through, lit);
   picture.seen.light = light_.read(picture.seen.place);
   if (smooth) {
-    picture.seen.geometry = geometry_.read(picture.seen.place, true);
+    picture.seen.geometry = read(picture.seen.place);
+    picture.seen.geometry.normals = geometry_.readNormals(picture.seen.place);
     picture.edges = EdgeScene{scene.view, scene.X_WL, seen};
   }
   return picture;

@@ -56,6 +56,7 @@ class PicturePainter {
                                         bool smooth, const std::vector<cv::Rect>& regions);
 
   /// What the pixels' centres see: what a picture and labels of the same things have in common.
+  /// Not to be written to: others have the same pixels.
   [[nodiscard]] GeometryImages geometry(const View& view, const std::vector<Pose>& X_WL,
                                         const LinkSelection& drawn);
 
@@ -99,6 +100,8 @@ class PicturePainter {
     [[nodiscard]] bool operator==(const Content& other) const;
   };
 
+  [[nodiscard]] GeometryImages read(const cv::Rect& pixels);
+  void forgetContent();
   [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
   [[nodiscard]] LightKey lightKey(const ColourScene& scene, const LinkSelection& casting) const;
   void drawGeometry(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn);
@@ -121,6 +124,7 @@ class PicturePainter {
   SilhouetteBits bits_;             ///< in geometry_
   bool has_drawn_ = false;          ///< at least once
   std::optional<Content> content_;  ///< of geometry_; nothing while that is what never moves
+  GeometryImages images_;           ///< of content_; empty until all of it has been read
   std::optional<GeometryBuffer> kept_geometry_;
   bool keeps_geometry_ = false;               ///< kept_geometry_ is that of geometry_key_
   std::vector<cv::Rect> covered_;             ///< where geometry_ may differ from kept_geometry_
