@@ -8,8 +8,9 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr int kHeight = 16;    // [px] of a band
-constexpr int kLeastGap = 16;  // [px] between two rectangles of a band
+// llvmpipe shades blocks of 4 x 4 pixels whole, and takes its time for each rectangle, too.
+constexpr int kHeight = 8;    // [px] of a band; they begin at its multiples
+constexpr int kLeastGap = 8;  // [px] between two rectangles of a band
 
 /// The runs of pixels that are not 0, those with small gaps between them as one.
 void addRuns(const cv::Mat& row, int top, int height, std::vector<cv::Rect>& to) {
@@ -34,10 +35,12 @@ std::vector<cv::Rect> bandsOf(const cv::Mat& pixels) {
   std::vector<cv::Rect> bands;
   cv::Mat columns;
   const cv::Rect bounds = cv::boundingRect(pixels);
-  for (int top = bounds.y; top < bounds.y + bounds.height; top += kHeight) {
-    const int height = std::min(kHeight, bounds.y + bounds.height - top);
-    cv::reduce(pixels.rowRange(top, top + height), columns, 0, cv::REDUCE_MAX);
-    addRuns(columns, top, height, bands);
+  const int bottom = bounds.y + bounds.height;
+  for (int band = bounds.y / kHeight; band * kHeight < bottom; ++band) {
+    const int top = std::max(band * kHeight, bounds.y);
+    const int end = std::min((band + 1) * kHeight, bottom);
+    cv::reduce(pixels.rowRange(top, end), columns, 0, cv::REDUCE_MAX);
+    addRuns(columns, top, end - top, bands);
   }
   return bands;
 }

@@ -28,6 +28,14 @@ TEST(PixelBands, HoldAllPixelsOnceAndFewOthers) {
   }
 }
 
+TEST(PixelBands, FollowSlantedOutlines) {
+  cv::Mat pixels = cv::Mat::zeros(200, 200, CV_8UC1);
+  const std::vector<cv::Point> triangle = {{0, 13}, {199, 13}, {0, 190}};
+  cv::fillConvexPoly(pixels, triangle, cv::Scalar(255));
+  const cv::Mat counts = countsOf(bandsOf(pixels), pixels.size());
+  EXPECT_LT(cv::countNonZero(counts), 1.06 * cv::countNonZero(pixels));
+}
+
 TEST(PixelBands, AreNoneForNoPixels) {
   EXPECT_TRUE(bandsOf(cv::Mat::zeros(20, 30, CV_8UC1)).empty());
 }
