@@ -16,6 +16,7 @@
 #include "console/console_reporter.h"
 #include "console/heap.h"
 #include "console/live_map.h"
+#include "console/parallel_run.h"
 #include "console/ros_parameters.h"
 #include "console/stop_signals.h"
 #include "run/generator.h"
@@ -53,18 +54,28 @@ bool startNode(int argc, char** argv) {
   return false;
 }
 
-int generate(const Value& settings) {
-  ConsoleReporter reporter;
+int stopped(Reporter& reporter) {
+  const int signal = stop_signals::requested();
+  reporter.warning(std::string("stopped by ") + stop_signals::name(signal) +
+                   ": the scenes made so far are whole; run the same command again to go on "
+                   "(`if_exists: overwrite` starts anew)");
+  return kInterrupted + signal;
+}
+
+int generateHere(const Value& settings, Reporter& reporter) {
   Generator generator(settings, reporter);
   const RunSummary summary = generator.run();
   for (const std::string& line : summaryLines(summary)) reporter.info(line);
-  if (summary.stopped) {
-    const int signal = stop_signals::requested();
-    reporter.warning(std::string("stopped by ") + stop_signals::name(signal) +
-                     ": the scenes made so far are whole; run the same command again to go on "
-                     "(`if_exists: overwrite` starts anew)");
-    return kInterrupted + signal;
-  }
+  if (summary.stopped) return stopped(reporter);
+  reporter.info("done");
+  return kDone;
+}
+
+int generate(const Value& settings) {
+  ConsoleReporter reporter;
+  const ParallelRun run(settings);
+  if (!run.isPossible()) return generateHere(settings, reporter);
+  if (!run.make(reporter)) return stopped(reporter);
   reporter.info("done");
   return kDone;
 }

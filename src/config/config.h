@@ -144,6 +144,7 @@ struct OutputConfig {
   IfExists if_exists = IfExists::kResume;
   Sync sync = Sync::kBatch;
   std::optional<ShardConfig> shard;
+  int processes = 1;                   ///< that make the scenes; 1 where `shard` is set
   std::set<std::int64_t> only_scenes;  ///< by the numbers in their files' names; empty: all
   int png_compression = 3;
   int jpeg_quality = 95;

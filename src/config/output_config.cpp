@@ -86,6 +86,16 @@ std::optional<ShardConfig> readShard(const Parameters& root) {
   return shard;
 }
 
+int readProcesses(const Parameters& root, bool is_shard) {
+  constexpr int kMost = 1024;
+  const int processes = numberBetween(root, "processes", 1, 1, kMost);
+  if (!is_shard || processes == 1) return processes;
+  root.addError("processes", "found " + std::to_string(processes) +
+                                 " and a shard, which one process makes; it should be 1, or " +
+                                 "shard be left out");
+  return 1;
+}
+
 /// Names and types of the writers; left out, the original's three.
 std::vector<std::pair<std::string, std::string>> readWriterNames(const Parameters& root) {
   const auto given = root.maybe<Value>("writers");
@@ -135,6 +145,7 @@ OutputConfig readOutput(const Parameters& root) {
   output.sync = choice<Sync>(
       root, "sync", {{"batch", Sync::kBatch}, {"scene", Sync::kScene}, {"off", Sync::kOff}});
   output.shard = readShard(root);
+  output.processes = readProcesses(root, output.shard.has_value());
   output.only_scenes = readOnlyScenes(root);
   const Parameters image = root.group("image");
   output.png_compression = numberBetween(image, "png_compression", output.png_compression, 0, 9);

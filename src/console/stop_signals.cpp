@@ -18,10 +18,11 @@ constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
 std::atomic<int> g_requested{0};
 std::atomic<bool> g_scenes_are_made{false};
 std::atomic<pid_t> g_process{0};
+std::atomic<bool> g_is_silent{false};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 void tell(std::string_view message) {
-  while (!message.empty()) {
+  while (!message.empty() && !g_is_silent) {
     const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
     if (written <= 0) return;  // nobody reads any more
     message.remove_prefix(static_cast<std::size_t>(written));
@@ -55,8 +56,9 @@ void onSignal(int signal) {
 
 }  // namespace
 
-void install() {
+void install(Voice voice) {
   g_process = getpid();
+  g_is_silent = voice == Voice::kSilent;
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the call that writes
   struct sigaction action {};

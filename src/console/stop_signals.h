@@ -2,11 +2,17 @@
 
 namespace synthetic_dataset::stop_signals {
 
+/// Who tells the user what a signal does.
+enum class Voice {
+  kAloud,   ///< this process, on stderr
+  kSilent,  ///< somebody else: this one was forked from it
+};
+
 /// From now on SIGINT, SIGTERM and SIGHUP (the terminal has gone) end the process with the exit
 /// code 128 + signal and a message on stderr that says how to go on. What the caller of the program
 /// ignores, as nohup does SIGHUP, stays ignored. SIGPIPE is ignored: a run outlives the reader of
 /// its messages. So is SIGXFSZ: a limit of file sizes is told like a full disk.
-void install();
+void install(Voice voice = Voice::kAloud);
 
 /// From now on the first of these signals asks for an end, which `requested` answers; a second one
 /// ends the process at once.

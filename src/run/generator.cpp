@@ -57,7 +57,8 @@ struct Generator::Impl {
     warnings.tell(setup.description.warnings);
     tellMotions();
     if (store->wasComplete()) {
-      reporter.info("the dataset is complete already: there is nothing to do");
+      reporter.info(std::string(setup.config.output.shard ? "the shard" : "the dataset") +
+                    " is complete already: there is nothing to do");
     } else if (work.missingCount() < work.sceneCount()) {
       reporter.info("going on: " + std::to_string(work.sceneCount() - work.missingCount()) +
                     " of these scenes are there already");

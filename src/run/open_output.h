@@ -2,9 +2,12 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "output/dataset_store.h"
 #include "setup/run_setup.h"
+#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset {
 
@@ -15,6 +18,10 @@ namespace synthetic_dataset {
 /// the first scene.
 /// @throws ErrorList with all that stands in the way; the disk is as it was then
 [[nodiscard]] std::unique_ptr<output::DatasetStore> openOutput(const RunSetup& setup);
+
+/// Removes an earlier dataset that a run with these settings would overwrite, and leaves none.
+/// @throws ErrorList with all that is wrong with the settings or stands in the way
+void clearOutput(const Value& parameters, const std::vector<std::string>& plugin_xml_files = {});
 
 /// The same for a dataset that is made of shards.
 [[nodiscard]] std::unique_ptr<output::DatasetStore> openMerged(const RunSetup& setup);

@@ -43,8 +43,8 @@ std::map<std::string, output::RunDescription::Setting> usedSettings(
     const Value& parameters, const config::Config& config, const std::vector<std::string>& unused,
     const std::map<std::string, Value>& defaults) {
   // None of these changes what is made.
-  std::set<std::string> left_out = {"output_folder", "if_exists",   "sync",
-                                    "shard",         "only_scenes", "rendering/reuse"};
+  std::set<std::string> left_out = {"output_folder", "if_exists",   "sync",           "shard",
+                                    "processes",     "only_scenes", "rendering/reuse"};
   left_out.insert(unused.begin(), unused.end());
   for (const config::WriterConfig& writer : config.writers) {
     left_out.insert(writer.name + "/output_folder");

@@ -155,8 +155,9 @@ TEST(OverlayMotion, KeepsTheRestOfAnObject) {
 }
 
 TEST(SettingsOfMotions, AreNoneOfTheWholeDataset) {
-  for (const char* name : {"robot_list", "writers", "output_folder", "seed", "global_frame",
-                           "classes", "labels", "masks", "shard", "rendering", "motions"}) {
+  for (const char* name :
+       {"robot_list", "writers", "output_folder", "seed", "global_frame", "classes", "labels",
+        "masks", "shard", "processes", "rendering", "motions"}) {
     EXPECT_THAT(settingsOfMotions(), Not(Contains(name)));
   }
 }

@@ -42,10 +42,10 @@ class ScratchTest(unittest.TestCase):
         cls.dataset = cls.scratch / 'dataset'
 
     @classmethod
-    def launch(cls, config):
+    def launch(cls, config, *arguments):
         return ros_programs.output_of(
             ros_programs.launch_command(f'config:={config}', f'output_folder:={cls.dataset}',
-                                        'rate:=1', 'if_exists:=overwrite'), cls.environ)
+                                        'rate:=1', 'if_exists:=overwrite', *arguments), cls.environ)
 
 
 class LaunchedExample(ScratchTest):
@@ -93,6 +93,22 @@ class LaunchedExample(ScratchTest):
             self.assertEqual({path.stem for path in folder.glob('JPEGImages/*.png')}, labels)
 
 
+class LaunchedInProcesses(ScratchTest):
+
+    def files(self):
+        return {path: path.read_bytes() for path in self.dataset.rglob('*') if path.is_file()}
+
+    def test_make_the_bytes_of_one_process(self):
+        self.launch(EXAMPLE)
+        of_one = self.files()
+        log = self.launch(EXAMPLE, 'processes:=3')  # over the dataset that is there
+        self.assertIn('3 processes make a shard each', log)
+        self.assertRegex(log, r'\bdone\b')
+        of_three = self.files()
+        self.assertEqual(of_three.keys(), of_one.keys())
+        self.assertEqual([path for path in of_one if of_one[path] != of_three[path]], [])
+
+
 class LaunchedMistakes(ScratchTest):
 
     def test_are_all_reported_and_no_dataset_is_made(self):
@@ -118,6 +134,13 @@ class LaunchedMistakes(ScratchTest):
         self.assertIn('shard', log)
         self.assertIn('sync: ', log)
         self.assertIn('failed: ', log)
+
+    def test_are_told_once_by_many_processes(self):
+        config = self.scratch / 'mistakes.yaml'
+        config.write_text(with_mistakes(EXAMPLE.read_text(encoding='utf-8')), encoding='utf-8')
+        log = self.launch(config, 'processes:=3')
+        self.assertEqual(log.count('no_such.bag: no such file'), 1)
+        self.assertIn('failed: 2 errors', log)
 
 
 class ExitCode(ScratchTest):

@@ -156,6 +156,21 @@ class Signals(Case):
                 self.assertEqual(answer, code, log)
                 self.assertIn('stopped before the first scene', log)
 
+    def test_stop_many_processes_which_go_on(self):
+        node = self.start_example(5.0, 'processes:=2')
+        self.wait_for(node, 'scene 1 of')
+        node.send_signal(signal.SIGINT)
+        code, log = self.finish(node)
+        self.assertEqual(code, 130, log)
+        self.assertIn('stopped by SIGINT', log)
+        self.assertEqual(log.count('the next signal stops at once'), 1)
+        self.assertFalse((self.dataset / 'manifest.sqlite').exists())
+        code, log = self.finish(self.start_example(5.0, 'processes:=2', 'if_exists:=resume'))
+        self.assertEqual(code, 0, log)
+        manifest = Manifest(self.dataset)
+        self.assertEqual(manifest.state, 'complete')
+        self.assertEqual(manifest.scenes, 38)
+
     def test_that_are_ignored_stay_ignored(self):
         """As nohup and shells' background jobs need it."""
         node = self.start_example(FEW_SCENES, preexec_fn=lambda: signal.signal(

@@ -14,6 +14,7 @@ TEST(UsedSettings, LeaveOutWhereFilesGoAndWhatNobodyReads) {
       {"output_folder", Value("/data")},
       {"if_exists", Value("resume")},
       {"sync", Value("off")},
+      {"processes", Value(4)},
       {"shard", Value(Value::Map{{"index", Value(0)}, {"count", Value(2)}})},
       {"yolo", Value(Value::Map{{"output_folder", Value("/there")}, {"box", Value("loose")}})},
       {"old_writer", Value(Value::Map{{"setting", Value(1)}})}});

@@ -1,0 +1,87 @@
+#include "console/parallel_run.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "config/motion_list.h"
+#include "config/settings_file.h"
+#include "console/processes.h"
+#include "output/file_name_rules.h"
+#include "output/manifest_content.h"
+#include "run/generator.h"
+#include "run/merger.h"
+#include "run/open_output.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// What Mesa is told to use where processes share the cores. Its first thread draws by itself where
+/// it has no others, which is best where each process has one core.
+void shareCores(int processes) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency()) / processes;
+  setenv("LP_NUM_THREADS", std::to_string(cores > 1 ? cores : 0).c_str(), 0);  // the user's first
+}
+
+/// What a shard has to tell besides.
+bool makeShard(const Value::Map& settings, Reporter& reporter) {
+  Generator generator{Value(settings), reporter};
+  return !generator.run().stopped;
+}
+
+config::OutputConfig outputOf(const Value::Map& settings) {
+  const config::MotionList motions = config::readMotions(Value(settings));
+  return config::readConfig(Parameters(motions.entries.front().settings)).output;
+}
+
+}  // namespace
+
+ParallelRun::ParallelRun(const Value& settings)
+    : settings_(*settings.as<Value::Map>()), output_(outputOf(settings_)) {}
+
+bool ParallelRun::isPossible() const {
+  if (output_.processes == 1 || !output_.only_scenes.empty()) return false;
+  if (output_.if_exists == config::IfExists::kOverwrite) return true;
+  return !std::filesystem::exists(output::manifestFile(output_.folder)) ||
+         !output::shardManifests(output_.folder).empty();
+}
+
+bool ParallelRun::make(Reporter& reporter) const {
+  shareCores(output_.processes);
+  if (output_.if_exists == config::IfExists::kOverwrite && !removeEarlier(reporter)) return false;
+  reporter.info(std::to_string(output_.processes) + " processes make a shard each");
+  const bool is_done = doInProcesses(
+      output_.processes,
+      [this](int shard, Reporter& told) { return makeShard(settingsOf(shard), told); }, reporter);
+  if (!is_done) return false;
+  mergeShards(output_.folder, {}, reporter);
+  return true;
+}
+
+Value::Map ParallelRun::settingsOf(int shard) const {
+  Value::Map settings = settings_;
+  settings["processes"] = Value(1);
+  config::overlay(
+      settings,
+      {{"shard", Value(Value::Map{{"index", Value(shard)}, {"count", Value(output_.processes)}})}});
+  // What was to be overwritten has been removed.
+  if (output_.if_exists == config::IfExists::kOverwrite) settings["if_exists"] = Value("resume");
+  return settings;
+}
+
+/// In a process of its own, which leaves this one without what reading a world leaves behind.
+bool ParallelRun::removeEarlier(Reporter& reporter) const {
+  const bool is_there = std::filesystem::exists(output::manifestFile(output_.folder)) ||
+                        !output::shardManifests(output_.folder).empty();
+  if (!is_there) return true;
+  return doInProcesses(
+      1,
+      [this](int, Reporter&) {
+        clearOutput(Value(settings_));
+        return true;
+      },
+      reporter);
+}
+
+}  // namespace synthetic_dataset
