@@ -4,7 +4,6 @@
 #include <array>
 
 #include "render/gl_planes.h"
-#include "render/texture_units.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -65,15 +64,6 @@ void GeometryBuffer::copyTo(const GeometryBuffer& to, const cv::Rect& pixels) co
   copy(depth_buffer_, to.depth_buffer_);
 }
 
-void GeometryBuffer::bindTextures() const {
-  gl_.BindTextureUnit(kPartsUnit, parts_.name());
-  gl_.BindTextureUnit(kDepthsUnit, depths_.name());
-  gl_.BindTextureUnit(kBaseUnit, base_roughness_.name());
-  gl_.BindTextureUnit(kNormalsUnit, normal_metalness_.name());
-  if (faces_.name() != 0) gl_.BindTextureUnit(kFacesUnit, faces_.name());
-  if (glows_.name() != 0) gl_.BindTextureUnit(kGlowsUnit, glows_.name());
-}
-
 GeometryImages GeometryBuffer::read(const cv::Rect& pixels) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   GeometryImages images;
@@ -87,10 +77,14 @@ GeometryImages GeometryBuffer::read(const cv::Rect& pixels) const {
   return images;
 }
 
-cv::Mat GeometryBuffer::readNormals(const cv::Rect& pixels) const {
+SurfaceImages GeometryBuffer::readSurfaces(const cv::Rect& pixels) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  const GeometryOutput output = faces_.name() != 0 ? kFaces : kNormalMetalness;
-  return readPlane(gl_, framebuffer_, output, pixels, CV_16UC4, GL_RGBA, GL_HALF_FLOAT);
+  const auto readIf = [&](const GlTexture& plane, GeometryOutput output) {
+    if (plane.name() == 0) return cv::Mat();
+    return readPlane(gl_, framebuffer_, output, pixels, CV_16UC4, GL_RGBA, GL_HALF_FLOAT);
+  };
+  return {readIf(base_roughness_, kBaseRoughness), readIf(normal_metalness_, kNormalMetalness),
+          readIf(faces_, kFaces), readIf(glows_, kGlows)};
 }
 
 cv::Mat GeometryBuffer::readStencil(const cv::Rect& pixels) const {

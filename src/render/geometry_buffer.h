@@ -21,6 +21,18 @@ struct GeometryImages {
                     ///< they were not read
 };
 
+/// What light makes of it, each CV_16UC4, numbers of 16 bits; vectors in the optical frame.
+struct SurfaceImages {
+  cv::Mat base_roughness;    ///< red, green, blue, linear; roughness
+  cv::Mat normal_metalness;  ///< x, y, z as a normal map bends it; metalness
+  cv::Mat faces;             ///< x, y, z as the vertices have it; empty where that is the same
+  cv::Mat glows;             ///< red, green, blue of an emissive map; empty where there is none
+
+  [[nodiscard]] const cv::Mat& vertexNormals() const {
+    return faces.empty() ? normal_metalness : faces;
+  }
+};
+
 /// Where surfaces are drawn before they are lit, one sample a pixel.
 class GeometryBuffer {
  public:
@@ -34,17 +46,13 @@ class GeometryBuffer {
   /// Copies some pixels of all planes to a buffer of the same kind.
   void copyTo(const GeometryBuffer& to, const cv::Rect& pixels) const;
 
-  /// Binds its planes to the texture units of the shader that lights them.
-  void bindTextures() const;
-
   /// Depth for OpenGL's depth test, reversed; and a stencil of 8 bits, which is empty at first.
   [[nodiscard]] const GlTexture& depthBuffer() const { return depth_buffer_; }
 
   /// Parts and depths.
   [[nodiscard]] GeometryImages read(const cv::Rect& pixels) const;
 
-  /// As GeometryImages has them.
-  [[nodiscard]] cv::Mat readNormals(const cv::Rect& pixels) const;
+  [[nodiscard]] SurfaceImages readSurfaces(const cv::Rect& pixels) const;
 
   /// CV_8UC1: the bits that were set (SilhouetteBits).
   [[nodiscard]] cv::Mat readStencil(const cv::Rect& pixels) const;

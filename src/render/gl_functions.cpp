@@ -40,7 +40,7 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(StencilFunc, "glStencilFunc");
   fill(StencilOp, "glStencilOp");
   fill(StencilMask, "glStencilMask");
-  fill(BlendFunc, "glBlendFunc");
+  fill(BlendFuncSeparate, "glBlendFuncSeparate");
   fill(ClipControl, "glClipControl");
   fill(PixelStorei, "glPixelStorei");
   fill(ReadPixels, "glReadPixels");

@@ -24,7 +24,7 @@ struct GlFunctions {
   PFNGLSTENCILFUNCPROC StencilFunc = nullptr;
   PFNGLSTENCILOPPROC StencilOp = nullptr;
   PFNGLSTENCILMASKPROC StencilMask = nullptr;
-  PFNGLBLENDFUNCPROC BlendFunc = nullptr;
+  PFNGLBLENDFUNCSEPARATEPROC BlendFuncSeparate = nullptr;
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
   PFNGLPIXELSTOREIPROC PixelStorei = nullptr;
   PFNGLREADPIXELSPROC ReadPixels = nullptr;

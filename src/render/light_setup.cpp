@@ -186,12 +186,10 @@ std::string lightMacros(const std::vector<world::Light>& lights) {
          std::to_string(lights.size()) + "; ++i) { LIGHT(i, kTypes[i], kLayers[i]) }\n";
 }
 
-void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
-               const std::vector<ShadowProjection>& shadows, const View& view) {
+std::vector<LightInView> lightsIn(const View& view, const std::vector<world::Light>& lights) {
   const Pose X_CW = view.X_WC.inverse();
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    const world::Light& light = lights[i];
-    const std::string name = "lights[" + std::to_string(i) + "].";
+  std::vector<LightInView> result;
+  for (const world::Light& light : lights) {
     const Eigen::Vector3d position = X_CW * light.X_WL.translation();
     const Eigen::Vector3d direction =
         (X_CW.linear() * light.X_WL.linear() * light.direction_L).normalized();
@@ -199,12 +197,29 @@ void setLights(const ShaderProgram& program, const std::vector<world::Light>& li
                                       light.attenuation_quadratic);
     const Eigen::Vector3d cone(std::cos(0.5 * light.spot_inner_angle),
                                std::cos(0.5 * light.spot_outer_angle), light.spot_falloff);
-    program.set(name + "position_C", Eigen::Vector3f(position.cast<float>()));
-    program.set(name + "direction_C", Eigen::Vector3f(direction.cast<float>()));
-    program.set(name + "intensity", light.diffuse);
-    program.set(name + "attenuation", Eigen::Vector3f(attenuation.cast<float>()));
-    program.set(name + "range", static_cast<float>(light.range));
-    program.set(name + "cone", Eigen::Vector3f(cone.cast<float>()));
+    result.push_back({light.type, position.cast<float>(), direction.cast<float>(), light.diffuse,
+                      attenuation.cast<float>(), static_cast<float>(light.range),
+                      cone.cast<float>()});
+  }
+  return result;
+}
+
+Eigen::Vector3f upIn(const View& view) {
+  const Eigen::Vector3d up_C = view.X_WC.linear().transpose() * Eigen::Vector3d::UnitZ();
+  return up_C.cast<float>();
+}
+
+void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
+               const std::vector<ShadowProjection>& shadows, const View& view) {
+  std::size_t i = 0;
+  for (const LightInView& light : lightsIn(view, lights)) {
+    const std::string name = "lights[" + std::to_string(i++) + "].";
+    program.set(name + "position_C", light.position_C);
+    program.set(name + "direction_C", light.direction_C);
+    program.set(name + "intensity", light.intensity);
+    program.set(name + "attenuation", light.attenuation);
+    program.set(name + "range", light.range);
+    program.set(name + "cone", light.cone);
   }
   for (const ShadowProjection& shadow : shadows) {
     const std::string index = "[" + std::to_string(shadow.layer) + "]";

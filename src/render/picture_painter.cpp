@@ -60,7 +60,7 @@ PicturePainter::PicturePainter(const PictureCrew& crew, const cv::Size& size)
     : crew_(crew),
       image_(cv::Point(), size),
       geometry_(crew.gl, size.width, size.height, crew.geometry_painter.planes()),
-      light_(crew.gl, size.width, size.height, geometry_) {}
+      overlay_(crew.gl, size.width, size.height, geometry_) {}
 
 void PicturePainter::forget() {
   forgetContent();
@@ -268,12 +268,13 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   const std::vector<cv::Rect> lit =
       smooth ? bandsOf(grown(picture.regions, image_.size())) : picture.regions;
   picture.seen.place = boundsOf(lit);
-  light_.begin(picture.seen.place);
-  crew_.light_painter.paint(scene, geometry_, crew_.shadow_painter.texture(), see_through, lit);
-  picture.seen.light = light_.read(picture.seen.place);
+  const SeenSurfaces surfaces{read(picture.seen.place), geometry_.readSurfaces(picture.seen.place),
+                              picture.seen.place};
+  picture.seen.light =
+      crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_, see_through, lit);
   if (smooth) {
-    picture.seen.geometry = read(picture.seen.place);
-    picture.seen.geometry.normals = geometry_.readNormals(picture.seen.place);
+    picture.seen.geometry = surfaces.geometry;
+    picture.seen.geometry.normals = surfaces.surfaces.vertexNormals();
     picture.edges = EdgeScene{scene.view, scene.X_WL, seen};
   }
   return picture;

@@ -11,7 +11,7 @@
 #include "render/geometry_buffer.h"
 #include "render/geometry_painter.h"
 #include "render/light_painter.h"
-#include "render/light_target.h"
+#include "render/overlay_target.h"
 #include "render/shadow_painter.h"
 #include "render/silhouette_bits.h"
 #include "render/silhouette_painter.h"
@@ -119,7 +119,7 @@ class PicturePainter {
   PictureCrew crew_;
   cv::Rect image_;
   GeometryBuffer geometry_;
-  LightTarget light_;
+  OverlayTarget overlay_;
   GeometryKey geometry_key_;        ///< of geometry_
   SilhouetteBits bits_;             ///< in geometry_
   bool has_drawn_ = false;          ///< at least once

@@ -45,7 +45,6 @@ struct Renderer::Impl {
     gl.FrontFace(GL_CW);  // the image is drawn with its first row at the bottom
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl.Enable(GL_DEPTH_TEST);
   }
 

@@ -29,18 +29,12 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, int size, int layers)
   gl.TextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   gl.TextureParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl.TextureParameteri(name, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  layers_ = makeFramebuffers(depth_);
-}
-
-std::vector<GlFramebuffer> ShadowMaps::makeFramebuffers(const GlTexture& of) const {
-  std::vector<GlFramebuffer> framebuffers;
   for (int layer = 0; layer < layer_count_; ++layer) {
-    framebuffers.push_back(makeFramebuffer(gl_));
-    const GLuint name = framebuffers.back().name();
-    gl_.NamedFramebufferTextureLayer(name, GL_DEPTH_ATTACHMENT, of.name(), 0, layer);
-    gl_.NamedFramebufferDrawBuffers(name, 0, nullptr);
+    layers_.push_back(makeFramebuffer(gl_));
+    const GLuint framebuffer = layers_.back().name();
+    gl_.NamedFramebufferTextureLayer(framebuffer, GL_DEPTH_ATTACHMENT, name, 0, layer);
+    gl_.NamedFramebufferDrawBuffers(framebuffer, 0, nullptr);
   }
-  return framebuffers;
 }
 
 void ShadowMaps::begin(int layer) const {
@@ -51,10 +45,7 @@ void ShadowMaps::begin(int layer) const {
 }
 
 void ShadowMaps::keep(int layer) {
-  if (kept_.name() == 0) {
-    kept_ = makeLayers(gl_, size_, layer_count_);
-    kept_layers_ = makeFramebuffers(kept_);
-  }
+  if (kept_.name() == 0) kept_ = makeLayers(gl_, size_, layer_count_);
   copy(depth_, kept_, layer, whole());
 }
 
@@ -63,13 +54,8 @@ void ShadowMaps::beginKept(int layer, const std::vector<cv::Rect>& changed) cons
   bind(layer);
 }
 
-cv::Mat ShadowMaps::differing(int layer, const cv::Rect& texels) const {
-  const auto i = static_cast<std::size_t>(layer);
-  return read(layers_[i], texels) != read(kept_layers_[i], texels);
-}
-
-cv::Mat ShadowMaps::read(const GlFramebuffer& layer, const cv::Rect& texels) const {
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.name());
+cv::Mat ShadowMaps::read(int layer, const cv::Rect& texels) const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, layers_[static_cast<std::size_t>(layer)].name());
   cv::Mat depths(texels.size(), CV_32FC1);
   gl_.ReadPixels(texels.x, texels.y, texels.width, texels.height, GL_DEPTH_COMPONENT, GL_FLOAT,
                  depths.data);

@@ -24,10 +24,9 @@ class ShadowMaps {
   /// @param changed  the texels (columns and rows) that are made again as they were kept
   void beginKept(int layer, const std::vector<cv::Rect>& changed) const;
 
-  /// Which texels of a layer are not as they were kept.
-  /// @param texels  columns and rows
-  /// @return CV_8UC1 of these texels, 255 for those, else 0
-  [[nodiscard]] cv::Mat differing(int layer, const cv::Rect& texels) const;
+  /// @param texels  columns and rows of a layer
+  /// @return CV_32FC1, their depths
+  [[nodiscard]] cv::Mat read(int layer, const cv::Rect& texels) const;
 
   /// All texels of a layer.
   [[nodiscard]] cv::Rect whole() const { return {0, 0, size_, size_}; }
@@ -36,17 +35,14 @@ class ShadowMaps {
 
  private:
   void bind(int layer) const;
-  [[nodiscard]] std::vector<GlFramebuffer> makeFramebuffers(const GlTexture& of) const;
-  [[nodiscard]] cv::Mat read(const GlFramebuffer& layer, const cv::Rect& texels) const;
   void copy(const GlTexture& from, const GlTexture& to, int layer, const cv::Rect& texels) const;
 
   const GlFunctions& gl_;
   int size_;
   int layer_count_;
   GlTexture depth_;
-  GlTexture kept_;                          ///< none until a layer is kept
-  std::vector<GlFramebuffer> layers_;       ///< of depth_
-  std::vector<GlFramebuffer> kept_layers_;  ///< of kept_
+  GlTexture kept_;                     ///< none until a layer is kept
+  std::vector<GlFramebuffer> layers_;  ///< of depth_
 };
 
 }  // namespace synthetic_dataset::render

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "render/part_groups.h"
@@ -88,11 +89,15 @@ void ShadowPainter::paintStandingLayer(const ShadowProjection& shadow,
   Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
   if (isSame(layer, shadow, casting) && layer.is_kept) {
     maps_.beginKept(shadow.layer, layer.changed);
+    for (const cv::Rect& texels : layer.changed) {
+      layer.kept_depths(texels).copyTo(layer.depths(texels));
+    }
   } else {
     maps_.begin(shadow.layer);
     draw(shadow, X_WL, casting, Casters::kStanding);
     maps_.keep(shadow.layer);
-    layer = {shadow.shadow_from_world, casting, true, {}};
+    const cv::Mat depths = maps_.read(shadow.layer, maps_.whole());
+    layer = {shadow.shadow_from_world, casting, true, {}, depths.clone(), depths};
   }
   layer.changed.clear();
 }
@@ -102,14 +107,19 @@ void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector
   Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
   if (!isSame(layer, shadow, casting)) {
     // It may not come again: a copy would be made for nothing.
-    layer = {shadow.shadow_from_world, casting, false, {}};
     maps_.begin(shadow.layer);
     draw(shadow, X_WL, casting, Casters::kAll);
-  } else {
-    paintStandingLayer(shadow, X_WL, casting);
-    draw(shadow, X_WL, casting, Casters::kMoving);
+    const cv::Mat depths = maps_.read(shadow.layer, maps_.whole());
+    layer = {shadow.shadow_from_world, casting, false, {}, depths, {}};
+    layer.changed = texelsOfMoving(shadow, X_WL, casting);
+    return;
   }
+  paintStandingLayer(shadow, X_WL, casting);
+  draw(shadow, X_WL, casting, Casters::kMoving);
   layer.changed = texelsOfMoving(shadow, X_WL, casting);
+  for (const cv::Rect& texels : layer.changed) {
+    maps_.read(shadow.layer, texels).copyTo(layer.depths(texels));
+  }
 }
 
 ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const {
@@ -130,7 +140,7 @@ ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const
     cv::Mat differing = cv::Mat::zeros(round.size(), CV_8UC1);
     cv::Mat inner = differing(box - round.tl());
     if (layer.is_kept) {
-      maps_.differing(shadow.layer, box).copyTo(inner);
+      cv::compare(layer.depths(box), layer.kept_depths(box), inner, cv::CMP_NE);
     } else {
       inner.setTo(255);
     }

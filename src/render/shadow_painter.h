@@ -30,6 +30,11 @@ class ShadowPainter {
   /// What paint() has just drawn beside what never moves.
   [[nodiscard]] ChangedTexels changedTexels(const ShadowProjection& shadow) const;
 
+  /// CV_32FC1, a square: the depth of what is nearest to the light; stays until the next paint().
+  [[nodiscard]] const cv::Mat& depths(const ShadowProjection& shadow) const {
+    return layers_[static_cast<std::size_t>(shadow.layer)].depths;
+  }
+
   [[nodiscard]] GLuint texture() const { return maps_.texture(); }
 
  private:
@@ -41,6 +46,8 @@ class ShadowPainter {
     LinkSelection casting;
     bool is_kept = false;           ///< the standing casters, as they are drawn with these
     std::vector<cv::Rect> changed;  ///< texels on which what moves was drawn
+    cv::Mat depths;                 ///< of the map
+    cv::Mat kept_depths;            ///< of the standing casters alone, if they are kept
   };
 
   [[nodiscard]] static bool isSame(const Layer& layer, const ShadowProjection& shadow,

@@ -12,13 +12,6 @@ enum TextureUnit : GLuint {
   kRoughnessUnit,
   kMetalnessUnit,
   kEmissiveUnit,
-  kPartsUnit,
-  kDepthsUnit,
-  kBaseUnit,
-  kNormalsUnit,
-  kFacesUnit,
-  kGlowsUnit,
-  kMaterialsUnit,
 };
 
 /// Tells a program of them; samplers that it lacks make no difference.
@@ -29,13 +22,6 @@ inline void setTextureUnits(const ShaderProgram& program) {
   program.set("roughness_map", static_cast<int>(kRoughnessUnit));
   program.set("metalness_map", static_cast<int>(kMetalnessUnit));
   program.set("emissive_map", static_cast<int>(kEmissiveUnit));
-  program.set("parts", static_cast<int>(kPartsUnit));
-  program.set("depths", static_cast<int>(kDepthsUnit));
-  program.set("base_roughness", static_cast<int>(kBaseUnit));
-  program.set("normal_metalness", static_cast<int>(kNormalsUnit));
-  program.set("faces", static_cast<int>(kFacesUnit));
-  program.set("glows", static_cast<int>(kGlowsUnit));
-  program.set("materials", static_cast<int>(kMaterialsUnit));
 }
 
 }  // namespace synthetic_dataset::render

@@ -1,5 +1,5 @@
 #version 450 core
-// What each pixel's centre sees, for light.frag to light it: so each pixel is lit once, however
+// What each pixel's centre sees, to be lit afterwards: so each pixel is lit once, however
 // many small triangles share it. Planes that the bound buffer lacks are left out.
 #include "surface.glsl"
 #include "material.glsl"
