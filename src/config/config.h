@@ -146,7 +146,7 @@ struct OutputConfig {
   std::optional<ShardConfig> shard;
   int processes = 1;                   ///< that make the scenes; 1 where `shard` is set
   std::set<std::int64_t> only_scenes;  ///< by the numbers in their files' names; empty: all
-  int png_compression = 3;
+  int png_compression = 1;
   int jpeg_quality = 95;
 };
 

@@ -36,7 +36,7 @@ struct StoreOptions {
   Sync sync = Sync::kBatch;
   std::optional<Shard> shard = {};  ///< the part of a run that this one makes
   Source source = Source::kScenes;
-  int png_compression = 3;  ///< 0 fastest .. 9 smallest
+  int png_compression = 1;  ///< 0 and 1 fastest .. 9 smallest
   int jpeg_quality = 95;    ///< 1 .. 100
 };
 

@@ -11,7 +11,7 @@ namespace synthetic_dataset::output {
 enum class ImageFormat { kPng, kJpeg, kTiff };
 
 struct ImageQuality {
-  int png_compression = 3;  ///< 0 fastest .. 9 smallest
+  int png_compression = 1;  ///< 0 and 1 fastest .. 9 smallest
   int jpeg_quality = 95;    ///< 1 .. 100
 };
 

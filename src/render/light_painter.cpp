@@ -39,6 +39,14 @@ cv::Mat laidOver(const cv::Mat& surfaces, const cv::Mat& overlay) {
 
 }  // namespace
 
+cv::Mat UnlitPixels::light() const {
+  if (regions.empty()) return {};
+  const SurfaceShading shading(surroundings);
+  const SurfaceLighter lighter(shading, *parts, intrinsics, nothing);
+  cv::Mat surfaces = lighter.light(seen.geometry, seen.surfaces, seen.place, regions);
+  return overlay.empty() ? surfaces : laidOver(surfaces, overlay);
+}
+
 LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
                            const world::Description& description)
     : parts_(parts),
@@ -46,7 +54,7 @@ LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
       ambient_(linearFromSrgb(description.ambient)),
       background_(linearFromSrgb(description.background)),
       fog_(description.fog),
-      part_lights_(partLights(parts.parts())),
+      part_lights_(std::make_shared<std::vector<PartLight>>(partLights(parts.parts()))),
       overlay_painter_(gl, parts, description) {
   checkLightCount(lights_);
 }
@@ -55,37 +63,36 @@ void LightPainter::setLook(const world::Look& look) {
   lights_ = look.lights;
   ambient_ = linearFromSrgb(look.ambient);
   background_ = linearFromSrgb(look.background);
-  part_lights_ = partLights(parts_.parts());
+  part_lights_ = std::make_shared<std::vector<PartLight>>(partLights(parts_.parts()));
   overlay_painter_.setLook(look);
 }
 
-cv::Mat LightPainter::paint(const ColourScene& scene, const SeenSurfaces& seen,
-                            const ShadowPainter& shadows, const OverlayTarget& target,
-                            bool see_through, const std::vector<cv::Rect>& regions) {
-  const SurfaceShading shading(surroundings(scene, shadows));
+UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& seen,
+                                const ShadowPainter& shadows, const OverlayTarget& target,
+                                bool see_through, const std::vector<cv::Rect>& regions) {
   const bool has_background = overlay_painter_.hasBackground();
   const Eigen::Vector3f nothing =
       has_background ? Eigen::Vector3f::Zero() : Eigen::Vector3f(scene.exposure * background_);
-  const SurfaceLighter lighter(shading, part_lights_, scene.view.camera.intrinsics(), nothing);
-  cv::Mat light = lighter.light(seen.geometry, seen.surfaces, seen.place, regions);
+  UnlitPixels result{
+      seen,    regions, scene.view.camera.intrinsics(), surroundings(scene, shadows), part_lights_,
+      nothing, {}};
   see_through = see_through && overlay_painter_.hasGlass(scene.drawn);
-  if (!see_through && !(has_background && showsNothing(seen, regions))) return light;
-  target.begin(seen.place);
-  overlay_painter_.paint(scene, shadows.texture(), see_through, regions);
-  return laidOver(light, target.read(seen.place));
+  if (see_through || (has_background && showsNothing(seen, regions))) {
+    target.begin(seen.place);
+    overlay_painter_.paint(scene, shadows.texture(), see_through, regions);
+    result.overlay = target.read(seen.place);
+  }
+  return result;
 }
 
-SurfaceShading::Surroundings LightPainter::surroundings(const ColourScene& scene,
-                                                        const ShadowPainter& shadows) const {
-  SurfaceShading::Surroundings result{{}, ambient_, upIn(scene.view), scene.exposure, fog_};
-  for (const LightInView& light : lightsIn(scene.view, lights_)) {
-    result.lights.push_back({light, std::nullopt});
-  }
+Surroundings LightPainter::surroundings(const ColourScene& scene,
+                                        const ShadowPainter& shadows) const {
+  Surroundings result{
+      lightsIn(scene.view, lights_), {}, ambient_, upIn(scene.view), scene.exposure, fog_};
+  result.shadows.resize(result.lights.size());
   for (const ShadowProjection& shadow : scene.shadows) {
-    const auto i = static_cast<std::size_t>(shadow.light);
-    result.lights[i].shadow.emplace(shadows.depths(shadow),
-                                    shadow.shadow_from_world * scene.view.X_WC.matrix(),
-                                    shadow.texel, lights_[i].type == world::LightType::kSpot);
+    result.shadows[static_cast<std::size_t>(shadow.light)] = CastShadow{
+        shadows.depths(shadow), shadow.shadow_from_world * scene.view.X_WC.matrix(), shadow.texel};
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -21,7 +22,21 @@ struct SeenSurfaces {
   cv::Rect place;  ///< of these pixels in the picture
 };
 
-/// Finds the light of what was drawn into a GeometryBuffer.
+/// Pixels whose light is to be found, when and in which thread ever.
+struct UnlitPixels {
+  SeenSurfaces seen;
+  std::vector<cv::Rect> regions;  ///< of the picture; what is beside them is not sure
+  Intrinsics intrinsics;          ///< of the picture
+  Surroundings surroundings;
+  std::shared_ptr<const std::vector<PartLight>> parts;
+  Eigen::Vector3f nothing;  ///< the light where no surface is
+  cv::Mat overlay;          ///< as OverlayTarget has it; empty for none
+
+  /// @return CV_16UC4 of the place of `seen`: red, green, blue, 1, linear, numbers of 16 bits
+  [[nodiscard]] cv::Mat light() const;
+};
+
+/// Gathers what it takes to find the light of what was drawn into a GeometryBuffer.
 class LightPainter {
  public:
   /// @param parts  has to outlive this
@@ -35,25 +50,24 @@ class LightPainter {
   /// @param shadows  as they were drawn for the scene
   /// @param target  with the depth of what is seen
   /// @param regions  of the picture, none of them over another; beside them nothing is sure
-  /// @return CV_16UC4 of the place of `seen`: red, green, blue, 1, linear, numbers of 16 bits
-  [[nodiscard]] cv::Mat paint(const ColourScene& scene, const SeenSurfaces& seen,
-                              const ShadowPainter& shadows, const OverlayTarget& target,
-                              bool see_through, const std::vector<cv::Rect>& regions);
+  [[nodiscard]] UnlitPixels paint(const ColourScene& scene, const SeenSurfaces& seen,
+                                  const ShadowPainter& shadows, const OverlayTarget& target,
+                                  bool see_through, const std::vector<cv::Rect>& regions);
 
   /// What a picture shows where nothing is, neither sky nor another picture: blue, green, red,
   /// sRGB-encoded.
   [[nodiscard]] cv::Scalar backgroundPixel(float exposure) const;
 
  private:
-  [[nodiscard]] SurfaceShading::Surroundings surroundings(const ColourScene& scene,
-                                                          const ShadowPainter& shadows) const;
+  [[nodiscard]] Surroundings surroundings(const ColourScene& scene,
+                                          const ShadowPainter& shadows) const;
 
   const DrawList& parts_;
   std::vector<world::Light> lights_;
   Eigen::Vector3f ambient_;
   Eigen::Vector3f background_;
   std::optional<world::Fog> fog_;
-  std::vector<PartLight> part_lights_;
+  std::shared_ptr<const std::vector<PartLight>> part_lights_;
   OverlayPainter overlay_painter_;
 };
 

@@ -248,13 +248,14 @@ const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene
   picture.elsewhere = plainPicture(scene.exposure);
   kept.pixels = finished(picture, crew_.edge_smoother);
   if (picture.edges) {
-    kept.edges = EdgePixels(picture.seen.geometry, image_, {image_}, scene.view.camera.intrinsics())
-                     .mask(image_.size());
+    kept.edges =
+        EdgePixels(picture.unlit.seen.geometry, image_, {image_}, scene.view.camera.intrinsics())
+            .mask(image_.size());
   }
   return &kept;
 }
 
-/// Finds the light of pixels.
+/// Gathers what the light of pixels is found from.
 /// @param seen  the links that were drawn
 /// @param pixels  those that are not 0; a few others may be lit, too
 /// @return without what is elsewhere
@@ -267,16 +268,12 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   // Edges take their light from the pixels round them.
   const std::vector<cv::Rect> lit =
       smooth ? bandsOf(grown(picture.regions, image_.size())) : picture.regions;
-  picture.seen.place = boundsOf(lit);
-  const SeenSurfaces surfaces{read(picture.seen.place), geometry_.readSurfaces(picture.seen.place),
-                              picture.seen.place};
-  picture.seen.light =
+  const cv::Rect place = boundsOf(lit);
+  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place), place};
+  surfaces.geometry.normals = surfaces.surfaces.vertexNormals();
+  picture.unlit =
       crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_, see_through, lit);
-  if (smooth) {
-    picture.seen.geometry = surfaces.geometry;
-    picture.seen.geometry.normals = surfaces.surfaces.vertexNormals();
-    picture.edges = EdgeScene{scene.view, scene.X_WL, seen};
-  }
+  if (smooth) picture.edges = EdgeScene{scene.view, scene.X_WL, seen};
   return picture;
 }
 

@@ -88,18 +88,16 @@ void ShadowPainter::paintStandingLayer(const ShadowProjection& shadow,
                                        const LinkSelection& casting) {
   Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
   if (isSame(layer, shadow, casting) && layer.is_kept) {
-    maps_.beginKept(shadow.layer, layer.changed);
-    for (const cv::Rect& texels : layer.changed) {
-      layer.kept_depths(texels).copyTo(layer.depths(texels));
-    }
+    std::vector<cv::Rect> changed;
+    for (const MapPiece& piece : layer.moving) changed.push_back(piece.texels);
+    maps_.beginKept(shadow.layer, changed);
+    layer.moving.clear();
   } else {
     maps_.begin(shadow.layer);
     draw(shadow, X_WL, casting, Casters::kStanding);
     maps_.keep(shadow.layer);
-    const cv::Mat depths = maps_.read(shadow.layer, maps_.whole());
-    layer = {shadow.shadow_from_world, casting, true, {}, depths.clone(), depths};
+    layer = {shadow.shadow_from_world, casting, true, {}, readAll(shadow.layer)};
   }
-  layer.changed.clear();
 }
 
 void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
@@ -109,17 +107,23 @@ void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector
     // It may not come again: a copy would be made for nothing.
     maps_.begin(shadow.layer);
     draw(shadow, X_WL, casting, Casters::kAll);
-    const cv::Mat depths = maps_.read(shadow.layer, maps_.whole());
-    layer = {shadow.shadow_from_world, casting, false, {}, depths, {}};
-    layer.changed = texelsOfMoving(shadow, X_WL, casting);
+    layer = {shadow.shadow_from_world, casting, false, {}, readAll(shadow.layer)};
     return;
   }
   paintStandingLayer(shadow, X_WL, casting);
   draw(shadow, X_WL, casting, Casters::kMoving);
-  layer.changed = texelsOfMoving(shadow, X_WL, casting);
-  for (const cv::Rect& texels : layer.changed) {
-    maps_.read(shadow.layer, texels).copyTo(layer.depths(texels));
+  for (const cv::Rect& texels : texelsOfMoving(shadow, X_WL, casting)) {
+    layer.moving.push_back({texels, maps_.read(shadow.layer, texels)});
   }
+}
+
+std::shared_ptr<MapDepths::Standing> ShadowPainter::readAll(int layer) const {
+  return std::make_shared<MapDepths::Standing>(maps_.read(layer, maps_.whole()));
+}
+
+MapDepths ShadowPainter::depths(const ShadowProjection& shadow) const {
+  const Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
+  return MapDepths(layer.standing, layer.moving);
 }
 
 ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const {
@@ -131,19 +135,20 @@ ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const
   texels_from_shadow.row(0) = Eigen::Vector4d(half, 0.0, 0.0, half);
   texels_from_shadow.row(1) = Eigen::Vector4d(0.0, half, 0.0, half);
   changed.texels_from_world = texels_from_shadow * shadow.shadow_from_world;
+  if (!layer.is_kept) {
+    changed.place = maps_.whole();
+    changed.texels = cv::Mat(changed.place.size(), CV_8UC1, cv::Scalar(255));
+    return changed;
+  }
   const cv::Size reach = reachOf(shadow, size);
   // Surfaces beside the map may be raised onto it.
-  for (const cv::Rect& box : layer.changed) changed.place |= grown(box, reach);
+  for (const MapPiece& piece : layer.moving) changed.place |= grown(piece.texels, reach);
   changed.texels = cv::Mat::zeros(changed.place.size(), CV_8UC1);
-  for (const cv::Rect& box : layer.changed) {
-    const cv::Rect round = grown(box, reach);
+  for (const MapPiece& piece : layer.moving) {
+    const cv::Rect round = grown(piece.texels, reach);
     cv::Mat differing = cv::Mat::zeros(round.size(), CV_8UC1);
-    cv::Mat inner = differing(box - round.tl());
-    if (layer.is_kept) {
-      cv::compare(layer.depths(box), layer.kept_depths(box), inner, cv::CMP_NE);
-    } else {
-      inner.setTo(255);
-    }
+    cv::Mat inner = differing(piece.texels - round.tl());
+    cv::compare(piece.depths, layer.standing->depths()(piece.texels), inner, cv::CMP_NE);
     grow(differing, reach);
     cv::Mat target = changed.texels(round - changed.place.tl());
     target |= differing;

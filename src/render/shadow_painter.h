@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "render/changed_texels.h"
 #include "render/draw_list.h"
 #include "render/light_setup.h"
+#include "render/map_depths.h"
 #include "render/shader_family.h"
 #include "render/shadow_maps.h"
 
@@ -30,10 +32,8 @@ class ShadowPainter {
   /// What paint() has just drawn beside what never moves.
   [[nodiscard]] ChangedTexels changedTexels(const ShadowProjection& shadow) const;
 
-  /// CV_32FC1, a square: the depth of what is nearest to the light; stays until the next paint().
-  [[nodiscard]] const cv::Mat& depths(const ShadowProjection& shadow) const {
-    return layers_[static_cast<std::size_t>(shadow.layer)].depths;
-  }
+  /// What was drawn last.
+  [[nodiscard]] MapDepths depths(const ShadowProjection& shadow) const;
 
   [[nodiscard]] GLuint texture() const { return maps_.texture(); }
 
@@ -44,10 +44,9 @@ class ShadowPainter {
   struct Layer {
     Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
     LinkSelection casting;
-    bool is_kept = false;           ///< the standing casters, as they are drawn with these
-    std::vector<cv::Rect> changed;  ///< texels on which what moves was drawn
-    cv::Mat depths;                 ///< of the map
-    cv::Mat kept_depths;            ///< of the standing casters alone, if they are kept
+    bool is_kept = false;          ///< the standing casters, as they are drawn with these
+    std::vector<MapPiece> moving;  ///< where what moves was drawn on top of them
+    std::shared_ptr<MapDepths::Standing> standing;  ///< or all casters, if they are not kept
   };
 
   [[nodiscard]] static bool isSame(const Layer& layer, const ShadowProjection& shadow,
@@ -57,6 +56,7 @@ class ShadowPainter {
                           const LinkSelection& casting);
   void paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                   const LinkSelection& casting);
+  [[nodiscard]] std::shared_ptr<MapDepths::Standing> readAll(int layer) const;
   [[nodiscard]] std::vector<cv::Rect> texelsOfMoving(const ShadowProjection& shadow,
                                                      const std::vector<Pose>& X_WL,
                                                      const LinkSelection& casting) const;

@@ -24,7 +24,7 @@ struct PartLight {
 /// OpenGL without a graphics card takes three times as long.
 class SurfaceLighter {
  public:
-  /// @param parts  has to outlive this
+  /// The references have to outlive this.
   /// @param intrinsics  of the picture
   /// @param nothing  the light where no surface is
   SurfaceLighter(const SurfaceShading& shading, const std::vector<PartLight>& parts,

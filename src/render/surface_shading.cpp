@@ -62,9 +62,17 @@ Lanes shoulder(const Lanes& linear) {
 
 }  // namespace
 
-SurfaceShading::SurfaceShading(const Surroundings& surroundings) : surroundings_(surroundings) {
+SurfaceShading::SurfaceShading(const Surroundings& surroundings)
+    : surroundings_(surroundings), lookups_(surroundings.lights.size()) {
   if (surroundings.fog) {
     fog_light_ = surroundings.exposure * linearFromSrgb(surroundings.fog->colour);
+  }
+  for (std::size_t i = 0; i < lookups_.size(); ++i) {
+    const std::optional<CastShadow>& shadow = surroundings.shadows[i];
+    if (!shadow) continue;
+    maps_.push_back(shadow->map.assemble());
+    lookups_[i].emplace(maps_.back().depths(), shadow->shadow_from_camera, shadow->texel,
+                        surroundings.lights[i].type == world::LightType::kSpot);
   }
 }
 
@@ -97,23 +105,23 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
   const Lanes3 reflected =
       fresnel(response.f0, response.n_dot_v) * mix(one, lanes(0.4F), surface.roughness);
   Lanes3 sum = around * (response.matte + reflected) + surface.glow;
-  for (const ShadedLight& each : surroundings_.lights) sum = sum + sent(each, surface, response);
+  for (std::size_t i = 0; i < lookups_.size(); ++i) sum = sum + sent(i, surface, response);
   return sum;
 }
 
 /// What of one light a surface sends to the eye.
-Lanes3 SurfaceShading::sent(const ShadedLight& from, const SurfaceLanes& surface,
-                            const Response& response) {
+Lanes3 SurfaceShading::sent(std::size_t light, const SurfaceLanes& surface,
+                            const Response& response) const {
   const Lanes zero = lanes(0.0F);
-  const Arriving coming = arriving(from.light, surface.position_C);
+  const Arriving coming = arriving(surroundings_.lights[light], surface.position_C);
   const Lanes n_dot_l = dot(surface.normal, coming.to_light);
   const Lanes face_dot_l = dot(surface.face, coming.to_light);
   const Lanes faces = (n_dot_l > zero) & (face_dot_l > zero);
   if (!cv::v_check_any(faces)) return {zero, zero, zero};
   Lanes passing = n_dot_l;
-  if (from.shadow) {
+  if (const std::optional<ShadowLookup>& shadow = lookups_[light]) {
     passing *=
-        from.shadow->passing(surface.position_C, surface.face, face_dot_l, coming.distance, faces);
+        shadow->passing(surface.position_C, surface.face, face_dot_l, coming.distance, faces);
   }
   const Lanes3 halfway = normalized(coming.to_light + response.to_eye);
   const Lanes n_dot_h = cv::v_max(dot(surface.normal, halfway), zero);

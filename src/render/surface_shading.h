@@ -1,5 +1,6 @@
 #pragma once
 
+#include <list>
 #include <optional>
 #include <vector>
 
@@ -7,6 +8,7 @@
 
 #include "render/lanes.h"
 #include "render/light_setup.h"
+#include "render/map_depths.h"
 #include "render/shadow_lookup.h"
 #include "world/look.h"
 
@@ -25,27 +27,30 @@ struct SurfaceLanes {
   Lanes is_lit;  ///< 0 where light leaves it as it is
 };
 
+/// How a light's shadows were drawn.
+struct CastShadow {
+  MapDepths map;
+  Eigen::Matrix4d shadow_from_camera;  ///< to clip coordinates of the map
+  double texel;                        ///< as in ShadowProjection
+};
+
+/// What all surfaces of a picture have in common.
+struct Surroundings {
+  std::vector<LightInView> lights;
+  std::vector<std::optional<CastShadow>> shadows;  ///< of each light
+  Eigen::Vector3f ambient;
+  Eigen::Vector3f up_C;
+  float exposure;
+  std::optional<world::Fog> fog;
+};
+
 /// How light makes surfaces seen, as lighting.glsl has it, which lights what one can see through:
 /// Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and the
 /// height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
 /// light. All lighting is linear.
 class SurfaceShading {
  public:
-  /// A light with its shadow, if it casts one.
-  struct ShadedLight {
-    LightInView light;
-    std::optional<ShadowLookup> shadow;
-  };
-
-  /// What all surfaces of a picture have in common.
-  struct Surroundings {
-    std::vector<ShadedLight> lights;
-    Eigen::Vector3f ambient;
-    Eigen::Vector3f up_C;
-    float exposure;
-    std::optional<world::Fog> fog;
-  };
-
+  /// @param surroundings  have to outlive this
   explicit SurfaceShading(const Surroundings& surroundings);
 
   /// What the camera sees of surfaces, as bright as a picture can be.
@@ -62,12 +67,14 @@ class SurfaceShading {
   };
 
   [[nodiscard]] Lanes3 lit(const SurfaceLanes& surface) const;
-  [[nodiscard]] static Lanes3 sent(const ShadedLight& from, const SurfaceLanes& surface,
-                                   const Response& response);
+  [[nodiscard]] Lanes3 sent(std::size_t light, const SurfaceLanes& surface,
+                            const Response& response) const;
   [[nodiscard]] Lanes fogginess(const Lanes& distance) const;
 
-  Surroundings surroundings_;
-  Eigen::Vector3f fog_light_{0.0F, 0.0F, 0.0F};  ///< exposed
+  const Surroundings& surroundings_;
+  std::list<MapDepths::Assembled> maps_;              ///< which the lookups refer to
+  std::vector<std::optional<ShadowLookup>> lookups_;  ///< of each light
+  Eigen::Vector3f fog_light_{0.0F, 0.0F, 0.0F};       ///< exposed
 };
 
 }  // namespace synthetic_dataset::render

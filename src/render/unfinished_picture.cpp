@@ -6,10 +6,14 @@ namespace synthetic_dataset::render {
 
 cv::Mat finished(const UnfinishedPicture& picture, const EdgeSmoother& smoother) {
   cv::Mat result = picture.elsewhere.clone();
+  const SeenSurfaces& seen = picture.unlit.seen;
+  const cv::Mat light = picture.unlit.light();
   for (const cv::Rect& region : picture.regions) {
-    srgbFromLinear(picture.seen.light(region - picture.seen.place.tl())).copyTo(result(region));
+    srgbFromLinear(light(region - seen.place.tl())).copyTo(result(region));
   }
-  if (picture.edges) smoother.smooth(*picture.edges, picture.seen, picture.regions, result);
+  if (picture.edges) {
+    smoother.smooth(*picture.edges, {seen.geometry, light, seen.place}, picture.regions, result);
+  }
   return result;
 }
 

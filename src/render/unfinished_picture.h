@@ -6,14 +6,15 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/edge_smoother.h"
+#include "render/light_painter.h"
 
 namespace synthetic_dataset::render {
 
 /// What OpenGL has drawn of a picture.
 struct UnfinishedPicture {
-  cv::Mat elsewhere;              ///< CV_8UC3, of the whole picture: what is not in `regions`
-  std::vector<cv::Rect> regions;  ///< the pixels that were lit
-  SeenPixels seen;                ///< them, and those by them; geometry only where edges are smooth
+  cv::Mat elsewhere;               ///< CV_8UC3, of the whole picture: what is not in `regions`
+  std::vector<cv::Rect> regions;   ///< the other pixels
+  UnlitPixels unlit;               ///< them, and those by them where edges are smooth
   std::optional<EdgeScene> edges;  ///< none where they are not smoothed
 };
 

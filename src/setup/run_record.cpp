@@ -64,6 +64,7 @@ std::map<std::string, std::string> softwareVersions() {
           {"assimp", ASSIMP_VERSION},
           {"bullet", BULLET_VERSION},
           {"opencv", OPENCV_VERSION},
+          {"isa-l", ISAL_VERSION},
           {"libdeflate", LIBDEFLATE_VERSION_STRING},
           {"sdformat", SDFORMAT_VERSION}};
 }

@@ -82,6 +82,17 @@ TEST(Png, HoldsPixelsOfAllKinds) {
   }
 }
 
+TEST(Png, HoldsWhatCannotBeCompressed) {
+  cv::Mat noise(480, 640, CV_8UC3);
+  cv::theRNG().state = 3;
+  cv::randu(noise, 0, 256);
+  for (const int compression : {0, 1, 2}) {
+    const std::vector<uchar> png = encodePng(noise, {}, compression);
+    EXPECT_EQ(cv::norm(cv::imdecode(png, cv::IMREAD_UNCHANGED), noise, cv::NORM_INF), 0.0);
+    EXPECT_LT(static_cast<double>(png.size()), 1.01 * 480 * 640 * 3);
+  }
+}
+
 TEST(Png, HoldsMasksAndWhatNearlyIsOne) {
   std::mt19937 random(9);
   for (const cv::Size& size : {cv::Size(1, 1), {640, 480}, {97, 3}}) {
@@ -92,7 +103,7 @@ TEST(Png, HoldsMasksAndWhatNearlyIsOne) {
     }
     for (const int last : {0, 255, 254, 127, 1}) {
       mask.at<uchar>(mask.rows - 1, mask.cols - 1) = static_cast<uchar>(last);
-      const cv::Mat read = cv::imdecode(encodePng(mask, {}, 3), cv::IMREAD_UNCHANGED);
+      const cv::Mat read = cv::imdecode(encodePng(mask, {}, 1), cv::IMREAD_UNCHANGED);
       EXPECT_EQ(cv::norm(read, mask, cv::NORM_INF), 0.0) << size << last;
     }
   }
@@ -100,12 +111,12 @@ TEST(Png, HoldsMasksAndWhatNearlyIsOne) {
 
 TEST(Png, HoldsAPartOfALargerImage) {
   const cv::Mat part = mixedPixels(CV_8UC3, {64, 48})(cv::Rect(5, 6, 30, 20));
-  const cv::Mat read = cv::imdecode(encodePng(part, {}, 3), cv::IMREAD_UNCHANGED);
+  const cv::Mat read = cv::imdecode(encodePng(part, {}, 1), cv::IMREAD_UNCHANGED);
   EXPECT_EQ(cv::norm(read, part, cv::NORM_INF), 0.0);
 }
 
 TEST(IndexedPng, HasNothingButHeaderPaletteAndPixels) {
-  const std::vector<Chunk> chunks = chunksOf(encodePng(threeIndices(5, 7), kPalette, 3));
+  const std::vector<Chunk> chunks = chunksOf(encodePng(threeIndices(5, 7), kPalette, 1));
   ASSERT_EQ(chunks.size(), 4U);
   EXPECT_EQ(chunks[0].type, "IHDR");
   // Width, height, 8 bits, colour type 3, then deflate, filters of kind 0, no interlacing.
@@ -118,7 +129,7 @@ TEST(IndexedPng, HasNothingButHeaderPaletteAndPixels) {
 
 TEST(IndexedPng, ShowsEachPixelInItsColour) {
   const cv::Mat indices = threeIndices(40, 60);
-  const cv::Mat read = cv::imdecode(encodePng(indices, kPalette, 3), cv::IMREAD_COLOR);
+  const cv::Mat read = cv::imdecode(encodePng(indices, kPalette, 1), cv::IMREAD_COLOR);
   ASSERT_EQ(read.size(), indices.size());
   for (int row = 0; row < read.rows; ++row) {
     for (int column = 0; column < read.cols; ++column) {
@@ -140,9 +151,9 @@ TEST(IndexedPng, MakesTheSameBytesOfTheSamePixels) {
   const cv::Mat indices = threeIndices(20, 30);
   cv::Mat with_gaps(20, 37, CV_8UC1, cv::Scalar(9));
   indices.copyTo(with_gaps.colRange(0, 30));
-  const std::vector<uchar> bytes = encodePng(indices, kPalette, 3);
-  EXPECT_EQ(bytes, encodePng(indices, kPalette, 3));
-  EXPECT_EQ(bytes, encodePng(with_gaps.colRange(0, 30), kPalette, 3));
+  const std::vector<uchar> bytes = encodePng(indices, kPalette, 1);
+  EXPECT_EQ(bytes, encodePng(indices, kPalette, 1));
+  EXPECT_EQ(bytes, encodePng(with_gaps.colRange(0, 30), kPalette, 1));
 }
 
 TEST(IndexedPng, CompressesAsMuchAsAsked) {
