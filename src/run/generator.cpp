@@ -30,11 +30,10 @@ struct Generator::Impl {
   }
 
   [[nodiscard]] std::unique_ptr<MotionRun> makeRun(MotionSetup& motion) {
-    return std::make_unique<MotionRun>(
-        setup, motion, [this](Scene scene, render::PendingPicture image, output::SceneFacts facts) {
-          committer.add(std::move(scene), std::move(image), std::move(facts));
-          tellWritten();
-        });
+    return std::make_unique<MotionRun>(setup, motion, [this](PendingScene scene) {
+      committer.add(std::move(scene));
+      tellWritten();
+    });
   }
 
   /// With all that its manifest is to tell; nothing is written where drawing is not possible.

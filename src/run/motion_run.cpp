@@ -1,6 +1,7 @@
 #include "run/motion_run.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "config/settings_text.h"
@@ -91,7 +92,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
     if (is_wanted) scenes = lookAtInstant(instant, stamp);
   }
   for (UnwrittenScene& each : scenes) {
-    const Scene& scene = each.made.scene;
+    const Scene& scene = each.seen.scene;
     each.image = picture_taker_.develop(scene.camera_index, scene.index);
   }
   // What a time brought to light is told with its first scene.
@@ -118,8 +119,8 @@ std::vector<MotionRun::UnwrittenScene> MotionRun::lookAtInstant(std::int64_t ins
   const std::vector<Pose> X_GO = object_motion_.objectPoses(stamp);
   for (std::size_t camera = 0; camera < motion_.cameras.size(); ++camera) {
     scenes.push_back(
-        {scene_maker_.make(camera, instant, stamp, X_GO), {}, {}, {}, drawsOf(camera, instant)});
-    scenes.back().made.scene.split = splits_.at(instant);
+        {scene_maker_.look(camera, instant, stamp, X_GO), {}, {}, {}, drawsOf(camera, instant)});
+    scenes.back().seen.scene.split = splits_.at(instant);
   }
   scenes.front().contacts = findContacts(stamp);
   return scenes;
@@ -155,20 +156,31 @@ std::vector<output::ContactFacts> MotionRun::findContacts(Stamp stamp) {
 /// @param now  where the world stands, for where their pixels have gone; nothing after the last
 void MotionRun::write(std::optional<Stamp> now, const WorkPlan& work) {
   for (UnwrittenScene& each : unwritten_) {
-    if (!work.lacks(each.made.scene.index)) continue;  // of another camera than those missing
-    if (scene_maker_.needsOpticalFlow()) scene_maker_.addOpticalFlow(each.made, now);
-    output::SceneFacts facts = factsOf(each);
-    sink_(std::move(each.made.scene), std::move(each.image), std::move(facts));
+    if (!work.lacks(each.seen.scene.index)) continue;  // of another camera than those missing
+    if (scene_maker_.needsOpticalFlow()) scene_maker_.addOpticalFlow(each.seen, now);
+    sink_([this, unfinished = std::make_shared<UnwrittenScene>(std::move(each))] {
+      return finish(*unfinished);
+    });
   }
   unwritten_.clear();
 }
 
-output::SceneFacts MotionRun::factsOf(const UnwrittenScene& each) const {
-  const Scene& scene = each.made.scene;
+FinishedScene MotionRun::finish(UnwrittenScene& each) const {
+  Scene& scene = each.seen.scene;
+  // What labels and picture are made of is not needed any more.
+  const MaskAgreement agreement = std::exchange(each.seen.pixels.labels, {})(scene);
+  scene.image = std::exchange(each.image, {})();
+  output::SceneFacts facts = factsOf(each, agreement);
+  return {std::move(scene), std::move(facts)};
+}
+
+output::SceneFacts MotionRun::factsOf(const UnwrittenScene& each,
+                                      const MaskAgreement& agreement) const {
+  const Scene& scene = each.seen.scene;
   output::SceneFacts facts = output::sceneFacts(scene);
   facts.seed =
       random::randomSeed(static_cast<std::uint64_t>(motion_.config.seed), scene.index, "scene");
-  facts.objects = scene_maker_.objectFacts(each.made);
+  facts.objects = scene_maker_.objectFacts(scene, agreement);
   facts.contacts = each.contacts;
   facts.warnings = each.warnings;
   facts.draws = each.draws;

@@ -8,6 +8,7 @@
 
 #include "output/scene_facts.h"
 #include "render/renderer.h"
+#include "run/pending_scene.h"
 #include "run/work_plan.h"
 #include "scene/object_motion.h"
 #include "scene/picture_taker.h"
@@ -20,8 +21,8 @@ namespace synthetic_dataset {
 /// once, for each draws.
 class MotionRun {
  public:
-  /// Takes a scene. Its picture is still to be made, for which this has to live on.
-  using Sink = std::function<void(Scene, render::PendingPicture, output::SceneFacts)>;
+  /// Takes a scene, which is still to be finished; for that this has to live on.
+  using Sink = std::function<void(PendingScene)>;
 
   /// @param setup  has to outlive this
   /// @param motion  of setup.motions
@@ -42,7 +43,7 @@ class MotionRun {
  private:
   /// A scene that waits for what its optical flow needs.
   struct UnwrittenScene {
-    MadeScene made;
+    SeenScene seen;
     render::PendingPicture image;
     std::vector<output::ContactFacts> contacts;
     std::vector<output::Warning> warnings;
@@ -58,7 +59,9 @@ class MotionRun {
                                                        std::int64_t instant) const;
   [[nodiscard]] std::vector<output::ContactFacts> findContacts(Stamp stamp);
   void write(std::optional<Stamp> now, const WorkPlan& work);
-  [[nodiscard]] output::SceneFacts factsOf(const UnwrittenScene& each) const;
+  [[nodiscard]] FinishedScene finish(UnwrittenScene& each) const;
+  [[nodiscard]] output::SceneFacts factsOf(const UnwrittenScene& each,
+                                           const MaskAgreement& agreement) const;
 
   MotionSetup& motion_;
   const SplitPlan& splits_;

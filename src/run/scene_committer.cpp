@@ -1,6 +1,5 @@
 #include "run/scene_committer.h"
 
-#include <memory>
 #include <utility>
 
 namespace synthetic_dataset {
@@ -14,12 +13,8 @@ constexpr std::size_t kMostWaiting = 2;
 SceneCommitter::SceneCommitter(const writers::WriterHost& writers, output::DatasetStore& store)
     : writers_(writers), store_(store), worker_(kMostWaiting) {}
 
-void SceneCommitter::add(Scene scene, render::PendingPicture image, output::SceneFacts facts) {
-  worker_.add([this, scene = std::make_shared<Scene>(std::move(scene)), image = std::move(image),
-               facts = std::move(facts)]() mutable {
-    scene->image = std::exchange(image, {})();  // what it was made of is not needed any more
-    commit(*scene, facts);
-  });
+void SceneCommitter::add(PendingScene scene) {
+  worker_.add([this, scene = std::move(scene)] { commit(scene()); });
 }
 
 std::vector<std::vector<output::Warning>> SceneCommitter::takeCommitted() {
@@ -27,8 +22,9 @@ std::vector<std::vector<output::Warning>> SceneCommitter::takeCommitted() {
   return std::exchange(committed_, {});
 }
 
-void SceneCommitter::commit(const Scene& scene, output::SceneFacts& facts) {
-  const writers::WriterHost::SceneResult written = writers_.writeScene(scene);
+void SceneCommitter::commit(FinishedScene finished) {
+  output::SceneFacts& facts = finished.facts;
+  const writers::WriterHost::SceneResult written = writers_.writeScene(finished.scene);
   for (const std::string& warning : written.warnings) facts.warnings.push_back({warning});
   store_.commitScene(facts, written.files);
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -5,8 +5,7 @@
 
 #include "output/background_worker.h"
 #include "output/dataset_store.h"
-#include "render/pending_picture.h"
-#include "synthetic_dataset/scene.h"
+#include "run/pending_scene.h"
 #include "writers/writer_host.h"
 
 namespace synthetic_dataset {
@@ -20,8 +19,7 @@ class SceneCommitter {
   SceneCommitter(const writers::WriterHost& writers, output::DatasetStore& store);
 
   /// Waits while too many scenes wait already.
-  /// @param image  makes the scene's
-  void add(Scene scene, render::PendingPicture image, output::SceneFacts facts);
+  void add(PendingScene scene);
 
   /// Waits until all scenes are committed.
   void finish() { worker_.finish(); }
@@ -30,7 +28,7 @@ class SceneCommitter {
   [[nodiscard]] std::vector<std::vector<output::Warning>> takeCommitted();
 
  private:
-  void commit(const Scene& scene, output::SceneFacts& facts);
+  void commit(FinishedScene finished);
 
   const writers::WriterHost& writers_;
   output::DatasetStore& store_;

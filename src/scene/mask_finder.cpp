@@ -4,7 +4,6 @@
 #include <functional>
 #include <utility>
 
-#include "annotate/mask.h"
 #include "scene/object_links.h"
 
 namespace synthetic_dataset {
@@ -21,7 +20,7 @@ MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
                        std::size_t object_count, const annotate::Mog2Options& options, bool clean)
     : world_(world),
       renderer_(renderer),
-      segmenter_(options),
+      options_(options),
       clean_(clean),
       nothing_(world.links().size(), false),
       without_objects_(linksOf(kNoObject, world.links())) {
@@ -30,8 +29,7 @@ MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
   }
 }
 
-std::vector<cv::Mat> MaskFinder::find(const render::View& view,
-                                      const std::vector<SceneObject>& objects) {
+PendingMasks MaskFinder::find(const render::View& view, const std::vector<SceneObject>& objects) {
   const cv::Size size(view.camera.width(), view.camera.height());
   without_objects_ = presentOf(linksOf(kNoObject, world_.links()), world_);
   object_links_.clear();
@@ -47,8 +45,11 @@ std::vector<cv::Mat> MaskFinder::find(const render::View& view,
     all |= boxes.back();
   }
   takeBackground(view, all);
-  std::vector<cv::Mat> masks(objects.size());
-  for (cv::Mat& mask : masks) mask = cv::Mat::zeros(size, CV_8UC1);
+  struct Group {
+    std::vector<std::size_t> objects;
+    render::PendingPicture picture;
+  };
+  std::vector<Group> groups;
   for (const std::vector<std::size_t>& group : apart(boxes)) {
     render::LinkSelection drawn = without_objects_;
     std::vector<cv::Rect> regions;
@@ -57,10 +58,19 @@ std::vector<cv::Mat> MaskFinder::find(const render::View& view,
                      std::logical_or<>());
       regions.push_back(boxes[i]);
     }
-    const cv::Mat picture = draw(view, drawn, regions);
-    for (const std::size_t i : group) segment(picture, boxes[i]).copyTo(masks[i](boxes[i]));
+    groups.push_back({group, draw(view, drawn, regions)});
   }
-  return masks;
+  return [size, groups, boxes, model = background_->model] {
+    std::vector<cv::Mat> masks(boxes.size());
+    for (cv::Mat& mask : masks) mask = cv::Mat::zeros(size, CV_8UC1);
+    for (const Group& group : groups) {
+      const cv::Mat picture = group.picture();
+      for (const std::size_t i : group.objects) {
+        model->segment(picture, boxes[i]).copyTo(masks[i](boxes[i]));
+      }
+    }
+    return masks;
+  };
 }
 
 /// The objects that have a box, in groups of which none can be seen in the box of another.
@@ -81,20 +91,6 @@ std::vector<std::vector<std::size_t>> MaskFinder::apart(const std::vector<cv::Re
   return groups;
 }
 
-/// The mask in a box, beside which there is nothing.
-cv::Mat MaskFinder::segment(const cv::Mat& alone, const cv::Rect& box) {
-  const cv::Mat raw = segmenter_.segment(alone, box);
-  if (!clean_) return raw;
-  // What is round the box tells holes from bays.
-  constexpr int kRound = annotate::kLargestHole + 1;
-  const cv::Rect round =
-      cv::Rect(box.x - kRound, box.y - kRound, box.width + 2 * kRound, box.height + 2 * kRound) &
-      cv::Rect(cv::Point(), alone.size());
-  cv::Mat framed = cv::Mat::zeros(round.size(), CV_8UC1);
-  raw.copyTo(framed(box - round.tl()));
-  return annotate::cleanMask(framed)(box - round.tl());
-}
-
 void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region) {
   // Compared exactly: a scene's masks must not depend on which scene was made before it.
   const bool stands_still = background_ && isSame(background_->view, view) &&
@@ -105,17 +101,18 @@ void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region
   // nothing but the objects moves, the whole picture is good for all scenes to come.
   const cv::Rect whole(0, 0, view.camera.width(), view.camera.height());
   const cv::Rect drawn = stands_still ? whole : region;
-  background_ = Background{view, world_.propRevision(), renderer_.lookRevision(), drawn,
-                           draw(view, without_objects_, {drawn})};
-  segmenter_.train(background_->image);
+  background_ = Background{
+      view, world_.propRevision(), renderer_.lookRevision(), drawn,
+      std::make_shared<BackgroundModel>(draw(view, without_objects_, {drawn}), options_, clean_)};
 }
 
-cv::Mat MaskFinder::draw(const render::View& view, const render::LinkSelection& drawn,
-                         const std::vector<cv::Rect>& regions) {
+render::PendingPicture MaskFinder::draw(const render::View& view,
+                                        const render::LinkSelection& drawn,
+                                        const std::vector<cv::Rect>& regions) {
   // Without shadows, and with pixels sampled at their centres alone, what differs from the
   // background is the object and nothing around it.
-  return renderer_.colour(view, world_.linkPoses(),
-                          {drawn, nothing_, render::Sampling::kCentre, regions});
+  return renderer_.draw(view, world_.linkPoses(),
+                        {drawn, nothing_, render::Sampling::kCentre, regions});
 }
 
 }  // namespace synthetic_dataset

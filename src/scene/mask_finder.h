@@ -1,15 +1,21 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "annotate/mog2_segmenter.h"
 #include "render/renderer.h"
+#include "scene/background_model.h"
 #include "synthetic_dataset/scene.h"
 #include "world/world.h"
 
 namespace synthetic_dataset {
+
+/// Finds the mask of each object (see SceneObject::silhouette), in their order; in any thread, as
+/// long as the renderer lives.
+using PendingMasks = std::function<std::vector<cv::Mat>()>;
 
 /// Finds one camera's masks as the paper does: an object is what differs between a picture of the
 /// world with this object alone and one without objects. Objects that are apart in the image share
@@ -21,30 +27,29 @@ class MaskFinder {
   MaskFinder(const world::World& world, render::Renderer& renderer, std::size_t object_count,
              const annotate::Mog2Options& options, bool clean);
 
-  /// The mask of each object (see SceneObject::silhouette), in their order.
-  [[nodiscard]] std::vector<cv::Mat> find(const render::View& view,
-                                          const std::vector<SceneObject>& objects);
+  /// Draws what masks are found in, of the world as it stands now.
+  [[nodiscard]] PendingMasks find(const render::View& view,
+                                  const std::vector<SceneObject>& objects);
 
  private:
-  /// The picture without objects that masks are found with.
   struct Background {
     render::View view;  ///< from which it was taken
     std::int64_t prop_revision = -1;
     std::int64_t look_revision = -1;
     cv::Rect region;  ///< the pixels that were drawn
-    cv::Mat image;
+    std::shared_ptr<BackgroundModel> model;
   };
 
-  [[nodiscard]] cv::Mat segment(const cv::Mat& alone, const cv::Rect& box);
   void takeBackground(const render::View& view, const cv::Rect& region);
   [[nodiscard]] static std::vector<std::vector<std::size_t>> apart(
       const std::vector<cv::Rect>& boxes);
-  [[nodiscard]] cv::Mat draw(const render::View& view, const render::LinkSelection& drawn,
-                             const std::vector<cv::Rect>& regions);
+  [[nodiscard]] render::PendingPicture draw(const render::View& view,
+                                            const render::LinkSelection& drawn,
+                                            const std::vector<cv::Rect>& regions);
 
   const world::World& world_;
   render::Renderer& renderer_;
-  annotate::Mog2Segmenter segmenter_;
+  annotate::Mog2Options options_;
   bool clean_;
   std::optional<Background> background_;
   render::LinkSelection nothing_;

@@ -1,5 +1,7 @@
 #include "scene/pixel_labeller.h"
 
+#include <utility>
+
 #include "annotate/keypoint_states.h"
 #include "scene/object_links.h"
 
@@ -40,20 +42,26 @@ bool PixelLabeller::usesSubtraction() const {
   return options_.masks.method == config::MaskMethod::kMog2;
 }
 
-PixelFindings PixelLabeller::label(const render::View& view, Scene& scene) {
+SeenPixels PixelLabeller::look(const render::View& view, Scene& scene) {
   pass_.drawn = world_.presentLinks();
   const render::LabelImages images =
       needs_labels_ ? renderer_.labels(view, world_.linkPoses(), pass_) : render::LabelImages();
   // After that, the renderer knows most silhouettes.
   if (needs_silhouettes_) measureSilhouettes(view, scene);
-  if (!needs_labels_) return {};
+  if (!needs_labels_) return {{}, [](Scene&) { return MaskAgreement(); }};
   addImages(images, scene);
-  PixelFindings findings;
-  findings.mask_agreement = addMasks(view, images.ids, scene);
-  if (requirements_.keypoint_states) addKeypointStates(images, scene);
-  drop(scene);
-  if (requirements_.optical_flow) findings.surface = {images.depth, images.range, images.links};
-  return findings;
+  const bool has_masks = requirements_.silhouettes || requirements_.visible_masks;
+  PendingMasks masks =
+      has_masks && usesSubtraction() ? finder_.find(view, scene.objects) : PendingMasks();
+  SeenPixels seen;
+  if (requirements_.optical_flow) seen.surface = {images.depth, images.range, images.links};
+  seen.labels = [this, images, masks = std::move(masks)](Scene& labelled) {
+    MaskAgreement agreement = addMasks(images.ids, masks, labelled);
+    if (requirements_.keypoint_states) addKeypointStates(images, labelled);
+    drop(labelled);
+    return agreement;
+  };
+  return seen;
 }
 
 void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) const {
@@ -78,13 +86,14 @@ void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
   }
 }
 
-std::vector<std::optional<double>> PixelLabeller::addMasks(const render::View& view,
-                                                           const cv::Mat& ids, Scene& scene) {
+/// @param subtracted  none for exact masks
+MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const PendingMasks& subtracted,
+                                      Scene& scene) const {
   const std::size_t count = scene.objects.size();
   cv::Mat map = annotate::instanceMap(ids);
   std::vector<annotate::InstancePixels> parts = annotate::instancePixels(map, count);
   std::vector<double> distances;
-  std::vector<std::optional<double>> agreement;
+  MaskAgreement agreement;
   for (std::size_t i = 0; i < count; ++i) {
     SceneObject& object = scene.objects[i];
     object.pixels.visible = parts[i].count;
@@ -94,9 +103,8 @@ std::vector<std::optional<double>> PixelLabeller::addMasks(const render::View& v
     }
     distances.push_back(object.distance());
   }
-  const bool has_masks = requirements_.silhouettes || requirements_.visible_masks;
-  if (has_masks && usesSubtraction()) {
-    const std::vector<cv::Mat> masks = finder_.find(view, scene.objects);
+  if (subtracted) {
+    const std::vector<cv::Mat> masks = subtracted();
     for (std::size_t i = 0; i < count && requirements_.silhouettes; ++i) {
       scene.objects[i].silhouette = masks[i];
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,13 +29,18 @@ struct SeenSurface {
   cv::Mat links;
 };
 
-/// What labelling a scene's pixels tells beside the scene's labels.
-struct PixelFindings {
-  SeenSurface surface;  ///< what its optical flow needs; empty unless that is required
+/// How well each object's visible mask of background subtraction agrees with the exact one:
+/// intersection over union, nothing where there is neither. Empty where nothing was subtracted.
+using MaskAgreement = std::vector<std::optional<double>>;
 
-  /// How well each object's visible mask of background subtraction agrees with the exact one:
-  /// intersection over union, nothing where there is neither. Empty where nothing was subtracted.
-  std::vector<std::optional<double>> mask_agreement;
+/// Adds the labels that follow from what has been seen, and tells of their masks; in any thread, as
+/// long as the labeller and the renderer live.
+using PendingLabels = std::function<MaskAgreement(Scene&)>;
+
+/// What was seen for a scene.
+struct SeenPixels {
+  SeenSurface surface;  ///< what its optical flow needs; empty unless that is required
+  PendingLabels labels;
 };
 
 /// Labels that follow from one camera's pixels: masks, measures, what hides what, maps. Computes
@@ -45,8 +51,9 @@ class PixelLabeller {
   PixelLabeller(const world::World& world, render::Renderer& renderer, std::size_t object_count,
                 const Requirements& requirements, const PixelLabelOptions& options);
 
-  /// Adds labels to a scene whose objects have all that follows from their poses.
-  [[nodiscard]] PixelFindings label(const render::View& view, Scene& scene);
+  /// Draws what labels are taken from, of the world as it stands now, and adds the first of them.
+  /// @param scene  whose objects have all labels that follow from their poses
+  [[nodiscard]] SeenPixels look(const render::View& view, Scene& scene);
 
   /// Whether PixelCounts::visible is counted, and whether PixelCounts::silhouette.
   [[nodiscard]] bool countsVisible() const { return needs_labels_; }
@@ -55,9 +62,8 @@ class PixelLabeller {
  private:
   void addImages(const render::LabelImages& images, Scene& scene) const;
   void measureSilhouettes(const render::View& view, Scene& scene);
-  /// @return PixelFindings::mask_agreement
-  std::vector<std::optional<double>> addMasks(const render::View& view, const cv::Mat& ids,
-                                              Scene& scene);
+  [[nodiscard]] MaskAgreement addMasks(const cv::Mat& ids, const PendingMasks& subtracted,
+                                       Scene& scene) const;
   void addVisibleParts(const cv::Mat& instance_map,
                        const std::vector<annotate::InstancePixels>& parts, Scene& scene) const;
   void addKeypointStates(const render::LabelImages& images, Scene& scene) const;

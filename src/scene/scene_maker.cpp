@@ -32,7 +32,7 @@ SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
   }
 }
 
-MadeScene SceneMaker::make(std::size_t camera, std::int64_t instant, Stamp stamp,
+SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp,
                            const std::vector<Pose>& X_GO) {
   const CameraRig& rig = cameras_[camera];
   const render::View view{rig.model, cameraPose(rig, world_, frames_, stamp)};
@@ -59,30 +59,31 @@ MadeScene SceneMaker::make(std::size_t camera, std::int64_t instant, Stamp stamp
     };
     return Pose(inGlobal(target).inverse() * inGlobal(source));
   };
-  PixelFindings findings = labellers_[camera].label(view, scene);
-  return {std::move(scene), std::move(findings),
+  SeenPixels pixels = labellers_[camera].look(view, scene);
+  return {std::move(scene), std::move(pixels),
           needs_optical_flow_ ? world_.linkPoses() : std::vector<Pose>{}};
 }
 
-void SceneMaker::addOpticalFlow(MadeScene& made, std::optional<Stamp> next) const {
-  Scene& scene = made.scene;
+void SceneMaker::addOpticalFlow(SeenScene& seen, std::optional<Stamp> next) const {
+  Scene& scene = seen.scene;
   if (!next) {
     scene.optical_flow = cv::Mat(scene.camera.height(), scene.camera.width(), CV_32FC2,
                                  cv::Scalar::all(std::numeric_limits<double>::quiet_NaN()));
     return;
   }
-  const SeenSurface& surface = made.findings.surface;
+  const SeenSurface& surface = seen.pixels.surface;
   const CameraRig& rig = cameras_[scene.camera_index];
   const Pose X_GC_next = cameraPose(rig, world_, frames_, *next);
   scene.optical_flow =
       annotate::opticalFlow(scene.camera, surface.depth, surface.range, surface.links, scene.X_GC,
-                            made.X_GL, rig.model, X_GC_next, world_.linkPoses());
+                            seen.X_GL, rig.model, X_GC_next, world_.linkPoses());
 }
 
-std::vector<output::ObjectFacts> SceneMaker::objectFacts(const MadeScene& made) const {
-  const PixelLabeller& labeller = labellers_[made.scene.camera_index];
+std::vector<output::ObjectFacts> SceneMaker::objectFacts(const Scene& scene,
+                                                         const MaskAgreement& agreement) const {
+  const PixelLabeller& labeller = labellers_[scene.camera_index];
   std::vector<output::ObjectFacts> all;
-  for (const SceneObject& object : made.scene.objects) {
+  for (const SceneObject& object : scene.objects) {
     output::ObjectFacts facts = output::objectFacts(object);
     if (labeller.countsVisible()) facts.visible_pixels = object.pixels.visible;
     if (labeller.countsSilhouettes()) {
@@ -90,9 +91,7 @@ std::vector<output::ObjectFacts> SceneMaker::objectFacts(const MadeScene& made) 
       facts.truncation = object.truncation;
       if (labeller.countsVisible()) facts.visibility = object.visibility;
     }
-    if (all.size() < made.findings.mask_agreement.size()) {
-      facts.mask_agreement = made.findings.mask_agreement[all.size()];
-    }
+    if (all.size() < agreement.size()) facts.mask_agreement = agreement[all.size()];
     all.push_back(std::move(facts));
   }
   return all;

@@ -16,11 +16,11 @@
 
 namespace synthetic_dataset {
 
-/// A scene, and what its optical flow needs once the world has moved on.
-struct MadeScene {
+/// A scene that has been seen, and is still to be labelled from what was seen.
+struct SeenScene {
   Scene scene;
-  PixelFindings findings;
-  std::vector<Pose> X_GL;  ///< of the world's links
+  SeenPixels pixels;
+  std::vector<Pose> X_GL;  ///< of the world's links, for its optical flow
 };
 
 /// Labels what a camera sees of the world as it stands: what the writers' requirements ask for, and
@@ -34,11 +34,12 @@ class SceneMaker {
              const ObjectShapes& shapes, const Requirements& requirements,
              const PixelLabelOptions& options);
 
-  /// What a camera's picture shows, of the world as it stands now; the picture itself is left to
-  /// the PictureTaker, the optical flow to addOpticalFlow, the split to who plans them.
+  /// What a camera sees of the world as it stands now; what follows from pixels is left to
+  /// PendingLabels, the picture itself to the PictureTaker, the optical flow to addOpticalFlow, the
+  /// split to who plans them.
   /// @param instant  the place of the scene's time in the timeline
   /// @param X_GO  the objects' poses, in their order
-  [[nodiscard]] MadeScene make(std::size_t camera, std::int64_t instant, Stamp stamp,
+  [[nodiscard]] SeenScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
                                const std::vector<Pose>& X_GO);
 
   /// Whether scenes have to wait for the next one.
@@ -46,10 +47,12 @@ class SceneMaker {
 
   /// Where what is seen has moved to in the world as it stands now, at `next`.
   /// @param next  nothing after the last scene
-  void addOpticalFlow(MadeScene& made, std::optional<Stamp> next) const;
+  void addOpticalFlow(SeenScene& seen, std::optional<Stamp> next) const;
 
-  /// What a scene's manifest is told of its objects: what was measured, and nothing else.
-  [[nodiscard]] std::vector<output::ObjectFacts> objectFacts(const MadeScene& made) const;
+  /// What a labelled scene's manifest is told of its objects: what was measured, and nothing else.
+  /// @param agreement  of its masks
+  [[nodiscard]] std::vector<output::ObjectFacts> objectFacts(const Scene& scene,
+                                                             const MaskAgreement& agreement) const;
 
  private:
   /// X_GC of all cameras, by their frames.

@@ -60,8 +60,9 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   for (std::size_t s = 0; s < setup.timeline.stamps.size(); ++s) {
     const Stamp stamp = setup.timeline.stamps[s];
     setup.world->advanceTo(stamp, [&](int object, Stamp time) { return motion.at(object, time); });
-    const Scene scene =
-        maker.make(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp)).scene;
+    SeenScene seen = maker.look(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp));
+    (void)seen.pixels.labels(seen.scene);
+    const Scene& scene = seen.scene;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       render::LinkSelection alone;
       for (const world::LinkInstance& link : setup.world->links()) {

@@ -48,8 +48,9 @@ class PixelLabels : public testing::Test {
         *setup_->world, *renderer_, *setup_->frames, setup_->cameras, *setup_->shapes, requirements,
         PixelLabelOptions{setup_->config.masks, setup_->config.labels, {1, 1}});
     moveTo(0);
-    made_ = maker_->make(0, 0, stamp(0), motion_->objectPoses(stamp(0)));
-    return made_->scene;
+    seen_ = maker_->look(0, 0, stamp(0), motion_->objectPoses(stamp(0)));
+    agreement_ = seen_->pixels.labels(seen_->scene);
+    return seen_->scene;
   }
 
   [[nodiscard]] Stamp stamp(std::size_t i) const { return setup_->timeline.stamps.at(i); }
@@ -65,7 +66,8 @@ class PixelLabels : public testing::Test {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<ObjectMotion> motion_;
   std::unique_ptr<SceneMaker> maker_;
-  std::optional<MadeScene> made_;
+  std::optional<SeenScene> seen_;
+  MaskAgreement agreement_;
 };
 
 Requirements everything() {
@@ -173,8 +175,8 @@ TEST_F(PixelLabels, SubtractionIsLayeredLikeTheExactMasks) {
     EXPECT_EQ(found.objects[i].visibility, exact.objects[i].visibility);
   }
   EXPECT_EQ(cv::countNonZero(found.objects[0].visible_mask & found.objects[1].visible_mask), 0);
-  ASSERT_EQ(made_->findings.mask_agreement.size(), 2U);
-  for (const auto& agreement : made_->findings.mask_agreement) EXPECT_GT(agreement, 0.9);
+  ASSERT_EQ(agreement_.size(), 2U);
+  for (const auto& each : agreement_) EXPECT_GT(each, 0.9);
 }
 
 TEST_F(PixelLabels, SubtractionFindsEachObjectAsIfItWasAlone) {
@@ -234,8 +236,8 @@ TEST_F(PixelLabels, OpticalFlowFollowsTheObject) {
   (void)sceneWith(flow);
   // In a quarter of a second alpha goes a quarter of the way to y = 5 m.
   moveTo(1);
-  maker_->addOpticalFlow(*made_, stamp(1));
-  const cv::Mat& pixels = made_->scene.optical_flow;
+  maker_->addOpticalFlow(*seen_, stamp(1));
+  const cv::Mat& pixels = seen_->scene.optical_flow;
   const double moved = 0.25 * (5.0 - kAxis);
   const cv::Vec2f on_front_face = pixels.at<cv::Vec2f>(79, 79);
   EXPECT_NEAR(on_front_face[0], -moved / 2.8 * 140.0, 0.05);
@@ -249,8 +251,8 @@ TEST_F(PixelLabels, AfterTheLastSceneTheFlowIsUnknown) {
   Requirements flow;
   flow.optical_flow = true;
   (void)sceneWith(flow);
-  maker_->addOpticalFlow(*made_, std::nullopt);
-  EXPECT_TRUE(std::isnan(made_->scene.optical_flow.at<cv::Vec2f>(79, 79)[0]));
+  maker_->addOpticalFlow(*seen_, std::nullopt);
+  EXPECT_TRUE(std::isnan(seen_->scene.optical_flow.at<cv::Vec2f>(79, 79)[0]));
 }
 
 }  // namespace
