@@ -13,36 +13,65 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Finds pixels whose centres see the surface that a sample sees.
+/// Finds the light of what a pixel's samples see, at pixels whose centres see the same surface.
 class Resolver {
  public:
-  explicit Resolver(const SeenPixels& seen) : seen_(seen) {}
+  Resolver(const SeenPixels& seen, const SampleRaster& raster) : seen_(seen), raster_(raster) {}
 
-  /// The light of what a sample sees.
-  [[nodiscard]] Eigen::Vector3f lightOf(const SeenFace* face, const cv::Point& pixel,
-                                        const std::array<float, 2>& place) const {
-    constexpr float kAlike = 0.01F;  // its own centre is the nearest there is
-    if (unlikeness(face, pixel) < kAlike) return light(pixel);
-    cv::Point best = pixel;
-    float least = std::numeric_limits<float>::infinity();
-    for (int dv = -1; dv <= 1; ++dv) {
-      for (int du = -1; du <= 1; ++du) {
-        const cv::Point other(pixel.x + du, pixel.y + dv);
-        if (!seen_.place.contains(other)) continue;
-        const float x = static_cast<float>(du) - place[0];
-        const float y = static_cast<float>(dv) - place[1];
-        const float unlike = unlikeness(face, other) + kAway * (x * x + y * y);
-        if (unlike >= least) continue;
-        least = unlike;
-        best = other;
-      }
+  /// The mean of the samples' light.
+  /// @param number  of the pixel in the raster
+  [[nodiscard]] Eigen::Vector3f light(const cv::Point& pixel, std::size_t number) const {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    Likeness likeness;
+    for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
+      const SeenFace* face = raster_.at(number, sample);
+      if (sample == 0 || face != likeness.face) likeness = likenessOf(face, pixel);
+      sum += lightAt(likeness.sees_at_centre ? pixel : pixel + nearest(likeness, sample));
     }
-    return light(best);
+    return sum / static_cast<float>(kSampleCount);
   }
 
  private:
+  static constexpr int kSide = 3;         ///< [px] of the square that is looked at
+  static constexpr float kAlike = 0.01F;  ///< then its own centre is the nearest there is
   static constexpr float kAway = 0.02F;   ///< what a pixel away counts, against a turn of a radian
   static constexpr float kDepth = 10.0F;  ///< what depth counts: a share of it
+
+  /// How little the pixels round one look like a face.
+  struct Likeness {
+    const SeenFace* face = nullptr;
+    bool sees_at_centre = false;
+    std::array<float, kSide * kSide> unlike{};  ///< row by row
+  };
+
+  [[nodiscard]] Likeness likenessOf(const SeenFace* face, const cv::Point& pixel) const {
+    Likeness result{face, unlikeness(face, pixel) < kAlike, {}};
+    if (result.sees_at_centre) return result;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const cv::Point other = pixel + offset(i);
+      result.unlike[static_cast<std::size_t>(i)] = seen_.place.contains(other)
+                                                       ? unlikeness(face, other)
+                                                       : std::numeric_limits<float>::infinity();
+    }
+    return result;
+  }
+
+  [[nodiscard]] static cv::Point nearest(const Likeness& likeness, std::size_t sample) {
+    cv::Point best(0, 0);
+    float least = std::numeric_limits<float>::infinity();
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const cv::Point away = offset(i);
+      const float x = static_cast<float>(away.x) - kSampleColumns[sample];
+      const float y = static_cast<float>(away.y) - kSampleRows[sample];
+      const float unlike = likeness.unlike[static_cast<std::size_t>(i)] + kAway * (x * x + y * y);
+      if (unlike >= least) continue;
+      least = unlike;
+      best = away;
+    }
+    return best;
+  }
+
+  [[nodiscard]] static cv::Point offset(int i) { return {i % kSide - 1, i / kSide - 1}; }
 
   /// Infinite for another surface.
   [[nodiscard]] float unlikeness(const SeenFace* face, const cv::Point& pixel) const {
@@ -60,13 +89,14 @@ class Resolver {
     return turned + kDepth * std::abs(expected * seen_.geometry.depth.at<float>(at) - 1.0F);
   }
 
-  [[nodiscard]] Eigen::Vector3f light(const cv::Point& pixel) const {
+  [[nodiscard]] Eigen::Vector3f lightAt(const cv::Point& pixel) const {
     const cv::Point at = pixel - seen_.place.tl();
     const auto* bits = seen_.light.ptr<std::uint16_t>(at.y, at.x);
     return {fromHalf(bits[0]), fromHalf(bits[1]), fromHalf(bits[2])};
   }
 
   const SeenPixels& seen_;
+  const SampleRaster& raster_;
 };
 
 }  // namespace
@@ -82,17 +112,13 @@ void EdgeSmoother::smooth(const EdgeScene& scene, const SeenPixels& seen,
       raster.draw(*part, static_cast<int>(parts_.numberOf(*part)), scene.X_WL[part->link]);
     }
   }
-  const Resolver resolver(seen);
+  const Resolver resolver(seen, raster);
   for (std::size_t i = 0; i < edges.pixels().size(); ++i) {
     const cv::Point& pixel = edges.pixels()[i];
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
-      sum += resolver.lightOf(raster.at(i, sample), pixel, kSamplePlaces[sample]);
-    }
-    sum /= static_cast<float>(kSampleCount);
-    picture.at<cv::Vec3b>(pixel) = {sensor::srgbFromLinear(sum.z()),
-                                    sensor::srgbFromLinear(sum.y()),
-                                    sensor::srgbFromLinear(sum.x())};
+    const Eigen::Vector3f light = resolver.light(pixel, i);
+    picture.at<cv::Vec3b>(pixel) = {sensor::srgbFromLinear(light.z()),
+                                    sensor::srgbFromLinear(light.y()),
+                                    sensor::srgbFromLinear(light.x())};
   }
 }
 

@@ -15,6 +15,24 @@ float doubleArea(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen
   return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
 }
 
+/// Of a triangle that turns right-handed in the image.
+class Side {
+ public:
+  Side(const Eigen::Vector3f& from, const Eigen::Vector3f& to)
+      : u_(lanes(from.x())),
+        v_(lanes(from.y())),
+        along_u_(lanes(to.x() - from.x())),
+        along_v_(lanes(to.y() - from.y())) {}
+
+  /// Set where the triangle may cover places, as far as this side tells.
+  [[nodiscard]] Lanes inside(const Lanes& u, const Lanes& v) const {
+    return along_u_ * (v - v_) >= (u - u_) * along_v_;
+  }
+
+ private:
+  Lanes u_, v_, along_u_, along_v_;
+};
+
 }  // namespace
 
 SampleRaster::SampleRaster(const View& view, const EdgePixels& edges, const cv::Mat& parts,
@@ -29,7 +47,7 @@ SampleRaster::SampleRaster(const View& view, const EdgePixels& edges, const cv::
       cy_(static_cast<float>(view.camera.intrinsics().cy)),
       near_(static_cast<float>(view.camera.near())),
       farthest_(static_cast<float>(1.0 / view.camera.far())),
-      samples_(edges.pixels().size() * kSampleCount) {}
+      samples_(edges.pixels().size()) {}
 
 void SampleRaster::draw(const Part& part, int number, const Pose& X_WL) {
   const Pose X_CV = view_.X_WC.inverse() * X_WL * part.X_LV;
@@ -97,37 +115,45 @@ void SampleRaster::drawClipped(const std::array<Eigen::Vector3f, 3>& points_C) {
 void SampleRaster::drawTriangle(const Corner& first, const Corner& second, const Corner& third) {
   // From outside, corners go round left-handed in the world, so in the image, whose v goes down,
   // with a negative area.
-  float area = doubleArea(first.pixel, second.pixel, third.pixel);
+  const float area = doubleArea(first.pixel, second.pixel, third.pixel);
   if (area == 0.0F || (area > 0.0F && !double_sided_)) return;
   const Eigen::Vector3f& a = first.pixel;
   const Eigen::Vector3f& b = area > 0.0F ? second.pixel : third.pixel;
   const Eigen::Vector3f& c = area > 0.0F ? third.pixel : second.pixel;
-  const cv::Rect box = pixelsRound(a, b, c);
+  const std::array<Side, 3> sides = {Side(a, b), Side(b, c), Side(c, a)};
   int number = kNotStored;
-  edges_.visit(box, [&](std::size_t pixel) {
+  edges_.visit(pixelsRound(a, b, c), [&](std::size_t pixel) {
     const cv::Point& at = edges_.pixels()[pixel];
+    const Lanes u = lanes(static_cast<float>(at.x)) + cv::v_load(kSampleColumns.data());
+    const Lanes v = lanes(static_cast<float>(at.y)) + cv::v_load(kSampleRows.data());
+    const Lanes covered = sides[0].inside(u, v) & sides[1].inside(u, v) & sides[2].inside(u, v);
+    if (!cv::v_check_any(covered)) return;
     // Holes are known at centres alone.
     if (has_holes_ && seen_parts_.at<int>(at - place_.tl()) != number_) return;
     if (number == kNotStored) {
       number = static_cast<int>(faces_.size());
       faces_.push_back(makeFace(first, second, third));
     }
-    for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
-      const Eigen::Vector3f place(static_cast<float>(at.x) + kSamplePlaces[sample][0],
-                                  static_cast<float>(at.y) + kSamplePlaces[sample][1], 0.0F);
-      if (doubleArea(a, b, place) < 0.0F || doubleArea(b, c, place) < 0.0F ||
-          doubleArea(c, a, place) < 0.0F) {
-        continue;
-      }
-      // Within the corners', whatever the slope of a sliver is.
-      const SeenFace& face = faces_[static_cast<std::size_t>(number)];
-      const float inverse_depth =
-          std::clamp(face.inverseDepthAt(place.x(), place.y()), face.origin.z(), face.nearest);
-      Sample& seen = samples_[pixel * kSampleCount + sample];
-      const float least = seen.inverse_depth * (stands_still_ ? 1.0F - kSame : 1.0F + kSame);
-      if (inverse_depth >= farthest_ && inverse_depth >= least) seen = {inverse_depth, number};
-    }
+    see(covered, u, v, number, samples_[pixel]);
   });
+}
+
+/// Lets samples see a face where it is the nearest.
+void SampleRaster::see(const Lanes& covered, const Lanes& u, const Lanes& v, int number,
+                       PixelSamples& samples) const {
+  const SeenFace& face = faces_[static_cast<std::size_t>(number)];
+  const Lanes on_plane = lanes(face.origin.z()) +
+                         lanes(face.slope.x()) * (u - lanes(face.origin.x())) +
+                         lanes(face.slope.y()) * (v - lanes(face.origin.y()));
+  // Within the corners', whatever the slope of a sliver is.
+  const Lanes inverse_depth = clamped(on_plane, face.origin.z(), face.nearest);
+  const Lanes before = cv::v_load(samples.inverse_depth.data());
+  const Lanes least = before * lanes(stands_still_ ? 1.0F - kSame : 1.0F + kSame);
+  const Lanes nearer = covered & (inverse_depth >= lanes(farthest_)) & (inverse_depth >= least);
+  cv::v_store(samples.inverse_depth.data(), cv::v_select(nearer, inverse_depth, before));
+  cv::v_store(samples.face.data(),
+              cv::v_select(cv::v_reinterpret_as_s32(nearer), cv::v_setall_s32(number),
+                           cv::v_load(samples.face.data())));
 }
 
 /// Pixels reach half a pixel round their centres.

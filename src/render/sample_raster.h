@@ -9,15 +9,17 @@
 
 #include "render/draw_list.h"
 #include "render/edge_pixels.h"
+#include "render/lanes.h"
 #include "render/view.h"
 
 namespace synthetic_dataset::render {
 
 /// Where a pixel is looked at besides its centre, from it [px]: each in a row and a column of its
 /// own (a rotated grid).
-inline constexpr std::array<std::array<float, 2>, 4> kSamplePlaces = {
-    {{-0.125F, -0.375F}, {0.375F, -0.125F}, {-0.375F, 0.125F}, {0.125F, 0.375F}}};
-inline constexpr std::size_t kSampleCount = kSamplePlaces.size();
+inline constexpr std::size_t kSampleCount = kLaneCount;
+inline constexpr std::array<float, kSampleCount> kSampleColumns = {-0.125F, 0.375F, -0.375F,
+                                                                   0.125F};
+inline constexpr std::array<float, kSampleCount> kSampleRows = {-0.375F, -0.125F, 0.125F, 0.375F};
 
 /// A triangle that a sample sees.
 struct SeenFace {
@@ -46,14 +48,15 @@ class SampleRaster {
 
   /// What a sample of edges.pixels()[pixel] sees, or null.
   [[nodiscard]] const SeenFace* at(std::size_t pixel, std::size_t sample) const {
-    const int face = samples_[pixel * kSampleCount + sample].face;
+    const int face = samples_[pixel].face[sample];
     return face < 0 ? nullptr : &faces_[static_cast<std::size_t>(face)];
   }
 
  private:
-  struct Sample {
-    float inverse_depth = 0.0F;
-    int face = -1;
+  /// Of one pixel: what each sample sees.
+  struct PixelSamples {
+    std::array<float, kSampleCount> inverse_depth = {0.0F, 0.0F, 0.0F, 0.0F};
+    std::array<int, kSampleCount> face = {-1, -1, -1, -1};  ///< its place in faces_; none
   };
   struct Corner {
     Eigen::Vector3f point_C;
@@ -64,6 +67,8 @@ class SampleRaster {
   [[nodiscard]] bool mayBeSeen(const Part& part, const Pose& X_CV) const;
   void drawClipped(const std::array<Eigen::Vector3f, 3>& points_C);
   void drawTriangle(const Corner& first, const Corner& second, const Corner& third);
+  void see(const Lanes& covered, const Lanes& u, const Lanes& v, int number,
+           PixelSamples& samples) const;
   [[nodiscard]] cv::Rect pixelsRound(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                                      const Eigen::Vector3f& c) const;
   [[nodiscard]] SeenFace makeFace(const Corner& first, const Corner& second,
@@ -74,7 +79,7 @@ class SampleRaster {
   const cv::Mat& seen_parts_;
   cv::Rect place_;
   float fx_, fy_, cx_, cy_, near_, farthest_;
-  std::vector<Sample> samples_;
+  std::vector<PixelSamples> samples_;
   std::vector<SeenFace> faces_;
   std::vector<Corner> corners_;  ///< of the part that is drawn
 
