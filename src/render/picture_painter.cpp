@@ -13,13 +13,22 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Regions of a picture and the pixels round them.
-cv::Mat grown(const std::vector<cv::Rect>& regions, const cv::Size& picture) {
-  cv::Mat pixels = cv::Mat::zeros(picture, CV_8UC1);
-  for (const cv::Rect& region : regions) pixels(region).setTo(255);
+/// Pixels and those round them.
+cv::Mat grown(const cv::Mat& pixels) {
   cv::Mat result;
   cv::dilate(pixels, result, cv::Mat());  // by one
   return result;
+}
+
+/// Regions of a picture and the pixels round them.
+cv::Mat grown(const std::vector<cv::Rect>& regions, const cv::Size& picture) {
+  cv::Mat pixels = cv::Mat::zeros(picture, CV_8UC1);
+  for (const cv::Rect& region : regions) {
+    pixels(cv::Rect(region.x - 1, region.y - 1, region.width + 2, region.height + 2) &
+           cv::Rect(cv::Point(), picture))
+        .setTo(255);
+  }
+  return pixels;
 }
 
 /// The lens and its place, where a face of it is drawn: a picture behind it is bent accordingly.
@@ -86,7 +95,9 @@ bool PicturePainter::drewFrom(const View& view) const {
 UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSelection& casting,
                                         bool smooth, const std::vector<cv::Rect>& regions) {
   const cv::Mat wanted = wantedPixels(regions);
-  if (cv::boundingRect(wanted).empty()) return {plainPicture(scene.exposure), {}, {}, std::nullopt};
+  if (!regions.empty() && cv::boundingRect(wanted).empty()) {
+    return {plainPicture(scene.exposure), {}, {}, std::nullopt};
+  }
   drawGeometry(scene.view, scene.X_WL, scene.drawn);
   const KeptPicture* kept = keptPicture(scene, casting, smooth);
   if (kept == nullptr) {
@@ -96,7 +107,7 @@ UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSele
     return picture;
   }
   drawGeometry(scene.view, scene.X_WL, scene.drawn);
-  const cv::Mat changed = changedPixels(scene, casting, kept->edges, wanted);
+  const cv::Mat changed = changedPixels(scene, casting, kept->edges, wanted, regions.empty());
   UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, changed);
   picture.elsewhere = kept->pixels;
   if (!regions.empty()) {
@@ -116,15 +127,14 @@ cv::Mat PicturePainter::wantedPixels(const std::vector<cv::Rect>& regions) const
 
 /// Draws the shadow maps, and finds which pixels differ from those of the kept picture.
 /// @param edges  of the kept picture
-/// @param wanted  the pixels that are asked for
+/// @param wanted  the pixels that are asked for, maybe all
 cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelection& casting,
-                                      const cv::Mat& edges, const cv::Mat& wanted) {
+                                      const cv::Mat& edges, const cv::Mat& wanted, bool wants_all) {
   const ChangedRegions regions = changedRegions(crew_.parts.parts(), scene.view, scene.X_WL,
                                                 scene.drawn, casting, crew_.lights, scene.shadows);
   // What is just beside the wanted pixels may make edges of them.
-  cv::Mat possible;
-  cv::dilate(wanted, possible, cv::Mat());  // by one
-  possible &= regions.all();
+  cv::Mat possible = regions.all();
+  if (!wants_all) possible &= grown(wanted);
   const cv::Rect place = cv::boundingRect(possible);
   if (place.empty()) return possible;
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
@@ -133,7 +143,9 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
     texels.push_back(crew_.shadow_painter.changedTexels(shadow));
   }
   const ChangedPixels changed(crew_.parts, scene.view);
-  return changed.find(regions, {read(place), place}, texels, edges) & wanted;
+  cv::Mat pixels = changed.find(regions, {read(place), place}, texels, edges);
+  if (!wants_all) pixels &= wanted;
+  return pixels;
 }
 
 GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose>& X_WL,

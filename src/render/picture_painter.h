@@ -110,7 +110,7 @@ class PicturePainter {
   [[nodiscard]] const KeptPicture* keptPicture(const ColourScene& scene,
                                                const LinkSelection& casting, bool smooth);
   [[nodiscard]] cv::Mat changedPixels(const ColourScene& scene, const LinkSelection& casting,
-                                      const cv::Mat& edges, const cv::Mat& wanted);
+                                      const cv::Mat& edges, const cv::Mat& wanted, bool wants_all);
   [[nodiscard]] cv::Mat wantedPixels(const std::vector<cv::Rect>& regions) const;
   [[nodiscard]] UnfinishedPicture light(const ColourScene& scene, const LinkSelection& seen,
                                         bool see_through, bool smooth, const cv::Mat& pixels);
