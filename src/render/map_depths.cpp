@@ -1,5 +1,7 @@
 #include "render/map_depths.h"
 
+#include <opencv2/core.hpp>
+
 namespace synthetic_dataset::render {
 
 MapDepths::Assembled MapDepths::assemble() const {
@@ -16,7 +18,8 @@ MapDepths::Assembled MapDepths::assemble() const {
   }
   standing_->changed_.clear();
   for (const MapPiece& piece : pieces_) {
-    piece.depths.copyTo(common(piece.texels));
+    cv::Mat here = common(piece.texels);
+    cv::min(here, piece.depths, here);
     standing_->changed_.push_back(piece.texels);
   }
   result.depths_ = common;

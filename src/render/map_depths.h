@@ -8,10 +8,10 @@
 
 namespace synthetic_dataset::render {
 
-/// Some texels of a shadow map.
+/// Some texels of a shadow map, with what moves.
 struct MapPiece {
   cv::Rect texels;
-  cv::Mat depths;  ///< CV_32FC1: of what is nearest to the light
+  cv::Mat depths;  ///< CV_32FC1: of what is nearest to the light, of what moves at least
 };
 
 /// The depths of a shadow map as they were for one picture, for whoever finishes it, in any thread.

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "render/part_groups.h"
 #include "render/shaders.h"
+#include "render/shadow_raster.h"
 #include "render/surface_drawing.h"
 
 namespace synthetic_dataset::render {
@@ -21,6 +23,15 @@ cv::Rect grown(const cv::Rect& rectangle, const cv::Size& by) {
 /// Whether the light comes from far away.
 bool isParallel(const ShadowProjection& shadow) {
   return shadow.shadow_from_world.row(3).head<3>().isZero();
+}
+
+/// Columns and rows of a map from its clip coordinates.
+Eigen::Matrix4d texelsFromShadow(int size) {
+  const double half = 0.5 * size;
+  Eigen::Matrix4d texels_from_shadow = Eigen::Matrix4d::Identity();
+  texels_from_shadow.row(0) = Eigen::Vector4d(half, 0.0, 0.0, half);
+  texels_from_shadow.row(1) = Eigen::Vector4d(0.0, half, 0.0, half);
+  return texels_from_shadow;
 }
 
 /// How many columns and rows from its own place a surface's light asks for texels.
@@ -62,6 +73,8 @@ ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& parts, int s
       parts_(parts),
       programs_(gl, shaders::kShadowVertex, shaders::kShadowFragment, feature::kHoles),
       maps_(gl, size, layers),
+      has_glass_(std::any_of(parts.parts().begin(), parts.parts().end(),
+                             [](const Part& part) { return part.transparent; })),
       layers_(static_cast<std::size_t>(layers)) {}
 
 void ShadowPainter::begin() {
@@ -88,33 +101,64 @@ void ShadowPainter::paintStandingLayer(const ShadowProjection& shadow,
                                        const LinkSelection& casting) {
   Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
   if (isSame(layer, shadow, casting) && layer.is_kept) {
-    std::vector<cv::Rect> changed;
-    for (const MapPiece& piece : layer.moving) changed.push_back(piece.texels);
-    maps_.beginKept(shadow.layer, changed);
+    maps_.beginKept(shadow.layer, layer.overdrawn);
+    layer.overdrawn.clear();
     layer.moving.clear();
   } else {
     maps_.begin(shadow.layer);
     draw(shadow, X_WL, casting, Casters::kStanding);
-    maps_.keep(shadow.layer);
-    layer = {shadow.shadow_from_world, casting, true, {}, readAll(shadow.layer)};
+    if (!isCastByRaster(shadow, casting)) maps_.keep(shadow.layer);
+    layer = {shadow.shadow_from_world, casting, true, {}, {}, readAll(shadow.layer)};
   }
 }
 
 void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                const LinkSelection& casting) {
   Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
+  if (isCastByRaster(shadow, casting)) {
+    paintStandingLayer(shadow, X_WL, casting);
+    layer.moving = castPieces(shadow, X_WL, casting);
+    return;
+  }
   if (!isSame(layer, shadow, casting)) {
     // It may not come again: a copy would be made for nothing.
     maps_.begin(shadow.layer);
     draw(shadow, X_WL, casting, Casters::kAll);
-    layer = {shadow.shadow_from_world, casting, false, {}, readAll(shadow.layer)};
+    layer = {shadow.shadow_from_world, casting, false, {}, {}, readAll(shadow.layer)};
     return;
   }
   paintStandingLayer(shadow, X_WL, casting);
   draw(shadow, X_WL, casting, Casters::kMoving);
-  for (const cv::Rect& texels : texelsOfMoving(shadow, X_WL, casting)) {
+  layer.overdrawn = texelsOfMoving(shadow, X_WL, casting);
+  for (const cv::Rect& texels : layer.overdrawn) {
     layer.moving.push_back({texels, maps_.read(shadow.layer, texels)});
   }
+}
+
+/// Whether what moves need not be drawn with OpenGL.
+bool ShadowPainter::isCastByRaster(const ShadowProjection& shadow,
+                                   const LinkSelection& casting) const {
+  const std::vector<Part>& parts = parts_.parts();
+  return isParallel(shadow) && !has_glass_ &&
+         std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
+           return part.has_holes && part.casts_shadow && !part.stands_still && casting[part.link];
+         });
+}
+
+std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
+                                                const std::vector<Pose>& X_WL,
+                                                const LinkSelection& casting) const {
+  const int size = maps_.whole().width;
+  const Eigen::Matrix4d map_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
+  std::vector<MapPiece> pieces;
+  for (const Part& part : parts_.parts()) {
+    if (!part.casts_shadow || !casting[part.link] || part.stands_still) continue;
+    const Eigen::Matrix4d map_from_mesh = map_from_world * (X_WL[part.link] * part.X_LV).matrix();
+    auto piece = castPiece(*part.shape, Eigen::Affine3f(map_from_mesh.cast<float>()), size,
+                           part.casts_by_front);
+    if (piece) pieces.push_back(std::move(*piece));
+  }
+  return pieces;
 }
 
 std::shared_ptr<MapDepths::Standing> ShadowPainter::readAll(int layer) const {
@@ -129,12 +173,8 @@ MapDepths ShadowPainter::depths(const ShadowProjection& shadow) const {
 ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const {
   const Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
   const int size = maps_.whole().width;
-  const double half = 0.5 * size;
   ChangedTexels changed;
-  Eigen::Matrix4d texels_from_shadow = Eigen::Matrix4d::Identity();
-  texels_from_shadow.row(0) = Eigen::Vector4d(half, 0.0, 0.0, half);
-  texels_from_shadow.row(1) = Eigen::Vector4d(0.0, half, 0.0, half);
-  changed.texels_from_world = texels_from_shadow * shadow.shadow_from_world;
+  changed.texels_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
   if (!layer.is_kept) {
     changed.place = maps_.whole();
     changed.texels = cv::Mat(changed.place.size(), CV_8UC1, cv::Scalar(255));
@@ -148,7 +188,7 @@ ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const
     const cv::Rect round = grown(piece.texels, reach);
     cv::Mat differing = cv::Mat::zeros(round.size(), CV_8UC1);
     cv::Mat inner = differing(piece.texels - round.tl());
-    cv::compare(piece.depths, layer.standing->depths()(piece.texels), inner, cv::CMP_NE);
+    cv::compare(piece.depths, layer.standing->depths()(piece.texels), inner, cv::CMP_LT);
     grow(differing, reach);
     cv::Mat target = changed.texels(round - changed.place.tl());
     target |= differing;

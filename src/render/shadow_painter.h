@@ -35,6 +35,7 @@ class ShadowPainter {
   /// What was drawn last.
   [[nodiscard]] MapDepths depths(const ShadowProjection& shadow) const;
 
+  /// The same for OpenGL, where something is drawn that one can see through.
   [[nodiscard]] GLuint texture() const { return maps_.texture(); }
 
  private:
@@ -44,8 +45,9 @@ class ShadowPainter {
   struct Layer {
     Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
     LinkSelection casting;
-    bool is_kept = false;          ///< the standing casters, as they are drawn with these
-    std::vector<MapPiece> moving;  ///< where what moves was drawn on top of them
+    bool is_kept = false;             ///< the standing casters, as they are drawn with these
+    std::vector<MapPiece> moving;     ///< what moves, where it was drawn on top of them
+    std::vector<cv::Rect> overdrawn;  ///< texels on which OpenGL did that
     std::shared_ptr<MapDepths::Standing> standing;  ///< or all casters, if they are not kept
   };
 
@@ -56,6 +58,11 @@ class ShadowPainter {
                           const LinkSelection& casting);
   void paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                   const LinkSelection& casting);
+  [[nodiscard]] bool isCastByRaster(const ShadowProjection& shadow,
+                                    const LinkSelection& casting) const;
+  [[nodiscard]] std::vector<MapPiece> castPieces(const ShadowProjection& shadow,
+                                                 const std::vector<Pose>& X_WL,
+                                                 const LinkSelection& casting) const;
   [[nodiscard]] std::shared_ptr<MapDepths::Standing> readAll(int layer) const;
   [[nodiscard]] std::vector<cv::Rect> texelsOfMoving(const ShadowProjection& shadow,
                                                      const std::vector<Pose>& X_WL,
@@ -68,6 +75,7 @@ class ShadowPainter {
   const DrawList& parts_;
   ShaderFamily programs_;
   ShadowMaps maps_;
+  bool has_glass_;  ///< which OpenGL lights
   std::vector<Layer> layers_;
 };
 
