@@ -55,15 +55,43 @@ cv::Size reachOf(const ShadowProjection& shadow, int map_size) {
   return {shift, shift};
 }
 
+constexpr int kCell = ChangedTexels::kCell;
+
+int cellOf(int texel) {
+  return texel >= 0 ? texel / kCell : -((kCell - 1 - texel) / kCell);  // towards the negative
+}
+
+/// The cells of some texels.
+cv::Rect cellsOf(const cv::Rect& texels) {
+  return {
+      cv::Point(cellOf(texels.x), cellOf(texels.y)),
+      cv::Point(cellOf(texels.x + texels.width - 1) + 1, cellOf(texels.y + texels.height - 1) + 1)};
+}
+
+/// Marks the cells of texels that are not 0.
+/// @param texels  CV_8UC1
+/// @param first  where these are in the map
+/// @param place  of the cells
+void markCells(const cv::Mat& texels, const cv::Point& first, const cv::Rect& place,
+               cv::Mat& cells) {
+  for (int row = 0; row < texels.rows; ++row) {
+    const auto* is_set = texels.ptr<unsigned char>(row);
+    auto* marked = cells.ptr<unsigned char>(cellOf(first.y + row) - place.y);
+    for (int column = 0; column < texels.cols; ++column) {
+      if (is_set[column] != 0) marked[cellOf(first.x + column) - place.x] = 255;
+    }
+  }
+}
+
 /// Grown on all sides; where that is far, all of it, which takes less time.
-void grow(cv::Mat& texels, const cv::Size& by) {
-  constexpr int kFar = 64;
+void grow(cv::Mat& cells, const cv::Size& by) {
+  constexpr int kFar = 16;
   if (std::max(by.width, by.height) > kFar) {
-    texels.setTo(255);
+    cells.setTo(255);
     return;
   }
   const cv::Size round(2 * by.width + 1, 2 * by.height + 1);
-  cv::dilate(texels, texels, cv::getStructuringElement(cv::MORPH_RECT, round));
+  cv::dilate(cells, cells, cv::getStructuringElement(cv::MORPH_RECT, round));
 }
 
 }  // namespace
@@ -176,22 +204,26 @@ ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const
   ChangedTexels changed;
   changed.texels_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
   if (!layer.is_kept) {
-    changed.place = maps_.whole();
-    changed.texels = cv::Mat(changed.place.size(), CV_8UC1, cv::Scalar(255));
+    changed.place = cellsOf(maps_.whole());
+    changed.cells = cv::Mat(changed.place.size(), CV_8UC1, cv::Scalar(255));
     return changed;
   }
   const cv::Size reach = reachOf(shadow, size);
+  const cv::Size cell_reach((reach.width + kCell - 1) / kCell, (reach.height + kCell - 1) / kCell);
   // Surfaces beside the map may be raised onto it.
-  for (const MapPiece& piece : layer.moving) changed.place |= grown(piece.texels, reach);
-  changed.texels = cv::Mat::zeros(changed.place.size(), CV_8UC1);
   for (const MapPiece& piece : layer.moving) {
-    const cv::Rect round = grown(piece.texels, reach);
-    cv::Mat differing = cv::Mat::zeros(round.size(), CV_8UC1);
-    cv::Mat inner = differing(piece.texels - round.tl());
-    cv::compare(piece.depths, layer.standing->depths()(piece.texels), inner, cv::CMP_LT);
-    grow(differing, reach);
-    cv::Mat target = changed.texels(round - changed.place.tl());
-    target |= differing;
+    changed.place |= grown(cellsOf(piece.texels), cell_reach);
+  }
+  changed.cells = cv::Mat::zeros(changed.place.size(), CV_8UC1);
+  cv::Mat differing;
+  for (const MapPiece& piece : layer.moving) {
+    cv::compare(piece.depths, layer.standing->depths()(piece.texels), differing, cv::CMP_LT);
+    const cv::Rect round = grown(cellsOf(piece.texels), cell_reach);
+    cv::Mat cells = cv::Mat::zeros(round.size(), CV_8UC1);
+    markCells(differing, piece.texels.tl(), round, cells);
+    grow(cells, cell_reach);
+    cv::Mat target = changed.cells(round - changed.place.tl());
+    target |= cells;
   }
   return changed;
 }
