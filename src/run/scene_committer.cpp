@@ -1,20 +1,28 @@
 #include "run/scene_committer.h"
 
+#include <memory>
 #include <utility>
 
 namespace synthetic_dataset {
 namespace {
 
-/// How many scenes may wait while one is written.
+/// How many scenes may wait while one is finished, and as many while one is written.
 constexpr std::size_t kMostWaiting = 2;
 
 }  // namespace
 
 SceneCommitter::SceneCommitter(const writers::WriterHost& writers, output::DatasetStore& store)
-    : writers_(writers), store_(store), worker_(kMostWaiting) {}
+    : writers_(writers), store_(store), writer_(kMostWaiting), finisher_(kMostWaiting) {}
 
 void SceneCommitter::add(PendingScene scene) {
-  worker_.add([this, scene = std::move(scene)] { commit(scene()); });
+  finisher_.add([this, scene = std::move(scene)] {
+    writer_.add([this, finished = std::make_shared<FinishedScene>(scene())] { commit(*finished); });
+  });
+}
+
+void SceneCommitter::finish() {
+  finisher_.finish();
+  writer_.finish();
 }
 
 std::vector<std::vector<output::Warning>> SceneCommitter::takeCommitted() {
@@ -22,7 +30,7 @@ std::vector<std::vector<output::Warning>> SceneCommitter::takeCommitted() {
   return std::exchange(committed_, {});
 }
 
-void SceneCommitter::commit(FinishedScene finished) {
+void SceneCommitter::commit(FinishedScene& finished) {
   output::SceneFacts& facts = finished.facts;
   const writers::WriterHost::SceneResult written = writers_.writeScene(finished.scene);
   for (const std::string& warning : written.warnings) facts.warnings.push_back({warning});

@@ -10,10 +10,11 @@
 
 namespace synthetic_dataset {
 
-/// Finishes, formats, encodes and commits scenes, one after another, while the caller makes the
-/// next ones.
+/// Finishes, formats, encodes and commits scenes in their order, while the caller makes the next
+/// ones: one thread finishes a scene while another one writes the one before.
 ///
-/// A scene that fails ends with its error out of the next call; those behind it are not written.
+/// A scene that fails ends with its error out of one of the next calls; those behind it are not
+/// written.
 class SceneCommitter {
  public:
   SceneCommitter(const writers::WriterHost& writers, output::DatasetStore& store);
@@ -22,19 +23,20 @@ class SceneCommitter {
   void add(PendingScene scene);
 
   /// Waits until all scenes are committed.
-  void finish() { worker_.finish(); }
+  void finish();
 
   /// The warnings of each scene that was committed since they were taken last.
   [[nodiscard]] std::vector<std::vector<output::Warning>> takeCommitted();
 
  private:
-  void commit(FinishedScene finished);
+  void commit(FinishedScene& finished);
 
   const writers::WriterHost& writers_;
   output::DatasetStore& store_;
   std::mutex mutex_;
   std::vector<std::vector<output::Warning>> committed_;
-  output::BackgroundWorker worker_;  ///< last: its jobs use all of the above
+  output::BackgroundWorker writer_;
+  output::BackgroundWorker finisher_;  ///< last: its jobs use all of the above
 };
 
 }  // namespace synthetic_dataset
