@@ -1,5 +1,7 @@
 /// Pictures of which most is kept from the one before, against pictures that are drawn anew.
 
+#include <thread>
+
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
@@ -23,12 +25,14 @@ world::Material coloured(float red, float green, float blue, float alpha = 1.0F)
 }
 
 /// A yard under a sunny sky with a lamp: walls, a pane of glass before a part of them, and two
-/// balls, a cup of glass and a rod that move; the rod is thinner than a pixel.
-class KeptPictures : public testing::Test {
+/// balls, a cup of glass and a rod that move; the rod is thinner than a pixel. Or the same where
+/// nothing is of glass: OpenGL draws other shadows then.
+class KeptPictures : public testing::TestWithParam<bool> {
  protected:
   static constexpr std::size_t kBall = 4;
 
   KeptPictures() {
+    const bool has_glass = GetParam();
     description.ambient = {0.3F, 0.3F, 0.3F};
     description.sky = world::Sky();
     world::Light sun;
@@ -45,10 +49,12 @@ class KeptPictures : public testing::Test {
     stage.addBox({8, 8, 0.2}, at(0, 0, -0.1), -1, coloured(0.8F, 0.8F, 0.7F));
     stage.addBox({0.2, 6, 1.5}, at(2, 0, 0.75), -1, coloured(0.7F, 0.4F, 0.3F));
     stage.addBox({0.4, 0.4, 0.6}, at(-0.5, 1, 0.3), -1, coloured(0.3F, 0.6F, 0.3F));
-    stage.addBox({0.02, 1, 1}, at(0.5, -1, 0.5), -1, coloured(0.5F, 0.7F, 0.9F, 0.4F));
+    stage.addBox({0.02, 1, 1}, at(0.5, -1, 0.5), -1,
+                 coloured(0.5F, 0.7F, 0.9F, has_glass ? 0.4F : 1.0F));
     stage.addMesh(world::sphereMesh(0.3), at(0, 0, 0.3), 0, coloured(0.9F, 0.2F, 0.2F));
     stage.addMesh(world::sphereMesh(0.2), at(0, -1, 0.2), 1, coloured(0.2F, 0.2F, 0.9F));
-    stage.addBox({0.3, 0.3, 0.3}, at(-1, 0, 0.15), 2, coloured(0.9F, 0.9F, 0.9F, 0.5F));
+    stage.addBox({0.3, 0.3, 0.3}, at(-1, 0, 0.15), 2,
+                 coloured(0.9F, 0.9F, 0.9F, has_glass ? 0.5F : 1.0F));
     stage.addBox({0.003, 0.003, 1.8}, at(1.5, 0.5, 0.9), 3, coloured(0.1F, 0.1F, 0.1F));
     Eigen::Matrix3d R_WC;  // along +x, a little downwards
     R_WC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
@@ -82,7 +88,7 @@ class KeptPictures : public testing::Test {
   View view{CameraModel(320, 240, {260.0, 260.0, 159.5, 119.5}, 0.05, 100.0), {}};
 };
 
-TEST_F(KeptPictures, AreThoseThatAreDrawnAnew) {
+TEST_P(KeptPictures, AreThoseThatAreDrawnAnew) {
   std::vector<cv::Mat> pictures;
   {
     Renderer renderer(description, stage.links(), {});
@@ -95,7 +101,7 @@ TEST_F(KeptPictures, AreThoseThatAreDrawnAnew) {
   expectAsDrawnAnew(pictures);
 }
 
-TEST_F(KeptPictures, HaveTheBlurredRimsOfShadowsToo) {
+TEST_P(KeptPictures, HaveTheBlurredRimsOfShadowsToo) {
   RenderOptions coarse;
   coarse.shadow_map_size = 128;
   coarse.samples = 1;
@@ -110,7 +116,7 @@ TEST_F(KeptPictures, HaveTheBlurredRimsOfShadowsToo) {
   expectAsDrawnAnew(pictures, coarse);
 }
 
-TEST_F(KeptPictures, HaveTheEdgesOfWhatStandsJustBesideARegion) {
+TEST_P(KeptPictures, HaveTheEdgesOfWhatStandsJustBesideARegion) {
   constexpr int kRows = 4;
   std::vector<cv::Mat> pictures;
   {
@@ -130,6 +136,28 @@ TEST_F(KeptPictures, HaveTheEdgesOfWhatStandsJustBesideARegion) {
   }
   expectAsDrawnAnew(pictures);
 }
+
+TEST_P(KeptPictures, AreFinishedInAnyOrderAndThread) {
+  std::vector<cv::Mat> pictures(5);
+  {
+    Renderer renderer(description, stage.links(), {});
+    std::vector<PendingPicture> pending;
+    for (int time = 0; time < 5; ++time) {
+      move(time);
+      pending.push_back(renderer.draw(view, stage.poses(), {stage.all(), stage.all()}));
+    }
+    std::thread other([&] {
+      for (const std::size_t time : {4U, 1U}) pictures[time] = pending[time]();
+    });
+    for (const std::size_t time : {3U, 0U, 2U}) pictures[time] = pending[time]();
+    other.join();
+  }
+  expectAsDrawnAnew(pictures);
+}
+
+INSTANTIATE_TEST_SUITE_P(Yards, KeptPictures, testing::Bool(), [](const auto& has_glass) {
+  return has_glass.param ? "with_glass" : "without_glass";
+});
 
 TEST(KeptPicturesOfAnAisle, HaveTheShadowsOfASunWhoseMapIsNotSquare) {
   world::Description description;
@@ -169,7 +197,7 @@ TEST(KeptPicturesOfAnAisle, HaveTheShadowsOfASunWhoseMapIsNotSquare) {
   }
 }
 
-TEST_F(KeptPictures, OfNoPixelsAreBackground) {
+TEST_P(KeptPictures, OfNoPixelsAreBackground) {
   Renderer renderer(description, stage.links(), {});
   for (int time = 0; time < 3; ++time) {
     move(time);
@@ -181,7 +209,7 @@ TEST_F(KeptPictures, OfNoPixelsAreBackground) {
   }
 }
 
-TEST_F(KeptPictures, AreThoseOfSeveralCamerasToo) {
+TEST_P(KeptPictures, AreThoseOfSeveralCamerasToo) {
   std::vector<cv::Mat> pictures;
   {
     Renderer renderer(description, stage.links(), {});
@@ -200,7 +228,7 @@ TEST_F(KeptPictures, AreThoseOfSeveralCamerasToo) {
   expectAsDrawnAnew(pictures);
 }
 
-TEST_F(KeptPictures, AreNotMixedUpWithOthers) {
+TEST_P(KeptPictures, AreNotMixedUpWithOthers) {
   std::vector<cv::Mat> pictures;
   {
     Renderer renderer(description, stage.links(), {});

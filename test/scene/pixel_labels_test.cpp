@@ -1,5 +1,6 @@
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
@@ -110,6 +111,31 @@ TEST_F(PixelLabels, AMaskReachesBeyondABoundingShapeThatIsTooSmall) {
   const cv::Mat exact = sceneWith(everything()).objects[0].silhouette;
   ASSERT_GT(cv::countNonZero(exact), 400);
   EXPECT_LT(cv::countNonZero(by_subtraction != exact), 20);
+}
+
+TEST_F(PixelLabels, AreTheSameWhenTheyAreFoundLaterInAnotherOrder) {
+  place(test::poseAt(0, kAxis, 0), test::poseAt(0.5, kAxis - 0.3, 0),
+        {{"masks", methodOf("mog2")}});
+  const Scene at_once = sceneWith(everything());
+  place(test::poseAt(0, kAxis, 0), test::poseAt(0.5, kAxis - 0.3, 0),
+        {{"masks", methodOf("mog2")}});
+  (void)sceneWith(everything());
+  const auto look = [&](std::size_t i) {
+    moveTo(i);
+    return maker_->look(0, static_cast<std::int64_t>(i), stamp(i), motion_->objectPoses(stamp(i)));
+  };
+  std::vector<SeenScene> later = {look(0), look(1), look(2)};
+  for (const std::size_t i : {2U, 1U, 0U}) {
+    std::thread([&] { (void)later[i].pixels.labels(later[i].scene); }).join();
+  }
+  const Scene& again = later[0].scene;
+  EXPECT_EQ(cv::norm(again.instance_map, at_once.instance_map, cv::NORM_INF), 0.0);
+  for (std::size_t i = 0; i < at_once.objects.size(); ++i) {
+    EXPECT_GT(cv::countNonZero(again.objects[i].silhouette), 100);
+    EXPECT_EQ(cv::norm(again.objects[i].silhouette, at_once.objects[i].silhouette, cv::NORM_INF),
+              0);
+    EXPECT_EQ(again.objects[i].pixels.visible, at_once.objects[i].pixels.visible);
+  }
 }
 
 TEST_F(PixelLabels, AnObjectOutOfViewIsNotLabelled) {
