@@ -1,6 +1,7 @@
-// How light makes surfaces seen: Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's
-// Fresnel and the height-correlated visibility of Heitz 2014 in Hammon's approximation),
-// hemispheric ambient light. All lighting is linear and happens in the camera's optical frame.
+// How light makes surfaces seen that one can see through; surface_shading.h lights all others in
+// the same way. Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and the
+// height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
+// light. All lighting is linear and happens in the camera's optical frame.
 
 // LIGHT(i, TYPE, SHADOW_LAYER) for each light is EACH_LIGHT, set when this is compiled: llvmpipe
 // runs every branch of a shader for every pixel, and a loop once more than it says, so what a light
