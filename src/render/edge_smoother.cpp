@@ -64,7 +64,7 @@ class Resolver {
       const float x = static_cast<float>(away.x) - kSampleColumns[sample];
       const float y = static_cast<float>(away.y) - kSampleRows[sample];
       const float unlike = likeness.unlike[static_cast<std::size_t>(i)] + kAway * (x * x + y * y);
-      if (unlike >= least) continue;
+      if (!(unlike < least)) continue;
       least = unlike;
       best = away;
     }

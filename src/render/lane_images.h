@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include <opencv2/core.hpp>
 
 #include "render/lanes.h"

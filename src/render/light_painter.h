@@ -45,8 +45,8 @@ class LightPainter {
   /// Lights and surroundings from now on; what the parts wear is read from them.
   void setLook(const world::Look& look);
 
-  /// The lit surfaces, a picture, the sky or the background's colour behind them, and what one can
-  /// see through before them, if that is selected and `see_through`.
+  /// What the light of surfaces is found from; with a picture, the sky or the background's colour
+  /// behind them, and what one can see through before them, if that is selected and `see_through`.
   /// @param shadows  as they were drawn for the scene
   /// @param target  with the depth of what is seen
   /// @param regions  of the picture, none of them over another; beside them nothing is sure

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -18,7 +19,7 @@ struct MapPiece {
 ///
 /// Of what never moves all pictures have the same, and what moves is small. It is put onto one
 /// common map, the same from picture to picture, so that what a processor looks up stays in its
-/// cache: from maps of their own, it takes three times as long to light a picture.
+/// cache, and waiting pictures take little memory.
 class MapDepths {
  public:
   /// A map that looks as it is used: nobody else's as long as this lives.

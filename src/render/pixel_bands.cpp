@@ -8,7 +8,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-// llvmpipe shades blocks of 4 x 4 pixels whole, and takes its time for each rectangle, too.
+// Finer ones light fewer pixels in vain, and take their time each.
 constexpr int kHeight = 8;    // [px] of a band; they begin at its multiples
 constexpr int kLeastGap = 8;  // [px] between two rectangles of a band
 

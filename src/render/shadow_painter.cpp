@@ -203,14 +203,14 @@ ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const
   const int size = maps_.whole().width;
   ChangedTexels changed;
   changed.texels_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
-  if (!layer.is_kept) {
-    changed.place = cellsOf(maps_.whole());
-    changed.cells = cv::Mat(changed.place.size(), CV_8UC1, cv::Scalar(255));
-    return changed;
-  }
   const cv::Size reach = reachOf(shadow, size);
   const cv::Size cell_reach((reach.width + kCell - 1) / kCell, (reach.height + kCell - 1) / kCell);
   // Surfaces beside the map may be raised onto it.
+  if (!layer.is_kept) {
+    changed.place = grown(cellsOf(maps_.whole()), cell_reach);
+    changed.cells = cv::Mat(changed.place.size(), CV_8UC1, cv::Scalar(255));
+    return changed;
+  }
   for (const MapPiece& piece : layer.moving) {
     changed.place |= grown(cellsOf(piece.texels), cell_reach);
   }

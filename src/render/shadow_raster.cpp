@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "render/lanes.h"
@@ -27,25 +28,27 @@ Corners cornersOf(const world::Mesh& mesh, const Eigen::Affine3f& map_from_mesh)
   return corners;
 }
 
-/// The texels whose centres are between these places.
-cv::Rect texelsBetween(const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
+/// The texels of a map whose centres are between these places.
+cv::Rect texelsBetween(const Eigen::Vector3f& lowest, const Eigen::Vector3f& highest, int size) {
+  const Eigen::Vector3f beside = Eigen::Vector3f::Constant(static_cast<float>(size) + 1.0F);
+  const Eigen::Vector3f low = lowest.cwiseMax(-beside).cwiseMin(beside);
+  const Eigen::Vector3f high = highest.cwiseMax(-beside).cwiseMin(beside);
   const cv::Point first(static_cast<int>(std::ceil(low.x())), static_cast<int>(std::ceil(low.y())));
   const cv::Point last(static_cast<int>(std::floor(high.x())),
                        static_cast<int>(std::floor(high.y())));
-  return {first, last + cv::Point(1, 1)};
+  if (first.x > last.x || first.y > last.y) return {};
+  return cv::Rect(first, last + cv::Point(1, 1)) & cv::Rect(0, 0, size, size);
 }
 
-/// The whole map in texels, beside which places need not be told from each other.
 cv::Rect texelsOf(const Corners& corners, int size) {
-  const Eigen::Vector3f beside = Eigen::Vector3f::Constant(static_cast<float>(size) + 1.0F);
-  Eigen::Vector3f low = beside;
-  Eigen::Vector3f high = -beside;
+  constexpr float kNowhere = std::numeric_limits<float>::infinity();
+  Eigen::Vector3f low = Eigen::Vector3f::Constant(kNowhere);
+  Eigen::Vector3f high = -low;
   for (const Eigen::Vector3f& corner : corners) {
     low = low.cwiseMin(corner);
     high = high.cwiseMax(corner);
   }
-  const cv::Rect texels = texelsBetween(low.cwiseMax(-beside), high.cwiseMin(beside));
-  return texels & cv::Rect(0, 0, size, size);
+  return texelsBetween(low, high, size);
 }
 
 /// One side of a triangle: not below 0 on the triangle's own side of it.
@@ -56,7 +59,8 @@ struct Side {
         constant(
             -(double{along_column} * double{from.x()} + double{along_row} * double{from.y()})) {}
 
-  /// Where a row begins at this column; exact, so that neighbours agree where it is 0.
+  /// Where a row begins at this column; exact for the small triangles of bodies, so that no centre
+  /// is beside both triangles of a side.
   [[nodiscard]] float at(int column, int row) const {
     return static_cast<float>(double{along_column} * column + double{along_row} * row + constant);
   }
@@ -68,12 +72,12 @@ struct Side {
 
 class PieceRaster {
  public:
-  explicit PieceRaster(MapPiece& piece) : piece_(piece) {}
+  PieceRaster(MapPiece& piece, int size) : piece_(piece), size_(size) {}
 
   void draw(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
     const Eigen::Vector3f low = a.cwiseMin(b).cwiseMin(c);
     const Eigen::Vector3f high = a.cwiseMax(b).cwiseMax(c);
-    const cv::Rect texels = texelsBetween(low, high) & piece_.texels;
+    const cv::Rect texels = texelsBetween(low, high, size_) & piece_.texels;
     if (texels.empty()) return;
     const std::array<Side, 3> sides = {Side(a, b), Side(b, c), Side(c, a)};
     const Eigen::Vector2f slope = slopeOf(a, b, c);
@@ -81,7 +85,7 @@ class PieceRaster {
     const float farthest = std::clamp(high.z(), 0.0F, kFarthest);
     // Whole lanes: the piece has room for them behind its last column.
     for (int row = texels.y; row < texels.y + texels.height; ++row) {
-      float* depths = piece_.depths.ptr<float>(row - piece_.texels.y) - piece_.texels.x;
+      auto* depths = piece_.depths.ptr<float>(row - piece_.texels.y, texels.x - piece_.texels.x);
       const float first_depth = a.z() + slope.x() * (static_cast<float>(texels.x) - a.x()) +
                                 slope.y() * (static_cast<float>(row) - a.y());
       std::array<float, 3> first{};
@@ -96,7 +100,7 @@ class PieceRaster {
         // Within the corners', whatever the slope of a sliver is.
         const Lanes depth =
             clamped(lanes(first_depth) + lanes(slope.x()) * steps, nearest, farthest);
-        float* at = depths + texels.x + column;
+        float* at = depths + column;
         const Lanes before = cv::v_load(at);
         cv::v_store(at, cv::v_select(covered, cv::v_min(depth, before), before));
       }
@@ -114,6 +118,7 @@ class PieceRaster {
   }
 
   MapPiece& piece_;
+  int size_;
 };
 
 }  // namespace
@@ -127,7 +132,7 @@ std::optional<MapPiece> castPiece(const world::Mesh& mesh, const Eigen::Affine3f
   const cv::Mat roomy(piece.texels.height, piece.texels.width + kLaneCount, CV_32FC1,
                       cv::Scalar(kFarthest));
   piece.depths = roomy.colRange(0, piece.texels.width);
-  PieceRaster raster(piece);
+  PieceRaster raster(piece, size);
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const Eigen::Vector3f& a = corners[mesh.indices[i]];
     const Eigen::Vector3f& b = corners[mesh.indices[i + 1]];

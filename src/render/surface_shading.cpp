@@ -1,5 +1,6 @@
 #include "render/surface_shading.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -135,7 +136,8 @@ Lanes3 SurfaceShading::sent(std::size_t light, const SurfaceLanes& surface,
   // left out of the diffuse term, and put back into the specular one, which is divided by it.
   const Lanes shine = lanes(0.5F) * a2 / (bell * bell * rough);
   const Lanes3 answer = response.matte + fresnel(response.f0, v_dot_h) * shine;
-  return coming.light * answer * (passing & faces);
+  // Where it does not face the light, the answer may be infinite.
+  return select(faces, coming.light * answer * passing, {zero, zero, zero});
 }
 
 /// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth

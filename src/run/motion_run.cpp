@@ -167,6 +167,8 @@ void MotionRun::write(std::optional<Stamp> now, const WorkPlan& work) {
 
 FinishedScene MotionRun::finish(UnwrittenScene& each) const {
   Scene& scene = each.seen.scene;
+  each.seen.X_GL.clear();
+  each.seen.pixels.surface = {};
   // What labels and picture are made of is not needed any more.
   const MaskAgreement agreement = std::exchange(each.seen.pixels.labels, {})(scene);
   scene.image = std::exchange(each.image, {})();

@@ -7,7 +7,7 @@ namespace synthetic_dataset {
 namespace {
 
 /// How many scenes may wait while one is finished, and as many while one is written.
-constexpr std::size_t kMostWaiting = 2;
+constexpr std::size_t kMostWaiting = 1;
 
 }  // namespace
 
@@ -15,13 +15,24 @@ SceneCommitter::SceneCommitter(const writers::WriterHost& writers, output::Datas
     : writers_(writers), store_(store), writer_(kMostWaiting), finisher_(kMostWaiting) {}
 
 void SceneCommitter::add(PendingScene scene) {
-  finisher_.add([this, scene = std::move(scene)] {
-    writer_.add([this, finished = std::make_shared<FinishedScene>(scene())] { commit(*finished); });
-  });
+  try {
+    finisher_.add([this, scene = std::move(scene)] {
+      writer_.add(
+          [this, finished = std::make_shared<FinishedScene>(scene())] { commit(*finished); });
+    });
+  } catch (...) {
+    writer_.finish();  // the scenes before are written, or one of them has failed first
+    throw;
+  }
 }
 
 void SceneCommitter::finish() {
-  finisher_.finish();
+  try {
+    finisher_.finish();
+  } catch (...) {
+    writer_.finish();
+    throw;
+  }
   writer_.finish();
 }
 

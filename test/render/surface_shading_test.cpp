@@ -158,6 +158,27 @@ TEST_F(SurfaceLight, OfEachKindIsThatOfTheFormulas) {
 
 TEST_F(SurfaceLight, IsAmbientWithoutLights) { expectSame(plain()); }
 
+/// The formulas have a pole where light comes through a surface from straight behind it.
+TEST_F(SurfaceLight, FromBehindIsNone) {
+  Surroundings all = plain();
+  add(all, world::LightType::kDirectional);
+  all.lights[0].direction_C = {0.0F, 0.0F, -1.0F};  // into the camera
+  const SurfaceShading shading(all);
+  Surroundings dark = plain();
+  const SurfaceShading without(dark);
+  // The second one faces it, so that all four are worked out.
+  const SurfaceLanes surfaces{lanes(0.0F, 0.0F, 2.0F),
+                              {lanes(0.0F), lanes(0.0F), Lanes(-1.0F, 1.0F, -1.0F, -1.0F)},
+                              {lanes(0.0F), lanes(0.0F), Lanes(-1.0F, 1.0F, -1.0F, -1.0F)},
+                              lanes(0.5F, 0.5F, 0.5F),
+                              lanes(0.04F),
+                              lanes(1.0F),
+                              lanes(0.0F),
+                              lanes(0.0F, 0.0F, 0.0F),
+                              lanes(0.0F) >= lanes(0.0F)};
+  EXPECT_EQ(shading.seen(surfaces).x.get0(), without.seen(surfaces).x.get0());
+}
+
 TEST_F(SurfaceLight, FadesInFog) {
   for (const auto type : {world::FogType::kLinear, world::FogType::kExponential,
                           world::FogType::kSquaredExponential}) {
