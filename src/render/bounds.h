@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -11,10 +10,12 @@ namespace synthetic_dataset::render {
 using Bounds = Eigen::AlignedBox3d;
 
 /// Of bounds that are not empty.
-[[nodiscard]] inline std::array<Eigen::Vector3d, 8> cornersOf(const Bounds& bounds) {
-  std::array<Eigen::Vector3d, 8> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    corners[i] = bounds.corner(static_cast<Bounds::CornerType>(i));
+[[nodiscard]] inline std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds) {
+  constexpr int kCorners = 8;
+  std::vector<Eigen::Vector3d> corners;
+  corners.reserve(kCorners);
+  for (int i = 0; i < kCorners; ++i) {
+    corners.emplace_back(bounds.corner(static_cast<Bounds::CornerType>(i)));
   }
   return corners;
 }

@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::render {
 
-cv::Mat ChangedPixels::find(const ChangedRegions& regions, const SeenGeometry& seen,
+cv::Mat ChangedPixels::find(const PossibleChanges& regions, const SeenGeometry& seen,
                             const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const {
   cv::Mat pixels = regions.glass.clone();
   markMoving(seen, pixels);

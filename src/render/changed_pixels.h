@@ -4,10 +4,10 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/changed_regions.h"
 #include "render/changed_texels.h"
 #include "render/draw_list.h"
 #include "render/geometry_buffer.h"
+#include "render/possible_changes.h"
 #include "render/view.h"
 
 namespace synthetic_dataset::render {
@@ -33,7 +33,7 @@ class ChangedPixels {
   /// @param edges  CV_8UC1, not 0 where pixels show what is round their centre in a picture of what
   ///               never moves; empty where all pixels show what is at their centre
   /// @return CV_8UC1, 255 for such pixels, else 0
-  [[nodiscard]] cv::Mat find(const ChangedRegions& regions, const SeenGeometry& seen,
+  [[nodiscard]] cv::Mat find(const PossibleChanges& regions, const SeenGeometry& seen,
                              const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const;
 
  private:

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/draw_list.h"
-#include "render/light_setup.h"
+#include "render/shadow_projection.h"
 #include "render/view.h"
 
 namespace synthetic_dataset::render {

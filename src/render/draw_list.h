@@ -5,16 +5,14 @@
 #include <memory>
 #include <vector>
 
-#include "render/light_setup.h"
+#include "render/bounds.h"
+#include "render/link_selection.h"
 #include "render/mesh_library.h"
 #include "render/surface_features.h"
 #include "render/texture_library.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::render {
-
-/// Which links take part in a pass: one flag a link, in the world's order.
-using LinkSelection = std::vector<bool>;
 
 /// A material's pictures as OpenGL names them; 0 for none.
 struct PartTextures {

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "render/lane_images.h"
+#include "render/light_setup.h"
 #include "render/srgb.h"
 #include "sensor/srgb.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "render/light_setup.h"
 #include "render/material_setup.h"
 #include "render/shaders.h"
 #include "render/srgb.h"

@@ -3,6 +3,8 @@
 #include <map>
 #include <utility>
 
+#include "render/hull_pixels.h"
+
 namespace synthetic_dataset::render {
 
 std::vector<Bounds> boundsOfGroups(const std::vector<Part>& parts, const std::vector<Pose>& X_WL,
@@ -16,6 +18,17 @@ std::vector<Bounds> boundsOfGroups(const std::vector<Part>& parts, const std::ve
   std::vector<Bounds> result;
   for (const auto& group : groups) result.push_back(group.second);
   return result;
+}
+
+std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,
+                                const std::vector<Pose>& X_WL,
+                                const std::function<bool(const Part&)>& is_chosen) {
+  std::vector<cv::Rect> regions;
+  for (const Bounds& group : boundsOfGroups(parts, X_WL, is_chosen)) {
+    const cv::Rect pixels = pixelsOfHull(cornersOf(group), view);
+    if (!pixels.empty()) regions.push_back(pixels);
+  }
+  return regions;
 }
 
 }  // namespace synthetic_dataset::render

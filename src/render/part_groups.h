@@ -3,7 +3,10 @@
 #include <functional>
 #include <vector>
 
+#include <opencv2/core/types.hpp>
+
 #include "render/draw_list.h"
+#include "render/view.h"
 
 namespace synthetic_dataset::render {
 
@@ -12,5 +15,10 @@ namespace synthetic_dataset::render {
 [[nodiscard]] std::vector<Bounds> boundsOfGroups(const std::vector<Part>& parts,
                                                  const std::vector<Pose>& X_WL,
                                                  const std::function<bool(const Part&)>& is_chosen);
+
+/// Where some parts may be seen: rectangles of pixels, which may overlap, some larger than need be.
+[[nodiscard]] std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,
+                                              const std::vector<Pose>& X_WL,
+                                              const std::function<bool(const Part&)>& is_chosen);
 
 }  // namespace synthetic_dataset::render

@@ -6,9 +6,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "render/changed_pixels.h"
-#include "render/changed_regions.h"
 #include "render/edge_pixels.h"
+#include "render/part_groups.h"
 #include "render/pixel_bands.h"
+#include "render/possible_changes.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -130,8 +131,9 @@ cv::Mat PicturePainter::wantedPixels(const std::vector<cv::Rect>& regions) const
 /// @param wanted  the pixels that are asked for, maybe all
 cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelection& casting,
                                       const cv::Mat& edges, const cv::Mat& wanted, bool wants_all) {
-  const ChangedRegions regions = changedRegions(crew_.parts.parts(), scene.view, scene.X_WL,
-                                                scene.drawn, casting, crew_.lights, scene.shadows);
+  const PossibleChanges regions =
+      possibleChanges(crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
+                      crew_.lights, scene.shadows);
   // What is just beside the wanted pixels may make edges of them.
   cv::Mat possible = regions.all();
   if (!wants_all) possible &= grown(wanted);

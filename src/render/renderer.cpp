@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "render/changed_regions.h"
 #include "render/lens_library.h"
 #include "render/lens_resampling.h"
 #include "render/light_painter.h"
-#include "render/light_setup.h"
 #include "render/osmesa_context.h"
+#include "render/part_groups.h"
 #include "render/picture_cache.h"
 #include "render/pixel_bands.h"
+#include "render/shadow_projection.h"
 
 namespace synthetic_dataset::render {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "render/light_setup.h"
+#include "render/shadow_projection.h"
 
 namespace synthetic_dataset::render {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "render/changed_texels.h"
 #include "render/draw_list.h"
-#include "render/light_setup.h"
 #include "render/map_depths.h"
 #include "render/shader_family.h"
 #include "render/shadow_maps.h"
+#include "render/shadow_projection.h"
 
 namespace synthetic_dataset::render {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "render/changed_regions.h"
+#include "render/part_groups.h"
 #include "render/pixel_bands.h"
 
 namespace synthetic_dataset::render {

@@ -1,12 +1,13 @@
-#include "render/changed_regions.h"
+#include "render/possible_changes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
+#include "render/hull_pixels.h"
 #include "render/part_groups.h"
 
 namespace synthetic_dataset::render {
@@ -33,8 +34,8 @@ Points parallelShadow(const Bounds& caster, const Eigen::Vector3d& direction,
     way = std::min(way, longestWay(caster.min()[axis], caster.max()[axis], direction[axis],
                                    receivers.min()[axis], receivers.max()[axis]));
   }
-  const auto corners = cornersOf(caster);
-  Points hull(corners.begin(), corners.end());
+  const Points corners = cornersOf(caster);
+  Points hull = corners;
   for (const Eigen::Vector3d& corner : corners) {
     hull.push_back(corner + std::max(way, 0.0) * direction);
   }
@@ -55,32 +56,12 @@ std::optional<Points> lampShadow(const Bounds& caster, const Eigen::Vector3d& la
   const double nearest = caster.exteriorDistance(lamp);
   if (nearest > 0.0) times = std::min(times, range / nearest);  // dark beyond
   if (!(times < kFarthest)) return std::nullopt;
-  const auto corners = cornersOf(caster);
-  Points hull(corners.begin(), corners.end());
+  const Points corners = cornersOf(caster);
+  Points hull = corners;
   for (const Eigen::Vector3d& corner : corners) {
     hull.push_back(lamp + std::max(times, 1.0) * (corner - lamp));
   }
   return hull;
-}
-
-/// The pixels on which a hull may be seen, and a few more.
-template <class Points3>
-cv::Rect pixelsOf(const Points3& hull_W, const View& view) {
-  constexpr double kSlack = 2.0;  // [px]
-  Points hull_C;
-  const Pose X_CW = view.X_WC.inverse();
-  for (const Eigen::Vector3d& point : hull_W) hull_C.push_back(X_CW * point);
-  const auto box = view.camera.projectedBounds(hull_C);
-  if (!box) return {};
-  const auto pixel = [](double place, int size) {
-    return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(size)));
-  };
-  const int width = view.camera.width();
-  const int height = view.camera.height();
-  return {cv::Point(pixel(std::floor(box->left - kSlack), width),
-                    pixel(std::floor(box->top - kSlack), height)),
-          cv::Point(pixel(std::ceil(box->right + kSlack), width),
-                    pixel(std::ceil(box->bottom + kSlack), height))};
 }
 
 /// Grown by what a shadow is blurred and pushed, in texels of its map.
@@ -90,31 +71,6 @@ Bounds withBlur(const Bounds& caster, const world::Light& light, const ShadowPro
   const double texel = shadow.texel * (is_lamp ? std::max(light.range, 1.0) : 1.0);
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kTexels * texel);
   return {caster.min() - margin, caster.max() + margin};
-}
-
-/// Marks the pixels on which a hull may be seen, and a few more.
-template <class Points3>
-void markPixels(const Points3& hull_W, const View& view, cv::Mat& pixels) {
-  constexpr int kSlack = 5;     // [px] of lines round the outline, so half of it outside
-  constexpr int kBits = 4;      // of places within a pixel
-  constexpr double kFar = 1e6;  // [px]; OpenCV counts in 32 bits
-  const Pose X_CW = view.X_WC.inverse();
-  std::vector<cv::Point> points;
-  for (const Eigen::Vector3d& point : hull_W) {
-    const auto place = view.camera.project(X_CW * point);
-    if (!place || place->cwiseAbs().maxCoeff() > kFar) {
-      // Its outline is not that of its corners.
-      const cv::Rect box = pixelsOf(hull_W, view);
-      if (!box.empty()) pixels(box).setTo(255);
-      return;
-    }
-    const Eigen::Vector2d scaled = *place * (1 << kBits);
-    points.emplace_back(static_cast<int>(scaled.x()), static_cast<int>(scaled.y()));
-  }
-  std::vector<cv::Point> outline;
-  cv::convexHull(points, outline);
-  cv::fillConvexPoly(pixels, outline, cv::Scalar(255), cv::LINE_8, kBits);
-  cv::polylines(pixels, outline, true, cv::Scalar(255), kSlack, cv::LINE_8, kBits);
 }
 
 /// Marks the pixels on which the shadow of a caster may be seen, and a few more.
@@ -127,7 +83,7 @@ void markShadow(const Bounds& caster, const world::Light& light, const ShadowPro
           ? lampShadow(blurred, light.X_WL.translation(), light.range, receivers)
           : parallelShadow(blurred, direction, receivers);
   if (hull) {
-    markPixels(*hull, view, pixels);
+    markHull(*hull, view, pixels);
   } else {
     pixels.setTo(255);
   }
@@ -139,29 +95,19 @@ cv::Mat noPixels(const View& view) {
 
 }  // namespace
 
-std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,
-                                const std::vector<Pose>& X_WL,
-                                const std::function<bool(const Part&)>& is_chosen) {
-  std::vector<cv::Rect> regions;
-  for (const Bounds& group : boundsOfGroups(parts, X_WL, is_chosen)) {
-    const cv::Rect pixels = pixelsOf(cornersOf(group), view);
-    if (!pixels.empty()) regions.push_back(pixels);
-  }
-  return regions;
-}
-
-ChangedRegions changedRegions(const std::vector<Part>& parts, const View& view,
-                              const std::vector<Pose>& X_WL, const LinkSelection& drawn,
-                              const LinkSelection& casting, const std::vector<world::Light>& lights,
-                              const std::vector<ShadowProjection>& shadows) {
+PossibleChanges possibleChanges(const std::vector<Part>& parts, const View& view,
+                                const std::vector<Pose>& X_WL, const LinkSelection& drawn,
+                                const LinkSelection& casting,
+                                const std::vector<world::Light>& lights,
+                                const std::vector<ShadowProjection>& shadows) {
   const auto markSeen = [&](const std::function<bool(const Part&)>& is_chosen) {
     cv::Mat pixels = noPixels(view);
     for (const Bounds& group : boundsOfGroups(parts, X_WL, is_chosen)) {
-      markPixels(cornersOf(group), view, pixels);
+      markHull(cornersOf(group), view, pixels);
     }
     return pixels;
   };
-  ChangedRegions regions;
+  PossibleChanges regions;
   regions.surfaces = markSeen([&](const Part& part) {
     return drawn[part.link] && !part.stands_still && !part.transparent;
   });
