@@ -22,11 +22,11 @@
 
 #include "output/background_worker.h"
 #include "output/png_encoder.h"
-#include "render/gl_planes.h"
-#include "render/mesh_library.h"
-#include "render/osmesa_context.h"
-#include "render/shader_program.h"
-#include "render/texture_library.h"
+#include "render/gl/gl_planes.h"
+#include "render/gl/osmesa_context.h"
+#include "render/gl/shader_program.h"
+#include "render/parts/mesh_library.h"
+#include "render/parts/texture_library.h"
 #include "render/view.h"
 #include "world/world_loader.h"
 

@@ -40,6 +40,13 @@ MAY_INCLUDE = {
     'plugins': {API, 'plugins'},
 }
 
+# Folders within a folder, each of which may include those before it, and what lies beside them all.
+INNER_ORDER = {
+    'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'sdf', 'urdf'),
+    'src/render': ('pixels', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay', 'edges',
+                   'lens', 'labels', 'picture'),
+}
+
 # Libraries that only some folders may know, by how the path of the include begins.
 CONFINED = [
     ('OpenGL', re.compile(r'GL/'), {'src/render'}),
@@ -76,6 +83,21 @@ def folder_of(file):
     return 'src' if len(file.parts) == 2 else f'src/{file.parts[1]}'
 
 
+def inner_arrow(file, included):
+    """The folder within the file's own folder that it reaches for and may not, or None."""
+    folder = folder_of(file)
+    order = INNER_ORDER.get(folder)
+    if order is None or len(file.parts) < 4:
+        return None  # what lies beside them may include them all
+    target = pathlib.PurePath('src', included)
+    if folder_of(target) != folder or len(target.parts) < 4:
+        return None
+    inner, wanted = file.parts[2], target.parts[2]
+    if inner in order and wanted in order and order.index(wanted) <= order.index(inner):
+        return None
+    return wanted
+
+
 def includes_of(path):
     """Line number, path and whether it is in quotes, of each include."""
     for number, line in enumerate(path.read_text(encoding='utf-8').splitlines(), start=1):
@@ -110,7 +132,7 @@ def main():
         folder = folder_of(file)
         for number, included, quoted in includes_of(path):
             include_count += 1
-            target = forbidden(folder, included, quoted)
+            target = forbidden(folder, included, quoted) or inner_arrow(file, included)
             if target is not None:
                 arrows.append(f'{file}:{number}: {folder} -> {target} ({included})')
     for arrow in arrows:

@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "render/lens_library.h"
-#include "render/lens_resampling.h"
-#include "render/light_painter.h"
-#include "render/osmesa_context.h"
-#include "render/part_groups.h"
-#include "render/picture_cache.h"
-#include "render/pixel_bands.h"
-#include "render/shadow_projection.h"
+#include "render/gl/osmesa_context.h"
+#include "render/lens/lens_library.h"
+#include "render/lens/lens_resampling.h"
+#include "render/parts/part_groups.h"
+#include "render/picture/light_painter.h"
+#include "render/picture/picture_cache.h"
+#include "render/pixels/pixel_bands.h"
+#include "render/shadows/shadow_projection.h"
 
 namespace synthetic_dataset::render {
 namespace {

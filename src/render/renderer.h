@@ -7,11 +7,11 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/draw_list.h"
-#include "render/label_painter.h"
+#include "render/gl/render_target.h"
+#include "render/labels/label_painter.h"
+#include "render/labels/silhouette_painter.h"
+#include "render/parts/draw_list.h"
 #include "render/pending_picture.h"
-#include "render/render_target.h"
-#include "render/silhouette_painter.h"
 #include "render/view.h"
 #include "world/look.h"
 #include "world/world.h"

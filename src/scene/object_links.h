@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "render/draw_list.h"
+#include "render/link_selection.h"
 #include "world/world.h"
 
 namespace synthetic_dataset {

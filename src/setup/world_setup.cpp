@@ -6,8 +6,8 @@
 
 #include "appearance/distractor_models.h"
 #include "appearance/entry_errors.h"
-#include "render/light_setup.h"
-#include "render/shadow_projection.h"
+#include "render/light/light_setup.h"
+#include "render/shadows/shadow_projection.h"
 #include "scene/seconds.h"
 #include "world/mesh/scaled_model.h"
 

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core/types.hpp>
+
+#include "render/edges/edge_pixels.h"
+#include "render/parts/draw_list.h"
+#include "render/pixels/lanes.h"
+#include "render/view.h"
+
+namespace synthetic_dataset::render {
+
+/// Where a pixel is looked at besides its centre, from it [px]: each in a row and a column of its
+/// own (a rotated grid).
+inline constexpr std::size_t kSampleCount = kLaneCount;
+inline constexpr std::array<float, kSampleCount> kSampleColumns = {-0.125F, 0.375F, -0.375F,
+                                                                   0.125F};
+inline constexpr std::array<float, kSampleCount> kSampleRows = {-0.375F, -0.125F, 0.125F, 0.375F};
+
+/// A triangle that a sample sees.
+struct SeenFace {
+  int part = 0;                              ///< as in GeometryImages::parts
+  Eigen::Vector3f normal{0.0F, 0.0F, 0.0F};  ///< in the optical frame, towards the camera
+  Eigen::Vector3f origin{0.0F, 0.0F, 0.0F};  ///< the farthest corner: u, v [px], 1 / depth [1/m]
+  float nearest = 0.0F;                      ///< 1 / depth of the nearest corner
+  Eigen::Vector2f slope{0.0F, 0.0F};         ///< of 1 / depth, a pixel to the right and down
+
+  /// On a plane 1 / depth is linear over the image.
+  [[nodiscard]] float inverseDepthAt(float u, float v) const {
+    return origin.z() + slope.x() * (u - origin.x()) + slope.y() * (v - origin.y());
+  }
+};
+
+/// Finds what the samples of some pixels see: draws triangles for these places alone.
+class SampleRaster {
+ public:
+  /// @param edges  has to outlive this
+  SampleRaster(const View& view, const EdgePixels& edges, const cv::Mat& parts,
+               const cv::Rect& place);
+
+  /// Draws a part over what was drawn before.
+  /// @param number  as in GeometryImages::parts
+  void draw(const Part& part, int number, const Pose& X_WL);
+
+  /// What a sample of edges.pixels()[pixel] sees, or null.
+  [[nodiscard]] const SeenFace* at(std::size_t pixel, std::size_t sample) const {
+    const int face = samples_[pixel].face[sample];
+    return face < 0 ? nullptr : &faces_[static_cast<std::size_t>(face)];
+  }
+
+ private:
+  /// Of one pixel: what each sample sees.
+  struct PixelSamples {
+    std::array<float, kSampleCount> inverse_depth = {0.0F, 0.0F, 0.0F, 0.0F};
+    std::array<int, kSampleCount> face = {-1, -1, -1, -1};  ///< its place in faces_; none
+  };
+  struct Corner {
+    Eigen::Vector3f point_C;
+    Eigen::Vector3f pixel;  ///< u, v, 1 / depth
+  };
+
+  [[nodiscard]] Corner corner(const Eigen::Vector3f& point_C) const;
+  [[nodiscard]] bool mayBeSeen(const Part& part, const Pose& X_CV) const;
+  void drawClipped(const std::array<Eigen::Vector3f, 3>& points_C);
+  void drawTriangle(const Corner& first, const Corner& second, const Corner& third);
+  void see(const Lanes& covered, const Lanes& u, const Lanes& v, int number,
+           PixelSamples& samples) const;
+  [[nodiscard]] cv::Rect pixelsRound(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                                     const Eigen::Vector3f& c) const;
+  [[nodiscard]] SeenFace makeFace(const Corner& first, const Corner& second,
+                                  const Corner& third) const;
+
+  const View& view_;
+  const EdgePixels& edges_;
+  const cv::Mat& seen_parts_;
+  cv::Rect place_;
+  float fx_, fy_, cx_, cy_, near_, farthest_;
+  std::vector<PixelSamples> samples_;
+  std::vector<SeenFace> faces_;
+  std::vector<Corner> corners_;  ///< of the part that is drawn
+
+  // Of the part that is drawn.
+  int number_ = 0;
+  bool double_sided_ = false;
+  bool stands_still_ = false;
+  bool has_holes_ = false;
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,52 @@
+#include "render/geometry/geometry_painter.h"
+
+#include "render/parts/material_setup.h"
+#include "render/parts/surface_drawing.h"
+#include "render/shaders.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+constexpr SurfaceFeatures kUnderstood = feature::kTextured | feature::kHoles | feature::kTinted |
+                                        feature::kNormalMap | feature::kRoughnessMap |
+                                        feature::kMetalnessMap | feature::kEmissiveMap;
+
+}  // namespace
+
+GeometryPainter::GeometryPainter(const GlFunctions& gl, const DrawList& parts)
+    : gl_(gl),
+      parts_(parts),
+      planes_{(parts.features() & feature::kNormalMap) != 0,
+              (parts.features() & feature::kEmissiveMap) != 0},
+      programs_(gl, shaders::kMeshVertex, shaders::kGeometryFragment, kUnderstood) {}
+
+void GeometryPainter::paint(const View& view, const std::vector<Pose>& X_WL,
+                            const LinkSelection& drawn, bool stand_still,
+                            const SilhouetteBits& bits) {
+  gl_.DepthFunc(stand_still ? GL_GEQUAL : GL_GREATER);
+  constexpr GLuint kAllBits = 0xFF;
+  gl_.StencilFunc(GL_ALWAYS, kAllBits, kAllBits);
+  gl_.StencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
+  const Pose X_CW = view.X_WC.inverse();
+  for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, stand_still)) {
+    const ShaderProgram& program = programs_.get(part->features);
+    program.set("part", parts_.numberOf(*part));
+    setMaterial(gl_, program, *part);
+    setStencil(bits.of(*part));
+    drawSurface(gl_, program, *part, view, X_WL[part->link]);
+  }
+  gl_.Disable(GL_STENCIL_TEST);
+  gl_.StencilMask(kAllBits);
+}
+
+/// Whether and which bits what is drawn from now on sets.
+void GeometryPainter::setStencil(GLuint bits) {
+  if (bits == 0) {
+    gl_.Disable(GL_STENCIL_TEST);
+    return;
+  }
+  gl_.Enable(GL_STENCIL_TEST);
+  gl_.StencilMask(bits);
+}
+
+}  // namespace synthetic_dataset::render

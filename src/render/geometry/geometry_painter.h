@@ -1,0 +1,36 @@
+#pragma once
+
+#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/silhouette_bits.h"
+#include "render/parts/draw_list.h"
+#include "render/parts/shader_family.h"
+#include "render/view.h"
+
+namespace synthetic_dataset::render {
+
+/// Draws surfaces, unlit, into the bound GeometryBuffer. Of surfaces at the same place that stands
+/// which never moves, of several of them the last one.
+class GeometryPainter {
+ public:
+  /// @param parts  has to outlive this
+  GeometryPainter(const GlFunctions& gl, const DrawList& parts);
+
+  /// What the buffers have to hold for these parts.
+  [[nodiscard]] const GeometryPlanes& planes() const { return planes_; }
+
+  /// The selected parts that one cannot see through.
+  /// @param stand_still  those that do, which have to be drawn before the others, or the others
+  /// @param bits  that the parts set in the stencil, hidden or not
+  void paint(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
+             bool stand_still, const SilhouetteBits& bits);
+
+ private:
+  void setStencil(GLuint bits);
+
+  const GlFunctions& gl_;
+  const DrawList& parts_;
+  GeometryPlanes planes_;
+  ShaderFamily programs_;
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,55 @@
+#include "render/gl/osmesa_context.h"
+
+#include <GL/osmesa.h>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+constexpr std::array<int, 11> kAttributes = {OSMESA_FORMAT,
+                                             OSMESA_RGBA,
+                                             OSMESA_PROFILE,
+                                             OSMESA_CORE_PROFILE,
+                                             OSMESA_CONTEXT_MAJOR_VERSION,
+                                             4,
+                                             OSMESA_CONTEXT_MINOR_VERSION,
+                                             5,
+                                             OSMESA_DEPTH_BITS,
+                                             0,
+                                             0};
+
+void* entryPoint(const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }
+
+}  // namespace
+
+void OsmesaContext::Destroy::operator()(void* context) const {
+  OSMesaDestroyContext(static_cast<OSMesaContext>(context));
+}
+
+OsmesaContext::OsmesaContext() : context_(OSMesaCreateContextAttribs(kAttributes.data(), nullptr)) {
+  if (!context_) {
+    throw Error(
+        "OSMesa cannot make an OpenGL 4.5 core context; it needs Mesa's llvmpipe driver (package "
+        "libosmesa6, version 20 or newer)");
+  }
+  if (OSMesaMakeCurrent(static_cast<OSMesaContext>(context_.get()), unused_picture_.data(),
+                        GL_UNSIGNED_BYTE, 1, 1) != GL_TRUE) {
+    throw Error("OSMesa cannot make its context current");
+  }
+  gl_ = std::make_unique<GlFunctions>(entryPoint);
+  if (gl_->GetString(GL_VERSION) == nullptr) {
+    throw Error(
+        "OSMesa's context does not answer: another libGL was loaded into the process before it "
+        "(often by a library linked with opencv_highgui)");
+  }
+}
+
+std::string OsmesaContext::version() const {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): OpenGL's texts are unsigned
+  return reinterpret_cast<const char*>(gl_->GetString(GL_VERSION));
+}
+
+OsmesaContext::~OsmesaContext() { OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/gl/gl_object.h"
+
+namespace synthetic_dataset::render {
+
+/// A vertex and a fragment shader, linked. Uniforms are set by their name in the source; setting
+/// one that the compiler left out because nothing uses it does nothing.
+class ShaderProgram {
+ public:
+  /// @throws Error with the compiler's message
+  ShaderProgram(const GlFunctions& gl, const std::string& vertex_source,
+                const std::string& fragment_source);
+
+  void use() const;
+
+  void set(const std::string& uniform, int value) const;
+  void set(const std::string& uniform, std::uint32_t value) const;
+  void set(const std::string& uniform, float value) const;
+  void set(const std::string& uniform, const Eigen::Vector3f& value) const;
+  void set(const std::string& uniform, const Eigen::Vector4f& value) const;
+  void set(const std::string& uniform, const Eigen::Matrix4f& value) const;
+  void set(const std::string& uniform, const std::vector<Eigen::Vector4f>& values) const;
+
+ private:
+  [[nodiscard]] GLint location(const std::string& uniform) const;
+
+  const GlFunctions& gl_;
+  GlProgram program_;
+  mutable std::unordered_map<std::string, GLint> locations_;  // asked of the driver once
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "render/geometry/geometry_buffer.h"
+#include "render/gl/render_target.h"
+#include "render/lens/lens_library.h"
+#include "render/parts/draw_list.h"
+#include "render/parts/shader_family.h"
+#include "render/view.h"
+
+namespace synthetic_dataset::render {
+
+/// What a label pass shows.
+struct LabelPass {
+  LinkSelection drawn;   ///< the links that are seen
+  bool links = false;    ///< whether LabelImages::links is made
+  bool normals = false;  ///< whether LabelImages::normals is made
+  bool range = false;    ///< whether LabelImages::range is made
+};
+
+/// What geometry tells of labels.
+/// @param images  of the whole picture
+/// @param pass  without normals
+[[nodiscard]] LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
+                                   const Intrinsics& intrinsics, const LabelPass& pass);
+
+/// Draws what each pixel's centre sees, where geometry does not tell.
+class LabelPainter {
+ public:
+  /// @param parts  have to outlive this
+  LabelPainter(const GlFunctions& gl, const DrawList& parts, LensLibrary& lenses);
+
+  [[nodiscard]] LabelImages paint(const View& view, const std::vector<Pose>& X_WL,
+                                  const LabelPass& pass);
+
+ private:
+  [[nodiscard]] LabelImages paintPinhole(const View& view, const std::vector<Pose>& X_WL,
+                                         const LinkSelection& drawn, const LabelPlanes& planes);
+  [[nodiscard]] const LabelTarget& targetFor(const cv::Size& size, const LabelPlanes& planes);
+
+  const GlFunctions& gl_;
+  const DrawList& parts_;
+  LensLibrary& lenses_;
+  ShaderFamily programs_;
+  std::map<LabelPlanes, std::optional<LabelTarget>> targets_;  // as large as the largest so far
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,272 @@
+#include "render/labels/silhouette_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+#include "render/lens/lens_resampling.h"
+#include "render/parts/surface_drawing.h"
+#include "render/shaders.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// A picture of a part of the image's plane, in cells of one or more pixels.
+struct Window {
+  CameraModel camera;
+  double left = 0.0;  ///< the first cell's edge [px]
+  double top = 0.0;
+  double cell_width = 1.0;  ///< [px]
+  double cell_height = 1.0;
+
+  [[nodiscard]] Box cell(int u, int v) const {
+    return {left + u * cell_width, top + v * cell_height, left + (u + 1) * cell_width,
+            top + (v + 1) * cell_height};
+  }
+};
+
+/// The camera's view of `columns` x `rows` cells, the first of which begins at (left, top).
+Window makeWindow(const CameraModel& camera, double left, double top, double cell_width,
+                  double cell_height, const cv::Size& cells) {
+  const Intrinsics& k = camera.intrinsics();
+  const Intrinsics inner{k.fx / cell_width, k.fy / cell_height, (k.cx - left) / cell_width - 0.5,
+                         (k.cy - top) / cell_height - 0.5};
+  return {CameraModel(cells.width, cells.height, inner, camera.near(), camera.far(),
+                      camera.distortion()),
+          left, top, cell_width, cell_height};
+}
+
+/// The cells of a window that a box touches.
+cv::Rect cellsWithin(const Window& window, const Box& box) {
+  const int width = window.camera.width();
+  const int height = window.camera.height();
+  const auto cell = [](double place, int count) {
+    return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(count)));
+  };
+  const cv::Point low(cell(std::floor((box.left - window.left) / window.cell_width), width),
+                      cell(std::floor((box.top - window.top) / window.cell_height), height));
+  const cv::Point high(cell(std::ceil((box.right - window.left) / window.cell_width), width),
+                       cell(std::ceil((box.bottom - window.top) / window.cell_height), height));
+  return {low, high};
+}
+
+/// The camera's own image.
+Window imageWindow(const CameraModel& camera) { return {camera, -0.5, -0.5, 1.0, 1.0}; }
+
+/// The image and as much again on each of its sides.
+Box canvasOf(const CameraModel& camera) {
+  const int width = camera.width();
+  const int height = camera.height();
+  return {-width - 0.5, -height - 0.5, 2 * width - 0.5, 2 * height - 0.5};
+}
+
+bool holds(const Box& outer, const Box& inner) {
+  return outer.left <= inner.left && outer.top <= inner.top && outer.right >= inner.right &&
+         outer.bottom >= inner.bottom;
+}
+
+void expand(std::optional<Box>& box, const Box& by) {
+  if (!box) {
+    box = by;
+    return;
+  }
+  *box = {std::min(box->left, by.left), std::min(box->top, by.top), std::max(box->right, by.right),
+          std::max(box->bottom, by.bottom)};
+}
+
+double areaOf(const Box& box) { return box.width() * box.height(); }
+
+}  // namespace
+
+struct SilhouettePainter::Subject {
+  const std::vector<Pose>& X_WL;
+  const LinkSelection& links;
+
+  [[nodiscard]] bool has(const Part& part) const {
+    return links[part.link] && !seenThroughInLabels(part);
+  }
+};
+
+/// Adds up what the windows show.
+class SilhouettePainter::Tally {
+ public:
+  /// @param mask  the cells `region` of the window; pixels, one by one
+  void addPixels(const Window& window, const cv::Rect& region, const cv::Mat& mask) {
+    const cv::Rect covered = cv::boundingRect(mask);
+    if (covered.empty()) return;
+    area_ += cv::countNonZero(mask);
+    const Box first = window.cell(region.x + covered.x, region.y + covered.y);
+    const Box last = window.cell(region.x + covered.br().x - 1, region.y + covered.br().y - 1);
+    expand(box_, {first.left, first.top, last.right, last.bottom});
+  }
+
+  /// The same where cells are of any size and count by their area.
+  /// @param known  what of the plane has been counted already
+  void addCells(const Window& window, const cv::Rect& region, const cv::Mat& mask,
+                const Box& known) {
+    for (int v = 0; v < mask.rows; ++v) {
+      for (int u = 0; u < mask.cols; ++u) {
+        if (mask.at<unsigned char>(v, u) == 0) continue;
+        const Box cell = window.cell(region.x + u, region.y + v);
+        const auto both = intersection(cell, known);
+        const double area = areaOf(cell) - (both ? areaOf(*both) : 0.0);
+        if (area <= 0.0) continue;
+        area_ += area;
+        expand(box_, cell);
+      }
+    }
+  }
+
+  [[nodiscard]] std::int64_t pixels() const { return std::llround(area_); }
+  [[nodiscard]] const std::optional<Box>& box() const { return box_; }
+
+ private:
+  double area_ = 0.0;
+  std::optional<Box> box_;
+};
+
+SilhouettePainter::SilhouettePainter(const GlFunctions& gl, const DrawList& parts,
+                                     LensLibrary& lenses)
+    : gl_(gl),
+      parts_(parts),
+      lenses_(lenses),
+      programs_(gl, shaders::kMeshVertex, shaders::kSilhouetteFragment, feature::kHoles) {}
+
+/// Where the subject may have pixels.
+std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject, const View& view) const {
+  // Through a lens, bounds are costly: they are taken of all parts together, which is never less.
+  const bool together = hasDistortion(view.camera);
+  const Pose X_CW = view.X_WC.inverse();
+  std::optional<Box> bounds;
+  std::vector<Eigen::Vector3d> corners_C;
+  const auto add = [&] {
+    if (corners_C.empty()) return;
+    if (const auto box = view.camera.projectedBounds(corners_C)) expand(bounds, *box);
+    corners_C.clear();
+  };
+  for (const Part& part : parts_.parts()) {
+    if (!subject.has(part) || part.bounds_V.isEmpty()) continue;
+    const Pose X_CV = X_CW * subject.X_WL[part.link] * part.X_LV;
+    for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
+      corners_C.push_back(X_CV * corner);
+    }
+    if (!together) add();
+  }
+  add();
+  if (!bounds) return std::nullopt;
+  constexpr double kSlack = 1.0;  // [px] for what is drawn in single precision
+  return Box{bounds->left - kSlack, bounds->top - kSlack, bounds->right + kSlack,
+             bounds->bottom + kSlack};
+}
+
+cv::Mat SilhouettePainter::drawPinhole(const Subject& subject, const View& view,
+                                       const cv::Rect& region) {
+  const cv::Size size(view.camera.width(), view.camera.height());
+  if (!target_ || target_->width() < size.width || target_->height() < size.height) {
+    const cv::Size held = target_ ? cv::Size(target_->width(), target_->height()) : cv::Size();
+    target_.reset();
+    target_.emplace(gl_, std::max(size.width, held.width), std::max(size.height, held.height));
+  }
+  target_->begin(size, region);
+  for (const Part& part : parts_.parts()) {
+    if (!subject.has(part)) continue;
+    drawSurface(gl_, programs_.get(part.features), part, view, subject.X_WL[part.link]);
+  }
+  return target_->read(region);
+}
+
+/// The pixels `region` of the view's image: CV_8UC1 of the region's size.
+cv::Mat SilhouettePainter::draw(const Subject& subject, const View& view, const cv::Rect& region) {
+  if (!hasDistortion(view.camera)) return drawPinhole(subject, view, region);
+  cv::Mat mask = cv::Mat::zeros(region.size(), CV_8UC1);
+  const auto lens = lenses_.get(view.camera);
+  const std::vector<View> views = faceViews(*lens, view);
+  for (std::size_t face = 0; face < views.size(); ++face) {
+    const cv::Rect needed = neededOf(*lens, face, region);
+    if (needed.empty()) continue;
+    resampleMask(*lens, face, drawPinhole(subject, views[face], needed), needed, region, mask);
+  }
+  return mask;
+}
+
+/// The grid of pixels goes on in pictures of the image's size.
+void SilhouettePainter::addBesideTheImage(const Subject& subject, const View& view,
+                                          const Box& bounds, Tally& tally) {
+  const cv::Size size(view.camera.width(), view.camera.height());
+  for (int row = -1; row <= 1; ++row) {
+    for (int column = -1; column <= 1; ++column) {
+      if (row == 0 && column == 0) continue;
+      const Window window = makeWindow(view.camera, column * size.width - 0.5,
+                                       row * size.height - 0.5, 1.0, 1.0, size);
+      const cv::Rect region = cellsWithin(window, bounds);
+      if (region.empty()) continue;
+      tally.addPixels(window, region, draw(subject, {window.camera, view.X_WC}, region));
+    }
+  }
+}
+
+/// All that lies beyond the canvas, in so many cells that they reach the bounds.
+void SilhouettePainter::addFarAway(const Subject& subject, const View& view, const Box& bounds,
+                                   Tally& tally) {
+  const auto edgeBefore = [](double place) { return std::floor(place + 0.5) - 0.5; };
+  const double left = edgeBefore(bounds.left);
+  const double top = edgeBefore(bounds.top);
+  const double cell_width = std::ceil((bounds.right - left) / kCoarseCells);
+  const double cell_height = std::ceil((bounds.bottom - top) / kCoarseCells);
+  const cv::Size count(static_cast<int>(std::ceil((bounds.right - left) / cell_width)),
+                       static_cast<int>(std::ceil((bounds.bottom - top) / cell_height)));
+  const Window window = makeWindow(view.camera, left, top, cell_width, cell_height, count);
+  const cv::Rect region({0, 0}, count);
+  tally.addCells(window, region, draw(subject, {window.camera, view.X_WC}, region),
+                 canvasOf(view.camera));
+}
+
+void SilhouettePainter::addBesideTheLens(const Subject& subject, const View& view,
+                                         const Box& bounds, Tally& tally) {
+  constexpr double kMostCells = 4.2e6;  // a lens map takes 14 bytes a cell, and time to make
+  constexpr double kLongestSide = 16384.0;
+  const Box canvas = canvasOf(view.camera);
+  const double longest = std::max(canvas.width(), canvas.height());
+  const double cell =
+      std::ceil(std::max(std::sqrt(areaOf(canvas) / kMostCells), longest / kLongestSide));
+  const cv::Size count(static_cast<int>(std::ceil(canvas.width() / cell)),
+                       static_cast<int>(std::ceil(canvas.height() / cell)));
+  const Window window = makeWindow(view.camera, canvas.left, canvas.top, cell, cell, count);
+  const cv::Rect region = cellsWithin(window, bounds);
+  if (region.empty()) return;
+  tally.addCells(window, region, draw(subject, {window.camera, view.X_WC}, region),
+                 view.camera.imageBounds());
+}
+
+Silhouette SilhouettePainter::paint(const View& view, const std::vector<Pose>& X_WL,
+                                    const LinkSelection& links,
+                                    const std::optional<CoveredPixels>& in_image) {
+  const Subject subject{X_WL, links};
+  Silhouette silhouette;
+  silhouette.mask = cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
+  const std::optional<Box> bounds = boundsOf(subject, view);
+  if (!bounds) return silhouette;
+  Tally tally;
+  const Window image = imageWindow(view.camera);
+  const cv::Rect region = in_image ? in_image->place : cellsWithin(image, *bounds);
+  if (!region.empty()) {
+    const cv::Mat covered = in_image ? in_image->mask : draw(subject, view, region);
+    covered.copyTo(silhouette.mask(region));
+    tally.addPixels(image, region, covered);
+    silhouette.pixels_in_image = tally.pixels();
+  }
+  if (!holds(view.camera.imageBounds(), *bounds)) {
+    if (hasDistortion(view.camera)) {
+      addBesideTheLens(subject, view, *bounds, tally);
+    } else {
+      addBesideTheImage(subject, view, *bounds, tally);
+      if (!holds(canvasOf(view.camera), *bounds)) addFarAway(subject, view, *bounds, tally);
+    }
+  }
+  silhouette.pixels = tally.pixels();
+  silhouette.box = tally.box();
+  return silhouette;
+}
+
+}  // namespace synthetic_dataset::render

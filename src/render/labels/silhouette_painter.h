@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/gl/render_target.h"
+#include "render/lens/lens_library.h"
+#include "render/parts/draw_list.h"
+#include "render/parts/shader_family.h"
+#include "render/view.h"
+#include "synthetic_dataset/box.h"
+
+namespace synthetic_dataset::render {
+
+/// What links cover as if nothing stood in front of them. Pixels are sampled at their centres.
+struct Silhouette {
+  cv::Mat mask;                      ///< CV_8UC1 of the image's size: 255 on the links, 0 elsewhere
+  std::optional<Box> box;            ///< round all pixels' edges [px], past the image's edge too
+  std::int64_t pixels = 0;           ///< all of them, past the image's edge too
+  std::int64_t pixels_in_image = 0;  ///< those of the mask
+};
+
+/// What links cover, whatever hides them, within some pixels of an image.
+struct CoveredPixels {
+  cv::Rect place;  ///< they cover none beside these
+  cv::Mat mask;    ///< CV_8UC1 of that size: 255 on the links, 0 elsewhere
+};
+
+/// Draws what links cover, in the image and beyond its edge.
+///
+/// Only the pixels where the links' bounds fall are drawn. In the image they are those of
+/// LabelPainter. Beyond its edge the camera's grid of pixels goes on: as it is up to one image's
+/// width and height away; farther off, where only things beside the camera reach, what is left is
+/// drawn in up to kCoarseCells x kCoarseCells cells of whole pixels, counted by their area. Through
+/// a lens with distortion it goes on up to one image's width and height, or as far as the lens
+/// sees; in large images in cells of several pixels.
+class SilhouettePainter {
+ public:
+  static constexpr int kCoarseCells = 1024;
+
+  /// @param parts  have to outlive this
+  SilhouettePainter(const GlFunctions& gl, const DrawList& parts, LensLibrary& lenses);
+
+  /// @param links  those that are seen
+  /// @param in_image  what they cover in the image, if that is known
+  [[nodiscard]] Silhouette paint(const View& view, const std::vector<Pose>& X_WL,
+                                 const LinkSelection& links,
+                                 const std::optional<CoveredPixels>& in_image);
+
+ private:
+  struct Subject;  ///< what is painted, and where it stands
+  class Tally;
+
+  [[nodiscard]] std::optional<Box> boundsOf(const Subject& subject, const View& view) const;
+  [[nodiscard]] cv::Mat drawPinhole(const Subject& subject, const View& view,
+                                    const cv::Rect& region);
+  [[nodiscard]] cv::Mat draw(const Subject& subject, const View& view, const cv::Rect& region);
+  void addBesideTheImage(const Subject& subject, const View& view, const Box& bounds, Tally& tally);
+  void addFarAway(const Subject& subject, const View& view, const Box& bounds, Tally& tally);
+  void addBesideTheLens(const Subject& subject, const View& view, const Box& bounds, Tally& tally);
+
+  const GlFunctions& gl_;
+  const DrawList& parts_;
+  LensLibrary& lenses_;
+  ShaderFamily programs_;
+  std::optional<MaskTarget> target_;  // as large as the largest picture so far
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,229 @@
+#include "render/lens/lens_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <opencv2/core/utility.hpp>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// Beyond this angle from the axis one plane gets too large, and the sides of a cube are drawn.
+constexpr double kWidestFace = 1.05;  // [rad]
+
+constexpr double kDensity = 2.0;    // face pixels in a row for a pixel of the picture
+constexpr double kFinest = 4.0;     // at most this many times the lens's focal length
+constexpr int kMargin = 8;          // [px] drawn beyond what is looked at, for filters
+constexpr int kLargestTile = 4096;  // [px]
+
+/// A plane that is drawn, and which of its places the picture's pixels look at.
+struct Plane {
+  Pose X_CF = Pose::Identity();
+  double left = std::numeric_limits<double>::infinity();  // at z = 1
+  double top = std::numeric_limits<double>::infinity();
+  double right = -std::numeric_limits<double>::infinity();
+  double bottom = -std::numeric_limits<double>::infinity();
+  double least_area = std::numeric_limits<double>::infinity();  // of a pixel, at z = 1
+  double least_cosine = 1.0;                                    // of a ray with the plane's axis
+
+  [[nodiscard]] bool used() const { return left <= right; }
+};
+
+/// Directions as vectors; the plane that each belongs to is chosen by its largest coordinate.
+Eigen::Vector3d vectorOf(const cv::Vec3f& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+/// The sides of a cube: ahead, right, left, below, above, behind.
+std::vector<Plane> cubePlanes() {
+  std::vector<Plane> planes(6);
+  const std::array<std::array<int, 9>, 6> axes = {{
+      // x, y and z of the side's frame, in the lens's frame
+      {1, 0, 0, 0, 1, 0, 0, 0, 1},
+      {0, 0, -1, 0, 1, 0, 1, 0, 0},
+      {0, 0, 1, 0, 1, 0, -1, 0, 0},
+      {1, 0, 0, 0, 0, -1, 0, 1, 0},
+      {1, 0, 0, 0, 0, 1, 0, -1, 0},
+      {-1, 0, 0, 0, 1, 0, 0, 0, -1},
+  }};
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (std::size_t j = 0; j < 9; ++j) {
+      planes[i].X_CF.matrix()(static_cast<Eigen::Index>(j % 3), static_cast<Eigen::Index>(j / 3)) =
+          axes[i][j];
+    }
+  }
+  return planes;
+}
+
+int cubeSide(const cv::Vec3f& ray) {
+  const float x = std::abs(ray[0]);
+  const float y = std::abs(ray[1]);
+  const float z = std::abs(ray[2]);
+  if (z >= x && z >= y) return ray[2] > 0.0F ? 0 : 5;
+  if (x >= y) return ray[0] > 0.0F ? 1 : 2;
+  return ray[1] > 0.0F ? 3 : 4;
+}
+
+/// Each pixel's direction, and 0 or -1 in `face`.
+LensMap lookAlongRays(const CameraModel& camera) {
+  LensMap map;
+  map.rays = cv::Mat::zeros(camera.height(), camera.width(), CV_32FC3);
+  map.face = cv::Mat(camera.height(), camera.width(), CV_16SC1, cv::Scalar(-1));
+  // Rows are worked on side by side; no two calls share a pixel.
+  cv::parallel_for_(cv::Range(0, camera.height()), [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v) {
+      for (int u = 0; u < camera.width(); ++u) {
+        const auto ray = camera.ray(Eigen::Vector2d(u, v));
+        if (!ray) continue;
+        const Eigen::Vector3f r = ray->cast<float>();
+        map.rays.at<cv::Vec3f>(v, u) = {r.x(), r.y(), r.z()};
+        map.face.at<std::int16_t>(v, u) = 0;
+      }
+    }
+  });
+  return map;
+}
+
+bool fitsOnePlane(const LensMap& map) {
+  const auto least = static_cast<float>(std::cos(kWidestFace));
+  for (int v = 0; v < map.face.rows; ++v) {
+    for (int u = 0; u < map.face.cols; ++u) {
+      if (map.face.at<std::int16_t>(v, u) < 0) continue;
+      if (map.rays.at<cv::Vec3f>(v, u)[2] < least) return false;
+    }
+  }
+  return true;
+}
+
+/// Where the ray meets the plane.
+Eigen::Vector2d meet(const Plane& plane, const cv::Vec3f& ray) {
+  const Eigen::Vector3d d = plane.X_CF.linear().transpose() * vectorOf(ray);
+  return d.head<2>() / d.z();
+}
+
+/// Takes note of what the pixel needs of its plane.
+void measure(const LensMap& map, int u, int v, Plane& plane) {
+  const cv::Vec3f& ray = map.rays.at<cv::Vec3f>(v, u);
+  const Eigen::Vector2d place = meet(plane, ray);
+  plane.left = std::min(plane.left, place.x());
+  plane.right = std::max(plane.right, place.x());
+  plane.top = std::min(plane.top, place.y());
+  plane.bottom = std::max(plane.bottom, place.y());
+  plane.least_cosine =
+      std::min(plane.least_cosine, (plane.X_CF.linear().transpose() * vectorOf(ray)).z());
+  if (u + 1 >= map.face.cols || v + 1 >= map.face.rows) return;
+  if (map.face.at<std::int16_t>(v, u + 1) < 0 || map.face.at<std::int16_t>(v + 1, u) < 0) return;
+  const Eigen::Vector2d right = meet(plane, map.rays.at<cv::Vec3f>(v, u + 1)) - place;
+  const Eigen::Vector2d down = meet(plane, map.rays.at<cv::Vec3f>(v + 1, u)) - place;
+  const double area = std::abs(right.x() * down.y() - right.y() * down.x());
+  plane.least_area = std::min(plane.least_area, area);
+}
+
+double focalLengthOf(const Plane& plane, const CameraModel& camera) {
+  const double coarsest = 0.1 * std::min(camera.intrinsics().fx, camera.intrinsics().fy);
+  const double finest = kFinest * std::max(camera.intrinsics().fx, camera.intrinsics().fy);
+  return std::clamp(kDensity / std::sqrt(plane.least_area), coarsest, finest);
+}
+
+/// How a plane's used part is cut: pixel rows or columns of equal tiles.
+struct Cut {
+  int count = 1;
+  int first = 0;   ///< the first tile's first pixel, from the plane's axis
+  int length = 1;  ///< of each tile, without its margins
+
+  [[nodiscard]] int tileOf(double place) const {
+    const int tile = static_cast<int>(std::floor((place - first) / length));
+    return std::clamp(tile, 0, count - 1);
+  }
+};
+
+Cut cutInto(double low, double high) {
+  Cut cut;
+  cut.first = static_cast<int>(std::floor(low));
+  const int whole = static_cast<int>(std::ceil(high)) - cut.first + 1;
+  cut.count = (whole + kLargestTile - 1) / kLargestTile;
+  cut.length = (whole + cut.count - 1) / cut.count;
+  return cut;
+}
+
+/// The tiles of a plane, and where in the list of faces they begin.
+struct Tiles {
+  double focal_length = 1.0;
+  Cut across;
+  Cut down;
+  int first_face = 0;
+};
+
+/// Nothing that the lens shows is cut off by a face's near plane: where the lens measures distance,
+/// or its near plane is turned, the face's plane comes nearer.
+double nearOf(const Plane& plane, const CameraModel& camera) {
+  const bool same_plane = camera.distortion().model != DistortionModel::kEquidistant &&
+                          plane.X_CF.linear().isIdentity();
+  constexpr double kSlack = 0.98;  // for the margins
+  return same_plane ? camera.near() : camera.near() * plane.least_cosine * kSlack;
+}
+
+Tiles addTiles(const Plane& plane, const CameraModel& camera, std::vector<LensFace>& faces) {
+  Tiles tiles;
+  tiles.focal_length = focalLengthOf(plane, camera);
+  const double f = tiles.focal_length;
+  tiles.across = cutInto(f * plane.left, f * plane.right);
+  tiles.down = cutInto(f * plane.top, f * plane.bottom);
+  tiles.first_face = static_cast<int>(faces.size());
+  for (int row = 0; row < tiles.down.count; ++row) {
+    for (int column = 0; column < tiles.across.count; ++column) {
+      const double left = tiles.across.first + column * tiles.across.length - kMargin;
+      const double top = tiles.down.first + row * tiles.down.length - kMargin;
+      const CameraModel tile(tiles.across.length + 2 * kMargin, tiles.down.length + 2 * kMargin,
+                             {f, f, -left, -top}, nearOf(plane, camera), camera.far());
+      faces.push_back({tile, plane.X_CF});
+    }
+  }
+  return tiles;
+}
+
+}  // namespace
+
+bool hasDistortion(const CameraModel& camera) {
+  constexpr double kHalfPi = 1.5707963;
+  return camera.distortion().model != DistortionModel::kNone || camera.largestAngle() < kHalfPi;
+}
+
+LensMap makeLensMap(const CameraModel& camera) {
+  LensMap map = lookAlongRays(camera);
+  const bool one_plane = fitsOnePlane(map);
+  std::vector<Plane> planes = one_plane ? std::vector<Plane>(1) : cubePlanes();
+  const auto planeOf = [&](int v, int u) {
+    return one_plane ? 0 : cubeSide(map.rays.at<cv::Vec3f>(v, u));
+  };
+  for (int v = 0; v < map.face.rows; ++v) {
+    for (int u = 0; u < map.face.cols; ++u) {
+      if (map.face.at<std::int16_t>(v, u) < 0) continue;
+      measure(map, u, v, planes[static_cast<std::size_t>(planeOf(v, u))]);
+    }
+  }
+  std::vector<Tiles> tiles(planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (planes[i].used()) tiles[i] = addTiles(planes[i], camera, map.faces);
+  }
+  for (int v = 0; v < map.face.rows; ++v) {
+    for (int u = 0; u < map.face.cols; ++u) {
+      auto& face = map.face.at<std::int16_t>(v, u);
+      if (face < 0) continue;
+      const auto i = static_cast<std::size_t>(planeOf(v, u));
+      const Eigen::Vector2d place =
+          tiles[i].focal_length * meet(planes[i], map.rays.at<cv::Vec3f>(v, u));
+      face = static_cast<std::int16_t>(tiles[i].first_face +
+                                       tiles[i].down.tileOf(place.y()) * tiles[i].across.count +
+                                       tiles[i].across.tileOf(place.x()));
+    }
+  }
+  return map;
+}
+
+}  // namespace synthetic_dataset::render

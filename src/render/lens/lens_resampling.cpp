@@ -1,0 +1,179 @@
+#include "render/lens/lens_resampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <opencv2/core/utility.hpp>
+
+#include "sensor/srgb.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// Calls work(u, v) for each pixel of a region that looks at the face. Rows are worked on side by
+/// side; no two calls share a pixel.
+template <class Work>
+void forEachPixel(const LensMap& map, std::size_t face, const cv::Rect& region, const Work& work) {
+  const auto wanted = static_cast<std::int16_t>(face);
+  cv::parallel_for_(cv::Range(region.y, region.y + region.height), [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v) {
+      const auto* faces = map.face.ptr<std::int16_t>(v);
+      for (int u = region.x; u < region.x + region.width; ++u) {
+        if (faces[u] == wanted) work(u, v);
+      }
+    }
+  });
+}
+
+/// How far on the face one step of a pixel leads, to the pixel's neighbour on one side or, at the
+/// lens's rim, on the other.
+cv::Point2f stepOf(const LensMap& map, const LensFace& face, int u, int v, int du, int dv) {
+  const cv::Rect image(0, 0, map.face.cols, map.face.rows);
+  const cv::Point2f here = placeOn(face, map.rays.at<cv::Vec3f>(v, u));
+  for (const int sign : {1, -1}) {
+    const cv::Point neighbour(u + sign * du, v + sign * dv);
+    if (!image.contains(neighbour) || map.face.at<std::int16_t>(neighbour) < 0) continue;
+    const cv::Point2f there = placeOn(face, map.rays.at<cv::Vec3f>(neighbour));
+    return static_cast<float>(sign) * (there - here);
+  }
+  return {0.0F, 0.0F};
+}
+
+/// Light between pixels, mixed of the four round the place.
+cv::Vec3f lightAt(const cv::Mat& drawn, cv::Point2f place) {
+  const auto& linear = sensor::linearFromSrgb();
+  const float x = std::clamp(place.x, 0.0F, static_cast<float>(drawn.cols - 1));
+  const float y = std::clamp(place.y, 0.0F, static_cast<float>(drawn.rows - 1));
+  const int u = std::min(static_cast<int>(x), std::max(drawn.cols - 2, 0));
+  const int v = std::min(static_cast<int>(y), std::max(drawn.rows - 2, 0));
+  const int next_u = std::min(u + 1, drawn.cols - 1);
+  const float a = x - static_cast<float>(u);
+  const float b = y - static_cast<float>(v);
+  const auto* top = drawn.ptr<cv::Vec3b>(v);
+  const auto* bottom = drawn.ptr<cv::Vec3b>(std::min(v + 1, drawn.rows - 1));
+  cv::Vec3f light;
+  for (int i = 0; i < 3; ++i) {
+    const float above = (1.0F - a) * linear[top[u][i]] + a * linear[top[next_u][i]];
+    const float below = (1.0F - a) * linear[bottom[u][i]] + a * linear[bottom[next_u][i]];
+    light[i] = (1.0F - b) * above + b * below;
+  }
+  return light;
+}
+
+cv::Point nearestPixel(const cv::Size& face, cv::Point2f place) {
+  return {std::clamp(static_cast<int>(std::lround(place.x)), 0, face.width - 1),
+          std::clamp(static_cast<int>(std::lround(place.y)), 0, face.height - 1)};
+}
+
+/// The depth at a place of the plane that the nearest pixel sees: 1 / z is linear over the image.
+double depthAt(const LabelImages& drawn, cv::Point2f place, cv::Point nearest,
+               const CameraModel& face) {
+  const auto depth = static_cast<double>(drawn.depth.at<float>(nearest));
+  const auto& slope = drawn.slopes.at<cv::Vec2f>(nearest);
+  const cv::Point2f step = place - cv::Point2f(nearest);
+  const double inverse = 1.0 / depth + static_cast<double>(slope[0] * step.x + slope[1] * step.y);
+  // A plane seen edge-on may not reach as far as the place.
+  if (!(inverse > 1.0 / face.far() && inverse < 1.0 / face.near())) return depth;
+  return 1.0 / inverse;
+}
+
+}  // namespace
+
+cv::Rect neededOf(const LensMap& map, std::size_t face, const cv::Rect& region) {
+  constexpr int kRoom = 8;  // [px]
+  const LensFace& f = map.faces[face];
+  const auto wanted = static_cast<std::int16_t>(face);
+  cv::Point2f low(1e9F, 1e9F);
+  cv::Point2f high(-1e9F, -1e9F);
+  for (int v = region.y; v < region.y + region.height; ++v) {
+    for (int u = region.x; u < region.x + region.width; ++u) {
+      if (map.face.at<std::int16_t>(v, u) != wanted) continue;
+      const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
+      low = {std::min(low.x, place.x), std::min(low.y, place.y)};
+      high = {std::max(high.x, place.x), std::max(high.y, place.y)};
+    }
+  }
+  if (low.x > high.x) return {};
+  const cv::Rect round(
+      cv::Point(static_cast<int>(low.x) - kRoom, static_cast<int>(low.y) - kRoom),
+      cv::Point(static_cast<int>(high.x) + kRoom + 1, static_cast<int>(high.y) + kRoom + 1));
+  return round & cv::Rect(0, 0, f.camera.width(), f.camera.height());
+}
+
+void resampleSmooth(const LensMap& map, std::size_t face, const cv::Mat& drawn,
+                    const cv::Rect& region, cv::Mat& picture) {
+  constexpr float kMostTaps = 8.0F;
+  const LensFace& f = map.faces[face];
+  forEachPixel(map, face, region, [&](int u, int v) {
+    const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
+    const cv::Point2f right = stepOf(map, f, u, v, 1, 0);
+    const cv::Point2f down = stepOf(map, f, u, v, 0, 1);
+    // So many places in each direction that they lie about a face's pixel apart.
+    const auto taps = [&](cv::Point2f step) {
+      return static_cast<int>(std::clamp(std::round(std::hypot(step.x, step.y)), 1.0F, kMostTaps));
+    };
+    const int across = taps(right);
+    const int along = taps(down);
+    cv::Vec3f light(0.0F, 0.0F, 0.0F);
+    for (int j = 0; j < along; ++j) {
+      const float b = (static_cast<float>(j) + 0.5F) / static_cast<float>(along) - 0.5F;
+      for (int i = 0; i < across; ++i) {
+        const float a = (static_cast<float>(i) + 0.5F) / static_cast<float>(across) - 0.5F;
+        light += lightAt(drawn, place + a * right + b * down);
+      }
+    }
+    const float share = 1.0F / static_cast<float>(across * along);
+    for (int i = 0; i < 3; ++i) {
+      picture.at<cv::Vec3b>(v, u)[i] = sensor::srgbFromLinear(share * light[i]);
+    }
+  });
+}
+
+void resampleCentres(const LensMap& map, std::size_t face, const cv::Mat& drawn,
+                     const cv::Rect& region, cv::Mat& picture) {
+  const LensFace& f = map.faces[face];
+  forEachPixel(map, face, region, [&](int u, int v) {
+    const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
+    picture.at<cv::Vec3b>(v, u) = drawn.at<cv::Vec3b>(nearestPixel(drawn.size(), place));
+  });
+}
+
+void resampleMask(const LensMap& map, std::size_t face, const cv::Mat& drawn,
+                  const cv::Rect& needed, const cv::Rect& region, cv::Mat& mask) {
+  const LensFace& f = map.faces[face];
+  const cv::Size size(f.camera.width(), f.camera.height());
+  forEachPixel(map, face, region, [&](int u, int v) {
+    const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
+    const cv::Point nearest = nearestPixel(size, place) - needed.tl();
+    mask.at<std::uint8_t>(v - region.y, u - region.x) = drawn.at<std::uint8_t>(nearest);
+  });
+}
+
+void resampleLabels(const LensMap& map, std::size_t face, const LabelImages& drawn,
+                    LabelImages& labels) {
+  const LensFace& f = map.faces[face];
+  const Eigen::Matrix3d R_CF = f.X_CF.linear();
+  const Intrinsics& k = f.camera.intrinsics();
+  forEachPixel(map, face, {0, 0, map.face.cols, map.face.rows}, [&](int u, int v) {
+    const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
+    const cv::Point nearest = nearestPixel(drawn.ids.size(), place);
+    labels.ids.at<int>(v, u) = drawn.ids.at<int>(nearest);
+    if (!labels.links.empty()) labels.links.at<int>(v, u) = drawn.links.at<int>(nearest);
+    if (!labels.normals.empty()) {
+      const Eigen::Vector3f n_C =
+          R_CF.cast<float>() * Eigen::Vector3f(drawn.normals.at<cv::Vec3f>(nearest).val);
+      labels.normals.at<cv::Vec3f>(v, u) = {n_C.x(), n_C.y(), n_C.z()};
+    }
+    if (drawn.depth.at<float>(nearest) == 0.0F) return;
+    const Eigen::Vector3d ray_F((static_cast<double>(place.x) - k.cx) / k.fx,
+                                (static_cast<double>(place.y) - k.cy) / k.fy, 1.0);
+    const double depth_F = depthAt(drawn, place, nearest, f.camera);
+    labels.depth.at<float>(v, u) = static_cast<float>(depth_F * R_CF.row(2).dot(ray_F));
+    if (!labels.range.empty()) {
+      labels.range.at<float>(v, u) = static_cast<float>(depth_F * ray_F.norm());
+    }
+  });
+}
+
+}  // namespace synthetic_dataset::render

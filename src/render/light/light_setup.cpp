@@ -1,0 +1,90 @@
+#include "render/light/light_setup.h"
+
+#include <cmath>
+#include <string>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+constexpr int kMaxLights = SYNTHETIC_DATASET_MAX_LIGHTS;
+
+}  // namespace
+
+void checkLightCount(const std::vector<world::Light>& lights) {
+  if (lights.size() > kMaxLights) {
+    throw Error("world: found " + std::to_string(lights.size()) + " lights; at most " +
+                std::to_string(kMaxLights) + " can be drawn");
+  }
+}
+
+std::string lightMacros(const std::vector<world::Light>& lights) {
+  const std::string raise = "#define SHADOW_RAISE " + std::to_string(kShadowRaise) +
+                            "\n#define GRAZING_SHADOW_RAISE " +
+                            std::to_string(kGrazingShadowRaise) + "\n";
+  // Each costs time to compile, in every program.
+  constexpr std::size_t kMostUnrolled = 8;
+  const std::vector<int> layers = shadowLayers(lights);
+  std::string each;
+  std::string types;
+  std::string layer_list;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const std::string type = std::to_string(static_cast<int>(lights[i].type));
+    const std::string layer = std::to_string(layers[i]);
+    if (i < kMostUnrolled) each += " LIGHT(" + std::to_string(i) + "," + type + "," + layer + ")";
+    types += (i > 0 ? "," : "") + type;
+    layer_list += (i > 0 ? "," : "") + layer;
+  }
+  if (lights.size() <= kMostUnrolled) return raise + "#define EACH_LIGHT" + each + "\n";
+  const std::string list = "const int kTypes[] = int[](" + types + ");\n" +
+                           "const int kLayers[] = int[](" + layer_list + ");\n";
+  return raise + list + "#define EACH_LIGHT" + each +
+         " for (int i = " + std::to_string(kMostUnrolled) + "; i < " +
+         std::to_string(lights.size()) + "; ++i) { LIGHT(i, kTypes[i], kLayers[i]) }\n";
+}
+
+std::vector<LightInView> lightsIn(const View& view, const std::vector<world::Light>& lights) {
+  const Pose X_CW = view.X_WC.inverse();
+  std::vector<LightInView> result;
+  for (const world::Light& light : lights) {
+    const Eigen::Vector3d position = X_CW * light.X_WL.translation();
+    const Eigen::Vector3d direction =
+        (X_CW.linear() * light.X_WL.linear() * light.direction_L).normalized();
+    const Eigen::Vector3d attenuation(light.attenuation_constant, light.attenuation_linear,
+                                      light.attenuation_quadratic);
+    const Eigen::Vector3d cone(std::cos(0.5 * light.spot_inner_angle),
+                               std::cos(0.5 * light.spot_outer_angle), light.spot_falloff);
+    result.push_back({light.type, position.cast<float>(), direction.cast<float>(), light.diffuse,
+                      attenuation.cast<float>(), static_cast<float>(light.range),
+                      cone.cast<float>()});
+  }
+  return result;
+}
+
+Eigen::Vector3f upIn(const View& view) {
+  const Eigen::Vector3d up_C = view.X_WC.linear().transpose() * Eigen::Vector3d::UnitZ();
+  return up_C.cast<float>();
+}
+
+void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
+               const std::vector<ShadowProjection>& shadows, const View& view) {
+  std::size_t i = 0;
+  for (const LightInView& light : lightsIn(view, lights)) {
+    const std::string name = "lights[" + std::to_string(i++) + "].";
+    program.set(name + "position_C", light.position_C);
+    program.set(name + "direction_C", light.direction_C);
+    program.set(name + "intensity", light.intensity);
+    program.set(name + "attenuation", light.attenuation);
+    program.set(name + "range", light.range);
+    program.set(name + "cone", light.cone);
+  }
+  for (const ShadowProjection& shadow : shadows) {
+    const std::string index = "[" + std::to_string(shadow.layer) + "]";
+    const Eigen::Matrix4d shadow_from_camera = shadow.shadow_from_world * view.X_WC.matrix();
+    program.set("shadow_from_camera" + index, Eigen::Matrix4f(shadow_from_camera.cast<float>()));
+    program.set("shadow_texel" + index, static_cast<float>(shadow.texel));
+  }
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,130 @@
+#include "render/light/surface_lighter.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "render/parts/material_setup.h"
+#include "render/pixels/lane_images.h"
+#include "render/pixels/srgb.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+GeometryImages widened(const GeometryImages& images) {
+  return {render::widened(images.parts), render::widened(images.depth), {}};
+}
+
+SurfaceImages widened(const SurfaceImages& images) {
+  return {render::widened(images.base_roughness), render::widened(images.normal_metalness),
+          render::widened(images.faces), render::widened(images.glows)};
+}
+
+PixelLanes lightOf(const std::vector<PartLight>& parts, const int* four) {
+  std::array<Lanes, kLaneCount> each;
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    const PartLight& part = parts[static_cast<std::size_t>(four[i])];
+    each[i] = {part.emissive.x(), part.emissive.y(), part.emissive.z(), part.reflectance};
+  }
+  PixelLanes result;
+  cv::v_transpose4x4(each[0], each[1], each[2], each[3], result.xyz.x, result.xyz.y, result.xyz.z,
+                     result.w);
+  return result;
+}
+
+}  // namespace
+
+std::vector<PartLight> partLights(const std::vector<Part>& parts) {
+  std::vector<PartLight> lights = {PartLight()};
+  for (const Part& part : parts) {
+    const world::Material& material = *part.material;
+    lights.push_back(
+        {linearFromSrgb(material.emissive), material.lit ? reflectance(material) : -1.0F});
+  }
+  return lights;
+}
+
+/// Of the images.
+struct SurfaceLighter::Row {
+  Row(const GeometryImages& geometry, const SurfaceImages& surfaces, int row, cv::Mat& lit)
+      : parts(geometry.parts.ptr<int>(row)),
+        depths(geometry.depth.ptr<float>(row)),
+        base_roughness(surfaces.base_roughness.ptr<std::uint16_t>(row)),
+        normal_metalness(surfaces.normal_metalness.ptr<std::uint16_t>(row)),
+        faces(surfaces.faces.empty() ? nullptr : surfaces.faces.ptr<std::uint16_t>(row)),
+        glows(surfaces.glows.empty() ? nullptr : surfaces.glows.ptr<std::uint16_t>(row)),
+        light(lit.ptr<std::uint16_t>(row)) {}
+
+  const int* parts;
+  const float* depths;
+  const std::uint16_t* base_roughness;
+  const std::uint16_t* normal_metalness;
+  const std::uint16_t* faces;
+  const std::uint16_t* glows;
+  std::uint16_t* light;
+  float slope_y = 0.0F;
+};
+
+SurfaceLighter::SurfaceLighter(const SurfaceShading& shading, const std::vector<PartLight>& parts,
+                               const Intrinsics& intrinsics, const Eigen::Vector3f& nothing)
+    : shading_(shading), parts_(parts), intrinsics_(intrinsics), nothing_(nothing) {}
+
+cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImages& surfaces,
+                              const cv::Rect& place, const std::vector<cv::Rect>& regions) const {
+  const GeometryImages what = widened(geometry);
+  const SurfaceImages how = widened(surfaces);
+  cv::Mat light(what.parts.size(), CV_16UC4);
+  for (const cv::Rect& region : regions) {
+    const cv::Rect pixels = region - place.tl();
+    for (int v = pixels.y; v < pixels.y + pixels.height; ++v) {
+      Row row(what, how, v, light);
+      row.slope_y = static_cast<float>((place.y + v - intrinsics_.cy) / intrinsics_.fy);
+      for (int u = pixels.x; u < pixels.x + pixels.width; u += kLaneCount) {
+        // Some pixels may be lit twice, or beside the region.
+        const int first = firstLane(u, light.cols);
+        lightFour(row, first, static_cast<float>(place.x + first));
+      }
+    }
+  }
+  return light.colRange(0, geometry.parts.cols);
+}
+
+/// @param column  of the images
+/// @param u  the same in the picture
+void SurfaceLighter::lightFour(const Row& row, int column, float u) const {
+  const cv::v_int32x4 parts = cv::v_load(row.parts + column);
+  const cv::v_int32x4 is_nothing = parts == cv::v_setzero_s32();
+  std::uint16_t* to = row.light + 4 * column;
+  const Lanes3 nothing = lanes(nothing_);
+  if (cv::v_check_all(is_nothing)) {
+    storeHalves(to, nothing);
+    return;
+  }
+  const Lanes3 seen = shading_.seen(surfacesAt(row, column, u));
+  storeHalves(to, select(cv::v_reinterpret_as_f32(is_nothing), nothing, seen));
+}
+
+SurfaceLanes SurfaceLighter::surfacesAt(const Row& row, int column, float u) const {
+  const PixelLanes base = loadHalves(row.base_roughness + 4 * column);
+  const PixelLanes normal = loadHalves(row.normal_metalness + 4 * column);
+  const PixelLanes part = lightOf(parts_, row.parts + column);
+  const Lanes depth = cv::v_load(row.depths + column);
+  const Lanes columns = lanes(u) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
+  const Lanes slope_x = (columns - lanes(static_cast<float>(intrinsics_.cx))) *
+                        lanes(static_cast<float>(1.0 / intrinsics_.fx));
+  SurfaceLanes surface;
+  surface.position_C = {slope_x * depth, lanes(row.slope_y) * depth, depth};
+  surface.normal = normalized(normal.xyz);
+  surface.face =
+      row.faces == nullptr ? surface.normal : normalized(loadHalves(row.faces + 4 * column).xyz);
+  surface.base = base.xyz;
+  surface.roughness = base.w;
+  surface.metalness = normal.w;
+  surface.reflectance = part.w;
+  surface.is_lit = part.w >= lanes(0.0F);
+  surface.glow = part.xyz;
+  if (row.glows != nullptr) surface.glow = surface.glow * loadHalves(row.glows + 4 * column).xyz;
+  return surface;
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <list>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/light/light_setup.h"
+#include "render/pixels/lanes.h"
+#include "render/shadows/map_depths.h"
+#include "render/shadows/shadow_lookup.h"
+#include "world/look.h"
+
+namespace synthetic_dataset::render {
+
+/// Surfaces at four points that are seen, in the camera's optical frame.
+struct SurfaceLanes {
+  Lanes3 position_C;
+  Lanes3 face;    ///< its normal, towards the camera
+  Lanes3 normal;  ///< as a normal map bends it
+  Lanes3 base;    ///< linear colour
+  Lanes reflectance;
+  Lanes roughness;
+  Lanes metalness;
+  Lanes3 glow;
+  Lanes is_lit;  ///< 0 where light leaves it as it is
+};
+
+/// How a light's shadows were drawn.
+struct CastShadow {
+  MapDepths map;
+  Eigen::Matrix4d shadow_from_camera;  ///< to clip coordinates of the map
+  double texel;                        ///< as in ShadowProjection
+};
+
+/// What all surfaces of a picture have in common.
+struct Surroundings {
+  std::vector<LightInView> lights;
+  std::vector<std::optional<CastShadow>> shadows;  ///< of each light
+  Eigen::Vector3f ambient;
+  Eigen::Vector3f up_C;
+  float exposure;
+  std::optional<world::Fog> fog;
+};
+
+/// How light makes surfaces seen, as lighting.glsl has it, which lights what one can see through:
+/// Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and the
+/// height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
+/// light. All lighting is linear.
+class SurfaceShading {
+ public:
+  /// @param surroundings  have to outlive this
+  explicit SurfaceShading(const Surroundings& surroundings);
+
+  /// What the camera sees of surfaces, as bright as a picture can be.
+  [[nodiscard]] Lanes3 seen(const SurfaceLanes& surface) const;
+
+ private:
+  /// What the surface does with light, wherever that comes from.
+  struct Response {
+    Lanes3 to_eye;
+    Lanes3 f0;
+    Lanes3 matte;
+    Lanes alpha;
+    Lanes n_dot_v;
+  };
+
+  [[nodiscard]] Lanes3 lit(const SurfaceLanes& surface) const;
+  [[nodiscard]] Lanes3 sent(std::size_t light, const SurfaceLanes& surface,
+                            const Response& response) const;
+  [[nodiscard]] Lanes fogginess(const Lanes& distance) const;
+
+  const Surroundings& surroundings_;
+  std::list<MapDepths::Assembled> maps_;              ///< which the lookups refer to
+  std::vector<std::optional<ShadowLookup>> lookups_;  ///< of each light
+  Eigen::Vector3f fog_light_{0.0F, 0.0F, 0.0F};       ///< exposed
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,114 @@
+#include "render/overlay/background_painter.h"
+
+#include <string>
+
+#include "render/gl/picture_upload.h"
+#include "render/gl/texture_units.h"
+#include "render/overlay/backdrop_fitting.h"
+#include "render/shaders.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+using Projection = world::BackgroundPicture::Projection;
+
+Eigen::Vector4f vectorOf(const Intrinsics& k) {
+  return Eigen::Vector4d(k.fx, k.fy, k.cx, k.cy).cast<float>();
+}
+
+std::string throughLens(const std::string& source) {
+  const std::size_t first_line = source.find('\n') + 1;  // GLSL wants its #version first
+  return source.substr(0, first_line) + "#define THROUGH_LENS\n" + source.substr(first_line);
+}
+
+const ShaderProgram& made(const GlFunctions& gl, const std::string& fragment_source,
+                          std::optional<ShaderProgram>& program) {
+  if (!program) {
+    program.emplace(gl, shaders::kRectanglesVertex, fragment_source);
+    program->set("picture", static_cast<int>(kDiffuseUnit));
+  }
+  return *program;
+}
+
+/// The size at which a picture's part lies behind an image that a lens shows: its own, or twice the
+/// image's where that is less, so that it is not made blurred before it is resampled.
+cv::Size sizeThroughLens(const cv::Size& picture, const cv::Size& image) {
+  const cv::Size own = partFilling(picture, image).size();
+  const cv::Size fine(2 * image.width, 2 * image.height);
+  return own.width < fine.width ? own : fine;
+}
+
+}  // namespace
+
+void BackgroundPainter::setPicture(const std::optional<world::BackgroundPicture>& picture) {
+  const bool is_same = picture && picture_ && picture->picture == picture_->picture;
+  if (!is_same) {
+    backdrops_.clear();
+    panorama_ = GlTexture();
+  }
+  picture_ = picture;
+}
+
+void BackgroundPainter::paint(const View& view, const View* whole, float exposure,
+                              const std::vector<cv::Rect>& regions) {
+  const cv::Size size(view.camera.width(), view.camera.height());
+  const ShaderProgram& program = picture_->projection == Projection::kPanorama
+                                     ? preparePanorama(view)
+                                 : whole == nullptr ? prepareBackdrop(size)
+                                                    : prepareBackdropThroughLens(view, *whole);
+  program.set("gain", exposure * static_cast<float>(picture_->brightness));
+  drawing_.draw(program, regions, size);
+}
+
+const ShaderProgram& BackgroundPainter::preparePanorama(const View& view) {
+  if (panorama_.name() == 0) {
+    panorama_ = uploadPicture(gl_, picture_->picture->pixels, GL_SRGB8_ALPHA8, Mipmaps::kAll);
+    gl_.TextureParameteri(panorama_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  gl_.BindTextureUnit(kDiffuseUnit, panorama_.name());
+  const ShaderProgram& program = made(gl_, shaders::kPanoramaFragment, panorama_program_);
+  program.set("world_from_camera", Eigen::Matrix4f(view.X_WC.matrix().cast<float>()));
+  program.set("intrinsics", vectorOf(view.camera.intrinsics()));
+  program.set("yaw", static_cast<float>(picture_->yaw));
+  return program;
+}
+
+const ShaderProgram& BackgroundPainter::prepareBackdrop(const cv::Size& image) {
+  bindBackdrop(image, image);
+  return made(gl_, shaders::kBackdropFragment, backdrop_program_);
+}
+
+const ShaderProgram& BackgroundPainter::prepareBackdropThroughLens(const View& face,
+                                                                   const View& whole) {
+  const CameraModel& camera = whole.camera;
+  const cv::Size image(camera.width(), camera.height());
+  bindBackdrop(image, sizeThroughLens(picture_->picture->pixels.size(), image));
+  const ShaderProgram& program = made(gl_, throughLens(shaders::kBackdropFragment), lens_program_);
+  const Pose lens_from_face = whole.X_WC.inverse() * face.X_WC;
+  program.set("intrinsics", vectorOf(face.camera.intrinsics()));
+  program.set("lens_from_face", Eigen::Matrix4f(lens_from_face.matrix().cast<float>()));
+  program.set("lens_intrinsics", vectorOf(camera.intrinsics()));
+  program.set("image_size", Eigen::Vector4f(static_cast<float>(image.width),
+                                            static_cast<float>(image.height), 0.0F, 0.0F));
+  const Eigen::Matrix<double, 8, 1> k(camera.distortion().coefficients.data());
+  program.set("coefficients",
+              std::vector<Eigen::Vector4f>{k.head<4>().cast<float>(), k.tail<4>().cast<float>()});
+  const bool is_fisheye = camera.distortion().model == DistortionModel::kEquidistant;
+  program.set("is_fisheye", is_fisheye ? 1 : 0);
+  return program;
+}
+
+/// Binds the part of the picture that fills an image, brought to a size.
+void BackgroundPainter::bindBackdrop(const cv::Size& image, const cv::Size& size) {
+  GlTexture& texture = backdrops_[{image.width, image.height, size.width, size.height}];
+  if (texture.name() == 0) {
+    const cv::Mat& pixels = picture_->picture->pixels;
+    const cv::Mat part = pixels(partFilling(pixels.size(), image));
+    texture = uploadPicture(gl_, scaledTo(size, part), GL_SRGB8_ALPHA8, Mipmaps::kNone);
+    gl_.TextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl_.TextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  gl_.BindTextureUnit(kDiffuseUnit, texture.name());
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/types.hpp>
+
+#include "render/gl/gl_object.h"
+#include "render/gl/rectangle_drawing.h"
+#include "render/gl/shader_program.h"
+#include "render/view.h"
+#include "world/look.h"
+
+namespace synthetic_dataset::render {
+
+/// Paints a picture where nothing is drawn: one that fills the image, or a panorama.
+class BackgroundPainter {
+ public:
+  explicit BackgroundPainter(const GlFunctions& gl) : gl_(gl), drawing_(gl) {}
+
+  /// The picture from now on, or none.
+  void setPicture(const std::optional<world::BackgroundPicture>& picture);
+
+  [[nodiscard]] bool hasPicture() const { return picture_.has_value(); }
+
+  /// Fills the pixels of the bound target that are still at the far plane.
+  /// @param whole  the view of the lens of which `view` is a face; null where it is none
+  /// @param exposure  multiplies the picture's light
+  /// @param regions  of the target, the only ones that are painted
+  void paint(const View& view, const View* whole, float exposure,
+             const std::vector<cv::Rect>& regions);
+
+ private:
+  /// Each with the picture bound to its unit.
+  [[nodiscard]] const ShaderProgram& preparePanorama(const View& view);
+  [[nodiscard]] const ShaderProgram& prepareBackdrop(const cv::Size& image);
+  [[nodiscard]] const ShaderProgram& prepareBackdropThroughLens(const View& face,
+                                                                const View& whole);
+
+  void bindBackdrop(const cv::Size& image, const cv::Size& size);
+
+  const GlFunctions& gl_;
+  RectangleDrawing drawing_;
+  std::optional<world::BackgroundPicture> picture_;
+  std::map<std::array<int, 4>, GlTexture> backdrops_;  ///< by the image's size and their own
+  GlTexture panorama_;                                 ///< none until it is needed
+  std::optional<ShaderProgram> panorama_program_;      ///< each is made when it is needed
+  std::optional<ShaderProgram> backdrop_program_;
+  std::optional<ShaderProgram> lens_program_;
+};
+
+}  // namespace synthetic_dataset::render

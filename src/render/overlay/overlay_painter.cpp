@@ -1,0 +1,100 @@
+#include "render/overlay/overlay_painter.h"
+
+#include <algorithm>
+#include <set>
+
+#include "render/gl/texture_units.h"
+#include "render/light/light_setup.h"
+#include "render/parts/material_setup.h"
+#include "render/parts/surface_drawing.h"
+#include "render/pixels/srgb.h"
+#include "render/shaders.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+constexpr SurfaceFeatures kAllFeatures = ~SurfaceFeatures{0};
+
+}  // namespace
+
+OverlayPainter::OverlayPainter(const GlFunctions& gl, const DrawList& parts,
+                               const world::Description& description)
+    : gl_(gl),
+      parts_(parts),
+      lights_(description.lights),
+      ambient_(linearFromSrgb(description.ambient)),
+      fog_(description.fog),
+      glass_programs_(gl, shaders::kMeshVertex, shaders::kGlassFragment, kAllFeatures,
+                      lightMacros(description.lights)),
+      background_painter_(gl) {
+  if (description.sky) sky_.emplace(gl, *description.sky, lights_);
+}
+
+void OverlayPainter::setLook(const world::Look& look) {
+  lights_ = look.lights;
+  ambient_ = linearFromSrgb(look.ambient);
+  background_painter_.setPicture(look.background_picture);
+  if (sky_) sky_->setLights(lights_);
+}
+
+bool OverlayPainter::hasGlass(const LinkSelection& drawn) const {
+  const std::vector<Part>& parts = parts_.parts();
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const Part& part) { return part.transparent && drawn[part.link]; });
+}
+
+void OverlayPainter::paint(const ColourScene& scene, GLuint shadow_maps, bool see_through,
+                           const std::vector<cv::Rect>& regions) {
+  gl_.BindTextureUnit(kShadowUnit, shadow_maps);
+  gl_.DepthMask(GL_FALSE);
+  gl_.DepthFunc(GL_GEQUAL);
+  if (background_painter_.hasPicture()) {
+    background_painter_.paint(scene.view, scene.whole, scene.exposure, regions);
+  } else if (sky_) {
+    sky_->paint(scene.view, scene.exposure, regions);
+  }
+  if (see_through) drawSeenThrough(scene);
+  gl_.DepthMask(GL_TRUE);
+}
+
+void OverlayPainter::drawSeenThrough(const ColourScene& scene) {
+  gl_.Enable(GL_BLEND);
+  // What passes is left of alpha.
+  gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  const Pose X_CW = scene.view.X_WC.inverse();
+  std::set<const ShaderProgram*> prepared;
+  for (const Part* part : parts_.transparentParts(X_CW, scene.X_WL, scene.drawn)) {
+    const ShaderProgram& program = glass_programs_.get(part->features | featuresOf(scene));
+    if (prepared.insert(&program).second) setSurroundings(program, scene);
+    setMaterial(gl_, program, *part);
+    program.set("emissive", linearFromSrgb(part->material->emissive));
+    program.set("reflectance", reflectance(*part->material));
+    drawSurface(gl_, program, *part, scene.view, scene.X_WL[part->link]);
+  }
+  gl_.Disable(GL_BLEND);
+}
+
+SurfaceFeatures OverlayPainter::featuresOf(const ColourScene& scene) const {
+  return (fog_ ? feature::kFog : SurfaceFeatures{0}) |
+         (scene.shadows.empty() ? SurfaceFeatures{0} : feature::kShadows);
+}
+
+/// Tells a program what is the same for all surfaces of a picture.
+void OverlayPainter::setSurroundings(const ShaderProgram& program, const ColourScene& scene) const {
+  program.set("ambient", ambient_);
+  program.set("up_C", upIn(scene.view));
+  setLights(program, lights_, scene.shadows, scene.view);
+  setFog(program);
+  program.set("exposure", scene.exposure);
+}
+
+void OverlayPainter::setFog(const ShaderProgram& program) const {
+  if (!fog_) return;
+  program.set("fog_type", static_cast<int>(fog_->type));
+  program.set("fog_colour", linearFromSrgb(fog_->colour));
+  program.set(
+      "fog_extent",
+      Eigen::Vector3f(Eigen::Vector3d(fog_->start, fog_->end, fog_->density).cast<float>()));
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/types.hpp>
+
+#include "render/light/colour_scene.h"
+#include "render/overlay/background_painter.h"
+#include "render/overlay/sky_painter.h"
+#include "render/parts/shader_family.h"
+#include "world/description.h"
+#include "world/look.h"
+
+namespace synthetic_dataset::render {
+
+/// Draws what is behind and before the surfaces of a picture that one cannot see through, in the
+/// bound OverlayTarget.
+class OverlayPainter {
+ public:
+  /// @param parts  has to outlive this
+  OverlayPainter(const GlFunctions& gl, const DrawList& parts,
+                 const world::Description& description);
+
+  /// Lights and surroundings from now on; what the parts wear is read from them.
+  void setLook(const world::Look& look);
+
+  /// Whether more than one colour is behind all surfaces.
+  [[nodiscard]] bool hasBackground() const { return background_painter_.hasPicture() || sky_; }
+
+  /// Whether one can see through something that is selected.
+  [[nodiscard]] bool hasGlass(const LinkSelection& drawn) const;
+
+  /// A picture or the sky, and what one can see through, if that is selected and `see_through`.
+  /// @param regions  of the picture, none of them over another; beside them nothing is sure
+  void paint(const ColourScene& scene, GLuint shadow_maps, bool see_through,
+             const std::vector<cv::Rect>& regions);
+
+ private:
+  void drawSeenThrough(const ColourScene& scene);
+  void setSurroundings(const ShaderProgram& program, const ColourScene& scene) const;
+  void setFog(const ShaderProgram& program) const;
+  [[nodiscard]] SurfaceFeatures featuresOf(const ColourScene& scene) const;
+
+  const GlFunctions& gl_;
+  const DrawList& parts_;
+  std::vector<world::Light> lights_;
+  Eigen::Vector3f ambient_;
+  std::optional<world::Fog> fog_;
+  ShaderFamily glass_programs_;
+  BackgroundPainter background_painter_;
+  std::optional<SkyPainter> sky_;
+};
+
+}  // namespace synthetic_dataset::render

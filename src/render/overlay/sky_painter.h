@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/gl/rectangle_drawing.h"
+#include "render/gl/shader_program.h"
+#include "render/view.h"
+#include "world/description.h"
+
+namespace synthetic_dataset::render {
+
+/// Where the sun stands: the unit vector towards it.
+///
+/// By day it is where the first directional light comes from, so that shadows agree with the sky;
+/// without such a light, and at night, it follows the time: up at sunrise in the east (+x), at its
+/// highest in the south (-y) at 60 degrees, down at sunset in the west.
+[[nodiscard]] Eigen::Vector3d sunDirection(const world::Sky& sky,
+                                           const std::vector<world::Light>& lights);
+
+/// Paints the sky where nothing is drawn. What it paints depends on the view alone.
+class SkyPainter {
+ public:
+  SkyPainter(const GlFunctions& gl, const world::Sky& sky, const std::vector<world::Light>& lights);
+
+  /// The sun stands where the first directional light comes from.
+  void setLights(const std::vector<world::Light>& lights) const;
+
+  /// Fills the pixels of the bound target that are still at the far plane.
+  /// @param exposure  multiplies its light
+  /// @param regions  of the picture, the only ones that are painted
+  void paint(const View& view, float exposure, const std::vector<cv::Rect>& regions) const;
+
+ private:
+  world::Sky sky_;
+  ShaderProgram program_;
+  RectangleDrawing drawing_;
+};
+
+}  // namespace synthetic_dataset::render

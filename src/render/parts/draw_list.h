@@ -1,0 +1,110 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "render/link_selection.h"
+#include "render/parts/bounds.h"
+#include "render/parts/mesh_library.h"
+#include "render/parts/surface_features.h"
+#include "render/parts/texture_library.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::render {
+
+/// A material's pictures as OpenGL names them; 0 for none.
+struct PartTextures {
+  GLuint diffuse = 0;
+  GLuint normal = 0;
+  GLuint roughness = 0;
+  GLuint metalness = 0;
+  GLuint emissive = 0;
+};
+
+/// One surface of one link, ready to be drawn.
+struct Part {
+  const MeshBuffers* mesh = nullptr;
+  const world::Mesh* shape = nullptr;         ///< the same, as it was read
+  const world::Material* given = nullptr;     ///< the material that it was made with
+  const world::Material* material = nullptr;  ///< what it wears now
+  PartTextures textures;
+  SurfaceFeatures features = 0;
+  std::size_t link = 0;
+  std::uint32_t identifier = 0;  ///< the object's index + 1; 0 for the world
+  Pose X_LV = Pose::Identity();
+  Bounds bounds_V;
+  bool transparent = false;  ///< somewhere; it casts no shadow then
+  bool casts_shadow = true;
+  bool casts_by_front = false;  ///< the backs of its triangles add nothing to its shadow
+  bool stands_still = false;    ///< the link is of what never moves
+  bool double_sided = false;
+  bool has_holes = false;  ///< where its texture's alpha is small
+};
+
+/// Whether labels leave the part out: the world's glass does not hide what is behind it.
+[[nodiscard]] inline bool seenThroughInLabels(const Part& part) {
+  return part.transparent && part.identifier == 0;
+}
+
+/// Grows bounds in the world by a part; not by one without triangles.
+void extend(Bounds& bounds, const Part& part, const Pose& X_WL);
+
+/// All that can be drawn, uploaded once.
+class DrawList {
+ public:
+  /// @param links  have to outlive the list
+  DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links);
+
+  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+
+  /// Gives the parts what they wear from now on. What they are, transparent or double-sided or with
+  /// holes, stays, so that pictures that are being finished are not disturbed.
+  void wear(const std::map<const world::Material*, world::Material>& materials);
+
+  /// The place of one of parts() among them, counted from 1.
+  [[nodiscard]] std::uint32_t numberOf(const Part& part) const {
+    return static_cast<std::uint32_t>(&part - parts_.data()) + 1;
+  }
+
+  /// All that some part has.
+  [[nodiscard]] SurfaceFeatures features() const { return features_; }
+
+  /// Round all selected parts that cast shadows, with up to half a metre to spare where they move.
+  [[nodiscard]] Bounds casterBounds(const std::vector<Pose>& X_WL,
+                                    const LinkSelection& casting) const;
+
+  /// Whether one can see through something that labels show all the same.
+  [[nodiscard]] bool hasGlassInLabels(const LinkSelection& drawn) const;
+
+  /// The selected parts that one cannot see through, nearest first.
+  /// @param stands_still  those that do, or those that do not
+  [[nodiscard]] std::vector<const Part*> solidParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
+                                                    const LinkSelection& drawn,
+                                                    bool stands_still) const;
+
+  /// The selected parts that one can see through, farthest first.
+  [[nodiscard]] std::vector<const Part*> transparentParts(const Pose& X_CW,
+                                                          const std::vector<Pose>& X_WL,
+                                                          const LinkSelection& drawn) const;
+
+ private:
+  [[nodiscard]] Part makePart(const world::Surface& surface);
+  void dress(Part& part);
+  [[nodiscard]] bool isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh);
+
+  /// By the depth of their bounds' centres times `sign`, the least first.
+  [[nodiscard]] std::vector<const Part*> sorted(
+      const Pose& X_CW, const std::vector<Pose>& X_WL, const LinkSelection& drawn, double sign,
+      const std::function<bool(const Part&)>& wanted) const;
+
+  MeshLibrary meshes_;
+  TextureLibrary textures_;
+  SurfaceFeatures features_ = 0;
+  std::vector<Part> parts_;
+  std::map<const world::Mesh*, bool> surfaces_of_bodies_;  ///< of those looked at so far
+  std::map<const world::Material*, world::Material> worn_;
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+
+#include "render/gl/gl_object.h"
+#include "world/description.h"
+
+namespace synthetic_dataset::render {
+
+/// Whether each vertex has a colour.
+[[nodiscard]] bool hasColours(const world::Mesh& mesh);
+
+/// A mesh in the renderer's memory.
+class MeshBuffers {
+ public:
+  MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh);
+
+  void draw() const;
+
+ private:
+  void addColours(const world::Mesh& mesh);
+
+  const GlFunctions& gl_;
+  GlBuffer vertices_;
+  GlBuffer colours_;  // none for meshes without
+  GlBuffer indices_;
+  GlVertexArray layout_;
+  GLsizei index_count_ = 0;
+};
+
+/// Uploads each mesh once, however many visuals share it.
+class MeshLibrary {
+ public:
+  explicit MeshLibrary(const GlFunctions& gl) : gl_(gl) {}
+
+  /// The reference stays good as long as the library.
+  [[nodiscard]] const MeshBuffers& get(const std::shared_ptr<const world::Mesh>& mesh);
+
+ private:
+  const GlFunctions& gl_;
+  std::unordered_map<std::shared_ptr<const world::Mesh>, MeshBuffers> buffers_;
+};
+
+}  // namespace synthetic_dataset::render

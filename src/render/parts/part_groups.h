@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <opencv2/core/types.hpp>
+
+#include "render/parts/draw_list.h"
+#include "render/view.h"
+
+namespace synthetic_dataset::render {
+
+/// Round parts that belong together, in the world: of objects all that is theirs, else one link.
+/// @param is_chosen  says which parts count
+[[nodiscard]] std::vector<Bounds> boundsOfGroups(const std::vector<Part>& parts,
+                                                 const std::vector<Pose>& X_WL,
+                                                 const std::function<bool(const Part&)>& is_chosen);
+
+/// Where some parts may be seen: rectangles of pixels, which may overlap, some larger than need be.
+[[nodiscard]] std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,
+                                              const std::vector<Pose>& X_WL,
+                                              const std::function<bool(const Part&)>& is_chosen);
+
+}  // namespace synthetic_dataset::render

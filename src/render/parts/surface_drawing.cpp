@@ -1,0 +1,31 @@
+#include "render/parts/surface_drawing.h"
+
+#include "render/gl/texture_units.h"
+
+namespace synthetic_dataset::render {
+
+void bindHoles(const GlFunctions& gl, const ShaderProgram& program, const Part& part) {
+  const world::Material& material = *part.material;
+  Eigen::Vector4f placement;
+  placement << material.texture_scale, material.texture_offset;
+  program.set("texture_placement", placement);
+  program.set("alpha_threshold", material.alpha_threshold);
+  if (part.textures.diffuse != 0) gl.BindTextureUnit(kDiffuseUnit, part.textures.diffuse);
+}
+
+void drawSurface(const GlFunctions& gl, const ShaderProgram& program, const Part& part,
+                 const View& view, const Pose& X_WL) {
+  if (part.material->double_sided) {
+    gl.Disable(GL_CULL_FACE);
+  } else {
+    gl.Enable(GL_CULL_FACE);
+  }
+  const Pose X_CV = view.X_WC.inverse() * X_WL * part.X_LV;
+  program.use();
+  program.set("clip_from_camera", Eigen::Matrix4f(clipFromCamera(view.camera).cast<float>()));
+  program.set("camera_from_mesh", Eigen::Matrix4f(X_CV.matrix().cast<float>()));
+  bindHoles(gl, program, part);
+  part.mesh->draw();
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "render/gl/shader_program.h"
+#include "render/parts/draw_list.h"
+#include "render/view.h"
+
+namespace synthetic_dataset::render {
+
+/// Tells a program of the picture with the holes, and where it lies: all that every pass has to
+/// know of a material.
+void bindHoles(const GlFunctions& gl, const ShaderProgram& program, const Part& part);
+
+/// Draws a part as the camera sees it, with a program whose vertex stage is mesh.vert.
+/// @param X_WL  of the part's link
+void drawSurface(const GlFunctions& gl, const ShaderProgram& program, const Part& part,
+                 const View& view, const Pose& X_WL);
+
+}  // namespace synthetic_dataset::render

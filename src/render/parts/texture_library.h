@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "render/gl/gl_object.h"
+#include "world/description.h"
+
+namespace synthetic_dataset::render {
+
+/// What a picture's numbers are.
+enum class PixelMeaning {
+  kColour,  ///< sRGB-encoded; decoded when it is read
+  kData,    ///< read as they are: directions, roughness
+};
+
+/// A picture in the renderer's memory.
+struct UploadedTexture {
+  GlTexture texture;
+  bool opaque = true;  ///< its alpha is 1 everywhere
+};
+
+/// Uploads each texture once for each meaning, with mipmaps.
+class TextureLibrary {
+ public:
+  explicit TextureLibrary(const GlFunctions& gl) : gl_(gl) {}
+
+  /// The reference stays good as long as the library.
+  /// @throws Error if the texture's pixels are not of four channels
+  [[nodiscard]] const UploadedTexture& get(const std::shared_ptr<const world::Texture>& texture,
+                                           PixelMeaning meaning);
+
+  /// Lets go of pictures that nobody else holds any more.
+  void forgetUnused();
+
+ private:
+  const GlFunctions& gl_;
+  std::map<std::pair<std::shared_ptr<const world::Texture>, PixelMeaning>, UploadedTexture>
+      textures_;
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/geometry/geometry_buffer.h"
+#include "render/parts/draw_list.h"
+#include "render/picture/possible_changes.h"
+#include "render/shadows/changed_texels.h"
+#include "render/view.h"
+
+namespace synthetic_dataset::render {
+
+/// What the pixels of a picture see, with what moves.
+struct SeenGeometry {
+  GeometryImages images;
+  cv::Rect place;  ///< of these pixels in the picture
+};
+
+/// Finds which pixels of a picture differ from those of a picture of what never moves.
+///
+/// Light is what pictures cost most, so that it pays to look at each pixel within the bounds: does
+/// it see something that moves, and if not, has the shadow map changed round its place?
+class ChangedPixels {
+ public:
+  /// The references have to outlive it.
+  ChangedPixels(const DrawList& parts, const View& view) : parts_(parts), view_(view) {}
+
+  /// @param regions  outside of which there is nothing to be found
+  /// @param seen  the pixels of these regions at least
+  /// @param texels  of each shadow map
+  /// @param edges  CV_8UC1, not 0 where pixels show what is round their centre in a picture of what
+  ///               never moves; empty where all pixels show what is at their centre
+  /// @return CV_8UC1, 255 for such pixels, else 0
+  [[nodiscard]] cv::Mat find(const PossibleChanges& regions, const SeenGeometry& seen,
+                             const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const;
+
+ private:
+  void markMoving(const SeenGeometry& seen, cv::Mat& pixels) const;
+  void markShaded(const cv::Mat& candidates, const SeenGeometry& seen, const ChangedTexels& texels,
+                  cv::Mat& pixels) const;
+
+  const DrawList& parts_;
+  const View& view_;
+};
+
+}  // namespace synthetic_dataset::render

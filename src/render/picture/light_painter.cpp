@@ -1,0 +1,109 @@
+#include "render/picture/light_painter.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <opencv2/core.hpp>
+
+#include "render/light/light_setup.h"
+#include "render/pixels/lane_images.h"
+#include "render/pixels/srgb.h"
+#include "sensor/srgb.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+bool showsNothing(const SeenSurfaces& seen, const std::vector<cv::Rect>& regions) {
+  return std::any_of(regions.begin(), regions.end(), [&](const cv::Rect& region) {
+    const cv::Mat parts = seen.geometry.parts(region - seen.place.tl());
+    return cv::countNonZero(parts) < static_cast<int>(parts.total());
+  });
+}
+
+/// @param surfaces, overlay  CV_16UC4; of the second, alpha is how much of the first passes
+cv::Mat laidOver(const cv::Mat& surfaces, const cv::Mat& overlay) {
+  const cv::Mat light = widened(surfaces);
+  const cv::Mat before = widened(overlay);
+  cv::Mat result(light.size(), CV_16UC4);
+  for (int v = 0; v < light.rows; ++v) {
+    const auto* below = light.ptr<std::uint16_t>(v);
+    const auto* above = before.ptr<std::uint16_t>(v);
+    auto* to = result.ptr<std::uint16_t>(v);
+    for (int u = 0; u < light.cols; u += kLaneCount) {
+      const int first = 4 * firstLane(u, light.cols);
+      const PixelLanes over = loadHalves(above + first);
+      storeHalves(to + first, over.xyz + loadHalves(below + first).xyz * over.w);
+    }
+  }
+  return result.colRange(0, surfaces.cols);
+}
+
+}  // namespace
+
+cv::Mat UnlitPixels::light() const {
+  if (regions.empty()) return {};
+  const SurfaceShading shading(surroundings);
+  const SurfaceLighter lighter(shading, *parts, intrinsics, nothing);
+  cv::Mat surfaces = lighter.light(seen.geometry, seen.surfaces, seen.place, regions);
+  return overlay.empty() ? surfaces : laidOver(surfaces, overlay);
+}
+
+LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
+                           const world::Description& description)
+    : parts_(parts),
+      lights_(description.lights),
+      ambient_(linearFromSrgb(description.ambient)),
+      background_(linearFromSrgb(description.background)),
+      fog_(description.fog),
+      part_lights_(std::make_shared<std::vector<PartLight>>(partLights(parts.parts()))),
+      overlay_painter_(gl, parts, description) {
+  checkLightCount(lights_);
+}
+
+void LightPainter::setLook(const world::Look& look) {
+  lights_ = look.lights;
+  ambient_ = linearFromSrgb(look.ambient);
+  background_ = linearFromSrgb(look.background);
+  part_lights_ = std::make_shared<std::vector<PartLight>>(partLights(parts_.parts()));
+  overlay_painter_.setLook(look);
+}
+
+UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& seen,
+                                const ShadowPainter& shadows, const OverlayTarget& target,
+                                bool see_through, const std::vector<cv::Rect>& regions) {
+  const bool has_background = overlay_painter_.hasBackground();
+  const Eigen::Vector3f nothing =
+      has_background ? Eigen::Vector3f::Zero() : Eigen::Vector3f(scene.exposure * background_);
+  UnlitPixels result{
+      seen,    regions, scene.view.camera.intrinsics(), surroundings(scene, shadows), part_lights_,
+      nothing, {}};
+  see_through = see_through && overlay_painter_.hasGlass(scene.drawn);
+  if (see_through || (has_background && showsNothing(seen, regions))) {
+    target.begin(seen.place);
+    overlay_painter_.paint(scene, shadows.texture(), see_through, regions);
+    result.overlay = target.read(seen.place);
+  }
+  return result;
+}
+
+Surroundings LightPainter::surroundings(const ColourScene& scene,
+                                        const ShadowPainter& shadows) const {
+  Surroundings result{
+      lightsIn(scene.view, lights_), {}, ambient_, upIn(scene.view), scene.exposure, fog_};
+  result.shadows.resize(result.lights.size());
+  for (const ShadowProjection& shadow : scene.shadows) {
+    result.shadows[static_cast<std::size_t>(shadow.light)] = CastShadow{
+        shadows.depths(shadow), shadow.shadow_from_world * scene.view.X_WC.matrix(), shadow.texel};
+  }
+  return result;
+}
+
+cv::Scalar LightPainter::backgroundPixel(float exposure) const {
+  const auto encoded = [&](Eigen::Index channel) {
+    return sensor::srgbFromLinear(exposure * background_[channel]);
+  };
+  return {static_cast<double>(encoded(2)), static_cast<double>(encoded(1)),
+          static_cast<double>(encoded(0))};
+}
+
+}  // namespace synthetic_dataset::render

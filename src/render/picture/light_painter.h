@@ -1,0 +1,74 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/geometry/geometry_buffer.h"
+#include "render/light/colour_scene.h"
+#include "render/light/surface_lighter.h"
+#include "render/overlay/overlay_painter.h"
+#include "render/overlay/overlay_target.h"
+#include "render/shadows/shadow_painter.h"
+
+namespace synthetic_dataset::render {
+
+/// What the pixels' centres see.
+struct SeenSurfaces {
+  GeometryImages geometry;
+  SurfaceImages surfaces;
+  cv::Rect place;  ///< of these pixels in the picture
+};
+
+/// Pixels whose light is to be found, when and in which thread ever.
+struct UnlitPixels {
+  SeenSurfaces seen;
+  std::vector<cv::Rect> regions;  ///< of the picture; what is beside them is not sure
+  Intrinsics intrinsics;          ///< of the picture
+  Surroundings surroundings;
+  std::shared_ptr<const std::vector<PartLight>> parts;
+  Eigen::Vector3f nothing;  ///< the light where no surface is
+  cv::Mat overlay;          ///< as OverlayTarget has it; empty for none
+
+  /// @return CV_16UC4 of the place of `seen`: red, green, blue, 1, linear, numbers of 16 bits
+  [[nodiscard]] cv::Mat light() const;
+};
+
+/// Gathers what it takes to find the light of what was drawn into a GeometryBuffer.
+class LightPainter {
+ public:
+  /// @param parts  has to outlive this
+  LightPainter(const GlFunctions& gl, const DrawList& parts, const world::Description& description);
+
+  /// Lights and surroundings from now on; what the parts wear is read from them.
+  void setLook(const world::Look& look);
+
+  /// What the light of surfaces is found from; with a picture, the sky or the background's colour
+  /// behind them, and what one can see through before them, if that is selected and `see_through`.
+  /// @param shadows  as they were drawn for the scene
+  /// @param target  with the depth of what is seen
+  /// @param regions  of the picture, none of them over another; beside them nothing is sure
+  [[nodiscard]] UnlitPixels paint(const ColourScene& scene, const SeenSurfaces& seen,
+                                  const ShadowPainter& shadows, const OverlayTarget& target,
+                                  bool see_through, const std::vector<cv::Rect>& regions);
+
+  /// What a picture shows where nothing is, neither sky nor another picture: blue, green, red,
+  /// sRGB-encoded.
+  [[nodiscard]] cv::Scalar backgroundPixel(float exposure) const;
+
+ private:
+  [[nodiscard]] Surroundings surroundings(const ColourScene& scene,
+                                          const ShadowPainter& shadows) const;
+
+  const DrawList& parts_;
+  std::vector<world::Light> lights_;
+  Eigen::Vector3f ambient_;
+  Eigen::Vector3f background_;
+  std::optional<world::Fog> fog_;
+  std::shared_ptr<const std::vector<PartLight>> part_lights_;
+  OverlayPainter overlay_painter_;
+};
+
+}  // namespace synthetic_dataset::render

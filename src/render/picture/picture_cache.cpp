@@ -1,0 +1,88 @@
+#include "render/picture/picture_cache.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// What a painter of this size takes, of geometry, light and what is kept of them [byte].
+std::size_t bytesOf(const cv::Size& size) {
+  constexpr std::size_t kPixelBytes = 112;
+  return kPixelBytes * static_cast<std::size_t>(size.area());
+}
+
+/// How many painters of this size there may be.
+std::size_t mostOf(const cv::Size& size) {
+  constexpr std::size_t kMemory = 512U << 20U;  // [byte]
+  constexpr std::size_t kMost = 8;
+  return std::clamp(kMemory / bytesOf(size), std::size_t{1}, kMost);
+}
+
+}  // namespace
+
+PicturePainter& PictureCache::get(const View& view) {
+  auto found = std::find_if(entries_.begin(), entries_.end(),
+                            [&](const Entry& entry) { return entry.painter->drewFrom(view); });
+  if (found == entries_.end()) found = freeFor(view);
+  std::rotate(entries_.begin(), found, found + 1);
+  return *entries_.front().painter;
+}
+
+const PicturePainter* PictureCache::find(const View& view) const {
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return entry.painter->drewFrom(view);
+  });
+  return found != entries_.end() ? found->painter.get() : nullptr;
+}
+
+void PictureCache::forget() {
+  for (const Entry& entry : entries_) entry.painter->forget();
+  places_.clear();  // a place that comes back looks different then
+}
+
+/// A painter for a place from which none of them drew last: one for all places that do not come
+/// back, and one for each that does, as long as there is room.
+std::vector<PictureCache::Entry>::iterator PictureCache::freeFor(const View& view) {
+  const cv::Size size(view.camera.width(), view.camera.height());
+  const bool comes_back = comesBack(view);
+  std::size_t count = 0;
+  auto last = entries_.end();
+  for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
+    if (entry->painter->size() != size || entry->comes_back != comes_back) continue;
+    ++count;
+    last = entry;
+  }
+  if (count >= (comes_back ? mostOf(size) : 1)) return last;
+  if (!comes_back) makeRoomFor(size);
+  entries_.push_back({std::make_unique<PicturePainter>(crew_, size), comes_back});
+  return entries_.end() - 1;
+}
+
+/// Painters of sizes that were not asked for lately go: a lens whose focal length changes from
+/// scene to scene has faces of other sizes in each.
+void PictureCache::makeRoomFor(const cv::Size& size) {
+  constexpr std::size_t kMemory = 512U << 20U;  // [byte] of all for places that do not come back
+  std::size_t bytes = bytesOf(size);
+  const auto isLeftOver = [&](const Entry& entry) {
+    if (entry.comes_back) return false;
+    bytes += bytesOf(entry.painter->size());
+    return bytes > kMemory;
+  };
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), isLeftOver), entries_.end());
+}
+
+/// Whether pictures are taken from here again and again, not only several of one instant.
+bool PictureCache::comesBack(const View& view) {
+  constexpr std::size_t kRemembered = 64;
+  constexpr std::ptrdiff_t kOften = 2;
+  const Place here{clipFromCamera(view.camera), view.X_WC.matrix()};
+  const auto times = std::count_if(places_.begin(), places_.end(), [&](const Place& place) {
+    return place.clip_from_camera == here.clip_from_camera && place.X_WC == here.X_WC;
+  });
+  places_.push_back(here);
+  if (places_.size() > kRemembered) places_.pop_front();
+  return times >= kOften;
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,298 @@
+#include "render/picture/picture_painter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "render/edges/edge_pixels.h"
+#include "render/parts/part_groups.h"
+#include "render/picture/changed_pixels.h"
+#include "render/picture/possible_changes.h"
+#include "render/pixels/pixel_bands.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// Pixels and those round them.
+cv::Mat grown(const cv::Mat& pixels) {
+  cv::Mat result;
+  cv::dilate(pixels, result, cv::Mat());  // by one
+  return result;
+}
+
+/// Regions of a picture and the pixels round them.
+cv::Mat grown(const std::vector<cv::Rect>& regions, const cv::Size& picture) {
+  cv::Mat pixels = cv::Mat::zeros(picture, CV_8UC1);
+  for (const cv::Rect& region : regions) {
+    pixels(cv::Rect(region.x - 1, region.y - 1, region.width + 2, region.height + 2) &
+           cv::Rect(cv::Point(), picture))
+        .setTo(255);
+  }
+  return pixels;
+}
+
+/// The lens and its place, where a face of it is drawn: a picture behind it is bent accordingly.
+std::vector<double> lensOf(const ColourScene& scene) {
+  if (scene.whole == nullptr) return {};
+  const CameraModel& camera = scene.whole->camera;
+  const Intrinsics& k = camera.intrinsics();
+  const auto& distortion = camera.distortion().coefficients;
+  const Eigen::Matrix4d& place = scene.whole->X_WC.matrix();
+  std::vector<double> lens = {static_cast<double>(camera.width()),
+                              static_cast<double>(camera.height()),
+                              k.fx,
+                              k.fy,
+                              k.cx,
+                              k.cy,
+                              static_cast<double>(camera.distortion().model)};
+  lens.insert(lens.end(), distortion.begin(), distortion.end());
+  lens.insert(lens.end(), place.data(), place.data() + place.size());
+  return lens;
+}
+
+}  // namespace
+
+bool PicturePainter::GeometryKey::operator==(const GeometryKey& other) const {
+  return clip_from_camera == other.clip_from_camera && X_WC == other.X_WC && drawn == other.drawn;
+}
+
+bool PicturePainter::LightKey::operator==(const LightKey& other) const {
+  return shadows == other.shadows && casting == other.casting && exposure == other.exposure &&
+         lens == other.lens;
+}
+
+bool PicturePainter::Content::operator==(const Content& other) const {
+  return drawn == other.drawn && X_WL == other.X_WL;
+}
+
+PicturePainter::PicturePainter(const PictureCrew& crew, const cv::Size& size)
+    : crew_(crew),
+      image_(cv::Point(), size),
+      geometry_(crew.gl, size.width, size.height, crew.geometry_painter.planes()),
+      overlay_(crew.gl, size.width, size.height, geometry_) {}
+
+void PicturePainter::forget() {
+  forgetContent();
+  bits_ = {};
+  geometry_key_ = {};
+  keeps_geometry_ = false;
+  covered_.clear();
+  for (KeptPicture& kept : kept_pictures_) kept = {};
+}
+
+/// geometry_ will show something else.
+void PicturePainter::forgetContent() {
+  content_.reset();
+  images_ = {};
+}
+
+bool PicturePainter::drewFrom(const View& view) const {
+  return image_.size() == cv::Size(view.camera.width(), view.camera.height()) &&
+         geometry_key_.X_WC == view.X_WC.matrix() &&
+         geometry_key_.clip_from_camera == clipFromCamera(view.camera);
+}
+
+UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSelection& casting,
+                                        bool smooth, const std::vector<cv::Rect>& regions) {
+  const cv::Mat wanted = wantedPixels(regions);
+  if (!regions.empty() && cv::boundingRect(wanted).empty()) {
+    return {plainPicture(scene.exposure), {}, {}, std::nullopt};
+  }
+  drawGeometry(scene.view, scene.X_WL, scene.drawn);
+  const KeptPicture* kept = keptPicture(scene, casting, smooth);
+  if (kept == nullptr) {
+    crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
+    UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, wanted);
+    picture.elsewhere = plainPicture(scene.exposure);
+    return picture;
+  }
+  drawGeometry(scene.view, scene.X_WL, scene.drawn);
+  const cv::Mat changed = changedPixels(scene, casting, kept->edges, wanted, regions.empty());
+  UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, changed);
+  picture.elsewhere = kept->pixels;
+  if (!regions.empty()) {
+    picture.elsewhere = plainPicture(scene.exposure);
+    kept->pixels.copyTo(picture.elsewhere, wanted);
+  }
+  return picture;
+}
+
+/// CV_8UC1: 255 for those of the regions, of which none means all.
+cv::Mat PicturePainter::wantedPixels(const std::vector<cv::Rect>& regions) const {
+  if (regions.empty()) return {image_.size(), CV_8UC1, cv::Scalar(255)};
+  cv::Mat wanted = cv::Mat::zeros(image_.size(), CV_8UC1);
+  for (const cv::Rect& region : regions) wanted(region & image_).setTo(255);
+  return wanted;
+}
+
+/// Draws the shadow maps, and finds which pixels differ from those of the kept picture.
+/// @param edges  of the kept picture
+/// @param wanted  the pixels that are asked for, maybe all
+cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelection& casting,
+                                      const cv::Mat& edges, const cv::Mat& wanted, bool wants_all) {
+  const PossibleChanges regions =
+      possibleChanges(crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
+                      crew_.lights, scene.shadows);
+  // What is just beside the wanted pixels may make edges of them.
+  cv::Mat possible = regions.all();
+  if (!wants_all) possible &= grown(wanted);
+  const cv::Rect place = cv::boundingRect(possible);
+  if (place.empty()) return possible;
+  crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
+  std::vector<ChangedTexels> texels;
+  for (const ShadowProjection& shadow : scene.shadows) {
+    texels.push_back(crew_.shadow_painter.changedTexels(shadow));
+  }
+  const ChangedPixels changed(crew_.parts, scene.view);
+  cv::Mat pixels = changed.find(regions, {read(place), place}, texels, edges);
+  if (!wants_all) pixels &= wanted;
+  return pixels;
+}
+
+GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose>& X_WL,
+                                        const LinkSelection& drawn) {
+  drawGeometry(view, X_WL, drawn);
+  return read(image_);
+}
+
+/// Of what geometry_ shows. Most of a picture is read as a whole: what labels ask for next.
+GeometryImages PicturePainter::read(const cv::Rect& pixels) {
+  if (images_.parts.empty() && 2 * pixels.area() < image_.area()) return geometry_.read(pixels);
+  if (images_.parts.empty()) images_ = geometry_.read(image_);
+  return {images_.parts(pixels), images_.depth(pixels), {}};
+}
+
+std::optional<CoveredPixels> PicturePainter::covered(const View& view,
+                                                     const std::vector<Pose>& X_WL,
+                                                     const LinkSelection& links) const {
+  const auto isThere = [](const Pose& pose, const Eigen::Matrix4d& drawn) {
+    return pose.matrix() == drawn;
+  };
+  const bool is_drawn =
+      content_ && drewFrom(view) &&
+      std::equal(X_WL.begin(), X_WL.end(), content_->X_WL.begin(), content_->X_WL.end(), isThere);
+  const auto place = is_drawn ? bits_.find(links) : std::nullopt;
+  if (!place) return std::nullopt;
+  return CoveredPixels{place->pixels, (geometry_.readStencil(place->pixels) & place->bit) != 0};
+}
+
+LinkSelection PicturePainter::standing(const LinkSelection& links) const {
+  LinkSelection selected(links.size(), false);
+  for (const Part& part : crew_.parts.parts()) {
+    if (part.stands_still) selected[part.link] = links[part.link];
+  }
+  return selected;
+}
+
+PicturePainter::LightKey PicturePainter::lightKey(const ColourScene& scene,
+                                                  const LinkSelection& casting) const {
+  LightKey key{{}, standing(casting), scene.exposure, lensOf(scene)};
+  for (const ShadowProjection& shadow : scene.shadows) {
+    key.shadows.push_back(shadow.shadow_from_world);
+  }
+  return key;
+}
+
+/// Afterwards geometry_ shows these links.
+void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_WL,
+                                  const LinkSelection& drawn) {
+  Content content{drawn, {}};
+  for (const Pose& pose : X_WL) content.X_WL.push_back(pose.matrix());
+  GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), standing(drawn)};
+  const bool came_before = crew_.keeps && geometry_key_ == key;
+  if (came_before && content_ && *content_ == content) return;
+  forgetContent();
+  if (came_before) {
+    drawStandingGeometry(view, X_WL, drawn);
+  } else {
+    // It may not come again: what would be kept is drawn only when it does.
+    geometry_key_ = std::move(key);
+    keeps_geometry_ = false;
+    for (KeptPicture& kept : kept_pictures_) kept = {};
+    geometry_.begin();
+    crew_.geometry_painter.paint(view, X_WL, drawn, true, {});
+  }
+  // What a first picture would save, OpenGL takes to make shaders for it.
+  bits_ =
+      crew_.keeps && has_drawn_ ? SilhouetteBits(crew_.parts, view, X_WL, drawn) : SilhouetteBits();
+  has_drawn_ = true;
+  geometry_.bind();
+  crew_.geometry_painter.paint(view, X_WL, drawn, false, bits_);
+  covered_ = regionsOf(crew_.parts.parts(), view, X_WL,
+                       [&](const Part& part) { return drawn[part.link] && !part.stands_still; });
+  content_ = std::move(content);
+}
+
+/// Afterwards geometry_ is that of what never moves.
+void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Pose>& X_WL,
+                                          const LinkSelection& drawn) {
+  forgetContent();
+  if (keeps_geometry_) {
+    for (const cv::Rect& region : covered_) kept_geometry_->copyTo(geometry_, region);
+    covered_.clear();
+    return;
+  }
+  geometry_.begin();
+  crew_.geometry_painter.paint(view, X_WL, drawn, true, {});
+  if (!kept_geometry_) {
+    kept_geometry_.emplace(crew_.gl, image_.width, image_.height, crew_.geometry_painter.planes());
+  }
+  geometry_.copyTo(*kept_geometry_, image_);
+  keeps_geometry_ = true;
+  covered_.clear();
+}
+
+/// That of what never moves, or null while it is not known whether it will be needed again.
+const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene& scene,
+                                                               const LinkSelection& casting,
+                                                               bool smooth) {
+  if (!crew_.keeps) return nullptr;
+  KeptPicture& kept = kept_pictures_.at(smooth ? 1 : 0);
+  LightKey key = lightKey(scene, casting);
+  if (!(kept.key == key)) {
+    kept = {std::move(key), {}, {}};
+    return nullptr;
+  }
+  if (!kept.pixels.empty()) return &kept;
+  drawStandingGeometry(scene.view, scene.X_WL, scene.drawn);
+  crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
+  UnfinishedPicture picture = light(scene, standing(scene.drawn), false, smooth,
+                                    cv::Mat(image_.size(), CV_8UC1, cv::Scalar(255)));
+  picture.elsewhere = plainPicture(scene.exposure);
+  kept.pixels = finished(picture, crew_.edge_smoother);
+  if (picture.edges) {
+    kept.edges =
+        EdgePixels(picture.unlit.seen.geometry, image_, {image_}, scene.view.camera.intrinsics())
+            .mask(image_.size());
+  }
+  return &kept;
+}
+
+/// Gathers what the light of pixels is found from.
+/// @param seen  the links that were drawn
+/// @param pixels  those that are not 0; a few others may be lit, too
+/// @return without what is elsewhere
+UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSelection& seen,
+                                        bool see_through, bool smooth, const cv::Mat& pixels) {
+  UnfinishedPicture picture;
+  picture.regions = bandsOf(pixels);
+  if (picture.regions.empty()) return picture;
+  smooth = smooth && crew_.smooths;
+  // Edges take their light from the pixels round them.
+  const std::vector<cv::Rect> lit =
+      smooth ? bandsOf(grown(picture.regions, image_.size())) : picture.regions;
+  const cv::Rect place = boundsOf(lit);
+  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place), place};
+  surfaces.geometry.normals = surfaces.surfaces.vertexNormals();
+  picture.unlit =
+      crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_, see_through, lit);
+  if (smooth) picture.edges = EdgeScene{scene.view, scene.X_WL, seen};
+  return picture;
+}
+
+cv::Mat PicturePainter::plainPicture(float exposure) const {
+  return {image_.size(), CV_8UC3, crew_.light_painter.backgroundPixel(exposure)};
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/edges/edge_smoother.h"
+#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_painter.h"
+#include "render/geometry/silhouette_bits.h"
+#include "render/labels/silhouette_painter.h"
+#include "render/overlay/overlay_target.h"
+#include "render/parts/draw_list.h"
+#include "render/picture/light_painter.h"
+#include "render/picture/unfinished_picture.h"
+#include "render/shadows/shadow_painter.h"
+
+namespace synthetic_dataset::render {
+
+/// Who takes part in making pictures. The references have to outlive all painters of pictures.
+struct PictureCrew {
+  const GlFunctions& gl;
+  const DrawList& parts;
+  const std::vector<world::Light>& lights;
+  GeometryPainter& geometry_painter;
+  ShadowPainter& shadow_painter;
+  LightPainter& light_painter;
+  EdgeSmoother& edge_smoother;
+  bool smooths;  ///< whether smooth pictures are, or are like others
+  bool keeps;    ///< whether anything is kept from picture to picture
+};
+
+/// Draws pictures of one size.
+///
+/// When a picture is taken from the same place as the one before, what never moves is drawn once
+/// and kept, with its light; only where something else is seen, or its shadow falls, is light found
+/// anew. Every pixel is that of a picture of which nothing was kept.
+class PicturePainter {
+ public:
+  PicturePainter(const PictureCrew& crew, const cv::Size& size);
+
+  [[nodiscard]] cv::Size size() const { return image_.size(); }
+
+  /// Nothing is kept of what was drawn so far: all looks different now.
+  void forget();
+
+  /// Whether the last picture was taken with this camera from this place.
+  [[nodiscard]] bool drewFrom(const View& view) const;
+
+  /// @param casting  the links that cast shadows
+  /// @param smooth  edges by several samples a pixel, not the centre's alone
+  /// @param regions  the pixels that are asked for; empty for the whole picture
+  [[nodiscard]] UnfinishedPicture paint(const ColourScene& scene, const LinkSelection& casting,
+                                        bool smooth, const std::vector<cv::Rect>& regions);
+
+  /// What the pixels' centres see: what a picture and labels of the same things have in common.
+  /// Not to be written to: others have the same pixels.
+  [[nodiscard]] GeometryImages geometry(const View& view, const std::vector<Pose>& X_WL,
+                                        const LinkSelection& drawn);
+
+  /// What of the image links cover, whatever hides them, where what was drawn last tells.
+  [[nodiscard]] std::optional<CoveredPixels> covered(const View& view,
+                                                     const std::vector<Pose>& X_WL,
+                                                     const LinkSelection& links) const;
+
+ private:
+  /// What the surfaces that never move look like depends on.
+  struct GeometryKey {
+    Eigen::Matrix4d clip_from_camera = Eigen::Matrix4d::Zero();
+    Eigen::Matrix4d X_WC = Eigen::Matrix4d::Zero();
+    LinkSelection drawn;  ///< of what never moves
+
+    [[nodiscard]] bool operator==(const GeometryKey& other) const;
+  };
+
+  /// And what their light depends on, besides.
+  struct LightKey {
+    std::vector<Eigen::Matrix4d> shadows;
+    LinkSelection casting;  ///< of what never moves
+    float exposure = 0.0F;
+    std::vector<double> lens;  ///< of which this is a face, and how it is turned in it
+
+    [[nodiscard]] bool operator==(const LightKey& other) const;
+  };
+
+  /// A picture of what never moves.
+  struct KeptPicture {
+    LightKey key;
+    cv::Mat pixels;  ///< empty until the key comes a second time; never written to
+    cv::Mat edges;   ///< CV_8UC1: 255 where these are smoothed; empty where edges are not
+  };
+
+  /// What geometry_ shows.
+  struct Content {
+    LinkSelection drawn;
+    std::vector<Eigen::Matrix4d> X_WL;
+
+    [[nodiscard]] bool operator==(const Content& other) const;
+  };
+
+  [[nodiscard]] GeometryImages read(const cv::Rect& pixels);
+  void forgetContent();
+  [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
+  [[nodiscard]] LightKey lightKey(const ColourScene& scene, const LinkSelection& casting) const;
+  void drawGeometry(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn);
+  void drawStandingGeometry(const View& view, const std::vector<Pose>& X_WL,
+                            const LinkSelection& drawn);
+  [[nodiscard]] const KeptPicture* keptPicture(const ColourScene& scene,
+                                               const LinkSelection& casting, bool smooth);
+  [[nodiscard]] cv::Mat changedPixels(const ColourScene& scene, const LinkSelection& casting,
+                                      const cv::Mat& edges, const cv::Mat& wanted, bool wants_all);
+  [[nodiscard]] cv::Mat wantedPixels(const std::vector<cv::Rect>& regions) const;
+  [[nodiscard]] UnfinishedPicture light(const ColourScene& scene, const LinkSelection& seen,
+                                        bool see_through, bool smooth, const cv::Mat& pixels);
+  [[nodiscard]] cv::Mat plainPicture(float exposure) const;
+
+  PictureCrew crew_;
+  cv::Rect image_;
+  GeometryBuffer geometry_;
+  OverlayTarget overlay_;
+  GeometryKey geometry_key_;        ///< of geometry_
+  SilhouetteBits bits_;             ///< in geometry_
+  bool has_drawn_ = false;          ///< at least once
+  std::optional<Content> content_;  ///< of geometry_; nothing while that is what never moves
+  GeometryImages images_;           ///< of content_; empty until all of it has been read
+  std::optional<GeometryBuffer> kept_geometry_;
+  bool keeps_geometry_ = false;               ///< kept_geometry_ is that of geometry_key_
+  std::vector<cv::Rect> covered_;             ///< where geometry_ may differ from kept_geometry_
+  std::array<KeptPicture, 2> kept_pictures_;  ///< from centres alone, and smooth
+};
+
+}  // namespace synthetic_dataset::render

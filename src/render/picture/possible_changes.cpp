@@ -1,0 +1,133 @@
+#include "render/picture/possible_changes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <opencv2/core.hpp>
+
+#include "render/parts/part_groups.h"
+#include "render/pixels/hull_pixels.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// Beyond this many times as far from a lamp, a shadow is taken to reach everywhere.
+constexpr double kFarthest = 1000.0;
+
+/// What of a thing's way along one axis lies within the receivers: the most that `factor` may be in
+/// start + factor * step for any start in [low, high], or infinity.
+double longestWay(double low, double high, double step, double least, double most) {
+  if (step > 0.0) return (most - low) / step;
+  if (step < 0.0) return (least - high) / step;
+  return std::numeric_limits<double>::infinity();
+}
+
+/// The hull of a body and its shadow in parallel light, as far as something receives it.
+Points parallelShadow(const Bounds& caster, const Eigen::Vector3d& direction,
+                      const Bounds& receivers) {
+  double way = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    way = std::min(way, longestWay(caster.min()[axis], caster.max()[axis], direction[axis],
+                                   receivers.min()[axis], receivers.max()[axis]));
+  }
+  const Points corners = cornersOf(caster);
+  Points hull = corners;
+  for (const Eigen::Vector3d& corner : corners) {
+    hull.push_back(corner + std::max(way, 0.0) * direction);
+  }
+  return hull;
+}
+
+/// The same in a lamp's light; nothing where it may be anywhere.
+std::optional<Points> lampShadow(const Bounds& caster, const Eigen::Vector3d& lamp, double range,
+                                 const Bounds& receivers) {
+  double times = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    // Rays from the lamp through the body go on along an axis by `times` at the most.
+    const double low = caster.min()[axis] - lamp[axis];
+    const double high = caster.max()[axis] - lamp[axis];
+    if (low > 0.0) times = std::min(times, (receivers.max()[axis] - lamp[axis]) / low);
+    if (high < 0.0) times = std::min(times, (receivers.min()[axis] - lamp[axis]) / high);
+  }
+  const double nearest = caster.exteriorDistance(lamp);
+  if (nearest > 0.0) times = std::min(times, range / nearest);  // dark beyond
+  if (!(times < kFarthest)) return std::nullopt;
+  const Points corners = cornersOf(caster);
+  Points hull = corners;
+  for (const Eigen::Vector3d& corner : corners) {
+    hull.push_back(lamp + std::max(times, 1.0) * (corner - lamp));
+  }
+  return hull;
+}
+
+/// Grown by what a shadow is blurred and pushed, in texels of its map.
+Bounds withBlur(const Bounds& caster, const world::Light& light, const ShadowProjection& shadow) {
+  constexpr double kTexels = 8.0;
+  const bool is_lamp = light.type == world::LightType::kSpot;
+  const double texel = shadow.texel * (is_lamp ? std::max(light.range, 1.0) : 1.0);
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kTexels * texel);
+  return {caster.min() - margin, caster.max() + margin};
+}
+
+/// Marks the pixels on which the shadow of a caster may be seen, and a few more.
+void markShadow(const Bounds& caster, const world::Light& light, const ShadowProjection& shadow,
+                const Bounds& receivers, const View& view, cv::Mat& pixels) {
+  const Bounds blurred = withBlur(caster, light, shadow);
+  const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
+  const std::optional<Points> hull =
+      light.type == world::LightType::kSpot
+          ? lampShadow(blurred, light.X_WL.translation(), light.range, receivers)
+          : parallelShadow(blurred, direction, receivers);
+  if (hull) {
+    markHull(*hull, view, pixels);
+  } else {
+    pixels.setTo(255);
+  }
+}
+
+cv::Mat noPixels(const View& view) {
+  return cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
+}
+
+}  // namespace
+
+PossibleChanges possibleChanges(const std::vector<Part>& parts, const View& view,
+                                const std::vector<Pose>& X_WL, const LinkSelection& drawn,
+                                const LinkSelection& casting,
+                                const std::vector<world::Light>& lights,
+                                const std::vector<ShadowProjection>& shadows) {
+  const auto markSeen = [&](const std::function<bool(const Part&)>& is_chosen) {
+    cv::Mat pixels = noPixels(view);
+    for (const Bounds& group : boundsOfGroups(parts, X_WL, is_chosen)) {
+      markHull(cornersOf(group), view, pixels);
+    }
+    return pixels;
+  };
+  PossibleChanges regions;
+  regions.surfaces = markSeen([&](const Part& part) {
+    return drawn[part.link] && !part.stands_still && !part.transparent;
+  });
+  regions.glass = markSeen([&](const Part& part) { return drawn[part.link] && part.transparent; });
+  regions.shadows = noPixels(view);
+  Bounds receivers;
+  for (const Part& part : parts) {
+    if (drawn[part.link] && part.stands_still) extend(receivers, part, X_WL[part.link]);
+  }
+  if (receivers.isEmpty()) return regions;
+  const auto moves = [&](const Part& part) {
+    return casting[part.link] && part.casts_shadow && !part.stands_still;
+  };
+  for (const Bounds& group : boundsOfGroups(parts, X_WL, moves)) {
+    for (const ShadowProjection& shadow : shadows) {
+      markShadow(group, lights[static_cast<std::size_t>(shadow.light)], shadow, receivers, view,
+                 regions.shadows);
+    }
+  }
+  return regions;
+}
+
+}  // namespace synthetic_dataset::render

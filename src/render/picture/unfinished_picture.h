@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/edges/edge_smoother.h"
+#include "render/picture/light_painter.h"
+
+namespace synthetic_dataset::render {
+
+/// What OpenGL has drawn of a picture.
+struct UnfinishedPicture {
+  cv::Mat elsewhere;               ///< CV_8UC3, of the whole picture: what is not in `regions`
+  std::vector<cv::Rect> regions;   ///< the other pixels
+  UnlitPixels unlit;               ///< them, and those by them where edges are smooth
+  std::optional<EdgeScene> edges;  ///< none where they are not smoothed
+};
+
+/// @return CV_8UC3, blue green red, sRGB-encoded
+[[nodiscard]] cv::Mat finished(const UnfinishedPicture& picture, const EdgeSmoother& smoother);
+
+}  // namespace synthetic_dataset::render

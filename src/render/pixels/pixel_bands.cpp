@@ -1,0 +1,54 @@
+#include "render/pixels/pixel_bands.h"
+
+#include <algorithm>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace synthetic_dataset::render {
+namespace {
+
+// Finer ones light fewer pixels in vain, and take their time each.
+constexpr int kHeight = 8;    // [px] of a band; they begin at its multiples
+constexpr int kLeastGap = 8;  // [px] between two rectangles of a band
+
+/// The runs of pixels that are not 0, those with small gaps between them as one.
+void addRuns(const cv::Mat& row, int top, int height, std::vector<cv::Rect>& to) {
+  const auto* is_set = row.ptr<uchar>();
+  int first = -1;
+  int end = 0;
+  for (int u = 0; u < row.cols; ++u) {
+    if (is_set[u] == 0) continue;
+    if (first >= 0 && u - end >= kLeastGap) {
+      to.emplace_back(first, top, end - first, height);
+      first = -1;
+    }
+    if (first < 0) first = u;
+    end = u + 1;
+  }
+  if (first >= 0) to.emplace_back(first, top, end - first, height);
+}
+
+}  // namespace
+
+std::vector<cv::Rect> bandsOf(const cv::Mat& pixels) {
+  std::vector<cv::Rect> bands;
+  cv::Mat columns;
+  const cv::Rect bounds = cv::boundingRect(pixels);
+  const int bottom = bounds.y + bounds.height;
+  for (int band = bounds.y / kHeight; band * kHeight < bottom; ++band) {
+    const int top = std::max(band * kHeight, bounds.y);
+    const int end = std::min((band + 1) * kHeight, bottom);
+    cv::reduce(pixels.rowRange(top, end), columns, 0, cv::REDUCE_MAX);
+    addRuns(columns, top, end - top, bands);
+  }
+  return bands;
+}
+
+cv::Rect boundsOf(const std::vector<cv::Rect>& rectangles) {
+  cv::Rect bounds;  // OpenCV's union with an empty rectangle is the other one
+  for (const cv::Rect& each : rectangles) bounds |= each;
+  return bounds;
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/parts/draw_list.h"
+#include "render/parts/shader_family.h"
+#include "render/shadows/changed_texels.h"
+#include "render/shadows/map_depths.h"
+#include "render/shadows/shadow_maps.h"
+#include "render/shadows/shadow_projection.h"
+
+namespace synthetic_dataset::render {
+
+/// Draws the shadow maps.
+///
+/// What never moves is drawn once for all pictures that have the same projection, and what moves on
+/// top of it: depths are the least ones whatever the order, so a map's pixels do not tell.
+class ShadowPainter {
+ public:
+  /// @param parts  have to outlive this
+  /// @param size  of a map's side [texel]
+  ShadowPainter(const GlFunctions& gl, const DrawList& parts, int size, int layers);
+
+  void paint(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
+             const LinkSelection& casting);
+
+  /// The shadows of what never moves alone.
+  void paintStanding(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
+                     const LinkSelection& casting);
+
+  /// What paint() has just drawn beside what never moves.
+  [[nodiscard]] ChangedTexels changedTexels(const ShadowProjection& shadow) const;
+
+  /// What was drawn last.
+  [[nodiscard]] MapDepths depths(const ShadowProjection& shadow) const;
+
+  /// The same for OpenGL, where something is drawn that one can see through.
+  [[nodiscard]] GLuint texture() const { return maps_.texture(); }
+
+ private:
+  enum class Casters { kAll, kStanding, kMoving };
+
+  /// What a layer was drawn with last.
+  struct Layer {
+    Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
+    LinkSelection casting;
+    bool is_kept = false;             ///< the standing casters, as they are drawn with these
+    std::vector<MapPiece> moving;     ///< what moves, where it was drawn on top of them
+    std::vector<cv::Rect> overdrawn;  ///< texels on which OpenGL did that
+    std::shared_ptr<MapDepths::Standing> standing;  ///< or all casters, if they are not kept
+  };
+
+  [[nodiscard]] static bool isSame(const Layer& layer, const ShadowProjection& shadow,
+                                   const LinkSelection& casting);
+  void begin();
+  void paintStandingLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
+                          const LinkSelection& casting);
+  void paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
+                  const LinkSelection& casting);
+  [[nodiscard]] bool isCastByRaster(const ShadowProjection& shadow,
+                                    const LinkSelection& casting) const;
+  [[nodiscard]] std::vector<MapPiece> castPieces(const ShadowProjection& shadow,
+                                                 const std::vector<Pose>& X_WL,
+                                                 const LinkSelection& casting) const;
+  [[nodiscard]] std::shared_ptr<MapDepths::Standing> readAll(int layer) const;
+  [[nodiscard]] std::vector<cv::Rect> texelsOfMoving(const ShadowProjection& shadow,
+                                                     const std::vector<Pose>& X_WL,
+                                                     const LinkSelection& casting) const;
+  [[nodiscard]] cv::Rect texelsOf(const Bounds& caster, const ShadowProjection& shadow) const;
+  void draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
+            const LinkSelection& casting, Casters casters);
+
+  const GlFunctions& gl_;
+  const DrawList& parts_;
+  ShaderFamily programs_;
+  ShadowMaps maps_;
+  bool has_glass_;  ///< which OpenGL lights
+  std::vector<Layer> layers_;
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,44 @@
+#include "render/lens/lens_map.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include "render/lens_cases.h"
+#include "render/renderer.h"
+#include "support/box_world.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+using synthetic_dataset::test::Stage;
+using test::coloured;
+using test::dark;
+using test::kFisheye190;
+using test::kPlumbBob;
+
+TEST(LensMap, OfANarrowLensHasOneFaceThatLooksAhead) {
+  const LensMap map = makeLensMap(kPlumbBob.camera);
+  ASSERT_EQ(map.faces.size(), 1U);
+  EXPECT_TRUE(map.faces[0].X_CF.matrix().isIdentity());
+  EXPECT_EQ(map.faces[0].camera.near(), kPlumbBob.camera.near());
+}
+
+TEST(LensMap, OfAWideLensHasTheCubesSidesThatItSees) {
+  const LensMap map = makeLensMap(kFisheye190.camera);
+  EXPECT_EQ(map.faces.size(), 5U) << "nothing is seen straight behind";
+}
+
+TEST(LensMap, CutsLargeFacesIntoTilesWithoutASeam) {
+  const CameraModel camera(4000, 300, {3000, 3000, 1999.5, 149.5}, 0.05, 100.0,
+                           {DistortionModel::kPlumbBob, {-0.05}});
+  EXPECT_GT(makeLensMap(camera).faces.size(), 1U);
+  Stage stage;
+  stage.addBox({6, 0.05, 0.1}, makePose({0, 0, 3}, Eigen::Quaterniond::Identity()), 0,
+               coloured(1, 1, 1));
+  Renderer renderer(dark(), stage.links(), {});
+  const cv::Mat ids = renderer.labels({camera, Pose::Identity()}, stage.poses(), {stage.all()}).ids;
+  EXPECT_EQ(cv::countNonZero(ids.row(150) == 1), 4000);
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,70 @@
+#include "render/pixels/lanes.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include "render/pixels/lane_images.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+std::array<float, kLaneCount> stored(const Lanes& numbers) {
+  std::array<float, kLaneCount> result{};
+  cv::v_store(result.data(), numbers);
+  return result;
+}
+
+TEST(Lanes, HaveTheExponentialOfEach) {
+  for (float power = -87.0F; power <= 87.0F; power += 0.375F) {
+    const auto result = stored(exponential(Lanes(power, power / 3.0F, 0.0F, -power)));
+    EXPECT_NEAR(result[0] / std::exp(double{power}), 1.0, 3e-7) << power;
+    EXPECT_NEAR(result[1] / std::exp(double{power / 3.0F}), 1.0, 3e-7) << power;
+    EXPECT_EQ(result[2], 1.0F);
+    EXPECT_NEAR(result[3] / std::exp(-double{power}), 1.0, 3e-7) << power;
+  }
+  EXPECT_LT(stored(exponential(lanes(-1000.0F)))[0], 1e-37F);
+}
+
+TEST(Lanes, AreStoredAsNumbersOf16BitsAsOpenCvHasThem) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> exponent(-13.9F, 15.9F);
+  for (int i = 0; i < 2000; ++i) {
+    const std::array<float, 3> numbers = {std::exp2(exponent(random)), std::exp2(exponent(random)),
+                                          i % 2 == 0 ? 0.0F : 1.0F};
+    std::array<std::uint16_t, 16> bits{};
+    storeHalves(bits.data(), {lanes(numbers[0]), lanes(numbers[1]), lanes(numbers[2])});
+    for (std::size_t k = 0; k < bits.size(); ++k) {
+      const float number = k % 4 == 3 ? 1.0F : numbers[k % 4];
+      ASSERT_EQ(bits[k], cv::float16_t(number).bits()) << number;
+    }
+  }
+}
+
+TEST(Lanes, AreLoadedFromNumbersOf16Bits) {
+  for (const float number : {0.0F, 1.0F, -1.0F, 0.333F, -0.0625F, 65504.0F, 6.2e-5F, 6e-5F}) {
+    std::array<std::uint16_t, 16> bits{};
+    for (std::size_t k = 0; k < bits.size(); ++k) {
+      bits[k] = cv::float16_t(k % 4 == 1 ? number : 0.5F).bits();
+    }
+    const PixelLanes pixels = loadHalves(bits.data());
+    const float wanted = std::abs(number) < 6.1e-5F ? 0.0F : float{cv::float16_t(number)};
+    EXPECT_EQ(stored(pixels.xyz.y)[3], wanted);
+    EXPECT_EQ(stored(pixels.w)[0], 0.5F);
+  }
+}
+
+TEST(LaneImages, AreWideEnough) {
+  const cv::Mat narrow = (cv::Mat_<int>(2, 2) << 1, 2, 3, 4);
+  const cv::Mat wide = (cv::Mat_<int>(2, 4) << 1, 2, 2, 2, 3, 4, 4, 4);
+  EXPECT_EQ(cv::norm(widened(narrow), wide, cv::NORM_INF), 0.0);
+  EXPECT_EQ(widened(wide).data, wide.data);
+  EXPECT_EQ(firstLane(4, 10), 4);
+  EXPECT_EQ(firstLane(8, 10), 6);
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::render

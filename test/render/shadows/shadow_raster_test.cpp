@@ -1,0 +1,142 @@
+#include "render/shadows/shadow_raster.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include "support/random_poses.h"
+#include "world/shape/shape_meshes.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+constexpr int kSize = 96;
+
+/// A body turned at random, so many texels to a metre.
+Eigen::Affine3f placed(std::mt19937& random, double texels, const Eigen::Vector2d& middle) {
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  map.linear() = Eigen::Vector3d(texels, texels, 0.2).asDiagonal() *
+                 test::randomOrientation(random).toRotationMatrix();
+  map.translation() << middle, 0.5;
+  return map.cast<float>();
+}
+
+cv::Mat whole(const std::optional<MapPiece>& piece, int size = kSize) {
+  cv::Mat map(size, size, CV_32FC1, cv::Scalar(1.0));
+  if (piece) piece->depths.copyTo(map(piece->texels));
+  return map;
+}
+
+/// The least depth of all triangles at each texel's centre; `clear` tells how far it is from the
+/// next side of one [texel].
+cv::Mat leastDepths(const world::Mesh& mesh, const Eigen::Affine3f& map_from_mesh, cv::Mat& clear) {
+  cv::Mat depths(kSize, kSize, CV_64FC1, cv::Scalar(1.0));
+  clear = cv::Mat(kSize, kSize, CV_64FC1, cv::Scalar(1e9));
+  const Eigen::Affine3d map = map_from_mesh.cast<double>();
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    Eigen::Matrix3d corners;
+    for (int k = 0; k < 3; ++k) {
+      corners.col(k) =
+          map * mesh.positions[mesh.indices[i + static_cast<std::size_t>(k)]].cast<double>();
+    }
+    Eigen::Matrix3d places = corners;
+    places.row(2).setOnes();
+    if (std::abs(places.determinant()) < 1e-9) continue;
+    const Eigen::Matrix3d shares = places.inverse();
+    for (int v = 0; v < kSize; ++v) {
+      for (int u = 0; u < kSize; ++u) {
+        const Eigen::Vector3d share = shares * Eigen::Vector3d(u + 0.5, v + 0.5, 1.0);
+        for (int k = 0; k < 3; ++k) {  // a share grows by its row's length a texel
+          const double off = std::abs(share[k]) / shares.row(k).head<2>().norm();
+          if (share.minCoeff() > -0.5)
+            clear.at<double>(v, u) = std::min(clear.at<double>(v, u), off);
+        }
+        if (share.minCoeff() < 0.0) continue;
+        depths.at<double>(v, u) = std::min(depths.at<double>(v, u), corners.row(2).dot(share));
+      }
+    }
+  }
+  return depths;
+}
+
+TEST(ShadowRaster, HasTheLeastDepthAtTheCentreOfEachTexel) {
+  std::mt19937 random(3);
+  for (const auto& mesh : {world::sphereMesh(0.4), world::boxMesh({0.3, 0.5, 0.7})}) {
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Affine3f map = placed(random, 60.0, {45.3, 50.7});
+      cv::Mat clear;
+      const cv::Mat wanted = leastDepths(*mesh, map, clear);
+      const cv::Mat found = whole(castPiece(*mesh, map, kSize, false));
+      int compared = 0;
+      for (int v = 0; v < kSize; ++v) {
+        for (int u = 0; u < kSize; ++u) {
+          if (clear.at<double>(v, u) < 0.01) continue;  // corners are rounded by less
+          compared += wanted.at<double>(v, u) < 1.0 ? 1 : 0;
+          EXPECT_NEAR(found.at<float>(v, u), wanted.at<double>(v, u), 1e-3) << u << ", " << v;
+        }
+      }
+      EXPECT_GT(compared, 500);
+    }
+  }
+}
+
+TEST(ShadowRaster, LeavesNoGapsBetweenTriangles) {
+  std::mt19937 random(5);
+  const auto ball = world::sphereMesh(0.4);
+  for (int i = 0; i < 20; ++i) {
+    const cv::Mat map = whole(castPiece(*ball, placed(random, 70.0, {48, 48}), kSize, true));
+    for (int v = 0; v < kSize; ++v) {
+      int changes = 0;
+      for (int u = 1; u < kSize; ++u) {
+        changes += (map.at<float>(v, u) < 1.0F) != (map.at<float>(v, u - 1) < 1.0F) ? 1 : 0;
+      }
+      EXPECT_LE(changes, 2) << "row " << v;
+    }
+  }
+}
+
+TEST(ShadowRaster, NeedsNoBacksOfABody) {
+  std::mt19937 random(7);
+  for (const auto& mesh : {world::sphereMesh(0.4), world::capsuleMesh(0.2, 0.5)}) {
+    const Eigen::Affine3f map = placed(random, 60.0, {48, 48});
+    const cv::Mat fronts = whole(castPiece(*mesh, map, kSize, true));
+    EXPECT_LT(cv::norm(fronts, whole(castPiece(*mesh, map, kSize, false)), cv::NORM_INF), 1e-6);
+    EXPECT_GT(cv::countNonZero(fronts < 1.0F), 500);
+  }
+}
+
+TEST(ShadowRaster, IsCutAtTheEdgesOfTheMap) {
+  std::mt19937 random(9);
+  const auto ball = world::sphereMesh(0.4);
+  const Eigen::Affine3f map = placed(random, 60.0, {48, 48});
+  const cv::Mat all = whole(castPiece(*ball, map, kSize, false));
+  for (const Eigen::Vector2f& shift :
+       {Eigen::Vector2f(40, 0), {-40, 0}, {0, 40}, {0, -40}, {-45, 44}}) {
+    Eigen::Affine3f shifted = map;
+    shifted.translation().head<2>() += shift;
+    const auto piece = castPiece(*ball, shifted, kSize, false);
+    ASSERT_TRUE(piece);
+    EXPECT_EQ(piece->texels & cv::Rect(0, 0, kSize, kSize), piece->texels);
+    const cv::Mat found = whole(piece);
+    const auto dx = static_cast<int>(shift.x());
+    const auto dy = static_cast<int>(shift.y());
+    const cv::Rect there = cv::Rect(dx, dy, kSize, kSize) & cv::Rect(0, 0, kSize, kSize);
+    EXPECT_LT(cv::norm(found(there), all(there - cv::Point(dx, dy)), cv::NORM_INF), 1e-5);
+  }
+  Eigen::Affine3f beside = map;
+  beside.translation().x() += 200.0F;
+  EXPECT_FALSE(castPiece(*ball, beside, kSize, false));
+}
+
+TEST(ShadowRaster, CountsWhatLiesBeforeTheMapAsAtItsBeginning) {
+  std::mt19937 random(9);
+  Eigen::Affine3f map = placed(random, 60.0, {48, 48});
+  map.translation().z() = -3.0F;
+  const auto piece = castPiece(*world::sphereMesh(0.4), map, kSize, true);
+  ASSERT_TRUE(piece);
+  EXPECT_EQ(piece->depths.at<float>(piece->depths.rows / 2, piece->depths.cols / 2), 0.0F);
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::render
