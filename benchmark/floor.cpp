@@ -21,7 +21,7 @@
 #include <opencv2/core.hpp>
 
 #include "output/background_worker.h"
-#include "output/png_encoder.h"
+#include "output/image/png_encoder.h"
 #include "render/gl/gl_planes.h"
 #include "render/gl/osmesa_context.h"
 #include "render/gl/shader_program.h"

@@ -9,8 +9,8 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <opencv2/imgcodecs.hpp>
-#include "output/manifest_schema.h"
-#include "output/sqlite.h"
+#include "output/manifest/manifest_schema.h"
+#include "output/manifest/sqlite.h"
 
 namespace {
 

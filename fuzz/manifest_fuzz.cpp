@@ -1,7 +1,7 @@
 // Manifests: SQLite files that an earlier run, or somebody else, has left.
 #include "fuzzing.h"
-#include "output/manifest.h"
-#include "output/manifest_content.h"
+#include "output/manifest/manifest.h"
+#include "output/manifest/manifest_content.h"
 #include "output/written_dataset.h"
 
 namespace {

@@ -45,6 +45,7 @@ INNER_ORDER = {
     'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'sdf', 'urdf'),
     'src/render': ('pixels', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay', 'edges',
                    'lens', 'labels', 'picture'),
+    'src/output': ('files', 'image', 'manifest'),
 }
 
 # Libraries that only some folders may know, by how the path of the include begins.

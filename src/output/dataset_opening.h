@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "output/dataset_store.h"
-#include "output/manifest.h"
-#include "output/run_lock.h"
+#include "output/files/run_lock.h"
+#include "output/manifest/manifest.h"
 
 namespace synthetic_dataset::output {
 

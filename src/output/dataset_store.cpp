@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "output/dataset_opening.h"
-#include "output/digest.h"
-#include "output/file_name_rules.h"
-#include "output/image_encoder.h"
-#include "output/pending_file.h"
+#include "output/files/digest.h"
+#include "output/files/file_name_rules.h"
+#include "output/files/pending_file.h"
+#include "output/image/image_encoder.h"
 #include "output/scene_contents.h"
 #include "synthetic_dataset/errors.h"
 

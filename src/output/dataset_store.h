@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "output/disk_sync.h"
-#include "output/manifest_schema.h"
-#include "output/run_description.h"
-#include "output/scene_facts.h"
+#include "output/files/disk_sync.h"
+#include "output/manifest/manifest_schema.h"
+#include "output/manifest/run_description.h"
+#include "output/manifest/scene_facts.h"
 #include "output/store_types.h"
 #include "synthetic_dataset/output.h"
 

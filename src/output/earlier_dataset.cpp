@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include "output/file_name_rules.h"
-#include "output/pending_file.h"
+#include "output/files/file_name_rules.h"
+#include "output/files/pending_file.h"
+#include "output/files/run_lock.h"
 #include "output/preflight.h"
-#include "output/run_lock.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "output/dataset_store.h"
-#include "output/manifest_content.h"
+#include "output/manifest/manifest_content.h"
 
 namespace synthetic_dataset::output {
 

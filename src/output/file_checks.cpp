@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <set>
 
-#include "output/digest.h"
-#include "output/file_name_rules.h"
-#include "output/manifest_paths.h"
-#include "output/pending_file.h"
-#include "output/run_lock.h"
+#include "output/files/digest.h"
+#include "output/files/file_name_rules.h"
+#include "output/files/pending_file.h"
+#include "output/files/run_lock.h"
+#include "output/manifest/manifest_paths.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "output/manifest_paths.h"
-#include "output/pending_file.h"
+#include "output/files/pending_file.h"
+#include "output/manifest/manifest_paths.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {

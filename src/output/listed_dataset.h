@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "output/manifest_content.h"
-#include "output/scene_facts.h"
-#include "output/sqlite.h"
+#include "output/manifest/manifest_content.h"
+#include "output/manifest/scene_facts.h"
+#include "output/manifest/sqlite.h"
 
 namespace synthetic_dataset::output {
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "output/file_name_rules.h"
+#include "output/files/file_name_rules.h"
 
 namespace synthetic_dataset::output {
 namespace {

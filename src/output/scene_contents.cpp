@@ -9,7 +9,7 @@
 
 #include <libdeflate.h>
 
-#include "output/png_encoder.h"
+#include "output/image/png_encoder.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "output/dataset_store.h"
-#include "output/image_encoder.h"
+#include "output/image/image_encoder.h"
 
 namespace synthetic_dataset::output {
 

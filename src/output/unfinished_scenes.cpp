@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "output/digest.h"
-#include "output/pending_file.h"
+#include "output/files/digest.h"
+#include "output/files/pending_file.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {

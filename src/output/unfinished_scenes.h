@@ -1,6 +1,6 @@
 #pragma once
 
-#include "output/manifest.h"
+#include "output/manifest/manifest.h"
 
 namespace synthetic_dataset::output {
 

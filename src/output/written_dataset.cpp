@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "output/manifest.h"
+#include "output/manifest/manifest.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "output/sqlite.h"
+#include "output/manifest/sqlite.h"
 
 namespace synthetic_dataset::output {
 

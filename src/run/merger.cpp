@@ -8,8 +8,8 @@
 #include <set>
 
 #include "config/settings_text.h"
-#include "output/file_name_rules.h"
-#include "output/manifest_content.h"
+#include "output/files/file_name_rules.h"
+#include "output/manifest/manifest_content.h"
 #include "run/open_output.h"
 #include "setup/run_setup.h"
 #include "synthetic_dataset/errors.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "output/scene_facts.h"
+#include "output/manifest/scene_facts.h"
 #include "render/renderer.h"
 #include "run/pending_scene.h"
 #include "run/work_plan.h"

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "output/scene_facts.h"
+#include "output/manifest/scene_facts.h"
 #include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset {

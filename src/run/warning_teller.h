@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "output/run_description.h"
+#include "output/manifest/run_description.h"
 #include "run/reporter.h"
 
 namespace synthetic_dataset {

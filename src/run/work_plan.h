@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "output/shard.h"
+#include "output/manifest/shard.h"
 
 namespace synthetic_dataset {
 

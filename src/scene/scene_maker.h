@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/frame_motion.h"
-#include "output/scene_facts.h"
+#include "output/manifest/scene_facts.h"
 #include "render/renderer.h"
 #include "scene/camera_rig.h"
 #include "scene/object_shapes.h"

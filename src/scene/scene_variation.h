@@ -8,7 +8,7 @@
 #include "appearance/entry_draws.h"
 #include "appearance/look_sampler.h"
 #include "config/config.h"
-#include "output/scene_facts.h"
+#include "output/manifest/scene_facts.h"
 #include "render/renderer.h"
 #include "scene/camera_rig.h"
 #include "scene/object_variants.h"

@@ -7,7 +7,7 @@
 #include "appearance/picture_folder.h"
 #include "config/map_file.h"
 #include "config/settings_text.h"
-#include "output/digest.h"
+#include "output/files/digest.h"
 
 namespace synthetic_dataset {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/config.h"
-#include "output/run_description.h"
+#include "output/manifest/run_description.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/value.h"
 

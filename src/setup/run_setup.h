@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/config.h"
-#include "output/run_description.h"
+#include "output/manifest/run_description.h"
 #include "setup/motion_setup.h"
 #include "setup/split_plan.h"
 #include "synthetic_dataset/value.h"

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "output/file_checks.h"
-#include "output/file_name_rules.h"
+#include "output/files/file_name_rules.h"
+#include "output/files/run_lock.h"
 #include "output/listed_dataset.h"
-#include "output/manifest_checks.h"
-#include "output/run_lock.h"
+#include "output/manifest/manifest_checks.h"
 #include "verification/scene_verifier.h"
 
 namespace synthetic_dataset {

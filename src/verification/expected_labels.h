@@ -8,8 +8,8 @@
 
 #include <opencv2/core/types.hpp>
 
-#include "output/run_description.h"
-#include "output/scene_facts.h"
+#include "output/manifest/run_description.h"
+#include "output/manifest/scene_facts.h"
 #include "output/store_types.h"
 #include "synthetic_dataset/box.h"
 #include "synthetic_dataset/pose.h"

@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "config/yaml_value.h"
-#include "output/manifest_paths.h"
+#include "output/manifest/manifest_paths.h"
 #include "readback/files.h"
 #include "readback/format_readers.h"
 #include "synthetic_dataset/label_text.h"

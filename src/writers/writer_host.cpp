@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "output/file_name_rules.h"
+#include "output/files/file_name_rules.h"
 #include "synthetic_dataset/errors.h"
 #include "writers/writer_loader.h"
 #include "writers/writer_outputs.h"

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "output/file_name_rules.h"
-#include "output/image_encoder.h"
-#include "output/png_encoder.h"
+#include "output/files/file_name_rules.h"
+#include "output/image/image_encoder.h"
+#include "output/image/png_encoder.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::writers {

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "output/sqlite.h"
+#include "output/manifest/sqlite.h"
 #include "output/store_fixture.h"
 #include "synthetic_dataset/errors.h"
 

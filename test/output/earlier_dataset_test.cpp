@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "output/manifest.h"
+#include "output/manifest/manifest.h"
 #include "output/store_fixture.h"
 #include "synthetic_dataset/errors.h"
 

@@ -10,7 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
-#include "output/sqlite.h"
+#include "output/manifest/sqlite.h"
 #include "run/generator.h"
 #include "run/merger.h"
 #include "support/bag_builder.h"

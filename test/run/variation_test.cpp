@@ -10,7 +10,7 @@
 
 #include "all_at_once_run.h"
 #include "config/yaml_value.h"
-#include "output/sqlite.h"
+#include "output/manifest/sqlite.h"
 #include "run/generator.h"
 #include "run/merger.h"
 #include "synthetic_dataset/errors.h"

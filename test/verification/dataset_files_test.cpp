@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "output/run_lock.h"
+#include "output/files/run_lock.h"
 #include "verification/verification_fixture.h"
 
 namespace synthetic_dataset {

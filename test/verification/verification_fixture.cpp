@@ -5,7 +5,7 @@
 #include <sqlite3.h>
 
 #include "config/settings_text.h"
-#include "output/digest.h"
+#include "output/files/digest.h"
 #include "plugins/model_shapes.h"
 
 namespace synthetic_dataset {

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output/files/disk_sync.h"
+#include "output/manifest/manifest_schema.h"
+#include "output/manifest/run_description.h"
+#include "output/manifest/scene_facts.h"
+#include "output/manifest/sqlite.h"
+#include "output/store_types.h"
+
+namespace synthetic_dataset::output {
+
+/// A row of the manifest's table `file`.
+struct ManifestFile {
+  std::string path;  ///< absolute
+  std::size_t writer = 0;
+  std::int64_t bytes = 0;
+  std::string digest = "";
+  std::optional<std::string> linked_to = {};  ///< absolute path of the file of the same content
+};
+
+/// From a row of path, writer, bytes, digest, linked_to of a manifest in this folder.
+[[nodiscard]] ManifestFile fileOf(const SqliteStatement& row, const std::string& folder);
+
+/// How far a scene has come.
+enum class SceneState {
+  kBegun,     ///< its files may be missing
+  kWritten,   ///< all its files are there
+  kComplete,  ///< and are safe from a power cut
+};
+
+/// The list of what a dataset holds: an SQLite file that its run writes scene by scene.
+///
+/// A scene's files are announced before they appear and the scene is listed when they all have:
+/// whatever kills a run, no file of it is unknown and no listed scene is incomplete.
+class Manifest {
+ public:
+  /// Starts a manifest where there is none.
+  /// @param folder  absolute and normalised; paths below it are listed relative to it
+  static Manifest create(const std::string& folder, const std::optional<Shard>& shard, Sync sync,
+                         const std::vector<StoreWriter>& writers, const RunDescription& run);
+
+  /// Opens an unfinished one, to go on with it.
+  /// @throws Error when it cannot be read
+  static Manifest open(const std::string& folder, const std::optional<Shard>& shard, Sync sync);
+
+  /// @throws Error when one of them was announced before, or the scene is listed already
+  void announceScene(const SceneFacts& scene, const std::vector<ManifestFile>& files);
+
+  /// The same of a file of the dataset as a whole.
+  void announce(const ManifestFile& file);
+
+  /// Takes back a scene, or files, that were announced and do not exist.
+  void withdrawScene(std::int64_t index);
+  void withdraw(const std::string& path);
+
+  /// Counts a scene as written.
+  void listScene(const SceneFacts& scene, const std::vector<SceneFiles::Record>& records);
+
+  /// All written scenes are safe from a power cut now.
+  void markComplete();
+
+  /// Whether a writer made this file for a scene.
+  /// @param path  absolute
+  [[nodiscard]] bool isSceneFile(std::size_t writer, const std::string& path) const;
+
+  void setContent(const std::string& path, std::int64_t bytes, const std::string& digest);
+
+  /// The records of one writer in scene order.
+  void forEachRecord(std::size_t writer,
+                     const std::function<void(std::int64_t, const std::string&)>& visit) const;
+
+  [[nodiscard]] std::map<std::int64_t, SceneState> sceneStates() const;
+
+  /// @param scene  nothing: the files of the dataset as a whole
+  [[nodiscard]] std::vector<ManifestFile> filesOfScene(std::optional<std::int64_t> scene) const;
+
+  [[nodiscard]] StoreCounts counts() const;
+  [[nodiscard]] std::map<std::string, std::int64_t> warningCounts() const;
+  [[nodiscard]] std::vector<ObjectCounts> objectCounts() const;
+
+  /// Makes a file of a shard's dataset a file of this one.
+  using PlaceFile = std::function<void(const std::string& source, const ManifestFile& target)>;
+
+  /// Takes in the scenes of a shard's manifest that are not here yet.
+  /// @param place  called for each file that does not lie where it should already
+  void takeIn(const std::string& shard_folder, const Shard& shard, const PlaceFile& place);
+
+  /// Sets the state to complete and writes the file anew, so that its bytes follow from what it
+  /// lists and not from how that came about. Nothing may be written after it; it still answers.
+  void finish();
+
+  /// Whether the file that is written to is still the one of the manifest's name.
+  [[nodiscard]] bool isInPlace() const;
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+
+ private:
+  Manifest(const std::string& folder, const std::optional<Shard>& shard, SqliteDatabase database);
+
+  [[nodiscard]] std::string listedPath(const std::string& path) const;
+  void refuseKnown(const std::string& path);
+  void insertFile(std::optional<std::int64_t> scene, const ManifestFile& file);
+  void insertMeasures(const SceneFacts& scene);
+  void takeInSceneOf(const std::string& shard_folder, std::int64_t index, const PlaceFile& place);
+
+  std::string folder_;
+  std::string file_;
+  std::pair<std::uint64_t, std::uint64_t> identity_;  ///< device and number of the file
+  SqliteDatabase database_;
+  SqliteStatement insert_file_;
+  SqliteStatement find_file_;
+  SqliteStatement insert_scene_;
+  SqliteStatement find_scene_;
+  SqliteStatement set_state_;
+  SqliteStatement insert_object_;
+  SqliteStatement insert_record_;
+  SqliteStatement insert_warning_;
+};
+
+}  // namespace synthetic_dataset::output

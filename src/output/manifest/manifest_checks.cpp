@@ -1,0 +1,185 @@
+#include "output/manifest/manifest_checks.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "output/manifest/row_checks.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+constexpr int kNamed = 3;  // of many of a kind, in a line
+
+/// All of the file's schema, as text.
+std::string schemaOf(const SqliteDatabase& database) {
+  std::string schema;
+  SqliteStatement rows(database,
+                       "SELECT type || ' ' || name || ' ' || tbl_name || ' ' || coalesce(sql, '') "
+                       "FROM sqlite_master ORDER BY type, name");
+  while (rows.step()) schema += rows.text(0) + "\n";
+  return schema;
+}
+
+std::string schemaOfThisVersion() {
+  const SqliteDatabase empty(":memory:", SqliteDatabase::Mode::kCreate);
+  empty.execute(kManifestTables);
+  return schemaOf(empty);
+}
+
+/// A column's values that are of another kind than it is declared for, or are infinite: SQLite
+/// itself takes any.
+void checkKinds(const SqliteDatabase& database, std::vector<std::string>& problems) {
+  SqliteStatement columns(
+      database,
+      "SELECT m.name, c.name, lower(c.type) FROM sqlite_master m JOIN pragma_table_info(m.name) c "
+      "WHERE m.type = 'table' ORDER BY m.name, c.cid");
+  while (columns.step()) {
+    const std::string table = columns.text(0);
+    const std::string name = columns.text(1);
+    const std::string column = "\"" + name + "\"";
+    const std::string kind = columns.text(2);
+    SqliteStatement wrong(database, "SELECT count(*) FROM " + table + " WHERE typeof(" + column +
+                                        ") NOT IN ('" + kind + "', 'null') OR (typeof(" + column +
+                                        ") = 'real' AND abs(" + column + ") > 1.7e308)");
+    wrong.step();
+    if (wrong.integer(0) == 0) continue;
+    problems.push_back(table + ": " + std::to_string(wrong.integer(0)) + " values of '" + name +
+                       "' are of another kind; they should be " +
+                       (kind == "real"   ? "finite numbers"
+                        : kind == "text" ? "texts"
+                                         : "integers"));
+  }
+}
+
+std::vector<std::string> findStructureProblems(const SqliteDatabase& database) {
+  std::vector<std::string> problems;
+  SqliteStatement findings(database, "PRAGMA quick_check(3)");
+  while (findings.step()) {
+    if (findings.text(0) != "ok") problems.push_back("it is damaged: " + findings.text(0));
+  }
+  if (!problems.empty()) return problems;
+  std::string version;
+  {
+    SqliteStatement row(database, "SELECT value FROM run WHERE key = 'format_version'");
+    if (row.step()) version = row.text(0);
+  }
+  if (version != kManifestVersion) {
+    return {"its format version is '" + version + "'; this software verifies version " +
+            kManifestVersion};
+  }
+  if (schemaOf(database) != schemaOfThisVersion()) {
+    return {"its tables are not those of version " + std::string(kManifestVersion)};
+  }
+  checkKinds(database, problems);
+  return problems;
+}
+
+/// The run's facts one by one.
+void checkRun(const SqliteDatabase& database, const std::string& manifest,
+              const ManifestContent& content, std::vector<std::string>& problems) {
+  std::map<std::string, std::string> facts;
+  SqliteStatement rows(database, "SELECT key, value FROM run");
+  while (rows.step()) facts[rows.text(0)] = rows.text(1);
+  const auto check = [&](const std::string& key, const std::string& right) {
+    if (facts[key] == right) return;
+    problems.push_back("run: found the " + key + " '" + facts[key] + "'; it should be '" + right +
+                       "'");
+  };
+  if (facts["state"] != "running") check("state", "complete");
+  check("scene_count", std::to_string(std::max<std::int64_t>(0, content.run.scene_count)));
+  check("settings_digest", settingsDigest(content.run));
+  const auto shard = shardOfManifest(std::filesystem::path(manifest).filename().string());
+  check("shard", shard ? shardText(*shard) : "");
+  for (const char* known : {"format_version", "state", "scene_count", "settings_digest", "shard"}) {
+    facts.erase(known);
+  }
+  for (const auto& [key, value] : facts)
+    problems.push_back("run: found the unknown key '" + key + "'");
+}
+
+/// The first few of numbers that come one by one.
+class FewNumbers {
+ public:
+  void add(std::int64_t number) {
+    if (++count_ <= kNamed) text_ += (count_ > 1 ? ", " : "") + std::to_string(number);
+  }
+  [[nodiscard]] bool isEmpty() const { return count_ == 0; }
+  [[nodiscard]] bool isFull() const { return count_ > kNamed; }
+  [[nodiscard]] std::string text() const { return isFull() ? text_ + " and more" : text_; }
+
+ private:
+  std::int64_t count_ = 0;
+  std::string text_;
+};
+
+/// Whether the scenes are those of the run or its shard, all of them where it is complete.
+void checkScenes(const SqliteDatabase& database, const ManifestContent& content,
+                 std::vector<std::string>& problems) {
+  const auto cameras =
+      std::max<std::int64_t>(1, static_cast<std::int64_t>(content.run.cameras.size()));
+  const std::int64_t count = std::max<std::int64_t>(0, content.run.scene_count);
+  const auto isOwn = [&](std::int64_t scene) {
+    return scene >= 0 && scene < count &&
+           (!content.shard || belongsTo(*content.shard, scene / cameras, count / cameras));
+  };
+  FewNumbers missing;
+  FewNumbers foreign;
+  std::int64_t next = 0;  // all own ones before have been seen
+  const auto expectUntil = [&](std::int64_t end) {
+    for (; next < end && !missing.isFull(); ++next) {
+      if (isOwn(next)) missing.add(next);
+    }
+  };
+  SqliteStatement rows(database,
+                       content.complete
+                           ? "SELECT \"index\" FROM scene WHERE state <> 'begun' ORDER BY \"index\""
+                           : "SELECT \"index\" FROM scene ORDER BY \"index\"");
+  while (rows.step()) {
+    const std::int64_t scene = rows.integer(0);
+    if (!isOwn(scene)) {
+      foreign.add(scene);
+      continue;
+    }
+    if (content.complete) expectUntil(scene);
+    next = scene + 1;
+  }
+  if (content.complete) expectUntil(count);
+  const std::string whole = content.shard ? "shard " + shardText(*content.shard) + " of " : "";
+  if (!missing.isEmpty()) {
+    problems.push_back("scene: missing: " + missing.text() + " (of " + whole +
+                       std::to_string(count) + ")");
+  }
+  if (!foreign.isEmpty()) {
+    problems.push_back("scene: found " + foreign.text() + "; they do not belong to " + whole +
+                       std::to_string(count) + " scenes from 0 on");
+  }
+  if (!content.complete) return;
+  const std::string unsafe = firstRows(
+      database, "SELECT \"index\" FROM scene WHERE state <> 'complete' ORDER BY \"index\"");
+  if (!unsafe.empty()) {
+    problems.push_back("scene: the run is complete, and these are not: " + unsafe);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> structureProblems(const std::string& manifest) {
+  try {
+    return findStructureProblems(SqliteDatabase(manifest, SqliteDatabase::Mode::kReadOnly));
+  } catch (const Error& error) {
+    return {"it cannot be read: " + std::string(error.what())};
+  }
+}
+
+std::vector<std::string> contentProblems(const std::string& manifest,
+                                         const ManifestContent& content) {
+  const SqliteDatabase database(manifest, SqliteDatabase::Mode::kReadOnly);
+  std::vector<std::string> problems;
+  checkRun(database, manifest, content, problems);
+  checkScenes(database, content, problems);
+  for (std::string& problem : rowProblems(database)) problems.push_back(std::move(problem));
+  return problems;
+}
+
+}  // namespace synthetic_dataset::output

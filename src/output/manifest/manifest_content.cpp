@@ -1,0 +1,163 @@
+#include "output/manifest/manifest_content.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include "output/manifest/manifest_paths.h"
+#include "output/manifest/sqlite.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+constexpr std::int64_t kMostShards = 100000;  // more are none of this software's
+
+template <class Visit>
+void forEachRow(const SqliteDatabase& database, const char* sql, const Visit& visit) {
+  SqliteStatement statement(database, sql);
+  while (statement.step()) visit(statement);
+}
+
+void checkVersion(const SqliteDatabase& database) {
+  std::string version;
+  forEachRow(database, "SELECT value FROM run WHERE key = 'format_version'",
+             [&](const SqliteStatement& row) { version = row.text(0); });
+  if (version == kManifestVersion) return;
+  throw Error("its format version is '" + version + "', and this software reads version " +
+              kManifestVersion);
+}
+
+void checkWholeness(const SqliteDatabase& database) {
+  std::string finding;
+  forEachRow(database, "PRAGMA quick_check(1)",
+             [&](const SqliteStatement& row) { finding = row.text(0); });
+  if (finding != "ok") throw Error("it is damaged: " + finding);
+  // A table that is gone is damage, too, even where nobody asks for it now.
+  for (const char* table :
+       {"run", "setting", "software", "input", "writer", "class", "motion", "camera", "object",
+        "scene", "scene_object", "contact", "draw", "file", "record", "warning"}) {
+    const SqliteStatement asks(database, std::string("SELECT 1 FROM ") + table);
+  }
+}
+
+void readRun(const SqliteDatabase& database, ManifestContent& content) {
+  forEachRow(database, "SELECT key, value FROM run", [&](const SqliteStatement& row) {
+    const std::string key = row.text(0);
+    const std::string value = row.text(1);
+    if (key == "state") content.complete = value == "complete";
+    try {
+      if (key == "scene_count") content.run.scene_count = std::stoll(value);
+      if (key == "shard") {
+        const Shard shard{std::stoll(value), std::stoll(value.substr(value.find('/') + 1))};
+        if (shard.index < 0 || shard.index >= shard.count || shard.count > kMostShards) {
+          throw std::out_of_range(value);
+        }
+        content.shard = shard;
+      }
+    } catch (const std::exception&) {
+      throw Error("it is damaged: its " + key + " is '" + value + "'");
+    }
+  });
+  forEachRow(database, "SELECT count(*) FROM scene WHERE state <> 'begun'",
+             [&](const SqliteStatement& row) { content.scene_count = row.integer(0); });
+}
+
+void readDescription(const SqliteDatabase& database, RunDescription& run) {
+  forEachRow(database, "SELECT name, value, is_default FROM setting",
+             [&](const SqliteStatement& row) {
+               run.settings[row.text(0)] = {row.text(1), row.integer(2) != 0};
+             });
+  forEachRow(database, "SELECT name, version FROM software",
+             [&](const SqliteStatement& row) { run.software[row.text(0)] = row.text(1); });
+  forEachRow(database, "SELECT path, bytes, digest FROM input", [&](const SqliteStatement& row) {
+    run.inputs[row.text(0)] = {row.integer(1), row.text(2)};
+  });
+  forEachRow(database, "SELECT id, name FROM class ORDER BY id", [&](const SqliteStatement& row) {
+    run.classes.push_back({static_cast<int>(row.integer(0)), row.text(1)});
+  });
+  forEachRow(database, "SELECT name, first_instant, instant_count FROM motion ORDER BY \"index\"",
+             [&](const SqliteStatement& row) {
+               run.motions.push_back({row.text(0), row.integer(1), row.integer(2)});
+             });
+  forEachRow(database, "SELECT name, frame, width, height FROM camera ORDER BY \"index\"",
+             [&](const SqliteStatement& row) {
+               run.cameras.push_back({row.text(0), row.text(1), static_cast<int>(row.integer(2)),
+                                      static_cast<int>(row.integer(3))});
+             });
+  forEachRow(database, "SELECT name, class, id FROM object ORDER BY \"index\"",
+             [&](const SqliteStatement& row) {
+               run.objects.push_back({row.text(0), static_cast<int>(row.integer(1)), row.text(2)});
+             });
+  forEachRow(database, "SELECT kind, detail, count FROM warning WHERE scene = -1 ORDER BY sequence",
+             [&](const SqliteStatement& row) {
+               run.warnings.push_back({row.text(0), row.text(1), row.integer(2)});
+             });
+}
+
+std::vector<StoreWriter> readWriters(const SqliteDatabase& database, const std::string& folder) {
+  std::vector<StoreWriter> writers;
+  forEachRow(database, "SELECT name, type, output_folder FROM writer ORDER BY \"index\"",
+             [&](const SqliteStatement& row) {
+               writers.push_back({row.text(0), row.text(1), absoluteFrom(folder, row.text(2)), {}});
+             });
+  return writers;
+}
+
+/// Facts that follow from others, or are one of few words.
+void checkFacts(const SqliteDatabase& database, const RunDescription& run) {
+  std::map<std::string, std::string> facts;
+  forEachRow(database, "SELECT key, value FROM run",
+             [&](const SqliteStatement& row) { facts[row.text(0)] = row.text(1); });
+  if (facts["state"] != "running" && facts["state"] != "complete") {
+    throw Error("it is damaged: its state is '" + facts["state"] + "'");
+  }
+  if (facts["settings_digest"] != settingsDigest(run)) {
+    throw Error("it is damaged: its settings are not those of its settings_digest");
+  }
+}
+
+}  // namespace
+
+ManifestContent readWithoutFiles(const SqliteDatabase& database, const std::string& folder) {
+  ManifestContent content;
+  readRun(database, content);
+  readDescription(database, content.run);
+  content.writers = readWriters(database, folder);
+  return content;
+}
+
+ManifestContent readManifest(const std::string& file) {
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  try {
+    const SqliteDatabase database(file, SqliteDatabase::Mode::kExisting);
+    database.execute("PRAGMA busy_timeout = 20000");
+    checkVersion(database);
+    checkWholeness(database);
+    ManifestContent content = readWithoutFiles(database, folder);
+    checkFacts(database, content.run);
+    forEachRow(database, "SELECT path FROM file", [&](const SqliteStatement& row) {
+      content.files.push_back(absoluteFrom(folder, row.text(0)));
+    });
+    return content;
+  } catch (const Error& error) {
+    throw Error("the manifest '" + file + "' of an earlier run cannot be read: " + error.what() +
+                "; remove it together with its dataset, or choose another folder");
+  }
+}
+
+std::vector<std::string> shardManifests(const std::string& folder) {
+  std::vector<std::string> manifests;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (shardOfManifest(entry->path().filename().string())) {
+      manifests.push_back(entry->path().string());
+    }
+  }
+  std::sort(manifests.begin(), manifests.end());
+  return manifests;
+}
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/manifest/manifest_schema.h"
+#include "output/manifest/run_description.h"
+#include "output/manifest/sqlite.h"
+#include "output/store_types.h"
+
+namespace synthetic_dataset::output {
+
+/// What an earlier run's manifest says, read at once.
+struct ManifestContent {
+  bool complete = false;
+  std::int64_t scene_count = 0;  ///< that are there
+  std::optional<Shard> shard;
+  RunDescription run;
+  std::vector<StoreWriter> writers;  ///< their folders are absolute; without user files
+  std::vector<std::string> files;    ///< absolute
+};
+
+/// @param file  the absolute path of a manifest
+/// @throws Error when it is no manifest of this version, or damaged
+[[nodiscard]] ManifestContent readManifest(const std::string& file);
+
+/// The same of an open manifest of this version, without the list of files.
+/// @param folder  the manifest's, absolute
+[[nodiscard]] ManifestContent readWithoutFiles(const SqliteDatabase& database,
+                                               const std::string& folder);
+
+/// The manifests of shards in a folder, in alphabetical order.
+[[nodiscard]] std::vector<std::string> shardManifests(const std::string& folder);
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,101 @@
+/// Taking the scenes of shards in.
+
+#include <array>
+
+#include "output/manifest/manifest.h"
+#include "output/manifest/manifest_paths.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+// Tables that say more of scenes, by their column `scene`.
+constexpr std::array<const char*, 5> kMeasures = {"scene_object", "contact", "draw", "record",
+                                                  "warning"};
+
+std::string copying(const std::string& table, const std::string& condition) {
+  return "INSERT INTO main." + table + " SELECT * FROM shard." + table + " WHERE " + condition;
+}
+
+/// Another manifest of the same tables, known as `shard` to a connection.
+class Attached {
+ public:
+  Attached(const SqliteDatabase& database, const std::string& file) : database_(database) {
+    SqliteStatement(database_, "ATTACH ? AS shard").run(file);
+  }
+  Attached(const Attached&) = delete;
+  Attached& operator=(const Attached&) = delete;
+  ~Attached() {
+    try {
+      database_.execute("DETACH shard");
+    } catch (const Error&) {
+      // A failure is on its way up already; the connection's end detaches as well.
+    }
+  }
+
+ private:
+  const SqliteDatabase& database_;
+};
+
+}  // namespace
+
+void Manifest::takeIn(const std::string& shard_folder, const Shard& shard, const PlaceFile& place) {
+  const Attached attached(database_, manifestFile(shard_folder, shard));
+  const std::string missing = "NOT IN (SELECT \"index\" FROM main.scene)";
+  if (shard_folder == folder_) {
+    // All files are in their places: one change from nothing to all.
+    SqliteTransaction transaction(database_);
+    for (const char* table : kMeasures) {
+      database_.execute(copying(table, "scene >= 0 AND scene " + missing));
+    }
+    database_.execute(copying("file", "scene " + missing));
+    database_.execute(copying("scene", "\"index\" " + missing));
+    transaction.commit();
+    return;
+  }
+  std::vector<std::int64_t> indices;
+  {
+    SqliteStatement rows(
+        database_, "SELECT \"index\" FROM shard.scene WHERE \"index\" " + missing + " ORDER BY 1");
+    while (rows.step()) indices.push_back(rows.integer(0));
+  }
+  for (const std::int64_t index : indices) takeInSceneOf(shard_folder, index, place);
+}
+
+void Manifest::takeInSceneOf(const std::string& shard_folder, std::int64_t index,
+                             const PlaceFile& place) {
+  struct Move {
+    std::string source;
+    ManifestFile target;
+  };
+  std::vector<Move> moves;
+  std::vector<ManifestFile> in_place;  // of writers that have one folder for all shards
+  SqliteStatement rows(
+      database_, "SELECT path, writer, bytes, digest, linked_to FROM shard.file WHERE scene = ?");
+  for (rows.start(index); rows.step();) {
+    ManifestFile file = fileOf(rows, folder_);
+    std::string source = absoluteFrom(shard_folder, rows.text(0));
+    if (source == file.path) {
+      in_place.push_back(std::move(file));
+    } else {
+      moves.push_back({std::move(source), std::move(file)});
+    }
+  }
+  {
+    SqliteTransaction transaction(database_);
+    SqliteStatement(database_, copying("scene", "\"index\" = ?")).run(index);
+    set_state_.run(std::string("begun"), index);
+    for (const Move& move : moves) insertFile(index, move.target);
+    transaction.commit();
+  }
+  for (const Move& move : moves) place(move.source, move.target);
+  SqliteTransaction transaction(database_);
+  for (const ManifestFile& file : in_place) insertFile(index, file);
+  for (const char* table : kMeasures) {
+    SqliteStatement(database_, copying(table, "scene = ?")).run(index);
+  }
+  set_state_.run(std::string("written"), index);
+  transaction.commit();
+}
+
+}  // namespace synthetic_dataset::output

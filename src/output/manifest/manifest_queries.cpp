@@ -1,0 +1,93 @@
+/// What a manifest that is being written answers.
+
+#include "output/manifest/manifest.h"
+#include "output/manifest/manifest_paths.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+SceneState stateOf(const std::string& text) {
+  if (text == "complete") return SceneState::kComplete;
+  return text == "written" ? SceneState::kWritten : SceneState::kBegun;
+}
+
+}  // namespace
+
+ManifestFile fileOf(const SqliteStatement& row, const std::string& folder) {
+  ManifestFile file;
+  file.path = absoluteFrom(folder, row.text(0));
+  file.writer = static_cast<std::size_t>(row.integer(1));
+  file.bytes = row.integer(2);
+  file.digest = row.text(3);
+  if (!row.isNull(4)) file.linked_to = absoluteFrom(folder, row.text(4));
+  return file;
+}
+
+bool Manifest::isSceneFile(std::size_t writer, const std::string& path) const {
+  SqliteStatement find(database_,
+                       "SELECT 1 FROM file WHERE path = ? AND writer = ? AND scene IS NOT NULL");
+  find.start(listedPath(path), static_cast<std::int64_t>(writer));
+  return find.step();
+}
+
+void Manifest::forEachRecord(
+    std::size_t writer, const std::function<void(std::int64_t, const std::string&)>& visit) const {
+  SqliteStatement records(
+      database_, "SELECT scene, text FROM record WHERE writer = ? ORDER BY scene, sequence");
+  records.start(static_cast<std::int64_t>(writer));
+  while (records.step()) visit(records.integer(0), records.text(1));
+}
+
+std::map<std::int64_t, SceneState> Manifest::sceneStates() const {
+  std::map<std::int64_t, SceneState> states;
+  SqliteStatement rows(database_, "SELECT \"index\", state FROM scene");
+  while (rows.step()) states.emplace(rows.integer(0), stateOf(rows.text(1)));
+  return states;
+}
+
+std::vector<ManifestFile> Manifest::filesOfScene(std::optional<std::int64_t> scene) const {
+  std::vector<ManifestFile> files;
+  SqliteStatement rows(database_,
+                       "SELECT path, writer, bytes, digest, linked_to FROM file WHERE scene IS ?");
+  for (rows.start(scene); rows.step();) files.push_back(fileOf(rows, folder_));
+  return files;
+}
+
+StoreCounts Manifest::counts() const {
+  StoreCounts counts;
+  SqliteStatement scenes(database_, "SELECT count(*) FROM scene WHERE state <> 'begun'");
+  scenes.step();
+  counts.scenes = scenes.integer(0);
+  SqliteStatement files(
+      database_,
+      "SELECT count(*), coalesce(sum(CASE WHEN linked_to IS NULL THEN bytes ELSE 0 END), 0) "
+      "FROM file");
+  files.step();
+  counts.files = files.integer(0);
+  counts.bytes = files.integer(1);
+  return counts;
+}
+
+std::map<std::string, std::int64_t> Manifest::warningCounts() const {
+  std::map<std::string, std::int64_t> counts;
+  SqliteStatement rows(database_, "SELECT kind, sum(count) FROM warning GROUP BY kind");
+  while (rows.step()) counts.emplace(rows.text(0), rows.integer(1));
+  return counts;
+}
+
+std::vector<ObjectCounts> Manifest::objectCounts() const {
+  std::vector<ObjectCounts> counts;
+  SqliteStatement rows(
+      database_,
+      "SELECT count(scene) FILTER (WHERE in_view), count(scene) FILTER (WHERE visible_pixels > 0), "
+      "count(scene) FILTER (WHERE in_view AND dropped), count(mask_agreement), "
+      "avg(mask_agreement) FROM object LEFT JOIN scene_object ON object = object.\"index\" "
+      "GROUP BY object.\"index\" ORDER BY object.\"index\"");
+  while (rows.step()) {
+    counts.push_back(
+        {rows.integer(0), rows.integer(1), rows.integer(2), rows.integer(3), rows.real(4)});
+  }
+  return counts;
+}
+
+}  // namespace synthetic_dataset::output

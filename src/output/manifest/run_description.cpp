@@ -1,0 +1,82 @@
+#include "output/manifest/run_description.h"
+
+#include <set>
+
+#include "output/files/digest.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+/// Entries that stand on one side only, or differ.
+/// @param text  what is told of an entry
+template <class Entries, class Text>
+void compare(const std::string& what, const Entries& one, const Entries& other,
+             const std::string& before, const std::string& now, const Text& text,
+             std::vector<std::string>& lines) {
+  std::set<std::string> names;
+  for (const auto& [name, entry] : one) names.insert(name);
+  for (const auto& [name, entry] : other) names.insert(name);
+  const auto told = [&](const Entries& entries, const std::string& name) {
+    const auto found = entries.find(name);
+    return found == entries.end() ? std::string("none") : text(found->second);
+  };
+  for (const std::string& name : names) {
+    const std::string first = told(one, name);
+    const std::string second = told(other, name);
+    if (first == second) continue;
+    lines.push_back(what + name + ": " + before + " " + first + ", " + now + " " + second);
+  }
+}
+
+std::map<std::string, std::string> givenSettings(const RunDescription& run) {
+  std::map<std::string, std::string> given;
+  for (const auto& [name, setting] : run.settings) {
+    if (!setting.is_default) given.emplace(name, setting.value);
+  }
+  return given;
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kLongest = 120;
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+
+}  // namespace
+
+std::string settingsDigest(const RunDescription& run) {
+  Digest digest;
+  const auto add = [&digest](const std::string& text) {
+    digest.add(std::to_string(text.size()) + ":" + text);
+  };
+  for (const auto& [name, value] : givenSettings(run)) {
+    add(name);
+    add(value);
+  }
+  for (const auto& [path, input] : run.inputs) {
+    add(path);
+    add(input.digest);
+  }
+  return digest.text();
+}
+
+std::vector<std::string> differences(const RunDescription& one, const RunDescription& other,
+                                     const std::string& before, const std::string& now) {
+  std::vector<std::string> lines;
+  compare("", givenSettings(one), givenSettings(other), before, now, shortened, lines);
+  compare(
+      "the file ", one.inputs, other.inputs, before, now,
+      [](const RunDescription::Input& input) {
+        return std::to_string(input.bytes) + " bytes (SHA-256 " + input.digest.substr(0, 12) + ")";
+      },
+      lines);
+  compare(
+      "software ", one.software, other.software, before, now,
+      [](const std::string& version) { return version; }, lines);
+  if (lines.empty() && one.scene_count != other.scene_count) {
+    lines.push_back("the number of scenes: " + before + " " + std::to_string(one.scene_count) +
+                    ", " + now + " " + std::to_string(other.scene_count));
+  }
+  return lines;
+}
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,30 @@
+#include "output/manifest/scene_facts.h"
+
+namespace synthetic_dataset::output {
+
+ObjectFacts objectFacts(const SceneObject& object) {
+  ObjectFacts facts;
+  facts.X_GO = object.X_GO;
+  facts.distance = object.distance();
+  facts.in_view = object.in_view;
+  facts.dropped = object.dropped;
+  facts.loose_box = object.loose_box;
+  facts.silhouette_box = object.silhouette_box;
+  facts.visible_box = object.visible_box;
+  return facts;
+}
+
+SceneFacts sceneFacts(const Scene& scene) {
+  SceneFacts facts;
+  facts.index = scene.index;
+  facts.stamp = scene.stamp;
+  facts.instant = scene.instant;
+  facts.camera = scene.camera_name;
+  facts.width = scene.camera.width();
+  facts.height = scene.camera.height();
+  facts.split = scene.split;
+  facts.X_GC = scene.X_GC;
+  return facts;
+}
+
+}  // namespace synthetic_dataset::output

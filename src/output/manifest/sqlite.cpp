@@ -1,0 +1,117 @@
+#include "output/manifest/sqlite.h"
+
+#include <sqlite3.h>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+
+void SqliteDatabase::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
+
+SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode) : file_(file) {
+  const int flags = mode == Mode::kReadOnly ? SQLITE_OPEN_READONLY
+                    : mode == Mode::kCreate ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
+                                            : SQLITE_OPEN_READWRITE;
+  sqlite3* handle = nullptr;
+  const int result = sqlite3_open_v2(file.c_str(), &handle, flags, nullptr);
+  handle_.reset(handle);  // there is one even after a failure, for the message
+  if (result != SQLITE_OK) fail();
+  if (mode == Mode::kExisting) requireTablesOnly();
+}
+
+/// A file of somebody else's may call a view what should be a table, which never ends.
+/// https://www.sqlite.org/security.html, section 1.2
+void SqliteDatabase::requireTablesOnly() const {
+  execute("PRAGMA busy_timeout = 20000");  // [ms]: another program may be reading or writing it
+  execute("PRAGMA trusted_schema = OFF");
+  SqliteStatement others(*this,
+                         "SELECT name FROM sqlite_master WHERE type NOT IN ('table', 'index') "
+                         "OR sql LIKE 'CREATE VIRTUAL%'");
+  if (others.step()) {
+    throw Error("'" + file_ + "': it has '" + others.text(0) + "', which is no plain table");
+  }
+}
+
+void SqliteDatabase::execute(const std::string& sql) const {
+  if (sqlite3_exec(handle(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+}
+
+void SqliteDatabase::fail() const { throw Error("'" + file_ + "': " + sqlite3_errmsg(handle())); }
+
+void SqliteStatement::Finalize::operator()(sqlite3_stmt* handle) const { sqlite3_finalize(handle); }
+
+SqliteStatement::SqliteStatement(const SqliteDatabase& database, const std::string& sql)
+    : database_(database) {
+  sqlite3_stmt* handle = nullptr;
+  const int result = sqlite3_prepare_v2(database.handle(), sql.c_str(),
+                                        static_cast<int>(sql.size()), &handle, nullptr);
+  handle_.reset(handle);
+  if (result != SQLITE_OK) database.fail();
+}
+
+bool SqliteStatement::step() {
+  switch (sqlite3_step(handle_.get())) {
+    case SQLITE_ROW:
+      return true;
+    case SQLITE_DONE:
+      return false;
+    default:
+      database_.fail();
+  }
+}
+
+void SqliteStatement::reset() { sqlite3_reset(handle_.get()); }
+
+std::int64_t SqliteStatement::integer(int column) const {
+  return sqlite3_column_int64(handle_.get(), column);
+}
+
+double SqliteStatement::real(int column) const {
+  return sqlite3_column_double(handle_.get(), column);
+}
+
+bool SqliteStatement::isNull(int column) const {
+  return sqlite3_column_type(handle_.get(), column) == SQLITE_NULL;
+}
+
+std::string SqliteStatement::text(int column) const {
+  // First the text, then its length: SQLite may convert the value for the former.
+  const unsigned char* bytes = sqlite3_column_text(handle_.get(), column);
+  const int size = sqlite3_column_bytes(handle_.get(), column);
+  return bytes == nullptr ? std::string() : std::string(bytes, bytes + size);
+}
+
+void SqliteStatement::bind(int index, std::int64_t value) {
+  if (sqlite3_bind_int64(handle_.get(), index, value) != SQLITE_OK) database_.fail();
+}
+
+void SqliteStatement::bind(int index, double value) {
+  if (sqlite3_bind_double(handle_.get(), index, value) != SQLITE_OK) database_.fail();
+}
+
+void SqliteStatement::bind(int index, const std::string& value) {
+  if (sqlite3_bind_text64(handle_.get(), index, value.data(), value.size(), SQLITE_TRANSIENT,
+                          SQLITE_UTF8) != SQLITE_OK) {
+    database_.fail();
+  }
+}
+
+void SqliteStatement::bindNull(int index) {
+  if (sqlite3_bind_null(handle_.get(), index) != SQLITE_OK) database_.fail();
+}
+
+SqliteTransaction::SqliteTransaction(const SqliteDatabase& database) : database_(database) {
+  database_.execute("BEGIN IMMEDIATE");
+}
+
+SqliteTransaction::~SqliteTransaction() {
+  // Whatever keeps SQLite from rolling back now, it does so when it next opens the file.
+  if (open_) sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+void SqliteTransaction::commit() {
+  database_.execute("COMMIT");
+  open_ = false;
+}
+
+}  // namespace synthetic_dataset::output

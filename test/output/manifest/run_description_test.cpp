@@ -1,0 +1,54 @@
+#include "output/manifest/run_description.h"
+
+#include <gmock/gmock.h>
+
+namespace synthetic_dataset::output {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+RunDescription someRun() {
+  RunDescription run;
+  run.settings["camera/far"] = {"100.0", false};
+  run.settings["seed"] = {"0", true};
+  run.software["opencv"] = "4.6.0";
+  run.inputs["/data/a.bag"] = {12, std::string(64, 'a')};
+  run.scene_count = 3;
+  return run;
+}
+
+TEST(RunDescription, OfTheSameRunDiffersInNothing) {
+  EXPECT_THAT(differences(someRun(), someRun(), "then", "now"), IsEmpty());
+}
+
+TEST(RunDescription, NamesWhatDiffers) {
+  RunDescription other = someRun();
+  other.settings["camera/far"].value = "50.0";
+  other.settings["camera/near"] = {"0.1", false};
+  other.software["opencv"] = "4.7.0";
+  other.inputs["/data/a.bag"] = {13, std::string(64, 'b')};
+  EXPECT_THAT(differences(someRun(), other, "then", "now"),
+              ElementsAre("camera/far: then 100.0, now 50.0", "camera/near: then none, now 0.1",
+                          "the file /data/a.bag: then 12 bytes (SHA-256 aaaaaaaaaaaa), now 13 "
+                          "bytes (SHA-256 bbbbbbbbbbbb)",
+                          "software opencv: then 4.6.0, now 4.7.0"));
+}
+
+TEST(RunDescription, TellsOfAnotherNumberOfScenesWhereNothingElseDoes) {
+  RunDescription other = someRun();
+  other.scene_count = 4;
+  EXPECT_THAT(differences(someRun(), other, "then", "now"),
+              ElementsAre("the number of scenes: then 3, now 4"));
+}
+
+TEST(RunDescription, DigestFollowsTheGivenSettingsAndInputs) {
+  RunDescription other = someRun();
+  other.settings["seed"].value = "1";  // a default: the software's version tells of it
+  EXPECT_EQ(settingsDigest(other), settingsDigest(someRun()));
+  other.inputs["/data/a.bag"].digest = std::string(64, 'b');
+  EXPECT_NE(settingsDigest(other), settingsDigest(someRun()));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,50 @@
+#include "output/manifest/sqlite.h"
+
+#include <gmock/gmock.h>
+
+#include "support/temporary_folder.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+class Sqlite : public testing::Test {
+ protected:
+  [[nodiscard]] std::string file() const { return (folder_ / "a.sqlite").string(); }
+
+  void make(const std::string& sql) const {
+    SqliteDatabase(file(), SqliteDatabase::Mode::kCreate).execute(sql);
+  }
+  void open() const { const SqliteDatabase database(file(), SqliteDatabase::Mode::kExisting); }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Sqlite, OpensFilesOfTablesAndIndices) {
+  make("CREATE TABLE a (x INTEGER PRIMARY KEY, y TEXT UNIQUE); CREATE INDEX i ON a (y);");
+  EXPECT_NO_THROW(open());
+}
+
+TEST_F(Sqlite, RefusesAViewThatNeverEnds) {
+  make(
+      "CREATE VIEW run AS WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x FROM n) "
+      "SELECT x AS key, x AS value FROM n;");
+  EXPECT_THAT([&] { open(); }, ThrowsMessage<Error>(HasSubstr("it has 'run', which is no plain")));
+}
+
+TEST_F(Sqlite, RefusesTriggers) {
+  make("CREATE TABLE a (x); CREATE TRIGGER t AFTER INSERT ON a BEGIN DELETE FROM a; END;");
+  EXPECT_THAT([&] { open(); }, ThrowsMessage<Error>(HasSubstr("it has 't', which is no plain")));
+}
+
+TEST_F(Sqlite, NamesAFileThatIsNone) {
+  static_cast<void>(folder_.write("a.sqlite", std::string(2000, 'x')));
+  EXPECT_THAT([&] { open(); },
+              ThrowsMessage<Error>(HasSubstr("a.sqlite': file is not a database")));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::output
