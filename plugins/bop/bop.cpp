@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <ostream>
 
 #include <opencv2/core.hpp>
+#include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -38,23 +40,43 @@ struct DepthImage {
   bool is_cut_off = false;  ///< whether something is farther than a pixel can say
 };
 
+/// Of four pixels: what a depth image says of depths [m], or something greater than it can say.
+cv::v_int32x4 rounded(const float* depths, double scale) {
+  const cv::v_float32x4 depth = cv::v_load(depths);
+  const cv::v_float32x4 before = depth & (depth > cv::v_setzero_f32());  // below 0 is behind
+  const cv::v_float64x2 factor = cv::v_setall_f64(kMillimetres / scale);
+  const cv::v_float64x2 too_much = cv::v_setall_f64(kGreatestDepth + 1.0);
+  const auto two = [&](const cv::v_float64x2& metres) {
+    return cv::v_trunc(cv::v_min(metres * factor, too_much) + cv::v_setall_f64(0.5));
+  };
+  return cv::v_combine_low(two(cv::v_cvt_f64(before)), two(cv::v_cvt_f64_high(before)));
+}
+
 DepthImage depthImage(const cv::Mat& depth, double scale) {
-  constexpr double kTooMuch = kGreatestDepth + 1.0;
+  constexpr int kAtOnce = 8;
+  const cv::v_int32x4 most = cv::v_setall_s32(kGreatestDepth);
+  cv::v_int32x4 greatest = cv::v_setzero_s32();
   DepthImage image{cv::Mat(depth.size(), CV_16UC1), false};
+  std::array<float, kAtOnce> last_depths{};
+  std::array<std::uint16_t, kAtOnce> values{};
   for (int row = 0; row < depth.rows; ++row) {
     const auto* from = depth.ptr<float>(row);
     auto* to = image.pixels.ptr<std::uint16_t>(row);
-    int greatest = 0;
-    for (int column = 0; column < depth.cols; ++column) {
-      // Without jumps, so that several pixels are worked out at a time; below 0 is behind.
-      const double value =
-          from[column] > 0.0F ? std::min(kMillimetres / scale * from[column], kTooMuch) : 0.0;
-      const int rounded = static_cast<int>(value + 0.5);
-      greatest = std::max(greatest, rounded);
-      to[column] = static_cast<std::uint16_t>(rounded > kGreatestDepth ? 0 : rounded);
+    for (int column = 0; column < depth.cols; column += kAtOnce) {
+      const int count = std::min(kAtOnce, depth.cols - column);
+      const float* depths = from + column;
+      if (count < kAtOnce) {
+        std::copy_n(depths, count, last_depths.begin());
+        depths = last_depths.data();
+      }
+      const cv::v_int32x4 first = rounded(depths, scale);
+      const cv::v_int32x4 second = rounded(depths + kAtOnce / 2, scale);
+      greatest = cv::v_max(greatest, cv::v_max(first, second));
+      cv::v_store(values.data(), cv::v_pack_u(first & (first <= most), second & (second <= most)));
+      std::copy_n(values.begin(), count, to + column);
     }
-    image.is_cut_off = image.is_cut_off || greatest > kGreatestDepth;
   }
+  image.is_cut_off = cv::v_reduce_max(greatest) > kGreatestDepth;
   return image;
 }
 
@@ -136,6 +158,7 @@ class BopWriter : public LabelWriter {
           "something is farther than `depth_scale` lets a depth image say; there it "
           "holds 0, which stands for no depth");
     }
+    const cv::Mat has_depth = depth.pixels > 0;
     std::map<int, int> target_counts;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const SceneObject& object = scene.objects[i];
@@ -144,8 +167,9 @@ class BopWriter : public LabelWriter {
       output.addImage(image.folder + "/mask" + end, object.silhouette);
       output.addImage(image.folder + "/mask_visib" + end, object.visible_mask);
       image.poses.push_back(poseOf(object, i));
-      image.infos.push_back(infoOf(object, depth.pixels));
-      if (has_coco_) addAnnotation(object, i, scene.camera, image);
+      const cv::Rect extent = cv::boundingRect(object.silhouette);
+      image.infos.push_back(infoOf(object, has_depth, extent));
+      if (has_coco_) addAnnotation(object, i, extent, scene.camera, image);
       if (object.visibility >= kFewestVisible) ++target_counts[models_.obj_ids.at(i)];
     }
     for (const auto& [obj_id, count] : target_counts) {
@@ -205,9 +229,12 @@ class BopWriter : public LabelWriter {
             {"cam_t_m2c", millimetres(X_CM.translation())}};
   }
 
-  [[nodiscard]] static Json infoOf(const SceneObject& object, const cv::Mat& depth) {
+  /// @param has_depth  CV_8UC1, 255 where the depth image has something
+  /// @param extent  round the silhouette in the image, which is not empty
+  [[nodiscard]] static Json infoOf(const SceneObject& object, const cv::Mat& has_depth,
+                                   const cv::Rect& extent) {
     cv::Mat valid;
-    cv::bitwise_and(depth > 0, object.silhouette > 0, valid);
+    cv::bitwise_and(has_depth(extent), object.silhouette(extent), valid);
     const bool is_seen = object.pixels.visible > 0;
     return {{"bbox_obj", toolkitBox(is_seen ? object.silhouette_box : std::nullopt)},
             {"bbox_visib", toolkitBox(is_seen ? object.visible_box : std::nullopt)},
@@ -219,15 +246,16 @@ class BopWriter : public LabelWriter {
 
   /// Of an object with a visible pixel: its visible mask, in the box round the part of its
   /// silhouette in the image (calc_gt_coco.py looks at the files in `mask`).
-  void addAnnotation(const SceneObject& object, std::size_t place, const CameraModel& camera,
-                     BopImage& image) const {
+  /// @param extent  as for infoOf
+  void addAnnotation(const SceneObject& object, std::size_t place, const cv::Rect& extent,
+                     const CameraModel& camera, BopImage& image) const {
     const int area = cv::countNonZero(object.visible_mask);
     if (area == 0) return;
     image.annotations.push_back({{"image_id", image.im_id},
                                  {"category_id", models_.obj_ids.at(place)},
                                  {"iscrowd", 0},
                                  {"area", area},
-                                 {"bbox", cocoBox(cv::boundingRect(object.silhouette))},
+                                 {"bbox", cocoBox(extent)},
                                  {"segmentation", runLengths(object.visible_mask)},
                                  {"width", camera.width()},
                                  {"height", camera.height()},

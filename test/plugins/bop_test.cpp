@@ -196,6 +196,28 @@ TEST_F(Bop, SavesDepthInMultiplesOfTheScale) {
   EXPECT_EQ(jsonOf("camera.json").at("depth_scale"), 0.5);
 }
 
+TEST_F(Bop, SavesTheDepthOfEveryColumn) {
+  load({{"depth_scale", 1.0}});
+  std::vector<Scene> scenes;
+  for (const int width : {1, 7, 8, 13, 24}) {
+    scenes.push_back(scene(static_cast<std::int64_t>(scenes.size()), {}));
+    scenes.back().depth = cv::Mat(3, width, CV_32FC1);
+    cv::randu(scenes.back().depth, -1.0F, 80.0F);
+  }
+  runAll(scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const cv::Mat depth = cv::imread(
+        folder() + "train/000000/depth/00000" + std::to_string(i) + ".png", cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(depth.size(), scenes[i].depth.size());
+    for (int pixel = 0; pixel < static_cast<int>(depth.total()); ++pixel) {
+      const cv::Point place(pixel % depth.cols, pixel / depth.cols);
+      const double millimetres = 1000.0 * double{scenes[i].depth.at<float>(place)};
+      const bool is_held = millimetres > 0.0 && millimetres < 65535.5;
+      EXPECT_EQ(depth.at<std::uint16_t>(place), is_held ? std::llround(millimetres) : 0);
+    }
+  }
+}
+
 TEST_F(Bop, ChoosesTenthsOfMillimetresWhereTheyReachTheFarPlane) {
   const auto scaleWithFar = [&](double far) {
     dataset_.cameras = {{"camera", "c", {640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, far}}};
