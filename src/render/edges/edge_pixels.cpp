@@ -1,88 +1,119 @@
 #include "render/edges/edge_pixels.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include <opencv2/core.hpp>
 
-#include "render/pixels/half.h"
+#include "render/pixels/lane_images.h"
 
 namespace synthetic_dataset::render {
 namespace {
 
-/// What the centres of a row's pixels see, member by member, for loops over many at a time.
-struct SurfaceRow {
-  explicit SurfaceRow(std::size_t width)
-      : part(width),
-        x(width),
-        y(width),
-        z(width),
-        normal_x(width),
-        normal_y(width),
-        normal_z(width) {}
-
-  /// @param first  the first pixel, in the coordinates of `place`
-  void take(const GeometryImages& images, const cv::Point& first, const cv::Rect& place,
-            const Intrinsics& k) {
-    const int* parts = images.parts.ptr<int>(first.y, first.x);
-    const float* depths = images.depth.ptr<float>(first.y, first.x);
-    const auto* normals = images.normals.ptr<std::uint16_t>(first.y, first.x);
-    // From the picture's own columns, so that a pixel's place does not depend on the region.
-    const auto centre = static_cast<float>(k.cx);
-    const auto step = static_cast<float>(1.0 / k.fx);
-    const auto slope_y = static_cast<float>((place.y + first.y - k.cy) / k.fy);
-    const int column = place.x + first.x;
-    for (std::size_t u = 0; u < part.size(); ++u) {
-      part[u] = parts[u];
-      z[u] = depths[u];
-      x[u] = (static_cast<float>(column + static_cast<int>(u)) - centre) * step * z[u];
-      y[u] = slope_y * z[u];
-      normal_x[u] = fromHalf(normals[4 * u]);
-      normal_y[u] = fromHalf(normals[4 * u + 1]);
-      normal_z[u] = fromHalf(normals[4 * u + 2]);
+/// What the centres of a row's pixels see, member by member, with room for four from any of them.
+class SurfaceRow {
+ public:
+  /// @param most  that there may be
+  explicit SurfaceRow(int most) : parts_(static_cast<std::size_t>(most + kLaneCount)) {
+    for (auto* numbers : {&x_, &y_, &z_, &normal_x_, &normal_y_, &normal_z_}) {
+      numbers->resize(parts_.size());
     }
   }
 
-  std::vector<int> part;
-  std::vector<float> x, y, z;  ///< in the optical frame [m]
-  std::vector<float> normal_x, normal_y, normal_z;
+  /// @param first  the first pixel, in the coordinates of `place`
+  void take(const GeometryImages& images, const cv::Point& first, int width, const cv::Rect& place,
+            const Intrinsics& k) {
+    width_ = width;
+    const int* parts = images.parts.ptr<int>(first.y, first.x);
+    const float* depths = images.depth.ptr<float>(first.y, first.x);
+    const auto* normals = images.normals.ptr<std::uint16_t>(first.y, first.x);
+    std::copy_n(parts, width_, parts_.begin());
+    // From the picture's own columns, so that a pixel's place does not depend on the region.
+    const Lanes centre = lanes(static_cast<float>(k.cx));
+    const Lanes step = lanes(static_cast<float>(1.0 / k.fx));
+    const Lanes slope_y = lanes(static_cast<float>((place.y + first.y - k.cy) / k.fy));
+    std::array<float, kLaneCount> depth_room;
+    std::array<std::uint16_t, std::size_t{4} * kLaneCount> normal_room;
+    for (int u = 0; u < width_; u += kLaneCount) {
+      const int left = width_ - u;
+      const Lanes depth = cv::v_load(atLeast(depths + u, left, depth_room));
+      const Lanes column =
+          lanes(static_cast<float>(place.x + first.x + u)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
+      cv::v_store(&x_[at(u)], (column - centre) * step * depth);
+      cv::v_store(&y_[at(u)], slope_y * depth);
+      cv::v_store(&z_[at(u)], depth);
+      const Lanes3 normal = loadHalves(atLeast(normals + 4 * u, 4 * left, normal_room)).xyz;
+      cv::v_store(&normal_x_[at(u)], normal.x);
+      cv::v_store(&normal_y_[at(u)], normal.y);
+      cv::v_store(&normal_z_[at(u)], normal.z);
+    }
+  }
+
+  [[nodiscard]] int width() const { return width_; }
+
+  // Of four pixels:
+  [[nodiscard]] cv::v_int32x4 parts(int u) const { return cv::v_load(&parts_[at(u)]); }
+  [[nodiscard]] Lanes depths(int u) const { return cv::v_load(&z_[at(u)]); }
+  [[nodiscard]] Lanes3 places(int u) const { return load(x_, y_, z_, u); }  ///< optical frame [m]
+  [[nodiscard]] Lanes3 normals(int u) const { return load(normal_x_, normal_y_, normal_z_, u); }
+
+ private:
+  static std::size_t at(int u) { return static_cast<std::size_t>(u); }
+
+  static Lanes3 load(const std::vector<float>& x, const std::vector<float>& y,
+                     const std::vector<float>& z, int u) {
+    return {cv::v_load(&x[at(u)]), cv::v_load(&y[at(u)]), cv::v_load(&z[at(u)])};
+  }
+
+  int width_ = 0;
+  std::vector<int> parts_;
+  std::vector<float> x_, y_, z_;
+  std::vector<float> normal_x_, normal_y_, normal_z_;
 };
+
+/// Of four pixels and four others, those that see different surfaces: a bit for each.
+int differing(const SurfaceRow& row, int u, const SurfaceRow& other, int o, float focal_length) {
+  constexpr float kBend = 0.97F;  // the cosine of an angle beyond which shading may jump
+  constexpr float kStep = 3.0F;   // [px] that one is before or behind the plane of the other
+  const Lanes3 normals = row.normals(u);
+  const Lanes bends = dot(normals, other.normals(o)) < lanes(kBend);
+  const Lanes off = dot(normals, other.places(o) - row.places(u));
+  const Lanes steps = cv::v_abs(off) * lanes(focal_length) > lanes(kStep) * row.depths(u);
+  const cv::v_int32x4 parts = row.parts(u);
+  const cv::v_int32x4 is_part = parts != cv::v_setzero_s32();
+  const cv::v_int32x4 is_other = parts != other.parts(o);
+  return cv::v_signmask(is_other | (cv::v_reinterpret_as_s32(bends | steps) & is_part));
+}
 
 /// Marks pixels of a row and their neighbours in another, or `shift` farther in the same row, where
 /// they see different surfaces.
-void mark(const SurfaceRow& row, const SurfaceRow& other, std::size_t shift, float focal_length,
+void mark(const SurfaceRow& row, const SurfaceRow& other, int shift, float focal_length,
           std::uint8_t* edges, std::uint8_t* other_edges) {
-  constexpr float kBend = 0.97F;  // the cosine of an angle beyond which shading may jump
-  constexpr float kStep = 3.0F;   // [px] that one is before or behind the plane of the other
-  for (std::size_t u = 0; u + shift < row.part.size(); ++u) {
-    const std::size_t o = u + shift;
-    const float cosine = row.normal_x[u] * other.normal_x[o] + row.normal_y[u] * other.normal_y[o] +
-                         row.normal_z[u] * other.normal_z[o];
-    const float off = row.normal_x[u] * (other.x[o] - row.x[u]) +
-                      row.normal_y[u] * (other.y[o] - row.y[u]) +
-                      row.normal_z[u] * (other.z[o] - row.z[u]);
-    // Without jumps: bits instead of logic.
-    const int bends = cosine < kBend ? 1 : 0;
-    const int steps = std::abs(off) * focal_length > kStep * row.z[u] ? 1 : 0;
-    const int is_part = row.part[u] != 0 ? 1 : 0;
-    const int is_other = row.part[u] != other.part[o] ? 1 : 0;
-    const auto differs = static_cast<std::uint8_t>(is_other | ((bends | steps) & is_part));
-    edges[u] |= differs;
-    other_edges[o] |= differs;
+  const int count = row.width() - shift;
+  for (int u = 0; u < count; u += kLaneCount) {
+    const int bits = differing(row, u, other, u + shift, focal_length);
+    if (bits == 0) continue;
+    for (int i = 0; i < std::min(kLaneCount, count - u); ++i) {
+      const auto differs = static_cast<std::uint8_t>(bits >> i & 1);
+      edges[u + i] |= differs;
+      other_edges[u + shift + i] |= differs;
+    }
   }
 }
 
 /// Marks the pixels of a region that are by an edge, and some of those round it.
 /// @param region  in the coordinates of `place`
+/// @param rows  for as many pixels as `place` is wide
 void markEdges(const GeometryImages& images, const cv::Rect& place, const cv::Rect& region,
-               const Intrinsics& k, cv::Mat& edges) {
+               const Intrinsics& k, std::array<SurfaceRow, 2>& rows, cv::Mat& edges) {
   const auto focal_length = static_cast<float>(k.fx);
-  SurfaceRow row(static_cast<std::size_t>(region.width));
-  SurfaceRow above = row;
+  auto& [row, above] = rows;
   for (int v = region.y; v < region.y + region.height; ++v) {
     std::swap(row, above);
-    row.take(images, {region.x, v}, place, k);
+    row.take(images, {region.x, v}, region.width, place, k);
     auto* here = edges.ptr<std::uint8_t>(v, region.x);
     mark(row, row, 1, focal_length, here, here);
     if (v > region.y) {
@@ -96,25 +127,35 @@ void markEdges(const GeometryImages& images, const cv::Rect& place, const cv::Re
 EdgePixels::EdgePixels(const GeometryImages& images, const cv::Rect& place,
                        const std::vector<cv::Rect>& regions, const Intrinsics& intrinsics)
     : place_(place), blocks_(place.height, (place.width + kBlock - 1) / kBlock, CV_32SC1) {
-  cv::Mat edges = cv::Mat::zeros(place.size(), CV_8UC1);
+  cv::Mat edges = cv::Mat::zeros(place.height, blocks_.cols * kBlock, CV_8UC1);
   cv::Mat wanted = edges.clone();
   const cv::Rect all(cv::Point(), place.size());
+  std::array<SurfaceRow, 2> rows = {SurfaceRow(place.width), SurfaceRow(place.width)};
   for (const cv::Rect& region : regions) {
     const cv::Rect here = region - place.tl();
     wanted(here).setTo(1);
     const cv::Rect around(here.x - 1, here.y - 1, here.width + 2, here.height + 2);
-    markEdges(images, place, around & all, intrinsics, edges);
+    markEdges(images, place, around & all, intrinsics, rows, edges);
   }
   edges &= wanted;
   rows_.push_back(0);
   for (int row = 0; row < place.height; ++row) {
     const auto* is_edge = edges.ptr<std::uint8_t>(row);
-    int* block = blocks_.ptr<int>(row);
-    for (int column = 0; column < place.width; ++column) {
-      if (column % kBlock == 0) block[column / kBlock] = static_cast<int>(pixels_.size());
-      if (is_edge[column] != 0) pixels_.emplace_back(place.x + column, place.y + row);
+    for (int block = 0; block < blocks_.cols; ++block) {
+      blocks_.at<int>(row, block) = static_cast<int>(pixels_.size());
+      addBlock(is_edge + block * kBlock, {place.x + block * kBlock, place.y + row});
     }
     rows_.push_back(static_cast<int>(pixels_.size()));
+  }
+}
+
+/// Most blocks have no edge.
+void EdgePixels::addBlock(const std::uint8_t* is_edge, const cv::Point& first) {
+  std::uint64_t any = 0;
+  static_assert(sizeof any == kBlock);
+  std::memcpy(&any, is_edge, sizeof any);
+  for (int i = 0; any != 0 && i < kBlock; ++i) {
+    if (is_edge[i] != 0) pixels_.emplace_back(first.x + i, first.y);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -41,6 +42,8 @@ class EdgePixels {
 
  private:
   static constexpr int kBlock = 8;  ///< [px]
+
+  void addBlock(const std::uint8_t* is_edge, const cv::Point& first);
 
   cv::Rect place_;
   std::vector<cv::Point> pixels_;  ///< row by row

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace synthetic_dataset::render {
 namespace {
@@ -31,6 +32,20 @@ class Side {
 
  private:
   Lanes u_, v_, along_u_, along_v_;
+};
+
+/// One that turns right-handed in the image.
+class Triangle {
+ public:
+  Triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c)
+      : sides_{Side(a, b), Side(b, c), Side(c, a)} {}
+
+  [[nodiscard]] Lanes covered(const Lanes& u, const Lanes& v) const {
+    return sides_[0].inside(u, v) & sides_[1].inside(u, v) & sides_[2].inside(u, v);
+  }
+
+ private:
+  std::array<Side, 3> sides_;
 };
 
 }  // namespace
@@ -120,13 +135,14 @@ void SampleRaster::drawTriangle(const Corner& first, const Corner& second, const
   const Eigen::Vector3f& a = first.pixel;
   const Eigen::Vector3f& b = area > 0.0F ? second.pixel : third.pixel;
   const Eigen::Vector3f& c = area > 0.0F ? third.pixel : second.pixel;
-  const std::array<Side, 3> sides = {Side(a, b), Side(b, c), Side(c, a)};
+  std::optional<Triangle> triangle;  // most have no edge pixel near them
   int number = kNotStored;
   edges_.visit(pixelsRound(a, b, c), [&](std::size_t pixel) {
     const cv::Point& at = edges_.pixels()[pixel];
     const Lanes u = lanes(static_cast<float>(at.x)) + cv::v_load(kSampleColumns.data());
     const Lanes v = lanes(static_cast<float>(at.y)) + cv::v_load(kSampleRows.data());
-    const Lanes covered = sides[0].inside(u, v) & sides[1].inside(u, v) & sides[2].inside(u, v);
+    if (!triangle) triangle.emplace(a, b, c);
+    const Lanes covered = triangle->covered(u, v);
     if (!cv::v_check_any(covered)) return;
     // Holes are known at centres alone.
     if (has_holes_ && seen_parts_.at<int>(at - place_.tl()) != number_) return;

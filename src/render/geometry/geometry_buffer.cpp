@@ -77,11 +77,12 @@ GeometryImages GeometryBuffer::read(const cv::Rect& pixels) const {
   return images;
 }
 
-SurfaceImages GeometryBuffer::readSurfaces(const cv::Rect& pixels) const {
+SurfaceImages GeometryBuffer::readSurfaces(const cv::Rect& place,
+                                           const std::vector<cv::Rect>& regions) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   const auto readIf = [&](const GlTexture& plane, GeometryOutput output) {
     if (plane.name() == 0) return cv::Mat();
-    return readPlane(gl_, framebuffer_, output, pixels, CV_16UC4, GL_RGBA, GL_HALF_FLOAT);
+    return readPlane(gl_, framebuffer_, output, place, regions, CV_16UC4, GL_RGBA, GL_HALF_FLOAT);
   };
   return {readIf(base_roughness_, kBaseRoughness), readIf(normal_metalness_, kNormalMetalness),
           readIf(faces_, kFaces), readIf(glows_, kGlows)};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <opencv2/core/mat.hpp>
 
 #include "render/gl/gl_object.h"
@@ -52,7 +54,10 @@ class GeometryBuffer {
   /// Parts and depths.
   [[nodiscard]] GeometryImages read(const cv::Rect& pixels) const;
 
-  [[nodiscard]] SurfaceImages readSurfaces(const cv::Rect& pixels) const;
+  /// @param place  of the images' pixels in the buffer
+  /// @param regions  within it; beside them the images hold anything
+  [[nodiscard]] SurfaceImages readSurfaces(const cv::Rect& place,
+                                           const std::vector<cv::Rect>& regions) const;
 
   /// CV_8UC1: the bits that were set (SilhouetteBits).
   [[nodiscard]] cv::Mat readStencil(const cv::Rect& pixels) const;

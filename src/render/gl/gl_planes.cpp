@@ -40,9 +40,20 @@ void attachPlanes(const GlFunctions& gl, const GlFramebuffer& framebuffer,
 
 cv::Mat readPlane(const GlFunctions& gl, const GlFramebuffer& framebuffer, int output,
                   const cv::Rect& pixels, int type, GLenum format, GLenum component) {
+  return readPlane(gl, framebuffer, output, pixels, {pixels}, type, format, component);
+}
+
+cv::Mat readPlane(const GlFunctions& gl, const GlFramebuffer& framebuffer, int output,
+                  const cv::Rect& place, const std::vector<cv::Rect>& regions, int type,
+                  GLenum format, GLenum component) {
   gl.NamedFramebufferReadBuffer(framebuffer.name(), attachment(static_cast<std::size_t>(output)));
-  cv::Mat values(pixels.size(), type);
-  gl.ReadPixels(pixels.x, pixels.y, pixels.width, pixels.height, format, component, values.data);
+  cv::Mat values(place.size(), type);
+  gl.PixelStorei(GL_PACK_ROW_LENGTH, place.width);
+  for (const cv::Rect& region : regions) {
+    gl.ReadPixels(region.x, region.y, region.width, region.height, format, component,
+                  values.ptr(region.y - place.y, region.x - place.x));
+  }
+  gl.PixelStorei(GL_PACK_ROW_LENGTH, 0);
   return values;
 }
 

@@ -26,4 +26,9 @@ void attachPlanes(const GlFunctions& gl, const GlFramebuffer& framebuffer,
 [[nodiscard]] cv::Mat readPlane(const GlFunctions& gl, const GlFramebuffer& framebuffer, int output,
                                 const cv::Rect& pixels, int type, GLenum format, GLenum component);
 
+/// Those of several regions in an image of `place`, which holds anything beside them.
+[[nodiscard]] cv::Mat readPlane(const GlFunctions& gl, const GlFramebuffer& framebuffer, int output,
+                                const cv::Rect& place, const std::vector<cv::Rect>& regions,
+                                int type, GLenum format, GLenum component);
+
 }  // namespace synthetic_dataset::render

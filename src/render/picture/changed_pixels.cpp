@@ -1,11 +1,51 @@
 #include "render/picture/changed_pixels.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "render/pixels/lane_images.h"
+
 namespace synthetic_dataset::render {
+namespace {
+
+/// Where the pixels of a row look at a shadow map.
+class RowInMap {
+ public:
+  /// Four pixels' places in the map [texel]; below 0 for what is behind the light.
+  struct Four {
+    Lanes columns, rows;
+  };
+
+  /// @param from_pixel  from (u, v, 1) times depth, and 1, to w times column, w times row, any, w
+  RowInMap(const Eigen::Matrix4f& from_pixel, int v)
+      : from_pixel_(from_pixel),
+        across_(from_pixel.col(1) * static_cast<float>(v) + from_pixel.col(2)) {}
+
+  /// @param first  the first pixel's column in the picture
+  [[nodiscard]] Four find(int first, const Lanes& depth) const {
+    const Lanes u = lanes(static_cast<float>(first)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
+    const Lanes w = times(3, u, depth);
+    const Lanes is_before = w > lanes(0.0F);
+    const Lanes behind = lanes(-1.0F);
+    return {cv::v_select(is_before, times(0, u, depth) / w, behind),
+            cv::v_select(is_before, times(1, u, depth) / w, behind)};
+  }
+
+ private:
+  [[nodiscard]] Lanes times(int row, const Lanes& u, const Lanes& depth) const {
+    return (lanes(from_pixel_(row, 0)) * u + lanes(across_[row])) * depth +
+           lanes(from_pixel_(row, 3));
+  }
+
+  Eigen::Matrix4f from_pixel_;
+  Eigen::Vector4f across_;
+};
+
+}  // namespace
 
 cv::Mat ChangedPixels::find(const PossibleChanges& regions, const SeenGeometry& seen,
                             const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const {
@@ -37,26 +77,33 @@ void ChangedPixels::markShaded(const cv::Mat& candidates, const SeenGeometry& se
                                const ChangedTexels& texels, cv::Mat& pixels) const {
   if (texels.place.empty()) return;
   const Intrinsics& k = view_.camera.intrinsics();
-  // From (u, v, 1) times depth, and 1, to columns and rows of the map, times w.
   Eigen::Matrix4d camera_from_pixel = Eigen::Matrix4d::Identity();
   camera_from_pixel.topLeftCorner<2, 3>() << 1.0 / k.fx, 0.0, -k.cx / k.fx,  //
       0.0, 1.0 / k.fy, -k.cy / k.fy;
   const Eigen::Matrix4f from_pixel =
       (texels.texels_from_world * view_.X_WC.matrix() * camera_from_pixel).cast<float>();
-  const Eigen::Vector4f along_u = from_pixel.col(0);
   for (int row = 0; row < seen.place.height; ++row) {
     const int v = seen.place.y + row;
     const int* parts = seen.images.parts.ptr<int>(row);
     const float* depths = seen.images.depth.ptr<float>(row);
     const auto* is_candidate = candidates.ptr<std::uint8_t>(v, seen.place.x);
     auto* marked = pixels.ptr<std::uint8_t>(v, seen.place.x);
-    const Eigen::Vector4f across = from_pixel.col(1) * static_cast<float>(v) + from_pixel.col(2);
-    for (int column = 0; column < seen.place.width; ++column) {
-      if (is_candidate[column] == 0 || marked[column] != 0 || parts[column] == 0) continue;
-      const auto u = static_cast<float>(seen.place.x + column);
-      const Eigen::Vector4f place = (along_u * u + across) * depths[column] + from_pixel.col(3);
-      if (place.w() > 0.0F && texels.isChanged(place.x() / place.w(), place.y() / place.w())) {
-        marked[column] = 255;
+    const RowInMap row_in_map(from_pixel, v);
+    std::array<float, kLaneCount> room;
+    for (int column = 0; column < seen.place.width; column += kLaneCount) {
+      const int count = std::min(kLaneCount, seen.place.width - column);
+      int open = 0;  // a bit for each pixel that may be in another shadow
+      for (int i = 0; i < count; ++i) {
+        const int u = column + i;
+        const bool is_open = is_candidate[u] != 0 && marked[u] == 0 && parts[u] != 0;
+        open |= static_cast<int>(is_open) << i;
+      }
+      if (open == 0) continue;
+      const Lanes depth = cv::v_load(atLeast(depths + column, count, room));
+      const RowInMap::Four four = row_in_map.find(seen.place.x + column, depth);
+      const int changed = texels.changed(four.columns, four.rows, open);
+      for (int i = 0; changed != 0 && i < count; ++i) {
+        if ((changed >> i & 1) != 0) marked[column + i] = 255;
       }
     }
   }

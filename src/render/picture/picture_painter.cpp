@@ -283,7 +283,7 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   const std::vector<cv::Rect> lit =
       smooth ? bandsOf(grown(picture.regions, image_.size())) : picture.regions;
   const cv::Rect place = boundsOf(lit);
-  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place), place};
+  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place, lit), place};
   surfaces.geometry.normals = surfaces.surfaces.vertexNormals();
   picture.unlit =
       crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_, see_through, lit);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include <opencv2/core.hpp>
 
@@ -14,6 +16,16 @@ namespace synthetic_dataset::render {
   cv::Mat wide;
   cv::copyMakeBorder(image, wide, 0, 0, 0, kLaneCount - image.cols, cv::BORDER_REPLICATE);
   return wide;
+}
+
+/// At least so many values: from a row's, where as many are left, else with zeros behind the last.
+/// @param room  for them; has to outlive the result
+template <std::size_t count, class Value>
+[[nodiscard]] const Value* atLeast(const Value* values, int left, std::array<Value, count>& room) {
+  if (left >= static_cast<int>(count)) return values;
+  room = {};
+  std::copy_n(values, left, room.begin());
+  return room.data();
 }
 
 /// Where the four pixels begin that hold a column of a row: the last ones of a row twice, rather

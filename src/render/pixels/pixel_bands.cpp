@@ -1,6 +1,7 @@
 #include "render/pixels/pixel_bands.h"
 
 #include <algorithm>
+#include <functional>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -13,12 +14,11 @@ constexpr int kHeight = 8;    // [px] of a band; they begin at its multiples
 constexpr int kLeastGap = 8;  // [px] between two rectangles of a band
 
 /// The runs of pixels that are not 0, those with small gaps between them as one.
-void addRuns(const cv::Mat& row, int top, int height, std::vector<cv::Rect>& to) {
-  const auto* is_set = row.ptr<uchar>();
+void addRuns(const std::vector<uchar>& is_set, int top, int height, std::vector<cv::Rect>& to) {
   int first = -1;
   int end = 0;
-  for (int u = 0; u < row.cols; ++u) {
-    if (is_set[u] == 0) continue;
+  for (int u = 0; u < static_cast<int>(is_set.size()); ++u) {
+    if (is_set[static_cast<std::size_t>(u)] == 0) continue;
     if (first >= 0 && u - end >= kLeastGap) {
       to.emplace_back(first, top, end - first, height);
       first = -1;
@@ -33,13 +33,17 @@ void addRuns(const cv::Mat& row, int top, int height, std::vector<cv::Rect>& to)
 
 std::vector<cv::Rect> bandsOf(const cv::Mat& pixels) {
   std::vector<cv::Rect> bands;
-  cv::Mat columns;
+  std::vector<uchar> columns(static_cast<std::size_t>(pixels.cols));
   const cv::Rect bounds = cv::boundingRect(pixels);
   const int bottom = bounds.y + bounds.height;
   for (int band = bounds.y / kHeight; band * kHeight < bottom; ++band) {
     const int top = std::max(band * kHeight, bounds.y);
     const int end = std::min((band + 1) * kHeight, bottom);
-    cv::reduce(pixels.rowRange(top, end), columns, 0, cv::REDUCE_MAX);
+    std::fill(columns.begin(), columns.end(), uchar{0});
+    for (int row = top; row < end; ++row) {
+      const auto* is_set = pixels.ptr<uchar>(row);
+      std::transform(columns.begin(), columns.end(), is_set, columns.begin(), std::bit_or<>());
+    }
     addRuns(columns, top, end - top, bands);
   }
   return bands;

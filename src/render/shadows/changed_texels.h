@@ -1,7 +1,12 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
+
+#include "render/pixels/lanes.h"
 
 namespace synthetic_dataset::render {
 
@@ -15,12 +20,25 @@ struct ChangedTexels {
   cv::Rect place;                     ///< of these cells in the map; nothing has changed beside it
   cv::Mat cells;                      ///< CV_8UC1: 255 for those that have changed
 
-  [[nodiscard]] bool isChanged(float column, float row) const {
-    const float x = column / kCell - static_cast<float>(place.x);
-    const float y = row / kCell - static_cast<float>(place.y);
-    return x >= 0.0F && y >= 0.0F && x < static_cast<float>(place.width) &&
-           y < static_cast<float>(place.height) &&
-           cells.at<unsigned char>(static_cast<int>(y), static_cast<int>(x)) != 0;
+  /// Which of four places in the map have changed: a bit for each.
+  /// @param wanted  a bit for each that is asked for
+  [[nodiscard]] int changed(const Lanes& columns, const Lanes& rows, int wanted) const {
+    const Lanes x = columns / lanes(kCell) - lanes(static_cast<float>(place.x));
+    const Lanes y = rows / lanes(kCell) - lanes(static_cast<float>(place.y));
+    const Lanes is_within = (x >= lanes(0.0F)) & (x < lanes(static_cast<float>(place.width))) &
+                            (y >= lanes(0.0F)) & (y < lanes(static_cast<float>(place.height)));
+    wanted &= cv::v_signmask(is_within);
+    if (wanted == 0) return 0;
+    std::array<int, kLaneCount> cell_columns{};
+    std::array<int, kLaneCount> cell_rows{};
+    cv::v_store(cell_columns.data(), cv::v_trunc(x));
+    cv::v_store(cell_rows.data(), cv::v_trunc(y));
+    int found = 0;
+    for (std::size_t i = 0; i < kLaneCount; ++i) {
+      const int bit = wanted & 1 << i;
+      if (bit != 0 && cells.at<unsigned char>(cell_rows[i], cell_columns[i]) != 0) found |= bit;
+    }
+    return found;
   }
 };
 
