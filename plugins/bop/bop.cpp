@@ -58,7 +58,7 @@ DepthImage depthImage(const cv::Mat& depth, double scale) {
   cv::v_int32x4 greatest = cv::v_setzero_s32();
   DepthImage image{cv::Mat(depth.size(), CV_16UC1), false};
   std::array<float, kAtOnce> last_depths{};
-  std::array<std::uint16_t, kAtOnce> values{};
+  std::array<std::uint16_t, kAtOnce> last{};
   for (int row = 0; row < depth.rows; ++row) {
     const auto* from = depth.ptr<float>(row);
     auto* to = image.pixels.ptr<std::uint16_t>(row);
@@ -72,8 +72,13 @@ DepthImage depthImage(const cv::Mat& depth, double scale) {
       const cv::v_int32x4 first = rounded(depths, scale);
       const cv::v_int32x4 second = rounded(depths + kAtOnce / 2, scale);
       greatest = cv::v_max(greatest, cv::v_max(first, second));
-      cv::v_store(values.data(), cv::v_pack_u(first & (first <= most), second & (second <= most)));
-      std::copy_n(values.begin(), count, to + column);
+      const cv::v_uint16x8 eight = cv::v_pack_u(first & (first <= most), second & (second <= most));
+      if (count == kAtOnce) {
+        cv::v_store(to + column, eight);
+      } else {
+        cv::v_store(last.data(), eight);
+        std::copy_n(last.begin(), count, to + column);
+      }
     }
   }
   image.is_cut_off = cv::v_reduce_max(greatest) > kGreatestDepth;
