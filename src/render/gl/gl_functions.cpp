@@ -43,6 +43,7 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(BlendFuncSeparate, "glBlendFuncSeparate");
   fill(ClipControl, "glClipControl");
   fill(PixelStorei, "glPixelStorei");
+  fill(Flush, "glFlush");
   fill(ReadPixels, "glReadPixels");
   fill(DrawArraysInstanced, "glDrawArraysInstanced");
   fill(DrawElements, "glDrawElements");

@@ -27,6 +27,7 @@ struct GlFunctions {
   PFNGLBLENDFUNCSEPARATEPROC BlendFuncSeparate = nullptr;
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
   PFNGLPIXELSTOREIPROC PixelStorei = nullptr;
+  PFNGLFLUSHPROC Flush = nullptr;
   PFNGLREADPIXELSPROC ReadPixels = nullptr;
   PFNGLDRAWARRAYSINSTANCEDPROC DrawArraysInstanced = nullptr;
   PFNGLDRAWELEMENTSPROC DrawElements = nullptr;
