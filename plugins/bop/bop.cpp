@@ -100,8 +100,8 @@ Json cocoBox(const cv::Rect& pixels) {
 }
 
 /// COCO's uncompressed run lengths.
-Json runLengths(const cv::Mat& mask) {
-  return {{"counts", masks::columnRuns(mask)}, {"size", {mask.rows, mask.cols}}};
+Json runLengths(const cv::Mat& mask, const cv::Rect& extent) {
+  return {{"counts", masks::columnRuns(mask, extent)}, {"size", {mask.rows, mask.cols}}};
 }
 
 Json millimetres(const Eigen::Vector3d& p) {
@@ -254,14 +254,14 @@ class BopWriter : public LabelWriter {
   /// @param extent  as for infoOf
   void addAnnotation(const SceneObject& object, std::size_t place, const cv::Rect& extent,
                      const CameraModel& camera, BopImage& image) const {
-    const int area = cv::countNonZero(object.visible_mask);
-    if (area == 0) return;
+    const cv::Rect visible = visiblePixels(object);
+    if (visible.empty()) return;
     image.annotations.push_back({{"image_id", image.im_id},
                                  {"category_id", models_.obj_ids.at(place)},
                                  {"iscrowd", 0},
-                                 {"area", area},
+                                 {"area", cv::countNonZero(object.visible_mask(visible))},
                                  {"bbox", cocoBox(extent)},
-                                 {"segmentation", runLengths(object.visible_mask)},
+                                 {"segmentation", runLengths(object.visible_mask, visible)},
                                  {"width", camera.width()},
                                  {"height", camera.height()},
                                  {"ignore", object.visibility < kFewestVisible}});

@@ -16,10 +16,10 @@ namespace synthetic_dataset {
 namespace {
 
 /// The mask as COCO's `segmentation`.
-Json segmentationOf(const cv::Mat& mask, bool as_polygons) {
+Json segmentationOf(const cv::Mat& mask, const cv::Rect& extent, bool as_polygons) {
   if (!as_polygons) {
     return {{"size", {mask.rows, mask.cols}},
-            {"counts", masks::cocoCounts(masks::columnRuns(mask))}};
+            {"counts", masks::cocoCounts(masks::columnRuns(mask, extent))}};
   }
   Json polygons = Json::array();
   for (const masks::Ring& ring : masks::edgeRings(mask)) {
@@ -119,13 +119,15 @@ class CocoWriter : public LabelWriter {
   /// can be made apart and merged.
   [[nodiscard]] Json annotationOf(const Scene& scene, const SceneObject& object,
                                   const Box& box) const {
-    Json annotation = {{"id", scene.index * object_count_ + object.instance},
-                       {"image_id", imageId(scene)},
-                       {"category_id", categoryId(object.class_id)},
-                       {"bbox", cocoBox(box)},
-                       {"area", cv::countNonZero(object.visible_mask)},
-                       {"iscrowd", 0},
-                       {"segmentation", segmentationOf(object.visible_mask, as_polygons_)}};
+    const cv::Rect visible = visiblePixels(object);
+    Json annotation = {
+        {"id", scene.index * object_count_ + object.instance},
+        {"image_id", imageId(scene)},
+        {"category_id", categoryId(object.class_id)},
+        {"bbox", cocoBox(box)},
+        {"area", cv::countNonZero(object.visible_mask(visible))},
+        {"iscrowd", 0},
+        {"segmentation", segmentationOf(object.visible_mask, visible, as_polygons_)}};
     // COCOeval wants keypoints of all annotations or of none.
     if (keypoints_.any()) addKeypoints(object, annotation);
     Json more = {{"object", object.name},
@@ -164,7 +166,7 @@ class CocoWriter : public LabelWriter {
                                                static_cast<uchar>(id >> 8), static_cast<uchar>(id)};
       segments.push_back({{"id", id},
                           {"category_id", categoryId(object->class_id)},
-                          {"area", cv::countNonZero(object->visible_mask)},
+                          {"area", cv::countNonZero(object->visible_mask(visiblePixels(*object)))},
                           {"bbox", cocoBox(*object->visible_box)},
                           {"iscrowd", 0}});
     }

@@ -57,6 +57,13 @@ std::optional<Box> boxOf(const SceneObject& object, BoxChoice choice, const Came
   return box ? intersection(*box, camera.imageBounds()) : std::nullopt;
 }
 
+cv::Rect visiblePixels(const SceneObject& object) {
+  if (!object.visible_box) return {};
+  const Box& box = *object.visible_box;
+  return {cv::Point(cvRound(box.left + 0.5), cvRound(box.top + 0.5)),
+          cv::Point(cvRound(box.right + 0.5), cvRound(box.bottom + 0.5))};
+}
+
 std::string splitOf(const Scene& scene) { return scene.split.empty() ? "train" : scene.split; }
 
 std::string flatName(const Scene& scene) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <opencv2/core/types.hpp>
+
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
@@ -31,6 +33,10 @@ enum class BoxChoice {
 /// An object's box [px], cut to the image; nothing where no area of it is in the image.
 [[nodiscard]] std::optional<Box> boxOf(const SceneObject& object, BoxChoice choice,
                                        const CameraModel& camera);
+
+/// The pixels that the visible box is round, beside which nothing is on the visible mask; empty
+/// where no pixel is visible.
+[[nodiscard]] cv::Rect visiblePixels(const SceneObject& object);
 
 /// The folder of a scene's split: `train` where the dataset has no splits.
 [[nodiscard]] std::string splitOf(const Scene& scene);

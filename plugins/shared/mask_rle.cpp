@@ -1,12 +1,9 @@
 #include "plugins/shared/mask_rle.h"
 
-#include <opencv2/imgproc.hpp>
-
 namespace synthetic_dataset::masks {
 
-std::vector<std::int64_t> columnRuns(const cv::Mat& mask) {
+std::vector<std::int64_t> columnRuns(const cv::Mat& mask, const cv::Rect& extent) {
   const std::int64_t height = mask.rows;
-  const cv::Rect extent = cv::boundingRect(mask);
   if (extent.empty()) return {mask.cols * height};
   const cv::Mat columns = mask(extent).t();  // a row of it is a column's part in the extent
   std::vector<std::int64_t> runs;

@@ -12,7 +12,8 @@ namespace synthetic_dataset::masks {
 /// The lengths of the runs of equal pixels, column after column from the top left, turn by turn of
 /// pixels off and on the mask; the first one is of pixels off it and may be 0.
 /// @param mask  CV_8UC1, 0 off the mask
-[[nodiscard]] std::vector<std::int64_t> columnRuns(const cv::Mat& mask);
+/// @param extent  the pixels of it that are looked at: beside them nothing is on the mask
+[[nodiscard]] std::vector<std::int64_t> columnRuns(const cv::Mat& mask, const cv::Rect& extent);
 
 /// COCO's compressed `counts`, byte for byte as `pycocotools.mask.encode` makes them.
 [[nodiscard]] std::string cocoCounts(const std::vector<std::int64_t>& runs);

@@ -201,6 +201,7 @@ TEST_F(Coco, PacksMasksThatDecodeToThemselves) {
   cv::Mat& holed = scene.objects[0].visible_mask;
   holed(cv::Rect(15, 25, 10, 10)).setTo(0);    // a hole
   holed(cv::Rect(200, 300, 1, 1)).setTo(255);  // a second part
+  scene.objects[0].visible_box = Box{9.5, 19.5, 200.5, 300.5};
   const json annotations = annotationsOf({scene});
   for (std::size_t i = 0; i < 2; ++i) {
     const cv::Mat1b decoded = maskOf(annotations[i]["segmentation"]);
@@ -213,6 +214,7 @@ TEST_F(Coco, DrawsPolygonsAlongThePixelsEdges) {
   load({{"segmentation", "polygons"}});
   Scene scene = sceneOf(0, {{10, 20, 30, 40}});
   scene.objects[0].visible_mask.at<std::uint8_t>(300, 200) = 255;
+  scene.objects[0].visible_box = Box{9.5, 19.5, 200.5, 300.5};
   EXPECT_EQ(annotationsOf({scene})[0]["segmentation"],
             json({{10, 20, 40, 20, 40, 60, 10, 60}, {200, 300, 201, 300, 201, 301, 200, 301}}));
 }

@@ -1,6 +1,7 @@
 #include "plugins/shared/mask_rle.h"
 
 #include <gmock/gmock.h>
+#include <opencv2/imgproc.hpp>
 
 namespace synthetic_dataset {
 namespace {
@@ -9,43 +10,50 @@ using testing::ElementsAre;
 
 cv::Mat1b empty(int rows, int columns) { return cv::Mat1b(rows, columns, std::uint8_t{0}); }
 
-std::string countsOf(const cv::Mat& mask) { return masks::cocoCounts(masks::columnRuns(mask)); }
+/// The same, whether more than the mask is looked at or not.
+std::vector<std::int64_t> runsOf(const cv::Mat& mask) {
+  const auto runs = masks::columnRuns(mask, cv::Rect(cv::Point(), mask.size()));
+  EXPECT_EQ(masks::columnRuns(mask, cv::boundingRect(mask)), runs);
+  return runs;
+}
+
+std::string countsOf(const cv::Mat& mask) { return masks::cocoCounts(runsOf(mask)); }
 
 TEST(MaskRle, RunsDownTheColumnsFromZerosOn) {
   cv::Mat1b mask = empty(4, 5);
   mask(cv::Rect(1, 1, 3, 2)) = 255;
   // Column 0 and a pixel; then two on, two off, three times; the last column.
-  EXPECT_THAT(masks::columnRuns(mask), ElementsAre(5, 2, 2, 2, 2, 2, 5));
+  EXPECT_THAT(runsOf(mask), ElementsAre(5, 2, 2, 2, 2, 2, 5));
 }
 
 TEST(MaskRle, BeginsWithARunOfNothingWhereTheFirstPixelIsOn) {
   cv::Mat1b mask = empty(2, 3);
   mask(0, 0) = 1;
-  EXPECT_THAT(masks::columnRuns(mask), ElementsAre(0, 1, 5));
+  EXPECT_THAT(runsOf(mask), ElementsAre(0, 1, 5));
 }
 
 TEST(MaskRle, RunsOnFromTheFootOfAColumnToTheHeadOfTheNext) {
   cv::Mat1b mask = empty(3, 3);
   mask(2, 0) = mask(0, 1) = 255;
-  EXPECT_THAT(masks::columnRuns(mask), ElementsAre(2, 2, 5));
+  EXPECT_THAT(runsOf(mask), ElementsAre(2, 2, 5));
 }
 
 TEST(MaskRle, EndsAColumnThatRunsToTheFootAtTheHeadOfTheNext) {
   cv::Mat1b mask = empty(3, 3);
   mask(cv::Rect(0, 1, 3, 2)) = 255;
-  EXPECT_THAT(masks::columnRuns(mask), ElementsAre(1, 2, 1, 2, 1, 2));
+  EXPECT_THAT(runsOf(mask), ElementsAre(1, 2, 1, 2, 1, 2));
 }
 
 TEST(MaskRle, EndsAFullColumnAtTheNextEmptyOne) {
   cv::Mat1b mask = empty(2, 3);
   mask(cv::Rect(1, 0, 1, 2)) = 255;
-  EXPECT_THAT(masks::columnRuns(mask), ElementsAre(2, 2, 2));
+  EXPECT_THAT(runsOf(mask), ElementsAre(2, 2, 2));
 }
 
 TEST(MaskRle, ReadsAPartOfABiggerImage) {
   cv::Mat1b image = empty(10, 10);
   image(4, 4) = 255;
-  EXPECT_THAT(masks::columnRuns(image(cv::Rect(3, 3, 3, 3))), ElementsAre(4, 1, 4));
+  EXPECT_THAT(runsOf(image(cv::Rect(3, 3, 3, 3))), ElementsAre(4, 1, 4));
 }
 
 // What pycocotools 2.0.11 makes of the same masks.
