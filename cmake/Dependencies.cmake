@@ -4,7 +4,6 @@ pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet)
 pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
-pkg_check_modules(ISAL REQUIRED IMPORTED_TARGET libisal)
 pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom)
 
@@ -19,6 +18,11 @@ foreach(version 14 13 12 11 10 9)
 endforeach()
 if(NOT SDFORMAT_LIBRARIES)
   message(FATAL_ERROR "libsdformat 9 or newer is needed: apt-get install libsdformat-dev")
+endif()
+
+pkg_check_modules(ISAL IMPORTED_TARGET libisal)
+if(NOT ISAL_FOUND)
+  message(FATAL_ERROR "ISA-L is needed: apt-get install libisal-dev")
 endif()
 
 # libdeflate has brought a pkg-config file since 1.9 only.
