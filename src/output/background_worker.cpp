@@ -1,11 +1,27 @@
 #include "output/background_worker.h"
 
+#include <system_error>
 #include <utility>
 
+#include "synthetic_dataset/errors.h"
+
 namespace synthetic_dataset::output {
+namespace {
+
+std::thread started(const std::function<void()>& work) {
+  try {
+    return std::thread(work);
+  } catch (const std::system_error& error) {
+    throw Error("the system starts no more threads for this process: " + error.code().message() +
+                "; raise the limit of processes (ulimit -u), of memory (ulimit -v), or of the "
+                "container");
+  }
+}
+
+}  // namespace
 
 BackgroundWorker::BackgroundWorker(std::size_t most_waiting)
-    : most_waiting_(most_waiting), thread_([this] { work(); }) {}
+    : most_waiting_(most_waiting), thread_(started([this] { work(); })) {}
 
 BackgroundWorker::~BackgroundWorker() {
   {

@@ -18,6 +18,7 @@ class BackgroundWorker {
   using Job = std::function<void()>;
 
   /// @param most_waiting  jobs that may wait at a time, at least 1
+  /// @throws Error where the system starts no thread
   explicit BackgroundWorker(std::size_t most_waiting);
 
   /// Finishes the job in work; those that wait are not done.

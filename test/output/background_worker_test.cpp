@@ -1,5 +1,7 @@
 #include "output/background_worker.h"
 
+#include <pthread.h>
+
 #include <future>
 #include <vector>
 
@@ -46,6 +48,35 @@ TEST(BackgroundWorker, GivesWhatAJobThrewToTheCallerAndDoesNoMore) {
   EXPECT_THROW(worker.add([&] { second_done = true; }), Error);
   EXPECT_THROW(worker.finish(), Error);
   EXPECT_FALSE(second_done);
+}
+
+/// As long as it lives, no new thread finds room for its stack.
+class NoMoreThreads {
+ public:
+  NoMoreThreads() {
+    pthread_getattr_default_np(&usual_);
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, std::size_t{1} << 47U);
+    pthread_setattr_default_np(&attributes);
+  }
+  NoMoreThreads(const NoMoreThreads&) = delete;
+  NoMoreThreads& operator=(const NoMoreThreads&) = delete;
+  ~NoMoreThreads() { pthread_setattr_default_np(&usual_); }
+
+ private:
+  pthread_attr_t usual_{};
+};
+
+TEST(BackgroundWorker, TellsThatTheSystemStartsNoThread) {
+  const NoMoreThreads limit;
+  try {
+    const BackgroundWorker worker(1);
+    FAIL() << "a thread was started";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("starts no more threads"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("ulimit -u"));
+  }
 }
 
 }  // namespace

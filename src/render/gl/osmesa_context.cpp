@@ -1,5 +1,9 @@
 #include "render/gl/osmesa_context.h"
 
+#include <string>
+#include <system_error>
+#include <thread>
+
 #include <GL/osmesa.h>
 
 #include "synthetic_dataset/errors.h"
@@ -42,6 +46,22 @@ OsmesaContext::OsmesaContext() : context_(OSMesaCreateContextAttribs(kAttributes
     throw Error(
         "OSMesa's context does not answer: another libGL was loaded into the process before it "
         "(often by a library linked with opencv_highgui)");
+  }
+  requireThreads();
+}
+
+/// Mesa does not notice where the system started no threads for it, and waits for what they do for
+/// ever. Where there is one more to be had, it has its own.
+void OsmesaContext::requireThreads() {
+  try {
+    std::thread([] {}).join();
+  } catch (const std::system_error& error) {
+    (void)context_.release();  // its end would wait, too
+    throw Error(
+        std::string("the system starts no more threads for this process: ") +
+        error.code().message() +
+        "; Mesa needs one for each core, and two more are for pictures and files: raise the "
+        "limit of processes (ulimit -u), of memory (ulimit -v), or of the container");
   }
 }
 

@@ -12,7 +12,8 @@ namespace synthetic_dataset::render {
 /// Made current in the thread that makes it, and used from that thread alone.
 class OsmesaContext {
  public:
-  /// @throws Error when OSMesa gives no such context, or when another libGL has taken its place
+  /// @throws Error when OSMesa gives no such context, when another libGL has taken its place, or
+  ///   when the system starts no threads for it
   OsmesaContext();
   ~OsmesaContext();
   OsmesaContext(const OsmesaContext&) = delete;
@@ -27,6 +28,8 @@ class OsmesaContext {
   struct Destroy {
     void operator()(void* context) const;
   };
+
+  void requireThreads();
 
   /// OSMesa wants a picture of its own to be current with; everything is drawn elsewhere.
   std::array<unsigned char, 4> unused_picture_{};
