@@ -222,7 +222,7 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
   covered_ = regionsOf(crew_.parts.parts(), view, X_WL,
                        [&](const Part& part) { return drawn[part.link] && !part.stands_still; });
   content_ = std::move(content);
-  crew_.gl.Flush();  // Mesa's threads begin while others of us work
+  crew_.gl.Flush();  // Mesa's threads begin now, not when somebody asks for what they draw
 }
 
 /// Afterwards geometry_ is that of what never moves.
