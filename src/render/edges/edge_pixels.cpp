@@ -126,8 +126,8 @@ void markEdges(const GeometryImages& images, const cv::Rect& place, const cv::Re
 
 EdgePixels::EdgePixels(const GeometryImages& images, const cv::Rect& place,
                        const std::vector<cv::Rect>& regions, const Intrinsics& intrinsics)
-    : place_(place), blocks_(place.height, (place.width + kBlock - 1) / kBlock, CV_32SC1) {
-  cv::Mat edges = cv::Mat::zeros(place.height, blocks_.cols * kBlock, CV_8UC1);
+    : place_(place), row_words_((place.width + kWordBits - 1) / kWordBits) {
+  cv::Mat edges = cv::Mat::zeros(place.height, row_words_ * kWordBits, CV_8UC1);
   cv::Mat wanted = edges.clone();
   const cv::Rect all(cv::Point(), place.size());
   std::array<SurfaceRow, 2> rows = {SurfaceRow(place.width), SurfaceRow(place.width)};
@@ -138,25 +138,30 @@ EdgePixels::EdgePixels(const GeometryImages& images, const cv::Rect& place,
     markEdges(images, place, around & all, intrinsics, rows, edges);
   }
   edges &= wanted;
-  rows_.push_back(0);
+  words_.reserve(static_cast<std::size_t>(place.height * row_words_));
   for (int row = 0; row < place.height; ++row) {
     const auto* is_edge = edges.ptr<std::uint8_t>(row);
-    for (int block = 0; block < blocks_.cols; ++block) {
-      blocks_.at<int>(row, block) = static_cast<int>(pixels_.size());
-      addBlock(is_edge + block * kBlock, {place.x + block * kBlock, place.y + row});
+    for (int u = 0; u < edges.cols; u += kWordBits) {
+      addWord(is_edge + u, {place.x + u, place.y + row});
     }
-    rows_.push_back(static_cast<int>(pixels_.size()));
   }
 }
 
-/// Most blocks have no edge.
-void EdgePixels::addBlock(const std::uint8_t* is_edge, const cv::Point& first) {
-  std::uint64_t any = 0;
-  static_assert(sizeof any == kBlock);
-  std::memcpy(&any, is_edge, sizeof any);
-  for (int i = 0; any != 0 && i < kBlock; ++i) {
-    if (is_edge[i] != 0) pixels_.emplace_back(first.x + i, first.y);
+/// Most pixels are not by an edge.
+void EdgePixels::addWord(const std::uint8_t* is_edge, const cv::Point& first) {
+  constexpr int kAtOnce = 8;
+  Word word{0, pixels_.size()};
+  for (int u = 0; u < kWordBits; u += kAtOnce) {
+    std::uint64_t any = 0;
+    static_assert(sizeof any == kAtOnce);
+    std::memcpy(&any, is_edge + u, sizeof any);
+    for (int i = u; any != 0 && i < u + kAtOnce; ++i) {
+      if (is_edge[i] == 0) continue;
+      word.bits |= std::uint64_t{1} << i;
+      pixels_.emplace_back(first.x + i, first.y);
+    }
   }
+  words_.push_back(word);
 }
 
 cv::Mat EdgePixels::mask(const cv::Size& size) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,29 +29,41 @@ class EdgePixels {
   template <class Visit>
   void visit(const cv::Rect& rectangle, const Visit& visit) const {
     const cv::Rect inside = rectangle & place_;
-    for (int v = inside.y; v < inside.y + inside.height; ++v) {
-      const int row = v - place_.y;
-      const int end = rows_[static_cast<std::size_t>(row) + 1];
-      if (rows_[static_cast<std::size_t>(row)] == end) continue;
-      // From the block's first edge pixel on, some may still be before the rectangle.
-      for (int i = blocks_.at<int>(row, (inside.x - place_.x) / kBlock); i < end; ++i) {
-        if (pixels_[static_cast<std::size_t>(i)].x < inside.x) continue;
-        if (pixels_[static_cast<std::size_t>(i)].x >= inside.x + inside.width) break;
-        visit(static_cast<std::size_t>(i));
+    if (inside.empty()) return;
+    const int left = inside.x - place_.x;
+    const int right = left + inside.width;
+    for (int v = inside.y - place_.y; v < inside.y - place_.y + inside.height; ++v) {
+      for (int word = left / kWordBits; word * kWordBits < right; ++word) {
+        const Word& here = words_[static_cast<std::size_t>(v * row_words_ + word)];
+        const int first = std::max(left - word * kWordBits, 0);
+        const int end = std::min(right - word * kWordBits, kWordBits);
+        std::uint64_t bits = here.bits >> first << first;
+        bits = bits << (kWordBits - end) >> (kWordBits - end);
+        if (bits == 0) continue;
+        const std::uint64_t before = here.bits & ((std::uint64_t{1} << first) - 1);
+        for (auto i = here.first + static_cast<std::size_t>(__builtin_popcountll(before));
+             bits != 0; bits &= bits - 1) {
+          visit(i++);
+        }
       }
     }
   }
 
  private:
-  static constexpr int kBlock = 8;  ///< [px]
+  static constexpr int kWordBits = 64;
 
-  void addBlock(const std::uint8_t* is_edge, const cv::Point& first);
+  /// Which of 64 pixels side by side are by an edge: the leftmost in the lowest bit.
+  struct Word {
+    std::uint64_t bits = 0;
+    std::size_t first = 0;  ///< of them, its place in pixels_
+  };
+
+  void addWord(const std::uint8_t* is_edge, const cv::Point& first);
 
   cv::Rect place_;
   std::vector<cv::Point> pixels_;  ///< row by row
-  std::vector<int> rows_;          ///< where each row begins in pixels_, and the end
-  cv::Mat blocks_;  ///< CV_32SC1: for each kBlock pixels of `place`, the first of pixels_ in this
-                    ///< row from there on
+  int row_words_;
+  std::vector<Word> words_;  ///< of `place`, row by row
 };
 
 }  // namespace synthetic_dataset::render

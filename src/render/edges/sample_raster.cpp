@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <opencv2/core/fast_math.hpp>
+
 namespace synthetic_dataset::render {
 namespace {
 
@@ -177,7 +179,7 @@ cv::Rect SampleRaster::pixelsRound(const Eigen::Vector3f& a, const Eigen::Vector
                                    const Eigen::Vector3f& c) const {
   const auto whole = [](float at, int low, int size) {
     const auto end = static_cast<float>(low + size);
-    return static_cast<int>(std::floor(std::clamp(at + 0.5F, static_cast<float>(low - 1), end)));
+    return cvFloor(std::clamp(at + 0.5F, static_cast<float>(low - 1), end));
   };
   const Eigen::Vector2f low = a.head<2>().cwiseMin(b.head<2>()).cwiseMin(c.head<2>());
   const Eigen::Vector2f high = a.head<2>().cwiseMax(b.head<2>()).cwiseMax(c.head<2>());
