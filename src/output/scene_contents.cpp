@@ -44,25 +44,38 @@ bool haveSamePixels(const cv::Mat& a, const cv::Mat& b) {
   return same;
 }
 
-/// Finds images that become the same bytes.
-class EqualImages {
+/// Images that were given before, several times perhaps, as all writers of a scene are given the
+/// same.
+class GivenImages {
  public:
-  /// The content of an equal image, or null; then the image has this content.
-  const std::size_t* find(const OutputFile& file, ImageFormat format, std::size_t content) {
-    const cv::Mat& pixels = file.pixels;
-    const auto given = std::find_if(given_.begin(), given_.end(), [&](const Given& other) {
-      return other.format == format && areSame(other.file->pixels, pixels) &&
+  void add(const OutputFile& file, ImageFormat format, std::size_t content) {
+    given_.push_back({&file, format, content});
+  }
+
+  /// The content of the same image.
+  [[nodiscard]] std::optional<std::size_t> find(const OutputFile& file, ImageFormat format) const {
+    const auto found = std::find_if(given_.begin(), given_.end(), [&](const Given& other) {
+      return other.format == format && areSame(other.file->pixels, file.pixels) &&
              other.file->palette == file.palette;
     });
-    if (given != given_.end()) return &given->content;
-    const std::size_t* equal = findEqual(file, format, content);
-    given_.push_back({&file, format, equal != nullptr ? *equal : content});
-    return equal;
+    if (found == given_.end()) return std::nullopt;
+    return found->content;
   }
 
  private:
-  /// One whose pixels are looked at.
-  const std::size_t* findEqual(const OutputFile& file, ImageFormat format, std::size_t content) {
+  struct Given {
+    const OutputFile* file;
+    ImageFormat format;
+    std::size_t content;
+  };
+  std::vector<Given> given_;
+};
+
+/// Finds images of equal pixels, without encoding them.
+class EqualImages {
+ public:
+  /// The content of an equal image; where there is none, the image has this content from now on.
+  std::optional<std::size_t> find(const OutputFile& file, ImageFormat format, std::size_t content) {
     const cv::Mat& pixels = file.pixels;
     std::vector<uchar> colours;
     for (const cv::Vec3b& colour : file.palette) {
@@ -71,21 +84,17 @@ class EqualImages {
     auto& alike = images_[std::make_tuple(pixels.rows, pixels.cols, pixels.type(), format,
                                           std::move(colours))];
     alike.push_back({pixels, content, std::nullopt});
-    if (alike.size() == 1) return nullptr;  // of its kind
+    if (alike.size() == 1) return std::nullopt;  // of its kind
     const std::uint32_t sum = alike.back().sum();
     const auto equal = std::find_if(alike.begin(), alike.end(), [&](Image& image) {
       return image.sum() == sum && haveSamePixels(image.pixels, pixels);
     });
-    if (&*equal == &alike.back()) return nullptr;
+    if (&*equal == &alike.back()) return std::nullopt;
     alike.pop_back();
-    return &equal->content;
+    return equal->content;
   }
 
-  struct Given {
-    const OutputFile* file;
-    ImageFormat format;
-    std::size_t content;
-  };
+ private:
   struct Image {
     cv::Mat pixels;
     std::size_t content;
@@ -98,7 +107,6 @@ class EqualImages {
   };
   using Key = std::tuple<int, int, int, ImageFormat, std::vector<uchar>>;
 
-  std::vector<Given> given_;
   std::map<Key, std::vector<Image>> images_;
 };
 
@@ -114,6 +122,61 @@ SceneContent encoded(const OutputFile& file, const ImageQuality& quality) {
   }
 }
 
+/// Collects what files hold.
+class SceneEncoder {
+ public:
+  explicit SceneEncoder(const ImageQuality& quality) : quality_(quality) {}
+
+  void addText(const OutputFile& file, std::size_t index) {
+    contents_.push_back({{}, file.text, {index}});
+  }
+
+  void addImage(const OutputFile& file, std::size_t index) {
+    const std::optional<ImageFormat> format = imageFormat(file.path);
+    if (!format) {
+      throw Error("cannot write '" + file.path + "': " + *imageProblem(file.path, file.pixels));
+    }
+    std::optional<std::size_t> content = given_.find(file, *format);
+    if (!content) {
+      content = isSoonEncoded(file, *format) ? addMask(file) : addPicture(file, *format);
+      given_.add(file, *format, *content);
+    }
+    contents_[*content].files.push_back(index);
+  }
+
+  [[nodiscard]] std::vector<SceneContent> take() { return std::move(contents_); }
+
+ private:
+  /// Of masks; looking through their pixels for equal ones takes longer than compressing them.
+  [[nodiscard]] static bool isSoonEncoded(const OutputFile& file, ImageFormat format) {
+    return file.pixels.type() == CV_8UC1 && format == ImageFormat::kPng && file.palette.empty();
+  }
+
+  std::size_t addMask(const OutputFile& file) {
+    SceneContent made = encoded(file, quality_);
+    const auto equal = std::find_if(masks_.begin(), masks_.end(), [&](std::size_t mask) {
+      return contents_[mask].encoded == made.encoded;
+    });
+    if (equal != masks_.end()) return *equal;
+    masks_.push_back(contents_.size());
+    contents_.push_back(std::move(made));
+    return masks_.back();
+  }
+
+  std::size_t addPicture(const OutputFile& file, ImageFormat format) {
+    const std::size_t next = contents_.size();
+    if (const auto equal = equal_.find(file, format, next)) return *equal;
+    contents_.push_back(encoded(file, quality_));
+    return next;
+  }
+
+  ImageQuality quality_;
+  GivenImages given_;
+  EqualImages equal_;
+  std::vector<SceneContent> contents_;
+  std::vector<std::size_t> masks_;  ///< the contents that are masks
+};
+
 }  // namespace
 
 std::string_view SceneContent::bytes() const {
@@ -125,23 +188,15 @@ std::string_view SceneContent::bytes() const {
 
 std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
                                       const ImageQuality& quality) {
-  EqualImages images;
-  std::vector<SceneContent> contents;
+  SceneEncoder encoder(quality);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const OutputFile& file = files[i];
-    if (file.pixels.empty()) {
-      contents.push_back({{}, file.text, {i}});
-      continue;
+    if (files[i].pixels.empty()) {
+      encoder.addText(files[i], i);
+    } else {
+      encoder.addImage(files[i], i);
     }
-    const std::optional<ImageFormat> format = imageFormat(file.path);
-    if (const auto* equal = format ? images.find(file, *format, contents.size()) : nullptr) {
-      contents[*equal].files.push_back(i);
-      continue;
-    }
-    contents.push_back(encoded(file, quality));
-    contents.back().files.push_back(i);
   }
-  return contents;
+  return encoder.take();
 }
 
 }  // namespace synthetic_dataset::output

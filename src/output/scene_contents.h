@@ -17,8 +17,8 @@ struct SceneContent {
   [[nodiscard]] std::string_view bytes() const;
 };
 
-/// What the files of a scene hold, in the order of their first mention. Each picture is encoded
-/// once a format: pixels are the same when they are the same memory, seen in the same way.
+/// What the files of a scene hold, in the order of their first mention: of those that hold the same
+/// image in the same format, once.
 /// @throws Error naming the file whose image cannot be encoded
 [[nodiscard]] std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
                                                     const ImageQuality& quality);

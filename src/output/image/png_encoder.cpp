@@ -188,6 +188,11 @@ const uchar* endOfRun(const uchar* begin, const uchar* end) {
   return at;
 }
 
+/// Whether a row's bytes are all equal, as those of most rows of a mask are.
+bool isOneRun(const uchar* row, int size) {
+  return std::memcmp(row, row + 1, static_cast<std::size_t>(size) - 1) == 0;
+}
+
 /// A mask's rows, unfiltered; nothing where a pixel is neither black nor white.
 std::optional<Bytes> deflatedMask(const cv::Mat& image) {
   if (image.type() != CV_8UC1) return std::nullopt;
@@ -196,9 +201,10 @@ std::optional<Bytes> deflatedMask(const cv::Mat& image) {
     deflater.add(kNone, 1);
     const uchar* at = image.ptr<uchar>(row);
     const uchar* const row_end = at + image.cols;
+    const bool one_run = isOneRun(at, image.cols);
     while (at != row_end) {
       if (*at != 0 && *at != 255) return std::nullopt;
-      const uchar* const run_end = endOfRun(at, row_end);
+      const uchar* const run_end = one_run ? row_end : endOfRun(at, row_end);
       deflater.add(*at, static_cast<std::size_t>(run_end - at));
       at = run_end;
     }
