@@ -1,0 +1,82 @@
+/// Pixels by an edge, against each pixel's neighbours looked at one by one.
+
+#include "render/edges/edge_pixels.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+namespace synthetic_dataset::render {
+namespace {
+
+const Intrinsics kIntrinsics = {100.0, 100.0, 75.0, 20.0};
+
+/// Of a wall that faces the camera, in spots of two parts.
+GeometryImages spots(const cv::Size& size) {
+  GeometryImages images;
+  images.parts = cv::Mat(size, CV_32SC1, cv::Scalar(1));
+  images.depth = cv::Mat(size, CV_32FC1, cv::Scalar(2.0));
+  constexpr int kMinusOne = 0xBC00;  // of 16 bits
+  images.normals = cv::Mat(size, CV_16UC4, cv::Scalar(0, 0, kMinusOne, 0));
+  std::mt19937 random(3);
+  for (int i = 0; i < 40; ++i) {
+    const cv::Point spot(static_cast<int>(random() % static_cast<unsigned>(size.width)),
+                         static_cast<int>(random() % static_cast<unsigned>(size.height)));
+    images.parts(cv::Rect(spot, cv::Size(3, 2)) & cv::Rect({}, size)).setTo(2);
+  }
+  return images;
+}
+
+/// Whether a pixel sees another part than one of its four neighbours.
+bool isEdge(const cv::Mat& parts, const cv::Point& pixel) {
+  for (const cv::Point& step : {cv::Point(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+    const cv::Point other = pixel + step;
+    if (!cv::Rect({}, parts.size()).contains(other)) continue;
+    if (parts.at<int>(other) != parts.at<int>(pixel)) return true;
+  }
+  return false;
+}
+
+class EdgePixelsOfWidth : public testing::TestWithParam<int> {};
+
+TEST_P(EdgePixelsOfWidth, AreThoseWhoseNeighboursSeeAnotherSurface) {
+  const cv::Rect place(7, 5, GetParam(), 31);  // in the picture
+  const GeometryImages images = spots(place.size());
+  const cv::Rect region(place.x + 1, place.y + 2, place.width - 1, place.height - 4);
+  const EdgePixels edges(images, place, {region}, kIntrinsics);
+  std::vector<cv::Point> expected;
+  for (int v = region.y; v < region.br().y; ++v) {
+    for (int u = region.x; u < region.br().x; ++u) {
+      if (isEdge(images.parts, cv::Point(u, v) - place.tl())) expected.emplace_back(u, v);
+    }
+  }
+  ASSERT_FALSE(expected.empty());
+  EXPECT_EQ(edges.pixels(), expected);
+}
+
+TEST_P(EdgePixelsOfWidth, AreVisitedInAnyRectangle) {
+  const cv::Rect place(7, 5, GetParam(), 31);
+  const EdgePixels edges(spots(place.size()), place, {place}, kIntrinsics);
+  std::mt19937 random(5);
+  const auto anyOf = [&](int from, int count) {
+    return std::uniform_int_distribution<int>(from, from + count)(random);
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const cv::Rect rectangle(anyOf(place.x - 3, place.width), anyOf(place.y - 3, place.height),
+                             anyOf(0, place.width + 5), anyOf(0, 9));
+    std::vector<cv::Point> expected;
+    for (const cv::Point& pixel : edges.pixels()) {
+      if (rectangle.contains(pixel)) expected.push_back(pixel);
+    }
+    std::vector<cv::Point> visited;
+    edges.visit(rectangle, [&](std::size_t pixel) { visited.push_back(edges.pixels()[pixel]); });
+    ASSERT_EQ(visited, expected) << rectangle;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EdgePixels, EdgePixelsOfWidth,
+                         testing::Values(2, 3, 8, 63, 64, 65, 128, 150));
+
+}  // namespace
+}  // namespace synthetic_dataset::render
