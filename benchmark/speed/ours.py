@@ -17,13 +17,15 @@ TYPES = {"coco": "Coco", "detect": "UltralyticsYolo", "bop": "Bop", "stvnet": "S
 PARAMETERS = {"detect": {"task": "detect"}}
 
 
-def settings(scene, folder, output, writers, mog2=False, **more):
-    """A settings file's content, as JSON (which is YAML)."""
+def settings(scene, folder, output, writers, mog2=False, bare=False, **more):
+    """A settings file's content, as JSON (which is YAML). Bare pictures have no shadows, and one sample a
+    pixel, as the floor's have."""
     objects = [f"object{i}" for i in range(len(scene["models"]))]
     half = 0.43 * scene["scale"]
     result = {
         "bag_file": f"{folder}/motion.bag", "simulated_rate": RATE, "global_frame": "map",
-        "world": {"file": f"{folder}/room.sdf"}, "output_folder": output, "if_exists": "overwrite",
+        "world": {"file": f"{folder}/{'bare_room' if bare else 'room'}.sdf"},
+        "output_folder": output, "if_exists": "overwrite",
         "camera": {"pose": list(scene["camera"]) + quaternion(camera_rotation()),
                    "info_file": f"{folder}/camera.yaml"},
         "masks": {"method": "mog2" if mog2 else "exact"},
@@ -33,6 +35,8 @@ def settings(scene, folder, output, writers, mog2=False, **more):
     if mog2:
         result["background_subtractor"] = {"history_length": 1, "var_threshold": 16.0,
                                            "detect_shadows": False}
+    if bare:
+        result["rendering"] = {"samples": 1}
     for name in writers:
         result[name] = dict(PARAMETERS.get(name, {}))
     for name in objects:

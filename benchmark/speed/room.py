@@ -91,7 +91,7 @@ def poses(objects, scenes):
     return result, scale
 
 
-def write_world(folder, objects, scale):
+def write_world(file, folder, objects, scale, shadows):
     box = ("<visual name='{0}'><pose>{2} 0 0 0</pose><geometry><box><size>{1}</size></box></geometry>"
            "<material><ambient>{3} 1</ambient><diffuse>{3} 1</diffuse></material></visual>")
     text = lambda values: " ".join(str(value) for value in values)
@@ -101,10 +101,10 @@ def write_world(folder, objects, scale):
         f"<model name='object{i}'><static>true</static><link name='body'><visual name='v'><geometry>"
         f"<mesh><uri>{folder}/model{i % 16}.obj</uri><scale>{scale} {scale} {scale}</scale></mesh>"
         f"</geometry></visual></link></model>\n" for i in range(objects))
-    with open(f"{folder}/room.sdf", "w") as out:
+    with open(file, "w") as out:
         out.write(f"""<sdf version='1.6'><world name='room'>
 <scene><ambient>{AMBIENT} {AMBIENT} {AMBIENT} 1</ambient><background>0.7 0.7 0.7 1</background></scene>
-<light name='sun' type='directional'><cast_shadows>true</cast_shadows>
+<light name='sun' type='directional'><cast_shadows>{str(shadows).lower()}</cast_shadows>
 <direction>{text(LIGHT_DIRECTION)}</direction><diffuse>{SUN} {SUN} {SUN} 1</diffuse></light>
 <model name='room'><static>true</static><link name='walls'>{walls}</link></model>
 {models}</world></sdf>
@@ -141,7 +141,8 @@ def write(folder, objects, scenes, width, height):
     for number in range(min(objects, 16)):
         write_model(folder, number)
     placed, scale = poses(objects, scenes)
-    write_world(folder, objects, scale)
+    write_world(f"{folder}/room.sdf", folder, objects, scale, shadows=True)
+    write_world(f"{folder}/bare_room.sdf", folder, objects, scale, shadows=False)
     write_bag(folder, placed)
     focal = 554.0 * width / 640.0
     description = {

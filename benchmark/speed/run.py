@@ -19,8 +19,9 @@ import room
 HERE = os.path.dirname(os.path.abspath(__file__))
 RIVALS = ["mujoco", "pybullet", "pyrender"]
 FLOOR = "floor"  # a bare OpenGL program
-OURS = {"image": (ours.IMAGE, False), "image, masks, depth": (ours.EXACT, False),
-        "image, MOG2 masks": (ours.SUBTRACTED, True)}
+OURS = {"image": (ours.IMAGE, {}), "image, masks, depth": (ours.EXACT, {}),
+        "the same, drawn as bare as the floor": (ours.EXACT, {"bare": True}),
+        "image, MOG2 masks": (ours.SUBTRACTED, {"mog2": True})}
 
 
 def scene_seconds(command, folder, scenes):
@@ -43,10 +44,10 @@ def measure(programs, folder, objects, size, arguments):
         best[key] = min(best.get(key, seconds), seconds)
 
     for _ in range(arguments.rounds):
-        for name, (writers, mog2) in OURS.items():
+        for name, (writers, how) in OURS.items():
             for count in (few, many):
                 keep((name, count), ours.seconds_of(f"{programs}/generate", scene, folder, writers, count,
-                                                    mog2=mog2))
+                                                    **how))
         keep((FLOOR, None), scene_seconds([f"{programs}/benchmark_floor"], folder, arguments.scenes))
         for name in RIVALS if size == (640, 480) else []:
             keep((name, None), scene_seconds([sys.executable, f"{HERE}/{name}_rival.py"], folder,
