@@ -58,11 +58,18 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
         // What stands still casts its shadow but once.
         part.casts_by_front = part.casts_shadow && !part.stands_still && !part.has_holes &&
                               isSurfaceOfBodies(surface.mesh);
+        if (!part.stands_still || part.transparent) part.hull_V = &hullOf(*surface.mesh);
         features_ |= part.features;
         parts_.push_back(std::move(part));
       }
     }
   }
+}
+
+const BoundingHull& DrawList::hullOf(const world::Mesh& mesh) {
+  const auto [found, is_new] = hulls_.try_emplace(&mesh);
+  if (is_new) found->second = boundingHullOf(mesh);
+  return found->second;
 }
 
 bool DrawList::isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh) {

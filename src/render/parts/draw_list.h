@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/link_selection.h"
+#include "render/parts/bounding_hull.h"
 #include "render/parts/bounds.h"
 #include "render/parts/mesh_library.h"
 #include "render/parts/surface_features.h"
@@ -35,6 +36,8 @@ struct Part {
   std::uint32_t identifier = 0;  ///< the object's index + 1; 0 for the world
   Pose X_LV = Pose::Identity();
   Bounds bounds_V;
+  const BoundingHull* hull_V =
+      nullptr;               ///< closer than the bounds; of what moves or is transparent
   bool transparent = false;  ///< somewhere; it casts no shadow then
   bool casts_shadow = true;
   bool casts_by_front = false;  ///< the backs of its triangles add nothing to its shadow
@@ -92,6 +95,7 @@ class DrawList {
  private:
   [[nodiscard]] Part makePart(const world::Surface& surface);
   void dress(Part& part);
+  [[nodiscard]] const BoundingHull& hullOf(const world::Mesh& mesh);
   [[nodiscard]] bool isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh);
 
   /// By the depth of their bounds' centres times `sign`, the least first.
@@ -104,6 +108,7 @@ class DrawList {
   SurfaceFeatures features_ = 0;
   std::vector<Part> parts_;
   std::map<const world::Mesh*, bool> surfaces_of_bodies_;  ///< of those looked at so far
+  std::map<const world::Mesh*, BoundingHull> hulls_;
   std::map<const world::Material*, world::Material> worn_;
 };
 

@@ -10,11 +10,13 @@
 
 namespace synthetic_dataset::render {
 
-/// Round parts that belong together, in the world: of objects all that is theirs, else one link.
+/// Points in the world whose convex hulls hold parts that belong together: of objects all that is
+/// theirs, else one link.
+/// @param margin  [m] round the parts that the hulls hold as well
 /// @param is_chosen  says which parts count
-[[nodiscard]] std::vector<Bounds> boundsOfGroups(const std::vector<Part>& parts,
-                                                 const std::vector<Pose>& X_WL,
-                                                 const std::function<bool(const Part&)>& is_chosen);
+[[nodiscard]] std::vector<std::vector<Eigen::Vector3d>> hullsOfGroups(
+    const std::vector<Part>& parts, const std::vector<Pose>& X_WL, double margin,
+    const std::function<bool(const Part&)>& is_chosen);
 
 /// Where some parts may be seen: rectangles of pixels, which may overlap, some larger than need be.
 [[nodiscard]] std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,

@@ -26,15 +26,21 @@ double longestWay(double low, double high, double step, double least, double mos
   return std::numeric_limits<double>::infinity();
 }
 
+Bounds boundsOf(const Points& points) {
+  Bounds bounds;
+  for (const Eigen::Vector3d& point : points) bounds.extend(point);
+  return bounds;
+}
+
 /// The hull of a body and its shadow in parallel light, as far as something receives it.
-Points parallelShadow(const Bounds& caster, const Eigen::Vector3d& direction,
+Points parallelShadow(const Points& corners, const Eigen::Vector3d& direction,
                       const Bounds& receivers) {
+  const Bounds caster = boundsOf(corners);
   double way = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     way = std::min(way, longestWay(caster.min()[axis], caster.max()[axis], direction[axis],
                                    receivers.min()[axis], receivers.max()[axis]));
   }
-  const Points corners = cornersOf(caster);
   Points hull = corners;
   for (const Eigen::Vector3d& corner : corners) {
     hull.push_back(corner + std::max(way, 0.0) * direction);
@@ -43,8 +49,9 @@ Points parallelShadow(const Bounds& caster, const Eigen::Vector3d& direction,
 }
 
 /// The same in a lamp's light; nothing where it may be anywhere.
-std::optional<Points> lampShadow(const Bounds& caster, const Eigen::Vector3d& lamp, double range,
+std::optional<Points> lampShadow(const Points& corners, const Eigen::Vector3d& lamp, double range,
                                  const Bounds& receivers) {
+  const Bounds caster = boundsOf(corners);
   double times = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     // Rays from the lamp through the body go on along an axis by `times` at the most.
@@ -56,7 +63,6 @@ std::optional<Points> lampShadow(const Bounds& caster, const Eigen::Vector3d& la
   const double nearest = caster.exteriorDistance(lamp);
   if (nearest > 0.0) times = std::min(times, range / nearest);  // dark beyond
   if (!(times < kFarthest)) return std::nullopt;
-  const Points corners = cornersOf(caster);
   Points hull = corners;
   for (const Eigen::Vector3d& corner : corners) {
     hull.push_back(lamp + std::max(times, 1.0) * (corner - lamp));
@@ -64,24 +70,22 @@ std::optional<Points> lampShadow(const Bounds& caster, const Eigen::Vector3d& la
   return hull;
 }
 
-/// Grown by what a shadow is blurred and pushed, in texels of its map.
-Bounds withBlur(const Bounds& caster, const world::Light& light, const ShadowProjection& shadow) {
+/// What a shadow is blurred and pushed by [m], in texels of its map.
+double blurOf(const world::Light& light, const ShadowProjection& shadow) {
   constexpr double kTexels = 8.0;
   const bool is_lamp = light.type == world::LightType::kSpot;
-  const double texel = shadow.texel * (is_lamp ? std::max(light.range, 1.0) : 1.0);
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kTexels * texel);
-  return {caster.min() - margin, caster.max() + margin};
+  return kTexels * shadow.texel * (is_lamp ? std::max(light.range, 1.0) : 1.0);
 }
 
 /// Marks the pixels on which the shadow of a caster may be seen, and a few more.
-void markShadow(const Bounds& caster, const world::Light& light, const ShadowProjection& shadow,
-                const Bounds& receivers, const View& view, cv::Mat& pixels) {
-  const Bounds blurred = withBlur(caster, light, shadow);
+/// @param caster  a hull round it and its shadow's blur
+void markShadow(const Points& caster, const world::Light& light, const Bounds& receivers,
+                const View& view, cv::Mat& pixels) {
   const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
   const std::optional<Points> hull =
       light.type == world::LightType::kSpot
-          ? lampShadow(blurred, light.X_WL.translation(), light.range, receivers)
-          : parallelShadow(blurred, direction, receivers);
+          ? lampShadow(caster, light.X_WL.translation(), light.range, receivers)
+          : parallelShadow(caster, direction, receivers);
   if (hull) {
     markHull(*hull, view, pixels);
   } else {
@@ -102,8 +106,8 @@ PossibleChanges possibleChanges(const std::vector<Part>& parts, const View& view
                                 const std::vector<ShadowProjection>& shadows) {
   const auto markSeen = [&](const std::function<bool(const Part&)>& is_chosen) {
     cv::Mat pixels = noPixels(view);
-    for (const Bounds& group : boundsOfGroups(parts, X_WL, is_chosen)) {
-      markHull(cornersOf(group), view, pixels);
+    for (const Points& hull : hullsOfGroups(parts, X_WL, 0.0, is_chosen)) {
+      markHull(hull, view, pixels);
     }
     return pixels;
   };
@@ -121,10 +125,10 @@ PossibleChanges possibleChanges(const std::vector<Part>& parts, const View& view
   const auto moves = [&](const Part& part) {
     return casting[part.link] && part.casts_shadow && !part.stands_still;
   };
-  for (const Bounds& group : boundsOfGroups(parts, X_WL, moves)) {
-    for (const ShadowProjection& shadow : shadows) {
-      markShadow(group, lights[static_cast<std::size_t>(shadow.light)], shadow, receivers, view,
-                 regions.shadows);
+  for (const ShadowProjection& shadow : shadows) {
+    const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
+    for (const Points& caster : hullsOfGroups(parts, X_WL, blurOf(light, shadow), moves)) {
+      markShadow(caster, light, receivers, view, regions.shadows);
     }
   }
   return regions;

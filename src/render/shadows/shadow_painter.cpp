@@ -238,22 +238,23 @@ std::vector<cv::Rect> ShadowPainter::texelsOfMoving(const ShadowProjection& shad
                                                     const std::vector<Pose>& X_WL,
                                                     const LinkSelection& casting) const {
   std::vector<cv::Rect> all;
-  const auto casters = boundsOfGroups(parts_.parts(), X_WL, [&](const Part& part) {
+  const auto casters = hullsOfGroups(parts_.parts(), X_WL, 0.0, [&](const Part& part) {
     return part.casts_shadow && casting[part.link] && !part.stands_still;
   });
-  for (const Bounds& caster : casters) {
+  for (const std::vector<Eigen::Vector3d>& caster : casters) {
     const cv::Rect texels = texelsOf(caster, shadow);
     if (!texels.empty()) all.push_back(texels);
   }
   return all;
 }
 
-cv::Rect ShadowPainter::texelsOf(const Bounds& caster, const ShadowProjection& shadow) const {
+cv::Rect ShadowPainter::texelsOf(const std::vector<Eigen::Vector3d>& caster,
+                                 const ShadowProjection& shadow) const {
   constexpr int kSlack = 3;  // [texel]
   const cv::Rect whole = maps_.whole();
   const double size = whole.width;
   Eigen::AlignedBox2d texels;
-  for (const Eigen::Vector3d& corner : cornersOf(caster)) {
+  for (const Eigen::Vector3d& corner : caster) {
     const Eigen::Vector4d clip = shadow.shadow_from_world * corner.homogeneous();
     if (clip.w() < 1e-6) return whole;  // behind the lamp, where corners bound nothing
     texels.extend(Eigen::Vector2d(((clip.head<2>() / clip.w()).array() * 0.5 + 0.5) * size));

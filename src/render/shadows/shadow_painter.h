@@ -67,7 +67,8 @@ class ShadowPainter {
   [[nodiscard]] std::vector<cv::Rect> texelsOfMoving(const ShadowProjection& shadow,
                                                      const std::vector<Pose>& X_WL,
                                                      const LinkSelection& casting) const;
-  [[nodiscard]] cv::Rect texelsOf(const Bounds& caster, const ShadowProjection& shadow) const;
+  [[nodiscard]] cv::Rect texelsOf(const std::vector<Eigen::Vector3d>& caster,
+                                  const ShadowProjection& shadow) const;
   void draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
             const LinkSelection& casting, Casters casters);
 
