@@ -30,6 +30,7 @@ Lanes texels(const cv::Mat& depths, int column, int row) {
 ShadowLookup::ShadowLookup(const cv::Mat& depths, const Eigen::Matrix4d& shadow_from_camera,
                            double texel, bool is_lamp)
     : depths_(depths),
+      row_step_(depths.step1()),
       size_(static_cast<float>(depths.cols)),
       texel_(static_cast<float>(texel)),
       is_lamp_(is_lamp) {
@@ -89,9 +90,17 @@ float ShadowLookup::passingAt(float column, float row, float depth) const {
   const std::array<float, 4> rows = {1.0F - down, 1.0F, 1.0F, down};
   const Lanes reference = lanes(depth);
   Lanes sum = lanes(0.0F);
-  for (int i = 0; i < 4; ++i) {
-    const Lanes is_lit = reference <= texels(depths_, first_column - 1, first_row - 1 + i);
-    sum += (share & is_lit) * lanes(rows[static_cast<std::size_t>(i)]);
+  const auto add = [&](const Lanes& depths, std::size_t i) {
+    sum += (share & (reference <= depths)) * lanes(rows[i]);
+  };
+  if (first_column >= 1 && first_column + 3 <= depths_.cols && first_row >= 1 &&
+      first_row + 3 <= depths_.rows) {
+    const float* from = depths_.ptr<float>(first_row - 1, first_column - 1);
+    for (std::size_t i = 0; i < rows.size(); ++i) add(cv::v_load(from + i * row_step_), i);
+  } else {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      add(texels(depths_, first_column - 1, first_row - 1 + static_cast<int>(i)), i);
+    }
   }
   constexpr float kSquare = 9.0F;
   return cv::v_reduce_sum(sum) / kSquare;

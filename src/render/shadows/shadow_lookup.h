@@ -30,6 +30,7 @@ class ShadowLookup {
   [[nodiscard]] float passingAt(float column, float row, float depth) const;
 
   const cv::Mat& depths_;
+  std::size_t row_step_;  ///< [texel]
   float size_;
   float texel_;
   bool is_lamp_;
