@@ -1,6 +1,5 @@
 #include "render/geometry/geometry_buffer.h"
 
-#include <algorithm>
 #include <array>
 
 #include "render/gl/gl_planes.h"
@@ -9,7 +8,7 @@ namespace synthetic_dataset::render {
 namespace {
 
 /// The outputs of geometry.frag.
-enum GeometryOutput { kParts, kDepths, kBaseRoughness, kNormalMetalness, kFaces, kGlows };
+enum GeometryOutput { kPartsDepths, kBaseRoughness, kNormalMetalness, kFaces, kGlows };
 
 GlTexture makeIf(bool wanted, const GlFunctions& gl, int width, int height) {
   return wanted ? makePlane(gl, GL_RGBA16F, width, height) : GlTexture();
@@ -22,8 +21,7 @@ GeometryBuffer::GeometryBuffer(const GlFunctions& gl, int width, int height,
     : gl_(gl),
       width_(width),
       height_(height),
-      parts_(makePlane(gl, GL_R32UI, width, height)),
-      depths_(makePlane(gl, GL_R32F, width, height)),
+      parts_depths_(makePlane(gl, GL_RG32UI, width, height)),
       base_roughness_(makePlane(gl, GL_RGBA16F, width, height)),
       normal_metalness_(makePlane(gl, GL_RGBA16F, width, height)),
       faces_(makeIf(planes.faces, gl, width, height)),
@@ -31,7 +29,7 @@ GeometryBuffer::GeometryBuffer(const GlFunctions& gl, int width, int height,
       depth_buffer_(makePlane(gl, GL_DEPTH32F_STENCIL8, width, height)),
       framebuffer_(makeFramebuffer(gl)) {
   attachPlanes(gl, framebuffer_,
-               {&parts_, &depths_, &base_roughness_, &normal_metalness_, &faces_, &glows_},
+               {&parts_depths_, &base_roughness_, &normal_metalness_, &faces_, &glows_},
                &depth_buffer_, GL_DEPTH_STENCIL_ATTACHMENT);
 }
 
@@ -44,8 +42,8 @@ void GeometryBuffer::begin() const {
   constexpr std::array<GLuint, 4> kNobody = {0, 0, 0, 0};
   const GLuint name = framebuffer_.name();
   bind();
-  // What else a pixel without a part holds is not looked at.
-  gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kParts, kNobody.data());
+  // So depth is 0 where there is nothing. What else such pixels hold is not looked at.
+  gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kPartsDepths, kNobody.data());
   gl_.ClearNamedFramebufferfi(name, GL_DEPTH_STENCIL, 0, 0.0F, 0);
 }
 
@@ -55,8 +53,7 @@ void GeometryBuffer::copyTo(const GeometryBuffer& to, const cv::Rect& pixels) co
     gl_.CopyImageSubData(from.name(), GL_TEXTURE_2D, 0, pixels.x, pixels.y, 0, into.name(),
                          GL_TEXTURE_2D, 0, pixels.x, pixels.y, 0, pixels.width, pixels.height, 1);
   };
-  copy(parts_, to.parts_);
-  copy(depths_, to.depths_);
+  copy(parts_depths_, to.parts_depths_);
   copy(base_roughness_, to.base_roughness_);
   copy(normal_metalness_, to.normal_metalness_);
   copy(faces_, to.faces_);
@@ -66,14 +63,17 @@ void GeometryBuffer::copyTo(const GeometryBuffer& to, const cv::Rect& pixels) co
 
 GeometryImages GeometryBuffer::read(const cv::Rect& pixels) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  GeometryImages images;
-  images.parts =
-      readPlane(gl_, framebuffer_, kParts, pixels, CV_32SC1, GL_RED_INTEGER, GL_UNSIGNED_INT);
-  images.depth = readPlane(gl_, framebuffer_, kDepths, pixels, CV_32FC1, GL_RED, GL_FLOAT);
-  const int* parts = images.parts.ptr<int>();
-  auto* depth = images.depth.ptr<float>();
-  std::transform(parts, parts + images.parts.total(), depth, depth,
-                 [](int part, float z) { return part != 0 ? z : 0.0F; });
+  const cv::Mat both =
+      readPlane(gl_, framebuffer_, kPartsDepths, pixels, CV_32SC2, GL_RG_INTEGER, GL_UNSIGNED_INT);
+  GeometryImages images{cv::Mat(pixels.size(), CV_32SC1), cv::Mat(pixels.size(), CV_32FC1), {}};
+  const int* from = both.ptr<int>();
+  int* parts = images.parts.ptr<int>();
+  int* depth_bits = images.depth.ptr<int>();
+  const std::size_t count = both.total();
+  for (std::size_t i = 0; i < count; ++i) {
+    parts[i] = from[2 * i];
+    depth_bits[i] = from[2 * i + 1];
+  }
   return images;
 }
 

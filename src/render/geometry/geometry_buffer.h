@@ -66,8 +66,7 @@ class GeometryBuffer {
   const GlFunctions& gl_;
   int width_;
   int height_;
-  GlTexture parts_;
-  GlTexture depths_;
+  GlTexture parts_depths_;
   GlTexture base_roughness_;
   GlTexture normal_metalness_;
   GlTexture faces_;  // none where not asked for

@@ -6,18 +6,17 @@
 
 uniform uint part;
 
-layout(location = 0) out uint seen_part;
-layout(location = 1) out float depth;
-layout(location = 2) out vec4 base_roughness;
-layout(location = 3) out vec4 normal_metalness;
-layout(location = 4) out vec4 face;
-layout(location = 5) out vec4 glow;
+// The part and the bits of its depth: a plane costs a fragment more than what is in it.
+layout(location = 0) out uvec2 part_depth;
+layout(location = 1) out vec4 base_roughness;
+layout(location = 2) out vec4 normal_metalness;
+layout(location = 3) out vec4 face;
+layout(location = 4) out vec4 glow;
 
 void main() {
   float opacity;
   Surface surface = surfaceHere(opacity);
-  seen_part = part;
-  depth = surface.position_C.z;
+  part_depth = uvec2(part, floatBitsToUint(surface.position_C.z));
   base_roughness = vec4(surface.base, surface.roughness);
   normal_metalness = vec4(surface.normal, surface.metalness);
   face = vec4(surface.face, 0.0);
