@@ -10,11 +10,7 @@ namespace {
 /// What the camera sees, pixel by pixel.
 struct SeenSurfaces {
   const cv::Mat& ids;
-  const cv::Mat& range;
-
-  [[nodiscard]] double at(const cv::Point& pixel) const {
-    return static_cast<double>(range.at<float>(pixel));
-  }
+  const RangeAt& at;
 
   /// How much farther the same surface is at a neighbour; nothing where that shows another.
   [[nodiscard]] std::optional<double> step(const cv::Point& pixel, const cv::Point& to) const {
@@ -44,7 +40,7 @@ struct SeenSurfaces {
 }  // namespace
 
 void findKeypointStates(std::vector<Keypoint>& keypoints, const std::vector<Eigen::Vector3d>& p_C,
-                        int instance, const cv::Mat& ids, const cv::Mat& range,
+                        int instance, const cv::Mat& ids, const RangeAt& range,
                         const CameraModel& camera, double tolerance) {
   const SeenSurfaces seen{ids, range};
   const cv::Rect image(0, 0, camera.width(), camera.height());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -8,6 +9,9 @@
 #include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset::annotate {
+
+/// At what distance from the camera's centre a pixel's own surface is [m], 0 where nothing is.
+using RangeAt = std::function<double(const cv::Point& pixel)>;
 
 /// Finds what the camera sees of each keypoint in what it sees at the pixel nearest to it.
 ///
@@ -21,10 +25,10 @@ namespace synthetic_dataset::annotate {
 /// @param p_C  where they are in the optical frame [m], in the same order
 /// @param instance  the object's value in `ids`
 /// @param ids  CV_32SC1 of the image's size: whom each pixel sees
-/// @param range  CV_32FC1 of the same size: at what distance [m], 0 where nothing is
+/// @param range  of the same pixels; asked for few of them
 /// @param tolerance  [m]
 void findKeypointStates(std::vector<Keypoint>& keypoints, const std::vector<Eigen::Vector3d>& p_C,
-                        int instance, const cv::Mat& ids, const cv::Mat& range,
+                        int instance, const cv::Mat& ids, const RangeAt& range,
                         const CameraModel& camera, double tolerance);
 
 }  // namespace synthetic_dataset::annotate

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "annotate/keypoint_states.h"
+#include "render/lens/lens_map.h"
 #include "scene/object_links.h"
 
 namespace synthetic_dataset {
@@ -32,7 +33,6 @@ PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& render
   needs_silhouettes_ = needed.visibility || (needed.silhouettes && !usesSubtraction());
   pass_.links = needed.optical_flow;
   pass_.normals = needed.normals;
-  pass_.range = needed.keypoint_states || needed.optical_flow;
   for (std::size_t i = 0; i < object_count; ++i) {
     links_of_.push_back(linksOf(static_cast<int>(i), world.links()));
   }
@@ -44,6 +44,9 @@ bool PixelLabeller::usesSubtraction() const {
 
 SeenPixels PixelLabeller::look(const render::View& view, Scene& scene) {
   pass_.drawn = world_.presentLinks();
+  // Without a lens the distances that keypoints ask for follow from the depths.
+  pass_.range = requirements_.optical_flow ||
+                (requirements_.keypoint_states && render::hasDistortion(view.camera));
   const render::LabelImages images =
       needs_labels_ ? renderer_.labels(view, world_.linkPoses(), pass_) : render::LabelImages();
   // After that, the renderer knows most silhouettes.
@@ -132,11 +135,17 @@ void PixelLabeller::addVisibleParts(const cv::Mat& instance_map,
 }
 
 void PixelLabeller::addKeypointStates(const render::LabelImages& images, Scene& scene) const {
+  const Intrinsics& k = scene.camera.intrinsics();
+  const annotate::RangeAt range = [&](const cv::Point& pixel) {
+    if (!images.range.empty()) return double{images.range.at<float>(pixel)};
+    const Eigen::Vector3d ray((pixel.x - k.cx) / k.fx, (pixel.y - k.cy) / k.fy, 1.0);
+    return images.depth.at<float>(pixel) * ray.norm();
+  };
   for (SceneObject& object : scene.objects) {
     std::vector<Eigen::Vector3d> keypoints_C;
     for (const Eigen::Vector3d& p_O : object.keypoints_O) keypoints_C.push_back(object.X_CO * p_O);
-    annotate::findKeypointStates(object.keypoints, keypoints_C, object.instance, images.ids,
-                                 images.range, scene.camera, options_.labels.keypoint_tolerance);
+    annotate::findKeypointStates(object.keypoints, keypoints_C, object.instance, images.ids, range,
+                                 scene.camera, options_.labels.keypoint_tolerance);
   }
 }
 

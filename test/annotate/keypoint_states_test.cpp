@@ -36,7 +36,8 @@ KeypointState stateOf(const Eigen::Vector3d& p_B, const std::vector<SeenBox>& bo
   const Eigen::Vector3d p_C = boxes[0].X_CB * p_B;
   std::vector<Keypoint> keypoints(1);
   keypoints[0].pixel = camera.project(p_C);
-  findKeypointStates(keypoints, {p_C}, kOwn, seen.ids, seen.range, camera, kTolerance);
+  const auto range = [&](const cv::Point& pixel) { return double{seen.range.at<float>(pixel)}; };
+  findKeypointStates(keypoints, {p_C}, kOwn, seen.ids, range, camera, kTolerance);
   return keypoints[0].state;
 }
 
