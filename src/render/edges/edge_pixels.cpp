@@ -125,19 +125,20 @@ void markEdges(const GeometryImages& images, const cv::Rect& place, const cv::Re
 }  // namespace
 
 EdgePixels::EdgePixels(const GeometryImages& images, const cv::Rect& place,
-                       const std::vector<cv::Rect>& regions, const Intrinsics& intrinsics)
+                       const std::vector<cv::Rect>& regions, const cv::Mat& wanted,
+                       const Intrinsics& intrinsics)
     : place_(place), row_words_((place.width + kWordBits - 1) / kWordBits) {
   cv::Mat edges = cv::Mat::zeros(place.height, row_words_ * kWordBits, CV_8UC1);
-  cv::Mat wanted = edges.clone();
+  cv::Mat counted = edges.clone();
   const cv::Rect all(cv::Point(), place.size());
   std::array<SurfaceRow, 2> rows = {SurfaceRow(place.width), SurfaceRow(place.width)};
   for (const cv::Rect& region : regions) {
     const cv::Rect here = region - place.tl();
-    wanted(here).setTo(1);
+    wanted(region).copyTo(counted(here));
     const cv::Rect around(here.x - 1, here.y - 1, here.width + 2, here.height + 2);
     markEdges(images, place, around & all, intrinsics, rows, edges);
   }
-  edges &= wanted;
+  edges &= counted;
   words_.reserve(static_cast<std::size_t>(place.height * row_words_));
   for (int row = 0; row < place.height; ++row) {
     const auto* is_edge = edges.ptr<std::uint8_t>(row);

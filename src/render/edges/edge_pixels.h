@@ -12,13 +12,15 @@
 
 namespace synthetic_dataset::render {
 
-/// The pixels of some regions whose centre sees another surface than a neighbour's.
+/// Pixels whose centre sees another surface than a neighbour's.
 class EdgePixels {
  public:
   /// @param images  of the pixels of `place`
-  /// @param regions  those that are looked at, within `place`
+  /// @param regions  within `place`, round the pixels that are wanted
+  /// @param wanted  CV_8UC1 of the picture: 255 for these, else 0
   EdgePixels(const GeometryImages& images, const cv::Rect& place,
-             const std::vector<cv::Rect>& regions, const Intrinsics& intrinsics);
+             const std::vector<cv::Rect>& regions, const cv::Mat& wanted,
+             const Intrinsics& intrinsics);
 
   [[nodiscard]] const std::vector<cv::Point>& pixels() const { return pixels_; }
 

@@ -102,8 +102,10 @@ class Resolver {
 }  // namespace
 
 void EdgeSmoother::smooth(const EdgeScene& scene, const SeenPixels& seen,
-                          const std::vector<cv::Rect>& regions, cv::Mat& picture) const {
-  const EdgePixels edges(seen.geometry, seen.place, regions, scene.view.camera.intrinsics());
+                          const std::vector<cv::Rect>& regions, const cv::Mat& wanted,
+                          cv::Mat& picture) const {
+  const EdgePixels edges(seen.geometry, seen.place, regions, wanted,
+                         scene.view.camera.intrinsics());
   if (edges.pixels().empty()) return;
   SampleRaster raster(scene.view, edges, seen.geometry.parts, seen.place);
   const Pose X_CW = scene.view.X_WC.inverse();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 #include "render/parts/material_setup.h"
 #include "render/pixels/lane_images.h"
@@ -18,6 +19,14 @@ GeometryImages widened(const GeometryImages& images) {
 SurfaceImages widened(const SurfaceImages& images) {
   return {render::widened(images.base_roughness), render::widened(images.normal_metalness),
           render::widened(images.faces), render::widened(images.glows)};
+}
+
+/// Whether none of four pixels is wanted.
+bool isNone(const std::uint8_t* wanted) {
+  std::uint32_t four = 0;
+  static_assert(sizeof four == kLaneCount);
+  std::memcpy(&four, wanted, sizeof four);
+  return four == 0;
 }
 
 PixelLanes lightOf(const std::vector<PartLight>& parts, const int* four) {
@@ -70,9 +79,11 @@ SurfaceLighter::SurfaceLighter(const SurfaceShading& shading, const std::vector<
     : shading_(shading), parts_(parts), intrinsics_(intrinsics), nothing_(nothing) {}
 
 cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImages& surfaces,
-                              const cv::Rect& place, const std::vector<cv::Rect>& regions) const {
+                              const cv::Rect& place, const std::vector<cv::Rect>& regions,
+                              const cv::Mat& wanted) const {
   const GeometryImages what = widened(geometry);
   const SurfaceImages how = widened(surfaces);
+  const cv::Mat which = render::widened(wanted);
   cv::Mat light(what.parts.size(), CV_16UC4);
   for (const cv::Rect& region : regions) {
     const cv::Rect pixels = region - place.tl();
@@ -82,6 +93,7 @@ cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImage
       for (int u = pixels.x; u < pixels.x + pixels.width; u += kLaneCount) {
         // Some pixels may be lit twice, or beside the region.
         const int first = firstLane(u, light.cols);
+        if (isNone(which.ptr<std::uint8_t>(v, first))) continue;
         lightFour(row, first, static_cast<float>(place.x + first));
       }
     }

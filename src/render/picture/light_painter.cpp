@@ -44,7 +44,8 @@ cv::Mat UnlitPixels::light() const {
   if (regions.empty()) return {};
   const SurfaceShading shading(surroundings);
   const SurfaceLighter lighter(shading, *parts, intrinsics, nothing);
-  cv::Mat surfaces = lighter.light(seen.geometry, seen.surfaces, seen.place, regions);
+  cv::Mat surfaces =
+      lighter.light(seen.geometry, seen.surfaces, seen.place, regions, wanted(seen.place));
   return overlay.empty() ? surfaces : laidOver(surfaces, overlay);
 }
 
@@ -70,13 +71,14 @@ void LightPainter::setLook(const world::Look& look) {
 
 UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& seen,
                                 const ShadowPainter& shadows, const OverlayTarget& target,
-                                bool see_through, const std::vector<cv::Rect>& regions) {
+                                bool see_through, const std::vector<cv::Rect>& regions,
+                                const cv::Mat& wanted) {
   const bool has_background = overlay_painter_.hasBackground();
   const Eigen::Vector3f nothing =
       has_background ? Eigen::Vector3f::Zero() : Eigen::Vector3f(scene.exposure * background_);
   UnlitPixels result{
-      seen,    regions, scene.view.camera.intrinsics(), surroundings(scene, shadows), part_lights_,
-      nothing, {}};
+      seen,         regions, wanted, scene.view.camera.intrinsics(), surroundings(scene, shadows),
+      part_lights_, nothing, {}};
   see_through = see_through && overlay_painter_.hasGlass(scene.drawn);
   if (see_through || (has_background && showsNothing(seen, regions))) {
     target.begin(seen.place);

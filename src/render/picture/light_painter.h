@@ -25,8 +25,9 @@ struct SeenSurfaces {
 /// Pixels whose light is to be found, when and in which thread ever.
 struct UnlitPixels {
   SeenSurfaces seen;
-  std::vector<cv::Rect> regions;  ///< of the picture; what is beside them is not sure
-  Intrinsics intrinsics;          ///< of the picture
+  std::vector<cv::Rect> regions;  ///< of the picture, round those that are wanted
+  cv::Mat wanted;         ///< CV_8UC1 of the picture: not 0 for these; what others hold is not sure
+  Intrinsics intrinsics;  ///< of the picture
   Surroundings surroundings;
   std::shared_ptr<const std::vector<PartLight>> parts;
   Eigen::Vector3f nothing;  ///< the light where no surface is
@@ -49,10 +50,12 @@ class LightPainter {
   /// behind them, and what one can see through before them, if that is selected and `see_through`.
   /// @param shadows  as they were drawn for the scene
   /// @param target  with the depth of what is seen
-  /// @param regions  of the picture, none of them over another; beside them nothing is sure
+  /// @param regions  of the picture, none of them over another, round the pixels that are wanted
+  /// @param wanted  CV_8UC1 of the picture: not 0 for these; of others nothing is sure
   [[nodiscard]] UnlitPixels paint(const ColourScene& scene, const SeenSurfaces& seen,
                                   const ShadowPainter& shadows, const OverlayTarget& target,
-                                  bool see_through, const std::vector<cv::Rect>& regions);
+                                  bool see_through, const std::vector<cv::Rect>& regions,
+                                  const cv::Mat& wanted);
 
   /// What a picture shows where nothing is, neither sky nor another picture: blue, green, red,
   /// sRGB-encoded.

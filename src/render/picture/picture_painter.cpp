@@ -21,17 +21,6 @@ cv::Mat grown(const cv::Mat& pixels) {
   return result;
 }
 
-/// Regions of a picture and the pixels round them.
-cv::Mat grown(const std::vector<cv::Rect>& regions, const cv::Size& picture) {
-  cv::Mat pixels = cv::Mat::zeros(picture, CV_8UC1);
-  for (const cv::Rect& region : regions) {
-    pixels(cv::Rect(region.x - 1, region.y - 1, region.width + 2, region.height + 2) &
-           cv::Rect(cv::Point(), picture))
-        .setTo(255);
-  }
-  return pixels;
-}
-
 /// The lens and its place, where a face of it is drawn: a picture behind it is bent accordingly.
 std::vector<double> lensOf(const ColourScene& scene) {
   if (scene.whole == nullptr) return {};
@@ -97,7 +86,7 @@ UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSele
                                         bool smooth, const std::vector<cv::Rect>& regions) {
   const cv::Mat wanted = wantedPixels(regions);
   if (!regions.empty() && cv::boundingRect(wanted).empty()) {
-    return {plainPicture(scene.exposure), {}, {}, std::nullopt};
+    return {plainPicture(scene.exposure), {}, {}, {}, std::nullopt};
   }
   drawGeometry(scene.view, scene.X_WL, scene.drawn);
   const KeptPicture* kept = keptPicture(scene, casting, smooth);
@@ -158,9 +147,24 @@ GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose
 
 /// Of what geometry_ shows. Most of a picture is read as a whole: what labels ask for next.
 GeometryImages PicturePainter::read(const cv::Rect& pixels) {
-  if (images_.parts.empty() && 2 * pixels.area() < image_.area()) return geometry_.read(pixels);
-  if (images_.parts.empty()) images_ = geometry_.read(image_);
+  if (images_.parts.empty() && keeps_geometry_) {
+    readOverKept();
+  } else if (images_.parts.empty()) {
+    if (2 * pixels.area() < image_.area()) return geometry_.read(pixels);
+    images_ = geometry_.read(image_);
+  }
   return {images_.parts(pixels), images_.depth(pixels), {}};
+}
+
+/// What never moves has been read before.
+void PicturePainter::readOverKept() {
+  if (kept_images_.parts.empty()) kept_images_ = kept_geometry_->read(image_);
+  images_ = {kept_images_.parts.clone(), kept_images_.depth.clone(), {}};
+  for (const cv::Rect& region : covered_) {
+    const GeometryImages here = geometry_.read(region);
+    here.parts.copyTo(images_.parts(region));
+    here.depth.copyTo(images_.depth(region));
+  }
 }
 
 std::optional<CoveredPixels> PicturePainter::covered(const View& view,
@@ -240,6 +244,7 @@ void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Po
     kept_geometry_.emplace(crew_.gl, image_.width, image_.height, crew_.geometry_painter.planes());
   }
   geometry_.copyTo(*kept_geometry_, image_);
+  kept_images_ = {};
   keeps_geometry_ = true;
   covered_.clear();
 }
@@ -263,31 +268,32 @@ const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene
   picture.elsewhere = plainPicture(scene.exposure);
   kept.pixels = finished(picture, crew_.edge_smoother);
   if (picture.edges) {
-    kept.edges =
-        EdgePixels(picture.unlit.seen.geometry, image_, {image_}, scene.view.camera.intrinsics())
-            .mask(image_.size());
+    kept.edges = EdgePixels(picture.unlit.seen.geometry, image_, {image_}, picture.pixels,
+                            scene.view.camera.intrinsics())
+                     .mask(image_.size());
   }
   return &kept;
 }
 
 /// Gathers what the light of pixels is found from.
 /// @param seen  the links that were drawn
-/// @param pixels  those that are not 0; a few others may be lit, too
+/// @param pixels  those that are not 0
 /// @return without what is elsewhere
 UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSelection& seen,
                                         bool see_through, bool smooth, const cv::Mat& pixels) {
   UnfinishedPicture picture;
+  picture.pixels = pixels;
   picture.regions = bandsOf(pixels);
   if (picture.regions.empty()) return picture;
   smooth = smooth && crew_.smooths;
   // Edges take their light from the pixels round them.
-  const std::vector<cv::Rect> lit =
-      smooth ? bandsOf(grown(picture.regions, image_.size())) : picture.regions;
+  const cv::Mat wanted = smooth ? grown(pixels) : pixels;
+  const std::vector<cv::Rect> lit = smooth ? bandsOf(wanted) : picture.regions;
   const cv::Rect place = boundsOf(lit);
   SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place, lit), place};
   surfaces.geometry.normals = surfaces.surfaces.vertexNormals();
-  picture.unlit =
-      crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_, see_through, lit);
+  picture.unlit = crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_,
+                                            see_through, lit, wanted);
   if (smooth) picture.edges = EdgeScene{scene.view, scene.X_WL, seen};
   return picture;
 }

@@ -101,6 +101,7 @@ class PicturePainter {
   };
 
   [[nodiscard]] GeometryImages read(const cv::Rect& pixels);
+  void readOverKept();
   void forgetContent();
   [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
   [[nodiscard]] LightKey lightKey(const ColourScene& scene, const LinkSelection& casting) const;
@@ -126,6 +127,7 @@ class PicturePainter {
   std::optional<Content> content_;  ///< of geometry_; nothing while that is what never moves
   GeometryImages images_;           ///< of content_; empty until all of it has been read
   std::optional<GeometryBuffer> kept_geometry_;
+  GeometryImages kept_images_;                ///< of kept_geometry_; empty until they are read
   bool keeps_geometry_ = false;               ///< kept_geometry_ is that of geometry_key_
   std::vector<cv::Rect> covered_;             ///< where geometry_ may differ from kept_geometry_
   std::array<KeptPicture, 2> kept_pictures_;  ///< from centres alone, and smooth

@@ -9,10 +9,12 @@ cv::Mat finished(const UnfinishedPicture& picture, const EdgeSmoother& smoother)
   const SeenSurfaces& seen = picture.unlit.seen;
   const cv::Mat light = picture.unlit.light();
   for (const cv::Rect& region : picture.regions) {
-    srgbFromLinear(light(region - seen.place.tl())).copyTo(result(region));
+    cv::Mat pixels = result(region);
+    encodeSrgb(light(region - seen.place.tl()), picture.pixels(region), pixels);
   }
   if (picture.edges) {
-    smoother.smooth(*picture.edges, {seen.geometry, light, seen.place}, picture.regions, result);
+    smoother.smooth(*picture.edges, {seen.geometry, light, seen.place}, picture.regions,
+                    picture.pixels, result);
   }
   return result;
 }

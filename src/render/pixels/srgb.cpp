@@ -40,19 +40,19 @@ Eigen::Vector4f linearFromSrgb(const Eigen::Vector4f& encoded) {
   return {colour.x(), colour.y(), colour.z(), encoded.w()};
 }
 
-cv::Mat srgbFromLinear(const cv::Mat& light) {
+void encodeSrgb(const cv::Mat& light, const cv::Mat& wanted, cv::Mat& picture) {
   static const HalfEncoder kEncoder;
-  cv::Mat image(light.size(), CV_8UC3);
   for (int v = 0; v < light.rows; ++v) {
     const auto* from = light.ptr<std::uint16_t>(v);
-    auto* to = image.ptr<std::uint8_t>(v);
+    const auto* is_wanted = wanted.ptr<std::uint8_t>(v);
+    auto* to = picture.ptr<std::uint8_t>(v);
     for (int u = 0; u < light.cols; ++u, from += 4, to += 3) {
+      if (is_wanted[u] == 0) continue;
       to[0] = kEncoder(from[2]);
       to[1] = kEncoder(from[1]);
       to[2] = kEncoder(from[0]);
     }
   }
-  return image;
 }
 
 }  // namespace synthetic_dataset::render

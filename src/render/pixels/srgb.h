@@ -11,9 +11,10 @@ namespace synthetic_dataset::render {
 /// Alpha, the last, is linear in either.
 [[nodiscard]] Eigen::Vector4f linearFromSrgb(const Eigen::Vector4f& encoded);
 
-/// A picture of linear light, encoded; what is brighter than 1 is white, what is negative black.
+/// Encodes linear light; what is brighter than 1 is white, what is negative black.
 /// @param light  CV_16UC4: red, green, blue, alpha as numbers of 16 bits (IEEE 754 binary16)
-/// @return CV_8UC3: blue, green and red
-[[nodiscard]] cv::Mat srgbFromLinear(const cv::Mat& light);
+/// @param wanted  CV_8UC1 of the same size: not 0 for the pixels that are encoded
+/// @param picture  CV_8UC3 of the same size: blue, green and red; its other pixels stay
+void encodeSrgb(const cv::Mat& light, const cv::Mat& wanted, cv::Mat& picture);
 
 }  // namespace synthetic_dataset::render

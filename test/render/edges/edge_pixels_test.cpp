@@ -40,14 +40,18 @@ bool isEdge(const cv::Mat& parts, const cv::Point& pixel) {
 
 class EdgePixelsOfWidth : public testing::TestWithParam<int> {};
 
-TEST_P(EdgePixelsOfWidth, AreThoseWhoseNeighboursSeeAnotherSurface) {
+TEST_P(EdgePixelsOfWidth, AreThoseWantedWhoseNeighboursSeeAnotherSurface) {
   const cv::Rect place(7, 5, GetParam(), 31);  // in the picture
   const GeometryImages images = spots(place.size());
   const cv::Rect region(place.x + 1, place.y + 2, place.width - 1, place.height - 4);
-  const EdgePixels edges(images, place, {region}, kIntrinsics);
+  cv::Mat wanted(100, 200, CV_8UC1);
+  cv::randu(wanted, 0, 2);
+  wanted *= 255;
+  const EdgePixels edges(images, place, {region}, wanted, kIntrinsics);
   std::vector<cv::Point> expected;
   for (int v = region.y; v < region.br().y; ++v) {
     for (int u = region.x; u < region.br().x; ++u) {
+      if (wanted.at<std::uint8_t>(v, u) == 0) continue;
       if (isEdge(images.parts, cv::Point(u, v) - place.tl())) expected.emplace_back(u, v);
     }
   }
@@ -57,7 +61,8 @@ TEST_P(EdgePixelsOfWidth, AreThoseWhoseNeighboursSeeAnotherSurface) {
 
 TEST_P(EdgePixelsOfWidth, AreVisitedInAnyRectangle) {
   const cv::Rect place(7, 5, GetParam(), 31);
-  const EdgePixels edges(spots(place.size()), place, {place}, kIntrinsics);
+  const cv::Mat wanted(100, 200, CV_8UC1, cv::Scalar(255));
+  const EdgePixels edges(spots(place.size()), place, {place}, wanted, kIntrinsics);
   std::mt19937 random(5);
   const auto anyOf = [&](int from, int count) {
     return std::uniform_int_distribution<int>(from, from + count)(random);
