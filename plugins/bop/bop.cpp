@@ -163,7 +163,6 @@ class BopWriter : public LabelWriter {
           "something is farther than `depth_scale` lets a depth image say; there it "
           "holds 0, which stands for no depth");
     }
-    const cv::Mat has_depth = depth.pixels > 0;
     std::map<int, int> target_counts;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const SceneObject& object = scene.objects[i];
@@ -173,7 +172,7 @@ class BopWriter : public LabelWriter {
       output.addImage(image.folder + "/mask_visib" + end, object.visible_mask);
       image.poses.push_back(poseOf(object, i));
       const cv::Rect extent = cv::boundingRect(object.silhouette);
-      image.infos.push_back(infoOf(object, has_depth, extent));
+      image.infos.push_back(infoOf(object, depth.pixels, extent));
       if (has_coco_) addAnnotation(object, i, extent, scene.camera, image);
       if (object.visibility >= kFewestVisible) ++target_counts[models_.obj_ids.at(i)];
     }
@@ -234,12 +233,12 @@ class BopWriter : public LabelWriter {
             {"cam_t_m2c", millimetres(X_CM.translation())}};
   }
 
-  /// @param has_depth  CV_8UC1, 255 where the depth image has something
+  /// @param depth  as it is written: 0 where it has nothing
   /// @param extent  round the silhouette in the image, which is not empty
-  [[nodiscard]] static Json infoOf(const SceneObject& object, const cv::Mat& has_depth,
+  [[nodiscard]] static Json infoOf(const SceneObject& object, const cv::Mat& depth,
                                    const cv::Rect& extent) {
     cv::Mat valid;
-    cv::bitwise_and(has_depth(extent), object.silhouette(extent), valid);
+    cv::bitwise_and(depth(extent) > 0, object.silhouette(extent), valid);
     const bool is_seen = object.pixels.visible > 0;
     return {{"bbox_obj", toolkitBox(is_seen ? object.silhouette_box : std::nullopt)},
             {"bbox_visib", toolkitBox(is_seen ? object.visible_box : std::nullopt)},
