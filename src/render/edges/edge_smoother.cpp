@@ -1,9 +1,9 @@
 #include "render/edges/edge_smoother.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "render/edges/edge_pixels.h"
 #include "render/edges/sample_raster.h"
@@ -13,80 +13,128 @@
 namespace synthetic_dataset::render {
 namespace {
 
+constexpr int kSide = 3;  ///< [px] of the square round a pixel that is looked at
+constexpr std::size_t kMiddle = kSide / 2;
+constexpr float kAlike = 0.01F;   ///< then its own centre is the nearest there is
+constexpr float kAway = 0.02F;    ///< what a pixel away counts, against a turn of a radian
+constexpr float kDepth = 10.0F;   ///< what depth counts: a share of it
+constexpr float kUnlike = 1e30F;  ///< another surface
+
+/// Numbers of the pixels round one: a row of the square in each, with a lane to spare.
+using Square = std::array<Lanes, kSide>;
+
+/// What the centres of the pixels round one see.
+class Neighbourhood {
+ public:
+  Neighbourhood(const SeenPixels& seen, const cv::Point& pixel) {
+    const cv::Point first = pixel - seen.place.tl() - cv::Point(kMiddle, kMiddle);
+    const int left = std::max(-first.x, 0);  // columns beside the image, which are no surface
+    for (int row = 0; row < kSide; ++row) {
+      const auto i = static_cast<std::size_t>(row);
+      const cv::Point from(first.x + left, first.y + row);
+      std::array<int, kLaneCount> parts{};
+      std::array<float, kLaneCount> depths{};
+      std::array<std::uint16_t, std::size_t{4} * kLaneCount> normals{};
+      parts.fill(-1);
+      const int count = std::min(kSide - left, seen.place.width - from.x);
+      if (from.y >= 0 && from.y < seen.place.height) {
+        const GeometryImages& images = seen.geometry;
+        std::copy_n(images.parts.ptr<int>(from.y, from.x), count, parts.begin() + left);
+        std::copy_n(images.depth.ptr<float>(from.y, from.x), count, depths.begin() + left);
+        std::copy_n(images.normals.ptr<std::uint16_t>(from.y, from.x), 4 * count,
+                    normals.begin() + std::ptrdiff_t{4} * left);
+      }
+      parts_[i] = cv::v_load(parts.data());
+      depths_[i] = cv::v_load(depths.data());
+      normals_[i] = loadHalves(normals.data()).xyz;
+      columns_ = lanes(static_cast<float>(pixel.x - 1)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
+      rows_[i] = lanes(static_cast<float>(pixel.y - 1 + row));
+    }
+  }
+
+  /// How little the pixels look like a face.
+  [[nodiscard]] Square unlikeness(const SeenFace* face) const {
+    Square result;
+    for (std::size_t row = 0; row < result.size(); ++row) result[row] = unlikeness(face, row);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Lanes unlikeness(const SeenFace* face, std::size_t row) const {
+    const cv::v_int32x4 part = cv::v_setall_s32(face == nullptr ? 0 : face->part);
+    const Lanes is_same = cv::v_reinterpret_as_f32(parts_[row] == part);
+    if (face == nullptr) return cv::v_select(is_same, lanes(0.0F), lanes(kUnlike));
+    // Vertices' normals may point inwards, all of a mesh's alike.
+    const Lanes turned = lanes(1.0F) - cv::v_abs(dot(normals_[row], lanes(face->normal)));
+    const Lanes expected = lanes(face->origin.z()) +
+                           lanes(face->slope.x()) * (columns_ - lanes(face->origin.x())) +
+                           lanes(face->slope.y()) * (rows_[row] - lanes(face->origin.y()));
+    const Lanes off = cv::v_abs(expected * depths_[row] - lanes(1.0F));
+    return cv::v_select(is_same, turned + lanes(kDepth) * off, lanes(kUnlike));
+  }
+
+  std::array<cv::v_int32x4, kSide> parts_;  ///< -1 beside the image
+  Square depths_;
+  std::array<Lanes3, kSide> normals_;
+  Lanes columns_;
+  Square rows_;
+};
+
+/// How far a sample is from the pixels round its own, as it counts against likeness.
+std::array<float, kLaneCount> distancesFrom(std::size_t sample, int row) {
+  std::array<float, kLaneCount> distances{};
+  for (int column = 0; column < kLaneCount; ++column) {
+    const float x = static_cast<float>(column - 1) - kSampleColumns.at(sample);
+    const float y = static_cast<float>(row - 1) - kSampleRows.at(sample);
+    distances.at(static_cast<std::size_t>(column)) = kAway * (x * x + y * y);
+  }
+  return distances;
+}
+
 /// Finds the light of what a pixel's samples see, at pixels whose centres see the same surface.
 class Resolver {
  public:
-  Resolver(const SeenPixels& seen, const SampleRaster& raster) : seen_(seen), raster_(raster) {}
+  Resolver(const SeenPixels& seen, const SampleRaster& raster) : seen_(seen), raster_(raster) {
+    for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
+      for (int row = 0; row < kSide; ++row) {
+        away_[sample][static_cast<std::size_t>(row)] =
+            cv::v_load(distancesFrom(sample, row).data());
+      }
+    }
+  }
 
   /// The mean of the samples' light.
   /// @param number  of the pixel in the raster
   [[nodiscard]] Eigen::Vector3f light(const cv::Point& pixel, std::size_t number) const {
+    const Neighbourhood round(seen_, pixel);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    Likeness likeness;
+    const SeenFace* last = nullptr;
+    Square unlike;
     for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
       const SeenFace* face = raster_.at(number, sample);
-      if (sample == 0 || face != likeness.face) likeness = likenessOf(face, pixel);
-      sum += lightAt(likeness.sees_at_centre ? pixel : pixel + nearest(likeness, sample));
+      if (sample == 0 || face != last) unlike = round.unlikeness(face);
+      last = face;
+      sum += lightAt(pixel + nearest(unlike, sample));
     }
     return sum / static_cast<float>(kSampleCount);
   }
 
  private:
-  static constexpr int kSide = 3;         ///< [px] of the square that is looked at
-  static constexpr float kAlike = 0.01F;  ///< then its own centre is the nearest there is
-  static constexpr float kAway = 0.02F;   ///< what a pixel away counts, against a turn of a radian
-  static constexpr float kDepth = 10.0F;  ///< what depth counts: a share of it
-
-  /// How little the pixels round one look like a face.
-  struct Likeness {
-    const SeenFace* face = nullptr;
-    bool sees_at_centre = false;
-    std::array<float, kSide * kSide> unlike{};  ///< row by row
-  };
-
-  [[nodiscard]] Likeness likenessOf(const SeenFace* face, const cv::Point& pixel) const {
-    Likeness result{face, unlikeness(face, pixel) < kAlike, {}};
-    if (result.sees_at_centre) return result;
-    for (int i = 0; i < kSide * kSide; ++i) {
-      const cv::Point other = pixel + offset(i);
-      result.unlike[static_cast<std::size_t>(i)] = seen_.place.contains(other)
-                                                       ? unlikeness(face, other)
-                                                       : std::numeric_limits<float>::infinity();
-    }
-    return result;
-  }
-
-  [[nodiscard]] static cv::Point nearest(const Likeness& likeness, std::size_t sample) {
+  [[nodiscard]] cv::Point nearest(const Square& unlike, std::size_t sample) const {
+    std::array<float, kLaneCount> middle{};
+    cv::v_store(middle.data(), unlike[kMiddle]);
+    if (middle[kMiddle] < kAlike) return {0, 0};
+    float least = kUnlike;
     cv::Point best(0, 0);
-    float least = std::numeric_limits<float>::infinity();
-    for (int i = 0; i < kSide * kSide; ++i) {
-      const cv::Point away = offset(i);
-      const float x = static_cast<float>(away.x) - kSampleColumns[sample];
-      const float y = static_cast<float>(away.y) - kSampleRows[sample];
-      const float unlike = likeness.unlike[static_cast<std::size_t>(i)] + kAway * (x * x + y * y);
-      if (!(unlike < least)) continue;
-      least = unlike;
-      best = away;
+    for (std::size_t row = 0; row < unlike.size(); ++row) {
+      const Lanes sum = unlike[row] + away_[sample][row];
+      const float least_here = cv::v_reduce_min(sum);
+      if (!(least_here < least)) continue;
+      least = least_here;
+      const int is_least = cv::v_signmask(sum <= lanes(least_here));
+      best = {__builtin_ctz(static_cast<unsigned>(is_least)) - 1, static_cast<int>(row) - 1};
     }
     return best;
-  }
-
-  [[nodiscard]] static cv::Point offset(int i) { return {i % kSide - 1, i / kSide - 1}; }
-
-  /// Infinite for another surface.
-  [[nodiscard]] float unlikeness(const SeenFace* face, const cv::Point& pixel) const {
-    const cv::Point at = pixel - seen_.place.tl();
-    const int part = seen_.geometry.parts.at<int>(at);
-    if (part != (face == nullptr ? 0 : face->part)) return std::numeric_limits<float>::infinity();
-    if (face == nullptr) return 0.0F;
-    const auto* normal = seen_.geometry.normals.ptr<std::uint16_t>(at.y, at.x);
-    // Vertices' normals may point inwards, all of a mesh's alike.
-    const float turned = 1.0F - std::abs(fromHalf(normal[0]) * face->normal.x() +
-                                         fromHalf(normal[1]) * face->normal.y() +
-                                         fromHalf(normal[2]) * face->normal.z());
-    const float expected =
-        face->inverseDepthAt(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
-    return turned + kDepth * std::abs(expected * seen_.geometry.depth.at<float>(at) - 1.0F);
   }
 
   [[nodiscard]] Eigen::Vector3f lightAt(const cv::Point& pixel) const {
@@ -97,6 +145,7 @@ class Resolver {
 
   const SeenPixels& seen_;
   const SampleRaster& raster_;
+  std::array<Square, kSampleCount> away_;
 };
 
 }  // namespace
