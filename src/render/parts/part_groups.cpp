@@ -8,11 +8,32 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Of a part and what is round it by a margin.
-std::vector<Eigen::Vector3d> cornersWith(const Part& part, double margin) {
-  if (part.hull_V != nullptr) return part.hull_V->cornersWith(margin);
+/// Beyond so many parts, one box round all of them has to do: what is made of hulls takes longer
+/// with their corners.
+constexpr std::size_t kMostHulls = 4;
+
+Bounds grown(const Bounds& bounds, double margin) {
   const Eigen::Vector3d beside = Eigen::Vector3d::Constant(margin);
-  return cornersOf(Bounds(part.bounds_V.min() - beside, part.bounds_V.max() + beside));
+  return {bounds.min() - beside, bounds.max() + beside};
+}
+
+/// Of parts and what is round them by a margin.
+std::vector<Eigen::Vector3d> cornersWith(const std::vector<const Part*>& parts,
+                                         const std::vector<Pose>& X_WL, double margin) {
+  if (parts.size() > kMostHulls) {
+    Bounds bounds;
+    for (const Part* part : parts) extend(bounds, *part, X_WL[part->link]);
+    return cornersOf(grown(bounds, margin));
+  }
+  std::vector<Eigen::Vector3d> corners;
+  for (const Part* part : parts) {
+    const Pose X_WV = X_WL[part->link] * part->X_LV;
+    const std::vector<Eigen::Vector3d> of_part = part->hull_V != nullptr
+                                                     ? part->hull_V->cornersWith(margin)
+                                                     : cornersOf(grown(part->bounds_V, margin));
+    for (const Eigen::Vector3d& corner : of_part) corners.push_back(X_WV * corner);
+  }
+  return corners;
 }
 
 }  // namespace
@@ -21,20 +42,16 @@ std::vector<std::vector<Eigen::Vector3d>> hullsOfGroups(
     const std::vector<Part>& parts, const std::vector<Pose>& X_WL, double margin,
     const std::function<bool(const Part&)>& is_chosen) {
   // By object or, of others, by link.
-  std::map<std::pair<bool, std::size_t>, std::vector<Eigen::Vector3d>> groups;
+  std::map<std::pair<bool, std::size_t>, std::vector<const Part*>> groups;
   for (const Part& part : parts) {
     if (part.bounds_V.isEmpty() || !is_chosen(part)) continue;
     const bool is_object = part.identifier > 0;
-    auto& points = groups[{is_object, is_object ? part.identifier : part.link}];
-    const Pose X_WV = X_WL[part.link] * part.X_LV;
-    for (const Eigen::Vector3d& corner : cornersWith(part, margin)) {
-      points.push_back(X_WV * corner);
-    }
+    groups[{is_object, is_object ? part.identifier : part.link}].push_back(&part);
   }
-  std::vector<std::vector<Eigen::Vector3d>> result;
-  result.reserve(groups.size());
-  for (auto& group : groups) result.push_back(std::move(group.second));
-  return result;
+  std::vector<std::vector<Eigen::Vector3d>> hulls;
+  hulls.reserve(groups.size());
+  for (const auto& group : groups) hulls.push_back(cornersWith(group.second, X_WL, margin));
+  return hulls;
 }
 
 std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,
