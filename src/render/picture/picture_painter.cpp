@@ -290,7 +290,8 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   const cv::Mat wanted = smooth ? grown(pixels) : pixels;
   const std::vector<cv::Rect> lit = smooth ? bandsOf(wanted) : picture.regions;
   const cv::Rect place = boundsOf(lit);
-  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place, lit), place};
+  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place, bandsOf(wanted, kCoarseBand)),
+                        place};
   surfaces.geometry.normals = surfaces.surfaces.vertexNormals();
   picture.unlit = crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_,
                                             see_through, lit, wanted);

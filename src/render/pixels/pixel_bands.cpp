@@ -9,8 +9,6 @@
 namespace synthetic_dataset::render {
 namespace {
 
-// Finer ones light fewer pixels in vain, and take their time each.
-constexpr int kHeight = 8;    // [px] of a band; they begin at its multiples
 constexpr int kLeastGap = 8;  // [px] between two rectangles of a band
 
 /// The runs of pixels that are not 0, those with small gaps between them as one.
@@ -31,14 +29,15 @@ void addRuns(const std::vector<uchar>& is_set, int top, int height, std::vector<
 
 }  // namespace
 
-std::vector<cv::Rect> bandsOf(const cv::Mat& pixels) {
+/// Bands begin at multiples of their height.
+std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height) {
   std::vector<cv::Rect> bands;
   std::vector<uchar> columns(static_cast<std::size_t>(pixels.cols));
   const cv::Rect bounds = cv::boundingRect(pixels);
   const int bottom = bounds.y + bounds.height;
-  for (int band = bounds.y / kHeight; band * kHeight < bottom; ++band) {
-    const int top = std::max(band * kHeight, bounds.y);
-    const int end = std::min((band + 1) * kHeight, bottom);
+  for (int band = bounds.y / height; band * height < bottom; ++band) {
+    const int top = std::max(band * height, bounds.y);
+    const int end = std::min((band + 1) * height, bottom);
     std::fill(columns.begin(), columns.end(), uchar{0});
     for (int row = top; row < end; ++row) {
       const auto* is_set = pixels.ptr<uchar>(row);

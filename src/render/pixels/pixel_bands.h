@@ -6,9 +6,17 @@
 
 namespace synthetic_dataset::render {
 
+/// Of what is gone through pixel by pixel [px]. Finer bands hold fewer pixels in vain, and take
+/// their time each.
+inline constexpr int kFineBand = 8;
+
+/// Of what takes longer to begin with than to do [px].
+inline constexpr int kCoarseBand = 64;
+
 /// Rectangles, none of them over another, that hold all pixels that are not 0, and few others.
 /// @param pixels  CV_8UC1
-[[nodiscard]] std::vector<cv::Rect> bandsOf(const cv::Mat& pixels);
+/// @param height  of a rectangle at the most [px]
+[[nodiscard]] std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height = kFineBand);
 
 /// Round all of them; empty for none.
 [[nodiscard]] cv::Rect boundsOf(const std::vector<cv::Rect>& rectangles);

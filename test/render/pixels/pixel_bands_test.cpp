@@ -12,7 +12,9 @@ cv::Mat countsOf(const std::vector<cv::Rect>& rectangles, const cv::Size& size) 
   return counts;
 }
 
-TEST(PixelBands, HoldAllPixelsOnceAndFewOthers) {
+class PixelBandsOfHeight : public testing::TestWithParam<int> {};
+
+TEST_P(PixelBandsOfHeight, HoldAllPixelsOnceAndFewOthers) {
   cv::RNG random(3);
   for (int trial = 0; trial < 50; ++trial) {
     cv::Mat pixels = cv::Mat::zeros(100, 170, CV_8UC1);
@@ -20,13 +22,15 @@ TEST(PixelBands, HoldAllPixelsOnceAndFewOthers) {
       cv::circle(pixels, {random.uniform(0, 170), random.uniform(0, 100)}, random.uniform(0, 30),
                  cv::Scalar(255), cv::FILLED);
     }
-    const cv::Mat counts = countsOf(bandsOf(pixels), pixels.size());
+    const cv::Mat counts = countsOf(bandsOf(pixels, GetParam()), pixels.size());
     EXPECT_EQ(cv::countNonZero(pixels & (counts == 0)), 0);
     EXPECT_EQ(cv::countNonZero(counts > 1), 0);
     const cv::Rect bounds = cv::boundingRect(pixels);
     EXPECT_EQ(cv::countNonZero(counts), cv::countNonZero(counts(bounds)));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(PixelBands, PixelBandsOfHeight, testing::Values(kFineBand, kCoarseBand));
 
 TEST(PixelBands, FollowSlantedOutlines) {
   cv::Mat pixels = cv::Mat::zeros(200, 200, CV_8UC1);
