@@ -27,12 +27,8 @@ struct SeenFace {
   Eigen::Vector3f normal{0.0F, 0.0F, 0.0F};  ///< in the optical frame, towards the camera
   Eigen::Vector3f origin{0.0F, 0.0F, 0.0F};  ///< the farthest corner: u, v [px], 1 / depth [1/m]
   float nearest = 0.0F;                      ///< 1 / depth of the nearest corner
-  Eigen::Vector2f slope{0.0F, 0.0F};         ///< of 1 / depth, a pixel to the right and down
-
-  /// On a plane 1 / depth is linear over the image.
-  [[nodiscard]] float inverseDepthAt(float u, float v) const {
-    return origin.z() + slope.x() * (u - origin.x()) + slope.y() * (v - origin.y());
-  }
+  Eigen::Vector2f slope{0.0F, 0.0F};  ///< of 1 / depth, which is linear over the image, a pixel
+                                      ///< to the right and down
 };
 
 /// Finds what the samples of some pixels see: draws triangles for these places alone.
