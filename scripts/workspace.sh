@@ -15,9 +15,9 @@ build_workspace() {
   [ -f "$workspace/.catkin_workspace_ready" ] || {
     (cd "$workspace" && catkin_make --cmake-args -DCMAKE_BUILD_TYPE=RelWithDebInfo \
       -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
-      -DCMAKE_EXPORT_COMPILE_COMMANDS=ON --make-args cmake_check_build_system)
-    touch "$workspace/.catkin_workspace_ready"
-  }
+      -DCMAKE_EXPORT_COMPILE_COMMANDS=ON --make-args cmake_check_build_system) &&
+      touch "$workspace/.catkin_workspace_ready"
+  } || return
   cmake --build "$workspace/build" --parallel "$(nproc)" "$@"
 }
 
