@@ -48,7 +48,7 @@ def measure(programs, folder, objects, size, arguments):
             for count in (few, many):
                 keep((name, count), ours.seconds_of(f"{programs}/generate", scene, folder, writers, count,
                                                     **how))
-        keep((FLOOR, None), scene_seconds([f"{programs}/benchmark_floor"], folder, arguments.scenes))
+        keep((FLOOR, None), scene_seconds([f"{programs}/benchmark_floor"], folder, many))
         for name in RIVALS if size == (640, 480) else []:
             keep((name, None), scene_seconds([sys.executable, f"{HERE}/{name}_rival.py"], folder,
                                             max(arguments.scenes // 4, 5)))

@@ -7,8 +7,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "config/yaml_value.h"
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
-#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::appearance {
 namespace {
@@ -51,14 +51,7 @@ class BackgroundSamplerTest : public ::testing::Test {
   }
 
   [[nodiscard]] std::vector<std::string> errorsOf(const std::string& entries) const {
-    try {
-      (void)sampler(entries);
-    } catch (const ErrorList& list) {
-      return list.messages();
-    } catch (const Error& error) {
-      return {error.what()};
-    }
-    return {};
+    return test::messagesOf([&] { (void)sampler(entries); });
   }
 
   test::TemporaryFolder folder;

@@ -10,6 +10,7 @@
 
 #include "config/yaml_value.h"
 #include "support/box_world.h"
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -126,12 +127,7 @@ class LookSamplerTest : public ::testing::Test {
 
   [[nodiscard]] std::vector<std::string> errorsOf(const std::string& randomize) const {
     const Parameters root(config::parseYaml("randomize: {" + randomize + "}", "test"));
-    try {
-      LookSampler sampler(config::readRandomization(root), world);
-    } catch (const ErrorList& errors) {
-      return errors.messages();
-    }
-    return {};
+    return test::messagesOf([&] { LookSampler sampler(config::readRandomization(root), world); });
   }
 
   /// A surface of "model::link::visual".

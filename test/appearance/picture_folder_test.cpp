@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -37,12 +38,7 @@ class PictureFolderTest : public ::testing::Test {
   [[nodiscard]] PictureFolder pictures() const { return PictureFolder(folder.path().string()); }
 
   [[nodiscard]] std::vector<std::string> errors() const {
-    try {
-      (void)pictures();
-    } catch (const ErrorList& list) {
-      return list.messages();
-    }
-    return {};
+    return test::messagesOf([&] { (void)pictures(); });
   }
 
   test::TemporaryFolder folder;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -27,12 +28,7 @@ class MapFileTest : public ::testing::Test {
   }
 
   [[nodiscard]] std::vector<std::string> faultsOf(const std::string& text) const {
-    try {
-      static_cast<void>(read(text));
-    } catch (const ErrorList& errors) {
-      return errors.messages();
-    }
-    return {};
+    return test::messagesOf([&] { static_cast<void>(read(text)); });
   }
 
   /// The one fault of a file, without the file's name, which it has to begin with.

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "support/error_messages.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
@@ -49,12 +50,7 @@ bool workUntilStopped(Reporter& reporter) {
 
 std::vector<std::string> errorsOf(int count, const PieceOfWork& work) {
   NotingReporter reporter;
-  try {
-    (void)doInProcesses(count, work, reporter);
-  } catch (const ErrorList& errors) {
-    return errors.messages();
-  }
-  return {};
+  return test::messagesOf([&] { (void)doInProcesses(count, work, reporter); });
 }
 
 class Processes : public testing::Test {

@@ -5,7 +5,7 @@
 
 #include <sqlite3.h>
 
-#include "synthetic_dataset/errors.h"
+#include "support/error_messages.h"
 
 namespace synthetic_dataset::output {
 
@@ -67,12 +67,7 @@ std::vector<std::string> StoreFixture::query(const std::string& sql) const {
 
 std::vector<std::string> errorsOf(const StoreOptions& options,
                                   const std::vector<StoreWriter>& writers) {
-  try {
-    const DatasetStore store(options, writers);
-  } catch (const ErrorList& error) {
-    return error.messages();
-  }
-  return {};
+  return test::messagesOf([&] { const DatasetStore store(options, writers); });
 }
 
 }  // namespace synthetic_dataset::output

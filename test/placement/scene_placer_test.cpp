@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "placement/solid_boxes.h"
-#include "synthetic_dataset/errors.h"
+#include "support/error_messages.h"
 
 namespace synthetic_dataset::placement {
 namespace {
@@ -113,14 +113,7 @@ class ScenePlacerTest : public ::testing::Test {
 
   /// What is said when the first scene, or the placer, is made.
   [[nodiscard]] std::vector<std::string> errors() const {
-    try {
-      static_cast<void>(make().place(0));
-    } catch (const ErrorList& list) {
-      return list.messages();
-    } catch (const Error& error) {
-      return {error.what()};
-    }
-    return {};
+    return test::messagesOf([&] { static_cast<void>(make().place(0)); });
   }
 
   config::PlacementConfig config;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "run/generator.h"
+#include "support/error_messages.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset::test {
@@ -54,6 +55,10 @@ RunSummary AllAtOnceRun::run(Reporter& reporter, const std::string& folder) cons
 RunSummary AllAtOnceRun::run() const {
   Reporter silent;
   return run(silent, folder());
+}
+
+std::vector<std::string> AllAtOnceRun::errors() const {
+  return messagesOf([&] { (void)run(); });
 }
 
 RunSummary AllAtOnceRun::runShard(int index, int count, const std::string& folder) const {

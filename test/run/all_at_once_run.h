@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "run/reporter.h"
 #include "run/run_summary.h"
@@ -38,6 +39,9 @@ class AllAtOnceRun {
   /// Runs with these parameters; the dataset goes to `folder`.
   RunSummary run(Reporter& reporter, const std::string& folder) const;
   RunSummary run() const;
+
+  /// What the run says when it may not begin, or go on.
+  [[nodiscard]] std::vector<std::string> errors() const;
 
   /// Makes a shard.
   RunSummary runShard(int index, int count, const std::string& folder) const;

@@ -9,9 +9,7 @@
 #include "all_at_once_run.h"
 #include "config/yaml_value.h"
 #include "output/manifest/sqlite.h"
-#include "run/generator.h"
-#include "synthetic_dataset/errors.h"
-#include "writers/plugin_environment.h"
+#include "run_test.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -47,10 +45,9 @@ std::vector<std::string> listed(const std::string& folder, const std::string& qu
 }
 
 /// One camera of 160 x 120 pixels, above whose horizon there is nothing.
-class BackgroundPictures : public ::testing::Test {
+class BackgroundPictures : public test::RunTest {
  protected:
   BackgroundPictures() {
-    test::preparePluginEnvironment();
     parameters.erase("background_subtractor");
     fs::create_directory(pictures);
     for (const char* name : {"a.png", "b.png"}) {
@@ -63,26 +60,6 @@ class BackgroundPictures : public ::testing::Test {
         yaml("{background: {pictures: '" + pictures.string() + "'" + entries + "}}");
   }
 
-  RunSummary generate() {
-    fs::remove_all(folder);
-    Reporter silent;
-    Generator generator(Value(parameters), silent, {test::pluginXml()});
-    return generator.run();
-  }
-
-  [[nodiscard]] std::vector<std::string> errors() const {
-    try {
-      Reporter silent;
-      Generator generator(Value(parameters), silent, {test::pluginXml()});
-    } catch (const ErrorList& list) {
-      return list.messages();
-    }
-    return {};
-  }
-
-  test::TinyRun run;
-  Value::Map parameters = run.parameters();
-  const std::string folder = (run.folder() / "out").string();
   const fs::path pictures = run.folder() / "pictures";
 };
 
@@ -109,11 +86,9 @@ TEST_F(BackgroundPictures, AreAmongTheInputs) {
 }
 
 TEST_F(BackgroundPictures, LeaveLabelsAndExactMasksAsTheyAre) {
-  (void)generate();
-  const Files plain = AllAtOnceRun::files(folder);
+  const Files plain = filesAnew();
   show(", brightness: {uniform: [0.5, 1]}");
-  (void)generate();
-  Files varied = AllAtOnceRun::files(folder);
+  Files varied = filesAnew();
   ASSERT_EQ(varied.size(), plain.size());
   for (const auto& [name, bytes] : plain) {
     if (name == "manifest.sqlite") continue;

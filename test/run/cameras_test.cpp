@@ -6,11 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "run/generator.h"
+#include "run_test.h"
 #include "support/bag_builder.h"
-#include "support/tiny_run.h"
-#include "synthetic_dataset/errors.h"
-#include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -22,24 +19,8 @@ using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-class CamerasTest : public ::testing::Test {
+class CamerasTest : public test::RunTest {
  protected:
-  void SetUp() override { test::preparePluginEnvironment(); }
-
-  RunSummary generate() {
-    Generator generator(Value(parameters), reporter, {test::pluginXml()});
-    return generator.run();
-  }
-
-  std::vector<std::string> errors() {
-    try {
-      Generator generator(Value(parameters), reporter, {test::pluginXml()});
-    } catch (const ErrorList& list) {
-      return list.messages();
-    }
-    return {};
-  }
-
   [[nodiscard]] fs::path file(const std::string& path) const { return run.folder() / "out" / path; }
 
   [[nodiscard]] cv::Mat picture(const std::string& path) const {
@@ -67,10 +48,6 @@ class CamerasTest : public ::testing::Test {
     }
     bag.close();
   }
-
-  test::TinyRun run;
-  Value::Map parameters = run.parameters();
-  Reporter reporter;
 };
 
 TEST_F(CamerasTest, EachCameraHasAFolderAndASceneATime) {

@@ -7,15 +7,17 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "all_at_once_run.h"
+#include "run_test.h"
 #include "support/bag_builder.h"
 #include "support/tiny_run.h"
-#include "synthetic_dataset/errors.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
 namespace {
 
 namespace fs = std::filesystem;
+using test::StoppingReporter;
 using test::TinyRun;
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -23,65 +25,29 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-class GeneratorTest : public ::testing::Test {
- protected:
-  void SetUp() override { test::preparePluginEnvironment(); }
-
-  RunSummary generate(const Value::Map& settings) {
-    Generator generator(Value(settings), reporter, {test::pluginXml()});
-    return generator.run();
-  }
-
-  /// The messages of all errors that are found before the first scene.
-  std::vector<std::string> errorsOf(const Value::Map& settings) {
-    try {
-      Generator generator(Value(settings), reporter, {test::pluginXml()});
-    } catch (const ErrorList& errors) {
-      return errors.messages();
-    } catch (const Error& error) {
-      return {error.what()};
-    }
-    return {};
-  }
-
-  /// Every file below the dataset's folder.
-  [[nodiscard]] std::map<std::string, std::string> dataset() const {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(run.folder() / "out")) {
-      if (entry.is_regular_file()) {
-        files[fs::relative(entry.path(), run.folder() / "out").string()] =
-            test::readFile(entry.path());
-      }
-    }
-    return files;
-  }
-
-  TinyRun run;
-  Value::Map parameters = run.parameters();
-  Reporter reporter;
-};
+using GeneratorTest = test::RunTest;
 
 TEST_F(GeneratorTest, MakesTheThreeDatasetsOfTheOriginal) {
-  const RunSummary summary = generate(parameters);
+  const RunSummary summary = generate();
   EXPECT_EQ(summary.scenes, 4);
-  const auto files = dataset();
+  const auto made = files();
   for (const std::string number : {"00000000", "00000003"}) {
-    EXPECT_TRUE(files.count("yolo/" + number + ".png"));
-    EXPECT_THAT(files.at("yolo/" + number + ".txt"), HasSubstr("box 0."));
-    EXPECT_THAT(files.at("bounding_shape/" + number + ".txt"), HasSubstr("bravo -0.20000 0.80000"));
+    EXPECT_TRUE(made.count("yolo/" + number + ".png"));
+    EXPECT_THAT(made.at("yolo/" + number + ".txt"), HasSubstr("box 0."));
+    EXPECT_THAT(made.at("bounding_shape/" + number + ".txt"), HasSubstr("bravo -0.20000 0.80000"));
     for (const std::string object : {"alpha", "bravo"}) {
-      EXPECT_TRUE(files.count("stvnet/" + object + "/JPEGImages/" + number + ".png"));
-      EXPECT_TRUE(files.count("stvnet/" + object + "/mask/" + number + ".png"));
-      EXPECT_THAT(files.at("stvnet/" + object + "/labels/" + number + ".txt"),
+      EXPECT_TRUE(made.count("stvnet/" + object + "/JPEGImages/" + number + ".png"));
+      EXPECT_TRUE(made.count("stvnet/" + object + "/mask/" + number + ".png"));
+      EXPECT_THAT(made.at("stvnet/" + object + "/labels/" + number + ".txt"),
                   HasSubstr(object + " 0."));
     }
   }
-  EXPECT_EQ(files.count("yolo/00000004.png"), 0U);
-  EXPECT_THAT(files.at("yolo/list.txt"), HasSubstr("/out/yolo/00000000.png\n"));
+  EXPECT_EQ(made.count("yolo/00000004.png"), 0U);
+  EXPECT_THAT(made.at("yolo/list.txt"), HasSubstr("/out/yolo/00000000.png\n"));
 }
 
 TEST_F(GeneratorTest, SeesTheObjectsWhereTheLabelsSay) {
-  generate(parameters);
+  generate();
   const cv::Mat image = cv::imread((run.folder() / "out/yolo/00000000.png").string());
   const cv::Mat mask = cv::imread((run.folder() / "out/stvnet/bravo/mask/00000000.png").string(),
                                   cv::IMREAD_GRAYSCALE);
@@ -96,11 +62,11 @@ TEST_F(GeneratorTest, SeesTheObjectsWhereTheLabelsSay) {
 }
 
 TEST_F(GeneratorTest, TwoRunsGiveTheSameBytes) {
-  generate(parameters);
-  const auto first = dataset();
+  generate();
+  const auto first = files();
   parameters["if_exists"] = Value("overwrite");
-  generate(parameters);
-  EXPECT_TRUE(first == dataset());
+  generate();
+  EXPECT_TRUE(first == files());
   EXPECT_GT(first.size(), 20U);
 }
 
@@ -131,33 +97,33 @@ TEST_F(GeneratorTest, AllFormatsGiveTheSameBytesTwice) {
   parameters["split"] = Value(Value::Map{{"train", Value(0.5)}, {"val", Value(0.5)}});
   parameters.erase("yolo");
   parameters.erase("bounding_shape");
-  generate(parameters);
-  const auto first = dataset();
+  generate();
+  const auto first = files();
   parameters["if_exists"] = Value("overwrite");
-  generate(parameters);
-  EXPECT_TRUE(first == dataset());
+  generate();
+  EXPECT_TRUE(first == files());
   EXPECT_GT(first.size(), 150U);
 }
 
 TEST_F(GeneratorTest, RefusesToTouchADatasetThatIsThere) {
-  generate(parameters);
-  const auto first = dataset();
+  generate();
+  const auto first = files();
   parameters["if_exists"] = Value("error");
-  EXPECT_THAT(errorsOf(parameters), Contains(HasSubstr("overwrite")));
-  EXPECT_TRUE(first == dataset());
+  EXPECT_THAT(errors(), Contains(HasSubstr("overwrite")));
+  EXPECT_TRUE(first == files());
 }
 
 TEST_F(GeneratorTest, ComputesNoMasksWhenNoWriterAsks) {
   parameters["writers"] = Value(Value::List{
       Value(Value::Map{{"name", Value("yolo")}, {"type", Value("synthetic_dataset/Yolo")}})});
   parameters.erase("bounding_shape");
-  EXPECT_EQ(generate(parameters).files, 4 * 2 + 1);
+  EXPECT_EQ(generate().files, 4 * 2 + 1);
 }
 
 TEST_F(GeneratorTest, LeavesOutAndCountsScenesAcrossGaps) {
   parameters["max_tf_gap"] = Value(0.03);  // alpha's transforms are 0.05 s apart
   parameters["simulated_rate"] = Value(1000.0 / 125.0);
-  const RunSummary summary = generate(parameters);
+  const RunSummary summary = generate();
   // Every second scene falls on a transform, and needs no interpolation.
   EXPECT_EQ(summary.scenes, 4);
   EXPECT_EQ(
@@ -170,16 +136,12 @@ TEST_F(GeneratorTest, ReportsObjectsThatAreInsideOneAnotherOnceAPair) {
   bag.fix("map", "bravo/base_link", test::milliseconds(1000), test::poseAt(0, 0.1, 0));
   bag.fix("map", "alpha/base_link", test::milliseconds(1000), test::poseAt(0, 0, 0));
   bag.say("/other", test::milliseconds(1000)).say("/other", test::milliseconds(2000)).close();
-  const RunSummary summary = generate(parameters);
+  const RunSummary summary = generate();
   EXPECT_EQ(summary.warnings.at("'alpha' and 'bravo' are inside one another"), summary.scenes);
 }
 
 TEST_F(GeneratorTest, StopsBetweenScenesWhenAsked) {
-  class Impatient : public Reporter {
-    [[nodiscard]] bool stopRequested() const override { return done_ >= 2; }
-    void progress(std::int64_t done, std::int64_t /*all*/) override { done_ = done; }
-    std::int64_t done_ = 0;
-  } impatient;
+  StoppingReporter impatient(2);
   parameters["simulated_rate"] = Value(40.0);
   Generator generator(Value(parameters), impatient, {test::pluginXml()});
   const RunSummary summary = generator.run();
@@ -188,66 +150,63 @@ TEST_F(GeneratorTest, StopsBetweenScenesWhenAsked) {
   EXPECT_GE(summary.scenes, 2);
   EXPECT_LT(summary.scenes, summary.planned_scenes);
   EXPECT_EQ(summary.dataset_scenes, summary.scenes);
-  EXPECT_EQ(dataset().count("yolo/list.txt"), 0U);
+  EXPECT_EQ(files().count("yolo/list.txt"), 0U);
 }
 
 // --- Bad input: each with its message ---
 
 TEST_F(GeneratorTest, NamesABagThatIsMissing) {
   parameters["bag_file"] = Value("/nowhere/a.bag");
-  EXPECT_THAT(errorsOf(parameters),
-              Contains(AllOf(HasSubstr("/nowhere/a.bag"), HasSubstr("no such file"))));
+  EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("/nowhere/a.bag"), HasSubstr("no such file"))));
 }
 
 TEST_F(GeneratorTest, NamesAFileThatIsNoBag) {
   parameters["bag_file"] = Value(run.folder().write("not.bag", "hello").string());
-  EXPECT_THAT(errorsOf(parameters), Contains(HasSubstr("not.bag")));
+  EXPECT_THAT(errors(), Contains(HasSubstr("not.bag")));
 }
 
 TEST_F(GeneratorTest, NamesATruncatedBagAndWhatMendsIt) {
   const std::string whole = test::readFile(run.folder() / "tiny.bag");
   parameters["bag_file"] = Value(run.folder().write("cut.bag", whole.substr(0, 5000)).string());
-  EXPECT_THAT(errorsOf(parameters),
-              Contains(AllOf(HasSubstr("cut.bag"), HasSubstr("rosbag reindex"))));
+  EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("cut.bag"), HasSubstr("rosbag reindex"))));
 }
 
 TEST_F(GeneratorTest, NamesABagWithoutTransforms) {
   test::BagBuilder bag(run.folder() / "talk.bag");
   parameters["bag_file"] = Value(bag.say("/chatter", test::milliseconds(1000)).close());
-  EXPECT_THAT(errorsOf(parameters), Contains(AllOf(HasSubstr("talk.bag"), HasSubstr("/chatter"))));
+  EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("talk.bag"), HasSubstr("/chatter"))));
 }
 
 TEST_F(GeneratorTest, SuggestsAFrameThatIsSpeltNearlyAlike) {
   parameters.at("alpha").as<Value::Map>()->emplace("frame_id", Value("base_lnik"));
-  EXPECT_THAT(errorsOf(parameters),
+  EXPECT_THAT(errors(),
               Contains(AllOf(HasSubstr("alpha/base_lnik"), HasSubstr("alpha/base_link"))));
 }
 
 TEST_F(GeneratorTest, NamesAnObjectThatTheWorldDoesNotHave) {
   parameters["robot_list"] = Value("charlie");
   parameters["charlie"] = Value(TinyRun::object("charlie"));
-  EXPECT_THAT(errorsOf(parameters),
-              Contains(AllOf(HasSubstr("no model 'charlie'"), HasSubstr("alpha, bravo"),
-                             HasSubstr("charlie/model"))));
+  EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("no model 'charlie'"), HasSubstr("alpha, bravo"),
+                                       HasSubstr("charlie/model"))));
 }
 
 TEST_F(GeneratorTest, NamesAWriterThatDoesNotExist) {
   parameters["writers"] = Value(Value::List{
       Value(Value::Map{{"name", Value("yolo")}, {"type", Value("synthetic_dataset/Yollo")}})});
-  EXPECT_THAT(errorsOf(parameters), Contains(AllOf(HasSubstr("synthetic_dataset/Yollo"),
-                                                   HasSubstr("synthetic_dataset/Yolo'"))));
+  EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("synthetic_dataset/Yollo"),
+                                       HasSubstr("synthetic_dataset/Yolo'"))));
 }
 
 TEST_F(GeneratorTest, RefusesTwoWritersInOneFolder) {
   (*parameters.at("yolo").as<Value::Map>())["output_folder"] =
       Value((run.folder() / "out/stvnet").string());
-  EXPECT_THAT(errorsOf(parameters), Contains(AllOf(HasSubstr("yolo"), HasSubstr("stvnet"))));
+  EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("yolo"), HasSubstr("stvnet"))));
 }
 
 TEST_F(GeneratorTest, NamesAFolderThatCannotBeMade) {
   run.folder().write("file", "in the way");
   parameters["output_folder"] = Value((run.folder() / "file/out").string());
-  EXPECT_THAT(errorsOf(parameters), Contains(HasSubstr("file/out")));
+  EXPECT_THAT(errors(), Contains(HasSubstr("file/out")));
 }
 
 TEST_F(GeneratorTest, NamesAMeshThatIsMissing) {
@@ -256,18 +215,18 @@ TEST_F(GeneratorTest, NamesAMeshThatIsMissing) {
   world.replace(world.find(box), box.size(),
                 "<geometry><mesh><uri>model://ball/ball.dae</uri></mesh></geometry></visual>");
   run.folder().write("tiny.world", world);
-  EXPECT_THAT(errorsOf(parameters), Contains(AllOf(HasSubstr("tiny.world"), HasSubstr("'ball'"),
-                                                   HasSubstr("model://ball/ball.dae"))));
+  EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("tiny.world"), HasSubstr("'ball'"),
+                                       HasSubstr("model://ball/ball.dae"))));
 }
 
 TEST_F(GeneratorTest, NamesAWorldThatDoesNotParse) {
   run.folder().write("tiny.world", "<sdf version='1.6'><world name='broken'>");
-  EXPECT_THAT(errorsOf(parameters), Contains(HasSubstr("tiny.world")));
+  EXPECT_THAT(errors(), Contains(HasSubstr("tiny.world")));
 }
 
 TEST_F(GeneratorTest, NamesARateOfZero) {
   parameters["simulated_rate"] = Value(0);
-  EXPECT_THAT(errorsOf(parameters), Contains("simulated_rate: found 0.0; it should be above 0.0"));
+  EXPECT_THAT(errors(), Contains("simulated_rate: found 0.0; it should be above 0.0"));
 }
 
 TEST_F(GeneratorTest, TellsOfAPoseThatIsNoNumber) {
@@ -282,7 +241,7 @@ TEST_F(GeneratorTest, TellsOfAPoseThatIsNoNumber) {
     bag.add(transform);
   }
   parameters["bag_file"] = Value(bag.close());
-  const RunSummary summary = generate(parameters);
+  const RunSummary summary = generate();
   EXPECT_EQ(summary.scenes, 4) << "tf2 interpolates over the transform that is left out";
   ASSERT_THAT(summary.warnings, SizeIs(1));
   EXPECT_THAT(summary.warnings.begin()->first,
@@ -291,7 +250,7 @@ TEST_F(GeneratorTest, TellsOfAPoseThatIsNoNumber) {
 
 TEST_F(GeneratorTest, NamesAFrameThatOnlyAWriterAsksFor) {
   (*parameters.at("bounding_shape").as<Value::Map>())["output_frame"] = Value("alpha/base_lnik");
-  EXPECT_THAT(errorsOf(parameters),
+  EXPECT_THAT(errors(),
               Contains(AllOf(HasSubstr("alpha/base_lnik"), HasSubstr("alpha/base_link"))));
 }
 
@@ -300,11 +259,11 @@ TEST_F(GeneratorTest, FindsAllErrorsAtOnceAndLeavesTheDiskAlone) {
   parameters["world"] = Value("/nowhere/b.world");
   parameters["simulated_rte"] = Value(3);
   parameters.erase("yolo");
-  const auto errors = errorsOf(parameters);
-  EXPECT_THAT(errors, Contains(HasSubstr("/nowhere/a.bag")));
-  EXPECT_THAT(errors, Contains(HasSubstr("/nowhere/b.world")));
-  EXPECT_THAT(errors, Contains(HasSubstr("did you mean 'simulated_rate'")));
-  EXPECT_THAT(errors, Contains("yolo/main_list: required, but missing"));
+  const auto messages = errors();
+  EXPECT_THAT(messages, Contains(HasSubstr("/nowhere/a.bag")));
+  EXPECT_THAT(messages, Contains(HasSubstr("/nowhere/b.world")));
+  EXPECT_THAT(messages, Contains(HasSubstr("did you mean 'simulated_rate'")));
+  EXPECT_THAT(messages, Contains("yolo/main_list: required, but missing"));
   EXPECT_FALSE(fs::exists(run.folder() / "out"));
 }
 

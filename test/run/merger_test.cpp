@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "all_at_once_run.h"
-#include "synthetic_dataset/errors.h"
+#include "support/error_messages.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
@@ -27,14 +27,7 @@ class MergerTest : public ::testing::Test {
 
   [[nodiscard]] std::vector<std::string> errorsOfMerging(
       const std::string& folder, const std::vector<std::string>& shard_folders = {}) const {
-    try {
-      merge(folder, shard_folders);
-    } catch (const ErrorList& errors) {
-      return errors.messages();
-    } catch (const Error& error) {
-      return {error.what()};
-    }
-    return {};
+    return test::messagesOf([&] { merge(folder, shard_folders); });
   }
 
   /// The files of a run that makes all scenes.

@@ -8,7 +8,7 @@
 #include "output/manifest/sqlite.h"
 #include "run/generator.h"
 #include "support/bag_builder.h"
-#include "synthetic_dataset/errors.h"
+#include "support/error_messages.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset::test {
@@ -97,13 +97,10 @@ std::map<std::string, std::string> MotionsRun::files() const {
 }
 
 std::vector<std::string> MotionsRun::errors() const {
-  try {
+  return messagesOf([&] {
     Reporter silent;
     const Generator generator(Value(parameters), silent, {pluginXml()});
-  } catch (const ErrorList& list) {
-    return list.messages();
-  }
-  return {};
+  });
 }
 
 std::vector<ListedScene> MotionsRun::scenes() const {

@@ -13,8 +13,8 @@
 #include "output/manifest/sqlite.h"
 #include "run/generator.h"
 #include "run/merger.h"
+#include "run_test.h"
 #include "support/bag_builder.h"
-#include "support/tiny_run.h"
 #include "synthetic_dataset/errors.h"
 #include "writers/plugin_environment.h"
 
@@ -94,10 +94,10 @@ std::vector<ManifestScene> scenesIn(const fs::path& folder) {
   return scenes;
 }
 
-class PlacementTest : public ::testing::Test {
+class PlacementTest : public test::RunTest {
  protected:
   PlacementTest() {
-    test::preparePluginEnvironment();
+    parameters["if_exists"] = Value("overwrite");
     parameters.erase("bag_file");
     parameters["motion"] = Value("placement");
     parameters["scenes"] = Value(6);
@@ -114,22 +114,9 @@ class PlacementTest : public ::testing::Test {
     for (const auto& [name, value] : settings) group("camera")[name] = value;
   }
 
-  std::vector<ManifestScene> generate() {
-    parameters["if_exists"] = Value("overwrite");
-    Generator generator(Value(parameters), reporter, {test::pluginXml()});
-    (void)generator.run();
-    return scenesIn(run.folder() / "out");
-  }
-
-  std::vector<std::string> errors() {
-    try {
-      Generator generator(Value(parameters), reporter, {test::pluginXml()});
-    } catch (const ErrorList& list) {
-      return list.messages();
-    } catch (const Error& error) {
-      return {error.what()};
-    }
-    return {};
+  [[nodiscard]] std::vector<ManifestScene> generatedScenes() const {
+    (void)generate();
+    return scenesIn(folder);
   }
 
   /// With a format for which visible pixels are counted.
@@ -161,10 +148,6 @@ class PlacementTest : public ::testing::Test {
     for (const char* name : {"motion", "scenes", "placement"}) parameters.erase(name);
     parameters["bag_file"] = Value((run.folder() / "tiny.bag").string());
   }
-
-  test::TinyRun run;
-  Value::Map parameters = run.parameters();
-  Reporter reporter;
 };
 
 /// The corners of alpha's and bravo's box, in its frame.
@@ -195,7 +178,7 @@ std::array<double, 4> projected(const Pose& X_CO) {
 TEST_F(PlacementTest, WritersKnowAnObjectsFrameWhileTheNextSceneIsPlaced) {
   parameters["scenes"] = Value(20);
   group("bounding_shape")["output_frame"] = Value("alpha/base_link");
-  static_cast<void>(generate());
+  (void)generate();
   std::set<std::string> lines;  // of alpha in its own frame: always the same
   for (const auto& entry : fs::directory_iterator(run.folder() / "out/bounding_shape")) {
     if (entry.path().extension() != ".txt") continue;
@@ -208,7 +191,7 @@ TEST_F(PlacementTest, WritersKnowAnObjectsFrameWhileTheNextSceneIsPlaced) {
 }
 
 TEST_F(PlacementTest, MakesAsManyScenesAsAreAskedFor) {
-  const std::vector<ManifestScene> scenes = generate();
+  const std::vector<ManifestScene> scenes = generatedScenes();
   ASSERT_EQ(scenes.size(), 6U);
   for (const char* number : {"00000000", "00000005"}) {
     EXPECT_TRUE(fs::exists(run.folder() / "out/yolo" / (std::string(number) + ".png")));
@@ -225,7 +208,7 @@ TEST_F(PlacementTest, LabelsWhatTheCameraSees) {
   parameters["scenes"] = Value(12);
   countVisiblePixels();
   int compared = 0;
-  for (const ManifestScene& scene : generate()) {
+  for (const ManifestScene& scene : generatedScenes()) {
     for (const ManifestObject& object : scene.objects) {
       const std::array<double, 4> box = projected(scene.X_GC.inverse() * object.X_GO);
       const bool in_image = box[0] > 0 && box[1] > 0 && box[2] < 159 && box[3] < 119;
@@ -243,7 +226,7 @@ TEST_F(PlacementTest, LabelsWhatTheCameraSees) {
 TEST_F(PlacementTest, ShowsObjectsWhereTheLabelsSay) {
   countVisiblePixels();
   int compared = 0;
-  const std::vector<ManifestScene> scenes = generate();
+  const std::vector<ManifestScene> scenes = generatedScenes();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const cv::Mat image =
         cv::imread((run.folder() / "out/yolo" / ("0000000" + std::to_string(i) + ".png")).string());
@@ -266,7 +249,7 @@ TEST_F(PlacementTest, ShowsObjectsWhereTheLabelsSay) {
 TEST_F(PlacementTest, PutsObjectsOnTheFreePlacesOfTheMap) {
   parameters["scenes"] = Value(20);
   (*parameters.at("alpha").as<Value::Map>())["safety_radius"] = Value(0.5);
-  for (const ManifestScene& scene : generate()) {
+  for (const ManifestScene& scene : generatedScenes()) {
     const Vector3d alpha = scene.objects[0].X_GO.translation();
     const Vector3d bravo = scene.objects[1].X_GO.translation();
     EXPECT_LE(alpha.head<2>().cwiseAbs().maxCoeff(), 1.5 - 0.5);
@@ -280,7 +263,7 @@ TEST_F(PlacementTest, PutsObjectsOnTheFreePlacesOfTheMap) {
 TEST_F(PlacementTest, PutsObjectsAnywhereInAVolume) {
   placement(volumeOf({-1, -1, 0.5}, {1, 1, 2}));
   std::set<double> heights;
-  for (const ManifestScene& scene : generate()) {
+  for (const ManifestScene& scene : generatedScenes()) {
     for (const ManifestObject& object : scene.objects) {
       const Eigen::Array3d p_G = object.X_GO.translation().array();
       EXPECT_TRUE((p_G >= Eigen::Array3d(-1, -1, 0.5)).all());
@@ -294,7 +277,7 @@ TEST_F(PlacementTest, PutsObjectsAnywhereInAVolume) {
 
 TEST_F(PlacementTest, LaysDownWhatIsDropped) {
   placement(volumeOf({-0.5, -0.5, 0.6}, {0.5, 0.5, 1.5}, "drop"));
-  for (const ManifestScene& scene : generate()) {
+  for (const ManifestScene& scene : generatedScenes()) {
     double lowest = 1e9;
     for (const ManifestObject& object : scene.objects) {
       for (const Vector3d& corner : cornersOfBox()) {
@@ -306,10 +289,10 @@ TEST_F(PlacementTest, LaysDownWhatIsDropped) {
 }
 
 TEST_F(PlacementTest, TakesARecordedMap) {
-  const std::vector<ManifestScene> of_file = generate();
+  const std::vector<ManifestScene> of_file = generatedScenes();
   recordMap("map");
   parameters["global_frame"] = Value("/map");
-  const std::vector<ManifestScene> of_bag = generate();
+  const std::vector<ManifestScene> of_bag = generatedScenes();
   ASSERT_EQ(of_bag.size(), of_file.size());
   for (std::size_t i = 0; i < of_bag.size(); ++i) {
     EXPECT_TRUE(of_bag[i].objects[1].X_GO.isApprox(of_file[i].objects[1].X_GO, 1e-12)) << i;
@@ -317,10 +300,10 @@ TEST_F(PlacementTest, TakesARecordedMap) {
 }
 
 TEST_F(PlacementTest, PutsObjectsElsewhereWithAnotherSeed) {
-  const Pose X_GO = generate()[2].objects[0].X_GO;
-  EXPECT_TRUE(generate()[2].objects[0].X_GO.matrix() == X_GO.matrix());
+  const Pose X_GO = generatedScenes()[2].objects[0].X_GO;
+  EXPECT_TRUE(generatedScenes()[2].objects[0].X_GO.matrix() == X_GO.matrix());
   parameters["seed"] = Value(8);
-  EXPECT_FALSE(generate()[2].objects[0].X_GO.isApprox(X_GO, 1e-3));
+  EXPECT_FALSE(generatedScenes()[2].objects[0].X_GO.isApprox(X_GO, 1e-3));
 }
 
 TEST_F(PlacementTest, NothingMovesWhileTheShutterIsOpen) {
@@ -352,7 +335,7 @@ TEST_F(PlacementTest, ACameraRidesOnAnObject) {
   const Pose X_OC = makePose({0.3, 0, 0.3}, Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5));
   putCamera(
       {{"mounted_on", Value("alpha")}, {"pose", listOf({0.3, 0, 0.3, -0.5, 0.5, -0.5, 0.5})}});
-  for (const ManifestScene& scene : generate()) {
+  for (const ManifestScene& scene : generatedScenes()) {
     EXPECT_TRUE(scene.X_GC.isApprox(scene.objects[0].X_GO * X_OC, 1e-9));
   }
 }
@@ -361,7 +344,7 @@ TEST_F(PlacementTest, ACameraRidesOnARecordedObject) {
   useBag();
   putCamera(
       {{"mounted_on", Value("alpha")}, {"pose", listOf({0.3, 0, 0.3, -0.5, 0.5, -0.5, 0.5})}});
-  const std::vector<ManifestScene> scenes = generate();
+  const std::vector<ManifestScene> scenes = generatedScenes();
   ASSERT_EQ(scenes.size(), 4U);
   for (const ManifestScene& scene : scenes) {
     // alpha goes 1 m/s along y, from -0.5 m at 1 s.
@@ -376,7 +359,7 @@ TEST_F(PlacementTest, ASampledCameraLooksAtTheObject) {
                             {"look_at", Value("bravo")},
                             {"distance", Value(Value::Map{{"uniform", listOf({1.5, 2.5})}})}})}});
   std::set<double> places;
-  for (const ManifestScene& scene : generate()) {
+  for (const ManifestScene& scene : generatedScenes()) {
     const ManifestObject& bravo = scene.objects[1];
     const Vector3d middle_C = scene.X_GC.inverse() * (bravo.X_GO * Vector3d(0, 0, 0.2));
     EXPECT_LT(middle_C.head<2>().norm(), 1e-6);
@@ -390,7 +373,7 @@ TEST_F(PlacementTest, ASampledCameraLooksAtTheObject) {
 TEST_F(PlacementTest, ASampledCameraFollowsARecording) {
   useBag();
   putCamera({{"sample", Value(Value::Map{{"look_at", Value("alpha")}})}});
-  const std::vector<ManifestScene> scenes = generate();
+  const std::vector<ManifestScene> scenes = generatedScenes();
   ASSERT_EQ(scenes.size(), 4U);
   std::set<double> places;
   for (const ManifestScene& scene : scenes) {
@@ -405,7 +388,7 @@ TEST_F(PlacementTest, ASampledCameraFollowsARecording) {
 TEST_F(PlacementTest, WritersKnowTheFrameOfASampledCamera) {
   putCamera({{"sample", Value(Value::Map{{"look_at", Value("bravo")}})}});
   group("bounding_shape")["output_frame"] = Value("camera/optical_link");
-  const std::vector<ManifestScene> scenes = generate();
+  const std::vector<ManifestScene> scenes = generatedScenes();
   const std::string text = test::readFile(run.folder() / "out/bounding_shape/00000002.txt");
   std::istringstream numbers(text.substr(text.find("bravo ") + 6));
   Vector3d written;

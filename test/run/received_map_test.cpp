@@ -6,10 +6,9 @@
 
 #include "all_at_once_run.h"
 #include "config/yaml_value.h"
-#include "run/generator.h"
 #include "run/merger.h"
 #include "support/bag_builder.h"
-#include "synthetic_dataset/errors.h"
+#include "support/error_messages.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
@@ -44,14 +43,7 @@ motion::RecordedMap hall() {
 std::vector<std::string> errorsWith(const std::string& name, const Value& value) {
   Value settings = placement::settingsOf(hall());
   (*settings.as<Value::Map>())[name] = value;
-  try {
-    (void)placement::receivedMap(settings);
-  } catch (const ErrorList& list) {
-    return list.messages();
-  } catch (const Error& error) {
-    return {error.what()};
-  }
-  return {};
+  return test::messagesOf([&] { (void)placement::receivedMap(settings); });
 }
 
 TEST(ReceivedMap, IsTheSameAfterItsSettings) {
@@ -92,17 +84,6 @@ class RunOnReceivedMap : public ::testing::Test {
         Value::Map{{"map_topic", Value("/map")}, {"received_map", placement::settingsOf(map)}};
   }
 
-  [[nodiscard]] std::vector<std::string> errors() const {
-    try {
-      (void)run.run();
-    } catch (const ErrorList& list) {
-      return list.messages();
-    } catch (const Error& error) {
-      return {error.what()};
-    }
-    return {};
-  }
-
   AllAtOnceRun run;
 };
 
@@ -133,7 +114,7 @@ TEST_F(RunOnReceivedMap, GoesOnWithTheSameMapAlone) {
   motion::RecordedMap changed = hall();
   changed.cells[200] = 100;
   receive(changed);
-  EXPECT_THAT(errors(), Contains(HasSubstr("placement/received_map/cells")));
+  EXPECT_THAT(run.errors(), Contains(HasSubstr("placement/received_map/cells")));
   receive(hall());
   EXPECT_EQ(run.run().dataset_scenes, 8);
 }
@@ -152,15 +133,16 @@ TEST_F(RunOnReceivedMap, NamesAMapOfAnotherFrame) {
   motion::RecordedMap elsewhere = hall();
   elsewhere.frame = "odom";
   receive(elsewhere);
-  EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("placement/map_topic: "), HasSubstr("'odom'"),
-                                          HasSubstr("global_frame, 'map'"))));
+  EXPECT_THAT(run.errors(),
+              ElementsAre(AllOf(HasSubstr("placement/map_topic: "), HasSubstr("'odom'"),
+                                HasSubstr("global_frame, 'map'"))));
 }
 
 TEST_F(RunOnReceivedMap, TellsWhereAMapMayComeFrom) {
   run.parameters["placement"] = Value::Map{{"map_topic", Value("/map")}};
-  EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("placement/map_topic: found '/map'"),
-                                          HasSubstr("bag_file"), HasSubstr("as a node"),
-                                          HasSubstr("placement/map should"))));
+  EXPECT_THAT(run.errors(), ElementsAre(AllOf(HasSubstr("placement/map_topic: found '/map'"),
+                                              HasSubstr("bag_file"), HasSubstr("as a node"),
+                                              HasSubstr("placement/map should"))));
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include "all_at_once_run.h"
 #include "support/bag_builder.h"
-#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -21,16 +20,6 @@ using ::testing::HasSubstr;
 
 class ResumedRunTest : public ::testing::Test {
  protected:
-  /// What the whole run says when it may not go on.
-  [[nodiscard]] std::vector<std::string> refusal() const {
-    try {
-      (void)run.run();
-    } catch (const ErrorList& errors) {
-      return errors.messages();
-    }
-    return {};
-  }
-
   void stopAfter(std::int64_t scenes) const {
     StoppingReporter stopping(scenes);
     EXPECT_TRUE(run.run(stopping, run.folder()).stopped);
@@ -80,7 +69,7 @@ TEST_F(ResumedRunTest, NamesTheSettingThatChanged) {
   stopAfter(2);
   const auto before = AllAtOnceRun::files(run.folder());
   run.parameters["seed"] = Value(8);
-  EXPECT_THAT(refusal(),
+  EXPECT_THAT(run.errors(),
               Contains(AllOf(HasSubstr("seed: then 7, now 8"), HasSubstr("if_exists: overwrite"))));
   EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == before);
 }
@@ -90,7 +79,7 @@ TEST_F(ResumedRunTest, NamesTheInputThatChanged) {
   const std::string world = run.input("tiny.world");
   const std::string text = test::readFile(world);
   std::ofstream(world) << text << "<!-- the same, but for this -->";
-  EXPECT_THAT(refusal(), Contains(HasSubstr("the file " + world + ": then ")));
+  EXPECT_THAT(run.errors(), Contains(HasSubstr("the file " + world + ": then ")));
 }
 
 TEST_F(ResumedRunTest, MayWriteWithOtherCare) {

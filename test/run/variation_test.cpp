@@ -11,9 +11,8 @@
 #include "all_at_once_run.h"
 #include "config/yaml_value.h"
 #include "output/manifest/sqlite.h"
-#include "run/generator.h"
 #include "run/merger.h"
-#include "synthetic_dataset/errors.h"
+#include "run_test.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
@@ -76,50 +75,27 @@ std::vector<std::int64_t> sortedBy(const std::string& name,
 
 // --- One camera, few formats ---
 
-class Variation : public ::testing::Test {
+class Variation : public test::RunTest {
  protected:
   Variation() {
-    test::preparePluginEnvironment();
     parameters.erase("background_subtractor");
     parameters["simulated_rate"] = Value(8.0);
   }
 
   void randomize(const std::string& text) { parameters["randomize"] = yaml(text); }
 
-  Files generate() {
-    fs::remove_all(folder);
-    Reporter silent;
-    Generator generator(Value(parameters), silent, {test::pluginXml()});
-    (void)generator.run();
-    return AllAtOnceRun::files(folder);
-  }
-
-  [[nodiscard]] std::vector<std::string> errors() const {
-    try {
-      Reporter silent;
-      Generator generator(Value(parameters), silent, {test::pluginXml()});
-    } catch (const ErrorList& list) {
-      return list.messages();
-    }
-    return {};
-  }
-
   /// How bright the floor is before the camera, where nothing ever stands.
   [[nodiscard]] double floorIn(std::int64_t scene) const {
     const cv::Mat image = cv::imread(folder + "/yolo/0000000" + std::to_string(scene) + ".png");
     return cv::mean(image(cv::Rect(60, 105, 40, 14)))[1];
   }
-
-  test::TinyRun run;
-  Value::Map parameters = run.parameters();
-  const std::string folder = (run.folder() / "out").string();
 };
 
 TEST_F(Variation, IsToldInTheManifest) {
   randomize(
       "{lights: {sun: {intensity: {log_uniform: [0.3, 2]}, colour: {uniform: [[1, 0, 0], 1]}}}, "
       "materials: {floor: {textures: procedural}}, sensor: {blur: {uniform: [0, 2]}}}");
-  generate();
+  (void)filesAnew();
   const auto draws = drawsIn(folder);
   ASSERT_EQ(draws.size(), 8U);
   std::set<double> intensities;
@@ -139,7 +115,7 @@ TEST_F(Variation, IsToldInTheManifest) {
 
 TEST_F(Variation, ShowsTheLightThatWasDrawn) {
   randomize("{lights: {sun: {intensity: {uniform: [0.2, 1.5]}}}}");
-  generate();
+  (void)filesAnew();
   double before = 0.0;
   for (const std::int64_t scene : sortedBy("lights/sun/intensity", drawsIn(folder))) {
     EXPECT_GT(floorIn(scene), before + 0.2) << scene;
@@ -149,7 +125,7 @@ TEST_F(Variation, ShowsTheLightThatWasDrawn) {
 
 TEST_F(Variation, OfTheExposureMakesPicturesBrighter) {
   randomize("{sensor: {exposure: {uniform: [-2, 2]}}}");
-  generate();
+  (void)filesAnew();
   double before = 0.0;
   const auto draws = drawsIn(folder);
   const auto sorted = sortedBy("sensor/exposure", draws);
@@ -162,7 +138,7 @@ TEST_F(Variation, OfTheExposureMakesPicturesBrighter) {
 
 TEST_F(Variation, OfTheNumberOfLightsIsTold) {
   randomize("{light_count: {choice: [0, 1]}}");
-  generate();
+  (void)filesAnew();
   std::map<double, double> brightest;
   for (const auto& [scene, draws] : drawsIn(folder)) {
     EXPECT_THAT(namesOf(draws), ElementsAre("light_count", "lights/sun/present"));
@@ -174,9 +150,9 @@ TEST_F(Variation, OfTheNumberOfLightsIsTold) {
 }
 
 TEST_F(Variation, IsThatOfTheWorldsOwnLightWhereItIsDrawnSo) {
-  const Files as_described = generate();
+  const Files as_described = filesAnew();
   randomize("{lights: {sun: {intensity: 1, present: 1}}, sensor: {exposure: 0, blur: 0}}");
-  Files made = generate();
+  Files made = filesAnew();
   for (const auto& [name, bytes] : as_described) {
     if (name == "manifest.sqlite") continue;
     EXPECT_TRUE(made[name] == bytes) << name;
@@ -184,13 +160,13 @@ TEST_F(Variation, IsThatOfTheWorldsOwnLightWhereItIsDrawnSo) {
 }
 
 TEST_F(Variation, LeavesLabelsAndMasksAsTheyAre) {
-  const Files plain = generate();
+  const Files plain = filesAnew();
   randomize(
       "{lights: {every: {intensity: {uniform: [0.1, 3]}, azimuth: {uniform: [-3, 3]}}}, ambient: "
       "{uniform: [0, 1]}, background: {uniform: [[0, 0, 0], 1]}, materials: {objects: {textures: "
       "procedural}, world: {colour: {uniform: [[0, 0, 0], 1]}}}, sensor: {exposure: {uniform: [-1, "
       "1]}, noise_stddev: {uniform: [0.01, 0.05]}, blur: {uniform: [0.5, 2]}}}");
-  Files varied = generate();
+  Files varied = filesAnew();
   ASSERT_EQ(varied.size(), plain.size());
   int labels = 0;
   int pictures = 0;
@@ -210,14 +186,14 @@ TEST_F(Variation, OfOneEntryLeavesTheOthersDraws) {
       "{lights: {sun: {intensity: {uniform: [0, 2]}, azimuth: {uniform: [0, 3]}}}, ambient: "
       "{uniform: [0, 1]}, materials: {objects: {roughness: {uniform: [0, 1]}}}, sensor: {exposure: "
       "{uniform: [0, 1]}}}");
-  generate();
+  (void)filesAnew();
   const auto before = drawsIn(folder);
   randomize(
       "{lights: {sun: {intensity: {normal: [1, 0.2]}}, every: {present: 0.5}}, ambient: {uniform: "
       "[0, 1]}, materials: {objects: {roughness: {uniform: [0, 1]}, textures: procedural}}, "
       "sensor: "
       "{exposure: {uniform: [0, 1]}, blur: {uniform: [0, 1]}}}");
-  generate();
+  (void)filesAnew();
   auto after = drawsIn(folder);
   for (const auto& [scene, draws] : before) {
     for (const auto& [name, numbers] : draws) {
@@ -246,10 +222,10 @@ std::vector<std::string> linesAbout(const std::string& object, const Files& file
 }
 
 TEST_F(Variation, AnObjectThatIsAbsentHasNoLabelAndIsNotSeen) {
-  const Files all = generate();
+  const Files all = filesAnew();
   ASSERT_THAT(linesAbout("bravo", all), Not(IsEmpty()));
   randomize("{objects: {bravo: {present: 0}}}");
-  Files without = generate();
+  Files without = filesAnew();
   EXPECT_THAT(linesAbout("bravo", without), IsEmpty());
   EXPECT_EQ(linesAbout("alpha", without), linesAbout("alpha", all));
   EXPECT_NE(without["yolo/00000003.png"], all.at("yolo/00000003.png"));
@@ -259,9 +235,9 @@ TEST_F(Variation, AnObjectThatIsAbsentHasNoLabelAndIsNotSeen) {
 }
 
 TEST_F(Variation, DistractorsAreSeenAndHaveNoLabel) {
-  const Files plain = generate();
+  const Files plain = filesAnew();
   randomize("{distractors: {count: 3, volume: {min: [-1, -1, 0.3], max: [1, 1, 1.5]}}}");
-  Files crowded = generate();
+  Files crowded = filesAnew();
   EXPECT_EQ(linesAbout("", crowded).size(), linesAbout("", plain).size());
   EXPECT_EQ(linesAbout("alpha", crowded), linesAbout("alpha", plain));
   std::set<std::vector<double>> choices;
@@ -299,9 +275,9 @@ TEST_F(Variation, DistractorsWithAClassAreLabelledWhereTheyAre) {
   const std::string distractors =
       "pool: 5, count: {uniform: [1, 4]}, volume: {min: [-1, -1, 0.3], max: [1, 1, 1.5]}";
   randomize("{distractors: {" + distractors + "}}");
-  const Files unlabelled = generate();
+  const Files unlabelled = filesAnew();
   randomize("{distractors: {" + distractors + ", class: clutter}}");
-  const Files labelled = generate();
+  const Files labelled = filesAnew();
   EXPECT_EQ(labelled.at("yolo/00000003.png"), unlabelled.at("yolo/00000003.png"));
   EXPECT_EQ(linesAbout("alpha", labelled), linesAbout("alpha", unlabelled));
   int seen = 0;
@@ -381,15 +357,6 @@ class VariedRun : public ::testing::Test {
 
   void only(const std::string& scenes) { run.parameters["only_scenes"] = yaml(scenes); }
   void all() { run.parameters.erase("only_scenes"); }
-
-  [[nodiscard]] std::vector<std::string> errors() const {
-    try {
-      (void)run.run();
-    } catch (const ErrorList& list) {
-      return list.messages();
-    }
-    return {};
-  }
 
   AllAtOnceRun run;
 };
@@ -504,7 +471,7 @@ TEST_F(VariedRun, MakesTheScenesOfAShardThatAreChosen) {
 
 TEST_F(VariedRun, NamesScenesThatItDoesNotHave) {
   only("[3, 8]");
-  EXPECT_THAT(errors(), ElementsAre("only_scenes: found 8; this run's scenes are 0 to 7"));
+  EXPECT_THAT(run.errors(), ElementsAre("only_scenes: found 8; this run's scenes are 0 to 7"));
   EXPECT_FALSE(fs::exists(run.folder()));
 }
 
@@ -512,14 +479,14 @@ TEST_F(VariedRun, NamesWhatIsNoSceneNumber) {
   const std::string should =
       "; it should be a list of scenes' numbers, as their files' names have them";
   only("[3, -1]");
-  EXPECT_THAT(errors(), ElementsAre("only_scenes: found [3, -1]" + should));
+  EXPECT_THAT(run.errors(), ElementsAre("only_scenes: found [3, -1]" + should));
   only("[first]");
-  EXPECT_THAT(errors(), ElementsAre("only_scenes: found [first]" + should));
+  EXPECT_THAT(run.errors(), ElementsAre("only_scenes: found [first]" + should));
   only("2.5");
-  EXPECT_THAT(errors(), ElementsAre("only_scenes: found 2.5" + should));
+  EXPECT_THAT(run.errors(), ElementsAre("only_scenes: found 2.5" + should));
   only("[]");
   EXPECT_THAT(
-      errors(),
+      run.errors(),
       ElementsAre("only_scenes: found an empty list; it should name scenes, or be left out"));
 }
 

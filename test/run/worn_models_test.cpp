@@ -9,9 +9,8 @@
 #include "all_at_once_run.h"
 #include "config/yaml_value.h"
 #include "output/manifest/sqlite.h"
-#include "run/generator.h"
 #include "run/merger.h"
-#include "synthetic_dataset/errors.h"
+#include "run_test.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
@@ -70,10 +69,9 @@ std::map<std::int64_t, Worn> wornIn(const std::string& folder) {
 
 // --- Against runs that have the one model, in its size, from its file ---
 
-class WornModelsTest : public ::testing::Test {
+class WornModelsTest : public test::RunTest {
  protected:
   WornModelsTest() {
-    test::preparePluginEnvironment();
     parameters["simulated_rate"] = Value(8.0);
     parameters["writers"] = yaml(
         "[{name: yolo, type: synthetic_dataset/Yolo}, {name: kitti, type: synthetic_dataset/Kitti},"
@@ -98,24 +96,6 @@ class WornModelsTest : public ::testing::Test {
     parameters["bravo"] = yaml(text.str());
   }
 
-  Files generate() {
-    fs::remove_all(folder);
-    Reporter silent;
-    Generator generator(Value(parameters), silent, {test::pluginXml()});
-    (void)generator.run();
-    return AllAtOnceRun::files(folder);
-  }
-
-  [[nodiscard]] std::vector<std::string> errors() const {
-    try {
-      Reporter silent;
-      Generator generator(Value(parameters), silent, {test::pluginXml()});
-    } catch (const ErrorList& list) {
-      return list.messages();
-    }
-    return {};
-  }
-
   /// The files of one scene, without the manifest and what is of the dataset as a whole.
   static Files ofScene(std::int64_t scene, const Files& files) {
     Files result;
@@ -130,10 +110,6 @@ class WornModelsTest : public ::testing::Test {
     }
     return result;
   }
-
-  test::TinyRun run;
-  Value::Map parameters = run.parameters();
-  const std::string folder = (run.folder() / "out").string();
 };
 
 /// What is never worn pushes nothing, wherever it stands in the list: a block that would lie about
@@ -146,7 +122,7 @@ TEST_F(WornModelsTest, PropsSettleAboutWhatIsWorn) {
   const auto filesWith = [&](const std::string& models, const std::string& weights) {
     parameters["randomize"] =
         yaml("{objects: {alpha: {model: {choice: [" + models + "], weights: [" + weights + "]}}}}");
-    Files files = generate();
+    Files files = filesAnew();
     files.erase("manifest.sqlite");  // which has the settings
     return files;
   };
@@ -165,7 +141,7 @@ TEST_P(WornModels, AreSeenAndLabelledAsIfTheyWereTheOnlyOnes) {
   setBravo(small_box, 1.0);
   parameters["randomize"] = yaml("{objects: {bravo: {model: {choice: ['" + small_box + "', '" +
                                  small_cylinder + "']}, scale: {choice: [0.5, 1.5]}}}}");
-  const Files varied = generate();
+  const Files varied = filesAnew();
   const auto worn = wornIn(folder);
   ASSERT_THAT(worn, SizeIs(8));
   parameters.erase("randomize");
@@ -174,7 +150,7 @@ TEST_P(WornModels, AreSeenAndLabelledAsIfTheyWereTheOnlyOnes) {
     for (const std::string& model : {small_box, small_cylinder}) {
       const bool is_box = model == small_box;
       setBravo(write("alone.sdf", is_box ? box(0.4 * scale) : cylinder(0.4 * scale)), scale);
-      const Files alone = generate();
+      const Files alone = filesAnew();
       for (const auto& [scene, what] : worn) {
         if (what.model != model || what.scale != scale) continue;
         combinations.insert(model + std::to_string(scale));

@@ -10,9 +10,9 @@
 #include "scene/object_motion.h"
 #include "setup/run_setup.h"
 #include "support/bag_builder.h"
+#include "support/error_messages.h"
 #include "support/robot_arm.h"
 #include "support/tiny_run.h"
-#include "synthetic_dataset/errors.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
@@ -65,12 +65,7 @@ class ArticulatedReplay : public testing::Test {
   }
 
   std::vector<std::string> errors() {
-    try {
-      setUp();
-    } catch (const ErrorList& list) {
-      return list.messages();
-    }
-    return {};
+    return test::messagesOf([&] { setUp(); });
   }
 
   using LinkPoses = std::map<std::string, Pose>;

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "synthetic_dataset/errors.h"
+#include "support/error_messages.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -14,12 +14,7 @@ using ::testing::ElementsAre;
 /// What is said of motions that cannot share.
 std::vector<std::string> errorsOf(const std::vector<SharingMotion>& motions,
                                   std::optional<std::int64_t> total) {
-  try {
-    static_cast<void>(sharesOf(motions, total));
-  } catch (const ErrorList& errors) {
-    return errors.messages();
-  }
-  return {};
+  return test::messagesOf([&] { static_cast<void>(sharesOf(motions, total)); });
 }
 
 TEST(SharesOf, AreInProportionToTheWeights) {

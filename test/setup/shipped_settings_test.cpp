@@ -8,7 +8,7 @@
 
 #include "config/settings_file.h"
 #include "setup/run_setup.h"
-#include "synthetic_dataset/errors.h"
+#include "support/error_messages.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
@@ -40,12 +40,8 @@ class HomeElsewhere {
 
 std::vector<std::string> errorsOf(const Value::Map& settings) {
   test::preparePluginEnvironment();
-  try {
-    static_cast<void>(setUpRun(Value(settings), {test::pluginXml()}));
-  } catch (const ErrorList& list) {
-    return list.messages();
-  }
-  return {};
+  return test::messagesOf(
+      [&] { static_cast<void>(setUpRun(Value(settings), {test::pluginXml()})); });
 }
 
 TEST(ShippedSettings, OfParamsLackNothingButTheirFiles) {

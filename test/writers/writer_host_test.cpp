@@ -1,4 +1,5 @@
 #include "writers/writer_host.h"
+#include "support/error_messages.h"
 
 #include <filesystem>
 
@@ -68,12 +69,7 @@ class WriterHostTest : public testing::Test {
   }
 
   [[nodiscard]] std::vector<std::string> errorsOf(const std::vector<WriterChoice>& choices) const {
-    try {
-      (void)makeHost(choices);
-    } catch (const ErrorList& error) {
-      return error.messages();
-    }
-    return {};
+    return test::messagesOf([&] { (void)makeHost(choices); });
   }
 
   test::TemporaryFolder folder_;

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "support/error_messages.h"
 #include "support/robot_arm.h"
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
+using synthetic_dataset::test::messagesOf;
 using synthetic_dataset::test::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
@@ -42,12 +44,7 @@ class UrdfLoader : public testing::Test {
 
   static std::vector<std::string> errorsOfText(const ResourceFinder& finder,
                                                const std::string& text) {
-    try {
-      static_cast<void>(loadModel(text, "alpha", finder));
-    } catch (const ErrorList& errors) {
-      return errors.messages();
-    }
-    return {};
+    return messagesOf([&] { static_cast<void>(loadModel(text, "alpha", finder)); });
   }
 
   TemporaryFolder folder;

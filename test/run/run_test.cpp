@@ -1,0 +1,35 @@
+#include "run_test.h"
+
+#include <filesystem>
+
+#include "all_at_once_run.h"
+#include "run/generator.h"
+#include "support/error_messages.h"
+#include "writers/plugin_environment.h"
+
+namespace synthetic_dataset::test {
+
+RunTest::RunTest() { preparePluginEnvironment(); }
+
+RunSummary RunTest::generate() const {
+  Reporter silent;
+  Generator generator(Value(parameters), silent, {pluginXml()});
+  return generator.run();
+}
+
+std::map<std::string, std::string> RunTest::files() const { return AllAtOnceRun::files(folder); }
+
+std::map<std::string, std::string> RunTest::filesAnew() const {
+  std::filesystem::remove_all(folder);
+  (void)generate();
+  return files();
+}
+
+std::vector<std::string> RunTest::errors() const {
+  return messagesOf([&] {
+    Reporter silent;
+    const Generator generator(Value(parameters), silent, {pluginXml()});
+  });
+}
+
+}  // namespace synthetic_dataset::test
