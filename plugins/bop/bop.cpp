@@ -7,7 +7,6 @@
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/hal/intrin.hpp>
-#include <opencv2/imgproc.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/bop/bop_models.h"
@@ -16,6 +15,7 @@
 #include "plugins/shared/mask_rle.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -171,7 +171,7 @@ class BopWriter : public LabelWriter {
       output.addImage(image.folder + "/mask" + end, object.silhouette);
       output.addImage(image.folder + "/mask_visib" + end, object.visible_mask);
       image.poses.push_back(poseOf(object, i));
-      const cv::Rect extent = cv::boundingRect(object.silhouette);
+      const cv::Rect extent = maskBounds(object.silhouette);
       image.infos.push_back(infoOf(object, depth.pixels, extent));
       if (has_coco_) addAnnotation(object, i, extent, scene.camera, image);
       if (object.visibility >= kFewestVisible) ++target_counts[models_.obj_ids.at(i)];
@@ -234,11 +234,11 @@ class BopWriter : public LabelWriter {
   }
 
   /// @param depth  as it is written: 0 where it has nothing
-  /// @param extent  round the silhouette in the image, which is not empty
+  /// @param extent  round the silhouette in the image; empty where subtraction has found none
   [[nodiscard]] static Json infoOf(const SceneObject& object, const cv::Mat& depth,
                                    const cv::Rect& extent) {
     cv::Mat valid;
-    cv::bitwise_and(depth(extent) > 0, object.silhouette(extent), valid);
+    if (!extent.empty()) cv::bitwise_and(depth(extent) > 0, object.silhouette(extent), valid);
     const bool is_seen = object.pixels.visible > 0;
     return {{"bbox_obj", toolkitBox(is_seen ? object.silhouette_box : std::nullopt)},
             {"bbox_visib", toolkitBox(is_seen ? object.visible_box : std::nullopt)},

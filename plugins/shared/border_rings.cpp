@@ -6,6 +6,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "synthetic_dataset/mask_bounds.h"
+
 namespace synthetic_dataset::masks {
 namespace {
 
@@ -131,7 +133,7 @@ class BorderTracer {
 }  // namespace
 
 std::vector<BorderRing> partBorders(const cv::Mat& mask) {
-  const cv::Rect extent = cv::boundingRect(mask);
+  const cv::Rect extent = maskBounds(mask);
   if (extent.empty()) return {};
   cv::Mat1b with_margin;
   cv::copyMakeBorder(mask(extent), with_margin, 1, 1, 1, 1,

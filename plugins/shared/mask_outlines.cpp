@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "plugins/shared/border_rings.h"
+#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset::masks {
 namespace {
@@ -161,7 +162,7 @@ Ring centreRing(const cv::Mat& mask) {
   if (parts.empty()) return {};
   Branches branches;
   if (parts.size() > 1) {
-    const cv::Rect extent = cv::boundingRect(mask);
+    const cv::Rect extent = maskBounds(mask);
     const std::vector<Bridge> possible = possibleBridges(mask(extent), parts, extent.tl());
     branches = branchesOf(shortestBridges(possible, parts.size()), parts);
   }

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <numeric>
 
-#include <opencv2/imgproc.hpp>
+#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset::annotate {
 namespace {
@@ -52,7 +52,7 @@ cv::Mat layeredInstanceMap(const std::vector<cv::Mat>& masks, const cv::Mat& ids
                    [&](std::size_t a, std::size_t b) { return distances[a] > distances[b]; });
   for (const std::size_t i : nearest_last) {
     const auto instance = static_cast<int>(i) + 1;
-    const cv::Rect place = cv::boundingRect(masks[i]);
+    const cv::Rect place = maskBounds(masks[i]);
     if (place.empty()) continue;
     const cv::Mat of_others = (ids(place) != 0) & (ids(place) != instance);
     map(place).setTo(instance, (masks[i](place) != 0) & ~of_others);

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset::readback {
 namespace {
@@ -77,7 +78,7 @@ cv::Mat filled(const std::vector<cv::Point2d>& polygon, const cv::Size& size) {
 Box extentOf(const DrawnLabel& label) {
   if (label.box) return *label.box;
   if (!label.mask.empty()) {
-    const cv::Rect pixels = cv::boundingRect(label.mask);
+    const cv::Rect pixels = maskBounds(label.mask);
     return {pixels.x - 0.5, pixels.y - 0.5, pixels.br().x - 0.5, pixels.br().y - 0.5};
   }
   std::vector<cv::Point2d> points = label.keypoints;

@@ -111,7 +111,12 @@ MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const PendingMasks& su
     for (std::size_t i = 0; i < count && requirements_.silhouettes; ++i) {
       scene.objects[i].silhouette = masks[i];
     }
-    const cv::Mat layered = annotate::layeredInstanceMap(masks, ids, distances);
+    std::vector<cv::Mat> of_seen(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      // Of what no pixel's centre sees, colours may yet tell a rim.
+      if (scene.objects[i].pixels.visible > 0) of_seen[i] = masks[i];
+    }
+    const cv::Mat layered = annotate::layeredInstanceMap(of_seen, ids, distances);
     agreement = annotate::intersectionOverUnion(layered, map, count);
     map = layered;
     parts = annotate::instancePixels(map, count);
@@ -136,8 +141,9 @@ void PixelLabeller::addVisibleParts(const cv::Mat& instance_map,
 
 void PixelLabeller::addKeypointStates(const render::LabelImages& images, Scene& scene) const {
   const Intrinsics& k = scene.camera.intrinsics();
+  const bool has_lens = render::hasDistortion(scene.camera);
   const annotate::RangeAt range = [&](const cv::Point& pixel) {
-    if (!images.range.empty()) return double{images.range.at<float>(pixel)};
+    if (has_lens) return double{images.range.at<float>(pixel)};
     const Eigen::Vector3d ray((pixel.x - k.cx) / k.fx, (pixel.y - k.cy) / k.fy, 1.0);
     return images.depth.at<float>(pixel) * ray.norm();
   };

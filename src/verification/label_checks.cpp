@@ -6,7 +6,8 @@
 #include <sstream>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
+
+#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -50,7 +51,7 @@ FoundLabel measured(const DrawnLabel& label) {
   found.label = &label;
   if (!label.mask.empty()) {
     found.mask_pixels = cv::countNonZero(label.mask);
-    const cv::Rect bounds = cv::boundingRect(label.mask);
+    const cv::Rect bounds = maskBounds(label.mask);
     if (!bounds.empty()) {
       found.mask_bounds =
           Box{bounds.x - 0.5, bounds.y - 0.5, bounds.br().x - 0.5, bounds.br().y - 0.5};

@@ -149,6 +149,20 @@ TEST_F(Bop, ListsHiddenObjectsWithoutBoxes) {
   EXPECT_THAT(jsonOf("train/000000/scene_gt_coco.json").at("annotations"), IsEmpty());
 }
 
+TEST_F(Bop, WritesObjectsThatSubtractionHasNotFound) {
+  load({});
+  SceneObject lost = seen("rover", {100, 80, 50, 40});
+  lost.silhouette.setTo(0);
+  lost.visible_mask.setTo(0);
+  lost.visible_box.reset();
+  runAll({scene(0, {lost})});
+  const json info = jsonOf("train/000000/scene_gt_info.json").at("0").at(0);
+  EXPECT_EQ(info.at("px_count_valid"), 0);
+  EXPECT_EQ(info.at("bbox_visib"), json({-1, -1, -1, -1}));
+  EXPECT_TRUE(exists("train/000000/mask/000000_000000.png"));
+  EXPECT_THAT(jsonOf("train/000000/scene_gt_coco.json").at("annotations"), IsEmpty());
+}
+
 TEST_F(Bop, LeavesOutObjectsOutsideTheImage) {
   load({});
   SceneObject outside = seen("rover", {700, 80, 50, 40});

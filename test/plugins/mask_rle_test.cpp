@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgproc.hpp>
 
+#include "synthetic_dataset/mask_bounds.h"
+
 namespace synthetic_dataset {
 namespace {
 
@@ -13,7 +15,7 @@ cv::Mat1b empty(int rows, int columns) { return cv::Mat1b(rows, columns, std::ui
 /// The same, whether more than the mask is looked at or not.
 std::vector<std::int64_t> runsOf(const cv::Mat& mask) {
   const auto runs = masks::columnRuns(mask, cv::Rect(cv::Point(), mask.size()));
-  EXPECT_EQ(masks::columnRuns(mask, cv::boundingRect(mask)), runs);
+  EXPECT_EQ(masks::columnRuns(mask, maskBounds(mask)), runs);
   return runs;
 }
 

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "plugins/plugin_harness.h"
+#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -34,7 +35,7 @@ class Ultralytics : public PluginTest {
   }
 
   [[nodiscard]] static SceneObject masked(const cv::Mat& mask) {
-    SceneObject result = seen("a", cv::boundingRect(mask));
+    SceneObject result = seen("a", maskBounds(mask));
     result.silhouette = result.visible_mask = mask;
     result.pixels.visible = cv::countNonZero(mask);
     return result;
@@ -70,7 +71,7 @@ class Ultralytics : public PluginTest {
     EXPECT_EQ(cv::countNonZero(filled(line) != mask), 0) << line;
     const std::vector<cv::Point2d> points = pointsOf(line);
     EXPECT_GE(points.size(), 3U);
-    const cv::Rect box = cv::boundingRect(mask);
+    const cv::Rect box = maskBounds(mask);
     const auto [left, right] = std::minmax_element(
         points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
     const auto [top, bottom] = std::minmax_element(

@@ -10,6 +10,7 @@
 #include "render/renderer.h"
 #include "support/box_world.h"
 #include "support/random_poses.h"
+#include "synthetic_dataset/mask_bounds.h"
 #include "world/physics/ray_caster.h"
 #include "world/shape/shape_meshes.h"
 
@@ -248,7 +249,7 @@ CastSilhouette castSilhouette(const RayCaster& caster, const View& view) {
 }
 
 Box boxOf(const cv::Mat& pixels, const CameraModel& camera) {
-  const cv::Rect r = cv::boundingRect(pixels);
+  const cv::Rect r = maskBounds(pixels);
   const double left = r.x - camera.width() - 0.5;
   const double top = r.y - camera.height() - 0.5;
   return {left, top, left + r.width, top + r.height};

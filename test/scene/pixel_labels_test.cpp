@@ -225,6 +225,28 @@ TEST_F(PixelLabels, SubtractionFindsEachObjectAsIfItWasAlone) {
   }
 }
 
+TEST_F(PixelLabels, SubtractionShowsNothingOfWhatNoPixelsCentreSees) {
+  // Cleaning leaves a single pixel only in a picture of one row.
+  run_.folder().write("camera.yaml", R"(
+image_width: 7
+image_height: 1
+camera_matrix: {rows: 3, cols: 3, data: [6, 0, 3, 0, 6, 0, 0, 0, 1]}
+distortion_model: plumb_bob
+distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}
+)");
+  int hidden = 0;
+  for (int i = 0; i < 20; ++i) {
+    place(test::poseAt(0, 5, 0), test::poseAt(0, kAxis + 0.02 * i, 0.5 + 0.01 * i),
+          {{"masks", methodOf("mog2")}});
+    const SceneObject bravo = sceneWith(everything()).objects[1];
+    if (bravo.pixels.visible > 0) continue;
+    ++hidden;
+    EXPECT_FALSE(bravo.visible_box) << i;
+    EXPECT_EQ(cv::countNonZero(bravo.visible_mask), 0) << i;
+  }
+  EXPECT_GE(hidden, 5);
+}
+
 TEST_F(PixelLabels, ThresholdsDropWhatIsHardlyVisible) {
   place(test::poseAt(0, kAxis, 0.1), test::poseAt(1.0, kAxis - 0.27, 0),
         {{"labels", Value(Value::Map{{"min_visibility", Value(0.75)}})}});

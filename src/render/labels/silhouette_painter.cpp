@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <opencv2/imgproc.hpp>
-
 #include "render/lens/lens_resampling.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
+#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -93,7 +92,7 @@ class SilhouettePainter::Tally {
  public:
   /// @param mask  the cells `region` of the window; pixels, one by one
   void addPixels(const Window& window, const cv::Rect& region, const cv::Mat& mask) {
-    const cv::Rect covered = cv::boundingRect(mask);
+    const cv::Rect covered = maskBounds(mask);
     if (covered.empty()) return;
     area_ += cv::countNonZero(mask);
     const Box first = window.cell(region.x + covered.x, region.y + covered.y);

@@ -10,6 +10,7 @@
 #include "render/picture/changed_pixels.h"
 #include "render/picture/possible_changes.h"
 #include "render/pixels/pixel_bands.h"
+#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -85,7 +86,7 @@ bool PicturePainter::drewFrom(const View& view) const {
 UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSelection& casting,
                                         bool smooth, const std::vector<cv::Rect>& regions) {
   const cv::Mat wanted = wantedPixels(regions);
-  if (!regions.empty() && cv::boundingRect(wanted).empty()) {
+  if (!regions.empty() && maskBounds(wanted).empty()) {
     return {plainPicture(scene.exposure), {}, {}, {}, std::nullopt};
   }
   drawGeometry(scene.view, scene.X_WL, scene.drawn);
@@ -126,7 +127,7 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
   // What is just beside the wanted pixels may make edges of them.
   cv::Mat possible = regions.all();
   if (!wants_all) possible &= grown(wanted);
-  const cv::Rect place = cv::boundingRect(possible);
+  const cv::Rect place = maskBounds(possible);
   if (place.empty()) return possible;
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
   std::vector<ChangedTexels> texels;

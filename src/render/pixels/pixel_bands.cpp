@@ -4,7 +4,8 @@
 #include <functional>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
+
+#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -33,7 +34,7 @@ void addRuns(const std::vector<uchar>& is_set, int top, int height, std::vector<
 std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height) {
   std::vector<cv::Rect> bands;
   std::vector<uchar> columns(static_cast<std::size_t>(pixels.cols));
-  const cv::Rect bounds = cv::boundingRect(pixels);
+  const cv::Rect bounds = maskBounds(pixels);
   const int bottom = bounds.y + bounds.height;
   for (int band = bounds.y / height; band * height < bottom; ++band) {
     const int top = std::max(band * height, bounds.y);

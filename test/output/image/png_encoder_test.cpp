@@ -1,6 +1,10 @@
 #include "output/image/png_encoder.h"
 
+#include <pthread.h>
+#include <sys/mman.h>
+
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <random>
 
@@ -91,6 +95,44 @@ TEST(Png, HoldsWhatCannotBeCompressed) {
     EXPECT_EQ(cv::norm(cv::imdecode(png, cv::IMREAD_UNCHANGED), noise, cv::NORM_INF), 0.0);
     EXPECT_LT(static_cast<double>(png.size()), 1.01 * 480 * 640 * 3);
   }
+}
+
+/// Runs a function with a stack at another place.
+/// @param place  at most 1023
+void onStackAt(std::size_t place, const std::function<void()>& function) {
+  constexpr std::size_t kStack = std::size_t{1} << 20U;
+  static void* const all = mmap(nullptr, 1024 * kStack, PROT_READ | PROT_WRITE,
+                                MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  ASSERT_NE(all, MAP_FAILED);
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstack(&attributes, static_cast<char*>(all) + place * kStack, kStack);
+  const auto run = [](void* given) -> void* {
+    (*static_cast<const std::function<void()>*>(given))();
+    return nullptr;
+  };
+  pthread_t thread{};
+  ASSERT_EQ(pthread_create(&thread, &attributes, run,
+                           const_cast<std::function<void()>*>(&function)),  // NOLINT
+            0);
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+}
+
+TEST(Png, IsTheSameWhereverTheStackIs) {
+  // A wall's depth: ISA-L's level 1 made another file of it at one of 200 places.
+  cv::Mat depth(480, 640, CV_16UC1);
+  int millimetres = 748;
+  for (int row = 0; row < depth.rows; ++row) {
+    if (row % 3 == 0) millimetres += 1 + row / 60;
+    depth.row(row).setTo(millimetres);
+  }
+  const std::vector<uchar> expected = encodePng(depth, {}, 1);
+  int others = 0;
+  for (std::size_t place = 0; place < 1024; ++place) {
+    onStackAt(place, [&] { others += encodePng(depth, {}, 1) != expected ? 1 : 0; });
+  }
+  EXPECT_EQ(others, 0);
 }
 
 TEST(Png, HoldsMasksAndWhatNearlyIsOne) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "synthetic_dataset/mask_bounds.h"
+
 namespace synthetic_dataset::render {
 namespace {
 
@@ -25,7 +27,7 @@ TEST_P(PixelBandsOfHeight, HoldAllPixelsOnceAndFewOthers) {
     const cv::Mat counts = countsOf(bandsOf(pixels, GetParam()), pixels.size());
     EXPECT_EQ(cv::countNonZero(pixels & (counts == 0)), 0);
     EXPECT_EQ(cv::countNonZero(counts > 1), 0);
-    const cv::Rect bounds = cv::boundingRect(pixels);
+    const cv::Rect bounds = maskBounds(pixels);
     EXPECT_EQ(cv::countNonZero(counts), cv::countNonZero(counts(bounds)));
   }
 }

@@ -1,0 +1,57 @@
+#include "synthetic_dataset/mask_bounds.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace synthetic_dataset {
+inline namespace v1 {
+namespace {
+
+constexpr int kWord = 8;  // pixels that are looked at at once
+
+bool isEmpty(const std::uint8_t* pixels) {
+  std::uint64_t word = 0;
+  static_assert(sizeof word == kWord);
+  std::memcpy(&word, pixels, sizeof word);
+  return word == 0;
+}
+
+/// The first pixel of a row that is not 0; `end` where there is none before it.
+int firstOf(const std::uint8_t* row, int end) {
+  int at = 0;
+  while (at + kWord <= end && isEmpty(row + at)) at += kWord;
+  while (at < end && row[at] == 0) ++at;
+  return at;
+}
+
+/// Behind the last pixel of a row that is not 0; `begin` where there is none from there on.
+int endOf(const std::uint8_t* row, int begin, int end) {
+  while (end - kWord >= begin && isEmpty(row + end - kWord)) end -= kWord;
+  while (end > begin && row[end - 1] == 0) --end;
+  return end;
+}
+
+}  // namespace
+
+cv::Rect maskBounds(const cv::Mat& mask) {
+  CV_Assert(mask.empty() || mask.type() == CV_8UC1);
+  int left = mask.cols;
+  int right = 0;
+  int top = mask.rows;
+  int bottom = 0;
+  for (int row = 0; row < mask.rows; ++row) {
+    const auto* pixels = mask.ptr<std::uint8_t>(row);
+    const int first = firstOf(pixels, mask.cols);
+    if (first == mask.cols) continue;
+    left = std::min(left, first);
+    right = endOf(pixels, std::max(right, first + 1), mask.cols);
+    top = std::min(top, row);
+    bottom = row + 1;
+  }
+  if (bottom == 0) return {};
+  return {left, top, right - left, bottom - top};
+}
+
+}  // namespace v1
+}  // namespace synthetic_dataset
