@@ -9,8 +9,6 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr float kPi = 3.14159265F;
-
 /// Light and where it comes from.
 struct Arriving {
   Lanes3 to_light;
