@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include <opencv2/core/utility.hpp>
 
@@ -106,6 +107,24 @@ Eigen::Vector2d meet(const Plane& plane, const cv::Vec3f& ray) {
   return d.head<2>() / d.z();
 }
 
+/// A step of a pixel on the plane, to or from its neighbour; nothing where it has none.
+std::optional<Eigen::Vector2d> stepOn(const Plane& plane, const LensMap& map, int u, int v, int du,
+                                      int dv) {
+  const int side = neighbourSide(map, plane.X_CF, u, v, du, dv);
+  if (side == 0) return std::nullopt;
+  return meet(plane, map.rays.at<cv::Vec3f>(v + side * dv, u + side * du)) -
+         meet(plane, map.rays.at<cv::Vec3f>(v, u));
+}
+
+/// Of a pixel at z = 1; as if it were square in an image of one row or column.
+double areaOn(const Plane& plane, const LensMap& map, int u, int v) {
+  const auto across = stepOn(plane, map, u, v, 1, 0);
+  const auto along = stepOn(plane, map, u, v, 0, 1);
+  if (across && along) return std::abs(across->x() * along->y() - across->y() * along->x());
+  if (across) return across->squaredNorm();
+  return along ? along->squaredNorm() : std::numeric_limits<double>::infinity();
+}
+
 /// Takes note of what the pixel needs of its plane.
 void measure(const LensMap& map, int u, int v, Plane& plane) {
   const cv::Vec3f& ray = map.rays.at<cv::Vec3f>(v, u);
@@ -116,17 +135,13 @@ void measure(const LensMap& map, int u, int v, Plane& plane) {
   plane.bottom = std::max(plane.bottom, place.y());
   plane.least_cosine =
       std::min(plane.least_cosine, (plane.X_CF.linear().transpose() * vectorOf(ray)).z());
-  if (u + 1 >= map.face.cols || v + 1 >= map.face.rows) return;
-  if (map.face.at<std::int16_t>(v, u + 1) < 0 || map.face.at<std::int16_t>(v + 1, u) < 0) return;
-  const Eigen::Vector2d right = meet(plane, map.rays.at<cv::Vec3f>(v, u + 1)) - place;
-  const Eigen::Vector2d down = meet(plane, map.rays.at<cv::Vec3f>(v + 1, u)) - place;
-  const double area = std::abs(right.x() * down.y() - right.y() * down.x());
-  plane.least_area = std::min(plane.least_area, area);
+  plane.least_area = std::min(plane.least_area, areaOn(plane, map, u, v));
 }
 
 double focalLengthOf(const Plane& plane, const CameraModel& camera) {
   const double coarsest = 0.1 * std::min(camera.intrinsics().fx, camera.intrinsics().fy);
   const double finest = kFinest * std::max(camera.intrinsics().fx, camera.intrinsics().fy);
+  if (std::isinf(plane.least_area)) return finest;  // for pixels without neighbours
   return std::clamp(kDensity / std::sqrt(plane.least_area), coarsest, finest);
 }
 
@@ -192,6 +207,19 @@ Tiles addTiles(const Plane& plane, const CameraModel& camera, std::vector<LensFa
 bool hasDistortion(const CameraModel& camera) {
   constexpr double kHalfPi = 1.5707963;
   return camera.distortion().model != DistortionModel::kNone || camera.largestAngle() < kHalfPi;
+}
+
+int neighbourSide(const LensMap& map, const Pose& X_CF, int u, int v, int du, int dv) {
+  // A plane is looked at up to a cosine of 0.58; much beyond, its places tell nothing of the pixel.
+  constexpr double kLeastCosine = 0.25;
+  const cv::Rect image(cv::Point(), map.face.size());
+  for (const int side : {1, -1}) {
+    const cv::Point neighbour(u + side * du, v + side * dv);
+    if (!image.contains(neighbour) || map.face.at<std::int16_t>(neighbour) < 0) continue;
+    const Eigen::Vector3d ray = vectorOf(map.rays.at<cv::Vec3f>(neighbour));
+    if (X_CF.linear().col(2).dot(ray) > kLeastCosine) return side;
+  }
+  return 0;
 }
 
 LensMap makeLensMap(const CameraModel& camera) {

@@ -41,4 +41,11 @@ struct LensMap {
           static_cast<float>(k.fy * d.y() / d.z() + k.cy)};
 }
 
+/// On which side of a pixel to look for its neighbour: 1 where that looks at the plane too; -1
+/// where only the one on the other side does, as at the image's or the lens's rim; 0 where neither
+/// does.
+/// @param X_CF  of the plane, whose axis is z
+/// @param du  1 for the neighbour in the row, and `dv` 0; or the other way round
+[[nodiscard]] int neighbourSide(const LensMap& map, const Pose& X_CF, int u, int v, int du, int dv);
+
 }  // namespace synthetic_dataset::render

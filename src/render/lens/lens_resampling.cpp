@@ -29,15 +29,10 @@ void forEachPixel(const LensMap& map, std::size_t face, const cv::Rect& region, 
 /// How far on the face one step of a pixel leads, to the pixel's neighbour on one side or, at the
 /// lens's rim, on the other.
 cv::Point2f stepOf(const LensMap& map, const LensFace& face, int u, int v, int du, int dv) {
-  const cv::Rect image(0, 0, map.face.cols, map.face.rows);
+  const int side = neighbourSide(map, face.X_CF, u, v, du, dv);
   const cv::Point2f here = placeOn(face, map.rays.at<cv::Vec3f>(v, u));
-  for (const int sign : {1, -1}) {
-    const cv::Point neighbour(u + sign * du, v + sign * dv);
-    if (!image.contains(neighbour) || map.face.at<std::int16_t>(neighbour) < 0) continue;
-    const cv::Point2f there = placeOn(face, map.rays.at<cv::Vec3f>(neighbour));
-    return static_cast<float>(sign) * (there - here);
-  }
-  return {0.0F, 0.0F};
+  const cv::Point2f there = placeOn(face, map.rays.at<cv::Vec3f>(v + side * dv, u + side * du));
+  return static_cast<float>(side) * (there - here);
 }
 
 /// Light between pixels, mixed of the four round the place.

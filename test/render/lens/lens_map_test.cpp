@@ -1,5 +1,7 @@
 #include "render/lens/lens_map.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
@@ -38,6 +40,29 @@ TEST(LensMap, CutsLargeFacesIntoTilesWithoutASeam) {
   Renderer renderer(dark(), stage.links(), {});
   const cv::Mat ids = renderer.labels({camera, Pose::Identity()}, stage.poses(), {stage.all()}).ids;
   EXPECT_EQ(cv::countNonZero(ids.row(150) == 1), 4000);
+}
+
+TEST(LensMap, OfAPictureOfOneColumnIsAsFineAsOfThree) {
+  const Distortion bent{DistortionModel::kPlumbBob, {-0.1}};
+  const LensMap one = makeLensMap({1, 61, {40, 40, 0.0, 30.0}, 0.05, 100.0, bent});
+  const LensMap three = makeLensMap({3, 61, {40, 40, 1.0, 30.0}, 0.05, 100.0, bent});
+  ASSERT_EQ(one.faces.size(), 1U);
+  EXPECT_NEAR(one.faces[0].camera.intrinsics().fx / three.faces[0].camera.intrinsics().fx, 1.0,
+              0.1);
+  const LensMap pixel = makeLensMap({1, 1, {40, 40, 0.0, 0.0}, 0.05, 100.0, bent});
+  EXPECT_GE(pixel.faces.at(0).camera.intrinsics().fx, 80.0);
+}
+
+TEST(LensMap, IsFineWhereOnlyTheLastRowLooks) {
+  // 30 rows below the axis, the last is the only one that is more than 45 degrees below it.
+  const CameraModel camera(161, 61, {29.9, 29.9, 80.0, 30.0}, 0.05, 100.0,
+                           {DistortionModel::kPlumbBob, {0.001}});
+  const LensMap map = makeLensMap(camera);
+  const auto below = std::find_if(map.faces.begin(), map.faces.end(), [](const LensFace& face) {
+    return face.X_CF.linear()(1, 2) == 1.0;
+  });
+  ASSERT_NE(below, map.faces.end());
+  EXPECT_GE(below->camera.intrinsics().fx, 29.9);
 }
 
 }  // namespace

@@ -276,6 +276,28 @@ TEST(LensRenderer, SeesWhatIsNearBesideAWideLens) {
   EXPECT_EQ(ids.at<int>(static_cast<int>(pixel.y()), static_cast<int>(pixel.x())), 1);
 }
 
+TEST(LensRenderer, DrawsWhatIsAllAroundInAHandfulOfPixels) {
+  // Neighbours of a pixel look to other sides of the cube, and at right angles to one another.
+  world::Description grey = dark();
+  grey.ambient = {0.5F, 0.5F, 0.5F};
+  Stage stage;
+  stage.addBox({20, 20, 0.1}, makePose({0, 0, 3}, Eigen::Quaterniond::Identity()), -1,
+               coloured(1, 1, 1));
+  Renderer renderer(grey, stage.links(), {});
+  const auto middle = [&](const CameraModel& camera) -> int {
+    return renderer.colour({camera, Pose::Identity()}, stage.poses(), {stage.all(), stage.all()})
+        .at<cv::Vec3b>(24, 32)[1];
+  };
+  const int expected = middle({65, 49, {50, 50, 32.0, 24.0}, 0.05, 100.0});
+  ASSERT_GT(expected, 50);
+  for (const auto& distortion : {Distortion{DistortionModel::kPlumbBob, {0.05}},
+                                 Distortion{DistortionModel::kEquidistant, {0.0}}}) {
+    for (const double f : {0.2, 0.676, 1.0}) {
+      EXPECT_NEAR(middle({65, 49, {f, f, 32.0, 24.0}, 0.05, 100.0, distortion}), expected, 1) << f;
+    }
+  }
+}
+
 TEST(LensRenderer, ExposureMultipliesTheLight) {
   world::Description description = dark();
   description.ambient = {0.4F, 0.4F, 0.4F};
