@@ -30,7 +30,7 @@ struct InstancePixels {
 /// stand: where the identifiers show an object, a pixel belongs to it or to nobody; where they show
 /// none (at outlines, subtraction and identifiers differ by a pixel), to the nearest object that
 /// has it in its mask.
-/// @param masks  CV_8UC1, 255 on the object; of all objects, in their order
+/// @param masks  CV_8UC1, 255 on the object, or empty; of all objects, in their order
 /// @param ids  as for instanceMap
 /// @param distances  of the objects [m]
 [[nodiscard]] cv::Mat layeredInstanceMap(const std::vector<cv::Mat>& masks, const cv::Mat& ids,

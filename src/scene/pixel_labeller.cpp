@@ -107,16 +107,13 @@ MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const PendingMasks& su
     distances.push_back(object.distance());
   }
   if (subtracted) {
-    const std::vector<cv::Mat> masks = subtracted();
-    for (std::size_t i = 0; i < count && requirements_.silhouettes; ++i) {
-      scene.objects[i].silhouette = masks[i];
-    }
-    std::vector<cv::Mat> of_seen(count);
+    std::vector<cv::Mat> masks = subtracted();
     for (std::size_t i = 0; i < count; ++i) {
+      if (requirements_.silhouettes) scene.objects[i].silhouette = masks[i];
       // Of what no pixel's centre sees, colours may yet tell a rim.
-      if (scene.objects[i].pixels.visible > 0) of_seen[i] = masks[i];
+      if (scene.objects[i].pixels.visible == 0) masks[i].release();
     }
-    const cv::Mat layered = annotate::layeredInstanceMap(of_seen, ids, distances);
+    const cv::Mat layered = annotate::layeredInstanceMap(masks, ids, distances);
     agreement = annotate::intersectionOverUnion(layered, map, count);
     map = layered;
     parts = annotate::instancePixels(map, count);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/recorded.h"
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::motion {
@@ -210,7 +211,7 @@ TEST(BagMotion, PrintsNothing) {
 }
 
 TEST(BagMotion, RefusesARecordingWithoutAUsableTransform) {
-  EXPECT_THAT(messagesOf([] {
+  EXPECT_THAT(test::messagesOf([] {
                 static_cast<void>(
                     recorded([](BagBuilder& bag) { bag.move("map", "map", milliseconds(1000)); }));
               }),

@@ -6,6 +6,7 @@
 #include "motion/old_bag.h"
 #include "motion/recorded.h"
 #include "support/bag_builder.h"
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::motion {
@@ -35,7 +36,7 @@ class BagReaderTest : public ::testing::Test {
   }
 
   static std::vector<std::string> errorsOf(const std::vector<std::string>& files) {
-    return messagesOf([&] { read(files); });
+    return test::messagesOf([&] { read(files); });
   }
 
   test::TemporaryFolder folder;

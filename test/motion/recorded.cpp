@@ -38,14 +38,4 @@ std::string messageOf(const std::function<void()>& call) {
   return "";
 }
 
-std::vector<std::string> messagesOf(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const ErrorList& error) {
-    return error.messages();
-  }
-  ADD_FAILURE() << "no list of errors was thrown";
-  return {};
-}
-
 }  // namespace synthetic_dataset::motion

@@ -23,7 +23,4 @@ void moveAlongX(test::BagBuilder& bag, const std::string& parent, const std::str
 /// What the call's Error says; fails the test when there is none.
 [[nodiscard]] std::string messageOf(const std::function<void()>& call);
 
-/// The single messages of the call's ErrorList; fails the test when there is none.
-[[nodiscard]] std::vector<std::string> messagesOf(const std::function<void()>& call);
-
 }  // namespace synthetic_dataset::motion

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/recorded.h"
+#include "support/error_messages.h"
 
 namespace synthetic_dataset::motion {
 namespace {
@@ -16,7 +17,8 @@ using ::testing::HasSubstr;
 std::vector<std::string> timelineErrors(const BagMotion& motion, const std::string& global_frame,
                                         const std::vector<std::string>& frames,
                                         const TimelineOptions& options = everyMilliseconds(100)) {
-  return messagesOf([&] { static_cast<void>(motion.timeline(global_frame, frames, options)); });
+  return test::messagesOf(
+      [&] { static_cast<void>(motion.timeline(global_frame, frames, options)); });
 }
 
 TEST(WindowReport, TellsFromWhenToWhenEachFrameIsKnown) {

@@ -9,7 +9,7 @@
 #include "all_at_once_run.h"
 #include "config/yaml_value.h"
 #include "output/manifest/sqlite.h"
-#include "run_test.h"
+#include "run_fixture.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -45,7 +45,7 @@ std::vector<std::string> listed(const std::string& folder, const std::string& qu
 }
 
 /// One camera of 160 x 120 pixels, above whose horizon there is nothing.
-class BackgroundPictures : public test::RunTest {
+class BackgroundPictures : public test::RunFixture {
  protected:
   BackgroundPictures() {
     parameters.erase("background_subtractor");

@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "run_test.h"
+#include "run_fixture.h"
 #include "support/bag_builder.h"
 
 namespace synthetic_dataset {
@@ -19,7 +19,7 @@ using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-class CamerasTest : public test::RunTest {
+class CamerasTest : public test::RunFixture {
  protected:
   [[nodiscard]] fs::path file(const std::string& path) const { return run.folder() / "out" / path; }
 

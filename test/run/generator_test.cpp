@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
-#include "run_test.h"
+#include "run_fixture.h"
 #include "support/bag_builder.h"
 #include "support/tiny_run.h"
 #include "writers/plugin_environment.h"
@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-using GeneratorTest = test::RunTest;
+using GeneratorTest = test::RunFixture;
 
 TEST_F(GeneratorTest, MakesTheThreeDatasetsOfTheOriginal) {
   const RunSummary summary = generate();

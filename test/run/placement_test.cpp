@@ -13,7 +13,7 @@
 #include "output/manifest/sqlite.h"
 #include "run/generator.h"
 #include "run/merger.h"
-#include "run_test.h"
+#include "run_fixture.h"
 #include "support/bag_builder.h"
 #include "synthetic_dataset/errors.h"
 #include "writers/plugin_environment.h"
@@ -94,7 +94,7 @@ std::vector<ManifestScene> scenesIn(const fs::path& folder) {
   return scenes;
 }
 
-class PlacementTest : public test::RunTest {
+class PlacementTest : public test::RunFixture {
  protected:
   PlacementTest() {
     parameters["if_exists"] = Value("overwrite");

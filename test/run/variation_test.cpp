@@ -12,7 +12,7 @@
 #include "config/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
-#include "run_test.h"
+#include "run_fixture.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
@@ -75,7 +75,7 @@ std::vector<std::int64_t> sortedBy(const std::string& name,
 
 // --- One camera, few formats ---
 
-class Variation : public test::RunTest {
+class Variation : public test::RunFixture {
  protected:
   Variation() {
     parameters.erase("background_subtractor");

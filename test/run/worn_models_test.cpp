@@ -10,7 +10,7 @@
 #include "config/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
-#include "run_test.h"
+#include "run_fixture.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
@@ -69,7 +69,7 @@ std::map<std::int64_t, Worn> wornIn(const std::string& folder) {
 
 // --- Against runs that have the one model, in its size, from its file ---
 
-class WornModelsTest : public test::RunTest {
+class WornModelsTest : public test::RunFixture {
  protected:
   WornModelsTest() {
     parameters["simulated_rate"] = Value(8.0);

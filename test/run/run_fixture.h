@@ -14,9 +14,9 @@
 namespace synthetic_dataset::test {
 
 /// What a run of some parameters writes, or says when it may not begin.
-class RunTest : public ::testing::Test {
+class RunFixture : public ::testing::Test {
  protected:
-  RunTest();
+  RunFixture();
 
   /// Runs with the parameters.
   RunSummary generate() const;

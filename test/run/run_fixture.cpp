@@ -1,4 +1,4 @@
-#include "run_test.h"
+#include "run_fixture.h"
 
 #include <filesystem>
 
@@ -9,23 +9,23 @@
 
 namespace synthetic_dataset::test {
 
-RunTest::RunTest() { preparePluginEnvironment(); }
+RunFixture::RunFixture() { preparePluginEnvironment(); }
 
-RunSummary RunTest::generate() const {
+RunSummary RunFixture::generate() const {
   Reporter silent;
   Generator generator(Value(parameters), silent, {pluginXml()});
   return generator.run();
 }
 
-std::map<std::string, std::string> RunTest::files() const { return AllAtOnceRun::files(folder); }
+std::map<std::string, std::string> RunFixture::files() const { return AllAtOnceRun::files(folder); }
 
-std::map<std::string, std::string> RunTest::filesAnew() const {
+std::map<std::string, std::string> RunFixture::filesAnew() const {
   std::filesystem::remove_all(folder);
   (void)generate();
   return files();
 }
 
-std::vector<std::string> RunTest::errors() const {
+std::vector<std::string> RunFixture::errors() const {
   return messagesOf([&] {
     Reporter silent;
     const Generator generator(Value(parameters), silent, {pluginXml()});
