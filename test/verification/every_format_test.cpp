@@ -71,6 +71,14 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongAtTheImagesEdge) {
   EXPECT_THAT(problems(), IsEmpty());
 }
 
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithAHugeLooseBox) {
+  Scene scene = sceneOfBoth(0);
+  // Of an object by the near plane, seen through a lens.
+  scene.objects[0].loose_box = Box{-3.3e21, -7.1e15, 410.5, 300.25};
+  write({scene}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
 TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoCamerasAndSplits) {
   dataset_.cameras = {{"left", "left_link", camera()}, {"right", "right_link", camera()}};
   dataset_.splits = {{"train", 2}, {"test", 2}};
