@@ -63,7 +63,6 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(TextureStorage2D, "glTextureStorage2D");
   fill(TextureStorage3D, "glTextureStorage3D");
   fill(TextureSubImage2D, "glTextureSubImage2D");
-  fill(GenerateTextureMipmap, "glGenerateTextureMipmap");
   fill(TextureParameteri, "glTextureParameteri");
   fill(BindTextureUnit, "glBindTextureUnit");
   fill(CopyImageSubData, "glCopyImageSubData");

@@ -49,7 +49,6 @@ struct GlFunctions {
   PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = nullptr;
   PFNGLTEXTURESTORAGE3DPROC TextureStorage3D = nullptr;
   PFNGLTEXTURESUBIMAGE2DPROC TextureSubImage2D = nullptr;
-  PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = nullptr;
   PFNGLTEXTUREPARAMETERIPROC TextureParameteri = nullptr;
   PFNGLBINDTEXTUREUNITPROC BindTextureUnit = nullptr;
   PFNGLCOPYIMAGESUBDATAPROC CopyImageSubData = nullptr;

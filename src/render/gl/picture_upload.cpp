@@ -1,31 +1,35 @@
 #include "render/gl/picture_upload.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace synthetic_dataset::render {
 namespace {
 
-GLsizei mipmapLevels(int width, int height) {
-  GLsizei levels = 1;
-  for (int side = std::max(width, height); side > 1; side /= 2) ++levels;
-  return levels;
+void uploadLevel(const GlFunctions& gl, GLuint texture, GLint level, const cv::Mat& pixels) {
+  const cv::Mat packed = pixels.isContinuous() ? pixels : pixels.clone();
+  gl.TextureSubImage2D(texture, level, 0, 0, packed.cols, packed.rows, GL_BGRA, GL_UNSIGNED_BYTE,
+                       packed.data);
 }
 
 }  // namespace
 
-GlTexture uploadPicture(const GlFunctions& gl, const cv::Mat& pixels, GLenum format,
+GlTexture uploadPicture(const GlFunctions& gl, const cv::Mat& pixels, PixelMeaning meaning,
                         Mipmaps mipmaps) {
   GlTexture texture = makeTexture(gl, GL_TEXTURE_2D);
   const GLuint name = texture.name();
-  const bool has_mipmaps = mipmaps == Mipmaps::kAll;
-  gl.TextureStorage2D(name, has_mipmaps ? mipmapLevels(pixels.cols, pixels.rows) : 1, format,
+  std::vector<cv::Mat> levels{pixels};
+  if (mipmaps == Mipmaps::kAll) {
+    for (const cv::Mat& level : mipmapsOf(pixels, meaning)) levels.push_back(level);
+  }
+  const auto count = static_cast<GLsizei>(levels.size());
+  gl.TextureStorage2D(name, count, meaning == PixelMeaning::kColour ? GL_SRGB8_ALPHA8 : GL_RGBA8,
                       pixels.cols, pixels.rows);
-  const cv::Mat packed = pixels.isContinuous() ? pixels : pixels.clone();
-  gl.TextureSubImage2D(name, 0, 0, 0, pixels.cols, pixels.rows, GL_BGRA, GL_UNSIGNED_BYTE,
-                       packed.data);
-  if (has_mipmaps) gl.GenerateTextureMipmap(name);
+  for (GLsizei i = 0; i < count; ++i) {
+    uploadLevel(gl, name, i, levels[static_cast<std::size_t>(i)]);
+  }
   gl.TextureParameteri(name, GL_TEXTURE_MIN_FILTER,
-                       has_mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+                       count > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
   gl.TextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.TextureParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
   gl.TextureParameteri(name, GL_TEXTURE_WRAP_T, GL_REPEAT);

@@ -3,6 +3,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/gl/gl_object.h"
+#include "render/pixels/mipmaps.h"
 
 namespace synthetic_dataset::render {
 
@@ -12,8 +13,7 @@ enum class Mipmaps { kNone, kAll };
 /// A picture in the renderer's memory, filtered between its pixels; it goes on at the opposite
 /// edge.
 /// @param pixels  CV_8UC4: blue, green, red, alpha
-/// @param format  GL_SRGB8_ALPHA8, decoded when it is read, or GL_RGBA8, read as it is
-[[nodiscard]] GlTexture uploadPicture(const GlFunctions& gl, const cv::Mat& pixels, GLenum format,
-                                      Mipmaps mipmaps);
+[[nodiscard]] GlTexture uploadPicture(const GlFunctions& gl, const cv::Mat& pixels,
+                                      PixelMeaning meaning, Mipmaps mipmaps);
 
 }  // namespace synthetic_dataset::render

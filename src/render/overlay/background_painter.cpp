@@ -62,7 +62,7 @@ void BackgroundPainter::paint(const View& view, const View* whole, float exposur
 
 const ShaderProgram& BackgroundPainter::preparePanorama(const View& view) {
   if (panorama_.name() == 0) {
-    panorama_ = uploadPicture(gl_, picture_->picture->pixels, GL_SRGB8_ALPHA8, Mipmaps::kAll);
+    panorama_ = uploadPicture(gl_, picture_->picture->pixels, PixelMeaning::kColour, Mipmaps::kAll);
     gl_.TextureParameteri(panorama_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   }
   gl_.BindTextureUnit(kDiffuseUnit, panorama_.name());
@@ -104,7 +104,7 @@ void BackgroundPainter::bindBackdrop(const cv::Size& image, const cv::Size& size
   if (texture.name() == 0) {
     const cv::Mat& pixels = picture_->picture->pixels;
     const cv::Mat part = pixels(partFilling(pixels.size(), image));
-    texture = uploadPicture(gl_, scaledTo(size, part), GL_SRGB8_ALPHA8, Mipmaps::kNone);
+    texture = uploadPicture(gl_, scaledTo(size, part), PixelMeaning::kColour, Mipmaps::kNone);
     gl_.TextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl_.TextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   }

@@ -14,8 +14,7 @@ UploadedTexture upload(const GlFunctions& gl, const world::Texture& texture, Pix
   if (pixels.empty() || pixels.type() != CV_8UC4) {
     throw Error(texture.file + ": a texture should have pixels of four channels");
   }
-  const GLenum format = meaning == PixelMeaning::kColour ? GL_SRGB8_ALPHA8 : GL_RGBA8;
-  return {uploadPicture(gl, pixels, format, Mipmaps::kAll), world::isOpaque(pixels)};
+  return {uploadPicture(gl, pixels, meaning, Mipmaps::kAll), world::isOpaque(pixels)};
 }
 
 }  // namespace

@@ -5,15 +5,10 @@
 #include <utility>
 
 #include "render/gl/gl_object.h"
+#include "render/pixels/mipmaps.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::render {
-
-/// What a picture's numbers are.
-enum class PixelMeaning {
-  kColour,  ///< sRGB-encoded; decoded when it is read
-  kData,    ///< read as they are: directions, roughness
-};
 
 /// A picture in the renderer's memory.
 struct UploadedTexture {

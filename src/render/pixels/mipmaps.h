@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+namespace synthetic_dataset::render {
+
+/// What a picture's numbers are.
+enum class PixelMeaning {
+  kColour,  ///< sRGB-encoded; decoded when it is read
+  kData,    ///< read as they are: directions, roughness
+};
+
+/// Smaller copies of a picture, for where a pixel covers much of it. Each is half as wide and high
+/// as the one before, rounded down (OpenGL 4.5, section 8.14.3), the last one pixel. A pixel is the
+/// mean of what it covers: of colours, of their light. OpenGL can make them too; Mesa compiles
+/// programs for that in each process, which takes longer than all pictures of a usual world.
+/// @param picture  CV_8UC4: blue, green, red, alpha
+/// @return from the largest to the smallest, without the picture itself, CV_8UC4
+[[nodiscard]] std::vector<cv::Mat> mipmapsOf(const cv::Mat& picture, PixelMeaning meaning);
+
+}  // namespace synthetic_dataset::render
