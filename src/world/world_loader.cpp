@@ -3,10 +3,12 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "synthetic_dataset/errors.h"
 #include "world/files/findings.h"
@@ -84,6 +86,35 @@ Description describeFile(const SdfDocument& document, const LoadOptions& options
   return description;
 }
 
+/// Reads meshes and their pictures while libsdformat reads the files that name them, which takes
+/// longer.
+class ReadingAhead {
+ public:
+  ReadingAhead(const std::vector<MentionedMesh>& meshes, const ResourceFinder& finder,
+               MeshLoader& known)
+      : finder_(finder), loader_(finder_), known_(known) {
+    std::vector<MeshAhead> files;
+    for (const MentionedMesh& mesh : meshes) {
+      const std::optional<fs::path> file = finder_.find(mesh.uri, mesh.folder);
+      if (file && !known.knows(*file)) files.push_back({*file, mesh.shows_pictures});
+    }
+    // Later, where the system starts no more threads.
+    reading_ = std::async(std::launch::async | std::launch::deferred,
+                          [this, files] { loader_.readAhead(files); });
+  }
+
+  void finish() {
+    reading_.get();
+    known_.takeFrom(std::move(loader_));
+  }
+
+ private:
+  ResourceFinder finder_;  ///< for one thread, and of what may not be wanted after all
+  MeshLoader loader_;
+  MeshLoader& known_;
+  std::future<void> reading_;  ///< ended first
+};
+
 }  // namespace
 
 struct WorldLoader::Caches {
@@ -121,9 +152,10 @@ Description WorldLoader::loadSdf(const fs::path& file, const std::optional<std::
   findings.on_missing_asset = options_.on_missing_asset;
   const IncludeGraph includes(file, finder_, findings, text);
   if (!includes.isReadable()) findings.throwErrors();
+  ReadingAhead ahead(includes.meshes(), finder_, caches_->meshes);
   const SdfDocument document(file, includes.preparedFile(), includes.copies(), findings);
+  ahead.finish();
   SdfReading reading{file, finder_, caches_->meshes, caches_->shapes, findings, document.isSound()};
-  if (document.element()) caches_->meshes.readAhead(meshFilesBelow(document.element(), reading));
   Description description = describeFile(document, options_, Place(file.string()), reading);
   findings.throwErrors();
   description.notes = std::move(findings.notes);

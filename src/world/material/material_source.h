@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "world/description.h"
 #include "world/material/texture_loader.h"
@@ -23,6 +24,9 @@ struct MaterialSource {
 
 /// Told of a picture that is missing or cannot be decoded; may throw.
 using MissingPicture = std::function<void(const std::string& message)>;
+
+/// All pictures that it names.
+[[nodiscard]] std::vector<TextureReference> picturesOf(const MaterialSource& source);
 
 /// The material with its pictures. One that cannot be had is told of and left out: the colours and
 /// numbers hold without it.

@@ -1,6 +1,7 @@
 #include "world/material/picture_decoder.h"
 
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include <opencv2/imgcodecs.hpp>
@@ -8,6 +9,7 @@
 
 #include "synthetic_dataset/errors.h"
 #include "world/files/byte_stream.h"
+#include "world/files/trial_batch.h"
 #include "world/files/trial_process.h"
 #include "world/material/freeimage_decoder.h"
 #include "world/material/picture_end.h"
@@ -97,6 +99,33 @@ cv::Mat fromBytes(const std::string& bytes) {
   return pixels;
 }
 
+/// What one process may hand over at most, unless it is of one picture [pixel].
+constexpr std::uint64_t kLargestBatch = std::uint64_t{1} << 25U;
+
+/// Pictures that are decoded at the same time, by name: what makes their pixels.
+struct Batch {
+  std::map<std::string, Bytes> files;
+  std::uint64_t pixels = 0;
+};
+
+std::vector<Batch> batchesOf(const std::map<std::string, Bytes>& files) {
+  std::vector<Batch> batches(1);
+  for (const auto& [name, file] : files) {
+    try {
+      Bytes essential = checked(file);
+      const std::optional<PictureSize> size = claimedSize(file);
+      if (!size) continue;
+      const std::uint64_t pixels = size->width * size->height;
+      if (batches.back().pixels + pixels > kLargestBatch) batches.emplace_back();
+      batches.back().files.emplace(name, std::move(essential));
+      batches.back().pixels += pixels;
+    } catch (const Error&) {
+      continue;  // told when it is decoded alone
+    }
+  }
+  return batches;
+}
+
 /// Colours of any depth and count of channels as blue, green, red, alpha of 8 bits.
 cv::Mat toBgra(const cv::Mat& picture) {
   cv::Mat bytes;
@@ -120,6 +149,26 @@ cv::Mat toBgra(const cv::Mat& picture) {
       return bytes;
     default:
       return {};
+  }
+}
+
+void decodeInto(const Batch& batch, std::map<std::string, cv::Mat>& pictures) {
+  std::vector<TrialPiece> pieces;
+  for (const auto& entry : batch.files) {
+    pieces.push_back({[&entry] { return toBytes(decode(entry.second, entry.first)); },
+                      decodingLimits().processor_time});
+  }
+  const auto answers = tryAll(pieces, decodingLimits().memory);
+  auto answer = answers.begin();
+  for (const auto& entry : batch.files) {
+    const std::optional<std::string>& pixels = *answer++;
+    if (!pixels) continue;
+    try {
+      cv::Mat picture = toBgra(fromBytes(*pixels));
+      if (!picture.empty()) pictures.emplace(entry.first, std::move(picture));
+    } catch (const Error&) {
+      continue;  // it is decoded by itself then
+    }
   }
 }
 
@@ -151,6 +200,13 @@ cv::Mat decodePicture(const Bytes& file, const std::string& name) {
   cv::Mat pixels = toBgra(decodePixels(file, name));
   if (pixels.empty()) throw Error(kUndecodable);
   return pixels;
+}
+
+std::map<std::string, cv::Mat> decodePictures(const std::map<std::string, Bytes>& files) {
+  setUpCodecs();
+  std::map<std::string, cv::Mat> pictures;
+  for (const Batch& batch : batchesOf(files)) decodeInto(batch, pictures);
+  return pictures;
 }
 
 }  // namespace synthetic_dataset::world

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,12 @@ PictureSize checkPicture(const std::vector<std::uint8_t>& file, const std::strin
 
 /// decodePixels as CV_8UC4: blue, green, red, alpha.
 [[nodiscard]] cv::Mat decodePicture(const std::vector<std::uint8_t>& file, const std::string& name);
+
+/// decodePicture of many files, some of them side by side.
+/// @param files  by their names
+/// @return those that could be decoded, by their names, without such whose size no header tells; of
+///     the others decodePicture tells what is wrong
+[[nodiscard]] std::map<std::string, cv::Mat> decodePictures(
+    const std::map<std::string, std::vector<std::uint8_t>>& files);
 
 }  // namespace synthetic_dataset::world

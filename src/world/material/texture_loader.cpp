@@ -90,6 +90,29 @@ const cv::Mat& TextureLoader::pixels(const std::string& key,
   return std::get<cv::Mat>(found->second);
 }
 
+void TextureLoader::decodeAhead(const std::vector<TextureReference>& references) {
+  std::map<std::string, std::vector<std::uint8_t>> files;
+  for (const TextureReference& reference : references) {
+    if (const EmbeddedPicture* embedded = reference.embedded.get()) {
+      embedded_.push_back(reference.embedded);
+      files.emplace(embeddedKey(*embedded), embedded->bytes);
+      continue;
+    }
+    try {
+      const std::string file = find(reference).string();
+      if (files.count(file) == 0) files.emplace(file, readBytes(file));
+    } catch (const Error&) {
+      continue;  // told when it is loaded
+    }
+  }
+  for (auto& [key, pixels] : decodePictures(files)) pixels_.emplace(key, std::move(pixels));
+}
+
+void TextureLoader::takeFrom(TextureLoader&& other) {
+  pixels_.merge(other.pixels_);
+  embedded_.insert(embedded_.end(), other.embedded_.begin(), other.embedded_.end());
+}
+
 std::shared_ptr<const Texture> TextureLoader::load(const TextureReference& reference) {
   const EmbeddedPicture* embedded = reference.embedded.get();
   const std::string file = embedded != nullptr ? embedded->name : find(reference).string();

@@ -52,6 +52,12 @@ class TextureLoader {
   explicit TextureLoader(const ResourceFinder& finder) : finder_(finder) {}
   explicit TextureLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
+  /// Decodes pictures that are going to be wanted, all at once; faults are told when they are.
+  void decodeAhead(const std::vector<TextureReference>& references);
+
+  /// Takes what another has decoded ahead.
+  void takeFrom(TextureLoader&& other);
+
   /// A picture is looked for where the URI says, then by its file name alone beside the file that
   /// names it and in the model's materials/textures, as Gazebo's resource system does.
   /// @throws Error if it is missing or cannot be decoded ("texture 'x.png': no such file; ...")

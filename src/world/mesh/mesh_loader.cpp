@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <locale>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -122,6 +123,19 @@ std::vector<MeshPiece> makePieces(const MeshFile& file, const MeshRequest& reque
   return pieces;
 }
 
+/// Of the materials that its parts have.
+std::vector<TextureReference> picturesOf(const MeshFile& file) {
+  std::set<std::size_t> materials;
+  for (const MeshPart& part : file.parts) materials.insert(part.material);
+  std::vector<TextureReference> pictures;
+  for (const std::size_t material : materials) {
+    for (TextureReference& each : picturesOf(file.materials.at(material))) {
+      pictures.push_back(std::move(each));
+    }
+  }
+  return pictures;
+}
+
 Error meshError(const std::filesystem::path& file, const std::string& reason) {
   return Error("mesh '" + file.string() + "': " + reason);
 }
@@ -133,16 +147,28 @@ MeshLoader::Key MeshLoader::keyOf(const MeshRequest& request) {
           request.scale.x(),     request.scale.y(), request.scale.z()};
 }
 
-void MeshLoader::readAhead(const std::vector<std::filesystem::path>& files) {
-  std::vector<std::filesystem::path> unread;
-  for (const auto& file : files) {
-    const bool is_new = files_.count(file.string()) == 0;
-    if (is_new && std::find(unread.begin(), unread.end(), file) == unread.end()) {
-      unread.push_back(file);
+void MeshLoader::readAhead(const std::vector<MeshAhead>& wanted) {
+  std::map<std::filesystem::path, bool> with_pictures;
+  for (const MeshAhead& each : wanted) with_pictures[each.file] |= each.with_pictures;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : with_pictures) files.push_back(entry.first);
+  std::vector<TextureReference> pictures;
+  for (auto& [path, content] : readMeshFiles(files)) {
+    if (with_pictures[path]) {
+      for (TextureReference& each : picturesOf(content)) pictures.push_back(std::move(each));
     }
+    files_.emplace(path, std::move(content));
   }
-  if (unread.size() < 2) return;  // read one by one
-  for (auto& [path, content] : readMeshFiles(unread)) files_.emplace(path, std::move(content));
+  textures_.decodeAhead(pictures);
+}
+
+bool MeshLoader::knows(const std::filesystem::path& file) const {
+  return files_.count(file.string()) > 0;
+}
+
+void MeshLoader::takeFrom(MeshLoader&& other) {
+  files_.merge(other.files_);
+  textures_.takeFrom(std::move(other.textures_));
 }
 
 const MeshFile& MeshLoader::read(const std::filesystem::path& file) {

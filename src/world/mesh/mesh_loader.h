@@ -31,6 +31,12 @@ struct MeshPiece {
   std::size_t material = 0;
 };
 
+/// A mesh file that is going to be wanted.
+struct MeshAhead {
+  std::filesystem::path file;
+  bool with_pictures = false;  ///< those of its own materials are, too
+};
+
 /// Reads each mesh file, picture and material script once, and shares what was made of them.
 class MeshLoader {
  public:
@@ -38,7 +44,13 @@ class MeshLoader {
   explicit MeshLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
   /// Reads mesh files that are going to be wanted, all at once; faults are told when they are.
-  void readAhead(const std::vector<std::filesystem::path>& files);
+  void readAhead(const std::vector<MeshAhead>& files);
+
+  /// Whether a file has been read, or was found to be unreadable.
+  [[nodiscard]] bool knows(const std::filesystem::path& file) const;
+
+  /// Takes what another has read ahead.
+  void takeFrom(MeshLoader&& other);
 
   /// The wanted triangles, one piece a material.
   /// @throws Error "mesh 'x.dae': <why it cannot be read, or that the submesh is not in it>"

@@ -148,6 +148,9 @@ IncludeGraph::Prepared IncludeGraph::read(const fs::path& file) {
     throw Error(file.string() + ": includes more than " + std::to_string(kMostIncludes) + " files");
   }
   adaptRoot(root);
+  for (MentionedMesh& each : mentionedMeshes(root, file.parent_path())) {
+    meshes_.push_back(std::move(each));
+  }
   copies_.write(file, root);
   result.path = copies_.copyOf(file);
   if (!chain_.empty()) requireLoadable(file, result);

@@ -11,6 +11,7 @@
 
 #include "world/files/findings.h"
 #include "world/files/resource_finder.h"
+#include "world/sdf/mentioned_meshes.h"
 #include "world/sdf/sdf_copies.h"
 
 namespace tinyxml2 {
@@ -39,6 +40,9 @@ class IncludeGraph {
   [[nodiscard]] const std::filesystem::path& preparedFile() const { return prepared_file_; }
   [[nodiscard]] const SdfCopies& copies() const { return copies_; }
 
+  /// The meshes of all files that were followed.
+  [[nodiscard]] const std::vector<MentionedMesh>& meshes() const { return meshes_; }
+
  private:
   /// What has become of a file.
   struct Prepared {
@@ -63,6 +67,7 @@ class IncludeGraph {
   SdfCopies copies_;
   std::optional<std::string> text_;  ///< of the first "file"
   std::map<std::string, Prepared> files_;
+  std::vector<MentionedMesh> meshes_;
   std::vector<std::filesystem::path> chain_;  ///< from the world file to the one being read
   std::set<std::pair<std::string, std::string>> reported_;  ///< missing: in which file, which URI
   std::filesystem::path prepared_file_;

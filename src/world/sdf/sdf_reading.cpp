@@ -11,22 +11,6 @@ std::filesystem::path SdfReading::folderOf(const sdf::ElementPtr& element) const
   return (from.empty() ? file : std::filesystem::path(from)).parent_path();
 }
 
-std::vector<std::filesystem::path> meshFilesBelow(const sdf::ElementPtr& element,
-                                                  const SdfReading& reading) {
-  std::vector<std::filesystem::path> files;
-  if (element->GetName() == "mesh" && has(element, "uri")) {
-    const auto uri = element->Get<std::string>("uri");
-    if (const auto file = reading.finder.find(uri, reading.folderOf(element))) {
-      files.push_back(*file);
-    }
-    return files;
-  }
-  for (auto child = element->GetFirstElement(); child; child = child->GetNextElement()) {
-    for (auto& file : meshFilesBelow(child, reading)) files.push_back(std::move(file));
-  }
-  return files;
-}
-
 Pose resolve(const sdf::SemanticPose& pose, const Place& place, SdfReading& reading) {
   auto resolved = pose.RawPose();
   const sdf::Errors errors = pose.Resolve(resolved);

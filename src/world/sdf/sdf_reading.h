@@ -55,10 +55,6 @@ template <class Color>
   return {colour.R(), colour.G(), colour.B(), colour.A()};
 }
 
-/// The mesh files that an element and all below it name, as far as they are there.
-[[nodiscard]] std::vector<std::filesystem::path> meshFilesBelow(const sdf::ElementPtr& element,
-                                                                const SdfReading& reading);
-
 /// The pose in the frame that libsdformat takes for granted: of a model in the world, of a link in
 /// its model, of all else in its link.
 [[nodiscard]] Pose resolve(const sdf::SemanticPose& pose, const Place& place, SdfReading& reading);
