@@ -5,6 +5,7 @@
 #include <fstream>
 #include <future>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -86,6 +87,18 @@ Description describeFile(const SdfDocument& document, const LoadOptions& options
   return description;
 }
 
+/// What the quicker way finds wrong, the other one tells in the right words.
+std::unique_ptr<SdfDocument> readDocument(const fs::path& file, const IncludeGraph& includes,
+                                          Findings& findings) {
+  const SdfCopies& copies = includes.copies();
+  if (!includes.joinedFile().empty()) {
+    Findings trial;
+    auto document = std::make_unique<SdfDocument>(file, includes.joinedFile(), copies, trial);
+    if (document->isSound()) return document;
+  }
+  return std::make_unique<SdfDocument>(file, includes.preparedFile(), copies, findings);
+}
+
 /// Reads meshes and their pictures while libsdformat reads the files that name them, which takes
 /// longer.
 class ReadingAhead {
@@ -153,10 +166,11 @@ Description WorldLoader::loadSdf(const fs::path& file, const std::optional<std::
   const IncludeGraph includes(file, finder_, findings, text);
   if (!includes.isReadable()) findings.throwErrors();
   ReadingAhead ahead(includes.meshes(), finder_, caches_->meshes);
-  const SdfDocument document(file, includes.preparedFile(), includes.copies(), findings);
+  const auto document = readDocument(file, includes, findings);
   ahead.finish();
-  SdfReading reading{file, finder_, caches_->meshes, caches_->shapes, findings, document.isSound()};
-  Description description = describeFile(document, options_, Place(file.string()), reading);
+  SdfReading reading{
+      file, finder_, caches_->meshes, caches_->shapes, findings, document->isSound()};
+  Description description = describeFile(*document, options_, Place(file.string()), reading);
   findings.throwErrors();
   description.notes = std::move(findings.notes);
   return description;

@@ -1,13 +1,19 @@
 /// Models of Gazebo's library, each as a world by itself.
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 
 #include "reference/golden_case.h"
+#include "support/description_text.h"
+#include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
+#include "world/sdf/model_config.h"
 #include "world/world_loader.h"
 
 namespace synthetic_dataset {
@@ -44,6 +50,11 @@ world::Description loadModelNamed(const std::string& name, world::OnMissingAsset
   return world::loadWorld("model://" + name, finder, options);
 }
 
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
 TEST(ReferenceModels, LoadAsWorlds) {
   for (const std::string& name : modelNames()) {
     if (name == kIncomplete || name == kMaterialless) continue;
@@ -52,6 +63,32 @@ TEST(ReferenceModels, LoadAsWorlds) {
       EXPECT_EQ(world.models.size() + world.lights.size(), 1U) << name;
       EXPECT_THAT(world.notes, Each(Not(HasSubstr("(left out)")))) << name;
     }
+  }
+}
+
+/// A world that draws a model in twice, in the model's own version of SDF.
+world::Description loadIncluded(const std::string& name, const std::string& attributes) {
+  const std::string own = contentOf(world::modelFileOf(modelsFolder() / name));
+  std::smatch version;
+  std::regex_search(own, version, std::regex("<sdf version=['\"]([^'\"]*)"));
+  const std::string include = "<include " + attributes + "><uri>model://" + name + "</uri><name>";
+  const test::TemporaryFolder folder;
+  const auto file = folder.write(
+      "world.sdf", "<sdf version='" + version.str(1) + "'><world name='w'>" + include +
+                       "a</name></include>" + include +
+                       "b</name><pose>1 2 3 0.1 0.2 0.3</pose><static>true</static></include>" +
+                       "</world></sdf>");
+  const world::ResourceFinder finder({modelsFolder().string()}, nullptr);
+  world::LoadOptions options;
+  options.on_missing_asset = world::OnMissingAsset::kWarn;
+  return world::loadWorld(file.string(), finder, options);
+}
+
+TEST(ReferenceModels, AreTheSameJoinedToAWorldAndIncluded) {
+  for (const std::string& name : modelNames()) {
+    const std::string joined = test::textOf(loadIncluded(name, ""));
+    EXPECT_NE(joined, "") << name;
+    EXPECT_EQ(joined, test::textOf(loadIncluded(name, "merge='false'"))) << name;
   }
 }
 

@@ -11,6 +11,7 @@
 #include "synthetic_dataset/errors.h"
 #include "world/files/fuel.h"
 #include "world/sdf/built_in_models.h"
+#include "world/sdf/joined_models.h"
 #include "world/sdf/model_config.h"
 #include "world/sdf/sdf_document.h"
 #include "world/sdf/stand_in_model.h"
@@ -84,6 +85,8 @@ std::string builtInName(const std::string& uri) {
   return fuel && fuel->path.empty() ? fuel->name : "";
 }
 
+fs::path builtInFile(const std::string& name) { return "/built-in/" + name + ".sdf"; }
+
 /// The root as the library knows it. Old files call it <gazebo>. Newer ones than the library are
 /// given its version: what they add is foreign to it, which it tolerates.
 void adaptRoot(tinyxml2::XMLElement& root) {
@@ -100,6 +103,7 @@ IncludeGraph::IncludeGraph(const fs::path& file, const ResourceFinder& finder, F
     : finder_(finder), findings_(findings), text_(std::move(text)) {
   try {
     prepared_file_ = prepare(file).path;
+    join(file);
   } catch (const Error& error) {
     findings_.addError(error.what());
   }
@@ -123,14 +127,14 @@ const IncludeGraph::Prepared& IncludeGraph::prepare(const fs::path& file) {
 IncludeGraph::Prepared IncludeGraph::read(const fs::path& file) {
   const bool is_text = text_ && chain_.empty();
   if (!is_text) requireFile(file);
-  tinyxml2::XMLDocument document;
+  const auto document = std::make_shared<tinyxml2::XMLDocument>();
   if (is_text) {
-    document.Parse(text_->c_str(), text_->size());
+    document->Parse(text_->c_str(), text_->size());
   } else {
-    document.LoadFile(file.c_str());
+    document->LoadFile(file.c_str());
   }
-  if (const auto reason = faultOf(document)) throw Error(file.string() + ": " + *reason);
-  tinyxml2::XMLElement& root = *document.RootElement();
+  if (const auto reason = faultOf(*document)) throw Error(file.string() + ": " + *reason);
+  tinyxml2::XMLElement& root = *document->RootElement();
   Prepared result;
   if (std::string(root.Name()) == "robot") {
     result.path = file;
@@ -153,16 +157,33 @@ IncludeGraph::Prepared IncludeGraph::read(const fs::path& file) {
   }
   copies_.write(file, root);
   result.path = copies_.copyOf(file);
+  result.content = document;
   if (!chain_.empty()) requireLoadable(file, result);
   return result;
 }
 
 IncludeGraph::Prepared IncludeGraph::readBuiltIn(const std::string& name, const std::string& text) {
-  tinyxml2::XMLDocument document;
-  document.Parse(text.c_str());
-  const fs::path file = "/built-in/" + name + ".sdf";
-  copies_.write(file, *document.RootElement());
-  return {copies_.copyOf(file), 0, ""};
+  const auto document = std::make_shared<tinyxml2::XMLDocument>();
+  document->Parse(text.c_str());
+  const fs::path file = builtInFile(name);
+  copies_.write(file, *document->RootElement());
+  return {copies_.copyOf(file), 0, "", document};
+}
+
+void IncludeGraph::join(const fs::path& file) {
+  const Prepared& prepared = files_.at(file.string());
+  if (!prepared.content) return;
+  tinyxml2::XMLElement& root = *prepared.content->RootElement();
+  const auto included = [this](const fs::path& copy) -> IncludedFile {
+    const std::string original = originalOf(copy.string());
+    const auto found = files_.find(original);
+    const bool is_known = found != files_.end() && found->second.content;
+    return {is_known ? found->second.content->RootElement() : nullptr, original};
+  };
+  if (!joinModels(root, included)) return;
+  joined_copies_ = std::make_unique<SdfCopies>();
+  joined_copies_->write(file, root);
+  joined_file_ = joined_copies_->copyOf(file);
 }
 
 /// Where a faulty file costs no more than itself, libsdformat tries each alone.
@@ -217,7 +238,7 @@ const IncludeGraph::Prepared* IncludeGraph::prepareInclude(const std::string& ur
   if (!found) {
     const std::string name = builtInName(uri);
     if (const auto text = builtInModel(name)) {
-      return &files_.emplace("built-in " + name, readBuiltIn(name, *text)).first->second;
+      return &files_.emplace(builtInFile(name).string(), readBuiltIn(name, *text)).first->second;
     }
     if (reported_.emplace(file.string(), uri).second) {
       findings_.addMissing(place + "no such file; " + finder_.searchedPlaces(uri, folder));

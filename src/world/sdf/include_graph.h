@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,8 +16,9 @@
 #include "world/sdf/sdf_copies.h"
 
 namespace tinyxml2 {
+class XMLDocument;
 class XMLElement;
-}
+}  // namespace tinyxml2
 
 namespace synthetic_dataset::world {
 
@@ -40,6 +42,10 @@ class IncludeGraph {
   [[nodiscard]] const std::filesystem::path& preparedFile() const { return prepared_file_; }
   [[nodiscard]] const SdfCopies& copies() const { return copies_; }
 
+  /// The same with models in the place of includes (see joinModels), which is quicker to read;
+  /// empty if there are none. What libsdformat finds wrong with it, it tells of wrong lines.
+  [[nodiscard]] const std::filesystem::path& joinedFile() const { return joined_file_; }
+
   /// The meshes of all files that were followed.
   [[nodiscard]] const std::vector<MentionedMesh>& meshes() const { return meshes_; }
 
@@ -49,6 +55,7 @@ class IncludeGraph {
     std::filesystem::path path;  ///< what libsdformat is to read
     std::size_t includes = 0;    ///< how many files it draws in, and they in turn
     std::string fault;           ///< why it cannot be read, or empty
+    std::shared_ptr<tinyxml2::XMLDocument> content{};  ///< of `path`; not of URDF files
   };
 
   /// @throws Error if the file cannot be read
@@ -60,6 +67,7 @@ class IncludeGraph {
                       Prepared& result);
   const Prepared* prepareInclude(const std::string& uri, const std::filesystem::path& file,
                                  const std::string& place);
+  void join(const std::filesystem::path& file);
   void requireLoadable(const std::filesystem::path& file, const Prepared& prepared) const;
 
   const ResourceFinder& finder_;
@@ -71,6 +79,8 @@ class IncludeGraph {
   std::vector<std::filesystem::path> chain_;  ///< from the world file to the one being read
   std::set<std::pair<std::string, std::string>> reported_;  ///< missing: in which file, which URI
   std::filesystem::path prepared_file_;
+  std::unique_ptr<SdfCopies> joined_copies_;
+  std::filesystem::path joined_file_;
   bool too_many_ = false;  ///< files multiply one another; then all that draw them in are refused
 };
 

@@ -9,6 +9,7 @@
 #include <sdf/Model.hh>
 #include <sdf/World.hh>
 
+#include "world/sdf/joined_models.h"
 #include "world/sdf/sdf_console.h"
 
 namespace synthetic_dataset::world {
@@ -106,6 +107,9 @@ const sdf::Light* SdfDocument::light() const {
 std::string fileOf(const sdf::ElementPtr& element) {
   if (!element) return "";
   const std::string& file = element->FilePath();
+  for (auto each = element; each && each->FilePath() == file; each = each->GetParent()) {
+    if (each->HasAttribute(kJoinedFrom)) return each->Get<std::string>(kJoinedFrom);
+  }
   // Every file is read by its absolute path; what libsdformat makes up, as from URDF, has a name
   // that is no path.
   return file.empty() || file.front() != '/' ? "" : originalOf(file);
