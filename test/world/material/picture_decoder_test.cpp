@@ -260,5 +260,30 @@ TEST(PictureDecoder, RefusesWhatIsNoPicture) {
               HasSubstr("PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS, PSD and PGM pictures can"));
 }
 
+TEST(DecodePictures, GivesAllThatCanBeDecoded) {
+  Bytes torn = encoded(".png", cv::Mat(40, 40, CV_8UC3, cv::Scalar(1, 2, 3)));
+  torn.resize(torn.size() / 2);
+  const Bytes grey = encoded(".png", cv::Mat(3, 5, CV_8UC1, cv::Scalar(7)));
+  const Bytes deep = encoded(".png", cv::Mat(1, 1, CV_16UC4, cv::Scalar(257, 514, 771, 1028)));
+  const Bytes photo = encoded(".jpg", cv::Mat(64, 48, CV_8UC3, cv::Scalar(90, 120, 40)));
+  const auto pictures = decodePictures(
+      {{"deep", deep}, {"empty", {}}, {"grey", grey}, {"photo", photo}, {"torn", torn}});
+  ASSERT_EQ(pictures.size(), 3);
+  for (const auto& [name, file] : {std::pair{"deep", deep}, {"grey", grey}, {"photo", photo}}) {
+    EXPECT_EQ(cv::norm(pictures.at(name), decodePicture(file, name), cv::NORM_INF), 0.0) << name;
+  }
+}
+
+/// More pixels than one process hands over.
+TEST(DecodePictures, TakesLargeOnesOneAfterAnother) {
+  const Bytes large = encoded(".png", cv::Mat(6000, 6000, CV_8UC1, cv::Scalar(9)));
+  const Bytes small = encoded(".png", cv::Mat(2, 2, CV_8UC1, cv::Scalar(8)));
+  const auto pictures = decodePictures({{"a", large}, {"b", small}});
+  ASSERT_EQ(pictures.size(), 2);
+  EXPECT_EQ(pictures.at("a").size(), cv::Size(6000, 6000));
+  EXPECT_EQ(pixel(pictures.at("a")), cv::Vec4b(9, 9, 9, 255));
+  EXPECT_EQ(pixel(pictures.at("b")), cv::Vec4b(8, 8, 8, 255));
+}
+
 }  // namespace
 }  // namespace synthetic_dataset::world

@@ -271,5 +271,26 @@ TEST_F(MeshLoaderTest, RefusesGarbage) {
   }
 }
 
+TEST_F(MeshLoaderTest, TakesWhatAnotherHasReadAhead) {
+  const MeshRequest whole =
+      request("t.obj", std::string("mtllib t.mtl\nusemtl p\n") + kTriangleObj);
+  const MeshRequest torn = request("torn.dae", "<COLLADA>");
+  folder_.write("t.mtl", "newmtl p\nmap_Kd p.png\n");
+  cv::imwrite((folder_ / "p.png").string(), cv::Mat(1, 1, CV_8UC3, cv::Scalar(1, 2, 3)));
+  MeshLoader other(finder_);
+  other.readAhead({{whole.file, false}, {torn.file, true}, {whole.file, true}});
+  loader_.takeFrom(std::move(other));
+  EXPECT_TRUE(loader_.knows(whole.file));
+  for (const char* name : {"t.obj", "p.png"}) {
+    std::filesystem::resize_file(folder_ / name, 3);  // neither is read again
+  }
+  ASSERT_THAT(loader_.pieces(whole), SizeIs(1));
+  const Material material = loader_.material(whole.file, loader_.pieces(whole)[0].material,
+                                             [](const std::string& text) { FAIL() << text; });
+  ASSERT_NE(material.texture, nullptr);
+  EXPECT_EQ(material.texture->pixels.at<cv::Vec4b>(0, 0), cv::Vec4b(1, 2, 3, 255));
+  EXPECT_THAT(errorOf(torn), HasSubstr("torn.dae"));
+}
+
 }  // namespace
 }  // namespace synthetic_dataset::world

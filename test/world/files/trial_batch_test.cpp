@@ -1,0 +1,52 @@
+#include "world/files/trial_batch.h"
+
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+
+#include "synthetic_dataset/errors.h"
+#include "world/files/trial_process.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+using testing::Each;
+using testing::IsEmpty;
+using testing::Optional;
+
+constexpr std::chrono::seconds kTime{10};
+
+TEST(TryAll, GivesEachPieceItsResult) {
+  std::vector<TrialPiece> pieces;
+  for (int i = 0; i < 50; ++i) pieces.push_back({[i] { return std::to_string(i); }, kTime});
+  const auto results = tryAll(pieces, TrialLimits().memory);
+  ASSERT_EQ(results.size(), pieces.size());
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_THAT(results[static_cast<std::size_t>(i)], Optional(std::to_string(i)));
+  }
+}
+
+TEST(TryAll, OfNothingIsNothing) { EXPECT_THAT(tryAll({}, TrialLimits().memory), IsEmpty()); }
+
+TEST(TryAll, LeavesOutWhatFailsAlone) {
+  const std::vector<TrialPiece> pieces = {
+      {[] { return std::string("a"); }, kTime},
+      {[]() -> std::string { throw Error("has no triangles"); }, kTime},
+      {[] { return std::string(); }, kTime},
+      {[] { return std::string("d"); }, kTime}};
+  EXPECT_THAT(tryAll(pieces, TrialLimits().memory),
+              testing::ElementsAre(Optional(std::string("a")), std::nullopt,
+                                   Optional(std::string()), Optional(std::string("d"))));
+}
+
+/// All that shares its process is lost, whichever that is, and nothing that does not.
+TEST(TryAll, LosesNoMoreThanOneProcessToACrash) {
+  std::vector<TrialPiece> pieces(9, {[] { return std::string("whole"); }, kTime});
+  pieces[4].work = []() -> std::string { std::abort(); };
+  const auto results = tryAll(pieces, TrialLimits().memory);
+  EXPECT_EQ(results[4], std::nullopt);
+  EXPECT_THAT(results, Each(testing::AnyOf(std::nullopt, Optional(std::string("whole")))));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset::world
