@@ -16,7 +16,7 @@ struct TrialPiece {
 };
 
 /// Does many pieces of work, as many side by side as the machine has cores. A process of its own
-/// costs more than a small piece does; here some pieces share one, each with its time.
+/// costs more than a small piece does; here some pieces share one, each with its own time.
 /// @param memory  [byte] of each process, beyond what is in use already
 /// @return what each piece returns; nothing for those that fail or whose process breaks down:
 ///     tryWork tells what is wrong with them

@@ -64,6 +64,9 @@ void prepare(const TrialLimits& limits) {
   alarm(kPatience * static_cast<unsigned>(limits.processor_time.count()));
 }
 
+/// Whether this is such a process.
+bool is_trial = false;
+
 void writeAll(int to, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = write(to, bytes.data(), bytes.size());
@@ -74,6 +77,7 @@ void writeAll(int to, std::string_view bytes) {
 
 [[noreturn]] void run(const std::function<std::string()>& work, const TrialLimits& limits, int to) {
   prepare(limits);
+  is_trial = true;
   int code = kDone;
   try {
     writeAll(to, work());
@@ -208,6 +212,19 @@ std::variant<std::string, Breakdown> TrialProcess::finish() {
     return Breakdown{"ends with exit code " + std::to_string(WEXITSTATUS(status))};
   }
   return std::move(*answer);
+}
+
+void limitTrialTime(std::chrono::seconds processor_time) {
+  rlimit limit{};
+  rusage usage{};
+  if (!is_trial || getrlimit(RLIMIT_CPU, &limit) != 0 || getrusage(RUSAGE_SELF, &usage) != 0) {
+    return;
+  }
+  const auto used = static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1;
+  const rlim_t end = used + static_cast<rlim_t>(processor_time.count());
+  limit.rlim_cur = std::min(end, limit.rlim_max);
+  setrlimit(RLIMIT_CPU, &limit);
+  alarm(kPatience * static_cast<unsigned>(processor_time.count()));
 }
 
 std::variant<std::string, Breakdown> tryWork(const std::function<std::string()>& work,

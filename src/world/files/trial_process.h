@@ -58,6 +58,10 @@ class TrialProcess {
   int reading_ = -1;  ///< the end of the pipe that brings its answer, or -1 for none
 };
 
+/// In a process of TrialProcess's: gives what is done from now on its own time, within the whole
+/// work's. Elsewhere it does nothing.
+void limitTrialTime(std::chrono::seconds processor_time);
+
 /// Starts and finishes a piece of work.
 [[nodiscard]] std::variant<std::string, Breakdown> tryWork(const std::function<std::string()>& work,
                                                            const TrialLimits& limits);

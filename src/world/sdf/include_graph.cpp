@@ -152,7 +152,8 @@ IncludeGraph::Prepared IncludeGraph::read(const fs::path& file) {
     throw Error(file.string() + ": includes more than " + std::to_string(kMostIncludes) + " files");
   }
   adaptRoot(root);
-  for (MentionedMesh& each : mentionedMeshes(root, file.parent_path())) {
+  const tinyxml2::XMLElement* world = root.FirstChildElement("world");  // the only one that is read
+  for (MentionedMesh& each : mentionedMeshes(world ? *world : root, file.parent_path())) {
     meshes_.push_back(std::move(each));
   }
   copies_.write(file, root);
@@ -225,6 +226,7 @@ bool IncludeGraph::resolveInclude(tinyxml2::XMLElement& include, const fs::path&
       prepareInclude(trimmed(text), file, place + "include '" + trimmed(text) + "': ");
   if (included == nullptr) return false;
   result.includes = std::min(kMostIncludes + 1, result.includes + included->includes + 1);
+  uri->DeleteChildren();  // comments, which SetText leaves
   uri->SetText(included->path.c_str());
   while (auto* plugin = include.FirstChildElement("plugin")) include.DeleteChild(plugin);
   return true;

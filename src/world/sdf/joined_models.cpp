@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -60,14 +62,32 @@ bool isPlain(const XMLElement& include) {
   return isClear(textOf(include.FirstChildElement("name")));
 }
 
-/// The model that a file holds alone, or null. Its pose may be in a frame that only the file has.
+/// Whether what an include may override is right: of a fault in it libsdformat would tell.
+bool isSoundPose(const XMLElement* pose) {
+  if (pose == nullptr) return true;
+  std::istringstream text(textOf(pose));
+  text.imbue(std::locale::classic());
+  int numbers = 0;
+  for (double each = 0.0; text >> each;) ++numbers;
+  // A pose without numbers is the origin; one with attributes may be in a frame of the file's.
+  return pose->FirstAttribute() == nullptr && text.eof() && (numbers == 6 || numbers == 0);
+}
+
+bool isSoundSwitch(const XMLElement* element) {
+  bool value = false;
+  return element == nullptr || element->QueryBoolText(&value) == tinyxml2::XML_SUCCESS;
+}
+
+/// The model that a file holds alone, or null.
 const XMLElement* loneModel(const XMLElement& root) {
   const XMLElement* model = root.FirstChildElement();
   const bool is_lone = model != nullptr && model->NextSiblingElement() == nullptr;
   if (!is_lone || std::string(model->Name()) != "model") return nullptr;
-  const XMLElement* pose = model->FirstChildElement("pose");
-  const bool is_plain = pose == nullptr || pose->FirstAttribute() == nullptr;
-  return is_plain && !hasScopes(*model) ? model : nullptr;
+  const char* name = model->Attribute("name");
+  const bool is_sound = name != nullptr && *name != '\0' &&
+                        isSoundPose(model->FirstChildElement("pose")) &&
+                        isSoundSwitch(model->FirstChildElement("static"));
+  return is_sound && !hasScopes(*model) ? model : nullptr;
 }
 
 /// The model in the place of its own element of this name, if it has one.

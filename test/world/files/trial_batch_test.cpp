@@ -48,5 +48,15 @@ TEST(TryAll, LosesNoMoreThanOneProcessToACrash) {
   EXPECT_THAT(results, Each(testing::AnyOf(std::nullopt, Optional(std::string("whole")))));
 }
 
+TEST(TryAll, LeavesOutWhatNeedsTooMuchMemoryAlone) {
+  std::vector<TrialPiece> pieces(5, {[] { return std::string("whole"); }, kTime});
+  pieces[2].work = [] { return std::string(std::size_t{200} << 20U, 'x'); };
+  const auto results = tryAll(pieces, std::uint64_t{64} << 20U);
+  EXPECT_THAT(results,
+              testing::ElementsAre(Optional(std::string("whole")), Optional(std::string("whole")),
+                                   std::nullopt, Optional(std::string("whole")),
+                                   Optional(std::string("whole"))));
+}
+
 }  // namespace
 }  // namespace synthetic_dataset::world

@@ -1,5 +1,6 @@
 #include "world/files/trial_process.h"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,6 +68,33 @@ TEST(TryWork, TellsOfWorkThatDoesNotEnd) {
   };
   EXPECT_THAT(tryWork(work, limits),
               VariantWith<Breakdown>(Field(&Breakdown::how, HasSubstr("within 1 s"))));
+}
+
+rlim_t processorTime() {
+  rlimit limit{};
+  getrlimit(RLIMIT_CPU, &limit);
+  return limit.rlim_cur;
+}
+
+TEST(LimitTrialTime, IsOfWhatFollows) {
+  TrialLimits limits;
+  limits.processor_time = std::chrono::seconds(1000);
+  const auto timeAfter = [&](std::chrono::seconds time) {
+    const auto work = [time] {
+      limitTrialTime(time);
+      return std::to_string(processorTime());
+    };
+    return std::stoul(std::get<std::string>(tryWork(work, limits)));
+  };
+  EXPECT_GE(timeAfter(std::chrono::seconds(20)), 20);
+  EXPECT_LE(timeAfter(std::chrono::seconds(20)), 900);
+  EXPECT_LE(timeAfter(std::chrono::seconds(5000)), 1001);
+}
+
+TEST(LimitTrialTime, LeavesOtherProcessesAlone) {
+  const rlim_t before = processorTime();
+  limitTrialTime(std::chrono::seconds(20));
+  EXPECT_EQ(processorTime(), before);
 }
 
 TEST(TrialProcess, WorksBesideOthers) {

@@ -83,6 +83,10 @@ TEST(JoinedModels, AreOfFilesOfOneModelInTheWorldsVersion) {
   for (const std::string& content :
        {model + model, model + "<light name='l'/>", std::string("<light name='l'/>"),
         std::string("<model name='m'><link name='a::l'/></model>"),
+        std::string("<model><link name='l'/></model>"),
+        std::string("<model name=''><link name='l'/></model>"),
+        std::string("<model name='m'><pose>a b c</pose><link name='l'/></model>"),
+        std::string("<model name='m'><static>perhaps</static><link name='l'/></model>"),
         std::string("<model name='m'><pose relative_to='l'>0 0 0 0 0 0</pose></model>")}) {
     EXPECT_EQ(joinedIn(plain, "<sdf version='1.7'>" + content + "</sdf>"), 0) << content;
   }

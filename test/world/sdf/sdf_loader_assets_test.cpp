@@ -103,6 +103,16 @@ TEST(MissingAsset, KeepsPosesRelativeToItRight) {
   EXPECT_TRUE(world.models[0].X_WM.translation().isApprox(Eigen::Vector3d(1, 2, 4)));
 }
 
+TEST(Includes, MayHaveCommentsInTheirUris) {
+  const TemporaryFolder folder;
+  folder.write("crate.sdf", boxModel("crate"));
+  for (const char* frame : {"", "<pose/><placement_frame>body</placement_frame>"}) {
+    const Description world = loadText(
+        folder, worldFile(includeElement("<!-- of wood -->crate.sdf<!-- or so -->", frame)));
+    EXPECT_THAT(namesOf(world), ElementsAre("crate"));
+  }
+}
+
 TEST(MissingAsset, MayBeAFileThatIsNoXml) {
   const TemporaryFolder folder;
   folder.write("crate.sdf", boxModel("crate"));
