@@ -2,10 +2,11 @@
 /// identifiers of the same triangles in one pass, read, and compressed as two PNGs in another
 /// thread, while the next scene is drawn.
 ///
-///   benchmark_floor FOLDER SCENES
+///   benchmark_floor FOLDER SCENES [same]
 ///
-/// FOLDER holds the room of speed/room.py. Prints the seconds from the first scene to the last, as
-/// JSON.
+/// FOLDER holds the room of speed/room.py. With `same`, the picture is what ours is, made in the
+/// usual way: with a shadow map of which 16 texels are looked up, and four samples a pixel. Prints
+/// the seconds from the first scene to the last, as JSON.
 
 #include <chrono>
 #include <fstream>
@@ -17,9 +18,13 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "floor_picture.h"
+#include "floor_shaders.h"
 #include "output/background_worker.h"
 #include "output/image/png_encoder.h"
 #include "render/gl/gl_planes.h"
@@ -33,106 +38,85 @@
 namespace {
 
 using namespace synthetic_dataset;
+using namespace synthetic_dataset::benchmark;
 
-constexpr char kVertexShader[] = R"(#version 450 core
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec2 coordinates;
-uniform mat4 world_from_mesh;
-uniform mat4 clip_from_world;
-out vec3 seen_normal;
-out vec2 seen_coordinates;
-void main() {
-  seen_normal = mat3(world_from_mesh) * normal;
-  seen_coordinates = coordinates;
-  gl_Position = clip_from_world * world_from_mesh * vec4(position, 1.0);
-}
-)";
-constexpr char kFragmentShader[] = R"(#version 450 core
-in vec3 seen_normal;
-in vec2 seen_coordinates;
-uniform vec4 diffuse;
-uniform sampler2D picture;
-uniform vec3 to_light;
-uniform uint part;
-layout(location = 0) out vec4 colour;
-layout(location = 1) out uint identifier;
-void main() {
-  float sun = max(dot(normalize(seen_normal), to_light), 0.0);
-  colour = vec4(diffuse.rgb * texture(picture, seen_coordinates).rgb * (0.35 + 0.75 * sun), 1.0);
-  identifier = part;
-}
-)";
+constexpr GLsizei kShadowMap = 2048;  // [texel] of a side
+constexpr GLsizei kSamples = 4;       // of a pixel
+constexpr GLuint kPictureUnit = 0;
+constexpr GLuint kShadowUnit = 1;
 
 /// A surface of the room.
 struct Drawn {
   const render::MeshBuffers* mesh;
   GLuint picture;
   Eigen::Vector4f diffuse;
-  Pose X_WV;        ///< of what stands still
+  Pose X_WV;        ///< of an object, in the scene being drawn
   Pose X_MV;        ///< in its model
   int object = -1;  ///< -1 for what stands still
 };
 
 class Floor {
  public:
-  Floor(const world::Description& description, const nlohmann::json& room)
+  /// @param same  with shadows and smooth edges
+  Floor(const world::Description& description, const nlohmann::json& room, bool same)
       : gl_(context_.gl()),
-        size_(room["width"], room["height"]),
         meshes_(gl_),
         textures_(gl_),
-        program_(gl_, kVertexShader, kFragmentShader),
-        colour_(render::makePlane(gl_, GL_RGBA8, size_.width, size_.height)),
-        identifiers_(render::makePlane(gl_, GL_R32UI, size_.width, size_.height)),
-        depth_(render::makePlane(gl_, GL_DEPTH_COMPONENT32F, size_.width, size_.height)),
-        framebuffer_(render::makeFramebuffer(gl_)) {
-    render::attachPlanes(gl_, framebuffer_, {&colour_, &identifiers_}, &depth_);
+        program_(gl_, kVertexShader, fragmentShader(same ? kShadows : kNoShadows)),
+        picture_(gl_, {room["width"], room["height"]}, 1) {
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.FrontFace(GL_CW);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.Enable(GL_CULL_FACE);
     gl_.DepthFunc(GL_GREATER);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    gl_.Viewport(0, 0, size_.width, size_.height);
     take(description);
     lookFrom(room);
+    if (same) castShadows(room);
   }
 
   /// @param placed  for each object: x, y, z [m], yaw [rad]
   void draw(const nlohmann::json& placed) {
-    constexpr float kGrey[] = {0.7F, 0.7F, 0.7F, 1.0F};
-    constexpr GLuint kNobody[] = {0, 0, 0, 0};
-    constexpr float kFarthest = 0.0F;
-    gl_.ClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kGrey);
-    gl_.ClearNamedFramebufferuiv(framebuffer_.name(), GL_COLOR, 1, kNobody);
-    gl_.ClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &kFarthest);
+    place(placed);
+    if (shadow_program_) drawShadows();
+    const FloorPicture& drawn = samples_ ? *samples_ : picture_;
+    drawn.begin();
     program_.use();
     for (const Drawn& each : drawn_) {
-      Pose X_WV = each.X_WV;
-      if (each.object >= 0) {
-        const nlohmann::json& at = placed[static_cast<std::size_t>(each.object)];
-        const Eigen::AngleAxisd turn(at[3].get<double>(), Eigen::Vector3d::UnitZ());
-        const Eigen::Vector3d place(at[0].get<double>(), at[1].get<double>(), at[2].get<double>());
-        X_WV = makePose(place, Eigen::Quaterniond(turn)) * each.X_MV;
-      }
-      program_.set("world_from_mesh", Eigen::Matrix4f(X_WV.matrix().cast<float>()));
+      program_.set("world_from_mesh", Eigen::Matrix4f(each.X_WV.matrix().cast<float>()));
       program_.set("diffuse", each.diffuse);
       program_.set("part", static_cast<std::uint32_t>(each.object + 1));
-      gl_.BindTextureUnit(0, each.picture);
+      gl_.BindTextureUnit(kPictureUnit, each.picture);
+      each.mesh->draw();
+    }
+    if (samples_) samples_->resolveTo(picture_);
+  }
+
+  [[nodiscard]] const FloorPicture& picture() const { return picture_; }
+
+ private:
+  void place(const nlohmann::json& placed) {
+    for (Drawn& each : drawn_) {
+      if (each.object < 0) continue;
+      const nlohmann::json& at = placed[static_cast<std::size_t>(each.object)];
+      const Eigen::AngleAxisd turn(at[3].get<double>(), Eigen::Vector3d::UnitZ());
+      const Eigen::Vector3d place(at[0].get<double>(), at[1].get<double>(), at[2].get<double>());
+      each.X_WV = makePose(place, Eigen::Quaterniond(turn)) * each.X_MV;
+    }
+  }
+
+  void drawShadows() {
+    constexpr float kFarthest = 0.0F;
+    gl_.ClearNamedFramebufferfv(shadow_framebuffer_->name(), GL_DEPTH, 0, &kFarthest);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_->name());
+    gl_.Viewport(0, 0, kShadowMap, kShadowMap);
+    shadow_program_->use();
+    for (const Drawn& each : drawn_) {
+      shadow_program_->set("world_from_mesh", Eigen::Matrix4f(each.X_WV.matrix().cast<float>()));
       each.mesh->draw();
     }
   }
 
-  [[nodiscard]] cv::Mat readColour() const {
-    return render::readPlane(gl_, framebuffer_, 0, {{}, size_}, CV_8UC3, GL_BGR, GL_UNSIGNED_BYTE);
-  }
-  [[nodiscard]] cv::Mat readIdentifiers() const {
-    return render::readPlane(gl_, framebuffer_, 1, {{}, size_}, CV_32SC1, GL_RED_INTEGER,
-                             GL_UNSIGNED_INT);
-  }
-
- private:
   void take(const world::Description& description) {
     for (const world::Model& model : description.models) {
       const bool is_object = model.name.rfind("object", 0) == 0;
@@ -140,6 +124,7 @@ class Floor {
         for (const world::Visual& visual : link.visuals) {
           for (const world::Surface& surface : visual.surfaces) {
             const Pose X_MV = link.X_ML * visual.X_LV;
+            bounds_.push_back({surface.mesh, model.X_WM * X_MV});
             const auto& picture = surface.material.texture ? surface.material.texture : white_;
             drawn_.push_back({&meshes_.get(surface.mesh),
                               textures_.get(picture, render::PixelMeaning::kData).texture.name(),
@@ -154,6 +139,7 @@ class Floor {
   void lookFrom(const nlohmann::json& room) {
     Pose X_WC = Pose::Identity();
     Eigen::Vector3d to_light;
+    const cv::Size size(room["width"], room["height"]);
     for (int row = 0; row < 3; ++row) {
       const auto i = static_cast<std::size_t>(row);
       X_WC.translation()[row] = room["camera"][i];
@@ -163,26 +149,70 @@ class Floor {
       }
     }
     const double f = room["focal"];
-    const CameraModel camera(size_.width, size_.height,
-                             {f, f, 0.5 * (size_.width - 1), 0.5 * (size_.height - 1)}, 0.05,
-                             100.0);
+    const CameraModel camera(size.width, size.height,
+                             {f, f, 0.5 * (size.width - 1), 0.5 * (size.height - 1)}, 0.05, 100.0);
     const Eigen::Matrix4d clip_from_world =
         render::clipFromCamera(camera) * X_WC.inverse().matrix();
     program_.set("clip_from_world", Eigen::Matrix4f(clip_from_world.cast<float>()));
     program_.set("to_light", Eigen::Vector3f(to_light.normalized().cast<float>()));
   }
 
+  /// Of all that stands still, as the sun sees it: x and y from -1 to 1, z from 0 to 1, which is
+  /// nearest to it.
+  [[nodiscard]] Eigen::Matrix4d shadowFromWorld(const nlohmann::json& room) const {
+    Eigen::Vector3d to_light;
+    for (int i = 0; i < 3; ++i) {
+      to_light[i] = -room["light_direction"][static_cast<std::size_t>(i)].get<double>();
+    }
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond::FromTwoVectors(to_light, Eigen::Vector3d::UnitZ());
+    Eigen::AlignedBox3d seen;
+    for (const auto& [mesh, X_WV] : bounds_) {
+      for (const auto& position : mesh->positions) {
+        seen.extend(turn * (X_WV * position.cast<double>().eval()));
+      }
+    }
+    const Eigen::Vector3d scale =
+        Eigen::Vector3d(2.0, 2.0, 1.0).cwiseQuotient(seen.max() - seen.min());
+    Eigen::Matrix4d result = Eigen::Matrix4d::Identity();
+    result.topLeftCorner<3, 3>() = scale.asDiagonal() * turn.toRotationMatrix();
+    result.topRightCorner<3, 1>() =
+        -scale.cwiseProduct(seen.min()) - Eigen::Vector3d(1.0, 1.0, 0.0);
+    return result;
+  }
+
+  void castShadows(const nlohmann::json& room) {
+    samples_.emplace(gl_, cv::Size(room["width"], room["height"]), kSamples);
+    shadow_map_.emplace(render::makePlane(gl_, GL_DEPTH_COMPONENT32F, kShadowMap, kShadowMap));
+    shadow_framebuffer_.emplace(render::makeFramebuffer(gl_));
+    render::attachPlanes(gl_, *shadow_framebuffer_, {}, &*shadow_map_);
+    const GLuint map = shadow_map_->name();
+    gl_.TextureParameteri(map, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl_.TextureParameteri(map, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
+    gl_.BindTextureUnit(kShadowUnit, map);
+    const Eigen::Matrix4f shadow_from_world = shadowFromWorld(room).cast<float>();
+    program_.set("shadow_from_world", shadow_from_world);
+    program_.set("shadow", static_cast<int>(kShadowUnit));
+    shadow_program_.emplace(gl_, kVertexShader, kDepthAlone);
+    shadow_program_->set("clip_from_world", shadow_from_world);
+  }
+
   render::OsmesaContext context_;
   const render::GlFunctions& gl_;
-  cv::Size size_;
   render::MeshLibrary meshes_;
   render::TextureLibrary textures_;
   render::ShaderProgram program_;
-  render::GlTexture colour_, identifiers_, depth_;
-  render::GlFramebuffer framebuffer_;
+  FloorPicture picture_;
   std::shared_ptr<const world::Texture> white_ = std::make_shared<const world::Texture>(
       world::Texture{"white", cv::Mat(1, 1, CV_8UC4, cv::Scalar::all(255))});
   std::vector<Drawn> drawn_;
+  std::vector<std::pair<std::shared_ptr<const world::Mesh>, Pose>> bounds_;
+
+  // Of the same picture as ours:
+  std::optional<FloorPicture> samples_;
+  std::optional<render::GlTexture> shadow_map_;
+  std::optional<render::GlFramebuffer> shadow_framebuffer_;
+  std::optional<render::ShaderProgram> shadow_program_;
 };
 
 void write(const std::string& file, const std::vector<uchar>& bytes) {
@@ -192,11 +222,11 @@ void write(const std::string& file, const std::vector<uchar>& bytes) {
   if (!stream.flush()) throw std::runtime_error("cannot write " + file);
 }
 
-double secondsOf(const std::string& folder, std::size_t scenes) {
+double secondsOf(const std::string& folder, std::size_t scenes, bool same) {
   const nlohmann::json room = nlohmann::json::parse(std::ifstream(folder + "/scene.json"));
   const world::ResourceFinder finder(
       {}, [](const std::string&) -> std::optional<std::string> { return std::nullopt; });
-  Floor floor(world::loadWorld(folder + "/room.sdf", finder), room);
+  Floor floor(world::loadWorld(folder + "/room.sdf", finder), room, same);
   output::BackgroundWorker encoder(2);
   auto begin = std::chrono::steady_clock::now();
   for (std::size_t scene = 0; scene <= scenes; ++scene) {  // the first is for warming up
@@ -205,7 +235,8 @@ double secondsOf(const std::string& folder, std::size_t scenes) {
       begin = std::chrono::steady_clock::now();
     }
     floor.draw(room["scenes"][scene % room["scenes"].size()]);
-    encoder.add([&folder, scene, colour = floor.readColour(), ids = floor.readIdentifiers()] {
+    encoder.add([&folder, scene, colour = floor.picture().readColour(),
+                 ids = floor.picture().readIdentifiers()] {
       constexpr int kCompression = 1;  // as ours by default: the quickest
       cv::Mat identifiers;
       ids.convertTo(identifiers, CV_8U);
@@ -222,8 +253,12 @@ double secondsOf(const std::string& folder, std::size_t scenes) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 3) throw std::invalid_argument("usage: benchmark_floor FOLDER SCENES");
-    std::cout << nlohmann::json{{"seconds", secondsOf(argv[1], std::stoul(argv[2]))}} << std::endl;
+    const bool same = argc == 4 && std::string(argv[3]) == "same";
+    if (argc != 3 && !same) {
+      throw std::invalid_argument("usage: benchmark_floor FOLDER SCENES [same]");
+    }
+    const double seconds = secondsOf(argv[1], std::stoul(argv[2]), same);
+    std::cout << nlohmann::json{{"seconds", seconds}} << std::endl;
   } catch (const std::exception& error) {
     std::cerr << "benchmark_floor: " << error.what() << '\n';
     return 1;

@@ -19,14 +19,15 @@ import room
 HERE = os.path.dirname(os.path.abspath(__file__))
 RIVALS = ["mujoco", "pybullet", "pyrender"]
 FLOOR = "floor"  # a bare OpenGL program
+SAME = "floor, with shadows and smooth edges"  # the same picture as ours, drawn in the usual way
 OURS = {"image": (ours.IMAGE, {}), "image, masks, depth": (ours.EXACT, {}),
         "the same, drawn as bare as the floor": (ours.EXACT, {"bare": True}),
         "image, MOG2 masks": (ours.SUBTRACTED, {"mog2": True})}
 
 
-def scene_seconds(command, folder, scenes):
+def scene_seconds(command, folder, scenes, *more):
     """Of a program that prints the seconds that so many scenes take, as JSON in its last line."""
-    done = subprocess.run([*command, folder, str(scenes)], stdout=subprocess.PIPE, text=True,
+    done = subprocess.run([*command, folder, str(scenes), *more], stdout=subprocess.PIPE, text=True,
                           check=True)
     return json.loads(done.stdout.strip().splitlines()[-1])["seconds"] / scenes
 
@@ -49,6 +50,7 @@ def measure(programs, folder, objects, size, arguments):
                 keep((name, count), ours.seconds_of(f"{programs}/generate", scene, folder, writers, count,
                                                     **how))
         keep((FLOOR, None), scene_seconds([f"{programs}/benchmark_floor"], folder, many))
+        keep((SAME, None), scene_seconds([f"{programs}/benchmark_floor"], folder, many // 4, "same"))
         for name in RIVALS if size == (640, 480) else []:
             keep((name, None), scene_seconds([sys.executable, f"{HERE}/{name}_rival.py"], folder,
                                             max(arguments.scenes // 4, 5)))
@@ -59,12 +61,12 @@ def measure(programs, folder, objects, size, arguments):
 
 def table(results):
     lines = ["| objects | size | what | ms a scene | scenes/s | times the speed of MuJoCo | PyBullet | pyrender "
-             "| the floor |",
-             "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+             "| the floor | the floor, with shadows and smooth edges |",
+             "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
     for result in results:
         best = result["seconds"]
         for name, seconds in best.items():
-            ratios = [f"{best[rival] / seconds:.2f}" if rival in best else "" for rival in [*RIVALS, FLOOR]]
+            ratios = [f"{best[rival] / seconds:.2f}" if rival in best else "" for rival in [*RIVALS, FLOOR, SAME]]
             lines.append(f"| {result['objects']} | {result['width']}x{result['height']} | {name} | "
                          f"{1000 * seconds:.1f} | {1 / seconds:.1f} | {' | '.join(ratios)} |")
     return "\n".join(lines) + "\n"
@@ -77,7 +79,7 @@ def plot(results, file):
 
     figure, axes = pyplot.subplots(figsize=(8, 4))
     small = [result for result in results if result["width"] == 640]
-    for name in [*OURS, FLOOR, *RIVALS]:
+    for name in [*OURS, FLOOR, SAME, *RIVALS]:
         axes.loglog([result["objects"] for result in small],
                     [1 / result["seconds"][name] for result in small],
                     marker="o", linestyle="-" if name in OURS else "--", label=name)
