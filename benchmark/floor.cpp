@@ -8,6 +8,7 @@
 /// usual way: with a shadow map of which 16 texels are looked up, and four samples a pixel. Prints
 /// the seconds from the first scene to the last, as JSON.
 
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <iostream>
@@ -47,6 +48,7 @@ constexpr GLuint kShadowUnit = 1;
 
 /// A surface of the room.
 struct Drawn {
+  std::shared_ptr<const world::Mesh> shape;
   const render::MeshBuffers* mesh;
   GLuint picture;
   Eigen::Vector4f diffuse;
@@ -54,6 +56,12 @@ struct Drawn {
   Pose X_MV;        ///< in its model
   int object = -1;  ///< -1 for what stands still
 };
+
+/// The direction to the sun.
+Eigen::Vector3d toLight(const nlohmann::json& room) {
+  const auto light = room["light_direction"].get<std::array<double, 3>>();
+  return -Eigen::Vector3d(light.data());
+}
 
 class Floor {
  public:
@@ -124,9 +132,8 @@ class Floor {
         for (const world::Visual& visual : link.visuals) {
           for (const world::Surface& surface : visual.surfaces) {
             const Pose X_MV = link.X_ML * visual.X_LV;
-            bounds_.push_back({surface.mesh, model.X_WM * X_MV});
             const auto& picture = surface.material.texture ? surface.material.texture : white_;
-            drawn_.push_back({&meshes_.get(surface.mesh),
+            drawn_.push_back({surface.mesh, &meshes_.get(surface.mesh),
                               textures_.get(picture, render::PixelMeaning::kData).texture.name(),
                               surface.material.diffuse, model.X_WM * X_MV, X_MV,
                               is_object ? std::stoi(model.name.substr(6)) : -1});
@@ -138,12 +145,10 @@ class Floor {
 
   void lookFrom(const nlohmann::json& room) {
     Pose X_WC = Pose::Identity();
-    Eigen::Vector3d to_light;
     const cv::Size size(room["width"], room["height"]);
     for (int row = 0; row < 3; ++row) {
       const auto i = static_cast<std::size_t>(row);
       X_WC.translation()[row] = room["camera"][i];
-      to_light[row] = -room["light_direction"][i].get<double>();
       for (int column = 0; column < 3; ++column) {
         X_WC.linear()(row, column) = room["rotation"][i][static_cast<std::size_t>(column)];
       }
@@ -154,22 +159,18 @@ class Floor {
     const Eigen::Matrix4d clip_from_world =
         render::clipFromCamera(camera) * X_WC.inverse().matrix();
     program_.set("clip_from_world", Eigen::Matrix4f(clip_from_world.cast<float>()));
-    program_.set("to_light", Eigen::Vector3f(to_light.normalized().cast<float>()));
+    program_.set("to_light", Eigen::Vector3f(toLight(room).normalized().cast<float>()));
   }
 
   /// Of all that stands still, as the sun sees it: x and y from -1 to 1, z from 0 to 1, which is
   /// nearest to it.
   [[nodiscard]] Eigen::Matrix4d shadowFromWorld(const nlohmann::json& room) const {
-    Eigen::Vector3d to_light;
-    for (int i = 0; i < 3; ++i) {
-      to_light[i] = -room["light_direction"][static_cast<std::size_t>(i)].get<double>();
-    }
     const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(to_light, Eigen::Vector3d::UnitZ());
+        Eigen::Quaterniond::FromTwoVectors(toLight(room), Eigen::Vector3d::UnitZ());
     Eigen::AlignedBox3d seen;
-    for (const auto& [mesh, X_WV] : bounds_) {
-      for (const auto& position : mesh->positions) {
-        seen.extend(turn * (X_WV * position.cast<double>().eval()));
+    for (const Drawn& each : drawn_) {
+      for (const auto& position : each.shape->positions) {
+        seen.extend(turn * (each.X_WV * position.cast<double>().eval()));
       }
     }
     const Eigen::Vector3d scale =
@@ -206,7 +207,6 @@ class Floor {
   std::shared_ptr<const world::Texture> white_ = std::make_shared<const world::Texture>(
       world::Texture{"white", cv::Mat(1, 1, CV_8UC4, cv::Scalar::all(255))});
   std::vector<Drawn> drawn_;
-  std::vector<std::pair<std::shared_ptr<const world::Mesh>, Pose>> bounds_;
 
   // Of the same picture as ours:
   std::optional<FloorPicture> samples_;

@@ -3,17 +3,16 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <future>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "synthetic_dataset/errors.h"
 #include "world/files/findings.h"
 #include "world/mesh/mesh_loader.h"
+#include "world/reading_ahead.h"
 #include "world/sdf/include_graph.h"
 #include "world/sdf/model_config.h"
 #include "world/sdf/sdf_document.h"
@@ -98,35 +97,6 @@ std::unique_ptr<SdfDocument> readDocument(const fs::path& file, const IncludeGra
   }
   return std::make_unique<SdfDocument>(file, includes.preparedFile(), copies, findings);
 }
-
-/// Reads meshes and their pictures while libsdformat reads the files that name them, which takes
-/// longer.
-class ReadingAhead {
- public:
-  ReadingAhead(const std::vector<MentionedMesh>& meshes, const ResourceFinder& finder,
-               MeshLoader& known)
-      : finder_(finder), loader_(finder_), known_(known) {
-    std::vector<MeshAhead> files;
-    for (const MentionedMesh& mesh : meshes) {
-      const std::optional<fs::path> file = finder_.find(mesh.uri, mesh.folder);
-      if (file && !known.knows(*file)) files.push_back({*file, mesh.shows_pictures});
-    }
-    // Later, where the system starts no more threads.
-    reading_ = std::async(std::launch::async | std::launch::deferred,
-                          [this, files] { loader_.readAhead(files); });
-  }
-
-  void finish() {
-    reading_.get();
-    known_.takeFrom(std::move(loader_));
-  }
-
- private:
-  ResourceFinder finder_;  ///< for one thread, and of what may not be wanted after all
-  MeshLoader loader_;
-  MeshLoader& known_;
-  std::future<void> reading_;  ///< ended first
-};
 
 }  // namespace
 

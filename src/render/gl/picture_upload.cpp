@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "render/pixels/mipmaps.h"
+
 namespace synthetic_dataset::render {
 namespace {
 

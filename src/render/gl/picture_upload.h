@@ -3,7 +3,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/gl/gl_object.h"
-#include "render/pixels/mipmaps.h"
+#include "render/pixels/light_picture.h"
 
 namespace synthetic_dataset::render {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "render/gl/gl_object.h"
-#include "render/pixels/mipmaps.h"
+#include "render/pixels/light_picture.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::render {

@@ -4,13 +4,9 @@
 
 #include <opencv2/core/mat.hpp>
 
-namespace synthetic_dataset::render {
+#include "render/pixels/light_picture.h"
 
-/// What a picture's numbers are.
-enum class PixelMeaning {
-  kColour,  ///< sRGB-encoded; decoded when it is read
-  kData,    ///< read as they are: directions, roughness
-};
+namespace synthetic_dataset::render {
 
 /// Smaller copies of a picture, for where a pixel covers much of it. Each is half as wide and high
 /// as the one before, rounded down (OpenGL 4.5, section 8.14.3), the last one pixel. A pixel is the

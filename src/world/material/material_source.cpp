@@ -31,16 +31,6 @@ Picture loadColours(const MaterialSource& source, TextureLoader& textures,
 
 }  // namespace
 
-std::vector<TextureReference> picturesOf(const MaterialSource& source) {
-  std::vector<TextureReference> pictures;
-  for (const auto* reference :
-       {&source.texture, &source.opacity, &source.normal_map, &source.roughness_map,
-        &source.metalness_map, &source.emissive_map}) {
-    if (*reference) pictures.push_back(**reference);
-  }
-  return pictures;
-}
-
 Material withPictures(const MaterialSource& source, TextureLoader& textures,
                       const MissingPicture& missing) {
   Material material = source.material;

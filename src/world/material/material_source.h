@@ -25,8 +25,12 @@ struct MaterialSource {
 /// Told of a picture that is missing or cannot be decoded; may throw.
 using MissingPicture = std::function<void(const std::string& message)>;
 
-/// All pictures that it names.
-[[nodiscard]] std::vector<TextureReference> picturesOf(const MaterialSource& source);
+/// Pointers to all pictures that it may name, always in the same order.
+template <class Source>
+[[nodiscard]] auto referencesOf(Source& source) {
+  return std::vector{&source.texture,       &source.opacity,       &source.normal_map,
+                     &source.roughness_map, &source.metalness_map, &source.emissive_map};
+}
 
 /// The material with its pictures. One that cannot be had is told of and left out: the colours and
 /// numbers hold without it.

@@ -203,8 +203,9 @@ cv::Mat decodePicture(const Bytes& file, const std::string& name) {
 }
 
 std::map<std::string, cv::Mat> decodePictures(const std::map<std::string, Bytes>& files) {
-  setUpCodecs();
   std::map<std::string, cv::Mat> pictures;
+  if (files.empty()) return pictures;  // setting up takes a while
+  setUpCodecs();
   for (const Batch& batch : batchesOf(files)) decodeInto(batch, pictures);
   return pictures;
 }

@@ -18,13 +18,6 @@ using Reference = std::optional<TextureReference>;
 /// Each picture of a file once, however many materials name it.
 using EmbeddedPictures = std::vector<Embedded>;
 
-/// A material's pictures, in one order for writing and for reading.
-template <class Source>
-auto referencesOf(Source& source) {
-  return std::vector{&source.texture,       &source.opacity,       &source.normal_map,
-                     &source.roughness_map, &source.metalness_map, &source.emissive_map};
-}
-
 EmbeddedPictures gather(const MeshFile& file) {
   EmbeddedPictures pictures;
   for (const MaterialSource& source : file.materials) {

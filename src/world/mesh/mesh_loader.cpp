@@ -129,8 +129,8 @@ std::vector<TextureReference> picturesOf(const MeshFile& file) {
   for (const MeshPart& part : file.parts) materials.insert(part.material);
   std::vector<TextureReference> pictures;
   for (const std::size_t material : materials) {
-    for (TextureReference& each : picturesOf(file.materials.at(material))) {
-      pictures.push_back(std::move(each));
+    for (const auto* reference : referencesOf(file.materials.at(material))) {
+      if (*reference) pictures.push_back(**reference);
     }
   }
   return pictures;

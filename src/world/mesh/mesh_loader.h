@@ -44,7 +44,7 @@ class MeshLoader {
   explicit MeshLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
   /// Reads mesh files that are going to be wanted, all at once; faults are told when they are.
-  void readAhead(const std::vector<MeshAhead>& files);
+  void readAhead(const std::vector<MeshAhead>& wanted);
 
   /// Whether a file has been read, or was found to be unreadable.
   [[nodiscard]] bool knows(const std::filesystem::path& file) const;

@@ -15,6 +15,7 @@
 #include "world/sdf/model_config.h"
 #include "world/sdf/sdf_document.h"
 #include "world/sdf/stand_in_model.h"
+#include "world/sdf/xml_text.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -217,13 +218,12 @@ bool IncludeGraph::resolveInclude(tinyxml2::XMLElement& include, const fs::path&
   tinyxml2::XMLElement* uri = include.FirstChildElement("uri");
   const tinyxml2::XMLElement& named = uri != nullptr ? *uri : include;
   const std::string place = file.string() + ": line " + std::to_string(named.GetLineNum()) + ": ";
-  const std::string text = uri != nullptr && uri->GetText() != nullptr ? uri->GetText() : "";
-  if (trimmed(text).empty()) {
+  const std::string text = trimmed(textOf(uri));
+  if (text.empty()) {
     findings_.addMissing(place + "<include> has no <uri>");
     return false;
   }
-  const Prepared* included =
-      prepareInclude(trimmed(text), file, place + "include '" + trimmed(text) + "': ");
+  const Prepared* included = prepareInclude(text, file, place + "include '" + text + "': ");
   if (included == nullptr) return false;
   result.includes = std::min(kMostIncludes + 1, result.includes + included->includes + 1);
   uri->DeleteChildren();  // comments, which SetText leaves

@@ -11,6 +11,8 @@
 #include <sdf/sdf_config.h>
 #include <tinyxml2.h>
 
+#include "world/sdf/xml_text.h"
+
 namespace synthetic_dataset::world {
 namespace {
 
@@ -18,11 +20,6 @@ using tinyxml2::XMLElement;
 
 /// Of all copies together [byte].
 constexpr std::uintmax_t kMostText = std::uintmax_t{16} << 20U;
-
-std::string textOf(const XMLElement* element) {
-  const char* text = element != nullptr ? element->GetText() : nullptr;
-  return text != nullptr ? text : "";
-}
 
 std::string versionOf(const XMLElement& root) {
   const char* version = root.Attribute("version");

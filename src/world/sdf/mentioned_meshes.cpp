@@ -4,6 +4,8 @@
 
 #include <tinyxml2.h>
 
+#include "world/sdf/xml_text.h"
+
 namespace synthetic_dataset::world {
 namespace {
 
@@ -25,9 +27,8 @@ std::vector<MentionedMesh> mentionedMeshes(const tinyxml2::XMLElement& element,
                                            const std::filesystem::path& folder) {
   std::vector<MentionedMesh> meshes;
   if (isCalled(&element, "mesh")) {
-    const tinyxml2::XMLElement* uri = element.FirstChildElement("uri");
-    const char* text = uri != nullptr ? uri->GetText() : nullptr;
-    if (text != nullptr) meshes.push_back({text, folder, showsPictures(element)});
+    const std::string uri = textOf(element.FirstChildElement("uri"));
+    if (!uri.empty()) meshes.push_back({uri, folder, showsPictures(element)});
     return meshes;
   }
   for (const auto* child = element.FirstChildElement(); child != nullptr;

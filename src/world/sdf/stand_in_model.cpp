@@ -6,16 +6,12 @@
 
 #include "world/files/fuel.h"
 #include "world/sdf/include_graph.h"
+#include "world/sdf/xml_text.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
 using tinyxml2::XMLElement;
-
-std::string textOf(const XMLElement* element) {
-  const char* text = element != nullptr ? element->GetText() : nullptr;
-  return text != nullptr ? text : "";
-}
 
 /// The name that an include gives its model, else the one that its URI leads to expect.
 std::string nameOf(const XMLElement& include) {
