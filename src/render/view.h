@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "synthetic_dataset/camera_model.h"
@@ -7,10 +9,19 @@
 
 namespace synthetic_dataset::render {
 
+/// Where a lens's view begins, in the frame of a picture that is drawn for it.
+struct NearLimit {
+  Eigen::Vector3d axis_C = Eigen::Vector3d::Zero();  ///< along which it counts; zero: by distance
+  double reach = 0.0;                                ///< [m]
+};
+
 /// From where a picture is taken.
 struct View {
   CameraModel camera;
   Pose X_WC = Pose::Identity();  ///< of the optical frame
+
+  /// Where the near plane lies before that of the lens that the picture is drawn for.
+  std::optional<NearLimit> near_limit = std::nullopt;
 };
 
 /// Clip coordinates from points of the optical frame.

@@ -156,6 +156,14 @@ void SampleRaster::drawTriangle(const Corner& first, const Corner& second, const
   });
 }
 
+/// How far what lies at a depth of 1 m reaches, as the limit counts.
+Lanes SampleRaster::reachOfUnitDepth(const Lanes& u, const Lanes& v, const NearLimit& limit) const {
+  const Lanes one = lanes(1.0F);
+  const Lanes3 ray{(u - lanes(cx_)) * lanes(1.0F / fx_), (v - lanes(cy_)) * lanes(1.0F / fy_), one};
+  if (limit.axis_C.isZero()) return length(ray);
+  return dot(ray, lanes(Eigen::Vector3f(limit.axis_C.cast<float>())));
+}
+
 /// Lets samples see a face where it is the nearest.
 void SampleRaster::see(const Lanes& covered, const Lanes& u, const Lanes& v, int number,
                        PixelSamples& samples) const {
@@ -167,7 +175,11 @@ void SampleRaster::see(const Lanes& covered, const Lanes& u, const Lanes& v, int
   const Lanes inverse_depth = clamped(on_plane, face.origin.z(), face.nearest);
   const Lanes before = cv::v_load(samples.inverse_depth.data());
   const Lanes least = before * lanes(stands_still_ ? 1.0F - kSame : 1.0F + kSame);
-  const Lanes nearer = covered & (inverse_depth >= lanes(farthest_)) & (inverse_depth >= least);
+  Lanes nearer = covered & (inverse_depth >= lanes(farthest_)) & (inverse_depth >= least);
+  if (view_.near_limit) {
+    nearer = nearer & (inverse_depth * lanes(static_cast<float>(view_.near_limit->reach)) <=
+                       reachOfUnitDepth(u, v, *view_.near_limit));
+  }
   cv::v_store(samples.inverse_depth.data(), cv::v_select(nearer, inverse_depth, before));
   cv::v_store(samples.face.data(),
               cv::v_select(cv::v_reinterpret_as_s32(nearer), cv::v_setall_s32(number),

@@ -63,6 +63,8 @@ class SampleRaster {
   [[nodiscard]] bool mayBeSeen(const Part& part, const Pose& X_CV) const;
   void drawClipped(const std::array<Eigen::Vector3f, 3>& points_C);
   void drawTriangle(const Corner& first, const Corner& second, const Corner& third);
+  [[nodiscard]] Lanes reachOfUnitDepth(const Lanes& u, const Lanes& v,
+                                       const NearLimit& limit) const;
   void see(const Lanes& covered, const Lanes& u, const Lanes& v, int number,
            PixelSamples& samples) const;
   [[nodiscard]] cv::Rect pixelsRound(const Eigen::Vector3f& a, const Eigen::Vector3f& b,

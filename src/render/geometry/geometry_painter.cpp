@@ -7,9 +7,9 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr SurfaceFeatures kUnderstood = feature::kTextured | feature::kHoles | feature::kTinted |
-                                        feature::kNormalMap | feature::kRoughnessMap |
-                                        feature::kMetalnessMap | feature::kEmissiveMap;
+constexpr SurfaceFeatures kUnderstood =
+    feature::kTextured | feature::kHoles | feature::kTinted | feature::kNormalMap |
+    feature::kRoughnessMap | feature::kMetalnessMap | feature::kEmissiveMap | feature::kNearLimit;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void GeometryPainter::paint(const View& view, const std::vector<Pose>& X_WL,
   gl_.StencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
   const Pose X_CW = view.X_WC.inverse();
   for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, stand_still)) {
-    const ShaderProgram& program = programs_.get(part->features);
+    const ShaderProgram& program = programs_.get(part->features | featuresOf(view));
     program.set("part", parts_.numberOf(*part));
     setMaterial(gl_, program, *part);
     setStencil(bits.of(*part));

@@ -56,7 +56,8 @@ LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& parts, LensLib
     : gl_(gl),
       parts_(parts),
       lenses_(lenses),
-      programs_(gl, shaders::kMeshVertex, shaders::kLabelFragment, feature::kHoles) {}
+      programs_(gl, shaders::kMeshVertex, shaders::kLabelFragment,
+                feature::kHoles | feature::kNearLimit) {}
 
 LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>& X_WL,
                                        const LinkSelection& drawn, const LabelPlanes& planes) {
@@ -67,7 +68,7 @@ LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>
     gl_.DepthFunc(depth_func);
     for (const Part* part : parts) {
       if (seenThroughInLabels(*part)) continue;
-      const ShaderProgram& program = programs_.get(part->features);
+      const ShaderProgram& program = programs_.get(part->features | featuresOf(view));
       program.set("identifier", part->identifier);
       program.set("link", static_cast<std::uint32_t>(part->link + 1));
       drawSurface(gl_, program, *part, view, X_WL[part->link]);

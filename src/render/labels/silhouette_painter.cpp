@@ -130,7 +130,8 @@ SilhouettePainter::SilhouettePainter(const GlFunctions& gl, const DrawList& part
     : gl_(gl),
       parts_(parts),
       lenses_(lenses),
-      programs_(gl, shaders::kMeshVertex, shaders::kSilhouetteFragment, feature::kHoles) {}
+      programs_(gl, shaders::kMeshVertex, shaders::kSilhouetteFragment,
+                feature::kHoles | feature::kNearLimit) {}
 
 /// Where the subject may have pixels.
 std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject, const View& view) const {
@@ -170,7 +171,8 @@ cv::Mat SilhouettePainter::drawPinhole(const Subject& subject, const View& view,
   target_->begin(size, region);
   for (const Part& part : parts_.parts()) {
     if (!subject.has(part)) continue;
-    drawSurface(gl_, programs_.get(part.features), part, view, subject.X_WL[part.link]);
+    drawSurface(gl_, programs_.get(part.features | featuresOf(view)), part, view,
+                subject.X_WL[part.link]);
   }
   return target_->read(region);
 }

@@ -40,7 +40,9 @@ std::shared_ptr<const LensMap> LensLibrary::get(const CameraModel& camera) {
 
 std::vector<View> faceViews(const LensMap& lens, const View& view) {
   std::vector<View> views;
-  for (const LensFace& face : lens.faces) views.push_back({face.camera, view.X_WC * face.X_CF});
+  for (const LensFace& face : lens.faces) {
+    views.push_back({face.camera, view.X_WC * face.X_CF, face.near_limit});
+  }
   return views;
 }
 

@@ -174,13 +174,28 @@ struct Tiles {
   int first_face = 0;
 };
 
+bool isEquidistant(const CameraModel& camera) {
+  return camera.distortion().model == DistortionModel::kEquidistant;
+}
+
+/// Whether the lens sees from the face's own near plane on.
+bool sharesNearPlane(const Plane& plane, const CameraModel& camera) {
+  return !isEquidistant(camera) && plane.X_CF.linear().isIdentity();
+}
+
 /// Nothing that the lens shows is cut off by a face's near plane: where the lens measures distance,
 /// or its near plane is turned, the face's plane comes nearer.
 double nearOf(const Plane& plane, const CameraModel& camera) {
-  const bool same_plane = camera.distortion().model != DistortionModel::kEquidistant &&
-                          plane.X_CF.linear().isIdentity();
   constexpr double kSlack = 0.98;  // for the margins
-  return same_plane ? camera.near() : camera.near() * plane.least_cosine * kSlack;
+  return sharesNearPlane(plane, camera) ? camera.near()
+                                        : camera.near() * plane.least_cosine * kSlack;
+}
+
+/// What a plane that comes nearer has to leave out.
+std::optional<NearLimit> nearLimitOf(const Plane& plane, const CameraModel& camera) {
+  if (sharesNearPlane(plane, camera)) return std::nullopt;
+  if (isEquidistant(camera)) return NearLimit{Eigen::Vector3d::Zero(), camera.near()};
+  return NearLimit{plane.X_CF.linear().row(2), camera.near()};
 }
 
 Tiles addTiles(const Plane& plane, const CameraModel& camera, std::vector<LensFace>& faces) {
@@ -196,7 +211,7 @@ Tiles addTiles(const Plane& plane, const CameraModel& camera, std::vector<LensFa
       const double top = tiles.down.first + row * tiles.down.length - kMargin;
       const CameraModel tile(tiles.across.length + 2 * kMargin, tiles.down.length + 2 * kMargin,
                              {f, f, -left, -top}, nearOf(plane, camera), camera.far());
-      faces.push_back({tile, plane.X_CF});
+      faces.push_back({tile, plane.X_CF, nearLimitOf(plane, camera)});
     }
   }
   return tiles;

@@ -12,6 +12,7 @@ namespace synthetic_dataset::render {
 struct LensFace {
   CameraModel camera;
   Pose X_CF = Pose::Identity();  ///< of the face's optical frame in the lens's; turned alone
+  std::optional<NearLimit> near_limit = std::nullopt;  ///< in the face's frame
 };
 
 /// How a picture through a lens with distortion is put together from pinhole pictures.

@@ -75,7 +75,7 @@ void OverlayPainter::drawSeenThrough(const ColourScene& scene) {
 }
 
 SurfaceFeatures OverlayPainter::featuresOf(const ColourScene& scene) const {
-  return (fog_ ? feature::kFog : SurfaceFeatures{0}) |
+  return render::featuresOf(scene.view) | (fog_ ? feature::kFog : SurfaceFeatures{0}) |
          (scene.shadows.empty() ? SurfaceFeatures{0} : feature::kShadows);
 }
 

@@ -10,8 +10,6 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr double kPi = 3.14159265358979;
-
 /// Optical thickness of the air upwards at 680, 550 and 440 nm (Bucholtz 1995, Rayleigh).
 const Eigen::Vector3f kAir(0.041F, 0.098F, 0.243F);
 constexpr float kHaze = 0.03F;
@@ -32,7 +30,7 @@ double dayProgress(const world::Sky& sky) {
 /// Thicknesses of the atmosphere before the sun (Kasten and Young 1989).
 double airMass(double sine) {
   const double s = std::clamp(sine, 0.0, 1.0);
-  return 1.0 / (s + 0.50572 * std::pow(6.07995 + std::asin(s) * 180.0 / kPi, -1.6364));
+  return 1.0 / (s + 0.50572 * std::pow(6.07995 + std::asin(s) * 180.0 / M_PI, -1.6364));
 }
 
 /// How much of the sun still lights the sky: it fades from its setting to the end of civil
@@ -53,7 +51,7 @@ std::string fragmentSource(const world::Sky& sky) {
 }  // namespace
 
 Eigen::Vector3d sunDirection(const world::Sky& sky, const std::vector<world::Light>& lights) {
-  constexpr double kHighest = kPi / 3.0;
+  constexpr double kHighest = M_PI / 3.0;
   const double progress = dayProgress(sky);
   const auto sun = std::find_if(lights.begin(), lights.end(), [](const world::Light& light) {
     return light.type == world::LightType::kDirectional;
@@ -61,7 +59,7 @@ Eigen::Vector3d sunDirection(const world::Sky& sky, const std::vector<world::Lig
   if (progress <= 1.0 && sun != lights.end()) {
     return -(sun->X_WL.linear() * sun->direction_L).normalized();
   }
-  const double angle = kPi * progress;
+  const double angle = M_PI * progress;
   return {std::cos(angle), -std::sin(angle) * std::cos(kHighest),
           std::sin(angle) * std::sin(kHighest)};
 }

@@ -13,7 +13,7 @@ struct Macro {
   const char* name;
 };
 
-constexpr std::array<Macro, 11> kMacros = {{{feature::kTextured, "TEXTURED"},
+constexpr std::array<Macro, 12> kMacros = {{{feature::kTextured, "TEXTURED"},
                                             {feature::kHoles, "HOLES"},
                                             {feature::kGlass, "GLASS"},
                                             {feature::kTinted, "TINTED"},
@@ -23,7 +23,8 @@ constexpr std::array<Macro, 11> kMacros = {{{feature::kTextured, "TEXTURED"},
                                             {feature::kMetalnessMap, "METALNESS_MAP"},
                                             {feature::kEmissiveMap, "EMISSIVE_MAP"},
                                             {feature::kFog, "FOG"},
-                                            {feature::kShadows, "SHADOWS"}}};
+                                            {feature::kShadows, "SHADOWS"},
+                                            {feature::kNearLimit, "NEAR_LIMIT"}}};
 
 /// The source with the features' macros after its first line, where GLSL wants its #version.
 std::string withMacros(const std::string& source, SurfaceFeatures features, std::string macros) {

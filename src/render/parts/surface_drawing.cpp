@@ -13,6 +13,10 @@ void bindHoles(const GlFunctions& gl, const ShaderProgram& program, const Part& 
   if (part.textures.diffuse != 0) gl.BindTextureUnit(kDiffuseUnit, part.textures.diffuse);
 }
 
+SurfaceFeatures featuresOf(const View& view) {
+  return view.near_limit ? feature::kNearLimit : SurfaceFeatures{0};
+}
+
 void drawSurface(const GlFunctions& gl, const ShaderProgram& program, const Part& part,
                  const View& view, const Pose& X_WL) {
   if (part.material->double_sided) {
@@ -24,6 +28,11 @@ void drawSurface(const GlFunctions& gl, const ShaderProgram& program, const Part
   program.use();
   program.set("clip_from_camera", Eigen::Matrix4f(clipFromCamera(view.camera).cast<float>()));
   program.set("camera_from_mesh", Eigen::Matrix4f(X_CV.matrix().cast<float>()));
+  if (view.near_limit) {
+    Eigen::Vector4f limit;
+    limit << view.near_limit->axis_C.cast<float>(), static_cast<float>(view.near_limit->reach);
+    program.set("near_limit", limit);
+  }
   bindHoles(gl, program, part);
   part.mesh->draw();
 }

@@ -10,7 +10,11 @@ namespace synthetic_dataset::render {
 /// know of a material.
 void bindHoles(const GlFunctions& gl, const ShaderProgram& program, const Part& part);
 
-/// Draws a part as the camera sees it, with a program whose vertex stage is mesh.vert.
+/// What a view asks of the programs of all surfaces.
+[[nodiscard]] SurfaceFeatures featuresOf(const View& view);
+
+/// Draws a part as the camera sees it, with a program whose vertex stage is mesh.vert
+/// and which has the view's features.
 /// @param X_WL  of the part's link
 void drawSurface(const GlFunctions& gl, const ShaderProgram& program, const Part& part,
                  const View& view, const Pose& X_WL);

@@ -18,8 +18,9 @@ inline constexpr SurfaceFeatures kNormalMap = 1U << 5;
 inline constexpr SurfaceFeatures kRoughnessMap = 1U << 6;
 inline constexpr SurfaceFeatures kMetalnessMap = 1U << 7;
 inline constexpr SurfaceFeatures kEmissiveMap = 1U << 8;
-inline constexpr SurfaceFeatures kFog = 1U << 9;       ///< the world's, so all surfaces have it
-inline constexpr SurfaceFeatures kShadows = 1U << 10;  ///< some light casts them in this picture
+inline constexpr SurfaceFeatures kFog = 1U << 9;         ///< the world's, so all surfaces have it
+inline constexpr SurfaceFeatures kShadows = 1U << 10;    ///< some light casts them in this picture
+inline constexpr SurfaceFeatures kNearLimit = 1U << 11;  ///< the view has one
 }  // namespace feature
 
 }  // namespace synthetic_dataset::render

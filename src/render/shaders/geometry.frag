@@ -3,6 +3,7 @@
 // many small triangles share it. Planes that the bound buffer lacks are left out.
 #include "surface.glsl"
 #include "material.glsl"
+#include "near.glsl"
 
 uniform uint part;
 
@@ -16,6 +17,7 @@ layout(location = 4) out vec4 glow;
 void main() {
   float opacity;
   Surface surface = surfaceHere(opacity);
+  discardTooNear();
   part_depth = uvec2(part, floatBitsToUint(surface.position_C.z));
   base_roughness = vec4(surface.base, surface.roughness);
   normal_metalness = vec4(surface.normal, surface.metalness);

@@ -2,6 +2,7 @@
 // What one can see through, lit as it is drawn.
 #include "surface.glsl"
 #include "material.glsl"
+#include "near.glsl"
 #include "lighting.glsl"
 
 uniform vec3 emissive;
@@ -12,6 +13,7 @@ layout(location = 0) out vec4 colour;
 void main() {
   float opacity;
   Surface surface = surfaceHere(opacity);
+  discardTooNear();
   surface.reflectance = reflectance;
   surface.glow = emissive * glowHere();
 #ifdef UNLIT

@@ -11,6 +11,7 @@ uniform sampler2D diffuse_map;
 in vec3 position_C;
 in vec3 normal_C;
 in vec2 coordinates;
+#include "near.glsl"
 
 layout(location = 0) out uint id;
 layout(location = 1) out float depth;
@@ -37,6 +38,7 @@ void main() {
 #ifdef HOLES
   if (texture(diffuse_map, coordinates).a < alpha_threshold) discard;
 #endif
+  discardTooNear();
   id = identifier;
   depth = position_C.z;
   seen_link = link;

@@ -7,6 +7,7 @@ uniform sampler2D diffuse_map;
 in vec3 position_C;
 in vec3 normal_C;
 in vec2 coordinates;
+#include "near.glsl"
 
 layout(location = 0) out float covered;
 
@@ -14,5 +15,6 @@ void main() {
 #ifdef HOLES
   if (texture(diffuse_map, coordinates).a < alpha_threshold) discard;
 #endif
+  discardTooNear();
   covered = 1.0;
 }

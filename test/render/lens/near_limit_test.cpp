@@ -1,0 +1,112 @@
+/// A lens sees nothing that is nearer than `near`, whichever sides of a cube its picture is made
+/// of.
+
+#include <gtest/gtest.h>
+
+#include "annotate/box_view.h"
+#include "render/lens_cases.h"
+#include "render/renderer.h"
+#include "support/box_world.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+using synthetic_dataset::test::distanceTo;
+using synthetic_dataset::test::SeenBox;
+using synthetic_dataset::test::Stage;
+using test::coloured;
+using test::dark;
+using test::LensCase;
+
+bool isEquidistant(const CameraModel& camera) {
+  return camera.distortion().model == DistortionModel::kEquidistant;
+}
+
+/// A bar beside the camera that begins behind it, and goes past the near plane.
+const SeenBox kBar{makePose({0.6, 0.1, 0.8}, Eigen::Quaterniond::Identity()), {0.2, 0.3, 3.0}, 1};
+
+Stage stageOfBar() {
+  Stage stage;
+  stage.addBox(kBar.size, kBar.X_CB, 0, coloured(1, 1, 1));
+  return stage;
+}
+
+class LensNearLimit : public ::testing::TestWithParam<LensCase> {
+ protected:
+  /// Whether the pixel's ray meets the bar, and no nearer than the lens sees.
+  [[nodiscard]] bool seesBar(const cv::Point& pixel) const {
+    const auto ray = camera_.ray({pixel.x, pixel.y});
+    if (!ray) return false;
+    const double distance = distanceTo(kBar, *ray);
+    return std::isfinite(distance) &&
+           distance * (isEquidistant(camera_) ? 1.0 : ray->z()) >= camera_.near();
+  }
+
+  const CameraModel& camera_ = GetParam().camera;
+  View view_{camera_};
+  Stage stage_ = stageOfBar();
+  Renderer renderer_{dark(), stage_.links(), {}};
+};
+
+TEST_P(LensNearLimit, EndsLabelsPicturesAndSilhouettesAlike) {
+  const cv::Mat seen = renderer_.labels(view_, stage_.poses(), {stage_.all()}).ids > 0;
+  const Silhouette silhouette = renderer_.silhouette(view_, stage_.poses(), stage_.all());
+  ColourPass pass{stage_.all(), stage_.all()};
+  pass.sampling = Sampling::kCentre;
+  const cv::Mat picture = renderer_.colour(view_, stage_.poses(), pass);
+  int wrong = 0;
+  int wanted = 0;
+  cv::Mat lit(picture.size(), CV_8UC1, cv::Scalar(0));
+  for (int v = 0; v < picture.rows; ++v) {
+    for (int u = 0; u < picture.cols; ++u) {
+      wanted += seesBar({u, v}) ? 1 : 0;
+      wrong += seesBar({u, v}) != (seen.at<uchar>(v, u) != 0) ? 1 : 0;
+      lit.at<uchar>(v, u) = picture.at<cv::Vec3b>(v, u)[0] > 0 ? 255 : 0;
+    }
+  }
+  EXPECT_GT(wanted, 1000);
+  EXPECT_LT(wrong, 0.03 * wanted) << "pixels of outlines";
+  EXPECT_EQ(cv::norm(seen, silhouette.mask, cv::NORM_INF), 0.0);
+  EXPECT_EQ(cv::norm(seen, lit, cv::NORM_INF), 0.0);
+}
+
+/// Smooth edges see no nearer than centres do.
+TEST_P(LensNearLimit, EndsEdges) {
+  const cv::Mat seen = renderer_.labels(view_, stage_.poses(), {stage_.all()}).ids > 0;
+  const cv::Mat picture = renderer_.colour(view_, stage_.poses(), {stage_.all(), stage_.all()});
+  cv::Mat round;
+  cv::dilate(seen, round, cv::Mat::ones(5, 5, CV_8UC1));
+  cv::Mat beside;
+  cv::extractChannel(picture, beside, 0);
+  beside.setTo(0, round);
+  EXPECT_EQ(cv::countNonZero(beside), 0);
+}
+
+const LensCase kWidePlumbBob{"wide_plumb_bob",
+                             {320,
+                              240,
+                              {80.0, 80.0, 160.0, 120.0},
+                              0.3,
+                              100.0,
+                              {DistortionModel::kPlumbBob, {-0.01, 0.0, 0.0, 0.0, 0.0}}}};
+const LensCase kWideFisheye{"fisheye",
+                            {320,
+                             240,
+                             {100.0, 100.0, 160.0, 120.0},
+                             0.7,
+                             100.0,
+                             {DistortionModel::kEquidistant, {0.02, -0.008, 0.003, -5e-4}}}};
+const LensCase kNarrowFisheye{"narrow_fisheye",
+                              {320,
+                               240,
+                               {190.0, 190.0, 60.0, 120.0},
+                               0.9,
+                               100.0,
+                               {DistortionModel::kEquidistant, {0.02, -0.008, 0.003, -5e-4}}}};
+
+INSTANTIATE_TEST_SUITE_P(Lenses, LensNearLimit,
+                         ::testing::Values(kWidePlumbBob, kWideFisheye, kNarrowFisheye),
+                         [](const auto& lens) { return lens.param.name; });
+
+}  // namespace
+}  // namespace synthetic_dataset::render
