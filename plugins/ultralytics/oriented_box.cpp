@@ -122,6 +122,13 @@ Rectangle cutAlongV(Rectangle rectangle, const Eigen::Vector2d& image) {
   return rectangle;
 }
 
+/// Whether the mask has pixels at the image's edge.
+bool leavesImage(const Polygon& hull, const Eigen::Vector2d& image) {
+  return std::any_of(hull.begin(), hull.end(), [&](const Eigen::Vector2d& corner) {
+    return corner.minCoeff() <= 0.0 || (image - corner).minCoeff() <= 0.0;
+  });
+}
+
 struct Fit {
   Rectangle rectangle;
   double overlap = 0.0;  ///< with the hull: intersection over union
@@ -172,7 +179,7 @@ std::optional<std::array<Eigen::Vector2d, 4>> orientedBox(const cv::Mat& mask) {
     }
   }
   constexpr double kWorthCutting = 1.25;
-  const bool is_cut = cut.overlap > kWorthCutting * whole.overlap;
+  const bool is_cut = leavesImage(hull, image) && cut.overlap > kWorthCutting * whole.overlap;
   return cornersOf(is_cut ? cut.rectangle : whole.rectangle, image);
 }
 

@@ -13,10 +13,10 @@ namespace synthetic_dataset {
 /// minimum-area encasing rectangle for an arbitrary closed curve", CACM 18(7), 1975).
 ///
 /// No corner lies outside the image: of the rectangles along the hull's edges and along the image's
-/// that do not reach past its edge, the least is taken. Only where that is a poor fit, as of a thin
-/// bar that leaves the image askew, a rectangle that does reach past is cut back along one of its
-/// sides, and no longer holds the pixels at the image's edge: where that overlaps with the hull
-/// (intersection over union) by a quarter more.
+/// that do not reach past its edge, the least is taken. Only of what reaches the image's edge, and
+/// where that is a poor fit, as of a thin bar that leaves the image askew, a rectangle that does
+/// reach past is cut back along one of its sides, and no longer holds the pixels at the image's
+/// edge: where that overlaps with the hull (intersection over union) by a quarter more.
 /// @param mask  CV_8UC1, 0 off the mask
 /// @return the corners [px], clockwise on the screen, where the image spans (0, 0) to (cols, rows);
 ///     nothing for an empty mask

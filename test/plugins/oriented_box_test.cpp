@@ -65,6 +65,18 @@ TEST(OrientedBox, HoldsAllPixelsAtTheImagesEdgeWhereThatFitsWell) {
               UnorderedElementsAre(At(0, 10), At(11, 10), At(11, 20), At(0, 20)));
 }
 
+TEST(OrientedBox, HoldsAllPixelsOfWhatIsWhollyInTheImage) {
+  // One pixel from the image's corner, where the least box would reach past its edges.
+  const auto corners = orientedBox(maskOf({{1, 1}, {5, 1}, {1, 5}, {20, 22}, {22, 20}})).value();
+  std::vector<cv::Point2f> polygon;
+  for (const Eigen::Vector2d& corner : corners) {
+    polygon.emplace_back(static_cast<float>(corner.x()), static_cast<float>(corner.y()));
+  }
+  for (const cv::Point2f& pixel : {cv::Point2f(1, 1), {6, 1}, {1, 6}, {20, 23}, {23, 20}}) {
+    EXPECT_GT(cv::pointPolygonTest(polygon, pixel, true), -1e-3) << pixel;
+  }
+}
+
 TEST(OrientedBox, IsCutBackAtTheImagesEdgeWhereItFitsBadlyOtherwise) {
   // The same in the image's corner: (0.5, -0.5) and (-0.5, 0.5) would be its corners. Half a step
   // on they are on the edge. It lacks a triangle of 0.5 of the hull's 5, and has 4.5 of 5.5 in
