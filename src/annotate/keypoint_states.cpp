@@ -30,10 +30,20 @@ struct SeenSurfaces {
       // does not count.
       return *ahead * *back > 0.0 ? 0.0 : std::min(std::abs(*ahead), std::abs(*back));
     }
-    // By its outline a round surface turns away faster than it does a pixel farther in.
+    if (!ahead && !back) return 0.0;
+    const cv::Point inwards = ahead ? direction : -direction;
+    return slopeByOutline(std::abs(ahead ? *ahead : *back), step(pixel + inwards, inwards));
+  }
+
+  /// @param first  the step to the pixel's only neighbour
+  /// @param next  from there to the one beyond, if it shows the same object
+  static double slopeByOutline(double first, const std::optional<double>& next) {
+    // A round surface turns away faster by its outline than it does a pixel farther in: of
+    // sqrt(2 r d), at a distance d from the outline, a step is at most 1 / (sqrt(2) - 1) times the
+    // next. What steps farther is another surface of the object.
     constexpr double kTurning = 2.0;
-    if (ahead) return kTurning * std::abs(*ahead);
-    return back ? kTurning * std::abs(*back) : 0.0;
+    constexpr double kSteepest = 2.5;
+    return kTurning * (next ? std::min(first, kSteepest * std::abs(*next)) : first);
   }
 };
 

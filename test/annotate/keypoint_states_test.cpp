@@ -113,6 +113,22 @@ TEST(KeypointStates, AThinPoleInFrontHides) {
   }
 }
 
+TEST(KeypointStates, OneBehindAStripOfItsOwnObjectIsHidden) {
+  // One plate of the object before another, which shows a strip of a pixel beside it: the step from
+  // plate to plate is no slope.
+  const auto plate = [](double z, double right_edge) {
+    const double right = (right_edge - 160.4) / 260.0 * z;
+    return SeenBox{pose({right - 0.5, 0, z}), {1, 1, 1e-3}, kOwn};
+  };
+  const SeenBox front = plate(1.8, 169.5);
+  const SeenBox back = plate(2.14, 170.5);
+  const double z = 2.42;
+  const Eigen::Vector3d behind((170.0 - 160.4) / 260.0 * z, 0.1, z);
+  EXPECT_EQ(stateOf(front.X_CB.inverse() * behind, {front, back}), KeypointState::kHiddenByItself);
+  const Eigen::Vector3d on_strip(behind * 2.14 / z);
+  EXPECT_EQ(stateOf(front.X_CB.inverse() * on_strip, {front, back}), KeypointState::kVisible);
+}
+
 TEST(KeypointStates, OneThroughAnothersHoleIsSeen) {
   const SeenBox box{pose({0, 0, 3}), {1, 1, 1}, kOwn};
   std::vector<SeenBox> boxes = {box};
