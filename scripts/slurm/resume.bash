@@ -20,7 +20,7 @@ begin_task() {
   # and many tasks would write the same files there.
   scratch=$(mktemp -d)
   trap 'rm -rf "$scratch"' EXIT
-  export ROS_HOME=$scratch/ros XDG_CACHE_HOME=$scratch/cache
+  export ROS_HOME=$scratch/ros XDG_CACHE_HOME=$scratch/cache TMPDIR=$scratch
   # Mesa draws with a thread for each of the machine's cores unless told: here, those of the task.
   export LP_NUM_THREADS=${LP_NUM_THREADS:-${SLURM_CPUS_ON_NODE:-1}}
   set +u  # catkin's file reads variables that may be unset

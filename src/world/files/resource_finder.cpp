@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "world/files/fuel.h"
+#include "world/files/text.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -70,11 +71,6 @@ std::vector<fs::path> inOwnModel(const std::string& rest, const fs::path& folder
     return {end == std::string::npos ? model : tidy(fs::path(model.string() + rest.substr(end)))};
   }
   return {};
-}
-
-std::string withSlashes(std::string uri) {
-  std::replace(uri.begin(), uri.end(), '\\', '/');
-  return uri;
 }
 
 }  // namespace

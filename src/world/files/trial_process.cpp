@@ -14,6 +14,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -45,8 +46,10 @@ std::uint64_t addressSpace() {
   return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// In the child: no core file, no output, no handlers, and an end.
-void prepare(const TrialLimits& limits) {
+/// In the child: no core file, no output, no handlers, and an end, its parent's at the latest.
+void prepare(const TrialLimits& limits, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(kError);  // it has ended already
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   const auto seconds = static_cast<rlim_t>(limits.processor_time.count());
@@ -75,8 +78,9 @@ void writeAll(int to, std::string_view bytes) {
   }
 }
 
-[[noreturn]] void run(const std::function<std::string()>& work, const TrialLimits& limits, int to) {
-  prepare(limits);
+[[noreturn]] void run(const std::function<std::string()>& work, const TrialLimits& limits,
+                      pid_t parent, int to) {
+  prepare(limits, parent);
   is_trial = true;
   int code = kDone;
   try {
@@ -131,20 +135,31 @@ std::optional<std::string> readAll(int from, pid_t child, std::chrono::milliseco
   }
 }
 
-int statusOf(pid_t child) {
-  int status = 0;
+struct End {
+  int status = 0;         ///< as wait(2) has it
+  std::int64_t time = 0;  ///< of the processor [s]
+};
+
+End endOf(pid_t child) {
+  End end;
+  rusage usage{};
   pid_t ended = 0;
   do {
-    ended = waitpid(child, &status, 0);
+    ended = wait4(child, &end.status, 0, &usage);
   } while (ended < 0 && errno == EINTR);
   if (ended != child) throw Error("a process of its own cannot be waited for");
-  return status;
+  end.time = usage.ru_utime.tv_sec + usage.ru_stime.tv_sec;
+  return end;
 }
 
-std::string howItEnded(int signal, const TrialLimits& limits) {
-  if (signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM) {
+std::string howItEnded(const End& end, const TrialLimits& limits) {
+  const int signal = WTERMSIG(end.status);
+  // What goes on past its limit is killed by the kernel, as is what the kernel has no memory for.
+  const bool used_its_time = end.time >= limits.processor_time.count();
+  if (signal == SIGXCPU || signal == SIGALRM || (signal == SIGKILL && used_its_time)) {
     return "does not end within " + std::to_string(limits.processor_time.count()) + " s";
   }
+  if (signal == SIGKILL) return "is killed (the machine may be short of memory)";
   return std::string("crashes (") + strsignal(signal) + ")";
 }
 
@@ -160,8 +175,9 @@ void TrialProcess::start() {
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return;
   const auto [reading, writing] = ends;
   static_cast<void>(fcntl(writing, F_SETPIPE_SZ, kPipeSize));  // slower where it may not
+  const pid_t parent = getpid();
   child_ = fork();
-  if (child_ == 0) run(work_, limits_, writing);
+  if (child_ == 0) run(work_, limits_, parent, writing);
   close(writing);
   if (child_ < 0) {
     close(reading);
@@ -202,8 +218,9 @@ std::variant<std::string, Breakdown> TrialProcess::finish() {
   std::optional<std::string> answer = receive();
   if (!answer) return work_();
   close(std::exchange(reading_, -1));
-  const int status = statusOf(std::exchange(child_, -1));
-  if (WIFSIGNALED(status)) return Breakdown{howItEnded(WTERMSIG(status), limits_)};
+  const End end = endOf(std::exchange(child_, -1));
+  const int status = end.status;
+  if (WIFSIGNALED(status)) return Breakdown{howItEnded(end, limits_)};
   if (WEXITSTATUS(status) == kOutOfMemory) {
     return Breakdown{"needs more than " + std::to_string(limits_.memory >> 20U) + " MiB of memory"};
   }

@@ -28,7 +28,8 @@ struct Breakdown {
 /// nothing else with it. What the work changes or prints is lost; what it returns is handed over.
 /// Where no process is to be had the work is done in this one, when it is finished.
 ///
-/// Several may work at a time. The work may be started more than once (see TrialLimits::idle).
+/// Several may work at a time. The work may be started more than once (see TrialLimits::idle). It
+/// ends with the thread that started it, at the latest.
 class TrialProcess {
  public:
   /// Starts it.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
+#include "world/files/text.h"
 #include "world/material/picture_channels.h"
 #include "world/material/picture_decoder.h"
 
@@ -45,11 +46,6 @@ cv::Mat contentOf(const cv::Mat& pixels, PictureContent content) {
 bool isFile(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
-}
-
-std::string withSlashes(std::string uri) {
-  std::replace(uri.begin(), uri.end(), '\\', '/');  // Windows' exporters
-  return uri;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "synthetic_dataset/errors.h"
 #include "world/files/fuel.h"
+#include "world/files/text.h"
 #include "world/sdf/built_in_models.h"
 #include "world/sdf/joined_models.h"
 #include "world/sdf/model_config.h"
@@ -25,13 +26,6 @@ namespace fs = std::filesystem;
 /// More is taken for files that multiply one another.
 constexpr std::size_t kMostIncludes = 20000;
 constexpr std::size_t kDeepestInclude = 30;
-
-std::string trimmed(const std::string& text) {
-  const char* blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 /// The one path of a file that may have several.
 fs::path identity(const fs::path& file) {

@@ -1,7 +1,6 @@
 #include "world/sdf/sdf_copies.h"
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <system_error>
@@ -73,28 +72,10 @@ class LinedWriter {
 
 }  // namespace
 
-SdfCopies::SdfCopies() {
-  std::error_code error;
-  const fs::path system_folder = fs::temp_directory_path(error);
-  if (error) {
-    throw Error("the folder for temporary files (TMPDIR, else /tmp) is not there: " +
-                error.message());
-  }
-  std::string name = (system_folder / kFolderName).string() + "XXXXXX";
-  if (mkdtemp(name.data()) == nullptr) {
-    throw Error("'" + system_folder.string() +
-                "': no folder for temporary files can be made in it: " + std::strerror(errno));
-  }
-  folder_ = name;
-}
-
-SdfCopies::~SdfCopies() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
+SdfCopies::SdfCopies() : folder_(kFolderName) {}
 
 fs::path SdfCopies::copyOf(const fs::path& original) const {
-  return folder_ / original.relative_path();
+  return folder_.path() / original.relative_path();
 }
 
 void SdfCopies::write(const fs::path& original, const tinyxml2::XMLElement& root) const {
@@ -110,7 +91,7 @@ void SdfCopies::write(const fs::path& original, const tinyxml2::XMLElement& root
 }
 
 std::string SdfCopies::withOriginalPaths(std::string message) const {
-  const std::string folder = folder_.string();
+  const std::string folder = folder_.path().string();
   for (std::size_t at = message.find(folder); at != std::string::npos;
        at = message.find(folder, at)) {
     message.erase(at, folder.size());

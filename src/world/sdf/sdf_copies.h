@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "world/files/scratch_folder.h"
+
 namespace tinyxml2 {
 class XMLElement;
 }
@@ -17,9 +19,6 @@ class SdfCopies {
  public:
   /// @throws Error if the system's folder for temporary files cannot be written
   SdfCopies();
-  ~SdfCopies();
-  SdfCopies(const SdfCopies&) = delete;
-  SdfCopies& operator=(const SdfCopies&) = delete;
 
   /// Where the copy of a file lies, or would lie.
   [[nodiscard]] std::filesystem::path copyOf(const std::filesystem::path& original) const;
@@ -32,7 +31,7 @@ class SdfCopies {
   [[nodiscard]] std::string withOriginalPaths(std::string message) const;
 
  private:
-  std::filesystem::path folder_;
+  ScratchFolder folder_;
 };
 
 /// The file of which one is a copy; any other path stays as it is.

@@ -9,6 +9,7 @@
 #include <sdf/Model.hh>
 #include <sdf/World.hh>
 
+#include "world/files/text.h"
 #include "world/sdf/joined_models.h"
 #include "world/sdf/sdf_console.h"
 
@@ -16,10 +17,6 @@ namespace synthetic_dataset::world {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool startsWith(const std::string& text, const std::string& start) {
-  return text.rfind(start, 0) == 0;
-}
 
 /// What does not touch the picture: Gazebo shows models with impossible inertias, and scripts
 /// without <uri> are its own.

@@ -10,6 +10,8 @@
 
 #include <tinyxml2.h>
 
+#include "world/files/text.h"
+
 namespace synthetic_dataset::world {
 namespace {
 
@@ -18,20 +20,9 @@ using tinyxml2::XMLElement;
 /// Links below one another; robots have dozens, and what reads their tree calls itself for each.
 constexpr std::size_t kDeepestTree = 1000;
 
-bool startsWith(const std::string& text, const std::string& start) {
-  return text.rfind(start, 0) == 0;
-}
-
 std::string valueOf(const XMLElement& element, const char* attribute) {
   const char* value = element.Attribute(attribute);
   return value == nullptr ? "" : value;
-}
-
-std::string trimmed(const std::string& text) {
-  const char* blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 void forEachElement(XMLElement& parent, const std::function<void(XMLElement&)>& visit) {

@@ -1,11 +1,14 @@
 #include "world/files/trial_process.h"
 
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -45,6 +48,15 @@ TEST(TryWork, TellsHowWorkCrashes) {
 TEST(TryWork, TellsOfALibraryThatEndsTheProcess) {
   EXPECT_THAT(tryWork([]() -> std::string { std::_Exit(7); }, TrialLimits()),
               VariantWith<Breakdown>(Field(&Breakdown::how, HasSubstr("ends with exit code 7"))));
+}
+
+TEST(TryWork, TellsOfAKillThatIsNoQuestionOfTime) {
+  const auto work = []() -> std::string {
+    raise(SIGKILL);
+    return "";
+  };
+  EXPECT_THAT(tryWork(work, TrialLimits()),
+              VariantWith<Breakdown>(Field(&Breakdown::how, HasSubstr("short of memory"))));
 }
 
 TEST(TryWork, TellsOfTooMuchMemory) {
@@ -149,6 +161,31 @@ TEST(TrialProcess, IsNotStartedAnewForEver) {
   };
   EXPECT_THAT(tryWork(work, impatient()), VariantWith<Breakdown>(testing::_));
   EXPECT_EQ(waiting.starts(), 4);
+}
+
+TEST(TrialProcess, EndsWithTheProgram) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  const pid_t program = fork();
+  if (program == 0) {
+    const auto sleep = [&] {
+      EXPECT_EQ(write(ends[1], ".", 1), 1);
+      pause();
+      return std::string();
+    };
+    (void)tryWork(sleep, TrialLimits());
+    _exit(0);
+  }
+  close(ends[1]);
+  char begun = 0;
+  ASSERT_EQ(read(ends[0], &begun, 1), 1);
+  kill(program, SIGKILL);
+  waitpid(program, nullptr, 0);
+  // The pipe ends when nobody has its other end any more.
+  constexpr int kLong = 30'000;  // [ms]
+  pollfd end{ends[0], POLLIN, 0};
+  EXPECT_EQ(poll(&end, 1, kLong), 1) << "the work goes on";
+  close(ends[0]);
 }
 
 TEST(TrialProcess, EndsWithItsObject) {
