@@ -109,20 +109,30 @@ void requireFolders(const std::string& folder, const std::vector<StoreWriter>& w
   probe.keepFolders();
 }
 
+/// Whether there is nothing to do. Files are only looked for: `verify` reads them.
+bool isWhole(const ManifestContent& dataset) {
+  return dataset.complete &&
+         std::all_of(dataset.files.begin(), dataset.files.end(), [](const std::string& file) {
+           std::error_code error;
+           return std::filesystem::exists(file, error);
+         });
+}
+
 OpenedDataset resume(const StoreOptions& options, const std::vector<StoreWriter>& writers,
                      const ManifestContent& earlier) {
   OpenedDataset opened{manifestFile(options.folder, options.shard), nullptr, nullptr};
-  if (earlier.complete) {
+  if (isWhole(earlier)) {
     removeLeftLock(opened.file);
     return opened;
   }
   requireFolders(options.folder, writers);
   auto lock = std::make_unique<RunLock>(opened.file);
   // The run that had the lock until now may have come to its end.
-  if (readManifest(opened.file).complete) return opened;
+  if (isWhole(readManifest(opened.file))) return opened;
   opened.lock = std::move(lock);
   opened.manifest =
       std::make_unique<Manifest>(Manifest::open(options.folder, options.shard, options.sync));
+  if (earlier.complete) opened.manifest->reopen();
   dropUnfinished(*opened.manifest);
   return opened;
 }

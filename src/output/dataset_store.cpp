@@ -63,7 +63,7 @@ void withdrawAfterFailure(const Manifest& manifest, const Withdraw& withdraw) {
   if (!manifest.isInPlace()) return;
   try {
     withdraw();
-  } catch (const Error&) {
+  } catch (const std::exception&) {
     // The first failure is the one to be told. Rows of files that are not there do no harm.
   }
 }

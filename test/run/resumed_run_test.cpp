@@ -32,7 +32,7 @@ TEST_F(ResumedRunTest, GivesTheBytesOfAnUnbrokenOne) {
   (void)run.run();
   const auto unbroken = AllAtOnceRun::files(run.folder());
   ASSERT_GT(unbroken.size(), 150U);
-  for (const std::int64_t scenes : {0, 2, 7}) {
+  for (const std::int64_t scenes : {0, 2, 7, 16}) {
     fs::remove_all(run.folder());
     stopAfter(scenes);
     const RunSummary summary = run.run();
@@ -63,6 +63,24 @@ TEST_F(ResumedRunTest, OfACompleteDatasetDoesNothing) {
   EXPECT_TRUE(summary.was_complete);
   EXPECT_EQ(summary.scenes, 0);
   EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == before);
+}
+
+TEST_F(ResumedRunTest, OfACompleteDatasetMakesFilesAgainThatSomebodyRemoved) {
+  (void)run.run();
+  const auto before = AllAtOnceRun::files(run.folder());
+  for (const auto& [name, bytes] : before) {
+    const bool is_of_scene = name.find("00000002") != std::string::npos;
+    const bool is_of_dataset = name.find(".txt") != std::string::npos && !is_of_scene;
+    if (is_of_scene || is_of_dataset) fs::remove(fs::path(run.folder()) / name);
+  }
+  ASSERT_LT(AllAtOnceRun::files(run.folder()).size(), before.size());
+  const RunSummary summary = run.run();
+  EXPECT_FALSE(summary.was_complete);
+  EXPECT_GT(summary.scenes, 0);
+  for (const auto& [name, bytes] : AllAtOnceRun::files(run.folder())) {
+    EXPECT_TRUE(before.count(name) == 1 && before.at(name) == bytes) << name;
+  }
+  EXPECT_EQ(AllAtOnceRun::files(run.folder()).size(), before.size());
 }
 
 TEST_F(ResumedRunTest, NamesTheSettingThatChanged) {

@@ -325,6 +325,15 @@ void endLog(const SqliteDatabase& database) {
 
 }  // namespace
 
+void Manifest::reopen() {
+  database_.execute("UPDATE run SET value = 'running' WHERE key = 'state'");
+  // Each VACUUM counts it up; the manifest is to have the bytes of one that was finished once.
+  SqliteStatement version(database_, "PRAGMA schema_version");
+  const std::int64_t counted = version.step() ? version.integer(0) : 0;
+  version.reset();
+  database_.execute("PRAGMA schema_version = " + std::to_string(counted - 1));
+}
+
 void Manifest::finish() {
   const std::string copy = temporaryPath(file_);
   ::unlink(copy.c_str());

@@ -93,6 +93,9 @@ class Manifest {
   /// @param place  called for each file that does not lie where it should already
   void takeIn(const std::string& shard_folder, const Shard& shard, const PlaceFile& place);
 
+  /// Sets the state back to running, of a dataset that is complete but for files that have gone.
+  void reopen();
+
   /// Sets the state to complete and writes the file anew, so that its bytes follow from what it
   /// lists and not from how that came about. Nothing may be written after it; it still answers.
   void finish();

@@ -1,6 +1,10 @@
 #include "output/manifest/sqlite.h"
 
+#include <array>
+#include <cstdio>
+
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include "synthetic_dataset/errors.h"
 
@@ -12,11 +16,37 @@ SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode) : file_(file)
   const int flags = mode == Mode::kReadOnly ? SQLITE_OPEN_READONLY
                     : mode == Mode::kCreate ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
                                             : SQLITE_OPEN_READWRITE;
+  open(file, flags);
+  if (mode == Mode::kReadOnly) readWhereNobodyCanWrite();
+  if (mode == Mode::kExisting) requireTablesOnly();
+}
+
+void SqliteDatabase::open(const std::string& name, int flags) {
   sqlite3* handle = nullptr;
-  const int result = sqlite3_open_v2(file.c_str(), &handle, flags, nullptr);
+  const int result = sqlite3_open_v2(name.c_str(), &handle, flags, nullptr);
   handle_.reset(handle);  // there is one even after a failure, for the message
   if (result != SQLITE_OK) fail();
-  if (mode == Mode::kExisting) requireTablesOnly();
+}
+
+/// A database with a write-ahead log needs files beside it to be read, even where there is nothing
+/// in the log. On a disk that cannot be written to nobody changes it meanwhile, and it can do
+/// without. https://www.sqlite.org/wal.html, section 5
+void SqliteDatabase::readWhereNobodyCanWrite() {
+  const int result =
+      sqlite3_exec(handle(), "SELECT 1 FROM sqlite_master", nullptr, nullptr, nullptr);
+  const bool has_log = access((file_ + "-wal").c_str(), F_OK) == 0;
+  if (result != SQLITE_CANTOPEN || has_log) return;  // any other fault is told where it matters
+  std::string uri = "file:";
+  for (const char c : file_) {
+    if (c == '%' || c == '?' || c == '#') {
+      std::array<char, 4> code{};
+      std::snprintf(code.data(), code.size(), "%%%02X", static_cast<unsigned>(c));
+      uri += code.data();
+    } else {
+      uri += c;
+    }
+  }
+  open(uri + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
 /// A file of somebody else's may call a view what should be a table, which never ends.

@@ -29,6 +29,8 @@ class SqliteDatabase {
  private:
   /// @throws Error for an existing file that has anything else
   void requireTablesOnly() const;
+  void open(const std::string& name, int flags);
+  void readWhereNobodyCanWrite();
 
   struct Close {
     void operator()(sqlite3* handle) const;
