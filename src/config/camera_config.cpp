@@ -62,6 +62,17 @@ EffectsConfig readEffects(const Parameters& camera) {
   return effects;
 }
 
+/// What is not set is as the world has it of a camera of its own.
+void readRange(const Parameters& group, CameraConfig& camera) {
+  constexpr double kNear = 0.05;   // [m]
+  constexpr double kFar = 1000.0;  // [m]
+  const bool is_of_world = camera.sensor && !camera.info_file && !camera.info_topic;
+  if (!is_of_world || group.has("near")) camera.near = numberAbove(group, "near", kNear, 0.0);
+  if (!is_of_world || group.has("far")) {
+    camera.far = numberAbove(group, "far", kFar, camera.near.value_or(0.0));
+  }
+}
+
 /// The members that a camera has whether it is the only one or not.
 CameraConfig readCamera(const Parameters& group, const std::string& name,
                         std::optional<std::string> frame) {
@@ -81,8 +92,7 @@ CameraConfig readCamera(const Parameters& group, const std::string& name,
                    "put somewhere else for each scene");
   }
   camera.rectified = group.maybe<bool>("rectified").value_or(false);
-  camera.near = numberAbove(group, "near", camera.near, 0.0);
-  camera.far = numberAbove(group, "far", camera.far, camera.near);
+  readRange(group, camera);
   camera.effects = readEffects(group);
   camera.frame = group.maybe<std::string>("frame_id");
   if (!camera.frame) camera.frame = std::move(frame);

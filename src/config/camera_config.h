@@ -35,8 +35,8 @@ struct CameraConfig {
   std::optional<std::string> on;          ///< the object that it is mounted on
   std::optional<CameraSampling> sample;   ///< drawn for each scene instead
   bool rectified = false;
-  double near = 0.05;   ///< [m]
-  double far = 1000.0;  ///< [m]
+  std::optional<double> near;  ///< [m]; none: as the world has it of its `sensor`
+  std::optional<double> far;   ///< [m]; none: as the world has it of its `sensor`
   EffectsConfig effects;
 };
 

@@ -8,6 +8,7 @@
 #include "scene/seconds.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
+#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -36,7 +37,7 @@ void readRecordedInfo(const config::CameraConfig& config, const std::vector<std:
         motion::readCameraInfo(bag_files, *config.info_topic);
     if (frame.empty()) frame = recorded.frame;
     model = config::cameraModelOf(recorded.info, parameter + *config.info_topic, config.rectified,
-                                  config.near, config.far);
+                                  config.near.value(), config.far.value());
   } catch (const ErrorList&) {
     throw;  // names the parameter already
   } catch (const Error& error) {
@@ -44,6 +45,20 @@ void readRecordedInfo(const config::CameraConfig& config, const std::vector<std:
     const bool named = message.rfind(parameter, 0) == 0;
     throw Error((named ? "" : parameter) + message);
   }
+}
+
+/// The camera of a sensor, with the range of sight that is set, if any.
+CameraModel modelOf(const world::CameraSensor& sensor, const config::CameraConfig& config) {
+  const CameraModel& camera = sensor.camera;
+  const double near = config.near.value_or(camera.near());
+  const double far = config.far.value_or(camera.far());
+  if (near < far) {
+    return {camera.width(), camera.height(), camera.intrinsics(), near, far, camera.distortion()};
+  }
+  throw Error(config.group + (config.far ? "/far" : "/near") + ": found " +
+              Value(config.far ? far : near).text() + "; the world's camera '" + sensor.name +
+              "' sees from " + Value(camera.near()).text() + " to " + Value(camera.far()).text() +
+              " m, so that nothing would be left");
 }
 
 /// The link that carries a sensor, if it is one that moves.
@@ -141,11 +156,12 @@ CameraRig makeCameraRig(const config::CameraConfig& config,
   std::optional<CameraModel> model;
   std::string frame = config.frame.value_or("");
   if (config.info_file) {
-    model = config::readCameraInfo(*config.info_file, config.rectified, config.near, config.far);
+    model = config::readCameraInfo(*config.info_file, config.rectified, config.near.value(),
+                                   config.far.value());
   } else if (config.info_topic) {
     readRecordedInfo(config, bag_files, model, frame);
   } else if (sensor != nullptr) {
-    model = sensor->camera;
+    model = modelOf(*sensor, config);
   }
   if (!model) throw Error(config.group + ": no intrinsics");
   CameraRig rig{config.name, *model, frame};

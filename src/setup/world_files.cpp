@@ -9,8 +9,6 @@ namespace {
 
 world::LoadOptions loadOptions(const config::Config& config) {
   world::LoadOptions options;
-  options.default_near = config.cameras.front().near;
-  options.default_far = config.cameras.front().far;
   if (config.world.on_missing_asset == config::OnMissingAsset::kWarn) {
     options.on_missing_asset = world::OnMissingAsset::kWarn;
   }
@@ -38,8 +36,7 @@ const world::Model& WorldFiles::model(const std::string& model_or_uri, const std
 
 WorldFiles& WorldShelf::filesFor(const config::Config& config) {
   const world::LoadOptions options = loadOptions(config);
-  Value::List key{config.world.file, options.default_near, options.default_far,
-                  options.on_missing_asset == world::OnMissingAsset::kWarn};
+  Value::List key{config.world.file, options.on_missing_asset == world::OnMissingAsset::kWarn};
   for (const std::string& folder : config.world.model_folders) key.emplace_back(folder);
   std::unique_ptr<WorldFiles>& files = files_[config::jsonText(Value(key))];
   if (!files) files = std::make_unique<WorldFiles>(config);

@@ -156,7 +156,7 @@ struct PixelNoise {
 struct CameraSensor {
   std::string name;              ///< "model::link::sensor", as Gazebo scopes it
   Pose X_WC = Pose::Identity();  ///< the *optical* frame: x right, y down, z forward
-  CameraModel camera;
+  CameraModel camera;            ///< near and far of <clip>, else 0.05 and 1000 m
   PixelNoise noise;              ///< SDF's <noise>
   std::string link;              ///< of its model, scoped as Link::name
   Pose X_LC = Pose::Identity();  ///< of the optical frame in its link, which may move

@@ -64,15 +64,13 @@ Pose lonePose(const sdf::SemanticPose& pose) {
   return toPose(known ? resolved : pose.RawPose());
 }
 
-Description describeFile(const SdfDocument& document, const LoadOptions& options,
-                         const Place& place, SdfReading& reading) {
+Description describeFile(const SdfDocument& document, const Place& place, SdfReading& reading) {
   Description description;
   if (document.world() != nullptr) {
-    readWorld(*document.world(), options, place, reading, description);
+    readWorld(*document.world(), place, reading, description);
   } else if (document.model() != nullptr) {
     const sdf::Model& model = *document.model();
-    ModelContents contents =
-        readModel(model, lonePose(model.SemanticPose()), options, place, reading);
+    ModelContents contents = readModel(model, lonePose(model.SemanticPose()), place, reading);
     description.models.push_back(std::move(contents.model));
     description.lights = std::move(contents.lights);
     description.cameras = std::move(contents.cameras);
@@ -140,7 +138,7 @@ Description WorldLoader::loadSdf(const fs::path& file, const std::optional<std::
   ahead.finish();
   SdfReading reading{
       file, finder_, caches_->meshes, caches_->shapes, findings, document->isSound()};
-  Description description = describeFile(*document, options_, Place(file.string()), reading);
+  Description description = describeFile(*document, Place(file.string()), reading);
   findings.throwErrors();
   description.notes = std::move(findings.notes);
   return description;

@@ -44,6 +44,8 @@ TEST(ReadCameras, SeveralHaveAGroupEach) {
   EXPECT_EQ(reading.cameras[0].frame, "eye");
   EXPECT_EQ(reading.cameras[1].frame, "rear/optical_link");
   EXPECT_EQ(reading.cameras[1].near, 0.2);
+  EXPECT_EQ(reading.cameras[1].far, 1000.0);
+  EXPECT_EQ(reading.cameras[0].near, std::nullopt) << "the world's own";
 }
 
 TEST(ReadCameras, ARecordedCalibrationBringsItsFrame) {

@@ -113,9 +113,9 @@ void MaterialScripts::gatherFrom(const fs::path& file, const Paths& folders, Pat
   seen.push_back(file);
   const OgreScript& script = read(file);
   for (const OgreObject& object : script.objects) entries.push_back({&object, file});
-  for (const OgreImport& import : script.imports) {
-    Paths candidates{file.parent_path() / import.file};
-    for (const fs::path& folder : folders) candidates.push_back(folder / import.file);
+  for (const std::string& import : script.imports) {
+    Paths candidates{file.parent_path() / import};
+    for (const fs::path& folder : folders) candidates.push_back(folder / import);
     const auto found = std::find_if(candidates.begin(), candidates.end(), isFile);
     if (found != candidates.end()) {
       gatherFrom(found->lexically_normal(), folders, seen, entries);

@@ -95,8 +95,7 @@ class Parser {
                          int depth) {
     OgreObject object;
     object.line = line;
-    object.is_abstract = words.size() > 1 && words.front() == "abstract";
-    if (object.is_abstract) words.erase(words.begin());
+    if (words.size() > 1 && words.front() == "abstract") words.erase(words.begin());
     object.kind = words[0];
     if (words.size() > 1) object.name = words[1];
     object.parents = std::move(parents);
@@ -109,19 +108,13 @@ class Parser {
     return object;
   }
 
-  static OgreImport importOf(const std::vector<std::string>& words, int line) {
+  /// The file that is imported from.
+  static std::string importOf(const std::vector<std::string>& words, int line) {
     const auto from = std::find(words.begin(), words.end(), "from");
     if (from == words.end() || from + 1 == words.end()) {
       fail(line, "an import should read: import NAME from \"FILE\"");
     }
-    OgreImport result;
-    for (auto word = words.begin() + 1; word != from; ++word) {
-      std::string name = *word;
-      name.erase(std::remove(name.begin(), name.end(), ','), name.end());
-      if (!name.empty()) result.names.push_back(name);
-    }
-    result.file = *(from + 1);
-    return result;
+    return *(from + 1);
   }
 
   std::vector<OgreToken> tokens_;

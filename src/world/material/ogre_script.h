@@ -12,25 +12,18 @@ struct OgreProperty {
   int line = 0;
 };
 
-/// A section of an OGRE script: `material Name : Parent { ... }`.
+/// A section of an OGRE script: `material Name : Parent { ... }`, with `abstract` before it or not.
 struct OgreObject {
   std::string kind;  ///< "material", "technique", "pass", "texture_unit", ...
   std::string name;  ///< may be empty
   std::vector<std::string> parents;
-  bool is_abstract = false;
   int line = 0;
   std::vector<OgreProperty> properties;  ///< a later one of the same name takes an earlier's place
   std::vector<OgreObject> objects;
 };
 
-/// `import Name, Other from "file"`; `*` is all names.
-struct OgreImport {
-  std::vector<std::string> names;
-  std::string file;
-};
-
 struct OgreScript {
-  std::vector<OgreImport> imports;
+  std::vector<std::string> imports;  ///< files: `import Name, Other from "file"`
   std::vector<OgreObject> objects;
 };
 

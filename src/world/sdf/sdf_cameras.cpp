@@ -33,13 +33,17 @@ Intrinsics intrinsicsOf(const sdf::Camera& camera) {
           camera.LensIntrinsicsCy()};
 }
 
-CameraModel modelOf(const sdf::Camera& camera, bool wide_angle, const LoadOptions& options) {
+// The range of sight of cameras without <clip>.
+constexpr double kNear = 0.05;   // [m]
+constexpr double kFar = 1000.0;  // [m]
+
+CameraModel modelOf(const sdf::Camera& camera, bool wide_angle) {
   const sdf::ElementPtr clip = descendant(camera.Element(), {"clip"});
   const Lens lens = wide_angle ? wideAngleLens(camera)
                                : Lens{intrinsicsOf(camera), brownDistortion(camera.Element())};
   return CameraModel(static_cast<int>(camera.ImageWidth()), static_cast<int>(camera.ImageHeight()),
-                     lens.intrinsics, clip ? camera.NearClip() : options.default_near,
-                     clip ? camera.FarClip() : options.default_far, lens.distortion);
+                     lens.intrinsics, clip ? camera.NearClip() : kNear,
+                     clip ? camera.FarClip() : kFar, lens.distortion);
 }
 
 bool isPinhole(const sdf::Sensor& sensor) {
@@ -79,17 +83,15 @@ PixelNoise noiseOf(const sdf::Camera& camera) {
 }  // namespace
 
 std::optional<CameraSensor> readCamera(const sdf::Sensor& sensor, const std::string& name,
-                                       const Pose& X_WL, const LoadOptions& options,
-                                       const Place& place, SdfReading& reading) {
+                                       const Pose& X_WL, const Place& place, SdfReading& reading) {
   sdf::Camera camera;
   if (!loadCamera(sensor, camera)) return std::nullopt;
   const Place here = place.in("sensor", sensor.Name());
   const Pose X_LS = resolve(sensor.SemanticPose(), here, reading);
   try {
     const Pose X_LC = X_LS * toPose(camera.RawPose()) * opticalInBody();
-    return CameraSensor{
-        name, X_WL * X_LC, modelOf(camera, isWideAngle(sensor), options), noiseOf(camera),
-        "",   X_LC};
+    return CameraSensor{name, X_WL * X_LC, modelOf(camera, isWideAngle(sensor)), noiseOf(camera),
+                        "",   X_LC};
   } catch (const UnsupportedLens& error) {
     reading.findings.addNote(here.message(error.what()) + "; the camera is left out");
   } catch (const Error& error) {

@@ -6,7 +6,6 @@
 #include <sdf/Sensor.hh>
 
 #include "world/sdf/sdf_reading.h"
-#include "world/load_options.h"
 
 namespace synthetic_dataset::world {
 
@@ -15,7 +14,6 @@ namespace synthetic_dataset::world {
 ///     a note tells
 [[nodiscard]] std::optional<CameraSensor> readCamera(const sdf::Sensor& sensor,
                                                      const std::string& name, const Pose& X_WL,
-                                                     const LoadOptions& options, const Place& place,
-                                                     SdfReading& reading);
+                                                     const Place& place, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

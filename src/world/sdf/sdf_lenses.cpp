@@ -12,8 +12,6 @@
 namespace synthetic_dataset::world {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// The mapping function's parts, as SDF's <custom_function> names them.
 struct Mapping {
   double c1 = 1.0;
@@ -28,7 +26,7 @@ struct Mapping {
   }
 
   /// Up to where the function grows [rad].
-  [[nodiscard]] double end() const { return fun == "id" ? kPi : std::min(kPi, c2 * 0.5 * kPi); }
+  [[nodiscard]] double end() const { return fun == "id" ? M_PI : std::min(M_PI, c2 * 0.5 * M_PI); }
 
   /// The image's radius for an angle from the axis, where small angles are their own radius.
   [[nodiscard]] double radius(double angle) const { return c2 * apply(angle / c2); }
@@ -126,7 +124,7 @@ Distortion fitted(const Mapping& mapping, double largest_angle, double focal_len
 
 Distortion distortionOf(const Mapping& mapping, double cutoff, double focal_length, double corner) {
   if (mapping.fun == "id") {
-    return {DistortionModel::kEquidistant, {}, std::min(cutoff, kPi)};
+    return {DistortionModel::kEquidistant, {}, std::min(cutoff, M_PI)};
   }
   if (mapping.fun == "tan" && mapping.c2 == 1.0) return {DistortionModel::kNone, {}, cutoff};
   // At the function's very end the image would reach infinity, or stand still.

@@ -60,8 +60,7 @@ std::string childLinkOf(const sdf::Joint& joint) {
 /// Gathers a model and the models nested in it.
 class ModelReader {
  public:
-  ModelReader(const LoadOptions& options, SdfReading& reading)
-      : options_(options), reading_(reading) {}
+  explicit ModelReader(SdfReading& reading) : reading_(reading) {}
 
   /// @param prefix  of the names of the links: "" or "child::"
   void read(const sdf::Model& model, const Pose& X_MN, const std::string& prefix,
@@ -115,7 +114,7 @@ class ModelReader {
     }
     for (std::size_t i = 0; i < from.SensorCount(); ++i) {
       const sdf::Sensor& sensor = *from.SensorByIndex(i);
-      auto camera = readCamera(sensor, scope + sensor.Name(), X_WL, options_, place, reading_);
+      auto camera = readCamera(sensor, scope + sensor.Name(), X_WL, place, reading_);
       if (!camera) continue;
       camera->link = link.name;
       contents.cameras.push_back(std::move(*camera));
@@ -150,7 +149,6 @@ class ModelReader {
 
   [[nodiscard]] std::vector<Link>& links() { return contents.model.links; }
 
-  const LoadOptions& options_;
   SdfReading& reading_;
 };
 
@@ -160,10 +158,10 @@ bool isStandIn(const sdf::Model& model) {
   return model.LinkCount() == 1 && model.LinkByIndex(0)->Name() == kStandInLink;
 }
 
-ModelContents readModel(const sdf::Model& model, const Pose& X_WM, const LoadOptions& options,
-                        const Place& place, SdfReading& reading) {
+ModelContents readModel(const sdf::Model& model, const Pose& X_WM, const Place& place,
+                        SdfReading& reading) {
   const Place here = place.inFile(fileOf(model.Element())).in("model", model.Name());
-  ModelReader reader(options, reading);
+  ModelReader reader(reading);
   reader.contents.model.name = model.Name();
   reader.contents.model.X_WM = X_WM;
   reader.contents.model.is_static = model.Static();

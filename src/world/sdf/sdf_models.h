@@ -5,7 +5,6 @@
 #include <sdf/Model.hh>
 
 #include "world/sdf/sdf_reading.h"
-#include "world/load_options.h"
 
 namespace synthetic_dataset::world {
 
@@ -22,8 +21,7 @@ struct ModelContents {
 /// Reads a model; links of nested models become its own, "child::link". Lights and cameras are
 /// placed in the world by the model's pose.
 /// @param place  the file's
-[[nodiscard]] ModelContents readModel(const sdf::Model& model, const Pose& X_WM,
-                                      const LoadOptions& options, const Place& place,
+[[nodiscard]] ModelContents readModel(const sdf::Model& model, const Pose& X_WM, const Place& place,
                                       SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

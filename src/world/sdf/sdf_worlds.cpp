@@ -50,8 +50,8 @@ void readGlobals(const sdf::World& world, const Place& place, SdfReading& readin
   readScene(descendant(world.Element(), {"scene"}), place.in("scene"), reading, description);
 }
 
-void readModels(const sdf::World& world, const LoadOptions& options, const Place& place,
-                SdfReading& reading, Description& description) {
+void readModels(const sdf::World& world, const Place& place, SdfReading& reading,
+                Description& description) {
   const Poses saved = statePoses(world, "model");
   for (std::size_t i = 0; i < world.ModelCount(); ++i) {
     const sdf::Model& model = *world.ModelByIndex(i);
@@ -60,7 +60,7 @@ void readModels(const sdf::World& world, const LoadOptions& options, const Place
     const Pose X_WM = found != saved.end()
                           ? found->second
                           : resolve(model.SemanticPose(), place.in("model", model.Name()), reading);
-    ModelContents contents = readModel(model, X_WM, options, place, reading);
+    ModelContents contents = readModel(model, X_WM, place, reading);
     description.models.push_back(std::move(contents.model));
     std::move(contents.lights.begin(), contents.lights.end(),
               std::back_inserter(description.lights));
@@ -85,10 +85,10 @@ void readLights(const sdf::World& world, const Place& place, SdfReading& reading
 
 }  // namespace
 
-void readWorld(const sdf::World& world, const LoadOptions& options, const Place& place,
-               SdfReading& reading, Description& description) {
+void readWorld(const sdf::World& world, const Place& place, SdfReading& reading,
+               Description& description) {
   readGlobals(world, place, reading, description);
-  readModels(world, options, place, reading, description);
+  readModels(world, place, reading, description);
   readLights(world, place, reading, description);
   if (!hasShadows(descendant(world.Element(), {"scene"}))) {
     for (Light& light : description.lights) light.casts_shadow = false;

@@ -8,8 +8,6 @@
 namespace synthetic_dataset::world {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// A chord of n segments lies up to 1 - cos(pi / n) of the radius below its arc; on a sphere the
 /// chords along meridians and parallels add up: 2 * 0.095 %.
 constexpr int kSegments = 72;
@@ -57,7 +55,7 @@ void addLathe(Mesh& mesh, const std::vector<OutlinePoint>& outline) {
   for (const OutlinePoint& point : outline) {
     for (int i = 0; i <= kSegments; ++i) {
       // The last column lies exactly on the first one.
-      const double angle = 2.0 * kPi * (i % kSegments) / kSegments;
+      const double angle = 2.0 * M_PI * (i % kSegments) / kSegments;
       const double c = std::cos(angle);
       const double s = std::sin(angle);
       add(mesh, {{point.radius * c, point.radius * s, point.height},
@@ -77,11 +75,11 @@ void addLathe(Mesh& mesh, const std::vector<OutlinePoint>& outline) {
 
 /// The outline of a sphere whose halves are pulled apart by `gap`, from pole to pole.
 std::vector<OutlinePoint> roundOutline(double radius, double gap) {
-  const double whole = kPi * radius + gap;
+  const double whole = M_PI * radius + gap;
   std::vector<OutlinePoint> outline;
   const auto addPoint = [&](int stack, double shift, double passed) {
     const bool pole = stack == 0 || stack == kStacks;
-    const double angle = kPi * stack / kStacks;
+    const double angle = M_PI * stack / kStacks;
     const double s = pole ? 0.0 : std::sin(angle);
     const double c = std::cos(angle);
     outline.push_back({radius * s, radius * c + shift, s, c, (radius * angle + passed) / whole});
@@ -96,7 +94,7 @@ void addDisc(Mesh& mesh, double radius, double height, double side) {
   const Eigen::Vector3d normal(0, 0, side);
   const std::uint32_t centre = add(mesh, {{0, 0, height}, normal, {0.5, 0.5}});
   for (int i = 0; i < kSegments; ++i) {
-    const double angle = 2.0 * kPi * i / kSegments;
+    const double angle = 2.0 * M_PI * i / kSegments;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
     add(mesh, {{radius * c, radius * s, height}, normal, {0.5 + 0.5 * c, 0.5 - 0.5 * side * s}});

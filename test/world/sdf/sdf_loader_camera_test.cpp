@@ -65,8 +65,8 @@ TEST(SdfCamera, TakesIntrinsicsOfTheFileAsTheyAre) {
   EXPECT_DOUBLE_EQ(camera.intrinsics().cy, 240.0);
 }
 
-TEST(SdfCamera, ClipsAsTheFileOrTheOptionsSay) {
-  EXPECT_DOUBLE_EQ(loadCamera(kRightAngle + kImage).camera.far(), LoadOptions().default_far);
+TEST(SdfCamera, ClipsAsTheFileSays) {
+  EXPECT_DOUBLE_EQ(loadCamera(kRightAngle + kImage).camera.far(), 1000.0);
   const CameraModel camera =
       loadCamera(kRightAngle + kImage + "<clip><near>0.2</near><far>30</far></clip>").camera;
   EXPECT_DOUBLE_EQ(camera.near(), 0.2);

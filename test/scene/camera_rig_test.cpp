@@ -1,0 +1,53 @@
+#include "scene/camera_rig.h"
+
+#include <gmock/gmock.h>
+
+#include "support/error_messages.h"
+
+namespace synthetic_dataset {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::StartsWith;
+
+/// A camera of a world, whose file says that it sees from 0.2 to 30 m.
+world::CameraSensor eye() {
+  const CameraModel model(160, 120, {140, 140, 79.5, 59.5}, 0.2, 30.0);
+  return {"mast::link::eye", Pose::Identity(), model, {}, "link", Pose::Identity()};
+}
+
+CameraRig rigOf(const config::CameraConfig& config) {
+  return makeCameraRig(config, {}, {eye()}, {}, {}, motion::FrameMotion("map", nullptr));
+}
+
+config::CameraConfig ofEye() {
+  config::CameraConfig config;
+  config.sensor = "mast::link::eye";
+  return config;
+}
+
+TEST(CameraRig, OfTheWorldSeesAsFarAsItsFileSays) {
+  const CameraModel model = rigOf(ofEye()).model;
+  EXPECT_EQ(model.near(), 0.2);
+  EXPECT_EQ(model.far(), 30.0);
+}
+
+TEST(CameraRig, OfTheWorldSeesAsFarAsIsSet) {
+  config::CameraConfig config = ofEye();
+  config.far = 5.0;
+  const CameraModel model = rigOf(config).model;
+  EXPECT_EQ(model.near(), 0.2);
+  EXPECT_EQ(model.far(), 5.0);
+  EXPECT_EQ(model.intrinsics(), eye().camera.intrinsics());
+}
+
+TEST(CameraRig, OfTheWorldIsRefusedWhereNothingWouldBeLeftToSee) {
+  config::CameraConfig config = ofEye();
+  config.near = 30.0;
+  EXPECT_THAT(test::messagesOf([&] { (void)rigOf(config); }),
+              ElementsAre(StartsWith("camera/near: found 30.0; the world's camera "
+                                     "'mast::link::eye' sees from 0.2 to 30.0 m")));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset
