@@ -8,7 +8,6 @@
 namespace synthetic_dataset::config {
 namespace {
 
-constexpr double kPi = 3.141592653589793;  // Python's math.pi
 constexpr int kDeepestNesting = 32;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -97,7 +96,7 @@ class Expression {
       if (!take(")")) fail();
       return value;
     }
-    if (take("pi")) return kPi;
+    if (take("pi")) return M_PI;
     return number();
   }
 
@@ -133,7 +132,7 @@ double degrees(const std::string& number) {
   if (!value || !std::isfinite(*value)) {
     throw Error("found the angle '" + number + "' in degrees; it should be a number");
   }
-  return *value * kPi / 180.0;
+  return *value * M_PI / 180.0;
 }
 
 }  // namespace synthetic_dataset::config

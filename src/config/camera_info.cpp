@@ -195,6 +195,14 @@ CameraModel cameraModelFrom(const CameraInfoNumbers& numbers, bool rectified, do
   const Intrinsics k = rectified ? intrinsicsOf(*numbers.P, "projection_matrix", errors)
                                  : intrinsicsOf(numbers.K, "camera_matrix", errors);
   const Distortion distortion = rectified ? Distortion{} : distortionOf(numbers, errors);
+  for (const auto& [name, size] :
+       {std::pair("image_width", numbers.width), std::pair("image_height", numbers.height)}) {
+    if (size < 1) {
+      errors.push_back(std::string(name) + ": found " + std::to_string(size) +
+                       "; it should be at least 1");
+    }
+  }
+  if (!errors.empty()) throw ErrorList(errors);
   const Readout across = readoutOf({"binning_x", "width", numbers.width, numbers.binning_x,
                                     numbers.roi_x_offset, numbers.roi_width},
                                    errors);

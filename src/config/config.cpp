@@ -158,6 +158,16 @@ bool isUnusedBlock(const Value& value) {
   return holds("output_folder") || (holds("class") && holds("id"));
 }
 
+/// An instance map has 16 bits for an object's place.
+void checkObjectCount(const Parameters& root, std::size_t count) {
+  constexpr std::size_t kMostObjects = 65535;
+  if (count <= kMostObjects) return;
+  root.addError("robot_list", "found " + std::to_string(count) +
+                                  " objects, with the distractors that have a class; it should "
+                                  "be at most " +
+                                  std::to_string(kMostObjects));
+}
+
 }  // namespace
 
 Config readConfig(const Parameters& root) {
@@ -170,6 +180,7 @@ Config readConfig(const Parameters& root) {
   config.randomization = readRandomization(root);
   config.objects = readObjects(root);
   addLabelledDistractors(root, config.randomization.distractors, config.objects);
+  checkObjectCount(root, config.objects.size());
   config.classes = readClasses(root, config.objects);
   config.masks = readMasks(root);
   config.labels = readLabels(root);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "run/label_counts.h"
 #include "run/motion_run.h"
 #include "run/open_output.h"
 #include "run/scene_committer.h"
@@ -134,6 +135,8 @@ struct Generator::Impl {
       if (summary.stopped) break;
     }
     tellWritten();
+    // The files of the dataset as a whole may take long, too.
+    summary.stopped = summary.stopped || reporter.stopRequested();
   }
 
   /// The reporter hears of scenes in the thread that runs.
@@ -144,6 +147,12 @@ struct Generator::Impl {
     }
   }
 
+  /// Whether all scenes of the dataset are there, and not those of a shard or a choice alone.
+  [[nodiscard]] bool isWhole() const {
+    const config::OutputConfig& output = setup.config.output;
+    return !summary.stopped && !output.shard && output.only_scenes.empty();
+  }
+
   /// What the whole dataset holds, for the run's last words.
   void summarize() {
     summary.dataset_scenes = store->counts().scenes;
@@ -151,12 +160,10 @@ struct Generator::Impl {
     summary.files = store->counts().files;
     summary.bytes = store->counts().bytes;
     summary.warnings = store->warningCounts();
-    const std::vector<output::ObjectCounts> counts = store->objectCounts();
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      const output::ObjectCounts& of = counts[i];
-      summary.objects.push_back(
-          {setup.config.objects[i].name, of.in_view, of.seen, of.dropped, std::nullopt});
-      if (of.compared > 0) summary.objects.back().mask_agreement = of.mean_mask_agreement;
+    summary.objects = labelCounts(*store, setup.config.objects);
+    if (!isWhole()) return;
+    for (const std::string& message : missingLabels(summary.objects, summary.dataset_scenes)) {
+      reporter.warning(message);
     }
   }
 

@@ -10,6 +10,7 @@
 #include "config/settings_text.h"
 #include "output/files/file_name_rules.h"
 #include "output/manifest/manifest_content.h"
+#include "run/label_counts.h"
 #include "run/open_output.h"
 #include "setup/run_setup.h"
 #include "synthetic_dataset/errors.h"
@@ -170,6 +171,10 @@ void mergeShards(const std::string& output_folder, const std::vector<std::string
     store->complete();
     reporter.info(std::to_string(found) + " scenes of " + std::to_string(shards.size()) +
                   " shards merged");
+    for (const std::string& message :
+         missingLabels(labelCounts(*store, setup.config.objects), found)) {
+      reporter.warning(message);
+    }
   }
   removeShardManifests(shards, folder);
   reporter.info("manifest: " + store->manifestPath());

@@ -18,6 +18,8 @@ struct RunSummary {
 
     /// Mean intersection over union of its visible masks by background subtraction and exact ones.
     std::optional<double> mask_agreement;
+
+    bool is_distractor = false;  ///< which need not be seen anywhere
   };
 
   bool stopped = false;       ///< ended early because the user asked for it

@@ -1,10 +1,12 @@
 #include "setup/motion_setup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "scene/seconds.h"
 #include "setup/scene_plan.h"
+#include "setup/size_notes.h"
 #include "setup/world_setup.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -27,6 +29,7 @@ class MotionBuilder {
     setUpCameras();
     arrangeScenes();
     planScenes();
+    if (!errors().messages().empty()) tellOfRecording();
     return std::move(setup_);
   }
 
@@ -60,7 +63,8 @@ class MotionBuilder {
       auto recording =
           attempt([&] { return std::make_unique<motion::BagMotion>(config().motion.bag_files); });
       if (!recording) return;
-      addTo(setup_.notes, recording->notes());
+      recording_notes_ = recording->notes();
+      addTo(setup_.notes, recording_notes_);
       setup_.frames =
           std::make_unique<motion::FrameMotion>(config().global_frame, std::move(recording));
     }
@@ -80,6 +84,11 @@ class MotionBuilder {
       }
       placeSomewhere(each.frame);
     }
+  }
+
+  /// What was left out of the recording may be what is missing.
+  void tellOfRecording() {
+    for (const std::string& note : recording_notes_) errors().add("bag_file: " + note);
   }
 
   /// Frames that are placed scene by scene are known from the start.
@@ -106,6 +115,19 @@ class MotionBuilder {
     setup_.shapes = attempt([&] {
       return std::make_unique<ObjectShapes>(config().objects, setup_.variants, *setup_.world);
     });
+    noteStrangeSizes();
+  }
+
+  /// Millimetres, for one.
+  void noteStrangeSizes() {
+    if (!setup_.shapes) return;
+    for (std::size_t i = 0; i < config().objects.size(); ++i) {
+      const config::ObjectConfig& object = config().objects[i];
+      const bool varies = setup_.variants[i].all().size() > 1;  // and what is given with it
+      if (object.takes_part && !object.is_distractor && !varies) {
+        addTo(setup_.notes, sizeNotes(object, setup_.shapes->boxesAtRest(i).front()));
+      }
+    }
   }
 
   /// Points that are given are those of one model.
@@ -140,6 +162,7 @@ class MotionBuilder {
       if (rig->sampled) placeSomewhere(rig->frame);
       checkShutter(camera, *rig);
       noteBlindLens(camera, *rig);
+      noteFarAxis(camera, *rig);
       setup_.cameras.push_back(std::move(*rig));
     }
   }
@@ -168,6 +191,21 @@ class MotionBuilder {
         fixed(toSeconds(openTime(rig.shutter)), 4) + " s; it should be at most the " +
         fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate" +
         (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)" : ")"));
+  }
+
+  /// Intrinsics of another resolution have their principal point elsewhere. Only what is cut out of
+  /// a sensor's picture may have it far from the middle.
+  void noteFarAxis(const config::CameraConfig& camera, const CameraRig& rig) {
+    constexpr double kFar = 0.2;  // of the image's size
+    const CameraModel& model = rig.model;
+    const double across = model.intrinsics().cx + 0.5 - 0.5 * model.width();
+    const double down = model.intrinsics().cy + 0.5 - 0.5 * model.height();
+    if (std::abs(across) <= kFar * model.width() && std::abs(down) <= kFar * model.height()) return;
+    setup_.notes.push_back(
+        camera.group + ": the principal point (" + fixed(model.intrinsics().cx, 1) + ", " +
+        fixed(model.intrinsics().cy, 1) + ") is far from the middle of an image of " +
+        std::to_string(model.width()) + " x " + std::to_string(model.height()) +
+        " (is the calibration that of another resolution?)");
   }
 
   void noteBlindLens(const config::CameraConfig& camera, const CameraRig& rig) {
@@ -210,6 +248,7 @@ class MotionBuilder {
 
   WorldShelf& worlds_;
   MotionSetup setup_;
+  std::vector<std::string> recording_notes_;
   std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
 };
 

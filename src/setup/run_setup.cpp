@@ -29,11 +29,9 @@ class Builder {
     for (config::MotionEntry& entry : list_.entries) addMotion(entry);
     setup_.config = setup_.motions.front().config;
     errors_.add(list_.errors);
-    if (list_.errors.empty()) shareScenes();
-    countInstants();
     checkSameCameras();
     checkSameDistractors();
-    checkOnlyScenes();
+    const std::int64_t told_count = countInstants();
     planSplits();
     const std::size_t errors_before = roots_.front().errors().size();
     loadWriters();
@@ -41,8 +39,9 @@ class Builder {
     writer_errors_.assign(of_first.begin() + static_cast<std::ptrdiff_t>(errors_before),
                           of_first.end());
     for (MotionSetup& motion : setup_.motions) checkFrames(motion);
-    countInstants();
-    if (setup_.splits) planSplits();  // else there is an error already
+    if (list_.errors.empty()) shareScenes();
+    if (countInstants() < told_count) replan();
+    checkOnlyScenes();
     if (setup_.splits) noteEmptySplits();
     noteSubtraction();
     const std::vector<std::string> unused = unusedSettings(list_.entries, roots_);
@@ -81,12 +80,14 @@ class Builder {
     }
   }
 
-  void countInstants() {
+  /// Numbers the times of all motions, and returns how many there are.
+  std::int64_t countInstants() {
     std::int64_t count = 0;
     for (MotionSetup& motion : setup_.motions) {
       motion.first_instant = count;
       count += motion.instantCount();
     }
+    return count;
   }
 
   /// Scenes are numbered through all cameras.
@@ -171,6 +172,14 @@ class Builder {
                           motion.frames->suggestFrame(frame));
       }
     }
+  }
+
+  /// Writers that have been told of more scenes than there are, as only they know which frames they
+  /// need, are loaded anew.
+  void replan() {
+    if (!setup_.splits) return;  // told already
+    planSplits();
+    if (setup_.writers && writer_errors_.empty()) loadWriters();
   }
 
   /// When it is known how many scenes there are.

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
+#include "config/yaml_value.h"
 #include "run_fixture.h"
 #include "support/bag_builder.h"
 #include "support/tiny_run.h"
@@ -23,6 +24,7 @@ using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 using GeneratorTest = test::RunFixture;
@@ -252,6 +254,29 @@ TEST_F(GeneratorTest, NamesAFrameThatOnlyAWriterAsksFor) {
   (*parameters.at("bounding_shape").as<Value::Map>())["output_frame"] = Value("alpha/base_lnik");
   EXPECT_THAT(errors(),
               Contains(AllOf(HasSubstr("alpha/base_lnik"), HasSubstr("alpha/base_link"))));
+}
+
+TEST_F(GeneratorTest, TellsWritersOfTheScenesThatHaveTheirFramesAlone) {
+  test::BagBuilder bag(run.folder() / "late.bag");
+  bag.fix("map", "bravo/base_link", test::milliseconds(1000), test::poseAt(0, 1, 0));
+  for (int i = 0; i <= 20; ++i) {
+    bag.move("map", "alpha/base_link", test::milliseconds(1000 + 50 * i), test::poseAt(0.1, 0, 0));
+    if (i <= 10) bag.move("map", "tool", test::milliseconds(1000 + 50 * i));
+  }
+  parameters["bag_file"] = Value(bag.close());
+  parameters["split"] = Value(Value::Map{{"train", Value(0.85)}, {"val", Value(0.15)}});
+  (*parameters.at("bounding_shape").as<Value::Map>())["output_frame"] = Value("tool");
+  parameters.erase("yolo");
+  parameters["writers"] = config::parseYaml(
+      "[{name: folder, type: synthetic_dataset/ImageFolder},"
+      " {name: bounding_shape, type: synthetic_dataset/BoundingShape}]",
+      "test");
+  EXPECT_EQ(generate().scenes, 3) << "the tool is known for half of the recording";
+  const std::string card = files().at("folder/README.md");
+  EXPECT_THAT(card, AllOf(HasSubstr("split: train"), Not(HasSubstr("split: val"))))
+      << "of four scenes the last would be one to validate with";
+  parameters["only_scenes"] = Value(Value::List{Value(3)});
+  EXPECT_THAT(errors(), Contains("only_scenes: found 3; this run's scenes are 0 to 2"));
 }
 
 TEST_F(GeneratorTest, FindsAllErrorsAtOnceAndLeavesTheDiskAlone) {

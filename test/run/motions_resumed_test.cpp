@@ -38,6 +38,8 @@ struct TimesReporter : Reporter {
   mutable int times = 0;
 };
 
+constexpr int kEnd = 1;  // a run that has made its scenes is asked once more
+
 /// Three recorded times, two of another recording without bravo, two placed ones, and three of the
 /// first recording in other light; each of two cameras: 20 scenes.
 class PartsOfMotions : public ::testing::Test {
@@ -138,14 +140,14 @@ TEST_F(PartsOfMotions, AreNotGoneThroughAgainWhenTheyAreComplete) {
   EXPECT_TRUE(run.run(stopping, run.folder()).stopped);
   TimesReporter counter;
   (void)run.run(counter, run.folder());
-  EXPECT_EQ(counter.times, 3) << "of ten times";
+  EXPECT_EQ(counter.times, 3 + kEnd) << "of ten times";
 }
 
 TEST_F(PartsOfMotions, AreGoneThroughUpToTheLastSceneThatIsWantedAlone) {
   TimesReporter counter;
   run.parameters["only_scenes"] = yaml("[0]");
   EXPECT_EQ(run.run(counter, run.folder()).scenes, 2);
-  EXPECT_EQ(counter.times, 2) << "the next one tells where pixels go";
+  EXPECT_EQ(counter.times, 2 + kEnd) << "the next one tells where pixels go";
 }
 
 TEST_F(PartsOfMotions, CannotGoOnWithOthers) {

@@ -46,6 +46,15 @@ std::vector<std::string> errorsWith(const std::string& name, const Value& value)
   return test::messagesOf([&] { (void)placement::receivedMap(settings); });
 }
 
+TEST(ReceivedMap, OfMoreCellsThanThereIsRoomForIsNamed) {
+  Value settings = placement::settingsOf(hall());
+  for (const char* side : {"width", "height"}) {
+    (*settings.as<Value::Map>())[side] = Value(1000000);
+  }
+  EXPECT_THAT(test::messagesOf([&] { (void)placement::receivedMap(settings); }),
+              ElementsAre(HasSubstr("width: found 1000000 x 1000000 cells")));
+}
+
 TEST(ReceivedMap, IsTheSameAfterItsSettings) {
   const Value settings = placement::settingsOf(hall());
   EXPECT_EQ(*settings.as<Value::Map>()->at("cells").as<std::string>(), "100x7 0x23 -1x1 0x449");

@@ -13,7 +13,11 @@ RunFixture::RunFixture() { preparePluginEnvironment(); }
 
 RunSummary RunFixture::generate() const {
   Reporter silent;
-  Generator generator(Value(parameters), silent, {pluginXml()});
+  return generate(silent);
+}
+
+RunSummary RunFixture::generate(Reporter& reporter) const {
+  Generator generator(Value(parameters), reporter, {pluginXml()});
   return generator.run();
 }
 

@@ -20,6 +20,7 @@ class RunFixture : public ::testing::Test {
 
   /// Runs with the parameters.
   RunSummary generate() const;
+  RunSummary generate(Reporter& reporter) const;
 
   /// Every file of the dataset that is there, by its relative path.
   [[nodiscard]] std::map<std::string, std::string> files() const;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "output/dataset_store.h"
+#include "run/run_summary.h"
+
+namespace synthetic_dataset {
+
+/// In how many of a dataset's scenes each object is in view, seen and labelled.
+[[nodiscard]] std::vector<RunSummary::Object> labelCounts(
+    const output::DatasetStore& store, const std::vector<config::ObjectConfig>& objects);
+
+/// What the user should know where an object, or all of them, has no label in any scene.
+/// @param scenes  of the dataset
+[[nodiscard]] std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& counts,
+                                                     std::int64_t scenes);
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,53 @@
+#include "setup/size_notes.h"
+
+#include <gmock/gmock.h>
+
+namespace synthetic_dataset {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+const Cuboid kRover{{-0.5, -0.3, 0.0}, {0.5, 0.3, 0.4}};
+
+config::ObjectConfig rover(double scale) {
+  config::ObjectConfig object;
+  object.name = "rover";
+  for (const Eigen::Vector3d& corner : kRover.corners()) {
+    object.bounding_shape_O.push_back(scale * corner);
+  }
+  object.keypoints_O = {scale * Eigen::Vector3d(0.4, 0.2, 0.4)};
+  return object;
+}
+
+TEST(SizeNotes, AreNoneOfWhatFitsTheModel) {
+  EXPECT_THAT(sizeNotes(rover(1.0), kRover), IsEmpty());
+  EXPECT_THAT(sizeNotes(rover(1.4), kRover), IsEmpty()) << "with room";
+  config::ObjectConfig found_on_model;
+  EXPECT_THAT(sizeNotes(found_on_model, kRover), IsEmpty());
+}
+
+TEST(SizeNotes, TellOfMillimetres) {
+  EXPECT_THAT(sizeNotes(rover(1000.0), kRover),
+              ElementsAre("rover/bounding_shape: its points reach over 1232.883 m, the model over "
+                          "1.233 m (are they in metres?)",
+                          StartsWith("rover/keypoints: one is ")));
+}
+
+TEST(SizeNotes, TellOfASinglePoint) {
+  config::ObjectConfig object = rover(1.0);
+  object.bounding_shape_O = {Eigen::Vector3d::Zero()};
+  EXPECT_THAT(sizeNotes(object, kRover), ElementsAre(StartsWith("rover/bounding_shape: its points "
+                                                                "reach over 0.000 m")));
+}
+
+TEST(SizeNotes, TellOfAnotherFrame) {
+  config::ObjectConfig object = rover(1.0);
+  for (Eigen::Vector3d& point : object.bounding_shape_O) point.x() += 5.0;
+  EXPECT_THAT(sizeNotes(object, kRover),
+              ElementsAre(StartsWith("rover/bounding_shape: its middle is 4.500 m away")));
+}
+
+}  // namespace
+}  // namespace synthetic_dataset
