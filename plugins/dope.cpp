@@ -5,6 +5,7 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "plugins/shared/json.h"
 #include "plugins/shared/label_options.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/label_text.h"
@@ -12,7 +13,6 @@
 namespace synthetic_dataset {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kCorners = 8;
 
 /// The cuboid's corners in the order of DOPE, NDDS and nvdu, in the object's frame with x ahead, y
@@ -20,10 +20,6 @@ constexpr std::size_t kCorners = 8;
 /// Cuboid::corners().
 constexpr std::array<std::size_t, kCorners> kCornerOrder = {0b101, 0b001, 0b011, 0b111,
                                                             0b100, 0b000, 0b010, 0b110};
-
-Json numbersOf(const Eigen::Vector3d& vector) {
-  return Json::array({vector.x(), vector.y(), vector.z()});
-}
 
 Json placeOf(const Eigen::Vector2d& pixel) { return Json::array({pixel.x(), pixel.y()}); }
 
@@ -135,7 +131,7 @@ Json cameraData(const Scene& scene, Style style) {
 Json cameraSettings(const CameraDescription& camera) {
   const CameraModel& model = camera.model;
   const Intrinsics& k = model.intrinsics();
-  const double field_of_view = 2.0 * std::atan(0.5 * model.width() / k.fx) * 180.0 / kPi;
+  const double field_of_view = 2.0 * std::atan(0.5 * model.width() / k.fx) * 180.0 / M_PI;
   return {{"camera_settings",
            Json::array({{{"name", camera.name},
                          {"horizontal_fov", field_of_view},

@@ -13,12 +13,11 @@
 namespace synthetic_dataset {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kLargestTilt = kPi / 180.0;  // [rad]
+constexpr double kLargestTilt = M_PI / 180.0;  // [rad]
 constexpr int kDecimals = 6;
 
 /// In (-pi, pi].
-double wrapped(double angle) { return std::remainder(angle, 2.0 * kPi); }
+double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
 
 /// 0 fully visible, 1 partly occluded, 2 largely occluded: of the part in the image.
 int occlusionOf(const PixelCounts& pixels) {

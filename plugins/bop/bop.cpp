@@ -11,6 +11,7 @@
 
 #include "plugins/bop/bop_models.h"
 #include "plugins/bop/bop_scenes.h"
+#include "plugins/shared/json.h"
 #include "plugins/shared/label_options.h"
 #include "plugins/shared/mask_rle.h"
 #include "plugins/shared/pose_formats.h"
@@ -20,8 +21,7 @@
 namespace synthetic_dataset {
 namespace {
 
-constexpr double kMillimetres = 1000.0;  // in a metre
-constexpr int kGreatestDepth = 65535;    // that a pixel can hold
+constexpr int kGreatestDepth = 65535;  // that a pixel can hold
 
 /// Of visibility: the toolkit's smallest for a target, and below which it ignores a detection.
 constexpr double kFewestVisible = 0.1;
@@ -104,9 +104,7 @@ Json runLengths(const cv::Mat& mask, const cv::Rect& extent) {
   return {{"counts", masks::columnRuns(mask, extent)}, {"size", {mask.rows, mask.cols}}};
 }
 
-Json millimetres(const Eigen::Vector3d& p) {
-  return Json::array({kMillimetres * p.x(), kMillimetres * p.y(), kMillimetres * p.z()});
-}
+Json millimetres(const Eigen::Vector3d& p) { return numbersOf(kMillimetres * p); }
 
 void addJson(DatasetOutput& output, const std::string& path, const Json& json) {
   output.addFile(path, [&](std::ostream& stream) { stream << indentedJson(json); });

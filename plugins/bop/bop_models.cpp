@@ -7,13 +7,12 @@
 #include <set>
 
 #include "plugins/bop/bop_symmetries.h"
+#include "plugins/shared/json.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset {
 namespace {
-
-constexpr double kMillimetres = 1000.0;  // in a metre
 
 std::vector<std::string> namesOf(const DatasetInfo& dataset) {
   std::vector<std::string> names;
@@ -73,10 +72,6 @@ bool areAlike(const BopModel& a, const BopModel& b) {
   return a.has_surface == b.has_surface && a.bounds_M.low.isApprox(b.bounds_M.low, kTolerance) &&
          a.bounds_M.high.isApprox(b.bounds_M.high, kTolerance) &&
          std::abs(a.diameter - b.diameter) < kTolerance;
-}
-
-Json numbersOf(const Eigen::Vector3d& vector) {
-  return Json::array({vector.x(), vector.y(), vector.z()});
 }
 
 /// 16 numbers, row by row, the translation in millimetres.

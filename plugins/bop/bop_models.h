@@ -8,6 +8,8 @@
 /// The object models of a dataset in BOP's format.
 namespace synthetic_dataset {
 
+inline constexpr double kMillimetres = 1000.0;  ///< in a metre
+
 /// A model that looks the same when it is turned by any angle about an axis.
 struct ContinuousSymmetry {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();

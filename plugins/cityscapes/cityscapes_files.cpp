@@ -14,12 +14,6 @@
 namespace synthetic_dataset {
 namespace {
 
-/// On several lines, for people to read.
-std::string readableText(const Json& value) {
-  constexpr int kIndent = 2;
-  return value.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 /// One entry of the table of classes.
 /// @param train_id  255 for what neither training nor evaluation looks at
 Json entryOf(const std::string& name, int id, int train_id, bool has_instances) {
@@ -84,7 +78,7 @@ std::string cameraJson(const Scene& scene) {
                           {"yaw", std::atan2(R_GB(1, 0), R_GB(0, 0))}};
   const Json intrinsic = {
       {"fx", intrinsics.fx}, {"fy", intrinsics.fy}, {"u0", intrinsics.cx}, {"v0", intrinsics.cy}};
-  return readableText({{"extrinsic", extrinsic}, {"intrinsic", intrinsic}});
+  return indentedJson({{"extrinsic", extrinsic}, {"intrinsic", intrinsic}});
 }
 
 void writeLabelTable(std::ostream& stream, const std::vector<CityscapesLabel>& labels,
@@ -99,7 +93,7 @@ void writeLabelTable(std::ostream& stream, const std::vector<CityscapesLabel>& l
     if (is_new) ++train_id;
     table.push_back(entryOf(label.name, label.id, place->second, true));
   }
-  stream << readableText(table);
+  stream << indentedJson(table);
 }
 
 }  // namespace synthetic_dataset

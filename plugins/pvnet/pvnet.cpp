@@ -6,6 +6,7 @@
 
 #include "plugins/pvnet/numpy_array.h"
 #include "plugins/pvnet/pvnet_model.h"
+#include "plugins/shared/json.h"
 #include "plugins/shared/label_options.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/label_text.h"

@@ -10,11 +10,7 @@ namespace {
 
 constexpr std::size_t kFarthestPoints = 8;
 
-Json numbersOf(const Eigen::Vector3d& point) {
-  return Json::array({point.x(), point.y(), point.z()});
-}
-
-Json numbersOf(const std::vector<Eigen::Vector3d>& points) {
+Json listOf(const std::vector<Eigen::Vector3d>& points) {
   Json list = Json::array();
   for (const Eigen::Vector3d& point : points) list.push_back(numbersOf(point));
   return list;
@@ -59,9 +55,9 @@ Json PvNetModel::annotation(const CameraModel& camera, const Pose& X_CO) const {
     for (const Eigen::Vector3d& p_O : points_O) list.push_back(placeOf(p_O));
     return list;
   };
-  return {{"corner_3d", numbersOf(corners)},      {"corner_2d", placesOf(corners)},
-          {"center_3d", numbersOf(centre)},       {"center_2d", placeOf(centre)},
-          {"fps_3d", numbersOf(farthest_points)}, {"fps_2d", placesOf(farthest_points)}};
+  return {{"corner_3d", listOf(corners)},      {"corner_2d", placesOf(corners)},
+          {"center_3d", numbersOf(centre)},    {"center_2d", placeOf(centre)},
+          {"fps_3d", listOf(farthest_points)}, {"fps_2d", placesOf(farthest_points)}};
 }
 
 std::vector<Eigen::Vector3d> farthestPoints(const ObjectModel& model, std::size_t count) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
 #include "synthetic_dataset/box.h"
@@ -20,6 +21,16 @@ using Json = nlohmann::json;
 /// On one line. Bytes of a name that are not UTF-8 become U+FFFD, as JSON has to be UTF-8.
 [[nodiscard]] inline std::string jsonText(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// On several lines, for people to read too.
+[[nodiscard]] inline std::string indentedJson(const Json& value) {
+  constexpr int kIndent = 2;
+  return value.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+[[nodiscard]] inline Json numbersOf(const Eigen::Vector3d& vector) {
+  return Json::array({vector.x(), vector.y(), vector.z()});
 }
 
 /// [x, y, width, height] as COCO has it, in pixels of an image that spans 0 to its width.

@@ -29,10 +29,6 @@ std::string cameraFolder(const DatasetInfo& dataset, std::size_t camera) {
   return dataset.cameras.size() < 2 ? "" : safeFileName(dataset.cameras[camera].name) + "/";
 }
 
-std::string indentedJson(const Json& value) {
-  return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 void warnOfDistortion(const CameraModel& camera, SceneOutput& output) {
   if (isPinhole(camera.distortion())) return;
   output.addWarning(

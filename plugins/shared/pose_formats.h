@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include "plugins/shared/json.h"
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/cuboid.h"
 #include "synthetic_dataset/label_writer.h"
@@ -20,9 +19,6 @@ namespace synthetic_dataset {
 
 /// The folder of a camera's files, with a `/` at its end: its name where there are several.
 [[nodiscard]] std::string cameraFolder(const DatasetInfo& dataset, std::size_t camera);
-
-/// JSON for people to read too.
-[[nodiscard]] std::string indentedJson(const Json& value);
 
 /// Warns where a scene's lens is not the pinhole that the format takes it for.
 void warnOfDistortion(const CameraModel& camera, SceneOutput& output);

@@ -344,7 +344,7 @@ ExpectedLabels ultralytics(const MeasuredScene& scene) {
 /// Words of the class: its name or, where the objects' settings have that, its number.
 ExpectedLabels yolo(const MeasuredScene& scene) {
   constexpr double kDecimals = 1e-5;  // of a fraction, half of it lost in each of two numbers
-  constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+  constexpr double kRelativeRounding = 4.0 * std::numeric_limits<double>::epsilon();
   const double width = scene.image().width();
   const double height = scene.image().height();
   const bool is_cut = scene.flag("cut_to_image", true);
@@ -359,8 +359,9 @@ ExpectedLabels yolo(const MeasuredScene& scene) {
     label.box = is_cut ? *in_image : *facts.loose_box;
     label.box_tolerance = kDecimals * std::max(width, height);
     // Where a box is huge, little is left of an edge in the centre and the size that are written.
-    label.box_tolerance += kRounding * (std::abs(label.box->left) + std::abs(label.box->top) +
-                                        std::abs(label.box->right) + std::abs(label.box->bottom));
+    label.box_tolerance +=
+        kRelativeRounding * (std::abs(label.box->left) + std::abs(label.box->top) +
+                             std::abs(label.box->right) + std::abs(label.box->bottom));
     expected.labels.push_back(std::move(label));
   }
   return expected;

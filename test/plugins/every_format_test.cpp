@@ -81,20 +81,9 @@ TEST_P(EveryFormat, KeepsItsFilesInItsFolderWhateverTheNames) {
 }
 
 TEST_P(EveryFormat, WritesScenesOfTwoCamerasAndSplits) {
-  dataset_.cameras = {{"left", "left_link", camera()}, {"right", "right_link", camera()}};
-  dataset_.splits = {{"train", 2}, {"test", 2}};
+  const std::vector<Scene> scenes =
+      ofTwoCamerasAndSplits([this](std::int64_t index) { return sceneOfBoth(index); });
   load(GetParam().parameters);
-  std::vector<Scene> scenes;
-  for (std::int64_t i = 0; i < 4; ++i) {
-    scenes.push_back(sceneOfBoth(i));
-    Scene& made = scenes.back();
-    made.camera_index = static_cast<std::size_t>(i % 2);
-    made.camera_name = dataset_.cameras[made.camera_index].name;
-    made.instant = i / 2;
-    made.stamp = Stamp(std::chrono::seconds(1 + made.instant));
-    made.name = made.camera_name + "/" + sceneNumber(made.instant);
-    made.split = made.instant == 0 ? "train" : "test";
-  }
   EXPECT_NO_THROW(runAll(scenes));
 }
 

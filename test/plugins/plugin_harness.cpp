@@ -40,6 +40,24 @@ Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
   return scene;
 }
 
+std::vector<Scene> PluginTest::ofTwoCamerasAndSplits(
+    const std::function<Scene(std::int64_t)>& scene) {
+  dataset_.cameras = {{"left", "left_link", camera()}, {"right", "right_link", camera()}};
+  dataset_.splits = {{"train", 2}, {"test", 2}};
+  std::vector<Scene> scenes;
+  for (std::int64_t i = 0; i < 4; ++i) {
+    scenes.push_back(scene(i));
+    Scene& made = scenes.back();
+    made.camera_index = static_cast<std::size_t>(i % 2);
+    made.camera_name = dataset_.cameras[made.camera_index].name;
+    made.instant = i / 2;
+    made.stamp = Stamp(std::chrono::seconds(1 + made.instant));
+    made.name = made.camera_name + "/" + sceneNumber(made.instant);
+    made.split = made.instant == 0 ? "train" : "test";
+  }
+  return scenes;
+}
+
 CameraModel PluginTest::camera() { return {640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0}; }
 
 Scene PluginTest::zoomed(Scene scene, double focal_length) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +40,11 @@ class PluginTest : public testing::Test {
   /// The same with all measures of one that covers these pixels and no other object hides; a cube
   /// of one metre.
   [[nodiscard]] static SceneObject seen(const std::string& name, const cv::Rect& pixels);
+
+  /// Two scenes of each of two cameras, the first in `train` and the second in `test`; the writer
+  /// is told of them.
+  /// @param scene  makes the one with an index
+  std::vector<Scene> ofTwoCamerasAndSplits(const std::function<Scene(std::int64_t)>& scene);
 
   /// What became of a scene: path in the writer's folder to text, or to "<image>", "<silhouette
   /// NAME>",
