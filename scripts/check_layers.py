@@ -60,7 +60,6 @@ CONFINED = [
     ('rosbag', re.compile(r'rosbag/'), {'src/motion', 'plugins'}),
     ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion', 'plugins'}),
     ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/config'}),
-    ('libpng', re.compile(r'png\.h$'), {'src/output'}),
     ('JSON for Modern C++', re.compile(r'nlohmann/'), {'plugins', 'src/readback'}),
     ('OpenSSL', re.compile(r'openssl/'), {'src/output'}),
     ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),

@@ -7,6 +7,7 @@ import collections
 import itertools
 import json
 import operator
+import os
 import pathlib
 import sqlite3
 import statistics
@@ -32,9 +33,6 @@ def describe_draws(values):
 
 
 def print_draws(database):
-    tables = database.execute("SELECT 1 FROM sqlite_master WHERE name = 'draw'").fetchone()
-    if tables is None:  # a manifest of format version 2
-        return
     rows = database.execute('SELECT name, value FROM draw ORDER BY name')
     for name, draws in itertools.groupby(rows, key=operator.itemgetter(0)):
         values = [json.loads(value) for _, value in draws]
@@ -43,9 +41,6 @@ def print_draws(database):
 
 def print_motions(database):
     """Which scenes are whose, where there are several."""
-    tables = database.execute("SELECT 1 FROM sqlite_master WHERE name = 'motion'").fetchone()
-    if tables is None:  # a manifest of format version 3 or before
-        return
     motions = database.execute(
         'SELECT name, (SELECT count(*) FROM scene'
         ' WHERE instant >= first_instant AND instant < first_instant + instant_count),'
@@ -61,6 +56,10 @@ def main():
         sys.exit(__doc__.strip())
     folder = pathlib.Path(sys.argv[1])
     manifest = folder / 'manifest.sqlite'
+    if not folder.is_dir():
+        sys.exit(f'{folder}: no such folder')
+    if not manifest.is_file() and any(folder.glob('manifest.shard-*.sqlite')):
+        sys.exit(f'{folder}: holds shards, of which `merge` makes one dataset')
     if not manifest.is_file():
         sys.exit(f'{manifest}: no such file; the run did not get as far as its first scene')
     database = sqlite3.connect(f'file:{manifest}?mode=ro', uri=True)
@@ -78,4 +77,11 @@ def main():
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    try:
+        code = main()
+        sys.stdout.flush()
+        sys.exit(code)
+    except BrokenPipeError:  # whoever reads has seen enough
+        os._exit(1)
+    except sqlite3.Error as error:
+        sys.exit(f'{sys.argv[1]}: the manifest cannot be read: {error}')

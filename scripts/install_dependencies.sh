@@ -6,8 +6,8 @@ set -euo pipefail
 packages=(
   build-essential cmake pkg-config catkin
   libroscpp-dev libroslib-dev librosbag-storage-dev libtf2-dev libtf2-ros-dev libtf2-msgs-dev
-  libgeometry-msgs-dev libnav-msgs-dev libsensor-msgs-dev libvisualization-msgs-dev libxmlrpcpp-dev
-  pluginlib-dev rosbash
+  libgeometry-msgs-dev libnav-msgs-dev libsensor-msgs-dev libstd-msgs-dev libvisualization-msgs-dev
+  libxmlrpcpp-dev pluginlib-dev rosbash
   librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools
   python3-geometry-msgs python3-tf2-msgs
   libopencv-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "console/console_reporter.h"
+#include "console/stop_signals.h"
 #include "run/merger.h"
 #include "synthetic_dataset/errors.h"
 
@@ -28,6 +29,7 @@ int main(int argc, char** argv) {
     (wants_help ? std::cout : std::cerr) << kUsage;
     return wants_help ? 0 : 1;
   }
+  synthetic_dataset::stop_signals::ignoreFailedWriting();
   ConsoleReporter reporter;
   try {
     synthetic_dataset::mergeShards(arguments.front(), {arguments.begin() + 1, arguments.end()},

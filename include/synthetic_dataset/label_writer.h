@@ -86,16 +86,16 @@ struct CameraDescription {
 /// Scenes of one recording, or placed by one rule, in one world. No scene has to do with those of
 /// another motion, and the times of one have nothing to do with those of another.
 struct MotionInfo {
-  std::string name;
+  std::string name;                ///< of its entry in `motions`, or its number from 0
   std::int64_t first_instant = 0;  ///< Scene::instant of its first scenes
-  std::int64_t instant_count = 0;
+  std::int64_t instant_count = 0;  ///< times; each is a scene of every camera
 };
 
 /// What is known of the dataset before the first scene.
 struct DatasetInfo {
   std::vector<ObjectInfo> objects;  ///< in the order of `robot_list`
   std::int64_t scene_count = 0;  ///< as planned: none at which a frame of a writer's is not known
-  std::string global_frame;
+  std::string global_frame;      ///< the fixed TF frame, in which Scene's poses are given
   std::vector<CameraDescription> cameras;  ///< at least one
   std::vector<ClassInfo> classes;          ///< in the order of their ids, each once
   std::vector<SplitInfo> splits;           ///< in the order train, val, test; empty: none asked for
@@ -126,10 +126,10 @@ struct Requirements {
 /// A dataset format: turns scenes into files. The base class of every writer plugin.
 ///
 /// A writer is a pure function from a scene to files: it opens no file, holds no state from scene
-/// to scene and starts no thread. The life cycle, which the public methods check: one `initialize`,
-/// then `requirements`, then `writeScene` for each scene, in any order and from any one thread at a
-/// time, then one `finalize`. A resumed run skips scenes that are already there, so `finalize`
-/// learns about scenes from the records alone.
+/// to scene and starts no thread. Its life: one `initialize`, then `requirements`, then
+/// `writeScene` for each scene, in any order and from any one thread at a time, then one
+/// `finalize`. The public methods check that `initialize` comes first, and once. A resumed run
+/// skips scenes that are already there, so `finalize` learns about scenes from the records alone.
 ///
 /// Errors: throw Error (or any std::exception); the public methods add the writer's name.
 /// Export with PLUGINLIB_EXPORT_CLASS(my_package::MyWriter, synthetic_dataset::LabelWriter).
@@ -140,9 +140,23 @@ class LabelWriter {
   LabelWriter& operator=(const LabelWriter&) = delete;
   virtual ~LabelWriter();
 
+  /// @param parameters  the writer's own, in which wrong ones are noted
+  /// @throws Error when it is called twice, or with what the writer throws
   void initialize(const WriterParameters& parameters, const DatasetInfo& dataset);
+
+  /// What has to be computed for this writer, the same at each call.
+  /// @throws Error before `initialize`, or with what the writer throws
   [[nodiscard]] Requirements requirements() const;
+
+  /// Hands a scene over, with what `requirements` asks for.
+  /// @param output  takes the scene's files, which the core writes
+  /// @throws Error before `initialize`, or with what the writer throws
   void writeScene(const Scene& scene, SceneOutput& output) const;
+
+  /// Asks for the files of the dataset as a whole. Not called for a shard, whose scenes are
+  /// finished when the shards are merged.
+  /// @param records  what `writeScene` noted of each scene, of this run or an earlier one
+  /// @throws Error before `initialize`, or with what the writer throws
   void finalize(const SceneRecords& records, DatasetOutput& output) const;
 
  private:

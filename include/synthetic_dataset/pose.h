@@ -19,7 +19,8 @@ using Stamp = std::chrono::nanoseconds;
 /// A length of time, whole nanoseconds.
 using Duration = std::chrono::nanoseconds;
 
-/// Seconds as a floating point number, for messages only: arithmetic stays in nanoseconds.
+/// Seconds as a floating point number, for what is worked out in such numbers. Times are compared
+/// and added in nanoseconds.
 [[nodiscard]] inline double toSeconds(Duration duration) {
   return std::chrono::duration<double>(duration).count();
 }

@@ -10,9 +10,6 @@
 
 namespace synthetic_dataset::annotate {
 
-/// The largest number of objects that an instance map can tell apart.
-inline constexpr std::size_t kMostInstances = 65535;
-
 /// The pixels that one object has in an instance map.
 struct InstancePixels {
   std::int64_t count = 0;

@@ -1,19 +1,11 @@
 #include "annotate/mask.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <opencv2/imgproc.hpp>
 
 namespace synthetic_dataset::annotate {
 namespace {
 
 constexpr unsigned char kForeground = 255;
-
-/// A box edge as a pixel's index, kept within the image before it becomes an integer.
-int pixelIndex(double edge, int limit) {
-  return static_cast<int>(std::clamp(edge, 0.0, static_cast<double>(limit)));
-}
 
 /// Sets every connected region of `value` with at most `largest` pixels to `replacement`.
 /// @return the number of regions of `value` that were left
@@ -40,15 +32,6 @@ int replaceSmallRegions(cv::Mat& mask, unsigned char value, int largest, int con
 }
 
 }  // namespace
-
-cv::Rect pixelsOf(const Box& box, const cv::Size& image) {
-  const int left = pixelIndex(std::floor(box.left), image.width);
-  const int right = pixelIndex(std::ceil(box.right), image.width);
-  const int top = pixelIndex(std::floor(box.top), image.height);
-  const int bottom = pixelIndex(std::ceil(box.bottom), image.height);
-  if (left >= right || top >= bottom) return {};
-  return {left, top, right - left, bottom - top};
-}
 
 cv::Mat cleanMask(const cv::Mat& raw) {
   cv::Mat mask = raw == kForeground;

@@ -2,13 +2,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "synthetic_dataset/box.h"
-
 namespace synthetic_dataset::annotate {
-
-/// The pixels [floor(left), ceil(right)) by [floor(top), ceil(bottom)) of a box, as far as they are
-/// in the image; an empty rectangle where none is.
-[[nodiscard]] cv::Rect pixelsOf(const Box& box, const cv::Size& image);
 
 /// A raw background subtraction made into an instance mask, 0 or 255:
 /// - shadow (127) is not the object;

@@ -10,7 +10,6 @@
 namespace synthetic_dataset::lens {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kStraightness =
     0.02;  // [px] how far a piece of an outline may stray from straight
 
@@ -95,7 +94,7 @@ void addRim(Screen& screen, double largest_angle, const Predicate& inside) {
   constexpr int kPlaces = 4096;
   const double angle = largest_angle * (1.0 - 1e-9);
   for (int i = 0; i < kPlaces; ++i) {
-    const double turn = 2.0 * kPi * i / kPlaces;
+    const double turn = 2.0 * M_PI * i / kPlaces;
     const Eigen::Vector3d direction(std::sin(angle) * std::cos(turn),
                                     std::sin(angle) * std::sin(turn), std::cos(angle));
     if (!inside(direction)) continue;

@@ -9,8 +9,7 @@
 namespace synthetic_dataset::lens {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kHalfPi = 0.5 * kPi;
+constexpr double kHalfPi = 0.5 * M_PI;
 
 /// A function's value and its derivative.
 struct Value {
@@ -164,7 +163,7 @@ std::optional<Eigen::Vector3d> undistortFisheye(const Distortion& distortion, do
 
 double largestAngle(const Distortion& distortion) {
   constexpr double kStep = 1e-4;  // [rad]
-  const double end = std::min(isEquidistant(distortion) ? kPi : kHalfPi, distortion.cutoff_angle);
+  const double end = std::min(isEquidistant(distortion) ? M_PI : kHalfPi, distortion.cutoff_angle);
   if (distortion.model == DistortionModel::kNone) return end;
   double sound = 0.0;
   while (sound + kStep < end && isOneToOne(distortion, sound + kStep)) sound += kStep;

@@ -54,7 +54,7 @@ bool ParallelRun::make(Reporter& reporter) const {
   const bool is_done = doInProcesses(
       output_.processes,
       [this](int shard, Reporter& told) { return makeShard(settingsOf(shard), told); }, reporter);
-  if (!is_done) return false;
+  if (!is_done || reporter.stopRequested()) return false;
   mergeShards(output_.folder, {}, reporter);
   return true;
 }

@@ -112,13 +112,25 @@ struct Process {
   std::optional<std::int64_t> scenes;  ///< that it makes, once that is known
 };
 
+/// @return how it ended, as wait(2) has it
+int waitFor(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
 /// All of them, and what they have told.
 class Processes {
  public:
   explicit Processes(Reporter& reporter) : reporter_(reporter) {}
   ~Processes() {
     stop();
-    while (isAnyAlive()) listen();
+    for (Process& process : processes_) {
+      if (process.pipe < 0) continue;
+      close(process.pipe);  // nobody hears what it still has to tell
+      waitFor(process.id);
+    }
   }
   Processes(const Processes&) = delete;
   Processes& operator=(const Processes&) = delete;
@@ -236,9 +248,7 @@ class Processes {
   void end(std::size_t index) {
     Process& process = processes_[index];
     close(std::exchange(process.pipe, -1));
-    int status = 0;
-    while (waitpid(process.id, &status, 0) < 0 && errno == EINTR) {
-    }
+    const int status = waitFor(process.id);
     const bool was_told = WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM;  // before it listened
     if (WIFSIGNALED(status) && !was_told) {
       addError("process " + std::to_string(index + 1) + " died (" + strsignal(WTERMSIG(status)) +

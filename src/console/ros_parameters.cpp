@@ -69,7 +69,10 @@ Value readRosParameters(const config::TextFinder& package_folder) {
   Value parameters = Value::Map{};
   if (ros::param::get(ros::this_node::getName(), found)) parameters = valueFromXmlRpc(found);
   auto* given = parameters.as<Value::Map>();
-  if (given == nullptr) return parameters;
+  if (given == nullptr) {
+    throw Error(ros::this_node::getName() + ": found " + parameters.kind() +
+                " on the parameter server; it should be the group of this node's parameters");
+  }
   Value::Map settings = takeSettingsFile(*given, package_folder);
   config::overlay(settings, *given);
   if (settings.count("robot_list") == 0) {

@@ -50,17 +50,23 @@ void onSignal(int signal) {
            "\ngenerate: stopped at once; run the same command again to go on "
            "(`if_exists: overwrite` starts anew)\n");
   }
-  tell("\ngenerate: stopping when this scene is written; the next signal stops at once\n");
+  tell(
+      "\ngenerate: stopping when this scene is written, or the dataset's last files; the next "
+      "signal stops at once\n");
   errno = error;
 }
 
 }  // namespace
 
+void ignoreFailedWriting() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the call that writes
+}
+
 void install(Voice voice) {
   g_process = getpid();
   g_is_silent = voice == Voice::kSilent;
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the call that writes
+  ignoreFailedWriting();
   struct sigaction action {};
   action.sa_handler = onSignal;
   action.sa_flags = SA_RESTART;  // reading and writing go on as if nothing had happened

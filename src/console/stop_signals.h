@@ -8,10 +8,13 @@ enum class Voice {
   kSilent,  ///< somebody else: this one was forked from it
 };
 
+/// SIGPIPE is ignored from now on: a run outlives the reader of its messages. So is SIGXFSZ: a
+/// limit of file sizes is told like a full disk.
+void ignoreFailedWriting();
+
 /// From now on SIGINT, SIGTERM and SIGHUP (the terminal has gone) end the process with the exit
 /// code 128 + signal and a message on stderr that says how to go on. What the caller of the program
-/// ignores, as nohup does SIGHUP, stays ignored. SIGPIPE is ignored: a run outlives the reader of
-/// its messages. So is SIGXFSZ: a limit of file sizes is told like a full disk.
+/// ignores, as nohup does SIGHUP, stays ignored. With ignoreFailedWriting.
 void install(Voice voice = Voice::kAloud);
 
 /// From now on the first of these signals asks for an end, which `requested` answers; a second one

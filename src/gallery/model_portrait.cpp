@@ -59,7 +59,6 @@ world::Description studio() {
 ModelCounts countModels(const world::Description& description) {
   ModelCounts counts;
   std::set<const world::Texture*> textures;
-  counts.models = description.models.size();
   for (const world::Model& model : description.models) {
     counts.links += model.links.size();
     for (const world::Link& link : model.links) {

@@ -12,7 +12,6 @@ namespace synthetic_dataset {
 
 /// What there is to see of a model.
 struct ModelCounts {
-  std::size_t models = 0;
   std::size_t links = 0;
   std::size_t visuals = 0;
   std::size_t surfaces = 0;

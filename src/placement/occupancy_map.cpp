@@ -21,6 +21,10 @@ void checkSides(std::size_t width, std::size_t height, std::size_t cell_count) {
     throw Error("found a map of " + sides + "; it should have 1 to " +
                 std::to_string(kLongestSide) + " a side");
   }
+  if (width * height > kMostCells) {
+    throw Error("found a map of " + sides + "; it should have at most " +
+                std::to_string(kMostCells) + " of them, so coarser ones for as large a place");
+  }
   if (cell_count != width * height) {
     throw Error("found " + std::to_string(cell_count) + " cells of a map of " + sides);
   }

@@ -11,6 +11,9 @@ namespace synthetic_dataset::placement {
 
 enum class Cell : std::uint8_t { kFree, kOccupied, kUnknown };
 
+/// A map of more takes more memory than a machine should be asked for.
+inline constexpr std::size_t kMostCells = std::size_t{1} << 28U;
+
 /// Where a map lies: the pose of its frame M in the global frame G, turned about z alone.
 struct MapPose {
   double x = 0.0;    ///< [m]
@@ -26,8 +29,8 @@ class OccupancyMap {
   /// @param width, height  [cells]
   /// @param resolution  of a cell's side [m]
   /// @param cells  row by row, the lowest first
-  /// @throws Error when there is none or another number of them, a side is longer than a million,
-  ///     or the resolution or the pose is none
+  /// @throws Error when there is none or another number of them, a side is longer than a million
+  ///     or all are more than kMostCells, or the resolution or the pose is none
   OccupancyMap(std::size_t width, std::size_t height, double resolution, const MapPose& X_GM,
                std::vector<Cell> cells);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/error_collector.h"
+#include "placement/occupancy_map.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/parameters.h"
 
@@ -27,7 +28,6 @@ std::string runsOf(const std::vector<std::int8_t>& cells) {
 /// Nothing where the text is not of runs, or of more cells than there should be.
 std::optional<std::vector<std::int8_t>> cellsOf(const std::string& runs, std::size_t count) {
   std::vector<std::int8_t> cells;
-  cells.reserve(count);
   std::istringstream stream(runs);
   stream.imbue(std::locale::classic());
   int value = 0;
@@ -85,8 +85,13 @@ motion::RecordedMap receivedMap(const Value& settings) {
   map.resolution = group.required<double>("resolution");
   map.X_FM = originIn(group);
   const auto runs = group.required<std::string>("cells");
-  auto cells = cellsOf(runs, map.width * map.height);
-  if (cells) {
+  const std::size_t count = map.width * map.height;
+  auto cells = count <= kMostCells ? cellsOf(runs, count) : std::nullopt;
+  if (count > kMostCells) {
+    group.addError("width", "found " + std::to_string(map.width) + " x " +
+                                std::to_string(map.height) + " cells; there should be at most " +
+                                std::to_string(kMostCells));
+  } else if (cells) {
     map.cells = std::move(*cells);
   } else if (!runs.empty()) {
     group.addError("cells",

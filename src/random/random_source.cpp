@@ -11,11 +11,7 @@
 #include "random/random_seed.h"
 
 namespace synthetic_dataset::random {
-namespace {
-
-constexpr double kPi = 3.141592653589793;
-
-}  // namespace
+namespace {}  // namespace
 
 RandomSource::RandomSource(std::uint64_t run_seed, std::int64_t scene_index,
                            std::string_view purpose)
@@ -48,7 +44,7 @@ std::vector<std::size_t> RandomSource::choice(std::size_t count, std::size_t all
   return numbers;
 }
 
-double RandomSource::angle() { return kPi - 2.0 * kPi * unit(); }
+double RandomSource::angle() { return M_PI - 2.0 * M_PI * unit(); }
 
 Eigen::Vector3d RandomSource::direction() {
   // Archimedes: the heights of points on a sphere are uniform.

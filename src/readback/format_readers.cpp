@@ -42,10 +42,4 @@ FormatReader readerOf(const std::string& writer_type) {
   return found == readers().end() ? nullptr : found->second;
 }
 
-std::vector<std::string> readableTypes() {
-  std::vector<std::string> types;
-  for (const auto& [type, reader] : readers()) types.push_back(type);
-  return types;
-}
-
 }  // namespace synthetic_dataset::readback

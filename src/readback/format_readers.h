@@ -19,9 +19,6 @@ using FormatReader = LabelledPicture (*)(const WrittenScene& scene);
 /// For WrittenScene::kept: nothing is kept yet. Files must not change as long as it lives.
 [[nodiscard]] std::shared_ptr<KeptFiles> keptFiles();
 
-/// The types that have readers, in alphabetical order.
-[[nodiscard]] std::vector<std::string> readableTypes();
-
 // Each in its own file, <format>_reader.cpp.
 [[nodiscard]] LabelledPicture readBop(const WrittenScene& scene);
 [[nodiscard]] LabelledPicture readCityscapes(const WrittenScene& scene);

@@ -10,8 +10,6 @@
 namespace synthetic_dataset {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// Next to pi, nearly all of a plane's image lies in its middle.
 constexpr double kWidestPlane = 3.1;
 
@@ -21,7 +19,7 @@ bool isEquidistant(const CameraModel& camera) {
 
 /// [rad]
 double widestOf(const CameraModel& camera) {
-  return isEquidistant(camera) ? 2.0 * kPi : kWidestPlane;
+  return isEquidistant(camera) ? 2.0 * M_PI : kWidestPlane;
 }
 
 }  // namespace

@@ -14,16 +14,6 @@ cv::Mat disc() {
 
 bool same(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0.0; }
 
-TEST(PixelsOf, AreTheHalfOpenRectangle) {
-  EXPECT_EQ(pixelsOf({2.3, 1.0, 6.2, 4.0}, {20, 10}), cv::Rect(2, 1, 5, 3));  // columns 2..6
-}
-
-TEST(PixelsOf, AreThoseInTheImage) {
-  EXPECT_EQ(pixelsOf({-5.5, -3.0, 4.0, 100.0}, {20, 10}), cv::Rect(0, 0, 4, 10));
-  EXPECT_EQ(pixelsOf({-1e300, -1e300, 1e300, 1e300}, {20, 10}), cv::Rect(0, 0, 20, 10));
-  EXPECT_TRUE(pixelsOf({30.0, 2.0, 40.0, 5.0}, {20, 10}).empty());
-}
-
 TEST(CleanMask, LeavesACleanMaskAsItIs) { EXPECT_TRUE(same(cleanMask(disc()), disc())); }
 
 TEST(CleanMask, TakesShadowForBackground) {

@@ -41,11 +41,15 @@ class NotingReporter : public Reporter {
   std::int64_t last_scene_;
 };
 
-/// Makes scenes for ever, until it is to stop.
+/// Makes scenes until it is to stop, or so many that something must be wrong.
 bool workUntilStopped(Reporter& reporter) {
-  reporter.progress(0, 1000);
-  while (!reporter.stopRequested()) usleep(1000);
-  return false;
+  constexpr int kScenes = 60000;
+  reporter.progress(0, kScenes);
+  for (int i = 0; i < kScenes; ++i) {
+    if (reporter.stopRequested()) return false;
+    usleep(1000);
+  }
+  return true;
 }
 
 std::vector<std::string> errorsOf(int count, const PieceOfWork& work) {

@@ -1,5 +1,9 @@
 /// Masks against those of the original tool, from the pictures that it saw.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
@@ -11,6 +15,18 @@ namespace synthetic_dataset {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// [floor(left), ceil(right)) by [floor(top), ceil(bottom)), as far as they are in the image.
+cv::Rect pixelsOf(const std::array<double, 4>& box, const cv::Size& image) {
+  const auto index = [](double edge, int limit) {
+    return static_cast<int>(std::clamp(edge, 0.0, static_cast<double>(limit)));
+  };
+  const cv::Point first(index(std::floor(box[0]), image.width),
+                        index(std::floor(box[1]), image.height));
+  const cv::Point end(index(std::ceil(box[2]), image.width),
+                      index(std::ceil(box[3]), image.height));
+  return first.x < end.x && first.y < end.y ? cv::Rect(first, end) : cv::Rect();
+}
 
 class GoldenMasks : public ::testing::TestWithParam<std::string> {};
 
@@ -39,7 +55,7 @@ TEST_P(GoldenMasks, AreTheOriginalsPixelByPixel) {
           << name << " " << number;
 
       const auto& box = golden.frames().at(std::stoul(number)).objects.at(name).box;
-      const cv::Rect inside = annotate::pixelsOf({box[0], box[1], box[2], box[3]}, raw.size());
+      const cv::Rect inside = pixelsOf(box, raw.size());
       cv::Mat mask = cv::Mat::zeros(raw.size(), raw.type());
       if (!inside.empty()) raw(inside).copyTo(mask(inside));
       const fs::path relative = fs::path("masks") / name / (number + ".png");
