@@ -12,6 +12,7 @@ import pathlib
 import sqlite3
 import statistics
 import sys
+import urllib.parse
 
 MOST_TEXTS = 5  # of an entry, the most frequent ones
 
@@ -51,6 +52,19 @@ def print_motions(database):
         print(f"  motion '{name}': {scenes} scenes, numbers {first} to {last}")
 
 
+def opened(manifest):
+    """Of an unfinished run, also where nobody can write: there SQLite reads none that may change."""
+    name = urllib.parse.quote(str(manifest))
+    try:
+        database = sqlite3.connect(f'file:{name}?mode=ro', uri=True)
+        database.execute('SELECT 1 FROM sqlite_master')
+        return database
+    except sqlite3.OperationalError:
+        if manifest.with_name(manifest.name + '-wal').exists():
+            raise
+        return sqlite3.connect(f'file:{name}?immutable=1', uri=True)
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__.strip())
@@ -62,7 +76,7 @@ def main():
         sys.exit(f'{folder}: holds shards, of which `merge` makes one dataset')
     if not manifest.is_file():
         sys.exit(f'{manifest}: no such file; the run did not get as far as its first scene')
-    database = sqlite3.connect(f'file:{manifest}?mode=ro', uri=True)
+    database = opened(manifest)
     state = database.execute("SELECT value FROM run WHERE key = 'state'").fetchone()[0]
     scenes = database.execute('SELECT count(*) FROM scene').fetchone()[0]
     print(f'Dataset in {folder}: {scenes} scenes, {state}')

@@ -17,7 +17,8 @@ SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode) : file_(file)
                     : mode == Mode::kCreate ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
                                             : SQLITE_OPEN_READWRITE;
   open(file, flags);
-  if (mode == Mode::kReadOnly) readWhereNobodyCanWrite();
+  // Where a file cannot be written, SQLite opens it to be read alone, whatever it is asked for.
+  if (sqlite3_db_readonly(handle(), "main") == 1) readWhereNobodyCanWrite();
   if (mode == Mode::kExisting) requireTablesOnly();
 }
 
