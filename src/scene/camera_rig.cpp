@@ -28,6 +28,17 @@ const world::CameraSensor* findSensor(const config::CameraConfig& config,
               "' (model::link::sensor); it has " + (there.empty() ? "none" : there));
 }
 
+CameraModel readInfoFile(const config::CameraConfig& config) {
+  try {
+    return config::readCameraInfo(*config.info_file, config.rectified, config.near.value(),
+                                  config.far.value());
+  } catch (const ErrorList&) {
+    throw;  // of what is in the file
+  } catch (const Error& error) {
+    throw Error(config.group + "/info_file: " + error.what());
+  }
+}
+
 /// Reads what the recording tells of a camera: its intrinsics and its frame.
 void readRecordedInfo(const config::CameraConfig& config, const std::vector<std::string>& bag_files,
                       std::optional<CameraModel>& model, std::string& frame) {
@@ -156,8 +167,7 @@ CameraRig makeCameraRig(const config::CameraConfig& config,
   std::optional<CameraModel> model;
   std::string frame = config.frame.value_or("");
   if (config.info_file) {
-    model = config::readCameraInfo(*config.info_file, config.rectified, config.near.value(),
-                                   config.far.value());
+    model = readInfoFile(config);
   } else if (config.info_topic) {
     readRecordedInfo(config, bag_files, model, frame);
   } else if (sensor != nullptr) {

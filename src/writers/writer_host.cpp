@@ -99,7 +99,11 @@ WriterHost::SceneResult WriterHost::writeScene(const Scene& scene) const {
   for (std::size_t i = 0; i < impl_->writers.size(); ++i) {
     const ReadyWriter& writer = impl_->writers[i];
     GatheringSceneOutput output(i, writer.parameters, result.files, result.warnings);
-    writer.instance->writeScene(scene, output);
+    try {
+      writer.instance->writeScene(scene, output);
+    } catch (const Error& error) {
+      throw Error("scene " + scene.name + ": " + error.what());
+    }
   }
   return result;
 }

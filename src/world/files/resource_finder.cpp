@@ -102,6 +102,14 @@ std::vector<fs::path> ResourceFinder::inPackage(const std::string& rest) const {
   return {end == std::string::npos ? tidy(*folder) : tidy(fs::path(*folder + rest.substr(end)))};
 }
 
+std::optional<std::string> ResourceFinder::unknownPackage(const std::string& uri) const {
+  const Uri parts = parse(uri);
+  const std::string package = parts.rest.substr(0, parts.rest.find('/'));
+  const bool is_asked_for = parts.scheme == "package" && package_finder_ && !package.empty();
+  if (!is_asked_for || package_finder_(package)) return std::nullopt;
+  return package;
+}
+
 std::vector<fs::path> ResourceFinder::literalCandidates(const std::string& uri,
                                                         const fs::path& folder) const {
   const Uri parts = parse(uri);
@@ -147,6 +155,10 @@ std::string ResourceFinder::searchedPlaces(const std::string& uri, const fs::pat
   std::string text;
   for (const fs::path& place : candidates(uri, folder)) {
     text += (text.empty() ? "looked in " : ", ") + place.string();
+  }
+  if (const auto package = unknownPackage(uri)) {
+    text += (text.empty() ? "" : "; ") + ("ROS knows no package '" + *package) +
+            "' (is the setup.bash of its workspace sourced?)";
   }
   if (remote) text += std::string(text.empty() ? "" : "; ") + "nothing is fetched from the network";
   if (!text.empty()) return text;

@@ -53,6 +53,9 @@ class ResourceFinder {
   [[nodiscard]] std::vector<std::filesystem::path> inModelFolders(const std::string& rest) const;
   [[nodiscard]] std::vector<std::filesystem::path> inPackage(const std::string& rest) const;
 
+  /// The package that a URI names, if ROS does not know it.
+  [[nodiscard]] std::optional<std::string> unknownPackage(const std::string& uri) const;
+
   std::vector<std::string> model_folders_;
   std::vector<std::filesystem::path> fuel_caches_;
   PackageFinder package_finder_;

@@ -100,6 +100,16 @@ TEST(ResourceFinder, TellsWhereItLooked) {
   EXPECT_EQ(finder.searchedPlaces("x.dae", "/worlds"), "looked in /worlds/x.dae");
 }
 
+TEST(ResourceFinder, TellsOfAPackageThatRosDoesNotKnow) {
+  const ResourceFinder finder({"/models"}, [](const std::string& name) {
+    return name == "known" ? std::optional<std::string>("/packages/known") : std::nullopt;
+  });
+  EXPECT_THAT(finder.searchedPlaces("package://husky/a.dae", "/"),
+              HasSubstr("; ROS knows no package 'husky'"));
+  EXPECT_EQ(finder.searchedPlaces("package://known/a.dae", "/"),
+            "looked in /packages/known/a.dae, /models/known/a.dae");
+}
+
 TEST(ResourceFinder, FindsNothingForAnEmptyUri) {
   const ResourceFinder finder({"/"}, nullptr);
   EXPECT_EQ(finder.find("", "/"), std::nullopt);
