@@ -156,8 +156,8 @@ class CocoWriter : public LabelWriter {
   }
 
   /// A segment's id in the image is the object's place among all objects, from 1.
-  void writePanoptic(const Scene& scene, const std::vector<const SceneObject*>& labelled,
-                     SceneOutput& output) const {
+  static void writePanoptic(const Scene& scene, const std::vector<const SceneObject*>& labelled,
+                            SceneOutput& output) {
     std::vector<cv::Vec3b> colours(scene.objects.size() + 1);  // blue green red; 0: void
     Json segments = Json::array();
     for (const SceneObject* object : labelled) {
