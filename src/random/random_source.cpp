@@ -11,7 +11,6 @@
 #include "random/random_seed.h"
 
 namespace synthetic_dataset::random {
-namespace {}  // namespace
 
 RandomSource::RandomSource(std::uint64_t run_seed, std::int64_t scene_index,
                            std::string_view purpose)

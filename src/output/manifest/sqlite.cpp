@@ -1,14 +1,23 @@
 #include "output/manifest/sqlite.h"
 
-#include <array>
-#include <cstdio>
-
 #include <sqlite3.h>
 #include <unistd.h>
 
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
+namespace {
+
+/// Of a file, whose name may hold what would end it. https://www.sqlite.org/uri.html, section 3.1
+std::string uriOf(const std::string& file) {
+  std::string uri = "file:";
+  for (const char c : file) {
+    uri += c == '%' ? "%25" : c == '?' ? "%3f" : c == '#' ? "%23" : std::string(1, c);
+  }
+  return uri;
+}
+
+}  // namespace
 
 void SqliteDatabase::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
 
@@ -37,17 +46,7 @@ void SqliteDatabase::readWhereNobodyCanWrite() {
       sqlite3_exec(handle(), "SELECT 1 FROM sqlite_master", nullptr, nullptr, nullptr);
   const bool has_log = access((file_ + "-wal").c_str(), F_OK) == 0;
   if (result != SQLITE_CANTOPEN || has_log) return;  // any other fault is told where it matters
-  std::string uri = "file:";
-  for (const char c : file_) {
-    if (c == '%' || c == '?' || c == '#') {
-      std::array<char, 4> code{};
-      std::snprintf(code.data(), code.size(), "%%%02X", static_cast<unsigned>(c));
-      uri += code.data();
-    } else {
-      uri += c;
-    }
-  }
-  open(uri + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+  open(uriOf(file_) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
 /// A file of somebody else's may call a view what should be a table, which never ends.
