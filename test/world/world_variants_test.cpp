@@ -15,7 +15,9 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-Model cube(const std::string& name, double side) { return modelOf(name, BoxShape{{side, side, side}}); }
+Model cube(const std::string& name, double side) {
+  return modelOf(name, BoxShape{{side, side, side}});
+}
 
 /// One a cube of 0.2 m or of 2 m, beside a cube of 0.4 m that is always the same.
 std::vector<MovingObject> objects() {
