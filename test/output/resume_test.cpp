@@ -8,6 +8,7 @@
 
 #include "output/manifest/manifest.h"
 #include "output/store_fixture.h"
+#include "support/error_messages.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -186,6 +187,17 @@ TEST_F(ResumeTest, IsRefusedWithOtherSettingsThatAreNamed) {
                                             "100.0, now 50.0"),
                                   HasSubstr("if_exists: overwrite"))));
   }
+}
+
+TEST_F(ResumeTest, IsRefusedToAnotherVersionOfTheSoftware) {
+  RunDescription then;
+  then.software["synthetic_dataset"] = "0.1.0";
+  { const DatasetStore store(options(), writers(), then); }
+  RunDescription now = then;
+  now.software["synthetic_dataset"] = "0.2.0";
+  EXPECT_THAT(test::messagesOf([&] { const DatasetStore store(options(), writers(), now); }),
+              ElementsAre(AllOf(HasSubstr("software synthetic_dataset: then 0.1.0, now 0.2.0"),
+                                HasSubstr("if_exists: overwrite"))));
 }
 
 TEST_F(ResumeTest, IsRefusedWhereAWriterWritesElsewhere) {

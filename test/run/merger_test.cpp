@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 
 #include "all_at_once_run.h"
+#include "output/manifest/manifest_schema.h"
+#include "output/manifest/sqlite.h"
 #include "support/error_messages.h"
 #include "writers/plugin_environment.h"
 
@@ -16,6 +18,7 @@ namespace fs = std::filesystem;
 using test::AllAtOnceRun;
 using test::StoppingReporter;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class MergerTest : public ::testing::Test {
@@ -111,6 +114,15 @@ TEST_F(MergerTest, NamesTheInputThatHasChangedSince) {
   const std::string text = test::readFile(world);
   std::ofstream(world) << text << "<!-- the same, but for this -->";
   EXPECT_THAT(errorsOfMerging(run.folder()), Contains(HasSubstr("the file " + world + ": then ")));
+}
+
+TEST_F(MergerTest, RefusesShardsOfAnotherVersionOfTheSoftware) {
+  (void)run.runShard(0, 1, run.folder());
+  output::SqliteDatabase(output::manifestFile(run.folder(), output::Shard{0, 1}),
+                         output::SqliteDatabase::Mode::kExisting)
+      .execute("UPDATE software SET version = '0.1.0' WHERE name = 'synthetic_dataset'");
+  EXPECT_THAT(errorsOfMerging(run.folder()),
+              ElementsAre(HasSubstr("software synthetic_dataset: then 0.1.0, now ")));
 }
 
 TEST_F(MergerTest, TellsThatThereAreNoShards) {
