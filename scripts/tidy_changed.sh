@@ -49,4 +49,4 @@ export -f check
 printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" bash -c 'check "$1"' _
 [ ! -f "$workspace-tidy/left" ] ||
   echo "clang-tidy: not checked for lack of time: $(wc -l <"$workspace-tidy/left") sources"
-echo "clang-tidy: no finding"
+echo "clang-tidy: no finding in what was checked"
