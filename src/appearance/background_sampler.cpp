@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "appearance/entry_errors.h"
+#include "base/diagnostics.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::appearance {
@@ -24,7 +24,7 @@ bool isPanorama(const config::BackgroundPictures& pictures) {
 BackgroundSampler::BackgroundSampler(const config::BackgroundRandomization& config)
     : config_(config) {
   if (!config_.pictures) return;
-  forEntry(entryName(), [&] {
+  base::namingPlace(entryName(), [&] {
     pictures_.emplace(config_.pictures->folder);
     if (isPanorama(*config_.pictures)) checkProportions();
   });
@@ -61,7 +61,7 @@ world::BackgroundPicture BackgroundSampler::drawPicture(EntryDraws& draws) {
   const std::size_t index = random.index(pictures_->files().size());
   draws.note(kEntry, pictures_->files()[index]);
   world::BackgroundPicture drawn;
-  drawn.picture = forEntry(entryName(), [&] { return pictures_->read(index); });
+  drawn.picture = base::namingPlace(entryName(), [&] { return pictures_->read(index); });
   drawn.projection = isPanorama(config) ? Projection::kPanorama : Projection::kBackdrop;
   drawn.yaw = draws.number("background/yaw", config.yaw).value_or(0.0);
   drawn.brightness = draws.number("background/brightness", config.brightness).value_or(1.0);

@@ -6,8 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "appearance/entry_errors.h"
-#include "config/error_collector.h"
+#include "base/diagnostics.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
@@ -59,18 +58,18 @@ bool takesTexture(const world::Surface& surface) {
 
 /// A lamp has a place, sunlight a direction. For `every`, each has its own.
 void checkMeaning(const world::Light& light, const config::LightRandomization& config,
-                  config::ErrorCollector& errors) {
+                  base::Diagnostics& errors) {
   const std::string parameter = "randomize/lights/" + light.name;
   const bool is_sun = light.type == world::LightType::kDirectional;
   if (is_sun && config.shift) {
-    errors.add(parameter +
-               "/shift: a directional light has no place; elevation and azimuth "
-               "turn it");
+    errors.error(parameter + "/shift",
+                 "a directional light has no place; elevation and azimuth "
+                 "turn it");
   }
   if (!is_sun && (config.elevation || config.azimuth)) {
-    errors.add(parameter +
-               "/elevation, azimuth: only directional lights are turned; shift "
-               "moves a lamp");
+    errors.error(parameter + "/elevation, azimuth",
+                 "only directional lights are turned; shift "
+                 "moves a lamp");
   }
 }
 
@@ -84,7 +83,7 @@ Eigen::Vector3d shiningFrom(double elevation, double azimuth) {
 
 LookSampler::LookSampler(const config::Randomization& config, const world::World& world)
     : world_(world), config_(config) {
-  config::ErrorCollector errors;
+  base::Diagnostics errors;
   findLights(config, errors);
   checkLightCount(errors);
   errors.attempt([&] { background_.emplace(config.background); });
@@ -99,7 +98,7 @@ LookSampler::LookSampler(const config::Randomization& config, const world::World
   errors.throwIfAny();
 }
 
-void LookSampler::findLights(const config::Randomization& config, config::ErrorCollector& errors) {
+void LookSampler::findLights(const config::Randomization& config, base::Diagnostics& errors) {
   std::set<std::string> names;
   const std::vector<world::Light>& lights = world_.description().lights;
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -112,30 +111,31 @@ void LookSampler::findLights(const config::Randomization& config, config::ErrorC
   }
   for (const auto& [name, light] : config.lights) {
     if (name == config::kOthers || names.count(name) != 0) continue;
-    errors.add("randomize/lights/" + name + ": the world has no light of this name" +
-               didYouMean(name, {names.begin(), names.end()}));
+    errors.error("randomize/lights/" + name, "the world has no light of this name" +
+                                                 didYouMean(name, {names.begin(), names.end()}));
   }
 }
 
 /// A number half above the lights' own is rounded to it, at its range's end alone.
-void LookSampler::checkLightCount(config::ErrorCollector& errors) const {
+void LookSampler::checkLightCount(base::Diagnostics& errors) const {
   const std::size_t count = world_.description().lights.size();
   if (!config_.light_count) return;
   const double highest = config_.light_count->highest();
   if (highest <= static_cast<double>(count) + 0.5) return;
-  errors.add("randomize/light_count: found up to " + Value(highest).text() + "; the world has " +
-             std::to_string(count) + (count == 1 ? " light" : " lights") +
-             ", and it should be no more (where a normal distribution ends, its `max` says)");
+  errors.error("randomize/light_count",
+               "found up to " + Value(highest).text() + "; the world has " + std::to_string(count) +
+                   (count == 1 ? " light" : " lights") +
+                   ", and it should be no more (where a normal distribution ends, its `max` says)");
 }
 
 void LookSampler::findSurfaces(const std::string& target,
                                const config::MaterialRandomization& config,
-                               config::ErrorCollector& errors) {
+                               base::Diagnostics& errors) {
   const std::string parameter = "randomize/materials/" + target;
   TextureSource* textures = nullptr;
   if (config.textures) {
     const auto make = [&] {
-      forEntry(parameter + "/textures", [&] {
+      base::namingPlace(parameter + "/textures", [&] {
         textures = &textures_.try_emplace(*config.textures, *config.textures).first->second;
       });
     };
@@ -158,10 +158,10 @@ void LookSampler::findSurfaces(const std::string& target,
     }
   }
   if (!places.empty()) return;
-  errors.add(parameter +
-             ": the world has nothing of this name that can be seen; it should be objects, "
-             "distractors, world, a model, model::link or model::link::visual" +
-             didYouMean(target, modelNames(world_)));
+  errors.error(parameter,
+               "the world has nothing of this name that can be seen; it should be objects, "
+               "distractors, world, a model, model::link or model::link::visual" +
+                   didYouMean(target, modelNames(world_)));
 }
 
 world::Look LookSampler::sample(EntryDraws& draws) {
@@ -230,7 +230,7 @@ void LookSampler::repaint(const MaterialEntry& entry, EntryDraws& draws, world::
   if (config.textures) {
     random::RandomSource random = draws.source(entry.name + "/textures");
     auto [name, drawn] =
-        forEntry(entry.textures_entry, [&] { return entry.textures->draw(random); });
+        base::namingPlace(entry.textures_entry, [&] { return entry.textures->draw(random); });
     draws.note(entry.name + "/textures", name);
     texture = std::move(drawn);
   }

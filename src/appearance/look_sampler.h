@@ -9,7 +9,7 @@
 #include "appearance/background_sampler.h"
 #include "appearance/entry_draws.h"
 #include "appearance/texture_source.h"
-#include "config/error_collector.h"
+#include "base/diagnostics.h"
 #include "config/randomization.h"
 #include "world/look.h"
 #include "world/world.h"
@@ -46,10 +46,10 @@ class LookSampler {
     std::string textures_entry;         ///< "randomize/materials/rover_1/textures"
   };
 
-  void findLights(const config::Randomization& config, config::ErrorCollector& errors);
-  void checkLightCount(config::ErrorCollector& errors) const;
+  void findLights(const config::Randomization& config, base::Diagnostics& errors);
+  void checkLightCount(base::Diagnostics& errors) const;
   void findSurfaces(const std::string& target, const config::MaterialRandomization& config,
-                    config::ErrorCollector& errors);
+                    base::Diagnostics& errors);
   void relight(const LightEntry& entry, EntryDraws& draws, world::Light& light) const;
   void chooseLights(EntryDraws& draws, world::Look& look) const;
   void repaint(const MaterialEntry& entry, EntryDraws& draws, world::Look& look);

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "config/error_collector.h"
 #include "placement/occupancy_map.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/parameters.h"
@@ -98,9 +97,7 @@ motion::RecordedMap receivedMap(const Value& settings) {
                    "it should be runs of equal values that fill width x height cells, "
                    "such as \"0x1200 100x3 -1x40\"");
   }
-  config::ErrorCollector errors;
-  errors.add(group.errors());
-  errors.throwIfAny();
+  if (!group.errors().empty()) throw ErrorList(group.errors());
   motion::checkMap(map);
   return map;
 }

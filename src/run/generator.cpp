@@ -53,7 +53,7 @@ struct Generator::Impl {
       defaults += (defaults.empty() ? "" : ", ") + taken;
     }
     if (!defaults.empty()) reporter.info("defaults taken: " + defaults);
-    for (const std::string& remark : setup.remarks) reporter.info(remark);
+    for (const std::string& note : setup.found.messages(base::Severity::kNote)) reporter.info(note);
     warnings.tell(setup.description.warnings);
     tellMotions();
     if (store->wasComplete()) {

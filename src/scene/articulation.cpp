@@ -126,12 +126,12 @@ Articulation articulate(world::Model model, const config::ObjectConfig& object,
       if (!frames[i] || (i == base && !hangsOnDriven(model, frames, i))) continue;
       result.driven.push_back({i, *frames[i]});
     }
-    result.remarks.push_back(object.name + ": " + std::to_string(others + (base ? 1 : 0)) + " of " +
-                             std::to_string(model.links.size()) + " links follow TF");
+    result.found.note(object.name, std::to_string(others + (base ? 1 : 0)) + " of " +
+                                       std::to_string(model.links.size()) + " links follow TF");
   }
   if (!joints.empty()) {
-    result.remarks.push_back(object.name + ": no TF moves its joints " + joints +
-                             "; they are held as the model has them");
+    result.found.note(object.name,
+                      "no TF moves its joints " + joints + "; they are held as the model has them");
   }
   result.model = std::move(model);
   return result;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "config/config.h"
 #include "motion/frame_motion.h"
 #include "world/description.h"
@@ -23,8 +24,8 @@ struct Articulation {
   /// The object's model. Where links other than that of the object's frame follow TF, it is moved
   /// in its frame so that this one lies at the origin: else its body would not fit to them.
   world::Model model;
-  DrivenLinks driven;                ///< by index; empty: the model moves as one piece
-  std::vector<std::string> remarks;  ///< what the user may like to know
+  DrivenLinks driven;       ///< by index; empty: the model moves as one piece
+  base::Diagnostics found;  ///< what the user may like to know
 };
 
 /// Decides which links of an object's model follow frames of their own.

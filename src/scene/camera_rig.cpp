@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "appearance/entry_errors.h"
+#include "base/diagnostics.h"
 #include "config/camera_info.h"
 #include "motion/recorded_camera_info.h"
 #include "scene/seconds.h"
@@ -119,8 +119,8 @@ void findPose(const config::CameraConfig& config, const world::CameraSensor* sen
   rig.X_GC = config.X_GC;
   if (rig.X_GC || frames.knowsFrame(rig.frame)) return;
   if (sensor != nullptr) {
-    rig.link = appearance::forEntry(config.group + "/sensor",
-                                    [&] { return movingLinkOf(*sensor, links); });
+    rig.link =
+        base::namingPlace(config.group + "/sensor", [&] { return movingLinkOf(*sensor, links); });
     rig.X_LC = sensor->X_LC;
     if (!rig.link) rig.X_GC = sensor->X_WC;
     return;

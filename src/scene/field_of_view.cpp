@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/error_collector.h"
+#include "base/diagnostics.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -50,32 +50,30 @@ CameraModel withFieldOfView(const CameraModel& camera, double field_of_view) {
 
 void checkFieldOfView(const random::Distribution& field_of_view, const std::string& parameter,
                       const std::vector<CameraRig>& cameras) {
-  config::ErrorCollector errors;
+  base::Diagnostics errors;
   for (const CameraRig& camera : cameras) {
     if (canHaveFieldOfView(camera.model, field_of_view.highest())) continue;
-    errors.add(parameter + ": found up to " + fixed(field_of_view.highest(), 3) +
-               " rad; it should be at most " + fixed(widestOf(camera.model), 3) + ", as '" +
-               camera.name +
-               "' is no fisheye (calibrated as `equidistant`); a normal distribution ends at its "
-               "`max`");
+    errors.error(
+        parameter,
+        "found up to " + fixed(field_of_view.highest(), 3) + " rad; it should be at most " +
+            fixed(widestOf(camera.model), 3) + ", as '" + camera.name +
+            "' is no fisheye (calibrated as `equidistant`); a normal distribution ends at its "
+            "`max`");
   }
   errors.throwIfAny();
 }
 
-std::vector<std::string> fieldOfViewNotes(const random::Distribution& field_of_view,
-                                          const std::string& parameter,
-                                          const std::vector<CameraRig>& cameras) {
+void warnOfBlackEdges(const random::Distribution& field_of_view, const std::string& parameter,
+                      const std::vector<CameraRig>& cameras, base::Diagnostics& found) {
   constexpr double kLittle = 0.5;
-  std::vector<std::string> notes;
   for (const CameraRig& camera : cameras) {
     const double widest = std::min(field_of_view.highest(), widestOf(camera.model));
     const double share = seenShare(withFieldOfView(camera.model, widest));
     if (share >= kLittle || share >= 0.9 * seenShare(camera.model)) continue;
-    notes.push_back(parameter + ": at " + fixed(widest, 3) + " rad, the lens of '" + camera.name +
-                    "' sees something in only " + fixed(100.0 * share, 0) +
-                    " % of the image; the rest is black");
+    found.warning(parameter, "at " + fixed(widest, 3) + " rad, the lens of '" + camera.name +
+                                 "' sees something in only " + fixed(100.0 * share, 0) +
+                                 " % of the image; the rest is black");
   }
-  return notes;
 }
 
 }  // namespace synthetic_dataset

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "random/distribution.h"
 #include "scene/camera_rig.h"
 #include "synthetic_dataset/camera_model.h"
@@ -27,10 +28,9 @@ namespace synthetic_dataset {
 void checkFieldOfView(const random::Distribution& field_of_view, const std::string& parameter,
                       const std::vector<CameraRig>& cameras);
 
-/// What the user should know of cameras whose lenses would see next to nothing in most of the image
-/// at the widest that may be drawn.
-[[nodiscard]] std::vector<std::string> fieldOfViewNotes(const random::Distribution& field_of_view,
-                                                        const std::string& parameter,
-                                                        const std::vector<CameraRig>& cameras);
+/// Warns of cameras whose lenses would see next to nothing in most of the image at the widest that
+/// may be drawn.
+void warnOfBlackEdges(const random::Distribution& field_of_view, const std::string& parameter,
+                      const std::vector<CameraRig>& cameras, base::Diagnostics& found);
 
 }  // namespace synthetic_dataset

@@ -3,17 +3,17 @@
 #include <string>
 #include <utility>
 
-#include "config/error_collector.h"
+#include "base/diagnostics.h"
 #include "scene/object_links.h"
 
 namespace synthetic_dataset {
 namespace {
 
-std::string needsVisuals(const config::ObjectConfig& object, const std::string& parameter,
-                         const std::string& what, const std::string& instead) {
-  return object.name + "/" + parameter + ": " + what +
-         " is found on the model's visuals, and that of '" + object.name +
-         "' has none; add a visual to the model, or " + instead;
+void needVisuals(const config::ObjectConfig& object, const std::string& parameter,
+                 const std::string& what, base::Diagnostics& errors) {
+  errors.error(object.name + "/" + parameter,
+               what + " is found on the model's visuals, and that of '" + object.name +
+                   "' has none; add a visual to the model, or list points here");
 }
 
 /// What the parameters say, in a size.
@@ -49,7 +49,7 @@ Cuboid boxRound(const std::vector<Eigen::Vector3d>& points) {
 ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
                            const std::vector<ObjectVariants>& variants, const world::World& world)
     : world_(world) {
-  config::ErrorCollector errors;
+  base::Diagnostics errors;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const config::ObjectConfig& config = objects[i];
     const std::vector<ObjectVariant>& all = variants[i].all();
@@ -70,21 +70,21 @@ ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
 /// @throws ErrorList where the parameters need what the model does not have
 ObjectShapes::Variant ObjectShapes::measure(Variant variant,
                                             const config::ObjectConfig& config) const {
-  config::ErrorCollector errors;
+  base::Diagnostics errors;
   const std::vector<const world::Link*> own = linksAt(variant.links, world_.links());
   variant.geometry = world::ModelGeometry(own);
   const bool is_seen = !variant.geometry.isEmpty();
   if (config.bounding_shape_O.empty() && !is_seen) {
-    errors.add(needsVisuals(config, "bounding_shape", "model_box", "list points here"));
+    needVisuals(config, "bounding_shape", "model_box", errors);
   }
   if (config.farthest_points > 0 && !is_seen) {
-    errors.add(needsVisuals(config, "keypoints", "farthest_points", "list points here"));
+    needVisuals(config, "keypoints", "farthest_points", errors);
   } else if (config.farthest_points > 0) {
-    try {
-      variant.keypoints = world::farthestPoints(own, config.farthest_points);
-    } catch (const Error& error) {
-      errors.add(config.name + "/keypoints: " + error.what());
-    }
+    errors.attempt([&] {
+      base::namingPlace(config.name + "/keypoints", [&] {
+        variant.keypoints = world::farthestPoints(own, config.farthest_points);
+      });
+    });
   }
   errors.throwIfAny();
   std::vector<Pose> X_OL;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "appearance/entry_errors.h"
+#include "base/diagnostics.h"
 #include "random/random_source.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/model_folders.h"
@@ -63,8 +63,8 @@ ObjectVariants::ObjectVariants(const config::ObjectConfig& object,
 
 void ObjectVariants::findModels() {
   for (const std::string& text : config_.model->texts) {
-    models_of_[text] = appearance::forEntry("randomize/" + entry_ + "/model",
-                                            [&] { return world::modelsAt(text); });
+    models_of_[text] =
+        base::namingPlace("randomize/" + entry_ + "/model", [&] { return world::modelsAt(text); });
     for (const std::string& model : models_of_[text]) {
       const bool is_new = std::find(models_.begin(), models_.end(), model) == models_.end();
       if (is_new) models_.push_back(model);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "config/error_collector.h"
 #include "motion/frame_names.h"
 #include "placement/map_reader.h"
 #include "placement/received_map.h"
@@ -84,7 +83,7 @@ placement::OccupancyMap readMap(const config::Config& config) {
 SceneArranger::SceneArranger(const config::Config& config, const std::vector<CameraRig>& cameras,
                              const std::vector<ObjectVariants>& variants,
                              const ObjectShapes& shapes, world::World& world,
-                             motion::FrameMotion& frames)
+                             motion::FrameMotion& frames, base::Diagnostics& found)
     : rigs_(cameras),
       world_(world),
       frames_(frames),
@@ -100,8 +99,8 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
   if (!places_objects && !places_cameras && !distractors) return;
   if (places_objects) world_.settleProps(fromSeconds(config.physics.settle));
   surroundings_.emplace(world_);
-  config::ErrorCollector errors;
-  if (places_objects) errors.attempt([&] { setUpPlacer(config, variants); });
+  base::Diagnostics errors;
+  if (places_objects) errors.attempt([&] { setUpPlacer(config, variants, found); });
   errors.attempt([&] { setUpCameras(config, cameras); });
   if (distractors) {
     distractor_placer_.emplace(*distractors, boxesOf(world::Role::kDistractor, world_), world_,
@@ -111,7 +110,7 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
 }
 
 placement::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
-                                                bool on_map) {
+                                                bool on_map, base::Diagnostics& found) {
   const config::ObjectConfig& config = objects_[object];
   placement::PlacedObject placed{config.name, {}};
   if (!config.takes_part) placed.X_GO_kept = frames_.pose(config.frame, Stamp{0});
@@ -125,22 +124,23 @@ placement::PlacedObject SceneArranger::describe(std::size_t object, const Object
   }
   if (config.takes_part && on_map && !config.safety_radius) {
     const auto [low, high] = std::minmax_element(reaches.begin(), reaches.end());
-    remarks_.push_back(config.name + "/safety_radius: " + fixed(*low, 3) +
-                       (*low < *high ? " to " + fixed(*high, 3) : "") +
-                       " m, how far the model reaches");
+    found.note(config.name + "/safety_radius", fixed(*low, 3) +
+                                                   (*low < *high ? " to " + fixed(*high, 3) : "") +
+                                                   " m, how far the model reaches");
   }
   return placed;
 }
 
 void SceneArranger::setUpPlacer(const config::Config& config,
-                                const std::vector<ObjectVariants>& variants) {
+                                const std::vector<ObjectVariants>& variants,
+                                base::Diagnostics& found) {
   const bool on_map = config.placement.mode == config::PlacementMode::kMap;
   if (on_map && !config.placement.map_file && !config.placement.map_topic) return;  // told already
   std::optional<placement::OccupancyMap> map;
   if (on_map) map = readMap(config);
   std::vector<placement::PlacedObject> placed;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    placed.push_back(describe(i, variants[i], on_map));
+    placed.push_back(describe(i, variants[i], on_map, found));
   }
   placer_.emplace(config.placement, map, std::move(placed), world_, *surroundings_,
                   static_cast<std::uint64_t>(config.seed));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "config/config.h"
 #include "motion/frame_motion.h"
 #include "placement/camera_sampler.h"
@@ -25,10 +26,11 @@ class SceneArranger {
   /// Lets the props come to rest where objects are placed among them.
   /// @param variants  of each object
   /// @param shapes, world, frames  have to outlive this
+  /// @param found  takes what the user may like to know
   /// @throws ErrorList with all that keeps objects and cameras from being placed
   SceneArranger(const config::Config& config, const std::vector<CameraRig>& cameras,
                 const std::vector<ObjectVariants>& variants, const ObjectShapes& shapes,
-                world::World& world, motion::FrameMotion& frames);
+                world::World& world, motion::FrameMotion& frames, base::Diagnostics& found);
 
   /// Whether no scene has to do with the one before.
   [[nodiscard]] bool standsAlone() const { return placer_.has_value(); }
@@ -47,19 +49,17 @@ class SceneArranger {
   /// Puts the cameras of a time's scenes that are put at random, as the world stands.
   void placeCameras(std::int64_t instant, Stamp stamp);
 
-  /// What the user may like to know.
-  [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
-
  private:
   struct SampledCamera {
     std::string frame;
     placement::CameraSampler sampler;
   };
 
-  void setUpPlacer(const config::Config& config, const std::vector<ObjectVariants>& variants);
+  void setUpPlacer(const config::Config& config, const std::vector<ObjectVariants>& variants,
+                   base::Diagnostics& found);
   void setUpCameras(const config::Config& config, const std::vector<CameraRig>& cameras);
   [[nodiscard]] placement::PlacedObject describe(std::size_t object, const ObjectVariants& variants,
-                                                 bool on_map);
+                                                 bool on_map, base::Diagnostics& found);
 
   std::vector<CameraRig> rigs_;
   world::World& world_;
@@ -67,7 +67,6 @@ class SceneArranger {
   std::vector<config::ObjectConfig> objects_;               ///< that are followed or placed
   std::vector<config::ObjectConfig> labelled_distractors_;  ///< in the world's order
   std::vector<std::vector<Cuboid>> boxes_O_;  ///< of the objects' variants, their links at rest
-  std::vector<std::string> remarks_;
   std::optional<placement::Surroundings> surroundings_;
   std::optional<placement::ScenePlacer> placer_;
   std::optional<placement::DistractorPlacer> distractor_placer_;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "config/error_collector.h"
+#include "base/diagnostics.h"
 #include "config/settings_text.h"
 #include "scene/field_of_view.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -26,7 +26,8 @@ Value valueOf(const appearance::DrawnValue& drawn) {
 }  // namespace
 
 SceneVariation::SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
-                               std::vector<ObjectVariants> variants, const world::World& world)
+                               std::vector<ObjectVariants> variants, const world::World& world,
+                               base::Diagnostics& found)
     : config_(config.randomization),
       seed_(static_cast<std::uint64_t>(config.seed)),
       objects_(config.objects.begin(),
@@ -37,12 +38,12 @@ SceneVariation::SceneVariation(const config::Config& config, const std::vector<C
     effects_.push_back(camera.effects);
     models_.push_back(camera.model);
   }
-  config::ErrorCollector errors;
+  base::Diagnostics errors;
   errors.attempt([&] {
     const auto& field_of_view = config_.sensor.field_of_view;
     if (!field_of_view) return;
     checkFieldOfView(*field_of_view, kFieldOfView, cameras);
-    notes_ = fieldOfViewNotes(*field_of_view, kFieldOfView, cameras);
+    warnOfBlackEdges(*field_of_view, kFieldOfView, cameras, found);
   });
   errors.attempt([&] {
     if (config_.changesLook()) looks_.emplace(config_, world);
@@ -51,8 +52,8 @@ SceneVariation::SceneVariation(const config::Config& config, const std::vector<C
   for (const config::ObjectConfig& object : objects_) names.push_back(object.name);
   for (const auto& [name, entry] : config_.objects) {
     if (name == config::kOthers || std::count(names.begin(), names.end(), name) > 0) continue;
-    errors.add("randomize/objects/" + name + ": robot_list has no object of this name" +
-               didYouMean(name, names));
+    errors.error("randomize/objects/" + name,
+                 "robot_list has no object of this name" + didYouMean(name, names));
   }
   errors.throwIfAny();
 }

@@ -7,6 +7,7 @@
 
 #include "appearance/entry_draws.h"
 #include "appearance/look_sampler.h"
+#include "base/diagnostics.h"
 #include "config/config.h"
 #include "output/manifest/scene_facts.h"
 #include "render/renderer.h"
@@ -22,9 +23,11 @@ class SceneVariation {
  public:
   /// @param variants  of each object
   /// @param world  has to outlive this
+  /// @param found  takes what the user should know
   /// @throws ErrorList with the entries that mean nothing in this world
   SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
-                 std::vector<ObjectVariants> variants, const world::World& world);
+                 std::vector<ObjectVariants> variants, const world::World& world,
+                 base::Diagnostics& found);
 
   /// Draws what the scenes of a time look like, and lets the renderer and the cameras' sensors and
   /// lenses follow.
@@ -34,9 +37,6 @@ class SceneVariation {
   /// of its scenes is placed.
   /// @param world  that of the constructor
   void choose(std::int64_t instant, world::World& world);
-
-  /// What the user should know.
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
   /// What was drawn last for a camera's scene.
   [[nodiscard]] std::vector<output::DrawFacts> draws(std::size_t camera) const;
@@ -49,7 +49,6 @@ class SceneVariation {
   std::uint64_t seed_;
   std::vector<sensor::SensorEffects> effects_;  ///< of the cameras, as they are set
   std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
-  std::vector<std::string> notes_;
   std::optional<appearance::LookSampler> looks_;
   std::vector<config::ObjectConfig> objects_;                 ///< that are followed or placed
   std::vector<ObjectVariants> variants_;                      ///< of each object

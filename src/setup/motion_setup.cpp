@@ -6,7 +6,7 @@
 
 #include "scene/seconds.h"
 #include "setup/scene_plan.h"
-#include "setup/size_notes.h"
+#include "setup/size_checks.h"
 #include "setup/world_setup.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -29,13 +29,13 @@ class MotionBuilder {
     setUpCameras();
     arrangeScenes();
     planScenes();
-    if (!errors().messages().empty()) tellOfRecording();
+    if (found().hasErrors()) tellOfRecording();
     return std::move(setup_);
   }
 
  private:
   [[nodiscard]] const config::Config& config() const { return setup_.config; }
-  [[nodiscard]] config::ErrorCollector& errors() { return setup_.errors; }
+  [[nodiscard]] base::Diagnostics& found() { return setup_.found; }
 
   /// Objects that do not take part have a frame that no other one has.
   void leaveOutOthers() {
@@ -51,7 +51,7 @@ class MotionBuilder {
   /// Runs a step that makes a part; none when it failed, with the errors noted.
   template <class Make>
   auto attempt(Make make) -> decltype(make()) {
-    auto made = errors().attempt(make);
+    auto made = found().attempt(make);
     return made ? std::move(*made) : nullptr;
   }
 
@@ -64,7 +64,7 @@ class MotionBuilder {
           attempt([&] { return std::make_unique<motion::BagMotion>(config().motion.bag_files); });
       if (!recording) return;
       recording_notes_ = recording->notes();
-      addTo(setup_.notes, recording_notes_);
+      found().add(base::Severity::kWarning, recording_notes_);
       setup_.frames =
           std::make_unique<motion::FrameMotion>(config().global_frame, std::move(recording));
     }
@@ -78,9 +78,11 @@ class MotionBuilder {
     for (const config::ObjectConfig& each : config().objects) {
       if (!each.takes_part) continue;
       if (setup_.frames->isPlaced(each.frame) || each.frame == config().global_frame) {
-        errors().add(each.name + "/frame: found '" + each.frame +
-                     "', which is not its own; each object that is placed needs a frame of its "
-                     "own");
+        found().error(
+            each.name + "/frame",
+            "found '" + each.frame +
+                "', which is not its own; each object that is placed needs a frame of its "
+                "own");
       }
       placeSomewhere(each.frame);
     }
@@ -88,7 +90,7 @@ class MotionBuilder {
 
   /// What was left out of the recording may be what is missing.
   void tellOfRecording() {
-    for (const std::string& note : recording_notes_) errors().add("bag_file: " + note);
+    for (const std::string& note : recording_notes_) found().error("bag_file", note);
   }
 
   /// Frames that are placed scene by scene are known from the start.
@@ -97,18 +99,15 @@ class MotionBuilder {
   void loadWorld() {
     if (config().world.file.empty()) return;
     for (const config::ObjectConfig& object : config().objects) {
-      if (!errors().attempt(
-              [&] { setup_.variants.emplace_back(object, config().randomization); })) {
+      if (!found().attempt([&] { setup_.variants.emplace_back(object, config().randomization); })) {
         setup_.variants.emplace_back(object, config::Randomization{});
       }
     }
     WorldSetup world = setUpWorld(config(), setup_.variants, setup_.frames.get(),
-                                  worlds_.filesFor(config()), errors());
+                                  worlds_.filesFor(config()), found());
     sensors_ = std::move(world.sensors);
     setup_.driven_links = std::move(world.driven_links);
     setup_.inputs = std::move(world.inputs);
-    addTo(setup_.notes, world.notes);
-    addTo(setup_.remarks, world.remarks);
     setup_.world = std::move(world.world);
     if (!setup_.world) return;
     noteSharedShapes();
@@ -125,7 +124,7 @@ class MotionBuilder {
       const config::ObjectConfig& object = config().objects[i];
       const bool varies = setup_.variants[i].all().size() > 1;  // and what is given with it
       if (object.takes_part && !object.is_distractor && !varies) {
-        addTo(setup_.notes, sizeNotes(object, setup_.shapes->boxesAtRest(i).front()));
+        checkSizes(object, setup_.shapes->boxesAtRest(i).front(), found());
       }
     }
   }
@@ -135,9 +134,9 @@ class MotionBuilder {
     for (std::size_t i = 0; i < config().objects.size(); ++i) {
       const config::ObjectConfig& object = config().objects[i];
       const auto note = [&](const std::string& parameter, const std::string& instead) {
-        setup_.notes.push_back(object.name + "/" + parameter +
-                               ": the same points are taken for all models of randomize/objects; " +
-                               instead + " would find them on each");
+        found().warning(object.name + "/" + parameter,
+                        "the same points are taken for all models of randomize/objects; " +
+                            instead + " would find them on each");
       };
       if (!setup_.variants[i].hasSeveralModels()) continue;
       if (!object.bounding_shape_O.empty()) note("bounding_shape", "model_box");
@@ -152,7 +151,7 @@ class MotionBuilder {
       const bool two_sources = camera.info_file && camera.info_topic;
       const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
       if (two_sources || no_source) continue;  // told already
-      auto rig = errors().attempt([&] {
+      auto rig = found().attempt([&] {
         return makeCameraRig(camera, config().motion.bag_files, *sensors_,
                              setup_.world ? setup_.world->links() : kNoLinks, config().objects,
                              *setup_.frames);
@@ -177,8 +176,9 @@ class MotionBuilder {
       if (other.frame == frame) owner = "the camera " + other.name;
     }
     if (owner.empty()) return false;
-    errors().add(camera.group + "/frame_id: found '" + frame + "', which is also the frame of " +
-                 owner + "; a camera that is put somewhere needs a frame of its own");
+    found().error(camera.group + "/frame_id",
+                  "found '" + frame + "', which is also the frame of " + owner +
+                      "; a camera that is put somewhere needs a frame of its own");
     return true;
   }
 
@@ -186,11 +186,13 @@ class MotionBuilder {
   void checkShutter(const config::CameraConfig& camera, const CameraRig& rig) {
     const Duration period = shortestPeriod(config());
     if (openTime(rig.shutter) <= period) return;
-    errors().add(
-        camera.group + "/effects: found exposure_time + readout_time of " +
-        fixed(toSeconds(openTime(rig.shutter)), 4) + " s; it should be at most the " +
-        fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate" +
-        (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)" : ")"));
+    found().error(
+        camera.group + "/effects",
+        "found exposure_time + readout_time of " + fixed(toSeconds(openTime(rig.shutter)), 4) +
+            " s; it should be at most the " + fixed(toSeconds(period), 4) +
+            " s from one scene to the next (simulated_rate" +
+            (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)"
+                                                : ")"));
   }
 
   /// Intrinsics of another resolution have their principal point elsewhere. Only what is cut out of
@@ -201,49 +203,45 @@ class MotionBuilder {
     const double across = model.intrinsics().cx + 0.5 - 0.5 * model.width();
     const double down = model.intrinsics().cy + 0.5 - 0.5 * model.height();
     if (std::abs(across) <= kFar * model.width() && std::abs(down) <= kFar * model.height()) return;
-    setup_.notes.push_back(
-        camera.group + ": the principal point (" + fixed(model.intrinsics().cx, 1) + ", " +
-        fixed(model.intrinsics().cy, 1) + ") is far from the middle of an image of " +
-        std::to_string(model.width()) + " x " + std::to_string(model.height()) +
-        " (is the calibration that of another resolution?)");
+    found().warning(camera.group, "the principal point (" + fixed(model.intrinsics().cx, 1) + ", " +
+                                      fixed(model.intrinsics().cy, 1) +
+                                      ") is far from the middle of an image of " +
+                                      std::to_string(model.width()) + " x " +
+                                      std::to_string(model.height()) +
+                                      " (is the calibration that of another resolution?)");
   }
 
   void noteBlindLens(const config::CameraConfig& camera, const CameraRig& rig) {
     constexpr double kLittle = 0.25;  // a fisheye's circle in a wide image fills more than this
     const double share = seenShare(rig.model);
     if (share >= kLittle) return;
-    setup_.notes.push_back(camera.group + ": its lens sees something in only " +
-                           fixed(100.0 * share, 0) +
-                           " % of the image; the rest is black (are the distortion's numbers "
-                           "right?)");
+    found().warning(camera.group,
+                    "its lens sees something in only " + fixed(100.0 * share, 0) +
+                        " % of the image; the rest is black (are the distortion's numbers "
+                        "right?)");
   }
 
   void arrangeScenes() {
     if (!setup_.frames || !setup_.shapes || setup_.cameras.empty()) return;
     setup_.variation = attempt([&] {
       return std::make_unique<SceneVariation>(config(), setup_.cameras, setup_.variants,
-                                              *setup_.world);
+                                              *setup_.world, found());
     });
-    if (setup_.variation) addTo(setup_.notes, setup_.variation->notes());
     setup_.arranger = attempt([&] {
       return std::make_unique<SceneArranger>(config(), setup_.cameras, setup_.variants,
-                                             *setup_.shapes, *setup_.world, *setup_.frames);
+                                             *setup_.shapes, *setup_.world, *setup_.frames,
+                                             found());
     });
-    if (setup_.arranger) addTo(setup_.remarks, setup_.arranger->remarks());
   }
 
   void planScenes() {
     if (!setup_.frames || config().objects.empty()) return;
-    auto timeline = errors().attempt([&] {
+    auto timeline = found().attempt([&] {
       if (setup_.isPlaced()) return planUnrelatedScenes(config());
       return synthetic_dataset::planScenes(*setup_.frames, config(), setup_.cameras,
                                            setup_.driven_links);
     });
     if (timeline) setup_.timeline = std::move(*timeline);
-  }
-
-  static void addTo(std::vector<std::string>& all, const std::vector<std::string>& more) {
-    all.insert(all.end(), more.begin(), more.end());
   }
 
   WorldShelf& worlds_;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "config/config.h"
-#include "config/error_collector.h"
 #include "config/motion_list.h"
 #include "motion/frame_motion.h"
 #include "scene/articulation.h"
@@ -37,10 +37,8 @@ struct MotionSetup {
   std::unique_ptr<SceneArranger> arranger;
   std::unique_ptr<SceneVariation> variation;
 
-  std::vector<std::string> notes;    ///< what the user should know
-  std::vector<std::string> remarks;  ///< what the user may like to know
-  std::set<std::string> inputs;      ///< files of the world and of its models
-  config::ErrorCollector errors;     ///< all that is wrong; what needs it is not there then
+  std::set<std::string> inputs;  ///< files of the world and of its models
+  base::Diagnostics found;       ///< where something is wrong, what needs it is not there
 
   /// How many times it gives to the run.
   [[nodiscard]] std::int64_t instantCount() const {

@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "config/error_collector.h"
 #include "config/motion_list.h"
 #include "setup/dataset_description.h"
 #include "setup/motion_errors.h"
@@ -28,7 +27,7 @@ class Builder {
   RunSetup build() {
     for (config::MotionEntry& entry : list_.entries) addMotion(entry);
     setup_.config = setup_.motions.front().config;
-    errors_.add(list_.errors);
+    found().add(base::Severity::kError, list_.errors);
     checkSameCameras();
     checkSameDistractors();
     const std::int64_t told_count = countInstants();
@@ -52,6 +51,7 @@ class Builder {
 
  private:
   [[nodiscard]] const config::Config& config() const { return setup_.config; }
+  [[nodiscard]] base::Diagnostics& found() { return setup_.found; }
 
   void addMotion(const config::MotionEntry& entry) {
     roots_.emplace_back(entry.settings);
@@ -68,7 +68,7 @@ class Builder {
       if (motion.timeline.stamps.empty()) return;  // told already
       sharing.push_back({motion.entry.group, motion.entry.weight, motion.instantCount()});
     }
-    const auto counts = errors_.attempt([&] { return sharesOf(sharing, list_.scenes); });
+    const auto counts = found().attempt([&] { return sharesOf(sharing, list_.scenes); });
     if (!counts) return;
     for (std::size_t i = 0; i < counts->size(); ++i) {
       MotionSetup& motion = setup_.motions[i];
@@ -102,9 +102,9 @@ class Builder {
     const MotionSetup& first = setup_.motions.front();
     for (const MotionSetup& motion : setup_.motions) {
       if (namesOf(motion) == namesOf(first)) continue;
-      errors_.add(motion.entry.group + "/cameras: found " + namesOf(motion) + "; " +
-                  first.entry.group + " has " + namesOf(first) +
-                  ", and all motions should have cameras of the same names");
+      found().error(motion.entry.group + "/cameras",
+                    "found " + namesOf(motion) + "; " + first.entry.group + " has " +
+                        namesOf(first) + ", and all motions should have cameras of the same names");
     }
   }
 
@@ -116,9 +116,9 @@ class Builder {
     if (std::none_of(setup_.motions.begin(), setup_.motions.end(), hasSome)) return;
     for (const MotionSetup& motion : setup_.motions) {
       if (!motion.entry.says("randomize/distractors")) continue;
-      errors_.add(motion.entry.group +
-                  "/randomize/distractors: distractors with a class are objects of the whole "
-                  "dataset; their settings should stand beside motions");
+      found().error(motion.entry.group + "/randomize/distractors",
+                    "distractors with a class are objects of the whole "
+                    "dataset; their settings should stand beside motions");
     }
   }
 
@@ -126,8 +126,8 @@ class Builder {
     const std::set<std::int64_t>& only = config().output.only_scenes;
     const std::int64_t count = setup_.instantCount();
     if (count == 0 || only.empty() || *only.rbegin() < count) return;
-    errors_.add("only_scenes: found " + std::to_string(*only.rbegin()) +
-                "; this run's scenes are 0 to " + std::to_string(count - 1));
+    found().error("only_scenes", "found " + std::to_string(*only.rbegin()) +
+                                     "; this run's scenes are 0 to " + std::to_string(count - 1));
   }
 
   void planSplits() {
@@ -135,7 +135,7 @@ class Builder {
     for (const MotionSetup& motion : setup_.motions) {
       parts.push_back({motion.instantCount(), motion.entry.split});
     }
-    const auto plan = errors_.attempt([&] {
+    const auto plan = found().attempt([&] {
       return SplitPlan(config().split, static_cast<std::uint64_t>(config().seed), parts);
     });
     if (plan) setup_.splits = std::make_unique<SplitPlan>(*plan);
@@ -151,7 +151,7 @@ class Builder {
       choices.push_back({writer.name, writer.type, writer.output_folder, writer.parameters});
     }
     if (choices.empty() || !setup_.splits) return;
-    auto made = errors_.attempt([&] {
+    auto made = found().attempt([&] {
       return std::make_unique<writers::WriterHost>(choices, dataset(), plugin_xml_files_);
     });
     if (made) setup_.writers = std::move(*made);
@@ -163,13 +163,13 @@ class Builder {
     for (const std::string& frame : setup_.writers->requirements().frames) {
       if (motion.isCameraFrame(frame)) continue;
       if (motion.frames->knowsFrame(frame)) {
-        motion.errors.attempt(
+        motion.found.attempt(
             [&] { leaveOutScenesWithout(frame, *motion.frames, motion.timeline); });
       } else {
-        motion.errors.add("a writer asks for the frame '" + frame +
-                          (motion.isPlaced() ? "', which nothing that is placed has"
-                                             : "', which the recording does not have") +
-                          motion.frames->suggestFrame(frame));
+        motion.found.error("", "a writer asks for the frame '" + frame +
+                                   (motion.isPlaced() ? "', which nothing that is placed has"
+                                                      : "', which the recording does not have") +
+                                   motion.frames->suggestFrame(frame));
       }
     }
   }
@@ -186,7 +186,7 @@ class Builder {
   void noteEmptySplits() {
     if (setup_.instantCount() == 0) return;
     for (const SplitInfo& split : setup_.splits->splits(config().cameras.size())) {
-      if (split.scene_count == 0) addNote("split/" + split.name + ": no scene falls into it");
+      if (split.scene_count == 0) found().warning("split/" + split.name, "no scene falls into it");
     }
   }
 
@@ -195,26 +195,29 @@ class Builder {
     const config::MaskConfig& masks = config().masks;
     if (masks.method == config::MaskMethod::kExact || masks.method_is_given) return;
     if (!setup_.writers || !setup_.writers->requirements().visible_masks) return;
-    addNote(
-        "masks are found by background subtraction since background_subtractor is set; "
-        "masks/method: exact gives exact ones");
+    found().warning("",
+                    "masks are found by background subtraction since background_subtractor is set; "
+                    "masks/method: exact gives exact ones");
   }
 
   void throwErrors() {
-    config::ErrorCollector all;
+    base::Diagnostics all;
+    const auto addErrors = [&](const std::vector<std::string>& errors) {
+      all.add(base::Severity::kError, errors);
+    };
     std::vector<MotionErrors> of_motions;
     for (std::size_t i = 0; i < roots_.size(); ++i) {
       of_motions.push_back({setup_.motions[i].entry.group, setting_errors_[i]});
     }
-    all.add(mergedErrors(of_motions));
-    all.add(writer_errors_);
+    addErrors(mergedErrors(of_motions));
+    addErrors(writer_errors_);
     // Writers that could not be loaded have not read theirs: nothing can be said to be unknown.
-    if (setup_.writers) all.add(unknownParameters(list_.entries, roots_));
+    if (setup_.writers) addErrors(unknownParameters(list_.entries, roots_));
     for (std::size_t i = 0; i < roots_.size(); ++i) {
-      of_motions[i].messages = setup_.motions[i].errors.messages();
+      of_motions[i].messages = setup_.motions[i].found.messages(base::Severity::kError);
     }
-    all.add(mergedErrors(of_motions));
-    all.add(errors_.messages());
+    addErrors(mergedErrors(of_motions));
+    all.merge(found());
     all.throwIfAny();
   }
 
@@ -234,12 +237,10 @@ class Builder {
       const std::set<std::string> named = inputsNamedBy(motion.config);
       inputs.insert(named.begin(), named.end());
       inputs.insert(motion.inputs.begin(), motion.inputs.end());
-      for (const std::string& note : motion.notes) addOnce(notes_, note);
-      for (const std::string& remark : motion.remarks) addOnce(setup_.remarks, remark);
+      found().merge(motion.found);
     }
     run.inputs = describeInputs(inputs);
     describeContents(dataset(), run);
-    for (const std::string& note : notes_) run.warnings.push_back({note});
     std::int64_t in_gaps = 0;
     std::int64_t unknown = 0;
     for (const MotionSetup& motion : setup_.motions) {
@@ -248,13 +249,15 @@ class Builder {
     }
     countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap", in_gaps);
     countLeftOut("scene left out: a transform is not known at its time", unknown);
+    for (const base::Diagnostic& each : found().all()) {
+      if (each.severity == base::Severity::kWarning)
+        run.warnings.push_back({each.message(), "", each.count});
+    }
   }
 
   void countLeftOut(const std::string& kind, std::int64_t count) {
-    if (count > 0) setup_.description.warnings.push_back({kind, "", count});
+    if (count > 0) found().warning("", kind, count);
   }
-
-  void addNote(const std::string& note) { addOnce(notes_, note); }
 
   static void addOnce(std::vector<std::string>& texts, const std::string& text) {
     if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
@@ -266,10 +269,8 @@ class Builder {
   std::vector<Parameters> roots_;                         ///< of the entries
   std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
   std::vector<std::string> writer_errors_;                ///< of the writers' settings
-  std::vector<std::string> notes_;                        ///< of the run as a whole
   WorldShelf worlds_;
   RunSetup setup_;
-  config::ErrorCollector errors_;
 };
 
 }  // namespace

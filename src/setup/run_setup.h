@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "config/config.h"
 #include "output/manifest/run_description.h"
 #include "setup/motion_setup.h"
@@ -20,8 +21,8 @@ struct RunSetup {
   std::vector<MotionSetup> motions;  ///< at least one, in the order of their scenes
   std::unique_ptr<SplitPlan> splits;
   std::unique_ptr<writers::WriterHost> writers;
-  output::RunDescription description;       ///< for the manifest; with what the user should know
-  std::vector<std::string> remarks;         ///< what the user may like to know
+  output::RunDescription description;       ///< for the manifest; with the warnings
+  base::Diagnostics found;                  ///< warnings and notes
   std::vector<std::string> defaults_taken;  ///< "parameter: value"
 
   /// The times of all motions together.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "appearance/distractor_models.h"
-#include "appearance/entry_errors.h"
+#include "base/diagnostics.h"
 #include "render/light/light_setup.h"
 #include "render/shadows/shadow_projection.h"
 #include "scene/seconds.h"
@@ -60,7 +60,7 @@ std::vector<world::Model> loadDistractors(const config::Config& config, WorldFil
   };
   const std::string entry =
       std::string("randomize/distractors/") + (distractors->models.empty() ? "textures" : "models");
-  return appearance::forEntry(entry, [&] {
+  return base::namingPlace(entry, [&] {
     return appearance::makeDistractors(*distractors, static_cast<std::uint64_t>(config.seed), load);
   });
 }
@@ -69,11 +69,11 @@ std::vector<world::Model> loadDistractors(const config::Config& config, WorldFil
 class WorldBuilder {
  public:
   WorldBuilder(const config::Config& config, const std::vector<ObjectVariants>& variants,
-               const motion::FrameMotion* frames, WorldFiles& files, config::ErrorCollector& errors)
-      : config_(config), variants_(variants), frames_(frames), files_(files), errors_(errors) {}
+               const motion::FrameMotion* frames, WorldFiles& files, base::Diagnostics& found)
+      : config_(config), variants_(variants), frames_(frames), files_(files), found_(found) {}
 
   WorldSetup build() {
-    auto description = errors_.attempt([&] { return files_.world(); });
+    auto description = found_.attempt([&] { return files_.world(); });
     if (!description) return std::move(setup_);
     model_names_ = modelNames(*description);
     setup_.sensors = description->cameras;
@@ -82,28 +82,25 @@ class WorldBuilder {
       const config::ObjectConfig& object = config_.objects[i];
       if (!object.is_distractor) addObject(object, variants_[i].all(), *description);
     }
-    auto distractors = errors_.attempt([&] { return loadDistractors(config_, files_); });
-    addTo(setup_.notes, files_.modelNotes());
+    auto distractors = found_.attempt([&] { return loadDistractors(config_, files_); });
+    found_.add(base::Severity::kWarning, files_.modelNotes());
     for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
     const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
     setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
     if (!distractors || lacks_objects_) return std::move(setup_);
-    auto world = errors_.attempt([&] {
+    auto world = found_.attempt([&] {
       return std::make_unique<world::World>(std::move(*description), std::move(objects_),
                                             physicsOptions(config_), std::move(*distractors));
     });
     if (!world) return std::move(setup_);
     setup_.world = std::move(*world);
-    addTo(setup_.notes, setup_.world->description().notes);
-    addTo(setup_.notes, render::shadowNotes(setup_.world->description().lights));
+    const world::Description& loaded = setup_.world->description();
+    found_.add(base::Severity::kWarning, loaded.notes);
+    found_.add(base::Severity::kWarning, render::shadowNotes(loaded.lights));
     return std::move(setup_);
   }
 
  private:
-  static void addTo(std::vector<std::string>& all, const std::vector<std::string>& more) {
-    all.insert(all.end(), more.begin(), more.end());
-  }
-
   void addObject(const config::ObjectConfig& object, const std::vector<ObjectVariant>& variants,
                  world::Description& surroundings) {
     const auto in_world = takeModel(surroundings, object.name);
@@ -114,15 +111,16 @@ class WorldBuilder {
     }
     if (!in_world && !variants.front().model) {
       lacks_objects_ = true;
-      errors_.add("robot_list: the world '" + config_.world.file + "' has no model '" +
-                  object.name + "' (it has " + model_names_ +
-                  "); add one to the world, or name a model file in " + object.name + "/model");
+      found_.error("robot_list", "the world '" + config_.world.file + "' has no model '" +
+                                     object.name + "' (it has " + model_names_ +
+                                     "); add one to the world, or name a model file in " +
+                                     object.name + "/model");
       return;
     }
     std::optional<std::string> broken;  // all sizes of a model would have the same errors
     for (const ObjectVariant& variant : variants) {
       if (broken && variant.model == broken) continue;
-      if (errors_.attempt([&] { addVariant(variant, object, in_world); })) continue;
+      if (found_.attempt([&] { addVariant(variant, object, in_world); })) continue;
       lacks_objects_ = true;
       broken = variant.model;
       if (!broken) return;
@@ -131,7 +129,7 @@ class WorldBuilder {
 
   const world::Model& modelOf(const ObjectVariant& variant, const config::ObjectConfig& object) {
     if (variant.model == object.model) return files_.model(*variant.model, object.name);
-    return appearance::forEntry(
+    return base::namingPlace(
         "randomize/objects/" + object.name + "/model",
         [&]() -> const world::Model& { return files_.model(*variant.model, object.name); });
   }
@@ -158,14 +156,14 @@ class WorldBuilder {
     for (const DrivenLink& each : driven) links.push_back(each.link);
     const bool is_first = setup_.driven_links.back().size() == 1;
     objects_.emplace_back(std::move(articulation.model), std::move(links), !is_first);
-    if (is_first) addTo(setup_.remarks, articulation.remarks);
+    if (is_first) found_.merge(articulation.found);
   }
 
   const config::Config& config_;
   const std::vector<ObjectVariants>& variants_;
   const motion::FrameMotion* frames_;
   WorldFiles& files_;
-  config::ErrorCollector& errors_;
+  base::Diagnostics& found_;
   std::string model_names_;  ///< of the world, objects included
   std::vector<world::MovingObject> objects_;
   bool lacks_objects_ = false;
@@ -176,8 +174,8 @@ class WorldBuilder {
 
 WorldSetup setUpWorld(const config::Config& config, const std::vector<ObjectVariants>& variants,
                       const motion::FrameMotion* frames, WorldFiles& files,
-                      config::ErrorCollector& errors) {
-  return WorldBuilder(config, variants, frames, files, errors).build();
+                      base::Diagnostics& found) {
+  return WorldBuilder(config, variants, frames, files, found).build();
 }
 
 }  // namespace synthetic_dataset

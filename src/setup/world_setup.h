@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "config/config.h"
-#include "config/error_collector.h"
 #include "motion/frame_motion.h"
 #include "scene/articulation.h"
 #include "scene/object_variants.h"
@@ -24,9 +24,7 @@ struct WorldSetup {
   /// Of the world and of the objects' models; nothing where the world cannot be read.
   std::optional<std::vector<world::CameraSensor>> sensors;
 
-  std::vector<std::string> notes;    ///< what was left out or replaced, for the user to know
-  std::vector<std::string> remarks;  ///< what the user may like to know
-  std::set<std::string> inputs;      ///< the files that were read
+  std::set<std::string> inputs;  ///< the files that were read
 };
 
 /// Loads the world, the objects' models and the distractors. An object's model is that of its
@@ -36,10 +34,10 @@ struct WorldSetup {
 /// @param frames  which links follow frames of their own; none, which is an error already: no link
 ///     is driven
 /// @param files  of the world that config names
-/// @param errors  takes all that is wrong
+/// @param found  takes all that is wrong, was left out or replaced, or may be good to know
 [[nodiscard]] WorldSetup setUpWorld(const config::Config& config,
                                     const std::vector<ObjectVariants>& variants,
                                     const motion::FrameMotion* frames, WorldFiles& files,
-                                    config::ErrorCollector& errors);
+                                    base::Diagnostics& found);
 
 }  // namespace synthetic_dataset

@@ -80,8 +80,11 @@ TEST(FieldOfView, ThatALensCannotHaveIsAnErrorOfItsCamera) {
 
 TEST(FieldOfView, AtWhichALensSeesNextToNothingIsTold) {
   const std::vector<CameraRig> cameras = {{"front", kLens, "f"}, {"rear", kPinhole, "r"}};
-  EXPECT_THAT(fieldOfViewNotes(random::Distribution::constant({1.2}), "angle", cameras), IsEmpty());
-  EXPECT_THAT(fieldOfViewNotes(random::Distribution::uniform({1.0}, {2.9}), "angle", cameras),
+  base::Diagnostics found;
+  warnOfBlackEdges(random::Distribution::constant({1.2}), "angle", cameras, found);
+  EXPECT_THAT(found.all(), IsEmpty());
+  warnOfBlackEdges(random::Distribution::uniform({1.0}, {2.9}), "angle", cameras, found);
+  EXPECT_THAT(found.messages(base::Severity::kWarning),
               ElementsAre(AllOf(HasSubstr("at 2.900 rad"), HasSubstr("'front'"))));
 }
 

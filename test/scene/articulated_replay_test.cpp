@@ -127,15 +127,17 @@ TEST_F(ArticulatedReplay, LinksWithoutTfRideOnTheirParents) {
 TEST_F(ArticulatedReplay, WithoutTfForLinksTheModelMovesAsOnePiece) {
   const MotionSetup setup = setUp();
   EXPECT_THAT(setup.driven_links, ElementsAre(ElementsAre(IsEmpty())));
-  EXPECT_THAT(setup.remarks, ElementsAre("alpha: no TF moves its joints 'shoulder', 'elbow', "
-                                         "'slide'; they are held as the model has them"));
+  EXPECT_THAT(setup.found.messages(base::Severity::kNote),
+              ElementsAre("alpha: no TF moves its joints 'shoulder', 'elbow', "
+                          "'slide'; they are held as the model has them"));
   expectAt(linksAt(5)["gripper"], base(5) * poseAt(0, 0, 1.12));
 }
 
-TEST_F(ArticulatedReplay, RemarksTellHowManyLinksFollow) {
+TEST_F(ArticulatedReplay, NotesSayHowManyLinksFollow) {
   recordLinks();
-  EXPECT_THAT(setUp().remarks, ElementsAre("alpha: 3 of 5 links follow TF",
-                                           HasSubstr("no TF moves its joints 'slide'")));
+  EXPECT_THAT(
+      setUp().found.messages(base::Severity::kNote),
+      ElementsAre("alpha: 3 of 5 links follow TF", HasSubstr("no TF moves its joints 'slide'")));
 }
 
 TEST_F(ArticulatedReplay, FramesMayHaveNoPrefix) {

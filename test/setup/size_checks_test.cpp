@@ -1,6 +1,9 @@
-#include "setup/size_notes.h"
+#include "setup/size_checks.h"
 
 #include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
 
 namespace synthetic_dataset {
 namespace {
@@ -21,31 +24,37 @@ config::ObjectConfig rover(double scale) {
   return object;
 }
 
-TEST(SizeNotes, AreNoneOfWhatFitsTheModel) {
-  EXPECT_THAT(sizeNotes(rover(1.0), kRover), IsEmpty());
-  EXPECT_THAT(sizeNotes(rover(1.4), kRover), IsEmpty()) << "with room";
-  config::ObjectConfig found_on_model;
-  EXPECT_THAT(sizeNotes(found_on_model, kRover), IsEmpty());
+std::vector<std::string> warningsOf(const config::ObjectConfig& object, const Cuboid& box_O) {
+  base::Diagnostics found;
+  checkSizes(object, box_O, found);
+  return found.messages(base::Severity::kWarning);
 }
 
-TEST(SizeNotes, TellOfMillimetres) {
-  EXPECT_THAT(sizeNotes(rover(1000.0), kRover),
+TEST(Sizes, AreRightOfWhatFitsTheModel) {
+  EXPECT_THAT(warningsOf(rover(1.0), kRover), IsEmpty());
+  EXPECT_THAT(warningsOf(rover(1.4), kRover), IsEmpty()) << "with room";
+  config::ObjectConfig found_on_model;
+  EXPECT_THAT(warningsOf(found_on_model, kRover), IsEmpty());
+}
+
+TEST(Sizes, WarnOfMillimetres) {
+  EXPECT_THAT(warningsOf(rover(1000.0), kRover),
               ElementsAre("rover/bounding_shape: its points reach over 1232.883 m, the model over "
                           "1.233 m (are they in metres?)",
                           StartsWith("rover/keypoints: one is ")));
 }
 
-TEST(SizeNotes, TellOfASinglePoint) {
+TEST(Sizes, WarnOfASinglePoint) {
   config::ObjectConfig object = rover(1.0);
   object.bounding_shape_O = {Eigen::Vector3d::Zero()};
-  EXPECT_THAT(sizeNotes(object, kRover), ElementsAre(StartsWith("rover/bounding_shape: its points "
-                                                                "reach over 0.000 m")));
+  EXPECT_THAT(warningsOf(object, kRover), ElementsAre(StartsWith("rover/bounding_shape: its points "
+                                                                 "reach over 0.000 m")));
 }
 
-TEST(SizeNotes, TellOfAnotherFrame) {
+TEST(Sizes, WarnOfAnotherFrame) {
   config::ObjectConfig object = rover(1.0);
   for (Eigen::Vector3d& point : object.bounding_shape_O) point.x() += 5.0;
-  EXPECT_THAT(sizeNotes(object, kRover),
+  EXPECT_THAT(warningsOf(object, kRover),
               ElementsAre(StartsWith("rover/bounding_shape: its middle is 4.500 m away")));
 }
 

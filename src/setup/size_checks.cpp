@@ -1,6 +1,7 @@
-#include "setup/size_notes.h"
+#include "setup/size_checks.h"
 
 #include <algorithm>
+#include <string>
 
 #include "scene/object_shapes.h"
 #include "synthetic_dataset/label_text.h"
@@ -22,19 +23,19 @@ std::string metres(double length) { return fixed(length, 3) + " m"; }
 
 }  // namespace
 
-std::vector<std::string> sizeNotes(const config::ObjectConfig& object, const Cuboid& box_O) {
-  std::vector<std::string> notes;
+void checkSizes(const config::ObjectConfig& object, const Cuboid& box_O, base::Diagnostics& found) {
   const double model = diagonal(box_O);
   if (!object.bounding_shape_O.empty()) {
     const Cuboid given = boxRound(object.bounding_shape_O);
     const double reach = diagonal(given);
     if (reach > kStrange * model || model > kStrange * reach) {
-      notes.push_back(object.name + "/bounding_shape: its points reach over " + metres(reach) +
-                      ", the model over " + metres(model) + " (are they in metres?)");
+      found.warning(object.name + "/bounding_shape", "its points reach over " + metres(reach) +
+                                                         ", the model over " + metres(model) +
+                                                         " (are they in metres?)");
     } else if (distanceTo(box_O, given.centre()) > model) {
-      notes.push_back(object.name + "/bounding_shape: its middle is " +
-                      metres(distanceTo(box_O, given.centre())) +
-                      " away from the model (are its points in the frame of the object?)");
+      found.warning(object.name + "/bounding_shape",
+                    "its middle is " + metres(distanceTo(box_O, given.centre())) +
+                        " away from the model (are its points in the frame of the object?)");
     }
   }
   double farthest = 0.0;
@@ -42,11 +43,10 @@ std::vector<std::string> sizeNotes(const config::ObjectConfig& object, const Cub
     farthest = std::max(farthest, distanceTo(box_O, point));
   }
   if (farthest > model) {
-    notes.push_back(object.name + "/keypoints: one is " + metres(farthest) +
-                    " away from the model, which reaches over " + metres(model) +
-                    " (are they in metres, and in the frame of the object?)");
+    found.warning(object.name + "/keypoints",
+                  "one is " + metres(farthest) + " away from the model, which reaches over " +
+                      metres(model) + " (are they in metres, and in the frame of the object?)");
   }
-  return notes;
 }
 
 }  // namespace synthetic_dataset
