@@ -26,6 +26,6 @@ build_workspace --target generate synthetic_dataset_writers benchmark_floor
 use_workspace
 results=${1:-benchmark_results}
 shift || true
-programs=$workspace/devel/lib/synthetic_dataset
+programs=$workspace/devel/lib
 "$environment/bin/python" "$repository/benchmark/speed/run.py" "$programs" "$results" "$@"
-"$environment/bin/python" "$repository/benchmark/speed/costs.py" "$programs/generate" "$results"
+"$environment/bin/python" "$repository/benchmark/speed/costs.py" "$programs/synthetic_dataset/generate" "$results"

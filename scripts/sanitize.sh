@@ -46,7 +46,7 @@ build() {  # KIND FLAGS PROGRAMS...
 # One line for a program, and the log's end where something is wrong.
 run() {  # FOLDER PROGRAM
   local log=$1/logs/$2.log start=$SECONDS status=0 passed failed
-  (cd "$repository/test" && "$1/build/devel/lib/synthetic_dataset/$2") >"$log" 2>&1 || status=$?
+  (cd "$repository/test" && "$1/build/devel/lib/synthetic_dataset_tests/$2") >"$log" 2>&1 || status=$?
   passed=$(grep -c '^\[       OK \]' "$log" || true)
   failed=$(grep -c '^\[  FAILED  \] .* ms)$' "$log" || true)
   [ "$status" -eq 0 ] || [ "$failed" -gt 0 ] || failed=1  # it died, or something is reported at its end

@@ -28,5 +28,5 @@ if [ -z "$folder" ]; then
   folder=$(mktemp -d)
   trap 'rm -rf "$folder"' EXIT
 fi
-"$workspace/devel/lib/synthetic_dataset/make_loader_datasets" "$folder"
+"$workspace/devel/lib/synthetic_dataset_tests/make_loader_datasets" "$folder"
 "$environment/bin/python" "$repository/test/loaders/run.py" "$folder" "$@"

@@ -10,4 +10,4 @@ export SYNTHETIC_DATASET_REFERENCE
 
 build_workspace --target test_reference_data
 use_workspace
-"$workspace/devel/lib/synthetic_dataset/test_reference_data"
+"$workspace/devel/lib/synthetic_dataset_tests/test_reference_data"

@@ -2,7 +2,7 @@
 
   run.py PROGRAMS RESULTS [--objects 1 4 16 64] [--scenes 40] [--rounds 3]
 
-PROGRAMS is the folder with `generate` and `benchmark_floor`. Rounds go in turns, so that what else the machine does falls on all alike; the
+PROGRAMS is the folder `lib` of a workspace's devel space. Rounds go in turns, so that what else the machine does falls on all alike; the
 best of each is taken. RESULTS gets results.json, table.md and, with matplotlib, plot.png.
 """
 
@@ -47,10 +47,10 @@ def measure(programs, folder, objects, size, arguments):
     for _ in range(arguments.rounds):
         for name, (writers, how) in OURS.items():
             for count in (few, many):
-                keep((name, count), ours.seconds_of(f"{programs}/generate", scene, folder, writers, count,
+                keep((name, count), ours.seconds_of(f"{programs}/synthetic_dataset/generate", scene, folder, writers, count,
                                                     **how))
-        keep((FLOOR, None), scene_seconds([f"{programs}/benchmark_floor"], folder, many))
-        keep((SAME, None), scene_seconds([f"{programs}/benchmark_floor"], folder, many // 4, "same"))
+        keep((FLOOR, None), scene_seconds([f"{programs}/synthetic_dataset_tests/benchmark_floor"], folder, many))
+        keep((SAME, None), scene_seconds([f"{programs}/synthetic_dataset_tests/benchmark_floor"], folder, many // 4, "same"))
         for name in RIVALS if size == (640, 480) else []:
             keep((name, None), scene_seconds([sys.executable, f"{HERE}/{name}_rival.py"], folder,
                                             max(arguments.scenes // 4, 5)))

@@ -28,7 +28,7 @@ class LiveMap(unittest.TestCase):
         self.dataset = pathlib.Path(scratch.name) / 'dataset'
 
     def publish(self, *arguments):
-        node = subprocess.Popen(['rosrun', 'synthetic_dataset', 'publish_map', *arguments],
+        node = subprocess.Popen([ros_programs.path_of_test_program('publish_map'), *arguments],
                                 env=self.environ)
         self.addCleanup(node.wait)
         self.addCleanup(node.terminate)

@@ -1,6 +1,7 @@
 """Starts ROS's programs for tests."""
 import contextlib
 import os
+import pathlib
 import socket
 import subprocess
 
@@ -11,6 +12,18 @@ def free_port():
     with contextlib.closing(socket.socket()) as probe:
         probe.bind(('', 0))
         return probe.getsockname()[1]
+
+
+def path_of(program):
+    """Where one of the programs that rosrun offers is: rosrun itself needs more of the environment."""
+    found = subprocess.run(['catkin_find', '--first-only', '--libexec', 'synthetic_dataset',
+                            program], stdout=subprocess.PIPE, universal_newlines=True, check=True)
+    return pathlib.Path(found.stdout.strip())
+
+
+def path_of_test_program(program):
+    """Where a program of the tests is, which rosrun does not offer."""
+    return path_of('generate').parents[1] / 'synthetic_dataset_tests' / program
 
 
 def environment(scratch):

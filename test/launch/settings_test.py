@@ -13,6 +13,8 @@ import roslaunch.config
 import roslaunch.xmlloader
 import rosunit
 
+import ros_programs
+
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 
 LAUNCH_FILE = """<launch>
@@ -142,7 +144,7 @@ class SettingsFile(unittest.TestCase):
         os.environ.pop('NOT_USED', None)
 
     def read_by_us(self, files):
-        done = subprocess.run(['rosrun', 'synthetic_dataset', 'print_settings', *map(str, files)],
+        done = subprocess.run([ros_programs.path_of_test_program('print_settings'), *map(str, files)],
                               stdout=subprocess.PIPE, universal_newlines=True, encoding='utf-8',
                               timeout=60, check=True)
         lines = done.stdout.splitlines()

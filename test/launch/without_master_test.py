@@ -18,19 +18,12 @@ EXAMPLE = REPOSITORY / 'config' / 'example.yaml'
 FEW_SCENES = 0.3  # [Hz] of the example's recording: 2 scenes, at 1 s and at 4.333 s
 
 
-def program():
-    """Where generate is: rosrun would need the environment that these tests take away."""
-    found = subprocess.run(['catkin_find', '--first-only', '--libexec', 'synthetic_dataset',
-                            'generate'], stdout=subprocess.PIPE, universal_newlines=True, check=True)
-    return found.stdout.strip()
-
-
 class Case(unittest.TestCase):
     """A temporary folder, and runs with neither a master nor a home in their environment."""
 
     @classmethod
     def setUpClass(cls):
-        cls.program = program()
+        cls.program = ros_programs.path_of('generate')
         cls.environ = {name: value for name, value in os.environ.items()
                        if name not in ('ROS_MASTER_URI', 'HOME', 'ROS_HOME', 'ROS_LOG_DIR')}
 
