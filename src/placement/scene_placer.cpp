@@ -112,7 +112,7 @@ std::optional<Pose> ScenePlacer::findPlace(std::size_t object, random::RandomSou
 
 /// As it is now.
 const NeededRoom& ScenePlacer::roomOf(std::size_t object) const {
-  return objects_[object].rooms[world_.worn()[object]];
+  return objects_[object].rooms[world_.variant(object)];
 }
 
 PoseOrReason ScenePlacer::draw(std::size_t object, random::RandomSource& source) const {

@@ -47,7 +47,7 @@ class ScenePlacer {
               std::vector<PlacedObject> objects, world::World& world, Surroundings& surroundings,
               std::uint64_t seed);
 
-  /// X_GO of all objects in a scene, in what they wear; the world starts anew.
+  /// X_GO of all objects in a scene, in their active variants; the world starts anew.
   /// @throws Error naming an object for which no place was found, and why
   [[nodiscard]] std::vector<Pose> place(std::int64_t scene);
 

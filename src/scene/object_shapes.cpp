@@ -101,11 +101,9 @@ std::vector<Cuboid> ObjectShapes::boxesAtRest(std::size_t object) const {
 }
 
 std::vector<annotate::ObjectShape> ObjectShapes::at(const std::vector<Pose>& X_WO) const {
-  const std::vector<std::size_t>& worn = world_.worn();
   std::vector<annotate::ObjectShape> shapes;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    const std::size_t variant = i < worn.size() ? worn[i] : 0;  // distractors have no others
-    shapes.push_back(shapeOf(objects_[i][variant], X_WO[i]));
+    shapes.push_back(shapeOf(objects_[i][world_.variant(i)], X_WO[i]));
   }
   return shapes;
 }

@@ -15,8 +15,8 @@ namespace synthetic_dataset {
 /// The smallest box along the axes round points, of which there is one at least.
 [[nodiscard]] Cuboid boxRound(const std::vector<Eigen::Vector3d>& points);
 
-/// The objects' keypoints and bounding shapes: as the parameters give them, in the size of what the
-/// objects wear, or found on that, scene by scene.
+/// The objects' keypoints and bounding shapes: as the parameters give them, in the size of the
+/// active variants, or found on these, scene by scene.
 class ObjectShapes {
  public:
   /// @param variants  of each object

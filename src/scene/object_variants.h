@@ -17,7 +17,7 @@ struct ObjectVariant {
   double scale = 1.0;                ///< times the model's size
 };
 
-/// The models and sizes of which an object wears one in each scene, as `randomize/objects` says.
+/// The models and sizes of which an object has one in each scene, as `randomize/objects` says.
 /// They are made before the first scene, so of a size that is drawn from a range there are some few
 /// all over that range, each as likely as what it stands for.
 class ObjectVariants {
@@ -30,7 +30,7 @@ class ObjectVariants {
 
   [[nodiscard]] bool hasSeveralModels() const { return models_.size() > 1; }
 
-  /// Which one is worn: a place among all of them.
+  /// Which one is active: an index in all of them.
   [[nodiscard]] std::size_t draw(appearance::EntryDraws& draws) const;
 
  private:

@@ -74,7 +74,7 @@ void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) c
 
 void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (!world_.present()[i]) continue;
+    if (!world_.isPresent(i)) continue;
     SceneObject& object = scene.objects[i];
     render::Silhouette silhouette =
         renderer_.silhouette(view, world_.linkPoses(), presentOf(links_of_[i], world_));

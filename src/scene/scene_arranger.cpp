@@ -186,7 +186,7 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
     if (!rig.sampled) cameras_G.push_back(cameraPose(rig, world_, frames_, stamp).translation());
   }
   distractors_there_ = distractor_placer_->place(instant, cameras_G);
-  const std::vector<std::optional<Pose>>& X_GM = world_.distractorPoses();
+  const std::vector<std::optional<Pose>> X_GM = world_.distractorPoses();
   for (std::size_t i = 0; i < labelled_distractors_.size(); ++i) {
     frames_.place(labelled_distractors_[i].frame, X_GM[i].value_or(motion::nowhere()));
   }
@@ -197,10 +197,10 @@ void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
   std::vector<placement::CameraTarget> targets;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!objects_[i].takes_part) continue;
-    const Cuboid& box_O = boxes_O_[i][world_.worn()[i]];
+    const Cuboid& box_O = boxes_O_[i][world_.variant(i)];
     const Eigen::Vector3d centre_O = 0.5 * (box_O.low + box_O.high);
     targets.push_back(
-        {objects_[i].name, frames_.pose(objects_[i].frame, stamp) * centre_O, world_.present()[i]});
+        {objects_[i].name, frames_.pose(objects_[i].frame, stamp) * centre_O, world_.isPresent(i)});
   }
   for (const SampledCamera& camera : cameras_) {
     frames_.place(camera.frame, camera.sampler.sample(instant, targets));

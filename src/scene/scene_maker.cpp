@@ -48,7 +48,7 @@ SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp
   const std::vector<annotate::ObjectShape> shapes = shapes_.at(X_GO);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     scene.objects.push_back(annotate::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
-    if (!world_.present()[i]) leaveOut(scene.objects.back());
+    if (!world_.isPresent(i)) leaveOut(scene.objects.back());
   }
   // Writers ask in their own thread, when the next scene may have been placed already.
   scene.lookup = [frames = frames_, stamp, X_GC = cameraPoses(stamp)](const std::string& target,

@@ -61,7 +61,7 @@ SceneVariation::SceneVariation(const config::Config& config, const std::vector<C
 void SceneVariation::choose(std::int64_t instant, world::World& world) {
   appearance::EntryDraws draws(seed_, instant);
   std::vector<bool> present;
-  std::vector<std::size_t> worn;
+  std::vector<std::size_t> variants;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const config::ObjectConfig& object = objects_[i];
     const auto share = config_.ofObject(object.name).present;
@@ -69,10 +69,10 @@ void SceneVariation::choose(std::int64_t instant, world::World& world) {
     if (object.takes_part && share) {
       present.back() = draws.happens("objects/" + object.name + "/present", *share);
     }
-    worn.push_back(variants_[i].draw(draws));
+    variants.push_back(variants_[i].draw(draws));
   }
   world.setPresent(present);
-  world.wear(worn);
+  world.setVariants(variants);
   chosen_ = draws.values();
 }
 

@@ -33,8 +33,8 @@ class SceneVariation {
   /// lenses follow.
   void vary(std::int64_t instant, render::Renderer& renderer, std::vector<CameraRig>& cameras);
 
-  /// Draws which objects are there at a time and which of their models they wear, before anything
-  /// of its scenes is placed.
+  /// Draws which objects are present at a time and which of their variants are active, before
+  /// anything of its scenes is placed.
   /// @param world  that of the constructor
   void choose(std::int64_t instant, world::World& world);
 

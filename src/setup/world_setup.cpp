@@ -37,7 +37,7 @@ std::optional<world::Model> takeModel(world::Description& description, const std
 world::MovingObject nothingCalled(const std::string& name) {
   world::Model model;
   model.name = name;
-  return {std::move(model), {}};
+  return model;
 }
 
 world::PhysicsOptions physicsOptions(const config::Config& config) {
@@ -117,14 +117,18 @@ class WorldBuilder {
                                      object.name + "/model");
       return;
     }
+    std::vector<world::MovingModel> moving;
     std::optional<std::string> broken;  // all sizes of a model would have the same errors
     for (const ObjectVariant& variant : variants) {
       if (broken && variant.model == broken) continue;
-      if (found_.attempt([&] { addVariant(variant, object, in_world); })) continue;
+      if (found_.attempt([&] { moving.push_back(makeVariant(variant, object, in_world)); })) {
+        continue;
+      }
       lacks_objects_ = true;
       broken = variant.model;
       if (!broken) return;
     }
+    objects_.emplace_back(std::move(moving));
   }
 
   const world::Model& modelOf(const ObjectVariant& variant, const config::ObjectConfig& object) {
@@ -134,8 +138,8 @@ class WorldBuilder {
         [&]() -> const world::Model& { return files_.model(*variant.model, object.name); });
   }
 
-  void addVariant(const ObjectVariant& variant, const config::ObjectConfig& object,
-                  const std::optional<world::Model>& in_world) {
+  world::MovingModel makeVariant(const ObjectVariant& variant, const config::ObjectConfig& object,
+                                 const std::optional<world::Model>& in_world) {
     world::Model model =
         world::scaled(variant.model ? modelOf(variant, object) : *in_world, variant.scale);
     Articulation articulation;
@@ -155,8 +159,8 @@ class WorldBuilder {
     std::vector<std::size_t> links;
     for (const DrivenLink& each : driven) links.push_back(each.link);
     const bool is_first = setup_.driven_links.back().size() == 1;
-    objects_.emplace_back(std::move(articulation.model), std::move(links), !is_first);
     if (is_first) found_.merge(articulation.found);
+    return {std::move(articulation.model), std::move(links)};
   }
 
   const config::Config& config_;

@@ -1,5 +1,6 @@
 #include "world/world.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
@@ -7,13 +8,6 @@
 
 namespace synthetic_dataset::world {
 namespace {
-
-/// So deep that nothing meets it.
-const Pose& nowhere() {
-  constexpr double kDepth = 1e5;  // [m]
-  static const Pose X_WO = makePose({0, 0, -kDepth}, Eigen::Quaterniond::Identity());
-  return X_WO;
-}
 
 constexpr Duration kShortestStep = std::chrono::microseconds(1);
 
@@ -41,27 +35,36 @@ void collectErrors(std::vector<std::string>& errors, const Make& make) {
   }
 }
 
-std::vector<const MovingCollisions*> pointersTo(const std::vector<MovingCollisions>& collisions) {
-  std::vector<const MovingCollisions*> pointers;
-  for (const MovingCollisions& each : collisions) pointers.push_back(&each);
-  return pointers;
+/// X_WB of each body of a variant.
+/// @param index  of the variant, as the motion counts
+std::vector<Pose> bodyPoses(const MovingModel& moving, int index, Stamp time,
+                            const World::ObjectMotion& motion) {
+  const ObjectPose pose = motion(index, time);
+  if (pose.X_WL.size() != moving.driven_links.size()) {
+    throw Error("object '" + moving.model.name +
+                "': " + std::to_string(moving.driven_links.size()) + " links are driven, but " +
+                std::to_string(pose.X_WL.size()) + " poses given");
+  }
+  std::vector<Pose> poses = ObjectBodies::poses(pose);
+  for (const Pose& X_WB : poses) {
+    if (X_WB.matrix().allFinite()) continue;
+    throw Error("object '" + moving.model.name + "': its pose at " + text(time) + " is not finite");
+  }
+  return poses;
 }
 
-bool samePoses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].matrix() != b[i].matrix()) return false;
-  }
-  return true;
+/// @throws ErrorList
+PropModel makeFalling(const Model& model, const std::string& what) {
+  if (canMove(model)) return makeProp(model);
+  throw ErrorList(
+      {what + " '" + model.name + "': it cannot be dropped, as its model has no collision"});
 }
 
 }  // namespace
 
 World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_in,
                   const PhysicsOptions& options_in, std::vector<Model> distractors_in)
-    : description(std::move(description_in)),
-      objects(std::move(objects_in)),
-      options(checked(options_in)),
-      distractors(std::move(distractors_in)) {
+    : description(std::move(description_in)), options(checked(options_in)) {
   std::vector<std::string> errors;
   for (const Model& model : description.models) {
     const bool is_prop = !model.is_static && canMove(model);
@@ -71,41 +74,39 @@ World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_
       addFixed(model, errors);
     }
   }
-  for (const MovingObject& object : objects) {
-    addObject(object, errors);
-    if (!options.drops_objects) continue;
-    if (object.model.links.empty()) {
-      falling_objects.emplace_back();  // there is nothing of it to fall
-    } else {
-      addFalling(object.model, "object", falling_objects, errors);
-    }
-  }
-  for (const Model& model : distractors) {
-    addDistractor(model, errors);
-    if (options.drops_distractors) addFalling(model, "distractor", falling_distractors, errors);
-  }
+  for (MovingObject& object : objects_in) addObject(std::move(object), errors);
+  for (Model& model : distractors_in) addDistractor(std::move(model), errors);
   if (!description.gravity.allFinite()) errors.emplace_back("the world's gravity is not finite");
   if (!errors.empty()) throw ErrorList(std::move(errors));
 
-  overlaps = std::make_unique<OverlapFinder>(fixed, object_collisions, body_names);
-  home = starts = X_WP;
-  worn.assign(first_variants.size(), 0);
-  present.assign(first_variants.size(), true);
-  if (options.labels_distractors) present.resize(present.size() + distractors.size(), false);
-  X_WD.assign(distractors.size(), std::nullopt);
+  overlaps = std::make_unique<OverlapFinder>(fixed);
   for (const LinkInstance& link : links) present_links.push_back(link.role != Role::kDistractor);
   updatePresentLinks();
 }
 
-void World::Impl::addLinks(const Model& model, Role role, int object, std::size_t variant) {
+/// @param instance  what all links of the model have in common
+/// @return the index of the first one
+std::size_t World::Impl::addLinks(const Model& model, LinkInstance instance) {
+  const std::size_t first = links.size();
+  instance.model = model.name;
   for (const Link& link : model.links) {
-    links.push_back({&link, role, object, model.name, variant});
+    instance.link = &link;
+    links.push_back(instance);
     X_WL.push_back(model.X_WM * link.X_ML);
   }
+  return first;
+}
+
+/// Of a body in its own frame; what is left out goes to the description's notes.
+MovingCollisions World::Impl::collisionsOf(const Model& body) {
+  MovingCollisions collisions = movingCollisions(body, Pose::Identity());
+  description.notes.insert(description.notes.end(), collisions.notes.begin(),
+                           collisions.notes.end());
+  return collisions;
 }
 
 void World::Impl::addFixed(const Model& model, std::vector<std::string>& errors) {
-  addLinks(model, Role::kStatic, -1);
+  static_cast<void>(addLinks(model, {nullptr, Role::kStatic}));
   if (!model.is_static) {
     description.notes.push_back("model '" + model.name +
                                 "': it is not static, but has no collision that could hold it: it "
@@ -117,143 +118,116 @@ void World::Impl::addFixed(const Model& model, std::vector<std::string>& errors)
 }
 
 void World::Impl::addProp(const Model& model, std::vector<std::string>& errors) {
-  props.push_back({&model, links.size()});
-  addLinks(model, Role::kProp, -1);
-  X_WP.push_back(model.X_WM);
+  const std::size_t first_link = addLinks(model, {nullptr, Role::kProp});
   collectErrors(errors, [&] {
-    prop_models.push_back(makeProp(model));
-    const auto& notes = prop_models.back().collisions.notes;
+    props.push_back({&model, first_link, makeProp(model), model.X_WM, model.X_WM, model.X_WM});
+    const auto& notes = props.back().body.collisions.notes;
     description.notes.insert(description.notes.end(), notes.begin(), notes.end());
   });
 }
 
-void World::Impl::addObject(const MovingObject& object, std::vector<std::string>& errors) {
-  const std::size_t place = object_of.size();
-  if (!object.is_variant) first_variants.push_back(place);
-  object_of.push_back(first_variants.size() - 1);
-  first_object_links.push_back(links.size());
-  first_object_bodies.push_back(object_collisions.size());
-  addLinks(object.model, Role::kObject, static_cast<int>(object_of.back()),
-           place - first_variants.back());
-  collectErrors(errors, [&] {
-    object_bodies.emplace_back(object);
-    for (const Model& body : object_bodies.back().models(object.model)) {
-      object_collisions.push_back(movingCollisions(body, Pose::Identity()));
-      body_names.push_back(object.model.name);
-      body_objects.push_back(place);
-      const auto& notes = object_collisions.back().notes;
-      description.notes.insert(description.notes.end(), notes.begin(), notes.end());
+void World::Impl::addObject(MovingObject object, std::vector<std::string>& errors) {
+  const auto index = static_cast<int>(objects.size());
+  Object& added = objects.emplace_back();
+  for (std::size_t i = 0; i < object.variants.size(); ++i) {
+    const Model& model = object.variants[i].model;
+    const std::size_t first_link = addLinks(model, {nullptr, Role::kObject, index, "", i});
+    std::optional<PropModel> falling;
+    if (options.drops_objects && !model.links.empty()) {
+      collectErrors(errors, [&] { falling = makeFalling(model, "object"); });
     }
-  });
-}
-
-void World::Impl::addFalling(const Model& model, const std::string& what,
-                             std::vector<PropModel>& falling, std::vector<std::string>& errors) {
-  if (!canMove(model)) {
-    errors.push_back(what + " '" + model.name +
-                     "': it cannot be dropped, as its model has no collision");
-    return;
+    collectErrors(errors, [&] {
+      const ObjectBodies parts(object.variants[i]);
+      std::vector<Body> bodies;
+      for (const Model& body : parts.models(model)) bodies.push_back({collisionsOf(body), {}});
+      added.variants.push_back({std::move(object.variants[i]), first_link, parts, std::move(bodies),
+                                std::move(falling)});
+    });
   }
-  collectErrors(errors, [&] { falling.push_back(makeProp(model)); });
 }
 
-void World::Impl::addDistractor(const Model& model, std::vector<std::string>& errors) {
-  first_distractor_links.push_back(links.size());
-  const auto number = static_cast<int>(first_variants.size() + first_distractor_links.size() - 1);
-  addLinks(model, Role::kDistractor, options.labels_distractors ? number : -1);
-  collectErrors(errors, [&] {
-    distractor_collisions.push_back(movingCollisions(model, Pose::Identity()));
-    const auto& notes = distractor_collisions.back().notes;
-    description.notes.insert(description.notes.end(), notes.begin(), notes.end());
-  });
+void World::Impl::addDistractor(Model model, std::vector<std::string>& errors) {
+  const auto index = static_cast<int>(objects.size() + distractors.size());
+  Distractor& added = distractors.emplace_back();
+  added.model = std::move(model);
+  added.first_link =
+      addLinks(added.model, {nullptr, Role::kDistractor, options.labels_distractors ? index : -1});
+  collectErrors(errors, [&] { added.collisions = collisionsOf(added.model); });
+  if (!options.drops_distractors) return;
+  collectErrors(errors, [&] { added.falling = makeFalling(added.model, "distractor"); });
 }
 
-std::vector<Pose> World::Impl::bodyPosesOf(std::size_t moving_object, Stamp time,
-                                           const ObjectMotion& motion) const {
-  const MovingObject& object = objects[moving_object];
-  const ObjectPose pose = motion(static_cast<int>(moving_object), time);
-  if (pose.X_WL.size() != object.driven_links.size()) {
-    throw Error("object '" + object.model.name +
-                "': " + std::to_string(object.driven_links.size()) + " links are driven, but " +
-                std::to_string(pose.X_WL.size()) + " poses given");
+void World::Impl::moveObjects(Stamp time, const ObjectMotion& motion) {
+  int index = 0;
+  for (Object& object : objects) {
+    for (Variant& variant : object.variants) {
+      const std::vector<Pose> X_WB = bodyPoses(variant.moving, index++, time, motion);
+      for (std::size_t i = 0; i < X_WB.size(); ++i) variant.bodies[i].X_WB = X_WB[i];
+    }
   }
-  std::vector<Pose> poses = ObjectBodies::poses(pose);
-  for (const Pose& X_WB_one : poses) {
-    if (X_WB_one.matrix().allFinite()) continue;
-    throw Error("object '" + object.model.name + "': its pose at " + text(time) + " is not finite");
-  }
-  return poses;
 }
 
-std::vector<Pose> World::Impl::bodyPoses(Stamp time, const ObjectMotion& motion) const {
-  std::vector<Pose> all;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const std::vector<Pose> poses = bodyPosesOf(i, time, motion);
-    all.insert(all.end(), poses.begin(), poses.end());
-  }
-  return all;
-}
-
-/// Where bodies push and are pushed against: those that no object wears are out of the way, and
-/// nobody is asked where they would be.
-std::vector<Pose> World::Impl::tangiblePoses(Stamp time, const ObjectMotion& motion) const {
-  std::vector<Pose> all;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (isWorn(i)) {
-      const std::vector<Pose> poses = bodyPosesOf(i, time, motion);
-      all.insert(all.end(), poses.begin(), poses.end());
-    } else {
-      all.insert(all.end(), objects[i].driven_links.size() + 1, nowhere());
+/// Where all bodies push and are pushed against: those of variants that are not active do not, and
+/// the motion is not asked where they would be.
+std::vector<std::optional<Pose>> World::Impl::activePoses(Stamp time,
+                                                          const ObjectMotion& motion) const {
+  std::vector<std::optional<Pose>> all;
+  int index = 0;
+  for (const Object& object : objects) {
+    for (const Variant& variant : object.variants) {
+      if (&variant == &object.variants[object.active]) {
+        const std::vector<Pose> X_WB = bodyPoses(variant.moving, index, time, motion);
+        all.insert(all.end(), X_WB.begin(), X_WB.end());
+      } else {
+        all.insert(all.end(), variant.bodies.size(), std::nullopt);
+      }
+      ++index;
     }
   }
   return all;
 }
 
-/// @return a place in objects
-std::size_t World::Impl::wornBy(std::size_t object) const {
-  return first_variants[object] + worn[object];
+void World::Impl::setPresentLinks(const Model& model, std::size_t first_link, bool present) {
+  std::fill_n(present_links.begin() + static_cast<std::ptrdiff_t>(first_link), model.links.size(),
+              present);
 }
 
-bool World::Impl::isWorn(std::size_t moving_object) const {
-  return wornBy(object_of[moving_object]) == moving_object;
-}
-
-std::vector<bool> World::Impl::presentBodies() const {
-  std::vector<bool> bodies;
-  for (const std::size_t moving_object : body_objects) {
-    bodies.push_back(present[object_of[moving_object]] && isWorn(moving_object));
-  }
-  return bodies;
-}
-
-/// Those of objects; distractors are there when they are placed.
+/// Those of objects; distractors are present when they are placed.
 void World::Impl::updatePresentLinks() {
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    if (links[i].role != Role::kObject) continue;
-    const auto object = static_cast<std::size_t>(links[i].object);
-    present_links[i] = present[object] && worn[object] == links[i].variant;
+  for (const Object& object : objects) {
+    for (const Variant& variant : object.variants) {
+      const bool is_active = &variant == &object.variants[object.active];
+      setPresentLinks(variant.moving.model, variant.first_link, object.is_present && is_active);
+    }
   }
 }
 
 void World::Impl::start(Stamp time, const ObjectMotion& motion) {
-  X_WB = bodyPoses(time, motion);
+  moveObjects(time, motion);
   start_time = time;
   steps_done = 0;
   if (props.empty()) return;
-  physics = std::make_unique<Physics>(description.gravity, options.step, fixed,
-                                      pointersTo(object_collisions), startingProps());
-  std::vector<Pose> tangible = X_WB;
-  for (std::size_t i = 0; i < tangible.size(); ++i) {
-    if (!isWorn(body_objects[i])) tangible[i] = nowhere();
+  std::vector<const MovingCollisions*> collisions;
+  std::vector<std::optional<Pose>> X_WB;
+  for (const Object& object : objects) {
+    for (const Variant& variant : object.variants) {
+      const bool is_active = &variant == &object.variants[object.active];
+      for (const Body& body : variant.bodies) {
+        collisions.push_back(&body.collisions);
+        X_WB.push_back(is_active ? body.X_WB : std::nullopt);
+      }
+    }
   }
-  physics->placeObjects(tangible);
+  physics = std::make_unique<Physics>(description.gravity, options.step, fixed, collisions,
+                                      startingProps());
+  physics->placeObjects(X_WB);
 }
 
 void World::Impl::simulateUntil(Stamp time, const ObjectMotion& motion) {
   if (!physics) return;
   const std::int64_t steps = (time - *start_time) / options.step;
   for (; steps_done < steps; ++steps_done) {
-    physics->step(tangiblePoses(*start_time + (steps_done + 1) * options.step, motion));
+    physics->step(activePoses(*start_time + (steps_done + 1) * options.step, motion));
   }
 }
 
@@ -265,28 +239,30 @@ void World::Impl::show(const Model& model, std::size_t first_link, const Pose& X
 
 void World::Impl::showProps(Stamp time) {
   const Duration since = time - *start_time - steps_done * options.step;
-  std::vector<Pose> poses;
-  for (std::size_t i = 0; i < props.size(); ++i) poses.push_back(physics->propPose(i, since));
-  showPropsAt(std::move(poses));
+  std::vector<Pose> X_WM;
+  for (std::size_t i = 0; i < props.size(); ++i) X_WM.push_back(physics->propPose(i, since));
+  showPropsAt(X_WM);
 }
 
-void World::Impl::showPropsAt(std::vector<Pose> poses) {
-  if (samePoses(poses, X_WP)) return;
-  X_WP = std::move(poses);
+void World::Impl::showPropsAt(const std::vector<Pose>& X_WM) {
+  bool has_moved = false;
   for (std::size_t i = 0; i < props.size(); ++i) {
-    show(*props[i].model, props[i].first_link, X_WP[i]);
+    Prop& prop = props[i];
+    if (prop.X_WM.matrix() == X_WM[i].matrix()) continue;
+    prop.X_WM = X_WM[i];
+    show(*prop.model, prop.first_link, prop.X_WM);
+    has_moved = true;
   }
-  ++prop_revision;
+  if (has_moved) ++prop_revision;
 }
 
 void World::Impl::showObjects() {
-  auto first_body = X_WB.begin();
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const auto body_count = static_cast<std::ptrdiff_t>(objects[i].driven_links.size()) + 1;
-    const std::vector<Pose> bodies(first_body, first_body + body_count);
-    first_body += body_count;
-    for (std::size_t link = 0; link < objects[i].model.links.size(); ++link) {
-      X_WL[first_object_links[i] + link] = object_bodies[i].linkPose(link, bodies);
+  for (const Object& object : objects) {
+    for (const Variant& variant : object.variants) {
+      for (std::size_t i = 0; i < variant.moving.model.links.size(); ++i) {
+        const Body& body = variant.bodies[variant.parts.bodyOf(i)];
+        X_WL[variant.first_link + i] = variant.parts.linkPose(i, *body.X_WB);
+      }
     }
   }
 }
@@ -307,7 +283,7 @@ void World::advanceTo(Stamp time, const ObjectMotion& motion) {
                 "; scenes have to be made in ascending order");
   } else {
     world.simulateUntil(time, motion);
-    world.X_WB = world.bodyPoses(time, motion);
+    world.moveObjects(time, motion);
   }
   world.now = time;
   world.showProps(time);
@@ -319,18 +295,24 @@ const Description& World::description() const { return impl_->description; }
 const std::vector<LinkInstance>& World::links() const { return impl_->links; }
 
 void World::setPresent(const std::vector<bool>& present) {
-  std::copy(present.begin(), present.end(), impl_->present.begin());
+  for (std::size_t i = 0; i < present.size(); ++i) impl_->objects[i].is_present = present[i];
   impl_->updatePresentLinks();
 }
 
-const std::vector<bool>& World::present() const { return impl_->present; }
+bool World::isPresent(std::size_t object) const {
+  const std::vector<Impl::Object>& objects = impl_->objects;
+  if (object < objects.size()) return objects[object].is_present;
+  return impl_->distractors[object - objects.size()].X_WM.has_value();
+}
 
-void World::wear(const std::vector<std::size_t>& variants) {
-  impl_->worn = variants;
+void World::setVariants(const std::vector<std::size_t>& variants) {
+  for (std::size_t i = 0; i < variants.size(); ++i) impl_->objects[i].active = variants[i];
   impl_->updatePresentLinks();
 }
 
-const std::vector<std::size_t>& World::worn() const { return impl_->worn; }
+std::size_t World::variant(std::size_t object) const {
+  return object < impl_->objects.size() ? impl_->objects[object].active : 0;
+}
 
 const std::vector<bool>& World::presentLinks() const { return impl_->present_links; }
 
@@ -340,8 +322,7 @@ std::int64_t World::propRevision() const { return impl_->prop_revision; }
 
 std::vector<Interpenetration> World::interpenetrations() const {
   if (!impl_->start_time) return {};
-  return impl_->overlaps->find(impl_->X_WB, impl_->presentBodies(),
-                               impl_->options.contact_tolerance);
+  return impl_->overlaps->find(impl_->standingObjects(), impl_->options.contact_tolerance);
 }
 
 }  // namespace synthetic_dataset::world

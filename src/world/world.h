@@ -26,7 +26,7 @@ struct LinkInstance {
   Role role = Role::kStatic;
   int object = -1;          ///< index of the object, or labelled distractor, else -1
   std::string model = "";   ///< the name of its model
-  std::size_t variant = 0;  ///< of its object, whose first model is number 0
+  std::size_t variant = 0;  ///< index among its object's variants
 };
 
 struct PhysicsOptions {
@@ -50,22 +50,22 @@ struct Interpenetration {
 ///
 /// Models that are no object and not static are props, each one rigid body: its links hold together
 /// as the file places them. An object is one kinematic body, or, where TF drives its links,
-/// several, which never count as inside one another. It may have several models, its variants, of
-/// which it wears one at a time; objects are numbered without them. Meshes of props and objects
+/// several, which never count as inside one another. It may have several models, its variants, one
+/// of which is active at a time; only that one is seen and touched. Meshes of props and objects
 /// collide as their convex hulls, those of static models as their triangles. A prop without any
 /// collision that could hold it (Gazebo would let it fall for ever) stands still and counts as
 /// static; a prop that falls off the world stops after 10 km.
 class World {
  public:
-  /// Where a moving object, by its place among those given, and its driven links are at a time:
-  /// variants that are not worn, too, but of those only at the times that are shown. Called for
-  /// every step of the simulation, so it has to answer at any time between two scenes.
-  using ObjectMotion = std::function<ObjectPose(int moving_object, Stamp time)>;
+  /// Where a variant and its driven links are at a time. Variants are counted through all objects:
+  /// those of the first object, then those of the second. Called for active variants at every step
+  /// of the simulation, so it has to answer at any time between two scenes; for the others at the
+  /// times of advanceTo alone.
+  using ObjectMotion = std::function<ObjectPose(int variant, Stamp time)>;
 
   /// @param description  models that are no object and not static are props
-  /// @param objects  in the order of `robot_list`, each followed by its variants; their models'
-  ///     poses are ignored
-  /// @param distractors  nowhere until they are placed; nothing is pushed by them
+  /// @param objects  in the order of `robot_list`; their models' poses are ignored
+  /// @param distractors  absent until they are placed; nothing is pushed by them
   /// @throws ErrorList with every collision shape or mass that cannot be simulated, and its model
   World(Description description, std::vector<MovingObject> objects, const PhysicsOptions& options,
         std::vector<Model> distractors = {});
@@ -81,43 +81,42 @@ class World {
   ///     the simulation breaks down (naming the prop); the world is of no further use then
   void advanceTo(Stamp time, const ObjectMotion& motion);
 
-  /// Which objects are there from now on; at first, all. One that is not is nowhere to be seen, is
-  /// inside of nothing and does not fall; it pushes props all the same where it is led.
+  /// Which objects are present from now on; at first, all. One that is not has no pixels, overlaps
+  /// nothing and does not fall; it pushes props all the same.
   /// @param present  of each object
   void setPresent(const std::vector<bool>& present);
 
-  /// Of each object, and then of each labelled distractor.
-  [[nodiscard]] const std::vector<bool>& present() const;
+  /// @param object  index of an object or labelled distractor
+  [[nodiscard]] bool isPresent(std::size_t object) const;
 
-  /// Which of its models each object wears from now on; at first, number 0. The others are nowhere
-  /// to be seen or touched.
+  /// Which of its variants is the active one of each object from now on; at first, that of index 0.
   /// @param variants  of each object, in range
-  void wear(const std::vector<std::size_t>& variants);
+  void setVariants(const std::vector<std::size_t>& variants);
 
-  /// What each object wears.
-  [[nodiscard]] const std::vector<std::size_t>& worn() const;
+  /// The active variant of an object; 0 for a labelled distractor, which has no other.
+  [[nodiscard]] std::size_t variant(std::size_t object) const;
 
-  /// Lets distractors fall from X_WM, each as one piece, among all that is there now, which stands
-  /// still meanwhile. Only where the options say so.
+  /// Lets distractors fall from X_WM, each as one piece, among all that is present now, which
+  /// stands still meanwhile. Only where the options say so.
   /// @param X_WM  of those that fall
   /// @return where those lie that have come to rest before `time` is up; nothing for all others
   [[nodiscard]] std::vector<std::optional<Pose>> dropDistractors(
       const std::vector<std::optional<Pose>>& X_WM, Duration time) const;
 
-  /// Puts the distractors somewhere until they are placed anew: X_WM of each that is there.
+  /// Puts the distractors somewhere until they are placed anew: X_WM of each that is present.
   void placeDistractors(const std::vector<std::optional<Pose>>& X_WM);
 
-  /// Where the distractors are: X_WM of each that is there.
-  [[nodiscard]] const std::vector<std::optional<Pose>>& distractorPoses() const;
+  /// Where the distractors are: X_WM of each that is present.
+  [[nodiscard]] std::vector<std::optional<Pose>> distractorPoses() const;
 
-  /// What a distractor would be inside of at X_WM: a static model, a prop, an object that is there,
-  /// as they stand now, or a distractor before it, where `X_WM_before` puts it.
+  /// What a distractor would be inside of at X_WM: a static model, a prop, an object that is
+  /// present, as they stand now, or a distractor before it, where `X_WM_before` puts it.
   [[nodiscard]] std::optional<std::string> obstacleOfDistractor(
       std::size_t distractor, const Pose& X_WM,
       const std::vector<std::optional<Pose>>& X_WM_before) const;
 
-  /// The same of each link: of what objects wear and of distractors, as far as they are there, and
-  /// of all else.
+  /// Which links are seen now: those of active variants and of distractors, as far as they are
+  /// present, and those of static models and props.
   [[nodiscard]] const std::vector<bool>& presentLinks() const;
 
   /// Puts everything back to where it started, and the clock too: the next advanceTo is a first
@@ -128,7 +127,7 @@ class World {
   /// start there. Call it before the first advanceTo.
   void settleProps(Duration time);
 
-  /// Lets the objects that are there fall from X_WO, each as one piece, together with the props,
+  /// Lets the objects that are present fall from X_WO, each as one piece, together with the props,
   /// until all have come to rest. The props start there until restart(); the objects are where the
   /// next advanceTo puts them. Call it before the first advanceTo, or after restart(), and only
   /// where the options say so.
@@ -142,14 +141,15 @@ class World {
                                                       const std::vector<Pose>& X_WO_before) const;
 
   /// What a ball would touch, as everything stands now: the name of a static model, a prop, an
-  /// object that is there or a distractor.
+  /// object or distractor that is present.
   [[nodiscard]] std::optional<std::string> obstacleNear(const Eigen::Vector3d& p_W,
                                                         double radius) const;
 
   /// The description as given, and in its notes what the simulation leaves out.
   [[nodiscard]] const Description& description() const;
 
-  /// All links, in an order that never changes: the description's models, then the objects.
+  /// All links, in an order that never changes: those of the description's models, of the objects'
+  /// variants, of the distractors.
   [[nodiscard]] const std::vector<LinkInstance>& links() const;
 
   /// X_WL of each link, in the order of links(); valid after the first advanceTo.

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "world/world.h"
 #include "world/world_impl.h"
 
@@ -24,42 +26,51 @@ std::vector<Pose> firstPoses(const Physics& physics, std::size_t count) {
 
 std::vector<StartingProp> World::Impl::startingProps() const {
   std::vector<StartingProp> starting;
-  for (std::size_t i = 0; i < props.size(); ++i) starting.push_back({&prop_models[i], starts[i]});
+  for (const Prop& prop : props) starting.push_back({&prop.body, prop.start});
   return starting;
 }
 
 /// From now on, and shows them there.
 void World::Impl::startPropsAt(const std::vector<Pose>& X_WM) {
-  starts = X_WM;
+  for (std::size_t i = 0; i < props.size(); ++i) props[i].start = X_WM[i];
   showPropsAt(X_WM);
 }
 
 std::vector<StandingBody> World::Impl::standingProps() const {
   std::vector<StandingBody> standing;
-  for (std::size_t i = 0; i < props.size(); ++i) {
-    const PropModel& model = prop_models[i];
-    standing.push_back({&model.collisions, X_WP[i] * model.X_MB, model.name});
+  for (const Prop& prop : props) {
+    standing.push_back({&prop.body.collisions, prop.X_WM * prop.body.X_MB, prop.body.name});
+  }
+  return standing;
+}
+
+/// Those that are present, where they are now.
+std::vector<StandingBody> World::Impl::standingObjects() const {
+  std::vector<StandingBody> standing;
+  for (const Object& object : objects) {
+    if (!object.is_present) continue;
+    const Variant& variant = object.variants[object.active];
+    for (const Body& body : variant.bodies) {
+      if (body.X_WB) standing.push_back({&body.collisions, *body.X_WB, variant.moving.model.name});
+    }
   }
   return standing;
 }
 
 StandingBody World::Impl::standingObject(std::size_t object, const Pose& X_WO) const {
-  const std::size_t body = first_object_bodies[wornBy(object)];
-  return {&object_collisions[body], X_WO, body_names[body]};
+  const Variant& variant = objects[object].variants[objects[object].active];
+  return {&variant.bodies.front().collisions, X_WO, variant.moving.model.name};
 }
 
-/// All that moves or is moved, as far as it is there: props and objects where they are now.
+/// All that moves or is moved, as far as it is present: props and objects where they are now.
 /// @param X_WM  of the distractors
 std::vector<StandingBody> World::Impl::standingBodies(
     const std::vector<std::optional<Pose>>& X_WM) const {
   std::vector<StandingBody> standing = standingProps();
-  const std::vector<bool> present_bodies = presentBodies();
-  for (std::size_t i = 0; i < X_WB.size(); ++i) {
-    if (!present_bodies[i]) continue;
-    standing.push_back({&object_collisions[i], X_WB[i], body_names[i]});
-  }
+  for (StandingBody& body : standingObjects()) standing.push_back(std::move(body));
   for (std::size_t i = 0; i < X_WM.size(); ++i) {
-    if (X_WM[i]) standing.push_back({&distractor_collisions[i], *X_WM[i], distractors[i].name});
+    if (!X_WM[i]) continue;
+    standing.push_back({&distractors[i].collisions, *X_WM[i], distractors[i].model.name});
   }
   return standing;
 }
@@ -67,7 +78,9 @@ std::vector<StandingBody> World::Impl::standingBodies(
 void World::restart() {
   impl_->start_time.reset();
   impl_->physics.reset();
-  impl_->startPropsAt(impl_->home);
+  std::vector<Pose> X_WM;
+  for (const Impl::Prop& prop : impl_->props) X_WM.push_back(prop.home);
+  impl_->startPropsAt(X_WM);
 }
 
 void World::settleProps(Duration time) {
@@ -75,23 +88,27 @@ void World::settleProps(Duration time) {
   Physics physics(world.description.gravity, world.options.step, world.fixed, kNoObjects,
                   world.startingProps());
   runToRest(physics, time, world.options.step);
-  world.home = firstPoses(physics, world.props.size());
-  world.startPropsAt(world.home);
+  const std::vector<Pose> X_WM = firstPoses(physics, world.props.size());
+  for (std::size_t i = 0; i < X_WM.size(); ++i) world.props[i].home = X_WM[i];
+  world.startPropsAt(X_WM);
 }
 
 std::optional<std::vector<Pose>> World::drop(const std::vector<Pose>& X_WO, Duration time) {
   Impl& world = *impl_;
   std::vector<StartingProp> falling = world.startingProps();
+  std::vector<std::size_t> dropped;  // objects, in the order in which they follow the props
   for (std::size_t i = 0; i < X_WO.size(); ++i) {
-    if (world.present[i]) falling.push_back({&world.falling_objects[world.wornBy(i)], X_WO[i]});
+    const Impl::Object& object = world.objects[i];
+    const std::optional<PropModel>& model = object.variants[object.active].falling;
+    if (!object.is_present || !model) continue;
+    falling.push_back({&*model, X_WO[i]});
+    dropped.push_back(i);
   }
   Physics physics(world.description.gravity, world.options.step, world.fixed, kNoObjects, falling);
   if (!runToRest(physics, time, world.options.step)) return std::nullopt;
   std::size_t next = world.props.size();
   std::vector<Pose> objects = X_WO;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (world.present[i]) objects[i] = physics.propPose(next++, Duration::zero());
-  }
+  for (const std::size_t i : dropped) objects[i] = physics.propPose(next++, Duration::zero());
   world.startPropsAt(firstPoses(physics, world.props.size()));
   return objects;
 }
@@ -111,15 +128,14 @@ std::vector<std::optional<Pose>> World::dropDistractors(
     const std::vector<std::optional<Pose>>& X_WM, Duration time) const {
   const Impl& world = *impl_;
   std::vector<const MovingCollisions*> standing;
-  std::vector<Pose> X_WB;
-  const std::vector<std::optional<Pose>> no_distractors(world.distractors.size());
-  for (const StandingBody& body : world.standingBodies(no_distractors)) {
+  std::vector<std::optional<Pose>> X_WB;
+  for (const StandingBody& body : world.standingBodies({})) {
     standing.push_back(body.collisions);
     X_WB.push_back(body.X_WB);
   }
   std::vector<StartingProp> falling;
   for (std::size_t i = 0; i < X_WM.size(); ++i) {
-    if (X_WM[i]) falling.push_back({&world.falling_distractors[i], *X_WM[i]});
+    if (X_WM[i]) falling.push_back({&*world.distractors[i].falling, *X_WM[i]});
   }
   const Duration step = world.options.step;
   Physics physics(world.description.gravity, step, world.fixed, standing, falling);
@@ -140,33 +156,31 @@ std::vector<std::optional<Pose>> World::dropDistractors(
 void World::placeDistractors(const std::vector<std::optional<Pose>>& X_WM) {
   Impl& world = *impl_;
   for (std::size_t i = 0; i < world.distractors.size(); ++i) {
-    const std::size_t first = world.first_distractor_links[i];
-    if (X_WM[i]) world.show(world.distractors[i], first, *X_WM[i]);
-    for (std::size_t k = 0; k < world.distractors[i].links.size(); ++k) {
-      world.present_links[first + k] = X_WM[i].has_value();
-    }
-    if (world.options.labels_distractors) {
-      world.present[world.first_variants.size() + i] = X_WM[i].has_value();
-    }
+    Impl::Distractor& distractor = world.distractors[i];
+    distractor.X_WM = X_WM[i];
+    world.setPresentLinks(distractor.model, distractor.first_link, X_WM[i].has_value());
+    if (X_WM[i]) world.show(distractor.model, distractor.first_link, *X_WM[i]);
   }
-  world.X_WD = X_WM;
   ++world.prop_revision;
 }
 
-const std::vector<std::optional<Pose>>& World::distractorPoses() const { return impl_->X_WD; }
+std::vector<std::optional<Pose>> World::distractorPoses() const {
+  std::vector<std::optional<Pose>> X_WM;
+  for (const Impl::Distractor& distractor : impl_->distractors) X_WM.push_back(distractor.X_WM);
+  return X_WM;
+}
 
 std::optional<std::string> World::obstacleOfDistractor(
     std::size_t distractor, const Pose& X_WM,
     const std::vector<std::optional<Pose>>& X_WM_before) const {
-  const Impl& world = *impl_;
-  const StandingBody body{&world.distractor_collisions[distractor], X_WM,
-                          world.distractors[distractor].name};
-  return world.overlaps->obstacle(body, world.standingBodies(X_WM_before),
-                                  world.options.contact_tolerance);
+  const Impl::Distractor& own = impl_->distractors[distractor];
+  return impl_->overlaps->obstacle({&own.collisions, X_WM, own.model.name},
+                                   impl_->standingBodies(X_WM_before),
+                                   impl_->options.contact_tolerance);
 }
 
 std::optional<std::string> World::obstacleNear(const Eigen::Vector3d& p_W, double radius) const {
-  return impl_->overlaps->obstacle(p_W, radius, impl_->standingBodies(impl_->X_WD));
+  return impl_->overlaps->obstacle(p_W, radius, impl_->standingBodies(distractorPoses()));
 }
 
 }  // namespace synthetic_dataset::world

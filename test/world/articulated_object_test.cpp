@@ -72,8 +72,7 @@ TEST(ArticulatedObject, NeedsAPoseForEachDrivenLink) {
 }
 
 TEST(ArticulatedObject, CannotDriveLinksThatAreNotThere) {
-  MovingObject object = robot();
-  object.driven_links = {1, 7};
+  const MovingObject object(robot().variants[0].model, {1, 7});
   EXPECT_THAT([&] { World world({}, {object}, {}); },
               testing::ThrowsMessage<Error>(testing::HasSubstr("link 7 cannot be driven")));
   World fine({}, {robot()}, {});

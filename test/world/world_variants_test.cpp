@@ -1,4 +1,4 @@
-/// Objects that wear one of several models.
+/// Objects of several models, one of which is active at a time.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,14 +19,16 @@ Model cube(const std::string& name, double side) {
   return modelOf(name, BoxShape{{side, side, side}});
 }
 
-/// One a cube of 0.2 m or of 2 m, beside a cube of 0.4 m that is always the same.
-std::vector<MovingObject> objects() {
-  return {{cube("one", 0.2)}, {cube("one", 2.0), {}, true}, {cube("two", 0.4)}};
+MovingObject smallOrLarge(double small, double large) {
+  return MovingObject(std::vector<MovingModel>{cube("one", small), cube("one", large)});
 }
 
+/// One a cube of 0.2 m or of 2 m, beside a cube of 0.4 m that is always the same.
+std::vector<MovingObject> objects() { return {smallOrLarge(0.2, 2.0), cube("two", 0.4)}; }
+
 /// A metre apart: only the large one reaches the other.
-ObjectPose apart(int moving_object, Stamp /*time*/) {
-  return ObjectPose(at(moving_object == 2 ? 1.0 : 0.0, 0, 2));
+ObjectPose apart(int variant, Stamp /*time*/) {
+  return ObjectPose(at(variant == 2 ? 1.0 : 0.0, 0, 2));
 }
 
 TEST(WorldVariants, AreLinksOfOneObject) {
@@ -34,45 +36,48 @@ TEST(WorldVariants, AreLinksOfOneObject) {
   std::vector<std::pair<int, std::size_t>> numbers;
   for (const LinkInstance& link : world.links()) numbers.emplace_back(link.object, link.variant);
   EXPECT_THAT(numbers, ElementsAre(std::pair(0, 0U), std::pair(0, 1U), std::pair(1, 0U)));
-  EXPECT_THAT(world.worn(), ElementsAre(0, 0));
+  EXPECT_EQ(world.variant(0), 0U);
+  EXPECT_EQ(world.variant(1), 0U);
 }
 
-TEST(WorldVariants, AreThereWhereTheyAreWornAndTheObjectIsThere) {
+TEST(WorldVariants, AreSeenWhileTheyAreActiveAndTheObjectIsPresent) {
   World world(descriptionOf({}), objects(), {});
   EXPECT_THAT(world.presentLinks(), ElementsAre(true, false, true));
-  world.wear({1, 0});
-  EXPECT_THAT(world.worn(), ElementsAre(1, 0));
+  world.setVariants({1, 0});
+  EXPECT_EQ(world.variant(0), 1U);
+  EXPECT_EQ(world.variant(1), 0U);
   EXPECT_THAT(world.presentLinks(), ElementsAre(false, true, true));
   world.setPresent({false, true});
   EXPECT_THAT(world.presentLinks(), ElementsAre(false, false, true));
-  EXPECT_THAT(world.present(), ElementsAre(false, true));
+  EXPECT_FALSE(world.isPresent(0));
+  EXPECT_TRUE(world.isPresent(1));
 }
 
-TEST(WorldVariants, AreInsideOfThingsOnlyWhileTheyAreWorn) {
+TEST(WorldVariants, AreInsideOfThingsOnlyWhileTheyAreActive) {
   World world(descriptionOf({}), objects(), {});
   world.advanceTo(seconds(1), apart);
   EXPECT_THAT(world.interpenetrations(), IsEmpty());
   EXPECT_FALSE(world.obstacleAt(1, at(0, 0, 2.5), {at(0, 0, 2)}));
   EXPECT_FALSE(world.obstacleNear({0, 0, 2.5}, 0.1));
-  world.wear({1, 0});
+  world.setVariants({1, 0});
   ASSERT_THAT(world.interpenetrations(), SizeIs(1));
   EXPECT_NEAR(world.interpenetrations()[0].depth, 0.2, 1e-3);
   EXPECT_EQ(world.obstacleAt(1, at(0, 0, 2.5), {at(0, 0, 2)}), "one");
   EXPECT_EQ(world.obstacleNear({0, 0, 2.5}, 0.1), "one");
 }
 
-TEST(WorldVariants, StandWhereTheObjectIsEvenWhileTheyAreNotWorn) {
+TEST(WorldVariants, StandWhereTheObjectIsEvenWhileTheyAreNotActive) {
   World world(descriptionOf({}), objects(), {});
   world.advanceTo(seconds(1), apart);
   EXPECT_TRUE(world.linkPoses()[1].isApprox(at(0, 0, 2)));
 }
 
 /// A ball that lies still, while an object stands about it that only fits in its small size.
-TEST(WorldVariants, PushPropsOnlyWhileTheyAreWorn) {
+TEST(WorldVariants, PushPropsOnlyWhileTheyAreActive) {
   const auto ballAfter = [](std::size_t variant) {
     World world(descriptionOf({ground(), modelOf("ball", SphereShape{0.1}, at(0.5, 0, 0.1))}),
-                {{cube("one", 0.2)}, {cube("one", 0.9), {}, true}}, {});
-    world.wear({variant});
+                {smallOrLarge(0.2, 0.9)}, {});
+    world.setVariants({variant});
     const auto sliding = [](int, Stamp time) {
       return ObjectPose(at(0.1 * toSeconds(time), 0, 0.5));
     };
@@ -83,15 +88,43 @@ TEST(WorldVariants, PushPropsOnlyWhileTheyAreWorn) {
   EXPECT_GT(ballAfter(1), 0.6);
 }
 
+/// A ball on a floor that is there now and then, below the ball all the time.
+TEST(WorldVariants, HoldPropsFromWhenTheyBecomeActiveUntilTheyNoLongerAre) {
+  World world(descriptionOf({modelOf("ball", SphereShape{0.1}, at(0, 0, 1.0))}),
+              {smallOrLarge(0.01, 1.0)}, {});
+  const auto standing = [](int, Stamp) { return ObjectPose(at(0, 0, 0.4)); };
+  const auto heightAfter = [&](std::size_t variant, Stamp time) {
+    world.setVariants({variant});
+    world.advanceTo(time, standing);
+    return world.linkPoses()[0].translation().z();
+  };
+  EXPECT_NEAR(heightAfter(1, seconds(0)), 1.0, 1e-9);
+  EXPECT_NEAR(heightAfter(1, seconds(4)), 1.0, 0.01);
+  EXPECT_LT(heightAfter(0, seconds(5)), 0.7) << "through where the large one was";
+}
+
+/// The same body away and back at one and the same pose.
+TEST(WorldVariants, CanComeBackWhereTheyWere) {
+  World world(descriptionOf({modelOf("ball", SphereShape{0.1}, at(0.02, 0, 1.0))}),
+              {smallOrLarge(0.01, 0.4)}, {});
+  const auto standing = [](int, Stamp) { return ObjectPose(at(0, 0, 0)); };
+  std::size_t scene = 0;
+  for (const std::size_t variant : {1U, 0U, 1U}) {
+    world.setVariants({variant});
+    world.advanceTo(milliseconds(100 * scene++), standing);
+  }
+  world.advanceTo(seconds(1), standing);
+  EXPECT_GT(world.linkPoses()[0].translation().z(), 0.25) << "it fell on the large one";
+}
+
 /// They lie as high as they are large.
-TEST(WorldVariants, FallInWhatIsWorn) {
+TEST(WorldVariants, FallInTheActiveOne) {
   PhysicsOptions options;
   options.drops_objects = true;
-  World world(descriptionOf({ground()}), {{cube("one", 0.2)}, {cube("one", 0.8), {}, true}},
-              options);
+  World world(descriptionOf({ground()}), {smallOrLarge(0.2, 0.8)}, options);
   for (const std::size_t variant : {1U, 0U}) {
     world.restart();
-    world.wear({variant});
+    world.setVariants({variant});
     const auto lying = world.drop({at(0, 0, 1)}, seconds(10));
     ASSERT_TRUE(lying);
     EXPECT_NEAR(lying->at(0).translation().z(), variant == 0 ? 0.1 : 0.4, 0.01);

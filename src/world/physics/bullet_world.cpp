@@ -85,8 +85,11 @@ btRigidBody& BulletWorld::add(const btRigidBody::btRigidBodyConstructionInfo& in
   return *bodies_.back()->body;
 }
 
-void BulletWorld::put(btRigidBody& body, const Pose& X_WB) {
-  body.setWorldTransform(toBulletWorld(X_WB));
+void BulletWorld::put(btRigidBody& body, const std::optional<Pose>& X_WB) {
+  // Taking a body out of Bullet's world and back in changes the order of all bodies, and with it
+  // the bits of what they do. So it stays, below all that there is: props stop after 10 km.
+  static const Pose kOutOfReach = makePose({0, 0, -1e5}, Eigen::Quaterniond::Identity());
+  body.setWorldTransform(toBulletWorld(X_WB.value_or(kOutOfReach)));
   body.setInterpolationWorldTransform(body.getWorldTransform());
   world_->updateSingleAabb(&body);
 }

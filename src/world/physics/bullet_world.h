@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -40,8 +41,8 @@ class BulletWorld {
   btRigidBody& add(const btRigidBody::btRigidBodyConstructionInfo& info,
                    std::vector<ContactSurface> surfaces, int flags = 0);
 
-  /// Puts a kinematic body somewhere.
-  void put(btRigidBody& body, const Pose& X_WB);
+  /// Puts a kinematic body somewhere, or takes it away: nothing touches it until it is put back.
+  void put(btRigidBody& body, const std::optional<Pose>& X_WB);
 
   /// @param step  [s]
   void step(double step);

@@ -6,14 +6,14 @@
 
 namespace synthetic_dataset::world {
 
-ObjectBodies::ObjectBodies(const MovingObject& object)
-    : body_count_(object.driven_links.size() + 1), body_of_(object.model.links.size(), 0) {
-  const std::vector<Link>& links = object.model.links;
+ObjectBodies::ObjectBodies(const MovingModel& moving)
+    : body_count_(moving.driven_links.size() + 1), body_of_(moving.model.links.size(), 0) {
+  const std::vector<Link>& links = moving.model.links;
   std::vector<std::size_t> driven_as(links.size(), 0);  // 0: is not driven
-  for (std::size_t i = 0; i < object.driven_links.size(); ++i) {
-    const std::size_t link = object.driven_links[i];
+  for (std::size_t i = 0; i < moving.driven_links.size(); ++i) {
+    const std::size_t link = moving.driven_links[i];
     if (link >= links.size() || driven_as[link] != 0) {
-      throw ErrorList({"model '" + object.model.name + "': link " + std::to_string(link) +
+      throw ErrorList({"model '" + moving.model.name + "': link " + std::to_string(link) +
                        " cannot be driven: there are " + std::to_string(links.size()) +
                        " links, and each can be driven once"});
     }

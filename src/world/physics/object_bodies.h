@@ -9,16 +9,22 @@
 namespace synthetic_dataset::world {
 
 /// A model that is moved from outside: as a whole, and, link by link, where it is articulated.
-struct MovingObject {
-  MovingObject(Model model_in, std::vector<std::size_t> driven_links_in = {},
-               bool is_variant_in = false)
-      : model(std::move(model_in)),
-        driven_links(std::move(driven_links_in)),
-        is_variant(is_variant_in) {}
+struct MovingModel {
+  MovingModel(Model model_in, std::vector<std::size_t> driven_links_in = {})
+      : model(std::move(model_in)), driven_links(std::move(driven_links_in)) {}
 
   Model model;                            ///< its frame M is the object's frame O
   std::vector<std::size_t> driven_links;  ///< indices in the model's links, each once
-  bool is_variant;                        ///< of the object before it: worn in its place
+};
+
+/// An object: one model, or several, its variants, of which it has one at a time.
+struct MovingObject {
+  MovingObject(Model model, std::vector<std::size_t> driven_links = {}) {
+    variants.emplace_back(std::move(model), std::move(driven_links));
+  }
+  explicit MovingObject(std::vector<MovingModel> variants_in) : variants(std::move(variants_in)) {}
+
+  std::vector<MovingModel> variants;  ///< at least one
 };
 
 /// Where an object is.
@@ -36,7 +42,7 @@ struct ObjectPose {
 class ObjectBodies {
  public:
   /// @throws ErrorList for driven links that the model does not have
-  explicit ObjectBodies(const MovingObject& object);
+  explicit ObjectBodies(const MovingModel& moving);
 
   /// One a body: its links, their poses X_ML in the body's frame. All bear the object's name.
   [[nodiscard]] std::vector<Model> models(const Model& model) const;
@@ -44,9 +50,12 @@ class ObjectBodies {
   /// X_WB of each body.
   [[nodiscard]] static std::vector<Pose> poses(const ObjectPose& pose);
 
-  /// X_WL of a link. @param X_WB  of each body
-  [[nodiscard]] Pose linkPose(std::size_t link, const std::vector<Pose>& X_WB) const {
-    return X_WB[body_of_[link]] * X_BL_[link];
+  /// The body that a link belongs to.
+  [[nodiscard]] std::size_t bodyOf(std::size_t link) const { return body_of_[link]; }
+
+  /// X_WL of a link. @param X_WB  of its body
+  [[nodiscard]] Pose linkPose(std::size_t link, const Pose& X_WB) const {
+    return X_WB * X_BL_[link];
   }
 
  private:

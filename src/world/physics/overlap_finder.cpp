@@ -59,8 +59,6 @@ struct OverlapFinder::Impl {
 
   std::vector<Placed> fixed;
   std::vector<std::string> fixed_names;
-  std::vector<btCollisionShape*> bodies;  ///< null for one without collisions
-  std::vector<std::string> body_names;
 
   btDefaultCollisionConfiguration configuration;
   mutable btCollisionDispatcher dispatcher{&configuration};
@@ -99,22 +97,17 @@ std::optional<std::string> OverlapFinder::Impl::obstacle(const Placed& body,
   return std::nullopt;
 }
 
-OverlapFinder::OverlapFinder(const std::vector<FixedCollision>& fixed,
-                             const std::vector<MovingCollisions>& bodies,
-                             std::vector<std::string> names)
+OverlapFinder::OverlapFinder(const std::vector<FixedCollision>& fixed)
     : impl_(std::make_unique<Impl>()) {
   for (const FixedCollision& collision : fixed) {
     impl_->fixed.push_back(placed(collision.shape.shape.get(), collision.X_WC));
     impl_->fixed_names.push_back(collision.model);
   }
-  for (const MovingCollisions& body : bodies) impl_->bodies.push_back(body.whole());
-  impl_->body_names = std::move(names);
 }
 
 OverlapFinder::~OverlapFinder() = default;
 
-std::vector<Interpenetration> OverlapFinder::find(const std::vector<Pose>& X_WB,
-                                                  const std::vector<bool>& present,
+std::vector<Interpenetration> OverlapFinder::find(const std::vector<StandingBody>& standing,
                                                   double tolerance) const {
   std::map<std::pair<std::string, std::string>, double> deepest;
   const auto note = [&](const std::string& first, const std::string& second, double depth) {
@@ -123,9 +116,9 @@ std::vector<Interpenetration> OverlapFinder::find(const std::vector<Pose>& X_WB,
     known = std::max(known, depth);
   };
   std::vector<std::pair<Placed, const std::string*>> bodies;
-  for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
-    if (impl_->bodies[i] == nullptr || !present[i]) continue;
-    bodies.emplace_back(placed(impl_->bodies[i], X_WB[i]), &impl_->body_names[i]);
+  for (const StandingBody& body : standing) {
+    btCollisionShape* shape = body.collisions->whole();
+    if (shape != nullptr) bodies.emplace_back(placed(shape, body.X_WB), &body.name);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto& [body, name] = bodies[i];

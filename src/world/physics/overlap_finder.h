@@ -21,18 +21,15 @@ struct StandingBody {
 /// Finds objects that are inside one another or inside static models.
 class OverlapFinder {
  public:
-  /// @param fixed, bodies  have to outlive this
-  /// @param names  of the objects that the bodies belong to: an object may have several
-  OverlapFinder(const std::vector<FixedCollision>& fixed,
-                const std::vector<MovingCollisions>& bodies, std::vector<std::string> names);
+  /// @param fixed  has to outlive this
+  explicit OverlapFinder(const std::vector<FixedCollision>& fixed);
   ~OverlapFinder();
   OverlapFinder(const OverlapFinder&) = delete;
   OverlapFinder& operator=(const OverlapFinder&) = delete;
 
-  /// Each pair deeper than `tolerance` [m] once, with its deepest contact, sorted by names.
-  /// @param present  of each body: what is not there is inside of nothing
-  [[nodiscard]] std::vector<Interpenetration> find(const std::vector<Pose>& X_WB,
-                                                   const std::vector<bool>& present,
+  /// Each pair deeper than `tolerance` [m] once, with its deepest contact, sorted by names. Bodies
+  /// of one name are those of one object, which are never inside one another.
+  [[nodiscard]] std::vector<Interpenetration> find(const std::vector<StandingBody>& bodies,
                                                    double tolerance) const;
 
   /// The name of something that the body is inside of by more than `tolerance` [m]: a static model

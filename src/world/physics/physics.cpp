@@ -93,7 +93,7 @@ struct Physics::Impl {
   };
   struct Object {                 // one body of an object
     btRigidBody* body = nullptr;  ///< none for an object without collisions
-    Pose X_WO = Pose::Identity();
+    std::optional<Pose> X_WO;
   };
 
   Impl(const Eigen::Vector3d& gravity, Duration step_in, const Eigen::Vector3d& origin_W)
@@ -102,7 +102,7 @@ struct Physics::Impl {
   void addFixed(const FixedCollision& collision);
   void addObject(const MovingCollisions& collisions);
   void addProp(const StartingProp& given);
-  void setVelocity(const Object& object, const Pose& X_WO_next) const;
+  void setVelocity(const Object& object, const std::optional<Pose>& X_WO_next) const;
 
   double step;  ///< [s]
   std::vector<Object> objects;
@@ -143,13 +143,17 @@ void Physics::Impl::addProp(const StartingProp& given) {
   props.push_back(prop);
 }
 
-void Physics::Impl::setVelocity(const Object& object, const Pose& X_WO_next) const {
+void Physics::Impl::setVelocity(const Object& object, const std::optional<Pose>& X_WO_next) const {
   if (object.body == nullptr) return;
-  const Velocity velocity = velocityBetween(object.X_WO, X_WO_next, step);
+  Velocity velocity;
+  bool still = !object.X_WO && !X_WO_next;
+  if (object.X_WO && X_WO_next) {
+    velocity = velocityBetween(*object.X_WO, *X_WO_next, step);
+    still = velocity.linear.norm() < kStillSpeed && velocity.angular.norm() < kStillSpeed &&
+            object.X_WO->isApprox(*X_WO_next);
+  }
   object.body->setLinearVelocity(toBullet(velocity.linear));
   object.body->setAngularVelocity(toBullet(velocity.angular));
-  const bool still = velocity.linear.norm() < kStillSpeed &&
-                     velocity.angular.norm() < kStillSpeed && object.X_WO.isApprox(X_WO_next);
   // An object that is awake keeps every prop awake that it touches.
   object.body->forceActivationState(still ? ISLAND_SLEEPING : ACTIVE_TAG);
 }
@@ -169,7 +173,7 @@ Physics::Physics(const Eigen::Vector3d& gravity, Duration step,
 
 Physics::~Physics() = default;
 
-void Physics::placeObjects(const std::vector<Pose>& X_WO) {
+void Physics::placeObjects(const std::vector<std::optional<Pose>>& X_WO) {
   for (std::size_t i = 0; i < impl_->objects.size(); ++i) {
     Impl::Object& object = impl_->objects[i];
     object.X_WO = X_WO[i];
@@ -177,7 +181,7 @@ void Physics::placeObjects(const std::vector<Pose>& X_WO) {
   }
 }
 
-void Physics::step(const std::vector<Pose>& X_WO) {
+void Physics::step(const std::vector<std::optional<Pose>>& X_WO) {
   for (std::size_t i = 0; i < impl_->objects.size(); ++i) {
     impl_->setVelocity(impl_->objects[i], X_WO[i]);
   }

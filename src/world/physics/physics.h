@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct StartingProp {
   Pose X_WM = Pose::Identity();
 };
 
-/// Props under gravity, among things that stand and objects that move as they are told.
+/// Props under gravity, among things that stand and objects that are moved from outside.
 ///
 /// One thread, one fixed step, an order that depends on nothing but the order of the arguments: the
 /// same calls give the same bits. Per step, contacts are found with everything at the step's start;
@@ -26,8 +27,8 @@ struct StartingProp {
 class Physics {
  public:
   /// @param gravity  [m/s^2]
-  /// @param fixed  and what objects point to has to outlive this; an articulated object is several
-  /// here
+  /// @param fixed  and what objects point to has to outlive this
+  /// @param objects  at first without a pose; an articulated object is several here
   Physics(const Eigen::Vector3d& gravity, Duration step, const std::vector<FixedCollision>& fixed,
           const std::vector<const MovingCollisions*>& objects,
           const std::vector<StartingProp>& props);
@@ -35,12 +36,13 @@ class Physics {
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
 
-  /// Puts the objects where they are at the start: X_WO of each.
-  void placeObjects(const std::vector<Pose>& X_WO);
+  /// Puts the objects where they are at the start: X_WO of each that props touch.
+  void placeObjects(const std::vector<std::optional<Pose>>& X_WO);
 
-  /// Simulates one step, at the end of which the objects are at X_WO.
+  /// Simulates one step, at the end of which the objects are at X_WO. One that has no pose at the
+  /// step's start or end pushes nothing.
   /// @throws Error naming a prop whose pose is no longer finite
-  void step(const std::vector<Pose>& X_WO);
+  void step(const std::vector<std::optional<Pose>>& X_WO);
 
   /// X_WM of a prop `since` after the last step (less than one step): one that moves is taken on
   /// along its velocity, so that pictures taken between steps do not stutter.
