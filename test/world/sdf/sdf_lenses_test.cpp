@@ -8,15 +8,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using test::errorsOf;
-using test::linkElement;
-using test::loadText;
-using test::modelElement;
-using test::TemporaryFolder;
-using test::worldFile;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using namespace test;
 
 constexpr const char* kImage = "<image><width>800</width><height>800</height></image>";
 

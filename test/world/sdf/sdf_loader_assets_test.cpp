@@ -8,29 +8,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using test::errorsOf;
-using test::includeElement;
-using test::kBox;
-using test::linkElement;
-using test::loadText;
-using test::loadWithoutMissing;
-using test::meshElement;
-using test::modelElement;
-using test::modelFile;
-using test::TemporaryFolder;
-using test::visualElement;
-using test::worldFile;
-using testing::AllOf;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
-using testing::StartsWith;
-
-std::string boxModel(const std::string& name, const std::string& rest = "") {
-  return modelFile(name, rest + linkElement(visualElement(kBox)));
-}
+using namespace test;
 
 std::vector<std::string> namesOf(const Description& world) {
   std::vector<std::string> names;

@@ -6,15 +6,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using test::linkElement;
-using test::loadText;
-using test::modelElement;
-using test::TemporaryFolder;
-using test::worldFile;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
+using namespace test;
 
 std::string cameraWorld(const std::string& camera, const std::string& type = "camera") {
   return worldFile(modelElement("robot", "<pose>0 0 1 0 0 1.57079632679489662</pose>" +

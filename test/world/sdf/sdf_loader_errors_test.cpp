@@ -6,25 +6,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using test::errorsOf;
-using test::errorsOfFile;
-using test::kBox;
-using test::linkElement;
-using test::meshElement;
-using test::modelElement;
-using test::modelFile;
-using test::TemporaryFolder;
-using test::visualElement;
-using test::worldFile;
-using testing::AllOf;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
-using testing::StartsWith;
-
-std::string include(const std::string& uri) { return "<include><uri>" + uri + "</uri></include>"; }
+using namespace test;
 
 std::string worldWith(const std::string& visual) {
   return worldFile(modelElement("shelf", linkElement(visual)));
@@ -68,9 +50,9 @@ TEST(SdfLoaderErrors, RepeatWhatLibsdformatRefuses) {
 
 TEST(SdfLoaderErrors, RepeatWhatLibsdformatRefusesDeepInIncludes) {
   const TemporaryFolder folder;
-  folder.write("a.sdf", modelFile("a", "<link name='l'/>" + include("b.sdf")));
+  folder.write("a.sdf", modelFile("a", "<link name='l'/>" + includeElement("b.sdf")));
   folder.write("b.sdf", modelFile("b", "<link name='l'><pose>1 2 three</pose></link>"));
-  EXPECT_THAT(errorsOf(folder, worldFile(include("a.sdf"))),
+  EXPECT_THAT(errorsOf(folder, worldFile(includeElement("a.sdf"))),
               Contains(AllOf(HasSubstr("b.sdf"), HasSubstr("<pose>"))));
 }
 
@@ -93,7 +75,7 @@ TEST(SdfLoaderErrors, TellWhereAMissingMeshWasLookedFor) {
 TEST(SdfLoaderErrors, NameTheIncludedFile) {
   const TemporaryFolder folder;
   folder.write("part.sdf", modelFile("part", linkElement(visualElement(meshElement("y.dae")))));
-  EXPECT_THAT(errorsOf(folder, worldFile(include("part.sdf"))),
+  EXPECT_THAT(errorsOf(folder, worldFile(includeElement("part.sdf"))),
               ElementsAre(StartsWith((folder / "part.sdf").string() + ": model 'part': ")));
 }
 
@@ -117,22 +99,23 @@ TEST(SdfLoaderErrors, NameAMissingTexture) {
 TEST(SdfLoaderErrors, NameAnIncludeThatIsNotThere) {
   const TemporaryFolder folder;
   EXPECT_THAT(
-      errorsOf(folder, worldFile("\n" + include("model://gone"))),
+      errorsOf(folder, worldFile("\n" + includeElement("model://gone"))),
       ElementsAre(AllOf(HasSubstr("world.sdf: line 2: include 'model://gone': no such file"),
                         HasSubstr((folder / "gone").string()))));
 }
 
 TEST(SdfLoaderErrors, SayThatNothingIsFetched) {
   const TemporaryFolder folder;
-  EXPECT_THAT(errorsOf(folder, worldFile(include("https://fuel.gazebosim.org/1.0/x/models/y"))),
-              ElementsAre(HasSubstr("nothing is fetched from the network")));
+  EXPECT_THAT(
+      errorsOf(folder, worldFile(includeElement("https://fuel.gazebosim.org/1.0/x/models/y"))),
+      ElementsAre(HasSubstr("nothing is fetched from the network")));
 }
 
 TEST(SdfLoaderErrors, NameFilesThatIncludeOneAnother) {
   const TemporaryFolder folder;
-  folder.write("a.sdf", modelFile("a", "<link name='l'/>" + include("b.sdf")));
-  folder.write("b.sdf", modelFile("b", "<link name='l'/>" + include("a.sdf")));
-  EXPECT_THAT(errorsOf(folder, worldFile(include("a.sdf"))),
+  folder.write("a.sdf", modelFile("a", "<link name='l'/>" + includeElement("b.sdf")));
+  folder.write("b.sdf", modelFile("b", "<link name='l'/>" + includeElement("a.sdf")));
+  EXPECT_THAT(errorsOf(folder, worldFile(includeElement("a.sdf"))),
               ElementsAre(AllOf(StartsWith((folder / "b.sdf").string()),
                                 HasSubstr("include 'a.sdf': includes itself"))));
 }
@@ -163,7 +146,7 @@ TEST(SdfLoaderErrors, NameTransparencyBeyondItsRange) {
 TEST(SdfLoaderErrors, ComeAllAtOnce) {
   const TemporaryFolder folder;
   const std::string text = worldFile(
-      include("model://gone") +
+      includeElement("model://gone") +
       modelElement("a", linkElement(visualElement(meshElement("a.dae")))) +
       modelElement("b", linkElement(visualElement("<sphere><radius>0</radius></sphere>"))));
   EXPECT_THAT(errorsOf(folder, text),
@@ -176,7 +159,7 @@ TEST(SdfLoaderErrors, AreNotPrinted) {
   const auto urdf = folder.write("robot.urdf", "<robot name='r'><link/></robot>");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  static_cast<void>(errorsOf(folder, worldFile(include("model://gone") + "<bogus/>")));
+  static_cast<void>(errorsOf(folder, worldFile(includeElement("model://gone") + "<bogus/>")));
   static_cast<void>(
       errorsOf(folder, worldFile(modelElement("m", "<link name='a'><pose>x</pose></link>"))));
   static_cast<void>(errorsOfFile(folder, urdf.string()));
@@ -187,7 +170,7 @@ TEST(SdfLoaderErrors, AreNotPrinted) {
 TEST(SdfLoaderErrors, SurviveGarbage) {
   const TemporaryFolder folder;
   const std::string good =
-      worldFile(include("model://x") + modelElement("m", linkElement(visualElement(kBox))));
+      worldFile(includeElement("model://x") + modelElement("m", linkElement(visualElement(kBox))));
   for (std::size_t length = 0; length < good.size(); ++length) {
     EXPECT_THAT(errorsOf(folder, good.substr(0, length)), Not(IsEmpty()));
   }

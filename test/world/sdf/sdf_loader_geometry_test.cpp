@@ -8,18 +8,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using test::errorsOf;
-using test::linkElement;
-using test::loadText;
-using test::loadVisual;
-using test::modelElement;
-using test::TemporaryFolder;
-using test::visualElement;
-using test::worldFile;
-using testing::Contains;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
+using namespace test;
 
 constexpr const char* kSquareWithHole =
     "<polyline><point>0 0</point><point>4 0</point><point>4 4</point><point>0 4</point>"

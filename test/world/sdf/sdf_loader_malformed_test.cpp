@@ -10,25 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using test::errorsOf;
-using test::includeElement;
-using test::kBox;
-using test::linkElement;
-using test::loadText;
-using test::loadWithoutMissing;
-using test::meshElement;
-using test::modelElement;
-using test::modelFile;
-using test::TemporaryFolder;
-using test::visualElement;
-using test::worldFile;
-using testing::AllOf;
-using testing::Contains;
-using testing::Each;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
+using namespace test;
 
 std::string worldWith(const std::string& geometry) {
   return worldFile(modelElement("m", linkElement(visualElement(geometry))));

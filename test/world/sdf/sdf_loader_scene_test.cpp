@@ -6,15 +6,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using test::errorsOf;
-using test::loadText;
-using test::TemporaryFolder;
-using test::worldFile;
-using testing::AllOf;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using namespace test;
 
 Description loadScene(const std::string& content) {
   const TemporaryFolder folder;

@@ -1,9 +1,12 @@
 #pragma once
 
-/// Tiny worlds, models and meshes as text.
+/// Tiny worlds, models and meshes as text, and the matchers of what they become; for
+/// `using namespace test`.
 
 #include <string>
 #include <vector>
+
+#include <gmock/gmock.h>
 
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
@@ -12,6 +15,16 @@
 namespace synthetic_dataset::world::test {
 
 using synthetic_dataset::test::TemporaryFolder;
+using testing::AllOf;
+using testing::Contains;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+using testing::StartsWith;
+using testing::ThrowsMessage;
 
 [[nodiscard]] inline std::string worldFile(const std::string& content) {
   return "<sdf version='1.7'><world name='w'>" + content + "</world></sdf>";
@@ -39,6 +52,11 @@ using synthetic_dataset::test::TemporaryFolder;
 }
 
 constexpr const char* kBox = "<box><size>1 2 3</size></box>";
+
+/// A model file of one box.
+[[nodiscard]] inline std::string boxModel(const std::string& name, const std::string& rest = "") {
+  return modelFile(name, rest + linkElement(visualElement(kBox)));
+}
 
 /// One triangle in the plane z = 0, from the origin to (1, 0, 0) and (0, 2, 0).
 constexpr const char* kTriangleObj =

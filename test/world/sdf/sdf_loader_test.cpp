@@ -9,18 +9,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using test::kBox;
-using test::linkElement;
-using test::loadText;
-using test::modelElement;
-using test::modelFile;
-using test::TemporaryFolder;
-using test::visualElement;
-using test::worldFile;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
+using namespace test;
 
 constexpr double kQuarter = 1.57079632679489662;
 
@@ -29,14 +18,6 @@ testing::AssertionResult isAt(const Pose& pose, double x, double y, double z, do
       makePose({x, y, z}, Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())));
   if (pose.matrix().isApprox(expected.matrix(), 1e-9)) return testing::AssertionSuccess();
   return testing::AssertionFailure() << "found\n" << pose.matrix();
-}
-
-std::string include(const std::string& uri, const std::string& rest = "") {
-  return "<include><uri>" + uri + "</uri>" + rest + "</include>";
-}
-
-std::string boxModel(const std::string& name, const std::string& rest = "") {
-  return modelFile(name, rest + linkElement(visualElement(kBox)));
 }
 
 TEST(SdfLoader, ReadsAWorld) {
@@ -83,10 +64,10 @@ TEST(SdfLoader, NamesAModelAsAsked) {
 TEST(SdfLoader, OverridesWhatAnIncludeSays) {
   const TemporaryFolder folder;
   folder.write("crate.sdf", boxModel("crate", "<pose>9 9 9 0 0 0</pose>"));
-  const Description world =
-      loadText(folder, worldFile(include("crate.sdf",
-                                         "<name>big</name><pose>1 2 3 0 0 1.57079632679</pose>"
-                                         "<static>true</static>")));
+  const Description world = loadText(
+      folder, worldFile(includeElement("crate.sdf",
+                                       "<name>big</name><pose>1 2 3 0 0 1.57079632679</pose>"
+                                       "<static>true</static>")));
   ASSERT_THAT(world.models, SizeIs(1));
   EXPECT_EQ(world.models[0].name, "big");
   EXPECT_TRUE(world.models[0].is_static);
@@ -117,12 +98,12 @@ TEST(SdfLoader, FlattensNestedModels) {
 TEST(SdfLoader, FlattensIncludedModels) {
   const TemporaryFolder folder;
   folder.write("parts/wheel.sdf", boxModel("wheel"));
-  folder.write("cart.sdf",
-               modelFile("cart", "<link name='base'/>" + include("parts/wheel.sdf",
-                                                                 "<name>left</name>"
-                                                                 "<pose>0 1 0 0 0 0</pose>")));
+  folder.write("cart.sdf", modelFile("cart", "<link name='base'/>" +
+                                                 includeElement("parts/wheel.sdf",
+                                                                "<name>left</name>"
+                                                                "<pose>0 1 0 0 0 0</pose>")));
   const Description world =
-      loadText(folder, worldFile(include("cart.sdf", "<pose>5 0 0 0 0 0</pose>")));
+      loadText(folder, worldFile(includeElement("cart.sdf", "<pose>5 0 0 0 0 0</pose>")));
   const Model& cart = world.models.at(0);
   ASSERT_THAT(cart.links, SizeIs(2));
   EXPECT_EQ(cart.links[1].name, "left::body");
@@ -134,10 +115,10 @@ TEST(SdfLoader, TakesRelativeIncludesFromTheFileThatNamesThem) {
   for (const std::string name : {"a", "b"}) {
     folder.write(name + "/part.sdf", boxModel("part_of_" + name));
     folder.write(name + "/whole.sdf",
-                 modelFile("whole_" + name, "<link name='base'/>" + include("part.sdf")));
+                 modelFile("whole_" + name, "<link name='base'/>" + includeElement("part.sdf")));
   }
   const Description world =
-      loadText(folder, worldFile(include("a/whole.sdf") + include("b/whole.sdf")));
+      loadText(folder, worldFile(includeElement("a/whole.sdf") + includeElement("b/whole.sdf")));
   EXPECT_EQ(world.models.at(0).links.at(1).name, "part_of_a::body");
   EXPECT_EQ(world.models.at(1).links.at(1).name, "part_of_b::body");
 }

@@ -1,5 +1,3 @@
-#include <gmock/gmock.h>
-
 #include <opencv2/imgcodecs.hpp>
 
 #include "world/sdf/sdf_loader_support.h"
@@ -8,18 +6,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using test::kBox;
-using test::kTriangleObj;
-using test::linkElement;
-using test::loadText;
-using test::loadVisual;
-using test::meshElement;
-using test::modelElement;
-using test::TemporaryFolder;
-using test::visualElement;
-using test::worldFile;
-using testing::IsEmpty;
-using testing::SizeIs;
+using namespace test;
 
 /// A red OBJ mesh with a picture beside it.
 void writeTexturedMesh(const TemporaryFolder& folder, const std::string& model) {

@@ -1,5 +1,3 @@
-#include <gmock/gmock.h>
-
 #include <opencv2/imgcodecs.hpp>
 
 #include "world/sdf/sdf_loader_support.h"
@@ -7,15 +5,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using test::kBox;
-using test::linkElement;
-using test::modelElement;
-using test::TemporaryFolder;
-using test::visualElement;
-using test::worldFile;
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using namespace test;
 
 std::string script(const std::string& name, const std::string& uris, const std::string& rest = "") {
   return "<material><script>" + uris + "<name>" + name + "</name></script>" + rest + "</material>";
