@@ -129,8 +129,24 @@ TEST_F(EarlierDatasetTest, ADamagedManifestIsAnError) {
 TEST_F(EarlierDatasetTest, AnotherVersionsManifestIsAnError) {
   earlierRun();
   (void)query("UPDATE run SET value = '99' WHERE key = 'format_version'");
+  EXPECT_THAT(
+      errors(IfExists::kOverwrite),
+      ElementsAre(HasSubstr("format version is '99', and this software reads versions 4 and 5")));
+}
+
+TEST_F(EarlierDatasetTest, OfTheVersionBeforeIsRemovedWhenOverwriting) {
+  earlierRun();
+  (void)query("UPDATE run SET value = '4' WHERE key = 'format_version'");
+  makeStore(IfExists::kOverwrite);
+  EXPECT_THAT(tree(), ElementsAre("a", "b"));
+}
+
+TEST_F(EarlierDatasetTest, AManifestWithARowThatNoTableTakesNamesIt) {
+  earlierRun();
+  (void)query(
+      "PRAGMA ignore_check_constraints = ON; UPDATE scene SET width = 0 WHERE \"index\" = 1");
   EXPECT_THAT(errors(IfExists::kOverwrite),
-              ElementsAre(HasSubstr("format version is '99', and this software reads version 4")));
+              ElementsAre(HasSubstr("scene: sizes that no image has: scene 1")));
 }
 
 TEST_F(EarlierDatasetTest, AManifestWhoseFactsDoNotAgreeIsAnError) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "verification/verification_fixture.h"
+#include "verification/version_4_tables.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -33,17 +34,17 @@ TEST_P(VerifyManifest, TellsOf) {
 }
 
 const Change kStructure[] = {
-    {"Version", "UPDATE run SET value = '5' WHERE key = 'format_version'",
-     "its format version is '5'; this software verifies version 4"},
+    {"Version", "UPDATE run SET value = '6' WHERE key = 'format_version'",
+     "it cannot be read: its format version is '6', and this software reads versions 4 and 5"},
     {"AnEarlierVersion",
      "UPDATE run SET value = '3' WHERE key = 'format_version'; DROP TABLE motion",
-     "its format version is '3'; this software verifies version 4"},
-    {"NoVersion", "DELETE FROM run", "its format version is ''"},
-    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 4"},
-    {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 4"},
-    {"LackingMotions", "DROP TABLE motion", "its tables are not those of version 4"},
+     "it cannot be read: its format version is '3', and this software reads versions 4 and 5"},
+    {"NoVersion", "DELETE FROM run", "it cannot be read: its format version is ''"},
+    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 5"},
+    {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 5"},
+    {"LackingMotions", "DROP TABLE motion", "its tables are not those of version 5"},
     {"MoreTables", "CREATE VIEW more AS SELECT * FROM file",
-     "its tables are not those of version 4"},
+     "its tables are not those of version 5"},
     {"TextForNumber", "UPDATE scene SET stamp_ns = 'soon'",
      "scene: 4 values of 'stamp_ns' are of another kind; they should be integers"},
     {"Infinity", "UPDATE scene_object SET x = 9e999 WHERE scene = 0",
@@ -53,7 +54,7 @@ const Change kStructure[] = {
     {"Null",
      "PRAGMA writable_schema = ON; UPDATE sqlite_master SET sql = replace(sql, 'bytes INTEGER NOT "
      "NULL', 'bytes INTEGER') WHERE name = 'file'",
-     "its tables are not those of version 4"},
+     "its tables are not those of version 5"},
 };
 
 const Change kRun[] = {
@@ -113,7 +114,7 @@ const Change kReferences[] = {
     {"AContactOfNoScene", "INSERT INTO contact VALUES (9, 0, 'a', 'b', 0.1)",
      "contact: scenes that the table scene does not have: scene 9"},
     {"ADrawOfNoScene", "INSERT INTO draw VALUES (9, 'lights/sun/x', '1')",
-     "draw: scenes that the table scene does not have: scene 9 lights/sun/x"},
+     "draw: scenes that the table scene does not have: scene 9 name lights/sun/x"},
     {"AFilesWriter", "UPDATE file SET writer = 4 WHERE path LIKE '%label_2/000002.txt'",
      "file: writers that the table writer does not have: w/training/label_2/000002.txt"},
     {"AFilesScene", "UPDATE file SET scene = 44 WHERE path LIKE '%label_2/000002.txt'",
@@ -130,37 +131,29 @@ const Change kReferences[] = {
 
 const Change kNumbers[] = {
     {"WritersNumbers", "UPDATE writer SET \"index\" = 3",
-     "writer: indices that do not count from 0: w"},
+     "writer: indices that do not count from 0: writer 3"},
     {"CamerasNumbers", "UPDATE camera SET \"index\" = 3",
-     "camera: indices that do not count from 0: camera"},
+     "camera: indices that do not count from 0: camera 3"},
     {"ObjectsNumbers", "UPDATE object SET \"index\" = 3 WHERE name = 'b'",
-     "object: indices that do not count from 0: b"},
+     "object: indices that do not count from 0: object 3"},
     {"ClassesNumbers", "UPDATE class SET id = 5000000000 WHERE id = 1",
-     "class: ids that are no numbers of classes: jug"},
+     "class: ids that are no numbers of classes: class 5000000000"},
     {"CamerasSizes", "UPDATE camera SET width = 5000000000",
-     "camera: sizes that no image has: camera"},
+     "camera: sizes that no image has: camera 0"},
     {"ScenesSizes", "UPDATE scene SET height = 0 WHERE \"index\" = 2",
      "scene: sizes that no image has: scene 2"},
     {"MotionsNumbers", "UPDATE motion SET \"index\" = 3",
-     "motion: indices that do not count from 0: walk"},
-    {"MotionsNames",
-     "UPDATE motion SET instant_count = 1; INSERT INTO motion VALUES (1, 'walk', 1, 3)",
-     "motion: names that are there twice: walk"},
+     "motion: indices that do not count from 0: motion 3"},
     {"MotionsGaps",
      "UPDATE motion SET instant_count = 1; INSERT INTO motion VALUES (1, 'run', 2, 3)",
-     "motion: instants that do not follow those of the motion before, or are none: run"},
+     "motion: instants that do not follow those of the motion before: motion 1"},
     {"MotionsStarts", "UPDATE motion SET first_instant = 1",
-     "motion: instants that do not follow those of the motion before, or are none: walk"},
+     "motion: instants that do not follow those of the motion before: motion 0"},
     {"MotionsWithoutScenes", "INSERT INTO motion VALUES (1, 'run', 4, 0)",
-     "motion: instants that do not follow those of the motion before, or are none: run"},
+     "motion: no instants: motion 1"},
     {"MotionsSum", "UPDATE motion SET instant_count = 5",
      "motion: instants in all that are not those of the run: 4"},
     {"NoMotion", "DELETE FROM motion", "motion: instants in all that are not those of the run: 4"},
-    {"WritersNames", "INSERT INTO writer VALUES (1, 'w', 'test/X', 'x/')",
-     "writer: names that are there twice: w"},
-    {"CamerasNames", "INSERT INTO camera VALUES (1, 'camera', 'f', 640, 480)",
-     "camera: names that are there twice: camera"},
-    {"ObjectsNames", "UPDATE object SET name = 'a'", "object: names that are there twice: a"},
     {"RecordsSequences", "UPDATE record SET sequence = 1 WHERE scene = 2",
      "record: sequences that do not count from 0: writer 0 scene 2"},
     {"ContactsSequences", "INSERT INTO contact VALUES (1, 1, 'a', 'b', 0.1)",
@@ -192,8 +185,12 @@ const Change kMeasures[] = {
      "scene_object: an in_view that is not whether the loose box shares area with the image: "
      "scene 1 object 0"},
     {"VisibleBoxes", "UPDATE scene_object SET visible_left = -2 WHERE scene = 1 AND object = 0",
-     "scene_object: visible boxes that leave the image, or are there without a visible pixel: "
-     "scene 1 object 0"},
+     "scene_object: visible boxes that leave the image: scene 1 object 0"},
+    {"VisibleBoxesOfNothing",
+     "UPDATE scene_object SET visible_pixels = 0, visibility = 0 WHERE scene = 1 AND object = 0",
+     "scene_object: visible boxes without a visible pixel: scene 1 object 0"},
+    {"Digestless", "UPDATE file SET digest = '' WHERE path LIKE '%label_2/000002.txt'",
+     "file: digests that are missing: w/training/label_2/000002.txt"},
     {"TooManyPixels",
      "UPDATE scene_object SET visible_pixels = 2001, silhouette_pixels = 2001 WHERE scene = 1 AND "
      "object = 0",
@@ -204,6 +201,24 @@ const Change kMeasures[] = {
     {"Distances", "UPDATE scene_object SET distance = 11 WHERE scene = 1 AND object = 0",
      "scene_object: a distance that is not the one between the poses of object and camera: scene "
      "1 object 0"},
+};
+
+/// What the tables of this version do not take, so that no such file can be made.
+const Change kNames[] = {
+    {"MotionsNames",
+     "UPDATE motion SET instant_count = 1; INSERT INTO motion VALUES (1, 'walk', 1, 3)",
+     "motion: UNIQUE constraint failed: motion.name: motion 1"},
+    {"WritersNames", "INSERT INTO writer VALUES (1, 'w', 'test/X', 'x/')",
+     "writer: UNIQUE constraint failed: writer.name: writer 1"},
+    {"CamerasNames", "INSERT INTO camera VALUES (1, 'camera', 'f', 640, 480)",
+     "camera: UNIQUE constraint failed: camera.name: camera 1"},
+    {"ObjectsNames", "UPDATE object SET name = 'a'",
+     "object: UNIQUE constraint failed: object.name: object 1"},
+    {"Sizes", "UPDATE camera SET width = 0", "camera: sizes that no image has: camera 0"},
+    {"Classes", "DELETE FROM class WHERE id = 1",
+     "object: classes that the table class does not have: object 1"},
+    {"MoreColumns", "ALTER TABLE draw ADD COLUMN more TEXT",
+     "its tables are not those of version 4"},
 };
 
 const auto kNameOf = [](const testing::TestParamInfo<Change>& change) { return change.param.name; };
@@ -229,6 +244,30 @@ INSTANTIATE_TEST_SUITE_P(Scenes, VerifyManifest, testing::ValuesIn(kScenes), kNa
 INSTANTIATE_TEST_SUITE_P(References, VerifyManifest, testing::ValuesIn(kReferences), kNameOf);
 INSTANTIATE_TEST_SUITE_P(Numbers, VerifyManifest, testing::ValuesIn(kNumbers), kNameOf);
 INSTANTIATE_TEST_SUITE_P(Measures, VerifyManifest, testing::ValuesIn(kMeasures), kNameOf);
+
+/// A manifest as version 0.1 of this software has written it.
+class VerifyEarlierManifest : public VerifyManifest {
+ protected:
+  VerifyEarlierManifest() {
+    std::string copying = kVersion4Tables;
+    copying += "ATTACH '" + (folder_ / "manifest.sqlite").string() + "' AS later;";
+    for (const char* table :
+         {"run", "setting", "software", "input", "writer", "class", "motion", "camera", "object",
+          "scene", "scene_object", "contact", "draw", "file", "record", "warning"}) {
+      copying += std::string("INSERT INTO ") + table + " SELECT * FROM later." + table + ";";
+    }
+    change(copying + "UPDATE run SET value = '4' WHERE key = 'format_version'", "earlier");
+    std::filesystem::rename(folder_ / "earlier", folder_ / "manifest.sqlite");
+  }
+};
+
+TEST_P(VerifyEarlierManifest, TellsOf) {
+  EXPECT_THAT(problems(), IsEmpty());
+  change(GetParam().sql);
+  EXPECT_THAT(problems(), Contains(HasSubstr("manifest.sqlite': " + GetParam().finding)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Names, VerifyEarlierManifest, testing::ValuesIn(kNames), kNameOf);
 
 class VerifyDamagedManifest : public VerificationTest {
  protected:

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "output/manifest/manifest_paths.h"
+#include "output/manifest/row_checks.h"
 #include "output/manifest/sqlite.h"
 #include "synthetic_dataset/errors.h"
 
@@ -24,16 +25,17 @@ void checkVersion(const SqliteDatabase& database) {
   std::string version;
   forEachRow(database, "SELECT value FROM run WHERE key = 'format_version'",
              [&](const SqliteStatement& row) { version = row.text(0); });
-  if (version == kManifestVersion) return;
-  throw Error("its format version is '" + version + "', and this software reads version " +
-              kManifestVersion);
+  requireKnownVersion(version);
 }
 
 void checkWholeness(const SqliteDatabase& database) {
   std::string finding;
   forEachRow(database, "PRAGMA quick_check(1)",
              [&](const SqliteStatement& row) { finding = row.text(0); });
-  if (finding != "ok") throw Error("it is damaged: " + finding);
+  if (finding != "ok") {
+    for (const std::string& problem : brokenRows(database)) finding += "; " + problem;
+    throw Error("it is damaged: " + finding);
+  }
   // A table that is gone is damage, too, even where nobody asks for it now.
   for (const char* table :
        {"run", "setting", "software", "input", "writer", "class", "motion", "camera", "object",

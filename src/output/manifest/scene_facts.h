@@ -48,10 +48,10 @@ struct DrawFacts {
 struct SceneFacts {
   std::int64_t index = 0;
   Stamp stamp{0};
-  std::int64_t instant = 0;  ///< place of its time among the run's times
+  std::int64_t instant = 0;  ///< index of its time among the run's times
   std::string camera = "camera";
-  int width = 0;   ///< of the image [px]
-  int height = 0;  ///< of the image [px]
+  int width = 1;   ///< of the image [px], > 0
+  int height = 1;  ///< of the image [px], > 0
   std::string split = "";
   std::uint64_t seed = 0;  ///< of all that is random in it
   Pose X_GC = Pose::Identity();

@@ -79,6 +79,22 @@ SqliteStatement::SqliteStatement(const SqliteDatabase& database, const std::stri
   if (result != SQLITE_OK) database.fail();
 }
 
+std::optional<std::string> SqliteStatement::runWithRow(const SqliteStatement& row,
+                                                       int first_column) {
+  reset();
+  const int count = sqlite3_bind_parameter_count(handle_.get());
+  for (int i = 0; i < count; ++i) {
+    sqlite3_value* value = sqlite3_column_value(row.handle_.get(), first_column + i);
+    if (sqlite3_bind_value(handle_.get(), i + 1, value) != SQLITE_OK) database_.fail();
+  }
+  const int result = sqlite3_step(handle_.get());
+  if (result == SQLITE_DONE) return std::nullopt;
+  if (result != SQLITE_CONSTRAINT) database_.fail();
+  const std::string broken = sqlite3_errmsg(database_.handle());
+  const std::string of_check = "CHECK constraint failed: ";  // and then its name
+  return broken.rfind(of_check, 0) == 0 ? broken.substr(of_check.size()) : broken;
+}
+
 bool SqliteStatement::step() {
   switch (sqlite3_step(handle_.get())) {
     case SQLITE_ROW:
@@ -128,6 +144,13 @@ void SqliteStatement::bind(int index, const std::string& value) {
 
 void SqliteStatement::bindNull(int index) {
   if (sqlite3_bind_null(handle_.get(), index) != SQLITE_OK) database_.fail();
+}
+
+std::vector<std::string> textsOf(const SqliteDatabase& database, const std::string& sql) {
+  std::vector<std::string> texts;
+  SqliteStatement rows(database, sql);
+  while (rows.step()) texts.push_back(rows.text(0));
+  return texts;
 }
 
 SqliteTransaction::SqliteTransaction(const SqliteDatabase& database) : database_(database) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -61,6 +62,10 @@ class SqliteStatement {
     reset();
   }
 
+  /// run() with the values of another statement's row, from a column of it on.
+  /// @return the constraint that keeps them out of their table; nothing where they are in it
+  [[nodiscard]] std::optional<std::string> runWithRow(const SqliteStatement& row, int first_column);
+
   /// Goes on to the next row of the result.
   /// @returns false when there is none
   bool step();
@@ -93,6 +98,10 @@ class SqliteStatement {
   const SqliteDatabase& database_;
   std::unique_ptr<sqlite3_stmt, Finalize> handle_;
 };
+
+/// The first column of all rows that a query finds.
+[[nodiscard]] std::vector<std::string> textsOf(const SqliteDatabase& database,
+                                               const std::string& sql);
 
 /// Changes that are made together or, unless they are committed, not at all.
 class SqliteTransaction {
