@@ -9,7 +9,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzzing::tolerating([&] {
     const Value settings = config::parseYaml(std::string(fuzzing::view(data, size)), "settings");
     for (const config::MotionEntry& motion : config::readMotions(settings).entries) {
-      const Parameters root(motion.settings);
+      Parameters root(motion.settings);
       static_cast<void>(config::readConfig(root));
       static_cast<void>(config::unknownParameterErrors(root, root.unknownNames()));
     }

@@ -9,7 +9,7 @@ namespace synthetic_dataset {
 /// of the bounding shape in the frame `output_frame`, for objects in view and out of view alike.
 class BoundingShapeWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     parameters.ignore("tf_timeout");  // of nn_data_collection
     output_frame_ = parameters.required<std::string>("output_frame");
     global_frame_ = dataset.global_frame;

@@ -6,8 +6,8 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/shared/json.h"
-#include "plugins/shared/label_options.h"
 #include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
@@ -88,8 +88,8 @@ void addNddsShape(const SceneObject& object, const ProjectedCuboid& cuboid, Json
 
 void addDopeShape(const SceneObject& object, const ProjectedCuboid& cuboid, Json& entry) {
   entry["segmentation_id"] = object.instance;
-  entry["px_count_all"] = object.pixels.silhouette;
-  entry["px_count_visib"] = object.pixels.visible;
+  entry["px_count_all"] = object.pixels.silhouette();
+  entry["px_count_visib"] = object.pixels.visible();
   const auto corners_O = object.cuboid_O.corners();
   for (const std::size_t corner : kCornerOrder) {
     entry["local_cuboid"].push_back(numbersOf(corners_O[corner]));
@@ -154,9 +154,9 @@ Json cameraSettings(const CameraDescription& camera) {
 /// made by data_generation/nvisii_data_gen/utils.py.
 class DopeWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     dataset_ = dataset;
-    const bool is_ndds = optionalChoice(parameters, "style", {"dope", "ndds"}, "dope") == "ndds";
+    const bool is_ndds = parameters.optionalChoice("style", {"dope", "ndds"}, "dope") == "ndds";
     style_ = is_ndds ? Style::kNdds : Style::kDope;
     box_ = readBoxChoice(parameters);
     for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
@@ -214,7 +214,7 @@ class DopeWriter : public LabelWriter {
   }
 
   [[nodiscard]] std::string folderOf(const std::string& split, std::size_t camera) const {
-    return (split.empty() ? "" : split + "/") + cameraFolder(dataset_, camera);
+    return (split.empty() ? "" : split + "/") + dataset_.cameraFolder(camera);
   }
 
   /// The entry of an object in a scene's list.
@@ -222,7 +222,7 @@ class DopeWriter : public LabelWriter {
                              const CameraModel& camera) const {
     Json entry = {{"class", object.class_name},
                   {"name", object.name},
-                  {"visibility", object.visibility},
+                  {"visibility", object.visibility()},
                   {"location", numbersOf(unitsInAMetre(style_) * object.X_CO.translation())},
                   {"quaternion_xyzw", quaternionOf(object.X_CO)}};
     for (const Eigen::Vector2d& corner : cuboid.corners) {

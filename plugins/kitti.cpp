@@ -5,8 +5,8 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
-#include "plugins/shared/label_options.h"
 #include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
 
@@ -21,8 +21,8 @@ double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
 
 /// 0 fully visible, 1 partly occluded, 2 largely occluded: of the part in the image.
 int occlusionOf(const PixelCounts& pixels) {
-  const double seen = static_cast<double>(pixels.visible) /
-                      static_cast<double>(std::max<std::int64_t>(pixels.silhouette_in_image, 1));
+  const double seen = static_cast<double>(pixels.visible()) /
+                      static_cast<double>(std::max<std::int64_t>(pixels.silhouette_in_image(), 1));
   if (seen >= 0.9) return 0;
   return seen >= 0.5 ? 1 : 2;
 }
@@ -79,7 +79,7 @@ std::string calibration(const Intrinsics& k) {
 }
 
 /// The parameter `class_names`: class to KITTI's type. Types end at the first space.
-std::map<std::string, std::string> typesOf(const WriterParameters& parameters,
+std::map<std::string, std::string> typesOf(WriterParameters& parameters,
                                            const DatasetInfo& dataset) {
   std::map<std::string, std::string> types;
   std::vector<std::string> classes;
@@ -97,7 +97,7 @@ std::map<std::string, std::string> typesOf(const WriterParameters& parameters,
     }
     types[each.name] = type;
   }
-  const Parameters group = parameters.group("class_names");
+  Parameters group = parameters.group("class_names");
   for (const std::string& name : group.names()) {
     const auto type = group.required<std::string>(name);
     if (types.count(name) == 0) {
@@ -119,15 +119,14 @@ std::map<std::string, std::string> typesOf(const WriterParameters& parameters,
 /// http://www.cvlibs.net/datasets/kitti/eval_object.php, readme.txt of its devkit_object
 class KittiWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     types_ = typesOf(parameters, dataset);
     box_ = readBoxChoice(parameters);
     dont_care_ = parameters.optional("dont_care", true);
     for (std::size_t i = 0; i < dataset.cameras.size(); ++i) {
-      folders_.push_back(cameraFolder(dataset, i));
+      folders_.push_back(dataset.cameraFolder(i));
     }
-    for (const SplitInfo& split : dataset.splits) splits_.push_back(split.name);
-    if (splits_.empty()) splits_.emplace_back("train");
+    splits_ = dataset.splitFolders();
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -145,7 +144,7 @@ class KittiWriter : public LabelWriter {
       if (object.labelled()) {
         labels += label(object, scene.camera);
         is_tilted = is_tilted || tiltOf(object.X_CO) > kLargestTilt;
-      } else if (dont_care_ && object.pixels.visible > 0) {
+      } else if (dont_care_ && object.pixels.visible() > 0) {
         labels += dontCare(object, scene.camera);
       }
     }
@@ -159,31 +158,31 @@ class KittiWriter : public LabelWriter {
     output.addImage(training + "image_2/" + number + ".png", scene.image);
     output.addText(training + "label_2/" + number + ".txt", labels);
     output.addText(training + "calib/" + number + ".txt", calibration(scene.camera.intrinsics()));
-    output.addRecord(recordOf(scene.camera_index, splitOf(scene)) + number);
+    const std::string split = scene.splitFolder();
+    output.addRecord(imageSet(scene.camera_index, split), number);
+    if (split == "train" || split == "val") {
+      output.addRecord(imageSet(scene.camera_index, kTrainVal), number);
+    }
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
     for (std::size_t camera = 0; camera < folders_.size(); ++camera) {
-      for (const std::string& split : splits_) addImageSet(records, output, camera, split, {split});
-      addImageSet(records, output, camera, "trainval", {"train", "val"});
+      for (const std::string& split : splits_) addImageSet(records, output, camera, split);
+      addImageSet(records, output, camera, kTrainVal);
     }
   }
 
-  /// A record is this with the image's number behind it.
-  [[nodiscard]] static std::string recordOf(std::size_t camera, const std::string& split) {
-    return std::to_string(camera) + " " + split + " ";
+  /// The channel of the numbers of a list's images.
+  [[nodiscard]] static std::string imageSet(std::size_t camera, const std::string& name) {
+    return std::to_string(camera) + " " + name;
   }
 
   void addImageSet(const SceneRecords& records, DatasetOutput& output, std::size_t camera,
-                   const std::string& name, const std::vector<std::string>& splits) const {
+                   const std::string& name) const {
     output.addFile(folders_[camera] + "ImageSets/" + name + ".txt", [&](std::ostream& list) {
-      records.forEach([&](std::int64_t /*scene*/, const std::string& record) {
-        for (const std::string& split : splits) {
-          const std::string beginning = recordOf(camera, split);
-          if (record.compare(0, beginning.size(), beginning) != 0) continue;
-          list << record.substr(beginning.size()) << '\n';
-        }
-      });
+      records.forEach(
+          imageSet(camera, name),
+          [&](std::int64_t /*scene*/, const std::string& number) { list << number << '\n'; });
     });
   }
 
@@ -192,7 +191,7 @@ class KittiWriter : public LabelWriter {
     const auto box = boxOf(object, box_, camera);
     if (!box) return "";
     const Placement placement = placementOf(object);
-    return types_.at(object.class_name) + columns({object.truncation}) + " " +
+    return types_.at(object.class_name) + columns({object.truncation()}) + " " +
            std::to_string(occlusionOf(object.pixels)) + columns({placement.alpha}) +
            boxColumns(*box) + placement.columns + "\n";
   }
@@ -202,6 +201,8 @@ class KittiWriter : public LabelWriter {
     if (!box) return "";
     return "DontCare -1 -1 -10" + boxColumns(*box) + " -1 -1 -1 -1000 -1000 -1000 -10\n";
   }
+
+  static constexpr const char* kTrainVal = "trainval";
 
   std::map<std::string, std::string> types_;
   BoxChoice box_ = BoxChoice::kVisible;

@@ -36,7 +36,7 @@ std::string folderOf(const std::string& name) {
 /// `mask/N.png` and `labels/N.txt`: the id, then each keypoint's place as fractions of the image.
 class StvNetWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
     parameters.ignore("tf_timeout");  // of nn_data_collection
   }
 
@@ -57,7 +57,7 @@ class StvNetWriter : public LabelWriter {
       }
       const std::string folder = folderOf(object.name);
       output.addImage(folder + "/JPEGImages/" + scene.name + ".png", scene.image);
-      output.addImage(folder + "/mask/" + scene.name + ".png", object.silhouette);
+      output.addMask(folder + "/mask/" + scene.name + ".png", object.silhouette());
       output.addText(folder + "/labels/" + scene.name + ".txt", *text);
     }
   }

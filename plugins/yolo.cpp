@@ -16,13 +16,13 @@ namespace synthetic_dataset {
 /// data file. https://github.com/AlexeyAB/darknet#how-to-train-to-detect-your-custom-objects
 class YoloWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
-    parameters.ignore("tf_timeout");                              // of nn_data_collection
-    const std::string list = parameters.requiredFile(kMainList);  // the core knows it from here on
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
+    parameters.ignore("tf_timeout");  // of nn_data_collection
+    main_list_ = parameters.requiredFile(kMainList);
     cut_to_image_ = parameters.optional("cut_to_image", true);
     output_folder_ = parameters.outputFolder();
-    if (!isOfAScene(list, dataset)) return;
-    parameters.addError(kMainList, "found '" + list +
+    if (!isOfAScene(main_list_.path(), dataset)) return;
+    parameters.addError(kMainList, "found '" + main_list_.path() +
                                        "', where a scene's files go; the list should have another "
                                        "name, 'list.txt' for instance");
   }
@@ -46,12 +46,12 @@ class YoloWriter : public LabelWriter {
 
     output.addImage(scene.name + ".png", scene.image);
     output.addText(scene.name + ".txt", labels);
-    output.addRecord(scene.name + ".png");
+    output.addRecord(kImages, scene.name + ".png");
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
-    output.addFileAtParameter(kMainList, [&](std::ostream& list) {
-      records.forEach([&](std::int64_t /*scene*/, const std::string& image) {
+    output.addFileAtParameter(main_list_, [&](std::ostream& list) {
+      records.forEach(kImages, [&](std::int64_t /*scene*/, const std::string& image) {
         list << output_folder_ << image << '\n';
       });
     });
@@ -73,7 +73,9 @@ class YoloWriter : public LabelWriter {
   }
 
   static constexpr const char* kMainList = "main_list";
+  static constexpr const char* kImages = "images";  // of records
 
+  FileParameter main_list_;
   bool cut_to_image_ = true;
   std::string output_folder_;
 };

@@ -4,7 +4,7 @@
 #include <optional>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// An axis-aligned box in the image [px], in OpenCV's convention: the centre of the top left pixel
 /// is (0, 0), so an image of W x H pixels spans (-0.5, -0.5) to (W - 0.5, H - 0.5).
@@ -26,5 +26,5 @@ struct Box {
   return std::nullopt;
 }
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

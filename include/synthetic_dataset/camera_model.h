@@ -9,7 +9,7 @@
 #include "synthetic_dataset/box.h"
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// A pinhole camera's inner geometry [px]: u = fx * x / z + cx, v = fy * y / z + cy.
 struct Intrinsics {
@@ -77,10 +77,14 @@ class CameraModel {
   /// Nothing where the lens sees nothing (the corners of a fisheye's image).
   [[nodiscard]] std::optional<Eigen::Vector3d> ray(const Eigen::Vector2d& pixel) const;
 
+  /// Whether the intrinsics alone describe the image: there is no distortion, or none that bends
+  /// anything.
+  [[nodiscard]] bool isPinhole() const;
+
   /// How far from its axis the lens sees [rad]: up to pi / 2, an equidistant one up to pi.
   [[nodiscard]] double largestAngle() const { return largest_angle_; }
 
-  /// The box round the projection of the points' convex hull, which is clipped at the near plane
+  /// The box around the projection of the points' convex hull, which is clipped at the near plane
   /// and at the lens's largest angle but not at the image's edge. Nothing when none of it is left.
   /// An equidistant lens has no near plane: its box is that of the hull down to the camera, unless
   /// all of the hull is nearer than `near`. Edges bend with distortion; the box holds them to
@@ -101,5 +105,5 @@ class CameraModel {
   double largest_angle_;
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

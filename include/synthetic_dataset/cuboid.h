@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// A box along the axes of some frame [m].
 struct Cuboid {
@@ -27,5 +27,5 @@ struct Cuboid {
   }
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// Anything that the user can mend: the message names the parameter or the file, says what was
 /// found and what would be right.
@@ -26,5 +26,5 @@ class ErrorList : public Error {
   std::vector<std::string> messages_;
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

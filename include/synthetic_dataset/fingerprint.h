@@ -6,7 +6,7 @@
 #include <string_view>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// Tells contents apart, not to be relied on against anybody who wants two to be alike: FNV-1a of
 /// 64 bits (http://www.isthe.com/chongo/tech/comp/fnv/). The same on every machine.
@@ -36,5 +36,5 @@ class Fingerprint {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -4,7 +4,7 @@
 #include <string>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// A number with a fixed count of decimals, whatever the locale: `fixed(2.5, 5)` is "2.50000".
 [[nodiscard]] std::string fixed(double number, int decimals);
@@ -17,5 +17,5 @@ inline namespace v1 {
 /// that was changed ends in a hash of the text, so that different texts keep different names.
 [[nodiscard]] std::string safeFileName(const std::string& text);
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

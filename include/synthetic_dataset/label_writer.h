@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <map>
-#include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "synthetic_dataset/object_model.h"
@@ -14,7 +14,7 @@
 #include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// The parameters below a writer's name, and what the core knows of the writer.
 class WriterParameters : public Parameters {
@@ -28,18 +28,18 @@ class WriterParameters : public Parameters {
   /// Where this writer's files go: absolute, ending in `/`.
   [[nodiscard]] const std::string& outputFolder() const { return output_folder_; }
 
-  /// The path of a file that the user names in a parameter, for DatasetOutput::addFileAtParameter;
-  /// a relative one is relative to the writer's output folder.
-  /// The core checks before the first scene that the file can be made.
-  [[nodiscard]] std::string requiredFile(const std::string& name) const;
+  /// A file that the user names in a parameter, for DatasetOutput::addFileAtParameter; a relative
+  /// path is relative to the writer's output folder. The core checks before the first scene that
+  /// the file can be made.
+  [[nodiscard]] FileParameter requiredFile(const std::string& name);
 
-  /// The files read with `requiredFile`: parameter name to path.
-  [[nodiscard]] const std::map<std::string, std::string>& files() const { return *files_; }
+  /// The paths of all files read with `requiredFile`.
+  [[nodiscard]] const std::set<std::string>& files() const { return files_; }
 
  private:
   std::string writer_name_;
   std::string output_folder_;
-  std::shared_ptr<std::map<std::string, std::string>> files_;
+  std::set<std::string> files_;
 };
 
 /// What is known of an object before the first scene.
@@ -51,12 +51,12 @@ struct ObjectInfo {
   std::size_t keypoint_count = 0;
   std::vector<std::string> keypoint_names;  ///< as many: the parameter, else "0", "1", ...
 
-  /// Whether there may be scenes in which it wears another model than DatasetInfo::model() has, or
+  /// Whether there may be scenes in which it has another model than DatasetInfo::model() says, or
   /// is of another size: of each scene, SceneObject counts. A format that has room for one model
   /// alone cannot hold such scenes.
   bool model_varies = false;
 
-  /// Pairs of keypoints to draw lines between, by their places from 0.
+  /// Pairs of keypoints to draw lines between, by their indices.
   std::vector<std::array<std::size_t, 2>> skeleton;
 };
 
@@ -89,6 +89,7 @@ struct MotionInfo {
   std::string name;                ///< of its entry in `motions`, or its number from 0
   std::int64_t first_instant = 0;  ///< Scene::instant of its first scenes
   std::int64_t instant_count = 0;  ///< times; each is a scene of every camera
+  double rate = 0.0;               ///< its times in a second [Hz]; 0 where scenes are placed
 };
 
 /// What is known of the dataset before the first scene.
@@ -104,19 +105,50 @@ struct DatasetInfo {
   /// The surface of an object, with its links as its model file places them. Made anew at each
   /// call.
   /// @param object  its index in `objects`
-  [[nodiscard]] ObjectModel model(std::size_t object) const { return models(object); }
+  /// @throws Error where models are not known
+  [[nodiscard]] ObjectModel model(std::size_t object) const;
 
-  std::function<ObjectModel(std::size_t object)> models;
+  /// The names of the splits in their order; "train" alone where none were asked for.
+  [[nodiscard]] std::vector<std::string> splitFolders() const;
+
+  /// The index in `classes` of a class.
+  /// @throws Error where no class has this number
+  [[nodiscard]] std::size_t classIndex(int class_id) const;
+
+  /// The classes' names by their numbers, "unused_3" for those that no class has: formats that
+  /// number classes from 0 without gaps have such a list.
+  [[nodiscard]] std::vector<std::string> classNamesWithoutGaps() const;
+
+  /// The folder of a camera's files, with a `/` at its end; "" where there is one camera alone.
+  [[nodiscard]] std::string cameraFolder(std::size_t camera) const;
+
+  /// For formats that hold one calibration of each camera for all of its images.
+  /// @param file  in which it stands, for the message
+  /// @throws Error where a camera's intrinsics differ from scene to scene
+  void refuseVaryingIntrinsics(const std::string& file) const;
+
+  /// For formats that hold one model of each object for all images.
+  /// @param file  in which it stands, for the message
+  /// @throws Error where an object's model or size differs from scene to scene
+  void refuseVaryingModels(const std::string& file) const;
+
+  /// For who makes datasets: how `model` knows surfaces.
+  using Models = std::function<ObjectModel(std::size_t object)>;
+  void setModels(Models models) { models_ = std::move(models); }
+
+ private:
+  Models models_;
 };
 
-/// What a writer needs to be computed. What no writer asks for is not computed.
+/// What a writer needs to be computed. What no writer asks for is not computed, and asking the
+/// scene for it throws.
 struct Requirements {
-  bool silhouettes = false;  ///< SceneObject::silhouette
-  bool visible_masks =
-      false;  ///< SceneObject::visible_mask, visible_box, pixels.visible; Scene::instance_map
+  bool silhouettes = false;         ///< SceneObject::silhouette
+  bool visible_masks = false;       ///< SceneObject::visible_mask, visible_box, pixels.visible;
+                                    ///< Scene::instance_map
   bool visibility = false;          ///< SceneObject::pixels, visibility, truncation, silhouette_box
   bool keypoint_states = false;     ///< Keypoint::state
-  bool class_map = false;           ///< Scene::class_map
+  bool class_map = false;           ///< Scene::class_map, and all of visible_masks
   bool depth = false;               ///< Scene::depth
   bool normals = false;             ///< Scene::normals
   bool optical_flow = false;        ///< Scene::optical_flow
@@ -132,6 +164,14 @@ struct Requirements {
 /// skips scenes that are already there, so `finalize` learns about scenes from the records alone.
 ///
 /// Errors: throw Error (or any std::exception); the public methods add the writer's name.
+///
+/// What a writer need not check, as the core does: the order of the calls; that parameters have the
+/// type that they are read as, and that none is misspelt; that names of objects, classes and
+/// cameras are one line of UTF-8, and that an object's class is in DatasetInfo::classes; that
+/// required frames are known and what is required is there; that paths stay in the writer's folder,
+/// are used once and do not meet those of other writers; that files can be written, and their
+/// format can hold the pixels; that scenes come from several runs or processes.
+///
 /// Export with PLUGINLIB_EXPORT_CLASS(my_package::MyWriter, synthetic_dataset::LabelWriter).
 class LabelWriter {
  public:
@@ -142,7 +182,7 @@ class LabelWriter {
 
   /// @param parameters  the writer's own, in which wrong ones are noted
   /// @throws Error when it is called twice, or with what the writer throws
-  void initialize(const WriterParameters& parameters, const DatasetInfo& dataset);
+  void initialize(WriterParameters& parameters, const DatasetInfo& dataset);
 
   /// What has to be computed for this writer, the same at each call.
   /// @throws Error before `initialize`, or with what the writer throws
@@ -161,7 +201,7 @@ class LabelWriter {
 
  private:
   /// Reads the writer's parameters. Errors noted in `parameters` need not be thrown again.
-  virtual void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset);
+  virtual void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset);
 
   virtual Requirements doRequirements() const;
 
@@ -175,5 +215,5 @@ class LabelWriter {
   bool initialized_ = false;
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// The candidate that is spelt most nearly like `name` (by Levenshtein's distance), if it is near
 /// enough to be what a typing mistake meant: at most a third of the letters differ.
@@ -16,5 +16,5 @@ inline namespace v1 {
 [[nodiscard]] std::string didYouMean(const std::string& name,
                                      const std::vector<std::string>& candidates);
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

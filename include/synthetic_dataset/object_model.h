@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// An object's surface as triangles in its own frame, for formats that hold models.
 struct ObjectModel {
@@ -31,5 +31,5 @@ struct ObjectModel {
 /// @param scale  what a metre is in the file: 1 for metres, 1000 for millimetres
 void writePly(std::ostream& stream, const ObjectModel& model, double scale);
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -4,13 +4,32 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/matx.hpp>
 
+#include "synthetic_dataset/mask.h"
+
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
+
+/// A file at a place of the user's choice, which a writer reads with WriterParameters::requiredFile
+/// and hands to DatasetOutput::addFileAtParameter.
+class FileParameter {
+ public:
+  /// One that no parameter has named, and that cannot be written.
+  FileParameter() = default;
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  friend class WriterParameters;
+  explicit FileParameter(std::string path) : path_(std::move(path)) {}
+
+  std::string path_;
+};
 
 /// Takes the files that a writer wants for one scene; the core makes them.
 ///
@@ -34,8 +53,12 @@ class SceneOutput {
   ///     afterwards
   virtual void addImage(const std::string& path, const cv::Mat& image) = 0;
 
-  /// A PNG whose pixels are places in a table of colours, as segmentation datasets have it: loaders
-  /// read the numbers, people see the colours.
+  /// A mask as an image of 255 on the object and 0 elsewhere, of the size of the mask's image. The
+  /// image is made when it is encoded, so that many of them take little memory.
+  virtual void addMask(const std::string& path, const Mask& mask) = 0;
+
+  /// A PNG whose pixels are indices of a table of colours, as segmentation datasets have it:
+  /// loaders read the numbers, people see the colours.
   /// @param path  ends in .png
   /// @param indices  CV_8UC1, each below the number of colours
   /// @param palette  1 to 256 colours: blue, green, red
@@ -47,7 +70,9 @@ class SceneOutput {
 
   /// Something that the writer needs again in `finalize`: it is kept with the scene in the manifest
   /// and handed back in scene order. A writer holds no state from one scene to the next.
-  virtual void addRecord(std::string record) = 0;
+  /// @param channel  which of the writer's records it belongs to: "images", "val"; without newlines
+  /// @param record  any bytes
+  virtual void addRecord(const std::string& channel, std::string record) = 0;
 
   /// Something that the user should know about this scene ("alpha: a keypoint is behind the
   /// camera"); shown once a kind, counted in the summary.
@@ -63,9 +88,10 @@ class SceneRecords {
   SceneRecords& operator=(const SceneRecords&) = delete;
   virtual ~SceneRecords();
 
-  /// Calls `visit` for each record, in scene order and, in a scene, in the order of adding.
-  /// May be called more than once; holds one record in memory at a time.
-  virtual void forEach(const std::function<void(std::int64_t scene_index,
+  /// Calls `visit` for each record of a channel, in scene order and, in a scene, in the order of
+  /// adding. May be called more than once; holds one record in memory at a time.
+  virtual void forEach(const std::string& channel,
+                       const std::function<void(std::int64_t scene_index,
                                                 const std::string& record)>& visit) const = 0;
 };
 
@@ -85,8 +111,8 @@ class DatasetOutput {
 
   /// A file at the place that the user gave in a parameter of this writer, inside its folder or
   /// not: the only way out of the folder, and only the user opens it.
-  /// @param parameter  the name of a parameter that was read with WriterParameters::requiredFile
-  virtual void addFileAtParameter(const std::string& parameter, const Content& content) = 0;
+  /// @param file  as this writer has read it
+  virtual void addFileAtParameter(const FileParameter& file, const Content& content) = 0;
 
   /// A file in the writer's folder that a library writes by itself, given a name.
   /// @param write  is to make the file of the name that it is given, which is not `path`
@@ -101,5 +127,5 @@ class DatasetOutput {
   [[nodiscard]] virtual std::string readFile(const std::string& scene_file) const = 0;
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -11,13 +11,15 @@
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// Reads one group of parameters and remembers what was wrong, so that all errors are told at once.
 ///
 /// A wrong or missing parameter never throws here: the reader notes the error, with the parameter's
 /// full name, what was found and what would be right, and answers a harmless value. Who owns the
-/// root asks `errors()` at the end. Groups made by `group()` share the root's notes.
+/// root asks `errors()` at the end.
+///
+/// Methods that may note something are not const; copies and groups share their root's notes.
 ///
 /// Every parameter that was asked for counts as known; `unknownNames()` gives the others, which are
 /// most often misspelt.
@@ -31,28 +33,40 @@ class Parameters {
   /// @param name  the full name of this group, for messages; empty for the root
   explicit Parameters(Value values, std::string name = "");
 
-  [[nodiscard]] bool has(const std::string& name) const;
+  [[nodiscard]] bool has(const std::string& name);
 
   /// A parameter without which there is no run.
   template <class T>
-  [[nodiscard]] T required(const std::string& name) const;
+  [[nodiscard]] T required(const std::string& name);
 
   /// A parameter with a default, which `defaultsTaken()` lists when it was used.
   template <class T>
-  [[nodiscard]] T optional(const std::string& name, const T& fallback) const;
+  [[nodiscard]] T optional(const std::string& name, const T& fallback);
 
   /// A parameter whose absence means something of its own.
   template <class T>
-  [[nodiscard]] std::optional<T> maybe(const std::string& name) const;
+  [[nodiscard]] std::optional<T> maybe(const std::string& name);
+
+  /// A number from `least` to `most`, both included; otherwise an error is noted, and the fallback
+  /// taken.
+  template <class T>
+  [[nodiscard]] T optionalBetween(const std::string& name, T fallback, T least, T most);
+
+  /// A text that is one of a few; otherwise an error is noted.
+  [[nodiscard]] std::string requiredChoice(const std::string& name,
+                                           const std::vector<std::string>& choices);
+  [[nodiscard]] std::string optionalChoice(const std::string& name,
+                                           const std::vector<std::string>& choices,
+                                           const std::string& fallback);
 
   /// The parameters below `name`; an empty group where there are none.
-  [[nodiscard]] Parameters group(const std::string& name) const;
+  [[nodiscard]] Parameters group(const std::string& name);
 
   /// Notes an error about a parameter of this group: "<full name>: <message>".
-  void addError(const std::string& name, const std::string& message) const;
+  void addError(const std::string& name, const std::string& message);
 
   /// Takes note that a parameter is known although nobody reads it here.
-  void ignore(const std::string& name) const;
+  void ignore(const std::string& name);
 
   /// "group/name" as the user would write it below the node.
   [[nodiscard]] std::string fullName(const std::string& name) const;
@@ -78,7 +92,9 @@ class Parameters {
   struct Notes;
   Parameters(const Value::Map* values, std::string name, std::shared_ptr<Notes> notes);
 
-  [[nodiscard]] const Value* find(const std::string& name) const;
+  [[nodiscard]] const Value* find(const std::string& name);
+  void checkChoice(const std::string& name, const std::vector<std::string>& choices,
+                   const std::string& choice);
 
   std::shared_ptr<const Value> owned_;
   const Value::Map* values_ = nullptr;
@@ -86,5 +102,5 @@ class Parameters {
   std::shared_ptr<Notes> notes_;
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

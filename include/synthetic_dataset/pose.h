@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// A rigid transform. `X_AB` is the pose of frame B in frame A: `p_A = X_AB * p_B`; metres.
 ///
@@ -35,5 +35,5 @@ using Duration = std::chrono::nanoseconds;
   return X_AB;
 }
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

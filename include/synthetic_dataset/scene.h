@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -11,10 +12,12 @@
 #include "synthetic_dataset/box.h"
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/cuboid.h"
+#include "synthetic_dataset/mask.h"
 #include "synthetic_dataset/pose.h"
+#include "synthetic_dataset/required.h"
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// What the camera sees of a keypoint.
 enum class KeypointState {
@@ -31,19 +34,23 @@ struct Keypoint {
 
   double depth = 0.0;  ///< its z in the optical frame [m]
 
-  /// kOutside or kVisible unless a writer's requirements ask for keypoint states.
-  KeypointState state = KeypointState::kOutside;
+  Required<KeypointState> state{"Keypoint::state", "keypoint_states"};
 };
 
 /// How many pixels an object has. Their centres are what counts.
 struct PixelCounts {
-  std::int64_t silhouette = 0;           ///< of all of it, past the image's edge too
-  std::int64_t silhouette_in_image = 0;  ///< of the part in the image, as if nothing hid it
-  std::int64_t visible = 0;              ///< that the camera sees
+  /// Of its silhouette, past the image's edge too.
+  Required<std::int64_t> silhouette{"PixelCounts::silhouette", "visibility"};
+
+  /// Of the part of its silhouette in the image, as if nothing hid it.
+  Required<std::int64_t> silhouette_in_image{"PixelCounts::silhouette_in_image", "visibility"};
+
+  /// That the camera sees. Known with `visible_masks` too.
+  Required<std::int64_t> visible{"PixelCounts::visible", "visibility"};
 };
 
 /// One labelled object at one instant. Frames: G global, C the camera's optical frame, O the
-/// object.
+/// object. What is Required is called: `object.visibility()`.
 ///
 /// Its measures (`pixels`, `visibility`, `truncation`, `silhouette_box`) are exact whatever the
 /// parameter `masks/method`: they are counted in the renderer's identifiers. Its masks and its
@@ -54,7 +61,7 @@ struct SceneObject {
   std::string class_text;  ///< the parameter `class` as text: the class's name or its number
   std::string id;          ///< the parameter `id` as text
   int class_id = 0;        ///< of its class in DatasetInfo::classes
-  int instance = 0;        ///< its value in Scene::instance_map: its place in `robot_list`, from 1
+  int instance = 0;        ///< its value in Scene::instance_map: its index in `robot_list`, from 1
 
   Pose X_GO = Pose::Identity();
   Pose X_CO = Pose::Identity();
@@ -67,34 +74,32 @@ struct SceneObject {
   /// bounding shape where the model has none.
   Cuboid cuboid_O;
 
-  /// The loose box [px]: round the projected bounding shape, clipped at the near plane but not cut
-  /// to the image. Nothing when the whole shape is behind the camera.
+  /// The projected box [px]: round the projected bounding shape, clipped at the near plane but not
+  /// cut to the image. Nothing when the whole shape is behind the camera.
   std::optional<Box> loose_box;
 
-  /// Whether the loose box shares any area with the image.
+  /// Whether the projected box shares any area with the image.
   bool in_view = false;
 
-  /// The silhouette (amodal mask): CV_8UC1 of the image's size, 255 on the object as if nothing
-  /// stood in front of it, 0 elsewhere. With `masks/method: mog2`, what the static world hides is
-  /// not in it either. Empty unless required.
-  cv::Mat silhouette;
+  /// The silhouette (amodal mask) in the image: the object as if nothing stood in front of it. With
+  /// `masks/method: mog2`, what the static world hides is not in it either.
+  Required<Mask> silhouette{"SceneObject::silhouette", "silhouettes"};
 
-  /// The visible (modal) mask: CV_8UC1 of the image's size, 255 where the camera sees the object,
-  /// 0 elsewhere. Empty unless required.
-  cv::Mat visible_mask;
+  /// The visible (modal) mask: where the camera sees the object.
+  Required<Mask> visible_mask{"SceneObject::visible_mask", "visible_masks"};
 
   /// Tight boxes [px] round all pixels, from the first one's edge to the last one's; nothing where
   /// there is no pixel. That of the silhouette reaches past the image's edge.
-  std::optional<Box> silhouette_box;
-  std::optional<Box> visible_box;
+  Required<std::optional<Box>> silhouette_box{"SceneObject::silhouette_box", "visibility"};
+  Required<std::optional<Box>> visible_box{"SceneObject::visible_box", "visible_masks"};
 
   PixelCounts pixels;
 
   /// Visible pixels / pixels of the silhouette, the latter taken past the image's edge; 0 .. 1.
-  double visibility = 0.0;
+  Required<double> visibility{"SceneObject::visibility", "visibility"};
 
   /// The share of the silhouette outside the image, 0 .. 1.
-  double truncation = 0.0;
+  Required<double> truncation{"SceneObject::truncation", "visibility"};
 
   /// Too little of it is visible for the parameters `labels/min_visibility` and
   /// `labels/min_pixels`; false where these are not set.
@@ -104,16 +109,16 @@ struct SceneObject {
   [[nodiscard]] double distance() const { return X_CO.translation().norm(); }
 
   /// Whether it should have a label: a pixel of it is visible, and the thresholds let it through.
-  /// Known where the requirements ask for visible masks or visibility.
-  [[nodiscard]] bool labelled() const { return pixels.visible > 0 && !dropped; }
+  /// @throws Error unless visible masks or visibility are required
+  [[nodiscard]] bool labelled() const { return pixels.visible() > 0 && !dropped; }
 };
 
-/// Everything known about one instant. Valid only during the call that it is given to; its images
-/// share their pixels (cv::Mat), so copy what has to outlive the call.
+/// Everything known about one instant through one camera. Valid only during the call that it is
+/// given to; its images share their pixels (cv::Mat), so copy what has to outlive the call.
 struct Scene {
   explicit Scene(const CameraModel& model) : camera(model) {}
 
-  /// Place in the run's plan, from 0 without gaps. With several cameras, each instant is as many
+  /// Index in the run's plan, from 0 without gaps. With several cameras, each instant is as many
   /// scenes in a row.
   std::int64_t index = 0;
 
@@ -124,7 +129,7 @@ struct Scene {
   /// The camera's name: "camera" unless the parameters name it.
   std::string camera_name;
 
-  std::int64_t instant = 0;      ///< place of its time among the run's times, from 0
+  std::int64_t instant = 0;      ///< index of its time among the run's times
   std::size_t camera_index = 0;  ///< in DatasetInfo::cameras
 
   /// The split that it belongs to ("train", "val", "test"); empty where the parameters have none.
@@ -141,39 +146,48 @@ struct Scene {
 
   std::vector<SceneObject> objects;  ///< in the order of `robot_list`
 
-  // Pictures of the image's size, empty unless required.
+  // Pictures of the image's size.
 
   /// One pixel, one object: SceneObject::instance of the object that is seen, 0 for the world;
   /// CV_16UC1. The visible masks are its parts.
-  cv::Mat instance_map;
+  Required<cv::Mat> instance_map{"Scene::instance_map", "visible_masks"};
 
-  /// The class that is seen: its place in DatasetInfo::classes, from 1; 0 for the world; CV_16UC1.
-  cv::Mat class_map;
+  /// The class that is seen: its index in DatasetInfo::classes, from 1; 0 for the world; CV_16UC1.
+  Required<cv::Mat> class_map{"Scene::class_map", "class_map"};
 
   /// The z of what is seen, in the optical frame [m]; 0 where nothing is; CV_32FC1. Negative beside
   /// and behind a lens that sees past 90 degrees.
-  cv::Mat depth;
+  Required<cv::Mat> depth{"Scene::depth", "depth"};
 
   /// The unit normal of the surface that is seen, in the optical frame, towards the camera; 0 where
   /// nothing is; CV_32FC3 (x, y, z). Smooth where the mesh is: that of its vertices; without
   /// normal maps.
-  cv::Mat normals;
+  Required<cv::Mat> normals{"Scene::normals", "normals"};
 
   /// Where what is seen has moved to in this camera's next scene, minus where it is [px]; CV_32FC2
   /// (u, v). NaN where nothing is, where it leaves what the camera can project, and all over the
   /// last scene.
-  cv::Mat optical_flow;
+  Required<cv::Mat> optical_flow{"Scene::optical_flow", "optical_flow"};
 
   /// The pose of frame `source` in frame `target` at the scene's time.
   /// Frames are those of TF; the camera's optical frame is known by `camera_frame_id`.
-  /// @throws Error when the frames are not connected at this time; a frame that a writer names in
-  ///     its requirements is.
-  [[nodiscard]] Pose transform(const std::string& target, const std::string& source) const {
-    return lookup(target, source);
-  }
+  /// @throws Error when the frames are not connected at this time, or not known; a frame that a
+  ///     writer names in its requirements is
+  [[nodiscard]] Pose transform(const std::string& target, const std::string& source) const;
 
-  std::function<Pose(const std::string& target, const std::string& source)> lookup;
+  /// The folder of its split: "train" where the dataset has no splits.
+  [[nodiscard]] std::string splitFolder() const { return split.empty() ? "train" : split; }
+
+  /// Its name without folders, for formats that hold all images in one: "front_00000012".
+  [[nodiscard]] std::string flatName() const;
+
+  /// For who makes scenes: how `transform` knows poses.
+  using Transforms = std::function<Pose(const std::string& target, const std::string& source)>;
+  void setTransforms(Transforms transforms) { transforms_ = std::move(transforms); }
+
+ private:
+  Transforms transforms_;
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 /// What a parameter holds: a typed tree, as the ROS parameter server and YAML have it.
 class Value {
@@ -56,5 +56,5 @@ class Value {
   std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Map> data_;
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

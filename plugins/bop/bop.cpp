@@ -12,11 +12,11 @@
 #include "plugins/bop/bop_models.h"
 #include "plugins/bop/bop_scenes.h"
 #include "plugins/shared/json.h"
-#include "plugins/shared/label_options.h"
 #include "plugins/shared/mask_rle.h"
 #include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
-#include "synthetic_dataset/mask_bounds.h"
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -100,8 +100,9 @@ Json cocoBox(const cv::Rect& pixels) {
 }
 
 /// COCO's uncompressed run lengths.
-Json runLengths(const cv::Mat& mask, const cv::Rect& extent) {
-  return {{"counts", masks::columnRuns(mask, extent)}, {"size", {mask.rows, mask.cols}}};
+Json runLengths(const Mask& mask) {
+  return {{"counts", masks::columnRuns(mask)},
+          {"size", {mask.imageSize().height, mask.imageSize().width}}};
 }
 
 Json millimetres(const Eigen::Vector3d& p) { return numbersOf(kMillimetres * p); }
@@ -117,8 +118,8 @@ void addJson(DatasetOutput& output, const std::string& path, const Json& json) {
 /// nothing, as its scripts calc_gt_info.py, calc_gt_coco.py and create_test_targets.py have it.
 class BopWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
-    refuseVaryingModels(dataset, "mesh in models/");
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
+    dataset.refuseVaryingModels("mesh in models/");
     dataset_ = dataset;
     models_ = readBopModels(parameters, dataset);
     train_folder_ = "train";
@@ -137,7 +138,7 @@ class BopWriter : public LabelWriter {
       depth_scale_ = 1.0;
     }
     has_coco_ = parameters.optional("coco", true);
-    image_format_ = "." + optionalChoice(parameters, "image_format", {"png", "jpg"}, "png");
+    image_format_ = "." + parameters.optionalChoice("image_format", {"png", "jpg"}, "png");
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -154,7 +155,7 @@ class BopWriter : public LabelWriter {
     BopImage image = placeOf(scene);
     const std::string name = sixDigits(image.im_id);
     output.addImage(image.folder + "/rgb/" + name + image_format_, scene.image);
-    const DepthImage depth = depthImage(scene.depth, depth_scale_);
+    const DepthImage depth = depthImage(scene.depth(), depth_scale_);
     output.addImage(image.folder + "/depth/" + name + ".png", depth.pixels);
     if (depth.is_cut_off) {
       output.addWarning(
@@ -164,15 +165,14 @@ class BopWriter : public LabelWriter {
     std::map<int, int> target_counts;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const SceneObject& object = scene.objects[i];
-      if (object.pixels.silhouette_in_image == 0) continue;
+      if (object.pixels.silhouette_in_image() == 0) continue;
       const std::string end = "/" + name + "_" + sixDigits(image.poses.size()) + ".png";
-      output.addImage(image.folder + "/mask" + end, object.silhouette);
-      output.addImage(image.folder + "/mask_visib" + end, object.visible_mask);
+      output.addMask(image.folder + "/mask" + end, object.silhouette());
+      output.addMask(image.folder + "/mask_visib" + end, object.visible_mask());
       image.poses.push_back(poseOf(object, i));
-      const cv::Rect extent = maskBounds(object.silhouette);
-      image.infos.push_back(infoOf(object, depth.pixels, extent));
-      if (has_coco_) addAnnotation(object, i, extent, scene.camera, image);
-      if (object.visibility >= kFewestVisible) ++target_counts[models_.obj_ids.at(i)];
+      image.infos.push_back(infoOf(object, depth.pixels));
+      if (has_coco_) addAnnotation(object, i, scene.camera, image);
+      if (object.visibility() >= kFewestVisible) ++target_counts[models_.obj_ids.at(i)];
     }
     for (const auto& [obj_id, count] : target_counts) {
       image.targets.push_back({{"scene_id", sceneId(scene)},
@@ -180,7 +180,7 @@ class BopWriter : public LabelWriter {
                                {"obj_id", obj_id},
                                {"inst_count", count}});
     }
-    output.addRecord(image.record());
+    output.addRecord(kImages, image.record());
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
@@ -206,7 +206,7 @@ class BopWriter : public LabelWriter {
   /// Where a scene's files go, and its camera.
   [[nodiscard]] BopImage placeOf(const Scene& scene) const {
     BopImage image;
-    image.split = splitOf(scene);
+    image.split = scene.splitFolder();
     image.folder =
         (image.split == "train" ? train_folder_ : image.split) + "/" + sixDigits(sceneId(scene));
     image.series = scene.instant / images_per_scene_;
@@ -232,36 +232,36 @@ class BopWriter : public LabelWriter {
   }
 
   /// @param depth  as it is written: 0 where it has nothing
-  /// @param extent  round the silhouette in the image; empty where subtraction has found none
-  [[nodiscard]] static Json infoOf(const SceneObject& object, const cv::Mat& depth,
-                                   const cv::Rect& extent) {
+  [[nodiscard]] static Json infoOf(const SceneObject& object, const cv::Mat& depth) {
+    const Mask& silhouette = object.silhouette();  // empty where subtraction has found nothing
     cv::Mat valid;
-    if (!extent.empty()) cv::bitwise_and(depth(extent) > 0, object.silhouette(extent), valid);
-    const bool is_seen = object.pixels.visible > 0;
-    return {{"bbox_obj", toolkitBox(is_seen ? object.silhouette_box : std::nullopt)},
-            {"bbox_visib", toolkitBox(is_seen ? object.visible_box : std::nullopt)},
-            {"px_count_all", object.pixels.silhouette},
+    if (!silhouette.empty()) {
+      cv::bitwise_and(depth(silhouette.bounds()) > 0, silhouette.pixels(), valid);
+    }
+    const bool is_seen = object.pixels.visible() > 0;
+    return {{"bbox_obj", toolkitBox(is_seen ? object.silhouette_box() : std::nullopt)},
+            {"bbox_visib", toolkitBox(is_seen ? object.visible_box() : std::nullopt)},
+            {"px_count_all", object.pixels.silhouette()},
             {"px_count_valid", cv::countNonZero(valid)},
-            {"px_count_visib", object.pixels.visible},
-            {"visib_fract", object.visibility}};
+            {"px_count_visib", object.pixels.visible()},
+            {"visib_fract", object.visibility()}};
   }
 
   /// Of an object with a visible pixel: its visible mask, in the box round the part of its
   /// silhouette in the image (calc_gt_coco.py looks at the files in `mask`).
-  /// @param extent  as for infoOf
-  void addAnnotation(const SceneObject& object, std::size_t place, const cv::Rect& extent,
-                     const CameraModel& camera, BopImage& image) const {
-    const cv::Rect visible = visiblePixels(object);
+  void addAnnotation(const SceneObject& object, std::size_t place, const CameraModel& camera,
+                     BopImage& image) const {
+    const Mask& visible = object.visible_mask();
     if (visible.empty()) return;
     image.annotations.push_back({{"image_id", image.im_id},
                                  {"category_id", models_.obj_ids.at(place)},
                                  {"iscrowd", 0},
-                                 {"area", cv::countNonZero(object.visible_mask(visible))},
-                                 {"bbox", cocoBox(extent)},
-                                 {"segmentation", runLengths(object.visible_mask, visible)},
+                                 {"area", visible.count()},
+                                 {"bbox", cocoBox(object.silhouette().bounds())},
+                                 {"segmentation", runLengths(visible)},
                                  {"width", camera.width()},
                                  {"height", camera.height()},
-                                 {"ignore", object.visibility < kFewestVisible}});
+                                 {"ignore", object.visibility() < kFewestVisible}});
   }
 
   [[nodiscard]] Json cocoHeader() const {

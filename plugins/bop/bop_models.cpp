@@ -21,7 +21,7 @@ std::vector<std::string> namesOf(const DatasetInfo& dataset) {
 }
 
 /// Notes an error for each entry of a group that is no object's name.
-void requireObjectNames(const Parameters& group, const DatasetInfo& dataset) {
+void requireObjectNames(Parameters& group, const DatasetInfo& dataset) {
   const std::vector<std::string> objects = namesOf(dataset);
   for (const std::string& name : group.names()) {
     if (std::find(objects.begin(), objects.end(), name) != objects.end()) continue;
@@ -30,8 +30,8 @@ void requireObjectNames(const Parameters& group, const DatasetInfo& dataset) {
   }
 }
 
-std::vector<int> readObjIds(const Parameters& parameters, const DatasetInfo& dataset) {
-  const Parameters group = parameters.group("obj_ids");
+std::vector<int> readObjIds(Parameters& parameters, const DatasetInfo& dataset) {
+  Parameters group = parameters.group("obj_ids");
   requireObjectNames(group, dataset);
   std::vector<std::optional<int>> given;
   std::set<int> taken;
@@ -122,11 +122,11 @@ ObjectModel inModelFrame(ObjectModel model, const Pose& X_OM) {
 
 }  // namespace
 
-BopModels readBopModels(const Parameters& parameters, const DatasetInfo& dataset) {
+BopModels readBopModels(Parameters& parameters, const DatasetInfo& dataset) {
   BopModels models;
   models.obj_ids = readObjIds(parameters, dataset);
   const bool is_centred = parameters.optional("centre_models", true);
-  const Parameters symmetries = parameters.group("symmetries");
+  Parameters symmetries = parameters.group("symmetries");
   requireObjectNames(symmetries, dataset);
   for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
     const int id = models.obj_ids[i];

@@ -38,7 +38,7 @@ struct BopModels {
 };
 
 /// Reads `obj_ids`, `centre_models` and `symmetries`, and measures the models.
-[[nodiscard]] BopModels readBopModels(const Parameters& parameters, const DatasetInfo& dataset);
+[[nodiscard]] BopModels readBopModels(Parameters& parameters, const DatasetInfo& dataset);
 
 /// The folders `models` and `models_eval`.
 void addBopModels(const BopModels& models, const DatasetInfo& dataset, DatasetOutput& output);

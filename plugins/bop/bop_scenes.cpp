@@ -92,7 +92,7 @@ BopImage BopImage::fromRecord(const std::string& record) {
 void addBopSceneFiles(const SceneRecords& records, const Json& coco_header, DatasetOutput& output) {
   SceneFolders folders;
   std::int64_t series = 0;
-  records.forEach([&](std::int64_t /*scene*/, const std::string& record) {
+  records.forEach(kImages, [&](std::int64_t /*scene*/, const std::string& record) {
     const BopImage image = BopImage::fromRecord(record);
     if (image.series != series) {
       addFiles(folders, coco_header, output);
@@ -108,7 +108,7 @@ void addBopTargets(const SceneRecords& records, const std::string& split, Datase
   output.addFile("test_targets_bop19.json", [&](std::ostream& stream) {
     stream << "[";
     const char* separator = "\n";
-    records.forEach([&](std::int64_t /*scene*/, const std::string& record) {
+    records.forEach(kImages, [&](std::int64_t /*scene*/, const std::string& record) {
       const BopImage image = BopImage::fromRecord(record);
       if (image.split != split) return;
       for (const Json& target : image.targets) {

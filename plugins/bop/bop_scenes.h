@@ -8,6 +8,8 @@
 /// The JSON files of BOP's scene folders: what images leave in records, gathered folder by folder.
 namespace synthetic_dataset {
 
+inline constexpr const char* kImages = "images";  ///< the channel of all records
+
 /// What one image adds to the JSON files of the folder that it is in.
 struct BopImage {
   std::string split;        ///< "train"

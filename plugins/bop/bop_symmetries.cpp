@@ -69,7 +69,7 @@ Value::List entriesOf(const Value& value) {
 
 }  // namespace
 
-void readSymmetries(const Parameters& parameters, BopModel& model) {
+void readSymmetries(Parameters parameters, BopModel& model) {
   const Pose X_MO = model.X_OM.inverse();
   model.discrete_symmetries.clear();
   model.continuous_symmetries.clear();

@@ -7,6 +7,6 @@ namespace synthetic_dataset {
 /// Reads an object's symmetries: `discrete`, transforms of 16 numbers each, row by row [m], and
 /// `continuous`, axes with an offset [m]; both in the object's frame. Notes errors.
 /// @param model  gets them, in its own frame, instead of those that it has
-void readSymmetries(const Parameters& parameters, BopModel& model);
+void readSymmetries(Parameters parameters, BopModel& model);
 
 }  // namespace synthetic_dataset

@@ -8,10 +8,10 @@
 
 #include "plugins/cityscapes/cityscapes_files.h"
 #include "plugins/shared/colour_map.h"
-#include "plugins/shared/label_options.h"
 #include "plugins/shared/mask_outlines.h"
 #include "plugins/shared/pixel_map.h"
 #include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
@@ -43,14 +43,14 @@ struct PixelValues {
 /// https://github.com/mcordts/cityscapesScripts
 class CityscapesWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     cities_ = cityNames(dataset.cameras);
     world_id_ = parameters.optional("world_id", 0);
     if (world_id_ < 0 || world_id_ > kGreatestLabel) {
       parameters.addError("world_id", "found " + std::to_string(world_id_) +
                                           "; it should be 0 to " + std::to_string(kGreatestLabel));
     }
-    const Parameters ids = parameters.group("label_ids");
+    Parameters ids = parameters.group("label_ids");
     for (const ClassInfo& each : dataset.classes) {
       // 0 is what has no label.
       const int id = ids.maybe<int>(each.name).value_or(each.id + 1);
@@ -78,10 +78,11 @@ class CityscapesWriter : public LabelWriter {
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     const std::string& city = cities_.at(scene.camera_index);
-    const std::string name = splitOf(scene) + "/" + city + "/" + imageName(city, scene.instant);
+    const std::string name =
+        scene.splitFolder() + "/" + city + "/" + imageName(city, scene.instant);
     std::vector<CityscapesPolygon> polygons;
     const std::vector<PixelValues> values = valuesOf(scene, polygons, output);
-    const cv::Mat_<ushort> instances = scene.instance_map;
+    const cv::Mat_<ushort> instances = scene.instance_map();
     const auto labels =
         mapped<uchar>(instances, [&](ushort instance) { return values.at(instance).label; });
     const std::vector<cv::Vec3b> colours = vocColourMap();
@@ -120,7 +121,7 @@ class CityscapesWriter : public LabelWriter {
       values.at(static_cast<std::size_t>(object.instance)) = {
           static_cast<uchar>(label.id),
           static_cast<ushort>(is_single ? label.id * kInstancesOfLabel + number : label.id)};
-      masks::Ring ring = masks::centreRing(object.visible_mask);
+      masks::Ring ring = masks::centreRing(object.visible_mask());
       if (!ring.empty()) {
         polygons.push_back({label.name + (is_single ? "" : "group"), std::move(ring)});
       }

@@ -7,19 +7,19 @@
 #include "plugins/coco/coco_keypoints.h"
 #include "plugins/shared/colour_map.h"
 #include "plugins/shared/json.h"
-#include "plugins/shared/label_options.h"
 #include "plugins/shared/mask_outlines.h"
 #include "plugins/shared/mask_rle.h"
+#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
 namespace {
 
 /// The mask as COCO's `segmentation`.
-Json segmentationOf(const cv::Mat& mask, const cv::Rect& extent, bool as_polygons) {
+Json segmentationOf(const Mask& mask, bool as_polygons) {
   if (!as_polygons) {
-    return {{"size", {mask.rows, mask.cols}},
-            {"counts", masks::cocoCounts(masks::columnRuns(mask, extent))}};
+    return {{"size", {mask.imageSize().height, mask.imageSize().width}},
+            {"counts", masks::cocoCounts(masks::columnRuns(mask))}};
   }
   Json polygons = Json::array();
   for (const masks::Ring& ring : masks::edgeRings(mask)) {
@@ -41,18 +41,17 @@ Json segmentationOf(const cv::Mat& mask, const cv::Rect& extent, bool as_polygon
 /// (detectron2's loader adds half a pixel to keypoints alone).
 class CocoWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     as_polygons_ =
-        optionalChoice(parameters, "segmentation", {"rle", "polygons"}, "rle") == "polygons";
-    extension_ = optionalChoice(parameters, "image_format", {"png", "jpg"}, "png");
+        parameters.optionalChoice("segmentation", {"rle", "polygons"}, "rle") == "polygons";
+    extension_ = parameters.optionalChoice("image_format", {"png", "jpg"}, "png");
     box_ = readBoxChoice(parameters);
     panoptic_ = parameters.optional("panoptic", false);
     if (parameters.optional("keypoints", true)) keypoints_ = CocoKeypoints(dataset);
     classes_ = dataset.classes;
     object_count_ = static_cast<std::int64_t>(dataset.objects.size());
     has_splits_ = !dataset.splits.empty();
-    for (const SplitInfo& split : dataset.splits) splits_.push_back(split.name);
-    if (!has_splits_) splits_.emplace_back("train");
+    splits_ = dataset.splitFolders();
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -63,21 +62,21 @@ class CocoWriter : public LabelWriter {
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
-    const std::string split = splitOf(scene);
+    const std::string split = scene.splitFolder();
     const std::string file_name = scene.name + "." + extension_;
     output.addImage("images/" + (has_splits_ ? split + "/" : "") + file_name, scene.image);
-    output.addRecord(headingOf(kImages, split) + jsonText(imageOf(scene, file_name)));
+    output.addRecord(channelOf(kImages, split), jsonText(imageOf(scene, file_name)));
 
     std::vector<const SceneObject*> labelled;
     std::string annotations;
     for (const SceneObject& object : scene.objects) {
       const auto box = boxOf(object, box_, scene.camera);
-      if (!object.labelled() || !object.visible_box || !box) continue;
+      if (!object.labelled() || !object.visible_box() || !box) continue;
       labelled.push_back(&object);
       annotations +=
           (annotations.empty() ? "" : ",\n") + jsonText(annotationOf(scene, object, *box));
     }
-    if (!annotations.empty()) output.addRecord(headingOf(kAnnotations, split) + annotations);
+    if (!annotations.empty()) output.addRecord(channelOf(kAnnotations, split), annotations);
     if (panoptic_) writePanoptic(scene, labelled, output);
   }
 
@@ -96,8 +95,8 @@ class CocoWriter : public LabelWriter {
   static constexpr const char* kAnnotations = "annotations";
   static constexpr const char* kPanoptic = "panoptic";
 
-  [[nodiscard]] static std::string headingOf(const std::string& list, const std::string& split) {
-    return list + " " + split + "\n";
+  [[nodiscard]] static std::string channelOf(const std::string& list, const std::string& split) {
+    return list + " " + split;
   }
 
   [[nodiscard]] static std::int64_t imageId(const Scene& scene) { return scene.index + 1; }
@@ -119,22 +118,20 @@ class CocoWriter : public LabelWriter {
   /// can be made apart and merged.
   [[nodiscard]] Json annotationOf(const Scene& scene, const SceneObject& object,
                                   const Box& box) const {
-    const cv::Rect visible = visiblePixels(object);
-    Json annotation = {
-        {"id", scene.index * object_count_ + object.instance},
-        {"image_id", imageId(scene)},
-        {"category_id", categoryId(object.class_id)},
-        {"bbox", cocoBox(box)},
-        {"area", cv::countNonZero(object.visible_mask(visible))},
-        {"iscrowd", 0},
-        {"segmentation", segmentationOf(object.visible_mask, visible, as_polygons_)}};
+    Json annotation = {{"id", scene.index * object_count_ + object.instance},
+                       {"image_id", imageId(scene)},
+                       {"category_id", categoryId(object.class_id)},
+                       {"bbox", cocoBox(box)},
+                       {"area", object.visible_mask().count()},
+                       {"iscrowd", 0},
+                       {"segmentation", segmentationOf(object.visible_mask(), as_polygons_)}};
     // COCOeval wants keypoints of all annotations or of none.
     if (keypoints_.any()) addKeypoints(object, annotation);
     Json more = {{"object", object.name},
                  {"id", object.id},
-                 {"visibility", object.visibility},
-                 {"truncation", object.truncation}};
-    if (object.silhouette_box) more["amodal_bbox"] = cocoBox(*object.silhouette_box);
+                 {"visibility", object.visibility()},
+                 {"truncation", object.truncation()}};
+    if (object.silhouette_box()) more["amodal_bbox"] = cocoBox(*object.silhouette_box());
     annotation["synthetic_dataset"] = std::move(more);
     return annotation;
   }
@@ -166,21 +163,21 @@ class CocoWriter : public LabelWriter {
                                                static_cast<uchar>(id >> 8), static_cast<uchar>(id)};
       segments.push_back({{"id", id},
                           {"category_id", categoryId(object->class_id)},
-                          {"area", cv::countNonZero(object->visible_mask(visiblePixels(*object)))},
-                          {"bbox", cocoBox(*object->visible_box)},
+                          {"area", object->visible_mask().count()},
+                          {"bbox", cocoBox(*object->visible_box())},
                           {"iscrowd", 0}});
     }
-    cv::Mat_<cv::Vec3b> ids(scene.instance_map.size());
-    const cv::Mat_<std::uint16_t> instances = scene.instance_map;
+    cv::Mat_<cv::Vec3b> ids(scene.instance_map().size());
+    const cv::Mat_<std::uint16_t> instances = scene.instance_map();
     std::transform(instances.begin(), instances.end(), ids.begin(),
                    [&](std::uint16_t instance) { return colours[instance]; });
 
-    const std::string split = splitOf(scene);
+    const std::string split = scene.splitFolder();
     const std::string file_name = scene.name + ".png";
     output.addImage("annotations/panoptic_" + split + "/" + file_name, ids);
-    output.addRecord(headingOf(kPanoptic, split) + jsonText({{"image_id", imageId(scene)},
-                                                             {"file_name", file_name},
-                                                             {"segments_info", segments}}));
+    output.addRecord(channelOf(kPanoptic, split), jsonText({{"image_id", imageId(scene)},
+                                                            {"file_name", file_name},
+                                                            {"segments_info", segments}}));
   }
 
   [[nodiscard]] Json instanceCategories() const {
@@ -219,11 +216,10 @@ class CocoWriter : public LabelWriter {
                                   const std::string& annotation_list, const Json& categories,
                                   const SceneRecords& records, DatasetOutput& output) {
     const auto writeList = [&](std::ostream& file, const std::string& list) {
-      const std::string heading = headingOf(list, split);
       const char* separator = "\n";
-      records.forEach([&](std::int64_t /*scene*/, const std::string& record) {
-        if (record.compare(0, heading.size(), heading) != 0) return;
-        file << separator << record.substr(heading.size());
+      const std::string channel = channelOf(list, split);
+      records.forEach(channel, [&](std::int64_t /*scene*/, const std::string& record) {
+        file << separator << record;
         separator = ",\n";
       });
     };

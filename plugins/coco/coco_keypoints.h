@@ -12,8 +12,8 @@ namespace synthetic_dataset {
 
 /// COCO's visibility flag: 0 no place in the image, 1 hidden, 2 visible.
 [[nodiscard]] inline int cocoFlag(const Keypoint& keypoint) {
-  if (keypoint.state == KeypointState::kOutside || !keypoint.pixel) return 0;
-  return keypoint.state == KeypointState::kVisible ? 2 : 1;
+  if (!keypoint.pixel || keypoint.state() == KeypointState::kOutside) return 0;
+  return keypoint.state() == KeypointState::kVisible ? 2 : 1;
 }
 
 /// COCO's keypoints belong to classes: all of a class have the same ones, in the same order.

@@ -9,7 +9,7 @@
 #include "plugins/coco/coco_keypoints.h"
 #include "plugins/image_folder/image_folder_card.h"
 #include "plugins/shared/json.h"
-#include "plugins/shared/label_options.h"
+#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/fingerprint.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -94,8 +94,8 @@ Json cameraOf(const Scene& scene) {
 /// Every line has the same keys with values of the same types, as Arrow's JSON reader wants.
 class ImageFolderWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
-    extension_ = optionalChoice(parameters, "image_format", {"png", "jpg"}, "png");
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
+    extension_ = parameters.optionalChoice("image_format", {"png", "jpg"}, "png");
     box_ = readBoxChoice(parameters);
     masks_ = parameters.optional("masks", true);
     depth_ = parameters.optional("depth", false);
@@ -126,38 +126,38 @@ class ImageFolderWriter : public LabelWriter {
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
-    const std::string split = splitOf(scene);
+    const std::string split = scene.splitFolder();
     Json line = Json::object();
     const auto add = [&](const std::string& column, const std::string& end, const cv::Mat& image) {
       output.addImage(split + "/" + scene.name + end, image);
       line[column] = scene.name + end;
     };
     add("file_name", "." + extension_, scene.image);
-    if (masks_) add("mask_file_name", ".mask.png", scene.instance_map);
-    if (depth_) add("depth_file_name", ".depth.tiff", scene.depth);
-    if (normals_) add("normals_file_name", ".normals.png", normalPicture(scene.normals));
+    if (masks_) add("mask_file_name", ".mask.png", scene.instance_map());
+    if (depth_) add("depth_file_name", ".depth.tiff", scene.depth());
+    if (normals_) add("normals_file_name", ".normals.png", normalPicture(scene.normals()));
     if (optical_flow_) {
-      add("flow_u_file_name", ".flow_u.tiff", channel(scene.optical_flow, 0));
-      add("flow_v_file_name", ".flow_v.tiff", channel(scene.optical_flow, 1));
+      add("flow_u_file_name", ".flow_u.tiff", channel(scene.optical_flow(), 0));
+      add("flow_v_file_name", ".flow_v.tiff", channel(scene.optical_flow(), 1));
     }
     const Json contents = contentsOf(scene);
     line.update(contents);
     const ImageRecord record{split, fingerprintOf(scene.image), jsonText(line)};
-    output.addRecord(record.text());
+    output.addRecord(kImages, record.text());
     if (webdataset_) output.addText(split + "/" + scene.name + ".json", jsonText(contents) + "\n");
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
     for (const SplitInfo& split : card_.splits) {
       output.addFile(split.name + "/metadata.jsonl", [&](std::ostream& file) {
-        records.forEach([&](std::int64_t /*scene*/, const std::string& text) {
+        records.forEach(kImages, [&](std::int64_t /*scene*/, const std::string& text) {
           const ImageRecord record = ImageRecord::of(text);
           if (record.split == split.name) file << record.line << '\n';
         });
       });
     }
     Fingerprint fingerprint;
-    records.forEach([&](std::int64_t /*scene*/, const std::string& text) {
+    records.forEach(kImages, [&](std::int64_t /*scene*/, const std::string& text) {
       fingerprint.add(text.data(), text.size());
     });
     DatasetCard card = card_;
@@ -188,8 +188,8 @@ class ImageFolderWriter : public LabelWriter {
       objects["names"].push_back(object.name);
       objects["ids"].push_back(object.id);
       objects["instances"].push_back(object.instance);
-      objects["visibility"].push_back(object.visibility);
-      objects["truncation"].push_back(object.truncation);
+      objects["visibility"].push_back(object.visibility());
+      objects["truncation"].push_back(object.truncation());
       objects["distance"].push_back(object.distance());
       objects["X_CO"].push_back(jsonMatrix(object.X_CO));
       const auto& [low, high] = object.cuboid_O;
@@ -206,6 +206,8 @@ class ImageFolderWriter : public LabelWriter {
     }
     return objects;
   }
+
+  static constexpr const char* kImages = "images";  // of records: all, for the fingerprint
 
   std::string extension_;
   BoxChoice box_ = BoxChoice::kVisible;

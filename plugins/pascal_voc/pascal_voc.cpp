@@ -7,7 +7,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/pascal_voc/pascal_voc_pictures.h"
-#include "plugins/shared/label_options.h"
+#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -44,7 +44,7 @@ std::string element(const std::string& name, int number) {
 }
 
 /// A share of the whole from a parameter.
-double readShare(const Parameters& parameters, const std::string& name, double fallback) {
+double readShare(Parameters& parameters, const std::string& name, double fallback) {
   const double share = parameters.optional(name, fallback);
   if (share < 0.0 || share > 1.0) {
     parameters.addError(name, "found " + Value(share).text() + "; it should be 0 to 1");
@@ -59,11 +59,11 @@ double readShare(const Parameters& parameters, const std::string& name, double f
 /// http://host.robots.ox.ac.uk/pascal/VOC/voc2012/htmldoc/devkit_doc.html
 class PascalVocWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     box_ = readBoxChoice(parameters);
-    image_format_ = optionalChoice(parameters, "image_format", {"jpg", "png"}, "jpg");
-    first_pixel_ = optionalChoice(parameters, "coordinates", {"one_based", "zero_based"},
-                                  "one_based") == "one_based"
+    image_format_ = parameters.optionalChoice("image_format", {"jpg", "png"}, "jpg");
+    first_pixel_ = parameters.optionalChoice("coordinates", {"one_based", "zero_based"},
+                                             "one_based") == "one_based"
                        ? 1
                        : 0;
     truncated_above_ = readShare(parameters, "truncated_above", truncated_above_);
@@ -81,8 +81,7 @@ class PascalVocWriter : public LabelWriter {
                                               " classes, and a picture of them can tell 254 apart");
     }
     classes_ = dataset.classes;
-    for (const SplitInfo& split : dataset.splits) splits_.push_back(split.name);
-    if (splits_.empty()) splits_ = {"train"};
+    splits_ = dataset.splitFolders();
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -92,7 +91,7 @@ class PascalVocWriter : public LabelWriter {
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
-    const std::string name = flatName(scene);
+    const std::string name = scene.flatName();
     const std::string image = name + "." + image_format_;
     std::vector<const SceneObject*> objects;  // with a label, in the order of their numbers
     std::string elements;
@@ -109,11 +108,11 @@ class PascalVocWriter : public LabelWriter {
     output.addText("Annotations/" + name + ".xml", annotation(scene, image, elements));
     if (has_pictures_) addPictures(scene, objects, output);
 
-    std::string record = splitOf(scene) + " " + name;
+    std::string record = scene.splitFolder() + " " + name;
     for (const auto& [id, plain] : is_plain) {
       record += " " + std::to_string(id) + (plain ? " 1" : " 0");
     }
-    output.addRecord(record);
+    output.addRecord(kImages, record);
   }
 
   [[nodiscard]] std::string annotation(const Scene& scene, const std::string& image,
@@ -130,10 +129,10 @@ class PascalVocWriter : public LabelWriter {
   }
 
   [[nodiscard]] std::string objectElement(const SceneObject& object, const Box& box) const {
-    const bool is_truncated = object.truncation > truncated_above_;
+    const bool is_truncated = object.truncation() > truncated_above_;
     // Without a division: the share of the silhouette in the image that something else hides.
-    const auto in_image = static_cast<double>(object.pixels.silhouette_in_image);
-    const double hidden = in_image - static_cast<double>(object.pixels.visible);
+    const auto in_image = static_cast<double>(object.pixels.silhouette_in_image());
+    const double hidden = in_image - static_cast<double>(object.pixels.visible());
     const bool is_occluded = hidden > occluded_above_ * in_image;
     // The first pixel's left edge is at -0.5, and the last pixel's right edge ends the box.
     const auto first = [&](double edge) {
@@ -152,7 +151,7 @@ class PascalVocWriter : public LabelWriter {
   }
 
   [[nodiscard]] bool isDifficult(const SceneObject& object) const {
-    return object.visibility < difficult_below_;
+    return object.visibility() < difficult_below_;
   }
 
   void addPictures(const Scene& scene, const std::vector<const SceneObject*>& objects,
@@ -162,7 +161,7 @@ class PascalVocWriter : public LabelWriter {
           "SegmentationObject can tell 254 objects of an image apart: those after them are void");
     }
     const VocPictures pictures = vocPictures(scene, objects, classes_, void_border_);
-    const std::string end = "/" + flatName(scene) + ".png";
+    const std::string end = "/" + scene.flatName() + ".png";
     output.addIndexedImage("SegmentationClass" + end, pictures.classes, vocColourMap());
     output.addIndexedImage("SegmentationObject" + end, pictures.objects, vocColourMap());
   }
@@ -186,7 +185,7 @@ class PascalVocWriter : public LabelWriter {
                 const std::set<std::string>& splits, DatasetOutput& output) const {
     using Visit = std::function<void(const std::string& name, std::istream& classes)>;
     const auto forEachImage = [&](const Visit& visit) {
-      records.forEach([&](std::int64_t /*scene*/, const std::string& record) {
+      records.forEach(kImages, [&](std::int64_t /*scene*/, const std::string& record) {
         std::istringstream words(record);
         std::string split;
         std::string name;
@@ -214,6 +213,8 @@ class PascalVocWriter : public LabelWriter {
       });
     }
   }
+
+  static constexpr const char* kImages = "images";  // of records
 
   BoxChoice box_ = BoxChoice::kVisible;
   std::string image_format_;

@@ -53,7 +53,7 @@ VocPictures vocPictures(const Scene& scene, const std::vector<const SceneObject*
     class_of.at(instance) = indexOf(placeOf(labelled[i]->class_id, classes));
     object_of.at(instance) = indexOf(i);
   }
-  const cv::Mat_<ushort> instances = scene.instance_map;
+  const cv::Mat_<ushort> instances = scene.instance_map();
   VocPictures pictures{
       mapped<uchar>(instances, [&](ushort instance) { return class_of.at(instance); }),
       mapped<uchar>(instances, [&](ushort instance) { return object_of.at(instance); })};

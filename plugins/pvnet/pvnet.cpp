@@ -7,8 +7,8 @@
 #include "plugins/pvnet/numpy_array.h"
 #include "plugins/pvnet/pvnet_model.h"
 #include "plugins/shared/json.h"
-#include "plugins/shared/label_options.h"
 #include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
@@ -93,11 +93,11 @@ class PvNetWriter : public LabelWriter {
     std::string path;  ///< with a `/` at its end
   };
 
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
-    refuseVaryingIntrinsics(dataset, "camera.txt");
-    refuseVaryingModels(dataset, "model.ply");
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
+    dataset.refuseVaryingIntrinsics("camera.txt");
+    dataset.refuseVaryingModels("model.ply");
     dataset_ = dataset;
-    image_format_ = "." + optionalChoice(parameters, "image_format", {"jpg", "png"}, "jpg");
+    image_format_ = "." + parameters.optionalChoice("image_format", {"jpg", "png"}, "jpg");
     data_root_ = parameters.optional<std::string>("data_root", "data/custom");
     for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
       models_.push_back(PvNetModel::of(dataset.model(i)));
@@ -112,7 +112,7 @@ class PvNetWriter : public LabelWriter {
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     warnOfDistortion(scene.camera, output);
-    SceneRecord record{scene.camera_index, scene.instant, splitOf(scene), ""};
+    SceneRecord record{scene.camera_index, scene.instant, scene.splitFolder(), ""};
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const SceneObject& object = scene.objects[i];
       const bool is_sample =
@@ -125,14 +125,14 @@ class PvNetWriter : public LabelWriter {
                           ": part of it is behind the camera; samples like this are left out");
       }
     }
-    output.addRecord(record.text());
+    output.addRecord(kSamples, record.text());
   }
 
   void addSample(const SceneObject& object, const Scene& scene, const std::string& scenes,
                  SceneOutput& output) const {
     const std::string number = sceneNumber(scene.instant);
     output.addImage(scenes + "rgb/" + number + image_format_, scene.image);
-    output.addImage(scenes + "mask/" + number + ".png", object.visible_mask);
+    output.addMask(scenes + "mask/" + number + ".png", object.visible_mask());
     output.addText(scenes + "pose/" + number + ".npy", numpyArray(rowsOf(object.X_CO)));
   }
 
@@ -144,9 +144,8 @@ class PvNetWriter : public LabelWriter {
         const Folder folder = folderOf(object, camera);
         addNumberedFiles(records, folder, output);
         addModelFiles(folder, surface, output);
-        if (dataset_.splits.empty()) addSplit(records, folder, "train", output);
-        for (const SplitInfo& split : dataset_.splits) {
-          addSplit(records, folder, split.name, output);
+        for (const std::string& split : dataset_.splitFolders()) {
+          addSplit(records, folder, split, output);
         }
       }
     }
@@ -154,7 +153,7 @@ class PvNetWriter : public LabelWriter {
 
   [[nodiscard]] Folder folderOf(std::size_t object, std::size_t camera) const {
     return {object, camera,
-            safeFileName(dataset_.objects.at(object).name) + "/" + cameraFolder(dataset_, camera)};
+            safeFileName(dataset_.objects.at(object).name) + "/" + dataset_.cameraFolder(camera)};
   }
 
   /// @param visit  gets each sample of a folder: its number from 0, the scene's name in the folder
@@ -162,7 +161,7 @@ class PvNetWriter : public LabelWriter {
   template <class Visit>
   static void forEachSample(const SceneRecords& records, const Folder& folder, const Visit& visit) {
     std::int64_t count = 0;
-    records.forEach([&](std::int64_t /*scene*/, const std::string& text) {
+    records.forEach(kSamples, [&](std::int64_t /*scene*/, const std::string& text) {
       const SceneRecord record = SceneRecord::of(text);
       if (record.camera != folder.camera || record.samples.at(folder.object) != '1') return;
       visit(std::to_string(count++), sceneNumber(record.instant), record.split);
@@ -249,6 +248,8 @@ class PvNetWriter : public LabelWriter {
 
   /// The loader looks it up among LINEMOD's objects, whichever it is; clean-pvnet writes this one.
   static constexpr const char* kClass = "cat";
+
+  static constexpr const char* kSamples = "samples";  // of records
 
   DatasetInfo dataset_;
   std::vector<std::optional<PvNetModel>> models_;  ///< of each object

@@ -43,7 +43,7 @@ class RosBagWriter : public LabelWriter {
     BagCamera in_bag;
   };
 
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     readFile(parameters);
     readCompression(parameters);
     compressed_ = parameters.optional("compressed", false);
@@ -70,7 +70,7 @@ class RosBagWriter : public LabelWriter {
     }
   }
 
-  void readFile(const WriterParameters& parameters) {
+  void readFile(WriterParameters& parameters) {
     file_ = parameters.optional<std::string>("file", "dataset.bag");
     constexpr std::size_t kLongest = 200;
     const bool is_bag = file_.size() > 4 && file_.compare(file_.size() - 4, 4, ".bag") == 0;
@@ -83,7 +83,7 @@ class RosBagWriter : public LabelWriter {
                                     "'dataset.bag' for instance");
   }
 
-  void readCompression(const WriterParameters& parameters) {
+  void readCompression(WriterParameters& parameters) {
     const std::map<std::string, rosbag::CompressionType> types = {
         {"none", rosbag::compression::Uncompressed},
         {"lz4", rosbag::compression::LZ4},
@@ -98,7 +98,7 @@ class RosBagWriter : public LabelWriter {
   }
 
   /// What stands before all topics: "" or "/a/b".
-  static std::string readRoot(const WriterParameters& parameters) {
+  static std::string readRoot(WriterParameters& parameters) {
     const std::string prefix = parameters.optional<std::string>("topic_prefix", "");
     if (!std::all_of(prefix.begin(), prefix.end(), isTopicLetter)) {
       parameters.addError("topic_prefix", "found '" + prefix +
@@ -119,17 +119,17 @@ class RosBagWriter : public LabelWriter {
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     output.addImage(imageFile(scene.name), scene.image);
-    output.addImage(instancesFile(scene.name), scene.instance_map);
-    if (depth_) output.addImage(depthFile(scene.name), scene.depth);
+    output.addImage(instancesFile(scene.name), scene.instance_map());
+    if (depth_) output.addImage(depthFile(scene.name), scene.depth());
     output.addRecord(
-        recordOf(makeBagScene(scene, cameras_.at(scene.camera_index).in_bag, frames_)));
+        kScenes, recordOf(makeBagScene(scene, cameras_.at(scene.camera_index).in_bag, frames_)));
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
     output.addFileByName(file_, [&](const std::string& file) {
       try {
         BagRecording bag(file, compression_);
-        records.forEach([&](std::int64_t /*scene*/, const std::string& record) {
+        records.forEach(kScenes, [&](std::int64_t /*scene*/, const std::string& record) {
           play(bagSceneOf(record), output, bag);
         });
         bag.close();
@@ -177,6 +177,8 @@ class RosBagWriter : public LabelWriter {
   [[nodiscard]] static std::string depthFile(const std::string& scene) {
     return "depth/" + scene + ".tiff";
   }
+
+  static constexpr const char* kScenes = "scenes";  // of records
 
   std::string file_;
   rosbag::CompressionType compression_ = rosbag::compression::Uncompressed;

@@ -6,8 +6,6 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "synthetic_dataset/mask_bounds.h"
-
 namespace synthetic_dataset::masks {
 namespace {
 
@@ -132,14 +130,13 @@ class BorderTracer {
 
 }  // namespace
 
-std::vector<BorderRing> partBorders(const cv::Mat& mask) {
-  const cv::Rect extent = maskBounds(mask);
-  if (extent.empty()) return {};
+std::vector<BorderRing> partBorders(const Mask& mask) {
+  if (mask.empty()) return {};
   cv::Mat1b with_margin;
-  cv::copyMakeBorder(mask(extent), with_margin, 1, 1, 1, 1,
+  cv::copyMakeBorder(mask.pixels(), with_margin, 1, 1, 1, 1,
                      cv::BORDER_CONSTANT | cv::BORDER_ISOLATED, cv::Scalar(0));
   std::vector<BorderRing> parts = BorderTracer(with_margin).parts();
-  const cv::Point offset = extent.tl() - cv::Point(1, 1);
+  const cv::Point offset = mask.offset() - cv::Point(1, 1);
   for (BorderRing& part : parts) {
     for (BorderStep& step : part) step = {step.corner + offset, step.pixel + offset};
   }

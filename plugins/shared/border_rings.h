@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
+
+#include "synthetic_dataset/mask.h"
 
 /// The borders of a mask's parts as closed rings, and how several rings become one.
 namespace synthetic_dataset::masks {
@@ -21,8 +23,7 @@ using BorderRing = std::vector<BorderStep>;  ///< closed: the last step leads to
 /// The border of each part of a mask, in the order of their topmost, leftmost pixels. Pixels that
 /// share a corner belong to the same part. Holes are cut: the ring leaves its way at a pixel above
 /// the hole, goes straight down to it, round it and back the same way.
-/// @param mask  CV_8UC1, 0 off the mask
-[[nodiscard]] std::vector<BorderRing> partBorders(const cv::Mat& mask);
+[[nodiscard]] std::vector<BorderRing> partBorders(const Mask& mask);
 
 /// Where a walk along one ring turns into another.
 struct Branch {

@@ -9,7 +9,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "plugins/shared/border_rings.h"
-#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset::masks {
 namespace {
@@ -147,7 +146,7 @@ Branches branchesOf(const std::vector<Bridge>& bridges, const std::vector<Border
 
 }  // namespace
 
-std::vector<Ring> edgeRings(const cv::Mat& mask) {
+std::vector<Ring> edgeRings(const Mask& mask) {
   std::vector<Ring> rings;
   for (const BorderRing& part : partBorders(mask)) {
     Ring ring;
@@ -157,13 +156,12 @@ std::vector<Ring> edgeRings(const cv::Mat& mask) {
   return rings;
 }
 
-Ring centreRing(const cv::Mat& mask) {
+Ring centreRing(const Mask& mask) {
   const std::vector<BorderRing> parts = partBorders(mask);
   if (parts.empty()) return {};
   Branches branches;
   if (parts.size() > 1) {
-    const cv::Rect extent = maskBounds(mask);
-    const std::vector<Bridge> possible = possibleBridges(mask(extent), parts, extent.tl());
+    const std::vector<Bridge> possible = possibleBridges(mask.pixels(), parts, mask.offset());
     branches = branchesOf(shortestBridges(possible, parts.size()), parts);
   }
   Ring ring;

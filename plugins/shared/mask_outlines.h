@@ -2,7 +2,9 @@
 
 #include <vector>
 
-#include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
+
+#include "synthetic_dataset/mask.h"
 
 /// Masks as polygons.
 namespace synthetic_dataset::masks {
@@ -15,17 +17,15 @@ using Ring = std::vector<cv::Point>;
 /// spans 0 .. width (COCO's). Pixels that share a corner belong to the same part. A hole is cut by
 /// a seam: a line to the polygon's rim and back. Filled by pixels' centres, the polygons are the
 /// mask; so are they with pycocotools' `frPyObjects`.
-/// @param mask  CV_8UC1, 0 off the mask
 /// @return  in the order of their topmost, leftmost pixels; empty for an empty mask
-[[nodiscard]] std::vector<Ring> edgeRings(const cv::Mat& mask);
+[[nodiscard]] std::vector<Ring> edgeRings(const Mask& mask);
 
 /// All of a mask as one polygon through the centres of its outermost pixels (whole coordinates),
 /// for formats with a polygon an instance that is filled with its rim, as `cv::fillPoly` does.
 /// Seams that cut holes run inside the mask. Parts are joined by short bridges, each a line there
 /// and back: filling gives the mask and the pixels of the bridges.
-/// @param mask  CV_8UC1, 0 off the mask
 /// @return  at least three points, some of them equal where the mask has fewer; empty for an empty
 ///     mask
-[[nodiscard]] Ring centreRing(const cv::Mat& mask);
+[[nodiscard]] Ring centreRing(const Mask& mask);
 
 }  // namespace synthetic_dataset::masks

@@ -2,17 +2,19 @@
 
 namespace synthetic_dataset::masks {
 
-std::vector<std::int64_t> columnRuns(const cv::Mat& mask, const cv::Rect& extent) {
-  const std::int64_t height = mask.rows;
-  if (extent.empty()) return {mask.cols * height};
-  const cv::Mat columns = mask(extent).t();  // a row of it is a column's part in the extent
+std::vector<std::int64_t> columnRuns(const Mask& mask) {
+  const std::int64_t width = mask.imageSize().width;
+  const std::int64_t height = mask.imageSize().height;
+  if (mask.empty()) return {width * height};
+  const cv::Rect extent = mask.bounds();
+  const cv::Mat columns = mask.pixels().t();  // a row of it is a column's part in the extent
   std::vector<std::int64_t> runs;
   std::int64_t run_start = 0;
   bool in_mask = false;
-  const auto meet = [&](std::int64_t place, bool on) {
+  const auto meet = [&](std::int64_t pixel, bool on) {
     if (on == in_mask) return;
-    runs.push_back(place - run_start);
-    run_start = place;
+    runs.push_back(pixel - run_start);
+    run_start = pixel;
     in_mask = on;
   };
   for (int column = 0; column < columns.rows; ++column) {
@@ -22,8 +24,8 @@ std::vector<std::int64_t> columnRuns(const cv::Mat& mask, const cv::Rect& extent
     for (int row = 0; row < extent.height; ++row) meet(top + extent.y + row, pixels[row] != 0);
     if (extent.br().y < height) meet(top + extent.br().y, false);
   }
-  if (extent.br().x < mask.cols) meet(extent.br().x * height, false);
-  runs.push_back(mask.cols * height - run_start);
+  if (extent.br().x < width) meet(extent.br().x * height, false);
+  runs.push_back(width * height - run_start);
   return runs;
 }
 

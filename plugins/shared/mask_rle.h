@@ -4,16 +4,14 @@
 #include <string>
 #include <vector>
 
-#include <opencv2/core/mat.hpp>
+#include "synthetic_dataset/mask.h"
 
 /// COCO's run-length encoding of masks (https://github.com/cocodataset/cocoapi, common/maskApi.c).
 namespace synthetic_dataset::masks {
 
 /// The lengths of the runs of equal pixels, column after column from the top left, turn by turn of
 /// pixels off and on the mask; the first one is of pixels off it and may be 0.
-/// @param mask  CV_8UC1, 0 off the mask
-/// @param extent  the pixels of it that are looked at: beside them nothing is on the mask
-[[nodiscard]] std::vector<std::int64_t> columnRuns(const cv::Mat& mask, const cv::Rect& extent);
+[[nodiscard]] std::vector<std::int64_t> columnRuns(const Mask& mask);
 
 /// COCO's compressed `counts`, byte for byte as `pycocotools.mask.encode` makes them.
 [[nodiscard]] std::string cocoCounts(const std::vector<std::int64_t>& runs);

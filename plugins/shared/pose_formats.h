@@ -17,21 +17,8 @@ namespace synthetic_dataset {
 /// A number as such formats name files: six digits with leading zeros, "000012".
 [[nodiscard]] std::string sixDigits(std::int64_t number);
 
-/// The folder of a camera's files, with a `/` at its end: its name where there are several.
-[[nodiscard]] std::string cameraFolder(const DatasetInfo& dataset, std::size_t camera);
-
 /// Warns where a scene's lens is not the pinhole that the format takes it for.
 void warnOfDistortion(const CameraModel& camera, SceneOutput& output);
-
-/// For formats that hold one calibration of each camera for all of its images.
-/// @param file  in which it stands
-/// @throws Error where a camera's intrinsics differ from scene to scene
-void refuseVaryingIntrinsics(const DatasetInfo& dataset, const std::string& file);
-
-/// For formats that hold one model of each object for all images.
-/// @param file  in which it stands
-/// @throws Error where an object's model or size differs from scene to scene
-void refuseVaryingModels(const DatasetInfo& dataset, const std::string& file);
 
 /// The 3x3 camera matrix, row by row.
 [[nodiscard]] std::array<double, 9> cameraMatrix(const Intrinsics& intrinsics);

@@ -31,17 +31,19 @@ struct Rectangle {
 };
 
 /// The hull of the corners of all pixels, in whole numbers.
-Polygon hullOf(const cv::Mat& mask) {
+Polygon hullOf(const Mask& mask) {
   std::vector<cv::Point> corners;
-  for (int row = 0; row < mask.rows; ++row) {
-    const uchar* pixels = mask.ptr(row);
-    const uchar* end = pixels + mask.cols;
+  const cv::Mat& part = mask.pixels();
+  for (int row = 0; row < part.rows; ++row) {
+    const uchar* pixels = part.ptr(row);
+    const uchar* end = pixels + part.cols;
     const uchar* first = std::find_if(pixels, end, [](uchar pixel) { return pixel != 0; });
     if (first == end) continue;
     while (*(end - 1) == 0) --end;
-    const auto left = static_cast<int>(first - pixels);
-    const auto right = static_cast<int>(end - pixels);
-    corners.insert(corners.end(), {{left, row}, {left, row + 1}, {right, row}, {right, row + 1}});
+    const int left = mask.offset().x + static_cast<int>(first - pixels);
+    const int right = mask.offset().x + static_cast<int>(end - pixels);
+    const int top = mask.offset().y + row;
+    corners.insert(corners.end(), {{left, top}, {left, top + 1}, {right, top}, {right, top + 1}});
   }
   if (corners.empty()) return {};
   std::vector<cv::Point> hull;
@@ -159,10 +161,10 @@ std::array<Eigen::Vector2d, 4> cornersOf(const Rectangle& rectangle, const Eigen
 
 }  // namespace
 
-std::optional<std::array<Eigen::Vector2d, 4>> orientedBox(const cv::Mat& mask) {
+std::optional<std::array<Eigen::Vector2d, 4>> orientedBox(const Mask& mask) {
   const Polygon hull = hullOf(mask);
   if (hull.empty()) return std::nullopt;
-  const Eigen::Vector2d image(mask.cols, mask.rows);
+  const Eigen::Vector2d image(mask.imageSize().width, mask.imageSize().height);
 
   // Along the image's edges: in the image, as the mask is.
   Fit whole = fitOf(enclosing(hull, Eigen::Vector2d::UnitX()), hull);

@@ -4,7 +4,8 @@
 #include <optional>
 
 #include <Eigen/Core>
-#include <opencv2/core/mat.hpp>
+
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset {
 
@@ -17,9 +18,8 @@ namespace synthetic_dataset {
 /// where that is a poor fit, as of a thin bar that leaves the image askew, a rectangle that does
 /// reach past is cut back along one of its sides, and no longer holds the pixels at the image's
 /// edge: where that overlaps with the hull (intersection over union) by a quarter more.
-/// @param mask  CV_8UC1, 0 off the mask
-/// @return the corners [px], clockwise on the screen, where the image spans (0, 0) to (cols, rows);
-///     nothing for an empty mask
-[[nodiscard]] std::optional<std::array<Eigen::Vector2d, 4>> orientedBox(const cv::Mat& mask);
+/// @return the corners [px], clockwise on the screen, where the image spans (0, 0) to (width,
+///     height); nothing for an empty mask
+[[nodiscard]] std::optional<std::array<Eigen::Vector2d, 4>> orientedBox(const Mask& mask);
 
 }  // namespace synthetic_dataset

@@ -8,10 +8,10 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
-#include "plugins/shared/label_options.h"
 #include "plugins/shared/mask_outlines.h"
 #include "plugins/ultralytics/oriented_box.h"
 #include "plugins/ultralytics/ultralytics_yaml.h"
+#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -39,12 +39,12 @@ std::string boxColumns(const Box& box, const CameraModel& camera) {
 
 /// x, y and how it is seen: 2 visible, 1 hidden, 0 (with x and y) not on the image.
 std::string keypointText(const Keypoint& keypoint, const CameraModel& camera) {
-  if (!keypoint.pixel || keypoint.state == KeypointState::kOutside) return " 0 0 0";
+  if (!keypoint.pixel || keypoint.state() == KeypointState::kOutside) return " 0 0 0";
   return fractions(*keypoint.pixel + kToEdges, camera) +
-         (keypoint.state == KeypointState::kVisible ? " 2" : " 1");
+         (keypoint.state() == KeypointState::kVisible ? " 2" : " 1");
 }
 
-std::string orientedBoxColumns(const cv::Mat& mask, const CameraModel& camera) {
+std::string orientedBoxColumns(const Mask& mask, const CameraModel& camera) {
   std::string columns;
   if (const auto corners = orientedBox(mask)) {
     for (const Eigen::Vector2d& corner : *corners) columns += fractions(corner, camera);
@@ -56,7 +56,7 @@ std::string orientedBoxColumns(const cv::Mat& mask, const CameraModel& camera) {
 /// fills the polygon with its rim (cv::fillPoly), so this gives the mask again. It also takes the
 /// box round the points for the object's, hence the polygon touches each side of that box on a
 /// line to the edge of one of its pixels and back.
-std::string ringColumns(const cv::Mat& mask, const CameraModel& camera) {
+std::string ringColumns(const Mask& mask, const CameraModel& camera) {
   constexpr double kToEdge = 0.49;  // not into the next pixel, whatever a float makes of it
   struct Side {
     Eigen::Vector2d outwards;
@@ -91,19 +91,19 @@ std::string ringColumns(const cv::Mat& mask, const CameraModel& camera) {
 /// https://docs.ultralytics.com/datasets/, ultralytics/data/utils.py (verify_image_label)
 class UltralyticsYoloWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& dataset) override {
-    task_ = requiredChoice(parameters, "task", {"detect", "segment", "pose", "obb"});
-    image_format_ = optionalChoice(parameters, "image_format", {"png", "jpg"}, "png");
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
+    task_ = parameters.requiredChoice("task", {"detect", "segment", "pose", "obb"});
+    image_format_ = parameters.optionalChoice("image_format", {"png", "jpg"}, "png");
     if (task_ == "detect" || task_ == "pose") box_ = readBoxChoice(parameters);
     if (task_ == "segment" || task_ == "obb") {
       is_whole_ =
-          optionalChoice(parameters, "mask", {"visible", "silhouette"}, "visible") == "silhouette";
+          parameters.optionalChoice("mask", {"visible", "silhouette"}, "visible") == "silhouette";
     }
-    yaml_.names = namesWithoutGaps(dataset.classes);
+    yaml_.names = dataset.classNamesWithoutGaps();
     if (task_ == "pose") readKeypoints(parameters, dataset);
   }
 
-  void readKeypoints(const WriterParameters& parameters, const DatasetInfo& dataset) {
+  void readKeypoints(WriterParameters& parameters, const DatasetInfo& dataset) {
     KeypointColumns columns = keypointColumns(dataset, yaml_.names.size());
     std::size_t& count = yaml_.keypoint_count;
     for (const auto& of_class : columns.names) count = std::max(count, of_class.size());
@@ -119,7 +119,7 @@ class UltralyticsYoloWriter : public LabelWriter {
     }
   }
 
-  void readFlipIndices(const WriterParameters& parameters, const std::vector<double>& given) {
+  void readFlipIndices(WriterParameters& parameters, const std::vector<double>& given) {
     const std::set<double> different(given.begin(), given.end());
     const auto isIndex = [&](double number) {
       return number >= 0.0 && number < static_cast<double>(given.size()) &&
@@ -159,16 +159,16 @@ class UltralyticsYoloWriter : public LabelWriter {
         labels += std::to_string(object.class_id) + columns + "\n";
       }
     }
-    const std::string split = splitOf(scene);
-    const std::string name = split + "/" + flatName(scene);
+    const std::string split = scene.splitFolder();
+    const std::string name = split + "/" + scene.flatName();
     output.addImage("images/" + name + "." + image_format_, scene.image);
     output.addText("labels/" + name + ".txt", labels);
-    output.addRecord(split);
+    output.addRecord(kSplits, split);
   }
 
   /// What follows the class in an object's line; nothing where it has no such label.
   [[nodiscard]] std::string columnsOf(const SceneObject& object, const CameraModel& camera) const {
-    const cv::Mat& mask = is_whole_ ? object.silhouette : object.visible_mask;
+    const Mask& mask = is_whole_ ? object.silhouette() : object.visible_mask();
     if (task_ == "obb") return orientedBoxColumns(mask, camera);
     if (task_ == "segment") return ringColumns(mask, camera);
     const auto box = boxOf(object, box_, camera);
@@ -187,7 +187,8 @@ class UltralyticsYoloWriter : public LabelWriter {
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
     std::set<std::string> used;
-    records.forEach([&](std::int64_t /*scene*/, const std::string& split) { used.insert(split); });
+    records.forEach(kSplits,
+                    [&](std::int64_t /*scene*/, const std::string& split) { used.insert(split); });
     UltralyticsDataset yaml = yaml_;
     for (const std::string split : {"train", "val", "test"}) {
       if (used.erase(split) > 0) yaml.splits.push_back(split);
@@ -195,6 +196,8 @@ class UltralyticsYoloWriter : public LabelWriter {
     yaml.splits.insert(yaml.splits.end(), used.begin(), used.end());
     output.addFile("data.yaml", [&](std::ostream& stream) { writeUltralyticsYaml(stream, yaml); });
   }
+
+  static constexpr const char* kSplits = "splits";  // of records
 
   std::string task_;
   std::string image_format_;

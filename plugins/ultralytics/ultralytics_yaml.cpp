@@ -37,17 +37,6 @@ void writeSplits(std::ostream& stream, const std::vector<std::string>& splits) {
 
 }  // namespace
 
-std::vector<std::string> namesWithoutGaps(const std::vector<ClassInfo>& classes) {
-  std::vector<std::string> names;
-  for (const ClassInfo& each : classes) {
-    while (names.size() < static_cast<std::size_t>(each.id)) {
-      names.push_back("unused_" + std::to_string(names.size()));
-    }
-    names.push_back(each.name);
-  }
-  return names;
-}
-
 KeypointColumns keypointColumns(const DatasetInfo& dataset, std::size_t class_count) {
   KeypointColumns result;
   result.names.resize(class_count);

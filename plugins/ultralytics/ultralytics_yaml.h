@@ -18,9 +18,6 @@ struct UltralyticsDataset {
   std::vector<std::vector<std::string>> kpt_names;  ///< for each class as many
 };
 
-/// The names of all classes, numbers that no class has filled with "unused_<number>".
-[[nodiscard]] std::vector<std::string> namesWithoutGaps(const std::vector<ClassInfo>& classes);
-
 /// Where keypoints stand in a label's line: all classes have as many columns.
 struct KeypointColumns {
   std::vector<std::vector<std::string>> names;  ///< of each class, "unused_<column>" at the end

@@ -4,8 +4,6 @@
 #include <cstring>
 #include <numeric>
 
-#include "synthetic_dataset/mask_bounds.h"
-
 namespace synthetic_dataset::annotate {
 namespace {
 
@@ -43,7 +41,7 @@ cv::Mat instanceMap(const cv::Mat& ids) {
   return map;
 }
 
-cv::Mat layeredInstanceMap(const std::vector<cv::Mat>& masks, const cv::Mat& ids,
+cv::Mat layeredInstanceMap(const std::vector<Mask>& masks, const cv::Mat& ids,
                            const std::vector<double>& distances) {
   cv::Mat map = cv::Mat::zeros(ids.size(), CV_16UC1);
   std::vector<std::size_t> nearest_last(masks.size());
@@ -52,10 +50,10 @@ cv::Mat layeredInstanceMap(const std::vector<cv::Mat>& masks, const cv::Mat& ids
                    [&](std::size_t a, std::size_t b) { return distances[a] > distances[b]; });
   for (const std::size_t i : nearest_last) {
     const auto instance = static_cast<int>(i) + 1;
-    const cv::Rect place = maskBounds(masks[i]);
-    if (place.empty()) continue;
-    const cv::Mat of_others = (ids(place) != 0) & (ids(place) != instance);
-    map(place).setTo(instance, (masks[i](place) != 0) & ~of_others);
+    if (masks[i].empty()) continue;
+    const cv::Rect bounds = masks[i].bounds();
+    const cv::Mat of_others = (ids(bounds) != 0) & (ids(bounds) != instance);
+    map(bounds).setTo(instance, (masks[i].pixels() != 0) & ~of_others);
   }
   return map;
 }
@@ -81,10 +79,9 @@ std::vector<InstancePixels> instancePixels(const cv::Mat& instance_map, std::siz
   return pixels;
 }
 
-cv::Mat instanceMask(const cv::Mat& instance_map, int instance, const cv::Rect& bounds) {
-  cv::Mat mask = cv::Mat::zeros(instance_map.size(), CV_8UC1);
-  if (!bounds.empty()) cv::Mat(instance_map(bounds) == instance).copyTo(mask(bounds));
-  return mask;
+Mask instanceMask(const cv::Mat& instance_map, int instance, const cv::Rect& bounds) {
+  if (bounds.empty()) return Mask(instance_map.size());
+  return {instance_map(bounds) == instance, bounds.tl(), instance_map.size()};
 }
 
 cv::Mat renumbered(const cv::Mat& instance_map, const std::vector<std::uint16_t>& numbers) {

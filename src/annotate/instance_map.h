@@ -7,6 +7,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "synthetic_dataset/box.h"
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::annotate {
 
@@ -20,27 +21,26 @@ struct InstancePixels {
 };
 
 /// Identifiers as an instance map: the same numbers, CV_16UC1.
-/// @param ids  CV_32SC1: an object's place from 1, 0 for the world
+/// @param ids  CV_32SC1: an object's index + 1, 0 for the world
 [[nodiscard]] cv::Mat instanceMap(const cv::Mat& ids);
 
 /// An instance map of masks that were each found with one object in view, layered as the objects
 /// stand: where the identifiers show an object, a pixel belongs to it or to nobody; where they show
 /// none (at outlines, subtraction and identifiers differ by a pixel), to the nearest object that
 /// has it in its mask.
-/// @param masks  CV_8UC1, 255 on the object, or empty; of all objects, in their order
+/// @param masks  of all objects, in their order
 /// @param ids  as for instanceMap
 /// @param distances  of the objects [m]
-[[nodiscard]] cv::Mat layeredInstanceMap(const std::vector<cv::Mat>& masks, const cv::Mat& ids,
+[[nodiscard]] cv::Mat layeredInstanceMap(const std::vector<Mask>& masks, const cv::Mat& ids,
                                          const std::vector<double>& distances);
 
 /// What each object has in the map, in their order.
 [[nodiscard]] std::vector<InstancePixels> instancePixels(const cv::Mat& instance_map,
                                                          std::size_t object_count);
 
-/// One object's part of the map: CV_8UC1, 255 where the map has `instance`.
+/// One object's part of the map: where the map has `instance`.
 /// @param bounds  round its pixels
-[[nodiscard]] cv::Mat instanceMask(const cv::Mat& instance_map, int instance,
-                                   const cv::Rect& bounds);
+[[nodiscard]] Mask instanceMask(const cv::Mat& instance_map, int instance, const cv::Rect& bounds);
 
 /// The map with each instance's number replaced: CV_16UC1.
 /// @param numbers  of the objects, in their order; the world stays 0

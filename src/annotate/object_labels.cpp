@@ -1,21 +1,8 @@
 #include "annotate/object_labels.h"
 
+#include <utility>
+
 namespace synthetic_dataset::annotate {
-
-namespace {
-
-Keypoint keypointAt(const Eigen::Vector3d& p_C, const CameraModel& camera) {
-  Keypoint keypoint{camera.project(p_C), p_C.z(), KeypointState::kOutside};
-  if (!keypoint.pixel) return keypoint;
-  const Box image = camera.imageBounds();
-  const Eigen::Vector2d& pixel = *keypoint.pixel;
-  const bool is_inside = pixel.x() >= image.left && pixel.x() < image.right &&
-                         pixel.y() >= image.top && pixel.y() < image.bottom;
-  if (is_inside) keypoint.state = KeypointState::kVisible;
-  return keypoint;
-}
-
-}  // namespace
 
 SceneObject labelObject(const ObjectShape& shape, const Pose& X_GO, const Pose& X_GC,
                         const CameraModel& camera) {
@@ -32,7 +19,11 @@ SceneObject labelObject(const ObjectShape& shape, const Pose& X_GO, const Pose& 
   object.X_GO = X_GO;
   object.X_CO = X_GC.inverse() * X_GO;
   for (const Eigen::Vector3d& p_O : shape.keypoints_O) {
-    object.keypoints.push_back(keypointAt(object.X_CO * p_O, camera));
+    const Eigen::Vector3d p_C = object.X_CO * p_O;
+    Keypoint keypoint;
+    keypoint.pixel = camera.project(p_C);
+    keypoint.depth = p_C.z();
+    object.keypoints.push_back(std::move(keypoint));
   }
   std::vector<Eigen::Vector3d> shape_C;
   for (const Eigen::Vector3d& p_O : shape.bounding_shape_O) shape_C.push_back(object.X_CO * p_O);

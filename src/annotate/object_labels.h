@@ -14,7 +14,7 @@ struct ObjectShape {
   std::string class_name;
   std::string id;
   int class_id = 0;
-  int instance = 0;                               ///< its place among the objects, from 1
+  int instance = 0;                               ///< its index among the objects, from 1
   std::vector<Eigen::Vector3d> keypoints_O;       ///< [m]
   std::vector<Eigen::Vector3d> bounding_shape_O;  ///< [m]
   Cuboid cuboid_O;

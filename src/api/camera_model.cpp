@@ -10,7 +10,7 @@
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 namespace {
 
 constexpr double kHalfPi = 1.57079632679489661923;
@@ -120,6 +120,14 @@ std::optional<Eigen::Vector3d> CameraModel::ray(const Eigen::Vector2d& pixel) co
                           (pixel.y() - intrinsics_.cy) / intrinsics_.fy});
 }
 
+bool CameraModel::isPinhole() const {
+  if (distortion_.model == DistortionModel::kNone) return true;
+  // Without coefficients the polynomials are 1, but a fisheye's angle is still not its tangent.
+  return distortion_.model != DistortionModel::kEquidistant &&
+         std::all_of(distortion_.coefficients.begin(), distortion_.coefficients.end(),
+                     [](double coefficient) { return coefficient == 0.0; });
+}
+
 std::optional<Box> CameraModel::projectedBounds(
     const std::vector<Eigen::Vector3d>& points_C) const {
   if (distortion_.model == DistortionModel::kEquidistant) {
@@ -139,5 +147,5 @@ std::optional<Box> CameraModel::projectedBounds(
 
 Box CameraModel::imageBounds() const { return {-0.5, -0.5, width_ - 0.5, height_ - 0.5}; }
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include <utility>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 namespace {
 
 std::string joinLines(const std::vector<std::string>& messages) {
@@ -20,5 +20,5 @@ std::string joinLines(const std::vector<std::string>& messages) {
 ErrorList::ErrorList(std::vector<std::string> messages)
     : Error(joinLines(messages)), messages_(std::move(messages)) {}
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -9,7 +9,7 @@
 #include "synthetic_dataset/fingerprint.h"
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 
 std::string fixed(double number, int decimals) {
   std::ostringstream stream;
@@ -47,5 +47,5 @@ std::string safeFileName(const std::string& text) {
   return name + "_" + Fingerprint(text).text().substr(0, kDigits);
 }
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

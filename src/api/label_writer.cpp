@@ -7,7 +7,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 namespace {
 
 /// Runs a writer's own code so that whatever it throws names the writer.
@@ -28,30 +28,29 @@ WriterParameters::WriterParameters(Parameters parameters, std::string writer_nam
                                    std::string output_folder)
     : Parameters(std::move(parameters)),
       writer_name_(std::move(writer_name)),
-      output_folder_(std::move(output_folder)),
-      files_(std::make_shared<std::map<std::string, std::string>>()) {}
+      output_folder_(std::move(output_folder)) {}
 
-std::string WriterParameters::requiredFile(const std::string& name) const {
+FileParameter WriterParameters::requiredFile(const std::string& name) {
   const std::size_t errors_before = errors().size();
   std::string file = required<std::string>(name);
-  if (errors().size() != errors_before) return file;
+  if (errors().size() != errors_before) return {};
   if (file.empty() || file.back() == '/') {
     addError(name, "found '" + file + "'; it should be the path of a file");
-    return file;
+    return {};
   }
   if (std::any_of(file.begin(), file.end(),
                   [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; })) {
     addError(name, "found a path with a control character; it should be the path of a file");
-    return file;
+    return {};
   }
   if (file.front() != '/') file = output_folder_ + file;
-  (*files_)[name] = file;
-  return file;
+  files_.insert(file);
+  return FileParameter(std::move(file));
 }
 
 LabelWriter::~LabelWriter() = default;
 
-void LabelWriter::initialize(const WriterParameters& parameters, const DatasetInfo& dataset) {
+void LabelWriter::initialize(WriterParameters& parameters, const DatasetInfo& dataset) {
   if (initialized_) throw Error("writer '" + name_ + "': initialised twice");
   name_ = parameters.writerName();
   named(name_, [&] { doInitialize(parameters, dataset); });
@@ -73,12 +72,11 @@ void LabelWriter::finalize(const SceneRecords& records, DatasetOutput& output) c
   named(name_, [&] { doFinalize(records, output); });
 }
 
-void LabelWriter::doInitialize(const WriterParameters& /*parameters*/,
-                               const DatasetInfo& /*dataset*/) {}
+void LabelWriter::doInitialize(WriterParameters& /*parameters*/, const DatasetInfo& /*dataset*/) {}
 
 Requirements LabelWriter::doRequirements() const { return {}; }
 
 void LabelWriter::doFinalize(const SceneRecords& /*records*/, DatasetOutput& /*output*/) const {}
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

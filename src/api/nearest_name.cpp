@@ -4,7 +4,7 @@
 #include <numeric>
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 namespace {
 
 /// Levenshtein's distance: insertions, deletions and replacements, one row of the table at a time.
@@ -49,5 +49,5 @@ std::string didYouMean(const std::string& name, const std::vector<std::string>& 
   return nearest ? "; did you mean '" + *nearest + "'?" : "";
 }
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -1,5 +1,6 @@
 #include "synthetic_dataset/parameters.h"
 
+#include <algorithm>
 #include <cmath>
 #include <locale>
 #include <map>
@@ -7,8 +8,10 @@
 #include <sstream>
 #include <utility>
 
+#include "synthetic_dataset/nearest_name.h"
+
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 namespace {
 
 /// Converts a value, or says in `problem` what would be right.
@@ -150,17 +153,17 @@ Parameters::Parameters(Value values, std::string name)
 Parameters::Parameters(const Value::Map* values, std::string name, std::shared_ptr<Notes> notes)
     : values_(values), name_(std::move(name)), notes_(std::move(notes)) {}
 
-const Value* Parameters::find(const std::string& name) const {
+const Value* Parameters::find(const std::string& name) {
   notes_->known[name_].insert(name);
   if (values_ == nullptr) return nullptr;
   const auto entry = values_->find(name);
   return entry == values_->end() || entry->second.isNull() ? nullptr : &entry->second;
 }
 
-bool Parameters::has(const std::string& name) const { return find(name) != nullptr; }
+bool Parameters::has(const std::string& name) { return find(name) != nullptr; }
 
 template <class T>
-std::optional<T> Parameters::maybe(const std::string& name) const {
+std::optional<T> Parameters::maybe(const std::string& name) {
   const Value* value = find(name);
   if (value == nullptr) return std::nullopt;
   std::string problem;
@@ -172,7 +175,7 @@ std::optional<T> Parameters::maybe(const std::string& name) const {
 }
 
 template <class T>
-T Parameters::required(const std::string& name) const {
+T Parameters::required(const std::string& name) {
   if (find(name) == nullptr) {
     addError(name, "required, but missing");
     return T{};
@@ -181,7 +184,7 @@ T Parameters::required(const std::string& name) const {
 }
 
 template <class T>
-T Parameters::optional(const std::string& name, const T& fallback) const {
+T Parameters::optional(const std::string& name, const T& fallback) {
   if (find(name) == nullptr) {
     notes_->defaults.push_back(fullName(name) + ": " + Value(fallback).text());
     notes_->default_values[fullName(name)] = Value(fallback);
@@ -190,32 +193,71 @@ T Parameters::optional(const std::string& name, const T& fallback) const {
   return maybe<T>(name).value_or(fallback);
 }
 
-// The types that the header promises; lists have no printable default.
-template std::optional<bool> Parameters::maybe(const std::string&) const;
-template std::optional<int> Parameters::maybe(const std::string&) const;
-template std::optional<std::int64_t> Parameters::maybe(const std::string&) const;
-template std::optional<double> Parameters::maybe(const std::string&) const;
-template std::optional<std::string> Parameters::maybe(const std::string&) const;
-template std::optional<Value> Parameters::maybe(const std::string&) const;
-template std::optional<std::vector<double>> Parameters::maybe(const std::string&) const;
-template std::optional<std::vector<std::string>> Parameters::maybe(const std::string&) const;
-template std::optional<std::vector<Eigen::Vector3d>> Parameters::maybe(const std::string&) const;
-template bool Parameters::required(const std::string&) const;
-template int Parameters::required(const std::string&) const;
-template std::int64_t Parameters::required(const std::string&) const;
-template double Parameters::required(const std::string&) const;
-template std::string Parameters::required(const std::string&) const;
-template Value Parameters::required(const std::string&) const;
-template std::vector<double> Parameters::required(const std::string&) const;
-template std::vector<std::string> Parameters::required(const std::string&) const;
-template std::vector<Eigen::Vector3d> Parameters::required(const std::string&) const;
-template bool Parameters::optional(const std::string&, const bool&) const;
-template int Parameters::optional(const std::string&, const int&) const;
-template std::int64_t Parameters::optional(const std::string&, const std::int64_t&) const;
-template double Parameters::optional(const std::string&, const double&) const;
-template std::string Parameters::optional(const std::string&, const std::string&) const;
+template <class T>
+T Parameters::optionalBetween(const std::string& name, T fallback, T least, T most) {
+  const T number = optional(name, fallback);
+  if (number >= least && number <= most) return number;
+  addError(name, "found " + Value(number).text() + "; it should be " + Value(least).text() +
+                     " to " + Value(most).text());
+  return fallback;
+}
 
-Parameters Parameters::group(const std::string& name) const {
+void Parameters::checkChoice(const std::string& name, const std::vector<std::string>& choices,
+                             const std::string& choice) {
+  if (std::find(choices.begin(), choices.end(), choice) != choices.end()) return;
+  std::string all = choices.front();
+  for (std::size_t i = 1; i < choices.size(); ++i) {
+    all += (i + 1 < choices.size() ? ", " : " or ") + choices[i];
+  }
+  addError(name, "found '" + choice + "'; it should be " + all + didYouMean(choice, choices));
+}
+
+std::string Parameters::requiredChoice(const std::string& name,
+                                       const std::vector<std::string>& choices) {
+  const std::size_t errors_before = errors().size();
+  std::string choice = required<std::string>(name);
+  if (errors().size() == errors_before) checkChoice(name, choices, choice);
+  return choice;
+}
+
+std::string Parameters::optionalChoice(const std::string& name,
+                                       const std::vector<std::string>& choices,
+                                       const std::string& fallback) {
+  std::string choice = optional(name, fallback);
+  checkChoice(name, choices, choice);
+  return choice;
+}
+
+// The types that the header promises; lists have no printable default.
+template std::optional<bool> Parameters::maybe(const std::string&);
+template std::optional<int> Parameters::maybe(const std::string&);
+template std::optional<std::int64_t> Parameters::maybe(const std::string&);
+template std::optional<double> Parameters::maybe(const std::string&);
+template std::optional<std::string> Parameters::maybe(const std::string&);
+template std::optional<Value> Parameters::maybe(const std::string&);
+template std::optional<std::vector<double>> Parameters::maybe(const std::string&);
+template std::optional<std::vector<std::string>> Parameters::maybe(const std::string&);
+template std::optional<std::vector<Eigen::Vector3d>> Parameters::maybe(const std::string&);
+template bool Parameters::required(const std::string&);
+template int Parameters::required(const std::string&);
+template std::int64_t Parameters::required(const std::string&);
+template double Parameters::required(const std::string&);
+template std::string Parameters::required(const std::string&);
+template Value Parameters::required(const std::string&);
+template std::vector<double> Parameters::required(const std::string&);
+template std::vector<std::string> Parameters::required(const std::string&);
+template std::vector<Eigen::Vector3d> Parameters::required(const std::string&);
+template bool Parameters::optional(const std::string&, const bool&);
+template int Parameters::optional(const std::string&, const int&);
+template std::int64_t Parameters::optional(const std::string&, const std::int64_t&);
+template double Parameters::optional(const std::string&, const double&);
+template std::string Parameters::optional(const std::string&, const std::string&);
+template int Parameters::optionalBetween(const std::string&, int, int, int);
+template std::int64_t Parameters::optionalBetween(const std::string&, std::int64_t, std::int64_t,
+                                                  std::int64_t);
+template double Parameters::optionalBetween(const std::string&, double, double, double);
+
+Parameters Parameters::group(const std::string& name) {
   const Value* value = find(name);
   const Value::Map* map = value == nullptr ? nullptr : value->as<Value::Map>();
   if (value != nullptr && map == nullptr) {
@@ -228,11 +270,11 @@ Parameters Parameters::group(const std::string& name) const {
   return result;
 }
 
-void Parameters::addError(const std::string& name, const std::string& message) const {
+void Parameters::addError(const std::string& name, const std::string& message) {
   notes_->errors.push_back(fullName(name) + ": " + message);
 }
 
-void Parameters::ignore(const std::string& name) const { notes_->known[name_].insert(name); }
+void Parameters::ignore(const std::string& name) { notes_->known[name_].insert(name); }
 
 std::string Parameters::fullName(const std::string& name) const {
   if (name_.empty()) return name;
@@ -279,5 +321,5 @@ const std::map<std::string, Value>& Parameters::defaultValues() const {
   return notes_->default_values;
 }
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -6,7 +6,7 @@
 #include "synthetic_dataset/object_model.h"
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 namespace {
 
 /// A number as the file's `float` properties hold it: the fewest digits that read back as the same
@@ -57,5 +57,5 @@ void writePly(std::ostream& stream, const ObjectModel& model, double scale) {
   }
 }
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

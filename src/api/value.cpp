@@ -10,7 +10,7 @@
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 namespace {
 
 std::string scientific(double number, int digits) {
@@ -77,5 +77,5 @@ std::string Value::text() const { return std::visit(TextOf{}, data_); }
 
 std::string Value::kind() const { return std::visit(KindOf{}, data_); }
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -28,7 +28,7 @@ bool isGroup(const std::optional<Value>& background) {
   });
 }
 
-BackgroundProjection readProjection(const Parameters& group) {
+BackgroundProjection readProjection(Parameters& group) {
   const auto projection = group.optional<std::string>("projection", "backdrop");
   if (projection != "backdrop" && projection != "panorama") {
     group.addError("projection", "found '" + projection + "'; it should be backdrop or panorama");
@@ -37,7 +37,7 @@ BackgroundProjection readProjection(const Parameters& group) {
                                   : BackgroundProjection::kBackdrop;
 }
 
-BackgroundPictures readPictures(const Parameters& group) {
+BackgroundPictures readPictures(Parameters& group) {
   BackgroundPictures pictures;
   pictures.folder = absolutePath(group.required<std::string>("pictures"));
   pictures.present = maybeProbability(group, "present");
@@ -54,7 +54,7 @@ BackgroundPictures readPictures(const Parameters& group) {
 
 }  // namespace
 
-BackgroundRandomization readBackground(const Parameters& randomize) {
+BackgroundRandomization readBackground(Parameters randomize) {
   const std::string name = "background";
   BackgroundRandomization background;
   if (!randomize.has(name)) return background;
@@ -62,7 +62,7 @@ BackgroundRandomization readBackground(const Parameters& randomize) {
     background.colour = maybeDistribution(randomize, name, kColourRange);
     return background;
   }
-  const Parameters group = randomize.group(name);
+  Parameters group = randomize.group(name);
   background.colour_name = name + "/colour";
   background.colour = maybeDistribution(group, "colour", kColourRange);
   if (!group.has("pictures")) return background;

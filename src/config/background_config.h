@@ -34,6 +34,6 @@ struct BackgroundRandomization {
 
 /// Reads `background` of `randomize`: a colour, or a group with `colour`, `pictures` and what
 /// belongs to these.
-[[nodiscard]] BackgroundRandomization readBackground(const Parameters& randomize);
+[[nodiscard]] BackgroundRandomization readBackground(Parameters randomize);
 
 }  // namespace synthetic_dataset::config

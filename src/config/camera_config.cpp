@@ -8,7 +8,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-std::optional<Pose> readPose(const Parameters& group, const std::string& name) {
+std::optional<Pose> readPose(Parameters& group, const std::string& name) {
   const auto numbers = group.maybe<std::vector<double>>(name);
   if (!numbers) return std::nullopt;
   const std::vector<double>& n = *numbers;
@@ -28,7 +28,7 @@ std::optional<Pose> readPose(const Parameters& group, const std::string& name) {
 }
 
 /// An effect that most cameras lack: no default is told of it.
-std::optional<double> maybeBetween(const Parameters& group, const std::string& name, double low,
+std::optional<double> maybeBetween(Parameters& group, const std::string& name, double low,
                                    double high) {
   const auto value = group.maybe<double>(name);
   if (!value || (*value >= low && *value <= high)) return value;
@@ -37,10 +37,10 @@ std::optional<double> maybeBetween(const Parameters& group, const std::string& n
   return std::nullopt;
 }
 
-EffectsConfig readEffects(const Parameters& camera) {
+EffectsConfig readEffects(Parameters& camera) {
   EffectsConfig effects;
   if (!camera.has("effects")) return effects;
-  const Parameters group = camera.group("effects");
+  Parameters group = camera.group("effects");
   constexpr double kMostStops = 10.0;
   constexpr double kLongestExposure = 10.0;  // [s]
   constexpr double kWidestBlur = 50.0;       // [px]
@@ -49,10 +49,11 @@ EffectsConfig readEffects(const Parameters& camera) {
   effects.exposure_time = maybeBetween(group, "exposure_time", 0.0, kLongestExposure).value_or(0.0);
   effects.readout_time = maybeBetween(group, "readout_time", 0.0, kLongestExposure).value_or(0.0);
   if (effects.exposure_time > 0.0 || group.has("motion_samples")) {
-    effects.motion_samples = numberBetween(group, "motion_samples", effects.motion_samples, 2, 256);
+    effects.motion_samples =
+        group.optionalBetween("motion_samples", effects.motion_samples, 2, 256);
   }
   if (effects.readout_time > 0.0 || group.has("readout_bands")) {
-    effects.readout_bands = numberBetween(group, "readout_bands", effects.readout_bands, 2, 4096);
+    effects.readout_bands = group.optionalBetween("readout_bands", effects.readout_bands, 2, 4096);
   }
   effects.blur = maybeBetween(group, "blur", 0.0, kWidestBlur).value_or(0.0);
   effects.vignetting = maybeBetween(group, "vignetting", 0.0, 1.0).value_or(0.0);
@@ -63,7 +64,7 @@ EffectsConfig readEffects(const Parameters& camera) {
 }
 
 /// What is not set is as the world has it of a camera of its own.
-void readRange(const Parameters& group, CameraConfig& camera) {
+void readRange(Parameters& group, CameraConfig& camera) {
   constexpr double kNear = 0.05;   // [m]
   constexpr double kFar = 1000.0;  // [m]
   const bool is_of_world = camera.sensor && !camera.info_file && !camera.info_topic;
@@ -74,7 +75,7 @@ void readRange(const Parameters& group, CameraConfig& camera) {
 }
 
 /// The members that a camera has whether it is the only one or not.
-CameraConfig readCamera(const Parameters& group, const std::string& name,
+CameraConfig readCamera(Parameters group, const std::string& name,
                         std::optional<std::string> frame) {
   CameraConfig camera;
   camera.name = name;
@@ -102,8 +103,7 @@ CameraConfig readCamera(const Parameters& group, const std::string& name,
   return camera;
 }
 
-void checkIntrinsicsNamed(const CameraConfig& camera, const Parameters& above,
-                          const std::string& name) {
+void checkIntrinsicsNamed(const CameraConfig& camera, Parameters& above, const std::string& name) {
   if (camera.info_file && camera.info_topic) {
     above.addError(name, "found both info_file and info_topic; intrinsics should come from one");
   }
@@ -124,7 +124,7 @@ bool isGoodName(const std::string& name) {
 
 }  // namespace
 
-std::vector<CameraConfig> readCameras(const Parameters& root) {
+std::vector<CameraConfig> readCameras(Parameters root) {
   std::vector<CameraConfig> cameras;
   if (!root.has("cameras")) {
     auto frame = root.maybe<std::string>("camera_frame_id");
@@ -139,7 +139,7 @@ std::vector<CameraConfig> readCameras(const Parameters& root) {
     root.ignore("camera");
     root.ignore("camera_frame_id");
   }
-  const Parameters all = root.group("cameras");
+  Parameters all = root.group("cameras");
   for (const std::string& name : all.names()) {
     if (!isGoodName(name)) {
       all.ignore(name);

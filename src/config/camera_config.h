@@ -42,6 +42,6 @@ struct CameraConfig {
 
 /// The camera of the group `camera`, or those of the group `cameras`, in alphabetical order.
 /// What is wrong is noted in `root`, with a harmless value in its place.
-[[nodiscard]] std::vector<CameraConfig> readCameras(const Parameters& root);
+[[nodiscard]] std::vector<CameraConfig> readCameras(Parameters root);
 
 }  // namespace synthetic_dataset::config

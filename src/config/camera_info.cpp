@@ -14,14 +14,14 @@ namespace {
 using Errors = std::vector<std::string>;
 
 /// The entries of a matrix under either of its names: a group with `data`, or a plain list.
-std::vector<double> readMatrix(const Parameters& root, const std::string& calibration_name,
+std::vector<double> readMatrix(Parameters& root, const std::string& calibration_name,
                                const std::string& message_name) {
   if (root.has(message_name)) return root.required<std::vector<double>>(message_name);
   return root.group(calibration_name).required<std::vector<double>>("data");
 }
 
 template <std::size_t kSize>
-std::array<double, kSize> readArray(const Parameters& root, const std::string& calibration_name,
+std::array<double, kSize> readArray(Parameters& root, const std::string& calibration_name,
                                     const std::string& message_name) {
   std::array<double, kSize> result{};
   const std::size_t errors_before = root.errors().size();
@@ -36,17 +36,17 @@ std::array<double, kSize> readArray(const Parameters& root, const std::string& c
   return result;
 }
 
-bool hasEither(const Parameters& root, const std::string& one, const std::string& other) {
+bool hasEither(Parameters& root, const std::string& one, const std::string& other) {
   return root.has(one) || root.has(other);
 }
 
-int readSide(const Parameters& root, const std::string& calibration_name,
+int readSide(Parameters& root, const std::string& calibration_name,
              const std::string& message_name) {
   return root.has(message_name) ? root.required<int>(message_name)
                                 : root.required<int>(calibration_name);
 }
 
-CameraInfoNumbers readNumbers(const Parameters& root, bool rectified) {
+CameraInfoNumbers readNumbers(Parameters& root, bool rectified) {
   CameraInfoNumbers numbers;
   numbers.width = readSide(root, "image_width", "width");
   numbers.height = readSide(root, "image_height", "height");
@@ -62,7 +62,7 @@ CameraInfoNumbers readNumbers(const Parameters& root, bool rectified) {
   numbers.binning_x = root.optional<int>("binning_x", 0);
   numbers.binning_y = root.optional<int>("binning_y", 0);
   if (root.has("roi")) {
-    const Parameters roi = root.group("roi");
+    Parameters roi = root.group("roi");
     numbers.roi_x_offset = roi.optional<int>("x_offset", 0);
     numbers.roi_y_offset = roi.optional<int>("y_offset", 0);
     numbers.roi_width = roi.optional<int>("width", 0);
@@ -217,7 +217,7 @@ CameraModel cameraModelFrom(const CameraInfoNumbers& numbers, bool rectified, do
 
 CameraModel cameraModelOf(const Value& info, const std::string& origin, bool rectified, double near,
                           double far) {
-  const Parameters root(info);
+  Parameters root(info);
   const CameraInfoNumbers numbers = readNumbers(root, rectified);
   if (!root.errors().empty()) throwNaming(origin, root.errors());
   try {

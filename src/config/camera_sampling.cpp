@@ -11,13 +11,13 @@ namespace synthetic_dataset::config {
 namespace {
 
 /// A distribution that has a default.
-void read(const Parameters& group, const std::string& name, const DistributionRange& range,
+void read(Parameters& group, const std::string& name, const DistributionRange& range,
           random::Distribution& value) {
   if (auto given = maybeDistribution(group, name, range)) value = std::move(*given);
 }
 
 /// `look_at: any | all | NAME | [x, y, z]`.
-void readAim(const Parameters& group, CameraSampling& sampling) {
+void readAim(Parameters& group, CameraSampling& sampling) {
   const auto given = group.maybe<Value>("look_at");
   if (!given) return;
   if (!given->is<Value::List>()) {
@@ -39,7 +39,7 @@ void readAim(const Parameters& group, CameraSampling& sampling) {
 }
 
 /// `position` in a box, or `distance`, `elevation` and `azimuth`.
-void readPlace(const Parameters& group, CameraSampling& sampling) {
+void readPlace(Parameters& group, CameraSampling& sampling) {
   sampling.position_G = maybeDistribution(group, "position", kPlaceRange);
   for (const char* name : {"distance", "elevation", "azimuth"}) {
     if (!group.has("position") || !group.has(name)) continue;
@@ -57,9 +57,9 @@ void readPlace(const Parameters& group, CameraSampling& sampling) {
 
 }  // namespace
 
-std::optional<CameraSampling> readCameraSampling(const Parameters& camera) {
+std::optional<CameraSampling> readCameraSampling(Parameters camera) {
   if (!camera.has("sample")) return std::nullopt;
-  const Parameters group = camera.group("sample");
+  Parameters group = camera.group("sample");
   CameraSampling sampling;
   readAim(group, sampling);
   readPlace(group, sampling);
@@ -73,7 +73,7 @@ std::optional<CameraSampling> readCameraSampling(const Parameters& camera) {
   }
   constexpr int kMostTries = 1000000;
   if (group.has("tries")) {
-    sampling.tries = numberBetween(group, "tries", sampling.tries, 1, kMostTries);
+    sampling.tries = group.optionalBetween("tries", sampling.tries, 1, kMostTries);
   }
   return sampling;
 }

@@ -37,6 +37,6 @@ struct CameraSampling {
 
 /// Reads a camera's group `sample`, or nothing where there is none.
 /// @param camera  its group
-[[nodiscard]] std::optional<CameraSampling> readCameraSampling(const Parameters& camera);
+[[nodiscard]] std::optional<CameraSampling> readCameraSampling(Parameters camera);
 
 }  // namespace synthetic_dataset::config

@@ -46,8 +46,7 @@ bool isUtf8(const std::string& text) {
 
 }  // namespace
 
-double numberAbove(const Parameters& group, const std::string& name, double fallback,
-                   double limit) {
+double numberAbove(Parameters& group, const std::string& name, double fallback, double limit) {
   const double number = group.optional(name, fallback);
   if (number > limit) return number;
   group.addError(name,
@@ -55,23 +54,14 @@ double numberAbove(const Parameters& group, const std::string& name, double fall
   return fallback;
 }
 
-int numberBetween(const Parameters& group, const std::string& name, int fallback, int low,
-                  int high) {
-  const int number = group.optional(name, fallback);
-  if (number >= low && number <= high) return number;
-  group.addError(name, "found " + std::to_string(number) + "; it should be " + std::to_string(low) +
-                           " to " + std::to_string(high));
-  return fallback;
-}
-
-std::optional<double> maybeProbability(const Parameters& group, const std::string& name) {
+std::optional<double> maybeProbability(Parameters& group, const std::string& name) {
   const auto value = group.maybe<double>(name);
   if (!value || (*value >= 0.0 && *value <= 1.0)) return value;
   group.addError(name, "found " + Value(*value).text() + "; it should be a probability, 0 to 1");
   return std::nullopt;
 }
 
-std::optional<std::int64_t> maybeSceneCount(const Parameters& group, const std::string& name) {
+std::optional<std::int64_t> maybeSceneCount(Parameters& group, const std::string& name) {
   constexpr std::int64_t kMost = 100000000;
   const auto count = group.maybe<std::int64_t>(name);
   if (!count || (*count >= 1 && *count <= kMost)) return count;
@@ -80,7 +70,7 @@ std::optional<std::int64_t> maybeSceneCount(const Parameters& group, const std::
   return std::nullopt;
 }
 
-std::optional<double> maybeSeconds(const Parameters& group, const std::string& name) {
+std::optional<double> maybeSeconds(Parameters& group, const std::string& name) {
   constexpr double kLongest = 1e9;
   const auto number = group.maybe<double>(name);
   if (number && (*number < 0.0 || *number > kLongest)) {
@@ -110,7 +100,7 @@ std::string pathOrUri(const std::string& text) {
   return text.find("://") == std::string::npos ? absolutePath(text) : text;
 }
 
-bool isEmptyList(const Parameters& group, const std::string& name) {
+bool isEmptyList(Parameters& group, const std::string& name) {
   const auto given = group.maybe<Value>(name);
   const auto* list = given ? given->as<Value::List>() : nullptr;
   return list != nullptr && list->empty();

@@ -10,27 +10,22 @@
 namespace synthetic_dataset::config {
 
 /// A number that has to lie above a limit; otherwise that is noted, and the fallback taken.
-[[nodiscard]] double numberAbove(const Parameters& group, const std::string& name, double fallback,
+[[nodiscard]] double numberAbove(Parameters& group, const std::string& name, double fallback,
                                  double limit);
 
-/// A whole number that has to lie in a range, both ends included.
-[[nodiscard]] int numberBetween(const Parameters& group, const std::string& name, int fallback,
-                                int low, int high);
-
 /// A probability, 0 to 1; nothing where it is not there or wrong, which is noted.
-[[nodiscard]] std::optional<double> maybeProbability(const Parameters& group,
-                                                     const std::string& name);
+[[nodiscard]] std::optional<double> maybeProbability(Parameters& group, const std::string& name);
 
 /// How many scenes there are to be, 1 to 100000000: their files' names have eight digits. Nothing
 /// where it is not there or wrong, which is noted.
-[[nodiscard]] std::optional<std::int64_t> maybeSceneCount(const Parameters& group,
+[[nodiscard]] std::optional<std::int64_t> maybeSceneCount(Parameters& group,
                                                           const std::string& name);
 
 /// A length of time in seconds, at most about 30 years, so that nanoseconds stay in range.
-[[nodiscard]] std::optional<double> maybeSeconds(const Parameters& group, const std::string& name);
+[[nodiscard]] std::optional<double> maybeSeconds(Parameters& group, const std::string& name);
 
 /// Whether the parameter is a list without entries.
-[[nodiscard]] bool isEmptyList(const Parameters& group, const std::string& name);
+[[nodiscard]] bool isEmptyList(Parameters& group, const std::string& name);
 
 /// Absolute, with a leading `~/` taken as the user's home; nothing stays nothing.
 [[nodiscard]] std::string absolutePath(const std::string& path);

@@ -12,7 +12,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-MotionSource readSource(const Parameters& root) {
+MotionSource readSource(Parameters& root) {
   const std::string source = root.maybe<std::string>("motion").value_or("bag");
   if (source != "bag" && source != "placement") {
     root.addError("motion", "found '" + source + "'; it should be bag or placement" +
@@ -22,8 +22,7 @@ MotionSource readSource(const Parameters& root) {
 }
 
 /// Settings of the other source would do nothing, which nobody expects.
-void refuse(const Parameters& root, const std::vector<std::string>& names,
-            const std::string& needed) {
+void refuse(Parameters& root, const std::vector<std::string>& names, const std::string& needed) {
   for (const std::string& name : names) {
     if (!root.has(name)) continue;
     root.addError(name, "has a meaning with motion: " + needed + " alone");
@@ -31,7 +30,7 @@ void refuse(const Parameters& root, const std::vector<std::string>& names,
   }
 }
 
-MotionConfig readMotion(const Parameters& root) {
+MotionConfig readMotion(Parameters& root) {
   MotionConfig motion;
   motion.source = readSource(root);
   const bool is_placed = motion.source == MotionSource::kPlacement;
@@ -62,10 +61,9 @@ MotionConfig readMotion(const Parameters& root) {
 }
 
 /// Scenes keep their order: physics goes forward only.
-void checkJitter(const Parameters& root, const MotionConfig& motion,
-                 const Randomization& randomization) {
+void checkJitter(Parameters& root, const MotionConfig& motion, const Randomization& randomization) {
   if (!randomization.time_jitter) return;
-  const Parameters group = root.group("randomize").group("time");
+  Parameters group = root.group("randomize").group("time");
   if (motion.source == MotionSource::kPlacement) {
     group.addError("jitter",
                    "has a meaning with motion: bag alone; what is placed at random stands still");
@@ -83,7 +81,7 @@ void checkJitter(const Parameters& root, const MotionConfig& motion,
                                "`max`");
 }
 
-OnMissingAsset readOnMissingAsset(const Parameters& group) {
+OnMissingAsset readOnMissingAsset(Parameters& group) {
   const std::string found = group.maybe<std::string>("on_missing_asset").value_or("error");
   if (found != "error" && found != "warn") {
     group.addError("on_missing_asset", "found '" + found + "'; it should be error or warn");
@@ -92,12 +90,12 @@ OnMissingAsset readOnMissingAsset(const Parameters& group) {
 }
 
 /// `world` is a file's name, or a group with `file`, `model_folders` and `on_missing_asset`.
-WorldConfig readWorld(const Parameters& root) {
+WorldConfig readWorld(Parameters& root) {
   WorldConfig world;
   const auto replaced = root.maybe<std::string>("world_file");
   const auto given = root.maybe<Value>("world");
   if (given && given->is<Value::Map>()) {
-    const Parameters group = root.group("world");
+    Parameters group = root.group("world");
     if (!replaced) world.file = group.required<std::string>("file");
     group.ignore("file");
     world.model_folders =
@@ -112,9 +110,9 @@ WorldConfig readWorld(const Parameters& root) {
   return world;
 }
 
-PhysicsConfig readPhysics(const Parameters& root, MotionSource source) {
+PhysicsConfig readPhysics(Parameters& root, MotionSource source) {
   PhysicsConfig physics;
-  const Parameters group = root.group("physics");
+  Parameters group = root.group("physics");
   constexpr double kLongestStep = 0.1;  // [s]: beyond it things fall through floors
   physics.step = numberAbove(group, "step", physics.step, 1e-5);
   if (physics.step > kLongestStep) {
@@ -134,9 +132,9 @@ PhysicsConfig readPhysics(const Parameters& root, MotionSource source) {
   return physics;
 }
 
-RenderingConfig readRendering(const Parameters& root) {
+RenderingConfig readRendering(Parameters& root) {
   RenderingConfig rendering;
-  const Parameters group = root.group("rendering");
+  Parameters group = root.group("rendering");
   rendering.samples = group.optional("samples", rendering.samples);
   if (rendering.samples != 1 && rendering.samples != 4) {
     group.addError("samples", "found " + std::to_string(rendering.samples) +
@@ -144,7 +142,7 @@ RenderingConfig readRendering(const Parameters& root) {
     rendering.samples = 4;
   }
   rendering.shadow_map_size =
-      numberBetween(group, "shadow_map_size", rendering.shadow_map_size, 64, 8192);
+      group.optionalBetween("shadow_map_size", rendering.shadow_map_size, 64, 8192);
   rendering.shadow_distance = numberAbove(group, "shadow_distance", rendering.shadow_distance, 0.0);
   rendering.reuse = group.optional("reuse", rendering.reuse);
   return rendering;
@@ -159,7 +157,7 @@ bool isUnusedBlock(const Value& value) {
 }
 
 /// An instance map has 16 bits for an object's place.
-void checkObjectCount(const Parameters& root, std::size_t count) {
+void checkObjectCount(Parameters& root, std::size_t count) {
   constexpr std::size_t kMostObjects = 65535;
   if (count <= kMostObjects) return;
   root.addError("robot_list", "found " + std::to_string(count) +
@@ -170,7 +168,7 @@ void checkObjectCount(const Parameters& root, std::size_t count) {
 
 }  // namespace
 
-Config readConfig(const Parameters& root) {
+Config readConfig(Parameters root) {
   Config config;
   config.motion = readMotion(root);
   if (config.isPlaced()) config.placement = readPlacement(root);
@@ -203,7 +201,7 @@ Config readConfig(const Parameters& root) {
   return config;
 }
 
-std::vector<std::string> unknownParameterErrors(const Parameters& root,
+std::vector<std::string> unknownParameterErrors(Parameters root,
                                                 const std::vector<std::string>& names) {
   // Asking whether a block is unused makes it known, so the suggestions come first.
   std::vector<std::pair<std::string, std::string>> found;

@@ -187,13 +187,13 @@ struct Config {
 };
 
 /// Reads all settings. What is wrong is noted in `root`, with a harmless value in its place.
-[[nodiscard]] Config readConfig(const Parameters& root);
+[[nodiscard]] Config readConfig(Parameters root);
 
 /// One error for each parameter that nobody reads, with the name that it may have meant. Ask when
 /// the writers have read theirs. Blocks of objects and writers that this run does not use are no
 /// error: the original's users keep them in their files.
 /// @param names  which of the root's unknownNames() are told
 [[nodiscard]] std::vector<std::string> unknownParameterErrors(
-    const Parameters& root, const std::vector<std::string>& names);
+    Parameters root, const std::vector<std::string>& names);
 
 }  // namespace synthetic_dataset::config

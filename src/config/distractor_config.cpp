@@ -8,7 +8,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-DistractorMode readMode(const Parameters& group) {
+DistractorMode readMode(Parameters& group) {
   const auto mode = group.optional<std::string>("mode", "fly");
   if (mode == "stand") return DistractorMode::kStand;
   if (mode == "drop") return DistractorMode::kDrop;
@@ -19,7 +19,7 @@ DistractorMode readMode(const Parameters& group) {
   return DistractorMode::kFly;
 }
 
-double readFallTime(const Parameters& group, DistractorMode mode, double fallback) {
+double readFallTime(Parameters& group, DistractorMode mode, double fallback) {
   if (mode == DistractorMode::kDrop) {
     return numberAbove(group, "fall_time", fallback, kShortestFall);
   }
@@ -30,7 +30,7 @@ double readFallTime(const Parameters& group, DistractorMode mode, double fallbac
   return fallback;
 }
 
-std::string readTextures(const Parameters& group) {
+std::string readTextures(Parameters& group) {
   const auto textures = group.optional<std::string>("textures", "procedural");
   return textures == "procedural" || textures == "none" ? textures : absolutePath(textures);
 }
@@ -39,14 +39,14 @@ std::string readTextures(const Parameters& group) {
 
 std::string distractorName(int number) { return "distractor_" + std::to_string(number); }
 
-std::optional<DistractorConfig> readDistractors(const Parameters& randomize) {
+std::optional<DistractorConfig> readDistractors(Parameters randomize) {
   if (!randomize.has("distractors")) return std::nullopt;
-  const Parameters group = randomize.group("distractors");
+  Parameters group = randomize.group("distractors");
   constexpr int kMost = 1000;
   constexpr double kSmallest = 1e-3;  // [m]
   constexpr double kLargest = 1e3;    // [m]
   DistractorConfig distractors;
-  distractors.pool = numberBetween(group, "pool", distractors.pool, 1, kMost);
+  distractors.pool = group.optionalBetween("pool", distractors.pool, 1, kMost);
   if (auto count = maybeDistribution(group, "count", {1, 0.0, kMost})) distractors.count = *count;
   distractors.models =
       group.maybe<std::vector<std::string>>("models").value_or(std::vector<std::string>{});
@@ -62,7 +62,7 @@ std::optional<DistractorConfig> readDistractors(const Parameters& randomize) {
   distractors.volume = readVolume(group);
   if (group.has("class")) distractors.label_class = readLabel(group, "class");
   if (group.has("tries")) {
-    distractors.tries = numberBetween(group, "tries", distractors.tries, 1, 1000000);
+    distractors.tries = group.optionalBetween("tries", distractors.tries, 1, 1000000);
   }
   return distractors;
 }

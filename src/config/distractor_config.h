@@ -37,6 +37,6 @@ struct DistractorConfig {
 [[nodiscard]] std::string distractorName(int number);
 
 /// Reads the group `distractors` of `randomize`, or nothing where there is none.
-[[nodiscard]] std::optional<DistractorConfig> readDistractors(const Parameters& randomize);
+[[nodiscard]] std::optional<DistractorConfig> readDistractors(Parameters randomize);
 
 }  // namespace synthetic_dataset::config

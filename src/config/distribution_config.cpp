@@ -209,7 +209,7 @@ std::optional<random::TextChoice> choiceOfTexts(const DistributionEntry& entry,
 
 }  // namespace
 
-std::optional<Distribution> maybeDistribution(const Parameters& group, const std::string& name,
+std::optional<Distribution> maybeDistribution(Parameters group, const std::string& name,
                                               const DistributionRange& range) {
   const auto given = group.maybe<Value>(name);
   if (!given) return std::nullopt;
@@ -218,7 +218,7 @@ std::optional<Distribution> maybeDistribution(const Parameters& group, const std
   return map == nullptr ? reader.constant(*given) : reader.fromGroup(*map);
 }
 
-std::optional<random::TextChoice> maybeChoice(const Parameters& group, const std::string& name) {
+std::optional<random::TextChoice> maybeChoice(Parameters group, const std::string& name) {
   const auto given = group.maybe<Value>(name);
   if (!given) return std::nullopt;
   if (const auto* text = given->as<std::string>()) return random::TextChoice{{*text}, {}};

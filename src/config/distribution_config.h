@@ -44,10 +44,10 @@ inline constexpr DistributionRange kTurnRange{1, -2.0 * kHalfTurn, 2.0 * kHalfTu
 /// What is wrong, or could be drawn out of range, is noted in `group` as an error of `name`.
 /// @return nothing where it is not there or wrong
 [[nodiscard]] std::optional<random::Distribution> maybeDistribution(
-    const Parameters& group, const std::string& name, const DistributionRange& range = {});
+    Parameters group, const std::string& name, const DistributionRange& range = {});
 
 /// The same of a text: one alone, or a group with `choice` and perhaps `weights`.
-[[nodiscard]] std::optional<random::TextChoice> maybeChoice(const Parameters& group,
+[[nodiscard]] std::optional<random::TextChoice> maybeChoice(Parameters group,
                                                             const std::string& name);
 
 }  // namespace synthetic_dataset::config

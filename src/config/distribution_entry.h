@@ -21,8 +21,7 @@ struct DistributionKind {
 class DistributionEntry {
  public:
   /// @param group  which holds it; outlives this
-  DistributionEntry(const Parameters& group, std::string name)
-      : group_(group), name_(std::move(name)) {}
+  DistributionEntry(Parameters& group, std::string name) : group_(group), name_(std::move(name)) {}
 
   /// Notes what is wrong.
   /// @return nothing, for a reader to end with
@@ -39,7 +38,7 @@ class DistributionEntry {
                                                              std::size_t count) const;
 
  private:
-  const Parameters& group_;
+  Parameters& group_;
   std::string name_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLargestClass = 65534;  // its place + 1 fits into 16 bits of a class map
 
-MaskMethod readMethod(const Parameters& group, MaskMethod fallback) {
+MaskMethod readMethod(Parameters& group, MaskMethod fallback) {
   const auto found = group.maybe<std::string>("method");
   if (!found) return fallback;
   if (*found == "mog2") return MaskMethod::kMog2;
@@ -35,7 +35,7 @@ std::optional<int> wholeNumber(const std::string& text) {
 /// Takes note of a class once, by number and by name.
 class ClassTable {
  public:
-  explicit ClassTable(const Parameters& root) : root_(root) {}
+  explicit ClassTable(Parameters& root) : root_(root) {}
 
   void add(int id, const std::string& name) {
     if (id < 0 || id > kLargestClass) {
@@ -73,15 +73,15 @@ class ClassTable {
   [[nodiscard]] std::vector<std::string> names() const { return {names_.begin(), names_.end()}; }
 
  private:
-  const Parameters& root_;
+  Parameters& root_;
   std::map<int, std::string> by_id_;
   std::set<std::string> names_;
 };
 
 /// The parameter `classes`: a list of names, numbered from 0, or a map from name to number.
-void readTable(const Parameters& root, const Value& given, ClassTable& table) {
+void readTable(Parameters& root, const Value& given, ClassTable& table) {
   if (given.is<Value::Map>()) {
-    const Parameters group = root.group("classes");
+    Parameters group = root.group("classes");
     for (const std::string& name : group.names()) table.add(group.required<int>(name), name);
     return;
   }
@@ -109,14 +109,14 @@ void numberClasses(const std::vector<ObjectConfig>& objects, ClassTable& table) 
 
 }  // namespace
 
-MaskConfig readMasks(const Parameters& root) {
+MaskConfig readMasks(Parameters root) {
   MaskConfig masks;
-  const Parameters subtractor = root.group("background_subtractor");
+  Parameters subtractor = root.group("background_subtractor");
   masks.history_length =
-      numberBetween(subtractor, "history_length", masks.history_length, 1, 10000);
+      subtractor.optionalBetween("history_length", masks.history_length, 1, 10000);
   masks.var_threshold = numberAbove(subtractor, "var_threshold", masks.var_threshold, 0.0);
   masks.detect_shadows = subtractor.optional("detect_shadows", masks.detect_shadows);
-  const Parameters group = root.group("masks");
+  Parameters group = root.group("masks");
   masks.clean = group.optional("clean", masks.clean);
   masks.method_is_given = group.has("method");
   masks.method =
@@ -124,9 +124,9 @@ MaskConfig readMasks(const Parameters& root) {
   return masks;
 }
 
-LabelConfig readLabels(const Parameters& root) {
+LabelConfig readLabels(Parameters root) {
   LabelConfig labels;
-  const Parameters group = root.group("labels");
+  Parameters group = root.group("labels");
   labels.min_visibility = group.maybe<double>("min_visibility").value_or(0.0);
   if (!(labels.min_visibility >= 0.0 && labels.min_visibility <= 1.0)) {
     group.addError("min_visibility", "found " + Value(labels.min_visibility).text() +
@@ -146,10 +146,10 @@ LabelConfig readLabels(const Parameters& root) {
   return labels;
 }
 
-SplitConfig readSplit(const Parameters& root) {
+SplitConfig readSplit(Parameters root) {
   SplitConfig split;
   if (!root.has("split")) return split;
-  const Parameters group = root.group("split");
+  Parameters group = root.group("split");
   double sum = 0.0;
   bool is_right = true;
   for (const char* name : {"train", "val", "test"}) {
@@ -177,7 +177,7 @@ SplitConfig readSplit(const Parameters& root) {
   return split;
 }
 
-std::vector<ClassConfig> readClasses(const Parameters& root, std::vector<ObjectConfig>& objects) {
+std::vector<ClassConfig> readClasses(Parameters root, std::vector<ObjectConfig>& objects) {
   ClassTable table(root);
   const auto given = root.maybe<Value>("classes");
   if (given) {

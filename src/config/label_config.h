@@ -5,20 +5,20 @@
 namespace synthetic_dataset::config {
 
 /// Reads `masks` and `background_subtractor`.
-[[nodiscard]] MaskConfig readMasks(const Parameters& root);
+[[nodiscard]] MaskConfig readMasks(Parameters root);
 
 /// Reads `labels`.
-[[nodiscard]] LabelConfig readLabels(const Parameters& root);
+[[nodiscard]] LabelConfig readLabels(Parameters root);
 
 /// Reads `split`.
-[[nodiscard]] SplitConfig readSplit(const Parameters& root);
+[[nodiscard]] SplitConfig readSplit(Parameters root);
 
 /// Reads `classes` and gives each object its class's number.
 ///
 /// Without `classes`, a class that is a whole number keeps it, and the others take the numbers that
 /// are left, from 0 on, in alphabetical order.
 /// @return all classes in the order of their numbers
-[[nodiscard]] std::vector<ClassConfig> readClasses(const Parameters& root,
+[[nodiscard]] std::vector<ClassConfig> readClasses(Parameters root,
                                                    std::vector<ObjectConfig>& objects);
 
 }  // namespace synthetic_dataset::config

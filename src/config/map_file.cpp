@@ -13,7 +13,7 @@ namespace {
 
 /// A number that is held against a rule when it is one.
 template <class Rule>
-double numberThat(Rule isRight, const Parameters& root, const std::string& name,
+double numberThat(Rule isRight, Parameters& root, const std::string& name,
                   const std::string& should) {
   const std::size_t errors_before = root.errors().size();
   const auto number = root.required<double>(name);
@@ -23,7 +23,7 @@ double numberThat(Rule isRight, const Parameters& root, const std::string& name,
   return number;
 }
 
-void readThresholds(const Parameters& root, MapFile& map) {
+void readThresholds(Parameters& root, MapFile& map) {
   const auto isShare = [](double number) { return number >= 0.0 && number <= 1.0; };
   const std::size_t errors_before = root.errors().size();
   map.occupied_threshold = numberThat(isShare, root, "occupied_thresh", "0 to 1");
@@ -36,7 +36,7 @@ void readThresholds(const Parameters& root, MapFile& map) {
   }
 }
 
-void readOrigin(const Parameters& root, MapFile& map) {
+void readOrigin(Parameters& root, MapFile& map) {
   const std::size_t errors_before = root.errors().size();
   const auto origin = root.required<std::vector<double>>("origin");
   if (root.errors().size() > errors_before) return;
@@ -51,7 +51,7 @@ void readOrigin(const Parameters& root, MapFile& map) {
 }
 
 /// map_saver writes 0; people write false.
-bool readNegate(const Parameters& root) {
+bool readNegate(Parameters& root) {
   const std::size_t errors_before = root.errors().size();
   const auto negate = root.required<Value>("negate");
   if (negate == Value(true) || negate == Value(1)) return true;
@@ -62,7 +62,7 @@ bool readNegate(const Parameters& root) {
   return false;
 }
 
-MapMode readMode(const Parameters& root) {
+MapMode readMode(Parameters& root) {
   const auto mode = root.optional<std::string>("mode", "trinary");
   if (mode == "scale") return MapMode::kScale;
   if (mode == "raw") return MapMode::kRaw;
@@ -72,7 +72,7 @@ MapMode readMode(const Parameters& root) {
   return MapMode::kTrinary;
 }
 
-std::string readImage(const Parameters& root, const std::string& file) {
+std::string readImage(Parameters& root, const std::string& file) {
   const std::size_t errors_before = root.errors().size();
   const auto image = root.required<std::string>("image");
   if (image.empty() && root.errors().size() == errors_before) {
@@ -84,7 +84,7 @@ std::string readImage(const Parameters& root, const std::string& file) {
 }  // namespace
 
 MapFile readMapFile(const std::string& file) {
-  const Parameters root(loadYamlFile(file));
+  Parameters root(loadYamlFile(file));
   const auto isPositive = [](double number) { return number > 0.0; };
   MapFile map;
   map.image = readImage(root, file);

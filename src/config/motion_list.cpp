@@ -92,7 +92,7 @@ class Reader {
       error(problem.what());
       return;
     }
-    const Parameters group(Value(entry.own), entry.group);
+    Parameters group(Value(entry.own), entry.group);
     entry.name = readName(group).value_or(entry.name);
     entry.weight = readWeight(group);
     entry.split = readSplitName(group);
@@ -102,7 +102,7 @@ class Reader {
     list_.entries.push_back(std::move(entry));
   }
 
-  static std::optional<std::string> readName(const Parameters& group) {
+  static std::optional<std::string> readName(Parameters& group) {
     auto name = group.maybe<std::string>("name");
     if (name && (name->empty() || name->find_first_of("\n\r") != std::string::npos)) {
       group.addError("name", "found '" + *name + "'; it should be a text of one line");
@@ -111,7 +111,7 @@ class Reader {
     return name;
   }
 
-  double readWeight(const Parameters& group) {
+  double readWeight(Parameters& group) {
     const auto weight = group.maybe<double>("weight");
     if (!weight) return 1.0;
     list_.is_weighted = true;
@@ -122,7 +122,7 @@ class Reader {
     return 1.0;
   }
 
-  static std::optional<std::string> readSplitName(const Parameters& group) {
+  static std::optional<std::string> readSplitName(Parameters& group) {
     const auto split = group.maybe<std::string>("split");
     if (!split || *split == "train" || *split == "val" || *split == "test") return split;
     group.addError("split", "found '" + *split +
@@ -132,7 +132,7 @@ class Reader {
     return std::nullopt;
   }
 
-  void readObjects(const Parameters& group, MotionEntry& entry) const {
+  void readObjects(Parameters group, MotionEntry& entry) const {
     const auto names = group.maybe<std::vector<std::string>>("robot_list");
     if (!names) return;
     if (names->empty()) {

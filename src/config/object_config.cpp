@@ -11,7 +11,7 @@ namespace synthetic_dataset::config {
 namespace {
 
 /// `frame` as it is, else `frame_id` below the object's name.
-std::string readFrame(const Parameters& group, const std::string& name) {
+std::string readFrame(Parameters& group, const std::string& name) {
   const auto frame = group.maybe<std::string>("frame");
   if (!frame) return name + "/" + group.optional<std::string>("frame_id", "base_link");
   if (group.has("frame_id")) {
@@ -25,7 +25,7 @@ std::string readFrame(const Parameters& group, const std::string& name) {
   return *frame;
 }
 
-void checkPattern(const Parameters& group, const std::string& pattern) {
+void checkPattern(Parameters& group, const std::string& pattern) {
   std::string rest = pattern;
   bool names_link = false;
   for (const std::string placeholder : {"{object}", "{link}"}) {
@@ -42,11 +42,11 @@ void checkPattern(const Parameters& group, const std::string& pattern) {
 }
 
 /// A pattern for all links, or a map from a link to its frame.
-LinkFrames readLinkFrames(const Parameters& group) {
+LinkFrames readLinkFrames(Parameters& group) {
   LinkFrames frames;
   const auto given = group.maybe<Value>("link_frames");
   if (given && given->is<Value::Map>()) {
-    const Parameters links = group.group("link_frames");
+    Parameters links = group.group("link_frames");
     for (const std::string& link : links.names()) {
       frames.by_link[link] = links.required<std::string>(link);
     }
@@ -61,7 +61,7 @@ LinkFrames readLinkFrames(const Parameters& group) {
 }
 
 /// N of "farthest_points: N", as a map or, by a slip that YAML invites, as one text.
-std::optional<int> farthestPointsOf(const Parameters& group, const Value& keypoints) {
+std::optional<int> farthestPointsOf(Parameters& group, const Value& keypoints) {
   if (keypoints.is<Value::Map>()) {
     return group.group("keypoints").required<int>("farthest_points");
   }
@@ -73,7 +73,7 @@ std::optional<int> farthestPointsOf(const Parameters& group, const Value& keypoi
   return number >> count && (number >> std::ws).eof() ? count : 0;
 }
 
-void readKeypoints(const Parameters& group, ObjectConfig& object) {
+void readKeypoints(Parameters& group, ObjectConfig& object) {
   const auto given = group.maybe<Value>("keypoints");
   if (!given) return;
   const auto count = farthestPointsOf(group, *given);
@@ -96,7 +96,7 @@ std::size_t keypointCount(const ObjectConfig& object) {
                                     : object.keypoints_O.size();
 }
 
-void readKeypointNames(const Parameters& group, ObjectConfig& object) {
+void readKeypointNames(Parameters& group, ObjectConfig& object) {
   const auto names = group.maybe<std::vector<std::string>>("keypoint_names");
   if (!names) return;
   if (names->size() != keypointCount(object)) {
@@ -128,7 +128,7 @@ std::optional<std::size_t> keypointOf(const Value& end, const ObjectConfig& obje
 }
 
 /// `skeleton: [[0, 1], [nose, tail]]`.
-void readSkeleton(const Parameters& group, ObjectConfig& object) {
+void readSkeleton(Parameters& group, ObjectConfig& object) {
   const auto given = group.maybe<Value>("skeleton");
   if (!given) return;
   const auto* lines = given->as<Value::List>();
@@ -152,7 +152,7 @@ void readSkeleton(const Parameters& group, ObjectConfig& object) {
   }
 }
 
-std::vector<Eigen::Vector3d> readBoundingShape(const Parameters& group) {
+std::vector<Eigen::Vector3d> readBoundingShape(Parameters& group) {
   const auto given = group.maybe<Value>("bounding_shape");
   if (!given || given->is<std::string>()) {
     const auto text = group.optional<std::string>("bounding_shape", "model_box");
@@ -171,7 +171,7 @@ std::vector<Eigen::Vector3d> readBoundingShape(const Parameters& group) {
   return group.required<std::vector<Eigen::Vector3d>>("bounding_shape");
 }
 
-std::optional<double> readSafetyRadius(const Parameters& group) {
+std::optional<double> readSafetyRadius(Parameters& group) {
   const auto radius = group.maybe<double>("safety_radius");
   if (radius && !(*radius >= 0.0)) {
     group.addError("safety_radius", "found " + Value(*radius).text() +
@@ -186,8 +186,8 @@ bool isXml(const std::string& text) {
   return first != std::string::npos && text[first] == '<';
 }
 
-ObjectConfig readObject(const Parameters& root, const std::string& name) {
-  const Parameters group = root.group(name);
+ObjectConfig readObject(Parameters& root, const std::string& name) {
+  Parameters group = root.group(name);
   ObjectConfig object;
   object.name = name;
   object.class_text = readLabel(group, "class");
@@ -225,7 +225,7 @@ ObjectConfig labelledDistractor(int number, const std::string& label_class) {
 
 }  // namespace
 
-std::string readLabel(const Parameters& group, const std::string& name) {
+std::string readLabel(Parameters group, const std::string& name) {
   const Value value = group.required<Value>(name);
   std::string text = value.text();
   if (value.is<Value::List>() || value.is<Value::Map>() || value.is<bool>()) {
@@ -236,8 +236,7 @@ std::string readLabel(const Parameters& group, const std::string& name) {
   return text;
 }
 
-void addLabelledDistractors(const Parameters& root,
-                            const std::optional<DistractorConfig>& distractors,
+void addLabelledDistractors(Parameters root, const std::optional<DistractorConfig>& distractors,
                             std::vector<ObjectConfig>& objects) {
   if (!distractors || !distractors->label_class) return;
   std::set<std::string> taken;
@@ -250,7 +249,7 @@ void addLabelledDistractors(const Parameters& root,
   }
 }
 
-std::vector<ObjectConfig> readObjects(const Parameters& root) {
+std::vector<ObjectConfig> readObjects(Parameters root) {
   const auto names = root.required<std::vector<std::string>>("robot_list");
   if (isEmptyList(root, "robot_list")) {
     root.addError("robot_list", "found an empty list; it should name at least one object");

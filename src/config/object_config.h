@@ -9,14 +9,13 @@
 namespace synthetic_dataset::config {
 
 /// Reads `robot_list` and the group of each object in it.
-[[nodiscard]] std::vector<ObjectConfig> readObjects(const Parameters& root);
+[[nodiscard]] std::vector<ObjectConfig> readObjects(Parameters root);
 
 /// Adds the distractors that are labelled to the objects, in the order of their numbers.
-void addLabelledDistractors(const Parameters& root,
-                            const std::optional<DistractorConfig>& distractors,
+void addLabelledDistractors(Parameters root, const std::optional<DistractorConfig>& distractors,
                             std::vector<ObjectConfig>& objects);
 
 /// A class's name or an object's id: a text or a number, a word of label files.
-[[nodiscard]] std::string readLabel(const Parameters& group, const std::string& name);
+[[nodiscard]] std::string readLabel(Parameters group, const std::string& name);
 
 }  // namespace synthetic_dataset::config

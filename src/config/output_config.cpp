@@ -22,7 +22,7 @@ std::string memberText(const Value& entry, const std::string& member) {
 
 /// One of some words; left out, the first.
 template <class Choice>
-Choice choice(const Parameters& group, const std::string& name,
+Choice choice(Parameters& group, const std::string& name,
               const std::vector<std::pair<std::string, Choice>>& choices) {
   auto found = group.maybe<Value>(name);
   if (!found) return choices.front().second;
@@ -38,7 +38,7 @@ Choice choice(const Parameters& group, const std::string& name,
 }
 
 /// `only_scenes: [17]`, or one number.
-std::set<std::int64_t> readOnlyScenes(const Parameters& root) {
+std::set<std::int64_t> readOnlyScenes(Parameters& root) {
   const auto given = root.maybe<Value>("only_scenes");
   if (!given) return {};
   const auto* list = given->as<Value::List>();
@@ -61,9 +61,9 @@ std::set<std::int64_t> readOnlyScenes(const Parameters& root) {
 }
 
 /// `shard: {index: 2, count: 8}`; none when the whole run is to be made.
-std::optional<ShardConfig> readShard(const Parameters& root) {
+std::optional<ShardConfig> readShard(Parameters& root) {
   if (!root.has("shard")) return std::nullopt;
-  const Parameters group = root.group("shard");
+  Parameters group = root.group("shard");
   ShardConfig shard;
   if (!group.has("count") || !group.has("index")) {
     for (const char* name : {"count", "index"}) (void)group.required<std::int64_t>(name);
@@ -86,9 +86,9 @@ std::optional<ShardConfig> readShard(const Parameters& root) {
   return shard;
 }
 
-int readProcesses(const Parameters& root, bool is_shard) {
+int readProcesses(Parameters& root, bool is_shard) {
   constexpr int kMost = 1024;
-  const int processes = numberBetween(root, "processes", 1, 1, kMost);
+  const int processes = root.optionalBetween("processes", 1, 1, kMost);
   if (!is_shard || processes == 1) return processes;
   root.addError("processes", "found " + std::to_string(processes) +
                                  " and a shard, which one process makes; it should be 1, or " +
@@ -97,7 +97,7 @@ int readProcesses(const Parameters& root, bool is_shard) {
 }
 
 /// Names and types of the writers; left out, the original's three.
-std::vector<std::pair<std::string, std::string>> readWriterNames(const Parameters& root) {
+std::vector<std::pair<std::string, std::string>> readWriterNames(Parameters& root) {
   const auto given = root.maybe<Value>("writers");
   if (!given) {
     return {{"bounding_shape", "synthetic_dataset/BoundingShape"},
@@ -135,7 +135,7 @@ std::vector<std::pair<std::string, std::string>> readWriterNames(const Parameter
 
 }  // namespace
 
-OutputConfig readOutput(const Parameters& root) {
+OutputConfig readOutput(Parameters root) {
   OutputConfig output;
   output.folder = absolutePath(root.maybe<std::string>("output_folder").value_or(""));
   output.if_exists = choice<IfExists>(root, "if_exists",
@@ -147,13 +147,13 @@ OutputConfig readOutput(const Parameters& root) {
   output.shard = readShard(root);
   output.processes = readProcesses(root, output.shard.has_value());
   output.only_scenes = readOnlyScenes(root);
-  const Parameters image = root.group("image");
-  output.png_compression = numberBetween(image, "png_compression", output.png_compression, 0, 9);
-  output.jpeg_quality = numberBetween(image, "jpeg_quality", output.jpeg_quality, 1, 100);
+  Parameters image = root.group("image");
+  output.png_compression = image.optionalBetween("png_compression", output.png_compression, 0, 9);
+  output.jpeg_quality = image.optionalBetween("jpeg_quality", output.jpeg_quality, 1, 100);
   return output;
 }
 
-std::vector<WriterConfig> readWriters(const Parameters& root, const std::string& output_folder) {
+std::vector<WriterConfig> readWriters(Parameters root, const std::string& output_folder) {
   std::vector<WriterConfig> writers;
   std::set<std::string> seen;
   for (const auto& [name, type] : readWriterNames(root)) {
@@ -161,7 +161,7 @@ std::vector<WriterConfig> readWriters(const Parameters& root, const std::string&
       root.addError("writers", "found the name '" + name + "' more than once");
       continue;
     }
-    const Parameters group = root.group(name);
+    Parameters group = root.group(name);
     auto folder = group.maybe<std::string>("output_folder");
     if (!folder && output_folder.empty()) {
       group.addError("output_folder",

@@ -8,11 +8,11 @@
 namespace synthetic_dataset::config {
 
 /// Reads `output_folder`, `if_exists` and `image`.
-[[nodiscard]] OutputConfig readOutput(const Parameters& root);
+[[nodiscard]] OutputConfig readOutput(Parameters root);
 
 /// Reads `writers`, left out the original's three, and where each puts its files.
 /// @param output_folder  of the run; empty when it has none
-[[nodiscard]] std::vector<WriterConfig> readWriters(const Parameters& root,
+[[nodiscard]] std::vector<WriterConfig> readWriters(Parameters root,
                                                     const std::string& output_folder);
 
 /// The deepest folder that all the writers' folders share, for the manifest.

@@ -12,7 +12,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-PlacementMode readMode(const Parameters& group) {
+PlacementMode readMode(Parameters& group) {
   const auto mode = group.optional<std::string>("mode", "map");
   if (mode == "volume") return PlacementMode::kVolume;
   if (mode == "drop") return PlacementMode::kDrop;
@@ -24,7 +24,7 @@ PlacementMode readMode(const Parameters& group) {
 }
 
 /// One of two words. @return whether it is the first
-bool readWord(const Parameters& group, const std::string& name, const std::string& first,
+bool readWord(Parameters& group, const std::string& name, const std::string& first,
               const std::string& second) {
   const auto word = group.optional<std::string>(name, first);
   if (word != first && word != second) {
@@ -34,7 +34,7 @@ bool readWord(const Parameters& group, const std::string& name, const std::strin
 }
 
 /// Settings of another mode would do nothing, which nobody expects.
-void refuseOthers(const Parameters& group, PlacementMode mode) {
+void refuseOthers(Parameters& group, PlacementMode mode) {
   const bool is_map = mode == PlacementMode::kMap;
   const auto refuse = [&](const char* name, const char* needed) {
     if (!group.has(name)) return;
@@ -51,8 +51,7 @@ void refuseOthers(const Parameters& group, PlacementMode mode) {
   if (mode != PlacementMode::kDrop) refuse("fall_time", "drop");
 }
 
-double numberFromZero(const Parameters& group, const std::string& name, double fallback,
-                      double most) {
+double numberFromZero(Parameters& group, const std::string& name, double fallback, double most) {
   const double number = group.optional(name, fallback);
   if (number >= 0.0 && number <= most) return number;
   group.addError(name,
@@ -60,14 +59,14 @@ double numberFromZero(const Parameters& group, const std::string& name, double f
   return fallback;
 }
 
-double heightOf(const Parameters& group, const std::string& name, double fallback) {
+double heightOf(Parameters& group, const std::string& name, double fallback) {
   const double height = group.optional(name, fallback);
   if (std::abs(height) <= kFarthest) return height;
   group.addError(name, "found " + Value(height).text() + " m; it should be -1e6 to 1e6");
   return fallback;
 }
 
-void readSurface(const Parameters& group, PlacementConfig& placement) {
+void readSurface(Parameters& group, PlacementConfig& placement) {
   constexpr double kSteepest = 1.5;  // [rad] nearly a wall
   placement.on_surface = readWord(group, "surface", "below", "none");
   if (!placement.on_surface) {
@@ -79,7 +78,7 @@ void readSurface(const Parameters& group, PlacementConfig& placement) {
   placement.unevenness = numberFromZero(group, "unevenness", placement.unevenness, 1e3);
 }
 
-void readMap(const Parameters& group, PlacementConfig& placement) {
+void readMap(Parameters& group, PlacementConfig& placement) {
   placement.map_file = group.maybe<std::string>("map");
   placement.map_topic = group.maybe<std::string>("map_topic");
   placement.received_map = group.maybe<Value>("received_map");
@@ -98,7 +97,7 @@ void readMap(const Parameters& group, PlacementConfig& placement) {
   readSurface(group, placement);
 }
 
-std::optional<Eigen::Vector3d> readCorner(const Parameters& volume, const std::string& name) {
+std::optional<Eigen::Vector3d> readCorner(Parameters& volume, const std::string& name) {
   const auto numbers = volume.required<std::vector<double>>(name);
   const bool is_near = std::all_of(numbers.begin(), numbers.end(),
                                    [](double each) { return std::abs(each) <= kFarthest; });
@@ -114,13 +113,13 @@ std::optional<Eigen::Vector3d> readCorner(const Parameters& volume, const std::s
 
 }  // namespace
 
-Volume readVolume(const Parameters& group) {
+Volume readVolume(Parameters group) {
   if (!group.has("volume")) {
     group.addError("volume",
                    "missing; it should be {min: [x, y, z], max: [x, y, z]}, a box in global_frame");
     return {};
   }
-  const Parameters corners = group.group("volume");
+  Parameters corners = group.group("volume");
   const auto low = readCorner(corners, "min");
   const auto high = readCorner(corners, "max");
   if (!low || !high) return {};
@@ -129,9 +128,9 @@ Volume readVolume(const Parameters& group) {
   return {};
 }
 
-PlacementConfig readPlacement(const Parameters& root) {
+PlacementConfig readPlacement(Parameters root) {
   PlacementConfig placement;
-  const Parameters group = root.group("placement");
+  Parameters group = root.group("placement");
   placement.mode = readMode(group);
   if (placement.mode == PlacementMode::kMap) {
     readMap(group, placement);
@@ -144,7 +143,7 @@ PlacementConfig readPlacement(const Parameters& root) {
   }
   refuseOthers(group, placement.mode);
   constexpr int kMostTries = 1000000;
-  placement.tries = numberBetween(group, "tries", placement.tries, 1, kMostTries);
+  placement.tries = group.optionalBetween("tries", placement.tries, 1, kMostTries);
   return placement;
 }
 

@@ -44,9 +44,9 @@ struct PlacementConfig {
 };
 
 /// Reads a group's `volume: {min: [x, y, z], max: [x, y, z]}`, without which there is an error.
-[[nodiscard]] Volume readVolume(const Parameters& group);
+[[nodiscard]] Volume readVolume(Parameters group);
 
 /// Reads the group `placement`. What is wrong is noted there, with a harmless value in its place.
-[[nodiscard]] PlacementConfig readPlacement(const Parameters& root);
+[[nodiscard]] PlacementConfig readPlacement(Parameters root);
 
 }  // namespace synthetic_dataset::config

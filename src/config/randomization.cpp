@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kBrightest = 1e6;
 
-LightRandomization readLight(const Parameters& group) {
+LightRandomization readLight(Parameters group) {
   LightRandomization light;
   light.present = maybeProbability(group, "present");
   light.intensity = maybeDistribution(group, "intensity", {1, 0.0, kBrightest});
@@ -21,7 +21,7 @@ LightRandomization readLight(const Parameters& group) {
 
 /// How many lights are on; nothing where each light goes its own way.
 std::optional<random::Distribution> readLightCount(
-    const Parameters& group, const std::map<std::string, LightRandomization>& lights) {
+    Parameters& group, const std::map<std::string, LightRandomization>& lights) {
   constexpr double kMost = 1000.0;  // the world's own number is known later
   const std::string name = "light_count";
   auto count = maybeDistribution(group, name, {1, 0.0, kMost});
@@ -34,7 +34,7 @@ std::optional<random::Distribution> readLightCount(
   return count;
 }
 
-bool readForEachVisual(const Parameters& group) {
+bool readForEachVisual(Parameters& group) {
   const std::string each = group.maybe<std::string>("for_each").value_or("visual");
   if (each != "visual" && each != "model") {
     group.addError("for_each", "found '" + each + "'; it should be visual or model");
@@ -42,7 +42,7 @@ bool readForEachVisual(const Parameters& group) {
   return each != "model";
 }
 
-MaterialRandomization readMaterial(const Parameters& group) {
+MaterialRandomization readMaterial(Parameters group) {
   MaterialRandomization material;
   material.for_each_visual = readForEachVisual(group);
   material.colour = maybeDistribution(group, "colour", {3, 0.0, 1.0});
@@ -56,7 +56,7 @@ MaterialRandomization readMaterial(const Parameters& group) {
   return material;
 }
 
-std::optional<random::TextChoice> readModels(const Parameters& group) {
+std::optional<random::TextChoice> readModels(Parameters& group) {
   auto models = maybeChoice(group, "model");
   if (!models) return std::nullopt;
   for (std::string& model : models->texts) {
@@ -71,7 +71,7 @@ std::optional<random::TextChoice> readModels(const Parameters& group) {
   return models;
 }
 
-ObjectRandomization readObject(const Parameters& group) {
+ObjectRandomization readObject(Parameters group) {
   constexpr double kSmallest = 1e-3;
   constexpr double kLargest = 1e3;
   constexpr int kMostSizes = 100;
@@ -80,7 +80,7 @@ ObjectRandomization readObject(const Parameters& group) {
   object.model = readModels(group);
   object.scale = maybeDistribution(group, "scale", {1, kSmallest, kLargest});
   if (object.scale && object.scale->values().empty()) {
-    object.sizes = numberBetween(group, "sizes", object.sizes, 1, kMostSizes);
+    object.sizes = group.optionalBetween("sizes", object.sizes, 1, kMostSizes);
   } else if (group.has("sizes")) {
     group.addError("sizes",
                    "has a meaning beside a scale that is drawn from a range: how many "
@@ -90,7 +90,7 @@ ObjectRandomization readObject(const Parameters& group) {
   return object;
 }
 
-SensorRandomization readSensor(const Parameters& group) {
+SensorRandomization readSensor(Parameters group) {
   constexpr double kMostStops = 10.0;
   constexpr double kWidestBlur = 50.0;  // [px]
   SensorRandomization sensor;
@@ -113,20 +113,20 @@ const ObjectRandomization& Randomization::ofObject(const std::string& name) cons
   return entry == objects.end() ? kNothing : entry->second;
 }
 
-Randomization readRandomization(const Parameters& root) {
+Randomization readRandomization(Parameters root) {
   Randomization randomization;
   if (!root.has("randomize")) return randomization;
-  const Parameters group = root.group("randomize");
-  const Parameters lights = group.group("lights");
+  Parameters group = root.group("randomize");
+  Parameters lights = group.group("lights");
   for (const std::string& name : lights.names()) {
     randomization.lights[name] = readLight(lights.group(name));
   }
   randomization.light_count = readLightCount(group, randomization.lights);
-  const Parameters objects = group.group("objects");
+  Parameters objects = group.group("objects");
   for (const std::string& name : objects.names()) {
     randomization.objects[name] = readObject(objects.group(name));
   }
-  const Parameters materials = group.group("materials");
+  Parameters materials = group.group("materials");
   for (const std::string& name : materials.names()) {
     randomization.materials[name] = readMaterial(materials.group(name));
   }
@@ -135,8 +135,8 @@ Randomization readRandomization(const Parameters& root) {
   randomization.background = readBackground(group);
   randomization.sensor = readSensor(group.group("sensor"));
   constexpr double kLongest = 1e6;  // [s]; the time from scene to scene is the real limit
-  randomization.time_jitter =
-      maybeDistribution(group.group("time"), "jitter", {1, -kLongest, kLongest});
+  Parameters time = group.group("time");
+  randomization.time_jitter = maybeDistribution(time, "jitter", {1, -kLongest, kLongest});
   return randomization;
 }
 

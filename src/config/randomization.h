@@ -86,6 +86,6 @@ struct Randomization {
 inline const char* const kOthers = "every";
 
 /// Reads the group `randomize`, all of which may be left out.
-[[nodiscard]] Randomization readRandomization(const Parameters& root);
+[[nodiscard]] Randomization readRandomization(Parameters root);
 
 }  // namespace synthetic_dataset::config

@@ -253,8 +253,9 @@ class ManifestRecords : public SceneRecords {
   ManifestRecords(const Manifest& manifest, std::size_t writer)
       : manifest_(manifest), writer_(writer) {}
 
-  void forEach(const std::function<void(std::int64_t, const std::string&)>& visit) const override {
-    manifest_.forEachRecord(writer_, visit);
+  void forEach(const std::string& channel,
+               const std::function<void(std::int64_t, const std::string&)>& visit) const override {
+    manifest_.forEachRecord(writer_, channel, visit);
   }
 
  private:

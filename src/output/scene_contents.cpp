@@ -36,6 +36,13 @@ bool areSame(const cv::Mat& a, const cv::Mat& b) {
   return a.data == b.data && a.size() == b.size() && a.type() == b.type() && a.step[0] == b.step[0];
 }
 
+bool areSame(const Mask& a, const Mask& b) {
+  return a.imageSize() == b.imageSize() && a.bounds() == b.bounds() &&
+         areSame(a.pixels(), b.pixels());
+}
+
+bool isMask(const OutputFile& file) { return !file.mask.imageSize().empty(); }
+
 bool haveSamePixels(const cv::Mat& a, const cv::Mat& b) {
   bool same = true;
   visitRows(a, [&](const uchar* bytes, std::size_t size, int row) {
@@ -56,7 +63,7 @@ class GivenImages {
   [[nodiscard]] std::optional<std::size_t> find(const OutputFile& file, ImageFormat format) const {
     const auto found = std::find_if(given_.begin(), given_.end(), [&](const Given& other) {
       return other.format == format && areSame(other.file->pixels, file.pixels) &&
-             other.file->palette == file.palette;
+             areSame(other.file->mask, file.mask) && other.file->palette == file.palette;
     });
     if (found == given_.end()) return std::nullopt;
     return found->content;
@@ -138,7 +145,7 @@ class SceneEncoder {
     }
     std::optional<std::size_t> content = given_.find(file, *format);
     if (!content) {
-      content = isSoonEncoded(file, *format) ? addMask(file) : addPicture(file, *format);
+      content = isMask(file) ? addPixels(wholeMask(file), *format) : addPixels(file, *format);
       given_.add(file, *format, *content);
     }
     contents_[*content].files.push_back(index);
@@ -150,6 +157,18 @@ class SceneEncoder {
   /// Of masks; looking through their pixels for equal ones takes longer than compressing them.
   [[nodiscard]] static bool isSoonEncoded(const OutputFile& file, ImageFormat format) {
     return file.pixels.type() == CV_8UC1 && format == ImageFormat::kPng && file.palette.empty();
+  }
+
+  /// The mask as pixels, which are kept no longer than it takes to encode them.
+  [[nodiscard]] static OutputFile wholeMask(const OutputFile& file) {
+    OutputFile whole;
+    whole.path = file.path;
+    whole.pixels = file.mask.whole();
+    return whole;
+  }
+
+  std::size_t addPixels(const OutputFile& file, ImageFormat format) {
+    return isSoonEncoded(file, format) ? addMask(file) : addPicture(file, format);
   }
 
   std::size_t addMask(const OutputFile& file) {
@@ -190,7 +209,7 @@ std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
                                       const ImageQuality& quality) {
   SceneEncoder encoder(quality);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (files[i].pixels.empty()) {
+    if (files[i].pixels.empty() && !isMask(files[i])) {
       encoder.addText(files[i], i);
     } else {
       encoder.addImage(files[i], i);

@@ -6,6 +6,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "synthetic_dataset/mask.h"
+
 namespace synthetic_dataset::output {
 
 /// A writer as the store knows it.
@@ -16,19 +18,21 @@ struct StoreWriter {
   std::vector<std::string> user_files;  ///< absolute paths of files that it makes anywhere else
 };
 
-/// A file that one scene or the dataset gets: either pixels or text.
+/// A file that one scene or the dataset gets: pixels, a mask or text.
 struct OutputFile {
   std::size_t writer = 0;  ///< index in the store's writers
   std::string path;        ///< absolute
-  cv::Mat pixels;          ///< empty for a text file
+  cv::Mat pixels;          ///< empty for a mask or a text file
   std::string text;
-  std::vector<cv::Vec3b> palette = {};  ///< not empty: the pixels are places in it
+  std::vector<cv::Vec3b> palette = {};  ///< not empty: the pixels are indices of it
+  Mask mask = {};                       ///< of no image unless the file is one of it
 };
 
 /// All that the writers want for one scene.
 struct SceneFiles {
   struct Record {
     std::size_t writer = 0;  ///< index in the store's writers
+    std::string channel;     ///< which of the writer's records it belongs to; without newlines
     std::string text;
   };
   std::vector<OutputFile> files;

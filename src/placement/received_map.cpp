@@ -43,7 +43,7 @@ std::optional<std::vector<std::int8_t>> cellsOf(const std::string& runs, std::si
   return cells;
 }
 
-std::size_t sideIn(const Parameters& group, const std::string& name) {
+std::size_t sideIn(Parameters& group, const std::string& name) {
   constexpr std::int64_t kLongest = 1000000;
   const auto side = group.required<std::int64_t>(name);
   if (side > 0 && side <= kLongest) return static_cast<std::size_t>(side);
@@ -51,7 +51,7 @@ std::size_t sideIn(const Parameters& group, const std::string& name) {
   return 1;
 }
 
-Pose originIn(const Parameters& group) {
+Pose originIn(Parameters& group) {
   const auto p = group.required<std::vector<double>>("origin");
   if (p.size() == 7)
     return makePose({p[0], p[1], p[2]}, Eigen::Quaterniond(p[6], p[3], p[4], p[5]));
@@ -76,7 +76,7 @@ Value settingsOf(const motion::RecordedMap& map) {
 }
 
 motion::RecordedMap receivedMap(const Value& settings) {
-  const Parameters group(settings, "placement/received_map");
+  Parameters group(settings, "placement/received_map");
   motion::RecordedMap map;
   map.frame = group.required<std::string>("frame");
   map.width = sideIn(group, "width");

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "synthetic_dataset/errors.h"
-#include "synthetic_dataset/mask_bounds.h"
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::readback {
 namespace {

@@ -61,12 +61,11 @@ PendingMasks MaskFinder::find(const render::View& view, const std::vector<SceneO
     groups.push_back({group, draw(view, drawn, regions)});
   }
   return [size, groups, boxes, model = background_->model] {
-    std::vector<cv::Mat> masks(boxes.size());
-    for (cv::Mat& mask : masks) mask = cv::Mat::zeros(size, CV_8UC1);
+    std::vector<Mask> masks(boxes.size(), Mask(size));
     for (const Group& group : groups) {
       const cv::Mat picture = group.picture();
       for (const std::size_t i : group.objects) {
-        model->segment(picture, boxes[i]).copyTo(masks[i](boxes[i]));
+        masks[i] = Mask(model->segment(picture, boxes[i]), boxes[i].tl(), size);
       }
     }
     return masks;

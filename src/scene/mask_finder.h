@@ -8,6 +8,7 @@
 
 #include "render/renderer.h"
 #include "scene/background_model.h"
+#include "synthetic_dataset/mask.h"
 #include "synthetic_dataset/scene.h"
 #include "world/world.h"
 
@@ -15,11 +16,11 @@ namespace synthetic_dataset {
 
 /// Finds the mask of each object (see SceneObject::silhouette), in their order; in any thread, as
 /// long as the renderer lives.
-using PendingMasks = std::function<std::vector<cv::Mat>()>;
+using PendingMasks = std::function<std::vector<Mask>()>;
 
 /// Finds one camera's masks as the paper does: an object is what differs between a picture of the
 /// world with this object alone and one without objects. Objects that are apart in the image share
-/// a picture: round each of them it is as if it was alone.
+/// a picture: around each of them it is as if it was alone.
 class MaskFinder {
  public:
   /// All references have to outlive the finder.

@@ -74,17 +74,19 @@ void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) c
 
 void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (!world_.isPresent(i)) continue;
     SceneObject& object = scene.objects[i];
-    render::Silhouette silhouette =
-        renderer_.silhouette(view, world_.linkPoses(), presentOf(links_of_[i], world_));
+    render::Silhouette silhouette;
+    silhouette.mask = Mask(cv::Size(view.camera.width(), view.camera.height()));
+    if (world_.isPresent(i)) {
+      silhouette = renderer_.silhouette(view, world_.linkPoses(), presentOf(links_of_[i], world_));
+    }
     object.silhouette_box = silhouette.box;
     object.pixels.silhouette = silhouette.pixels;
     object.pixels.silhouette_in_image = silhouette.pixels_in_image;
-    if (silhouette.pixels > 0) {
-      object.truncation = 1.0 - static_cast<double>(silhouette.pixels_in_image) /
-                                    static_cast<double>(silhouette.pixels);
-    }
+    object.truncation = silhouette.pixels == 0
+                            ? 0.0
+                            : 1.0 - static_cast<double>(silhouette.pixels_in_image) /
+                                        static_cast<double>(silhouette.pixels);
     if (requirements_.silhouettes) object.silhouette = std::move(silhouette.mask);
   }
 }
@@ -100,18 +102,18 @@ MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const PendingMasks& su
   for (std::size_t i = 0; i < count; ++i) {
     SceneObject& object = scene.objects[i];
     object.pixels.visible = parts[i].count;
-    if (object.pixels.silhouette > 0) {
-      object.visibility = static_cast<double>(object.pixels.visible) /
-                          static_cast<double>(object.pixels.silhouette);
+    if (needs_silhouettes_) {
+      const auto of_all = static_cast<double>(object.pixels.silhouette());
+      object.visibility = of_all > 0.0 ? static_cast<double>(parts[i].count) / of_all : 0.0;
     }
     distances.push_back(object.distance());
   }
   if (subtracted) {
-    std::vector<cv::Mat> masks = subtracted();
+    std::vector<Mask> masks = subtracted();
     for (std::size_t i = 0; i < count; ++i) {
       if (requirements_.silhouettes) scene.objects[i].silhouette = masks[i];
       // Of what no pixel's centre sees, colours may yet tell a rim.
-      if (scene.objects[i].pixels.visible == 0) masks[i].release();
+      if (parts[i].count == 0) masks[i] = Mask();
     }
     const cv::Mat layered = annotate::layeredInstanceMap(masks, ids, distances);
     agreement = annotate::intersectionOverUnion(layered, map, count);
@@ -156,8 +158,9 @@ void PixelLabeller::drop(Scene& scene) const {
   const config::LabelConfig& labels = options_.labels;
   if (!labels.hasThresholds()) return;
   for (SceneObject& object : scene.objects) {
-    object.dropped = object.pixels.visible == 0 || object.pixels.visible < labels.min_pixels ||
-                     object.visibility < labels.min_visibility;
+    const std::int64_t visible = object.pixels.visible();
+    object.dropped = visible == 0 || visible < labels.min_pixels ||
+                     (labels.min_visibility > 0.0 && object.visibility() < labels.min_visibility);
   }
 }
 

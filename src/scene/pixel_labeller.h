@@ -55,10 +55,6 @@ class PixelLabeller {
   /// @param scene  whose objects have all labels that follow from their poses
   [[nodiscard]] SeenPixels look(const render::View& view, Scene& scene);
 
-  /// Whether PixelCounts::visible is counted, and whether PixelCounts::silhouette.
-  [[nodiscard]] bool countsVisible() const { return needs_labels_; }
-  [[nodiscard]] bool countsSilhouettes() const { return needs_silhouettes_; }
-
  private:
   void addImages(const render::LabelImages& images, Scene& scene) const;
   void measureSilhouettes(const render::View& view, Scene& scene);

@@ -51,14 +51,14 @@ SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp
     if (!world_.isPresent(i)) leaveOut(scene.objects.back());
   }
   // Writers ask in their own thread, when the next scene may have been placed already.
-  scene.lookup = [frames = frames_, stamp, X_GC = cameraPoses(stamp)](const std::string& target,
-                                                                      const std::string& source) {
+  scene.setTransforms([frames = frames_, stamp, X_GC = cameraPoses(stamp)](
+                          const std::string& target, const std::string& source) {
     const auto inGlobal = [&](const std::string& frame) {
       const auto found = X_GC.find(frame);
       return found != X_GC.end() ? found->second : frames.pose(frame, stamp);
     };
     return Pose(inGlobal(target).inverse() * inGlobal(source));
-  };
+  });
   SeenPixels pixels = labellers_[camera].look(view, scene);
   return {std::move(scene), std::move(pixels),
           needs_optical_flow_ ? world_.linkPoses() : std::vector<Pose>{}};
@@ -81,16 +81,9 @@ void SceneMaker::addOpticalFlow(SeenScene& seen, std::optional<Stamp> next) cons
 
 std::vector<output::ObjectFacts> SceneMaker::objectFacts(const Scene& scene,
                                                          const MaskAgreement& agreement) const {
-  const PixelLabeller& labeller = labellers_[scene.camera_index];
   std::vector<output::ObjectFacts> all;
   for (const SceneObject& object : scene.objects) {
     output::ObjectFacts facts = output::objectFacts(object);
-    if (labeller.countsVisible()) facts.visible_pixels = object.pixels.visible;
-    if (labeller.countsSilhouettes()) {
-      facts.silhouette_pixels = object.pixels.silhouette;
-      facts.truncation = object.truncation;
-      if (labeller.countsVisible()) facts.visibility = object.visibility;
-    }
     if (all.size() < agreement.size()) facts.mask_agreement = agreement[all.size()];
     all.push_back(std::move(facts));
   }

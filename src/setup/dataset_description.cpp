@@ -111,18 +111,19 @@ DatasetInfo describeDataset(const config::Config& config, const std::vector<Moti
     info.cameras.push_back(describeCamera(camera, motions));
   }
   for (const MotionSetup& motion : motions) {
-    info.motions.push_back({motion.entry.name, motion.first_instant, motion.instantCount()});
+    info.motions.push_back({motion.entry.name, motion.first_instant, motion.instantCount(),
+                            motion.isPlaced() ? 0.0 : motion.config.motion.rate});
   }
   const std::int64_t instants =
       info.motions.back().first_instant + info.motions.back().instant_count;
   info.scene_count = instants * static_cast<std::int64_t>(info.cameras.size());
   info.splits = splits.splits(info.cameras.size());
   info.global_frame = config.global_frame;
-  info.models = [object_links = linksByObject(motions, config.objects.size())](std::size_t object) {
+  info.setModels([links = linksByObject(motions, config.objects.size())](std::size_t object) {
     std::vector<Pose> X_OL;
-    for (const world::Link* link : object_links.at(object)) X_OL.push_back(link->X_ML);
-    return world::objectModel(object_links.at(object), X_OL);
-  };
+    for (const world::Link* link : links.at(object)) X_OL.push_back(link->X_ML);
+    return world::objectModel(links.at(object), X_OL);
+  });
   return info;
 }
 

@@ -226,7 +226,7 @@ class Builder {
   void describe(const std::vector<std::string>& unused) {
     output::RunDescription& run = setup_.description;
     std::map<std::string, Value> defaults;
-    for (const Parameters& root : roots_) {
+    for (Parameters& root : roots_) {
       defaults.insert(root.defaultValues().begin(), root.defaultValues().end());
       for (const std::string& taken : root.defaultsTaken()) addOnce(setup_.defaults_taken, taken);
     }

@@ -1,6 +1,7 @@
 #include "writers/writer_host.h"
 
 #include <set>
+#include <string>
 #include <utility>
 
 #include "output/files/file_name_rules.h"
@@ -86,7 +87,7 @@ std::vector<output::StoreWriter> WriterHost::storeWriters() const {
     writer.name = ready.parameters.writerName();
     writer.type = ready.type;
     writer.output_folder = ready.parameters.outputFolder();
-    for (const auto& [parameter, path] : ready.parameters.files()) {
+    for (const std::string& path : ready.parameters.files()) {
       writer.user_files.push_back(output::absolutePath(path));
     }
     writers.push_back(std::move(writer));

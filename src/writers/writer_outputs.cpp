@@ -41,6 +41,14 @@ void GatheringSceneOutput::addImage(const std::string& path, const cv::Mat& imag
   files_.files.push_back({writer_, std::move(file), image, {}, {}});
 }
 
+void GatheringSceneOutput::addMask(const std::string& path, const Mask& mask) {
+  std::string file = paths_.claim(path);
+  if (const auto problem = output::imageProblem(path, mask)) {
+    throw Error("the mask '" + path + "' cannot be written: " + *problem);
+  }
+  files_.files.push_back({writer_, std::move(file), {}, {}, {}, mask});
+}
+
 void GatheringSceneOutput::addIndexedImage(const std::string& path, const cv::Mat& indices,
                                            const std::vector<cv::Vec3b>& palette) {
   std::string file = paths_.claim(path);
@@ -54,8 +62,11 @@ void GatheringSceneOutput::addText(const std::string& path, std::string text) {
   files_.files.push_back({writer_, paths_.claim(path), {}, std::move(text), {}});
 }
 
-void GatheringSceneOutput::addRecord(std::string record) {
-  files_.records.push_back({writer_, std::move(record)});
+void GatheringSceneOutput::addRecord(const std::string& channel, std::string record) {
+  if (channel.find('\n') != std::string::npos) {
+    throw Error("the records' channel '" + channel + "' has more than one line");
+  }
+  files_.records.push_back({writer_, channel, std::move(record)});
 }
 
 void GatheringSceneOutput::addWarning(const std::string& kind) {
@@ -73,14 +84,12 @@ void StoringDatasetOutput::addFile(const std::string& path, const Content& conte
   store_.writeDatasetFile(writer_, paths_.claim(path), content);
 }
 
-void StoringDatasetOutput::addFileAtParameter(const std::string& parameter,
-                                              const Content& content) {
-  const auto file = parameters_.files().find(parameter);
-  if (file == parameters_.files().end()) {
-    throw Error("addFileAtParameter(\"" + parameter +
-                "\"): no parameter of this name was read with requiredFile");
+void StoringDatasetOutput::addFileAtParameter(const FileParameter& file, const Content& content) {
+  if (parameters_.files().count(file.path()) == 0) {
+    throw Error("addFileAtParameter: the file '" + file.path() +
+                "' was not read from this writer's parameters with requiredFile");
   }
-  store_.writeDatasetFile(writer_, file->second, content);
+  store_.writeDatasetFile(writer_, file.path(), content);
 }
 
 void StoringDatasetOutput::addFileByName(

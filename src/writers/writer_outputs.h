@@ -36,10 +36,11 @@ class GatheringSceneOutput : public SceneOutput {
                        output::SceneFiles& files, std::vector<std::string>& warnings);
 
   void addImage(const std::string& path, const cv::Mat& image) override;
+  void addMask(const std::string& path, const Mask& mask) override;
   void addIndexedImage(const std::string& path, const cv::Mat& indices,
                        const std::vector<cv::Vec3b>& palette) override;
   void addText(const std::string& path, std::string text) override;
-  void addRecord(std::string record) override;
+  void addRecord(const std::string& channel, std::string record) override;
   void addWarning(const std::string& kind) override;
 
  private:
@@ -59,7 +60,7 @@ class StoringDatasetOutput : public DatasetOutput {
                        output::DatasetStore& store);
 
   void addFile(const std::string& path, const Content& content) override;
-  void addFileAtParameter(const std::string& parameter, const Content& content) override;
+  void addFileAtParameter(const FileParameter& file, const Content& content) override;
   void addFileByName(const std::string& path,
                      const std::function<void(const std::string& file)>& write) override;
   void addLink(const std::string& path, const std::string& scene_file) override;

@@ -24,7 +24,7 @@ std::vector<int> rowOf(const cv::Mat& map, int row) {
   return numbers;
 }
 
-cv::Mat maskOf(const cv::Mat& ids, int id) { return ids == id; }
+Mask maskOf(const cv::Mat& ids, int id) { return Mask(ids == id); }
 
 TEST(InstanceMap, KeepsIdentifiersPast255) {
   EXPECT_EQ(rowOf(instanceMap(idsOf({{0, 255, 256, 65535}})), 0),
@@ -51,26 +51,26 @@ TEST(InstancePixels, BoxesRunFromEdgeToEdge) {
 
 TEST(InstanceMask, IsOneObjectsPart) {
   const cv::Mat map = instanceMap(idsOf({{2, 1, 2}}));
-  EXPECT_EQ(rowOf(instanceMask(map, 2, {0, 0, 3, 1}), 0), (std::vector<int>{255, 0, 255}));
-  EXPECT_EQ(rowOf(instanceMask(map, 3, {}), 0), (std::vector<int>{0, 0, 0}));
+  EXPECT_EQ(rowOf(instanceMask(map, 2, {0, 0, 3, 1}).whole(), 0), (std::vector<int>{255, 0, 255}));
+  EXPECT_EQ(rowOf(instanceMask(map, 3, {}).whole(), 0), (std::vector<int>{0, 0, 0}));
 }
 
 TEST(LayeredInstanceMap, GivesAPixelToTheObjectThatTheIdentifiersShow) {
   // Each mask was found with one object in view: they overlap where 1 stands before 2.
-  const cv::Mat first = maskOf(idsOf({{1, 1, 1, 0}}), 1);
-  const cv::Mat second = maskOf(idsOf({{0, 1, 1, 1}}), 1);
+  const Mask first = maskOf(idsOf({{1, 1, 1, 0}}), 1);
+  const Mask second = maskOf(idsOf({{0, 1, 1, 1}}), 1);
   const cv::Mat map = layeredInstanceMap({first, second}, idsOf({{1, 1, 1, 2}}), {5.0, 1.0});
   EXPECT_EQ(rowOf(map, 0), (std::vector<int>{1, 1, 1, 2}));
 }
 
 TEST(LayeredInstanceMap, GivesAnOutlineThatBothHaveToTheNearer) {
-  const cv::Mat both = maskOf(idsOf({{1}}), 1);
+  const Mask both = maskOf(idsOf({{1}}), 1);
   EXPECT_EQ(rowOf(layeredInstanceMap({both, both}, idsOf({{0}}), {5.0, 1.0}), 0),
             (std::vector<int>{2}));
 }
 
 TEST(LayeredInstanceMap, LeavesAPixelThatSubtractionMissedToNobody) {
-  const cv::Mat missed = cv::Mat::zeros(1, 1, CV_8UC1);
+  const Mask missed(cv::Size(1, 1));
   EXPECT_EQ(rowOf(layeredInstanceMap({missed}, idsOf({{1}}), {1.0}), 0), (std::vector<int>{0}));
 }
 

@@ -38,7 +38,7 @@ KeypointState stateOf(const Eigen::Vector3d& p_B, const std::vector<SeenBox>& bo
   keypoints[0].pixel = camera.project(p_C);
   const auto range = [&](const cv::Point& pixel) { return double{seen.range.at<float>(pixel)}; };
   findKeypointStates(keypoints, {p_C}, kOwn, seen.ids, range, camera, kTolerance);
-  return keypoints[0].state;
+  return keypoints[0].state();
 }
 
 TEST(KeypointStates, FacesAreSeenOrHiddenByTheBoxItself) {

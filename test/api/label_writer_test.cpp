@@ -16,7 +16,8 @@ class NullOutput : public SceneOutput {
   void addIndexedImage(const std::string&, const cv::Mat&, const std::vector<cv::Vec3b>&) override {
   }
   void addText(const std::string&, std::string) override {}
-  void addRecord(std::string) override {}
+  void addMask(const std::string&, const Mask&) override {}
+  void addRecord(const std::string&, std::string) override {}
   void addWarning(const std::string&) override {}
 };
 
@@ -30,18 +31,21 @@ class OddWriter : public LabelWriter {
   void doWriteScene(const Scene&, SceneOutput&) const override { throw 7; }
 };
 
-WriterParameters parameters() { return {Parameters(Value::Map{}), "mine", "/tmp/mine/"}; }
+void initialize(LabelWriter& writer) {
+  WriterParameters parameters(Parameters(Value::Map{}), "mine", "/tmp/mine/");
+  writer.initialize(parameters, {});
+}
 
 Scene emptyScene() { return Scene(CameraModel(4, 4, {1, 1, 2, 2}, 0.1, 10)); }
 
 TEST(LabelWriter, AddsItsNameToWhateverIsThrown) {
   NullOutput output;
   ThrowingWriter writer;
-  writer.initialize(parameters(), {});
+  initialize(writer);
   EXPECT_THAT([&] { writer.writeScene(emptyScene(), output); },
               ThrowsMessage<Error>("writer 'mine': out of ink"));
   OddWriter odd;
-  odd.initialize(parameters(), {});
+  initialize(odd);
   EXPECT_THAT([&] { odd.writeScene(emptyScene(), output); },
               ThrowsMessage<Error>(HasSubstr("writer 'mine': threw something")));
 }
@@ -51,25 +55,25 @@ TEST(LabelWriter, KeepsItsLifeCycle) {
   ThrowingWriter writer;
   EXPECT_THROW(writer.writeScene(emptyScene(), output), Error);
   EXPECT_THROW((void)writer.requirements(), Error);
-  writer.initialize(parameters(), {});
-  EXPECT_THROW(writer.initialize(parameters(), {}), Error);
+  initialize(writer);
+  EXPECT_THROW(initialize(writer), Error);
 }
 
 TEST(LabelWriter, NeedsNothingUnlessItSaysSo) {
   ThrowingWriter writer;
-  writer.initialize(parameters(), {});
+  initialize(writer);
   EXPECT_FALSE(writer.requirements().silhouettes);
   EXPECT_TRUE(writer.requirements().frames.empty());
 }
 
 TEST(WriterParameters, RememberTheFilesThatTheUserNamed) {
-  const WriterParameters writer(Parameters(Value::Map{{"main_list", Value("/tmp/list.txt")},
-                                                      {"inside", Value("list.txt")},
-                                                      {"folder", Value("/tmp/")}},
-                                           "yolo"),
-                                "yolo", "/tmp/yolo/");
-  EXPECT_EQ(writer.requiredFile("main_list"), "/tmp/list.txt");
-  EXPECT_EQ(writer.requiredFile("inside"), "/tmp/yolo/list.txt");
+  WriterParameters writer(Parameters(Value::Map{{"main_list", Value("/tmp/list.txt")},
+                                                {"inside", Value("list.txt")},
+                                                {"folder", Value("/tmp/")}},
+                                     "yolo"),
+                          "yolo", "/tmp/yolo/");
+  EXPECT_EQ(writer.requiredFile("main_list").path(), "/tmp/list.txt");
+  EXPECT_EQ(writer.requiredFile("inside").path(), "/tmp/yolo/list.txt");
   (void)writer.requiredFile("folder");
   EXPECT_EQ(writer.files().size(), 2U);
   EXPECT_THAT(writer.errors(),
@@ -77,8 +81,8 @@ TEST(WriterParameters, RememberTheFilesThatTheUserNamed) {
 }
 
 TEST(WriterParameters, RefuseAFileWithAControlCharacter) {
-  const WriterParameters writer(Parameters(Value::Map{{"list", Value("a\nb")}}, "yolo"), "yolo",
-                                "/tmp/yolo/");
+  WriterParameters writer(Parameters(Value::Map{{"list", Value("a\nb")}}, "yolo"), "yolo",
+                          "/tmp/yolo/");
   (void)writer.requiredFile("list");
   EXPECT_THAT(writer.errors(), testing::ElementsAre(testing::HasSubstr("a control character")));
   EXPECT_TRUE(writer.files().empty());

@@ -20,7 +20,7 @@ Parameters example() {
 }
 
 TEST(Parameters, GiveValuesOfTheTypeThatIsAskedFor) {
-  const Parameters root = example();
+  Parameters root = example();
   EXPECT_EQ(root.required<int>("rate"), 4);
   EXPECT_EQ(root.required<double>("rate"), 4.0);
   EXPECT_EQ(root.required<std::string>("name"), "alpha");
@@ -35,7 +35,7 @@ TEST(Parameters, ASingleTextCountsAsAListOfOne) {
 }
 
 TEST(Parameters, NoteEveryErrorWithItsFullName) {
-  const Parameters root = example();
+  Parameters root = example();
   (void)root.required<std::string>("bag_file");
   (void)root.required<double>("name");
   (void)root.group("yolo").required<std::string>("main_list");
@@ -48,9 +48,8 @@ TEST(Parameters, NoteEveryErrorWithItsFullName) {
 }
 
 TEST(Parameters, NameTheEntryOfAListThatIsWrong) {
-  const Parameters root(
-      Value::Map{{"keypoints", Value::List{Value::List{Value(1), Value(2), Value(3)},
-                                           Value::List{Value(1), Value(2)}}}});
+  Parameters root(Value::Map{{"keypoints", Value::List{Value::List{Value(1), Value(2), Value(3)},
+                                                       Value::List{Value(1), Value(2)}}}});
   (void)root.required<std::vector<Eigen::Vector3d>>("keypoints");
   EXPECT_THAT(root.errors(),
               ElementsAre("keypoints: found [[1, 2, 3], [1, 2]] (a list); entry 2 is [1, 2]; it "
@@ -58,14 +57,14 @@ TEST(Parameters, NameTheEntryOfAListThatIsWrong) {
 }
 
 TEST(Parameters, RefuseNumbersThatAreNotFinite) {
-  const Parameters root(Value::Map{{"rate", Value(NAN)}});
+  Parameters root(Value::Map{{"rate", Value(NAN)}});
   (void)root.required<double>("rate");
   EXPECT_THAT(root.errors(),
               ElementsAre("rate: found nan (a number); it should be a finite number"));
 }
 
 TEST(Parameters, ListTheDefaultsThatWereTaken) {
-  const Parameters root = example();
+  Parameters root = example();
   EXPECT_EQ(root.optional("rate", 30.0), 4.0);
   EXPECT_EQ(root.optional<std::string>("global_frame", "map"), "map");
   EXPECT_EQ(root.group("image").optional("png_compression", 3), 3);
@@ -73,7 +72,7 @@ TEST(Parameters, ListTheDefaultsThatWereTaken) {
 }
 
 TEST(Parameters, KnowWhichOnesNobodyAskedFor) {
-  const Parameters root = example();
+  Parameters root = example();
   (void)root.required<int>("rate");
   (void)root.group("yolo").required<int>("depth");
   root.ignore("name");
@@ -82,17 +81,32 @@ TEST(Parameters, KnowWhichOnesNobodyAskedFor) {
 }
 
 TEST(Parameters, AGroupThatIsNoGroupIsAnError) {
-  const Parameters root(Value::Map{{"yolo", Value(3)}});
+  Parameters root(Value::Map{{"yolo", Value(3)}});
   (void)root.group("yolo");
   EXPECT_THAT(root.errors(), ElementsAre("yolo: found 3 (a whole number); it should be a group of "
                                          "named values"));
 }
 
 TEST(Parameters, NumbersAsYamlCppWritesThemCount) {
-  const Parameters root(Value(Value::Map{{"small", Value("1e-05")}, {"text", Value("e5x")}}));
+  Parameters root(Value(Value::Map{{"small", Value("1e-05")}, {"text", Value("e5x")}}));
   EXPECT_EQ(root.required<double>("small"), 1e-5);
   (void)root.required<double>("text");
   EXPECT_EQ(root.errors().size(), 1U);
+}
+
+TEST(Parameters, NumbersAndTextsMayBeBounded) {
+  Parameters root(Value::Map{{"few", Value(3)}, {"many", Value(30)}, {"way", Value("sideway")}});
+  EXPECT_EQ(root.optionalBetween("few", 1, 0, 9), 3);
+  EXPECT_EQ(root.optionalBetween("many", 1, 0, 9), 1);
+  EXPECT_EQ(root.optionalBetween("share", 0.25, 0.0, 1.0), 0.25);
+  (void)root.optionalChoice("way", {"sideways", "ahead"}, "ahead");
+  EXPECT_EQ(root.optionalChoice("other", {"sideways", "ahead"}, "ahead"), "ahead");
+  (void)root.requiredChoice("third", {"sideways", "ahead"});
+  EXPECT_THAT(root.errors(),
+              testing::ElementsAre("many: found 30; it should be 0 to 9",
+                                   "way: found 'sideway'; it should be sideways or ahead; did you "
+                                   "mean 'sideways'?",
+                                   "third: required, but missing"));
 }
 
 }  // namespace

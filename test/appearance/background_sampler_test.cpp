@@ -28,7 +28,7 @@ class BackgroundSamplerTest : public ::testing::Test {
   }
 
   [[nodiscard]] BackgroundSampler sampler(const std::string& entries) const {
-    const Parameters root(config::parseYaml(
+    Parameters root(config::parseYaml(
         "{background: {pictures: '" + folder.path().string() + "', " + entries + "}}", "test"));
     config::BackgroundRandomization config = config::readBackground(root);
     EXPECT_THAT(root.errors(), IsEmpty());

@@ -20,7 +20,7 @@ Parameters settings(const std::string& background) {
 
 /// What is read where nothing is wrong or unknown.
 BackgroundRandomization read(const std::string& background) {
-  const Parameters group = settings(background);
+  Parameters group = settings(background);
   BackgroundRandomization given = readBackground(group);
   EXPECT_THAT(group.errors(), IsEmpty()) << background;
   EXPECT_THAT(group.unknownNames(), IsEmpty()) << background;
@@ -28,7 +28,7 @@ BackgroundRandomization read(const std::string& background) {
 }
 
 std::vector<std::string> errorsOf(const std::string& background) {
-  const Parameters group = settings(background);
+  Parameters group = settings(background);
   (void)readBackground(group);
   return group.errors();
 }
@@ -98,7 +98,7 @@ TEST(BackgroundConfig, RefusesWhatIsOutOfRange) {
 /// What belongs to pictures alone, or to panoramas alone, means nothing without them.
 TEST(BackgroundConfig, KnowsNoEntryThatWouldMeanNothing) {
   const auto unknownIn = [](const std::string& background) {
-    const Parameters group = settings(background);
+    Parameters group = settings(background);
     (void)readBackground(group);
     return group.unknownNames();
   };

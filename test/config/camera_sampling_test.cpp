@@ -32,7 +32,7 @@ std::vector<double> drawn(const Distribution& distribution) {
 }
 
 TEST(ReadCameraSampling, IsNothingWithoutItsGroup) {
-  const Parameters root(parseYaml("camera: {pose: [0, 0, 0, 0, 0, 0, 1]}", "test"));
+  Parameters root(parseYaml("camera: {pose: [0, 0, 0, 0, 0, 0, 1]}", "test"));
   EXPECT_FALSE(readCameraSampling(root.group("camera")));
 }
 
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSampling{"tries: 0", "camera/sample/tries: found 0; it should be 1 to 1000000"}));
 
 TEST(ReadCameraSampling, IsOfItsOwnCameraAmongSeveral) {
-  const Parameters root(parseYaml("cameras: {left: {sample: {clearance: -1}}}", "test"));
+  Parameters root(parseYaml("cameras: {left: {sample: {clearance: -1}}}", "test"));
   (void)readCameraSampling(root.group("cameras").group("left"));
   EXPECT_THAT(root.errors(), ElementsAre(HasSubstr("cameras/left/sample/clearance: found -1.0")));
 }

@@ -34,7 +34,7 @@ TEST(NameProblem, NamesWhatIsNotUtf8) {
 }
 
 TEST(NameProblem, IsToldOfObjectsClassesIdsAndKeypoints) {
-  const Parameters root(Value::Map{
+  Parameters root(Value::Map{
       {"robot_list", Value::List{Value("a\tb"), Value("good")}},
       {"classes", Value::List{Value("c\x02")}},
       {"good",

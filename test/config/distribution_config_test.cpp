@@ -30,7 +30,7 @@ Parameters settings(const std::string& x) {
 /// What is drawn from an entry that should be right.
 std::vector<std::vector<double>> drawsOf(const std::string& x, const DistributionRange& range,
                                          int count = 100) {
-  const Parameters root = settings(x);
+  Parameters root = settings(x);
   const auto distribution = maybeDistribution(root.group("sun"), "x", range);
   EXPECT_THAT(root.errors(), IsEmpty()) << x;
   EXPECT_THAT(root.unknownNames(), IsEmpty()) << x;
@@ -44,7 +44,7 @@ std::vector<std::vector<double>> drawsOf(const std::string& x, const Distributio
 
 /// "lowest highest" of an entry that should be right.
 std::pair<double, double> rangeOf(const std::string& x, const DistributionRange& range = {}) {
-  const Parameters root = settings(x);
+  Parameters root = settings(x);
   const auto distribution = maybeDistribution(root.group("sun"), "x", range);
   EXPECT_THAT(root.errors(), IsEmpty()) << x;
   if (!distribution) return {};
@@ -53,7 +53,7 @@ std::pair<double, double> rangeOf(const std::string& x, const DistributionRange&
 
 /// The only error of an entry, without its name.
 std::string errorOf(const std::string& x, const DistributionRange& range = {}) {
-  const Parameters root = settings(x);
+  Parameters root = settings(x);
   EXPECT_FALSE(maybeDistribution(root.group("sun"), "x", range)) << x;
   EXPECT_THAT(root.unknownNames(), IsEmpty()) << x;
   EXPECT_EQ(root.errors().size(), 1U) << x;
@@ -64,14 +64,14 @@ std::string errorOf(const std::string& x, const DistributionRange& range = {}) {
 }
 
 std::string choiceErrorOf(const std::string& x) {
-  const Parameters root = settings(x);
+  Parameters root = settings(x);
   EXPECT_FALSE(maybeChoice(root.group("sun"), "x")) << x;
   EXPECT_EQ(root.errors().size(), 1U) << x;
   return root.errors().empty() ? "no error" : root.errors().front().substr(7);
 }
 
 TEST(MaybeDistribution, IsNothingWhereNothingIsGiven) {
-  const Parameters root = settings("1");
+  Parameters root = settings("1");
   EXPECT_FALSE(maybeDistribution(root.group("sun"), "y"));
   EXPECT_THAT(root.errors(), IsEmpty());
 }
@@ -293,9 +293,9 @@ TEST(MaybeDistribution, CutsLongListsShort) {
 }
 
 TEST(MaybeChoice, ReadsOneTextOrSeveral) {
-  const Parameters root = Parameters(parseYaml(
+  Parameters root = Parameters(parseYaml(
       "sun: {a: oak, b: {choice: [oak, pine]}, c: {choice: [oak, pine], weights: [1, 0]}}", "t"));
-  const Parameters group = root.group("sun");
+  Parameters group = root.group("sun");
   EXPECT_FALSE(maybeChoice(group, "nothing"));
   EXPECT_THAT(maybeChoice(group, "a")->texts, ElementsAre("oak"));
   EXPECT_THAT(maybeChoice(group, "b")->texts, ElementsAre("oak", "pine"));

@@ -22,7 +22,7 @@ ObjectConfig objectOf(const std::string& name, const std::string& class_name) {
 }
 
 /// "0 rover, 1 drone": what classes became of these objects.
-std::string classesOf(const Parameters& root, std::vector<ObjectConfig>& objects) {
+std::string classesOf(Parameters root, std::vector<ObjectConfig>& objects) {
   std::string text;
   for (const ClassConfig& each : readClasses(root, objects)) {
     text += (text.empty() ? "" : ", ") + std::to_string(each.id) + " " + each.name;
@@ -43,7 +43,7 @@ TEST(ReadMasks, TheMethodCanBeChosen) {
 }
 
 TEST(ReadMasks, RefusesAnotherMethod) {
-  const Parameters root = settings("masks: {method: magic}");
+  Parameters root = settings("masks: {method: magic}");
   (void)readMasks(root);
   EXPECT_THAT(root.errors(),
               ElementsAre("masks/method: found 'magic'; it should be mog2 or exact"));
@@ -56,8 +56,7 @@ TEST(ReadLabels, HasNoThresholdsUnlessTheyAreSet) {
 }
 
 TEST(ReadLabels, RefusesWhatIsOutOfRange) {
-  const Parameters root =
-      settings("labels: {min_visibility: 25, min_pixels: -1, keypoint_tolerance: 0}");
+  Parameters root = settings("labels: {min_visibility: 25, min_pixels: -1, keypoint_tolerance: 0}");
   (void)readLabels(root);
   EXPECT_THAT(root.errors(), ElementsAre(HasSubstr("labels/min_visibility: found 25"),
                                          HasSubstr("labels/min_pixels: found -1"),
@@ -102,7 +101,7 @@ TEST(ReadClasses, AMapGivesNumbersAndObjectsMayNameEither) {
 
 TEST(ReadClasses, RefuseAnObjectOfNoClass) {
   std::vector<ObjectConfig> objects = {objectOf("a", "rovr")};
-  const Parameters root = settings("classes: [person, rover]");
+  Parameters root = settings("classes: [person, rover]");
   (void)readClasses(root, objects);
   EXPECT_THAT(root.errors(),
               ElementsAre(AllOf(HasSubstr("a/class: found 'rovr', which is not among the classes"),
@@ -111,7 +110,7 @@ TEST(ReadClasses, RefuseAnObjectOfNoClass) {
 
 TEST(ReadClasses, RefuseNumbersTwiceAndOutOfRange) {
   std::vector<ObjectConfig> objects;
-  const Parameters root = settings("classes: {a: 1, b: 1, c: -2, d: 70000}");
+  Parameters root = settings("classes: {a: 1, b: 1, c: -2, d: 70000}");
   (void)readClasses(root, objects);
   EXPECT_THAT(root.errors(), ElementsAre(HasSubstr("its number 1 more than once"),
                                          HasSubstr("found the number -2 of 'c'"),
@@ -128,14 +127,14 @@ TEST(ReadSplit, HasTheSharesAboveZero) {
 }
 
 TEST(ReadSplit, RefusesWhatDoesNotAddUp) {
-  const Parameters sum = settings("split: {train: 0.8, val: 0.1}");
+  Parameters sum = settings("split: {train: 0.8, val: 0.1}");
   (void)readSplit(sum);
   EXPECT_THAT(sum.errors(), ElementsAre(HasSubstr("split: found shares that add up to 0.9")));
-  const Parameters share = settings("split: {train: 80, val: 20}");
+  Parameters share = settings("split: {train: 80, val: 20}");
   (void)readSplit(share);
   EXPECT_THAT(share.errors(),
               ElementsAre(HasSubstr("split/train: found 80"), HasSubstr("split/val: found 20")));
-  const Parameters by = settings("split: {train: 1, by: moon}");
+  Parameters by = settings("split: {train: 1, by: moon}");
   (void)readSplit(by);
   EXPECT_THAT(by.errors(), ElementsAre(HasSubstr("split/by: found 'moon'")));
 }

@@ -24,7 +24,7 @@ Parameters settings(const std::string& yaml) { return Parameters(parseYaml(yaml,
 
 /// What is read of `randomize` where nothing is wrong or unknown.
 Randomization read(const std::string& randomize) {
-  const Parameters root = settings("randomize: " + randomize);
+  Parameters root = settings("randomize: " + randomize);
   Randomization randomization = readRandomization(root);
   EXPECT_THAT(root.errors(), IsEmpty()) << randomize;
   EXPECT_THAT(root.unknownNames(), IsEmpty()) << randomize;
@@ -32,7 +32,7 @@ Randomization read(const std::string& randomize) {
 }
 
 std::vector<std::string> errorsOf(const std::string& randomize) {
-  const Parameters root = settings("randomize: " + randomize);
+  Parameters root = settings("randomize: " + randomize);
   (void)readRandomization(root);
   return root.errors();
 }
@@ -294,7 +294,7 @@ TEST(Randomization, FindsAllErrorsAtOnce) {
 }
 
 TEST(Randomization, KnowsNoOtherEntries) {
-  const Parameters root = settings(
+  Parameters root = settings(
       "randomize: {lihgts: {sun: {intensity: 1}}, lights: {sun: {intensty: 1}}, materials: "
       "{objects: {color: 1}}, sensor: {gain: 2}}");
   (void)readRandomization(root);

@@ -54,7 +54,7 @@ Json keypoint(const Keypoint& given) {
   Json json;
   json["pixel"] = given.pixel ? numbers(*given.pixel) : Json(nullptr);
   json["depth"] = given.depth;
-  json["state"] = nameOf(given.state);
+  json["state"] = nameOf(given.state());
   return json;
 }
 
@@ -86,13 +86,13 @@ Json object(const SceneObject& given) {
           {"cuboid_O", {numbers(cuboid.low), numbers(cuboid.high)}},
           {"loose_box", box(given.loose_box)},
           {"in_view", given.in_view},
-          {"silhouette_box", box(given.silhouette_box)},
-          {"visible_box", box(given.visible_box)},
-          {"silhouette_pixels", given.pixels.silhouette},
-          {"silhouette_pixels_in_image", given.pixels.silhouette_in_image},
-          {"visible_pixels", given.pixels.visible},
-          {"visibility", given.visibility},
-          {"truncation", given.truncation},
+          {"silhouette_box", box(given.silhouette_box())},
+          {"visible_box", box(given.visible_box())},
+          {"silhouette_pixels", given.pixels.silhouette()},
+          {"silhouette_pixels_in_image", given.pixels.silhouette_in_image()},
+          {"visible_pixels", given.pixels.visible()},
+          {"visibility", given.visibility()},
+          {"truncation", given.truncation()},
           {"dropped", given.dropped},
           {"labelled", given.labelled()}};
 }
@@ -104,7 +104,7 @@ Json object(const SceneObject& given) {
 /// where I is the object's instance; `dataset.json`. What the tests of loaders compare with.
 class TruthWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& /*parameters*/, const DatasetInfo& dataset) override {
+  void doInitialize(WriterParameters& /*parameters*/, const DatasetInfo& dataset) override {
     dataset_ = dataset;
   }
 
@@ -131,17 +131,17 @@ class TruthWriter : public LabelWriter {
               {"X_GC", matrix(scene.X_GC)}};
     json["objects"] = Json::array();
     output.addImage(scene.name + ".image.png", scene.image);
-    output.addImage(scene.name + ".instances.png", scene.instance_map);
-    output.addImage(scene.name + ".classes.png", scene.class_map);
-    output.addImage(scene.name + ".depth.tiff", scene.depth);
+    output.addImage(scene.name + ".instances.png", scene.instance_map());
+    output.addImage(scene.name + ".classes.png", scene.class_map());
+    output.addImage(scene.name + ".depth.tiff", scene.depth());
     for (const SceneObject& each : scene.objects) {
       json["objects"].push_back(object(each));
       const std::string number = std::to_string(each.instance);
-      output.addImage(scene.name + ".silhouette_" + number + ".png", each.silhouette);
-      output.addImage(scene.name + ".visible_" + number + ".png", each.visible_mask);
+      output.addMask(scene.name + ".silhouette_" + number + ".png", each.silhouette());
+      output.addMask(scene.name + ".visible_" + number + ".png", each.visible_mask());
     }
     output.addText(scene.name + ".json", json.dump());
-    output.addRecord(scene.name);
+    output.addRecord("scenes", scene.name);
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
@@ -151,7 +151,7 @@ class TruthWriter : public LabelWriter {
         json[list] = Json::array();
       }
       records.forEach(
-          [&](std::int64_t, const std::string& name) { json["scenes"].push_back(name); });
+          "scenes", [&](std::int64_t, const std::string& name) { json["scenes"].push_back(name); });
       for (const ClassInfo& each : dataset_.classes) {
         json["classes"].push_back({{"id", each.id}, {"name", each.name}});
       }

@@ -156,11 +156,11 @@ TEST_F(DatasetFiles, TellOfASceneFileThatHasGone) {
 
 TEST_F(DatasetFiles, AreReadAndLinkedWhileOneIsWritten) {
   const auto records = store_->records(0);
-  store_->commitScene({1, Stamp{2}}, {{text("a/1.txt", " and more")}, {{0, "a/1.txt"}}});
+  store_->commitScene({1, Stamp{2}}, {{text("a/1.txt", " and more")}, {{0, "all", "a/1.txt"}}});
   store_->writeDatasetFileByName(0, path("a/all"), [&](const std::string& file) {
     std::ofstream all(file);
     all << store_->readSceneFile(0, path("a/0.txt"));
-    records->forEach([&](std::int64_t, const std::string& scene_file) {
+    records->forEach("all", [&](std::int64_t, const std::string& scene_file) {
       all << store_->readSceneFile(0, path(scene_file));
       store_->linkDatasetFile(0, path("a/link"), path(scene_file));
     });

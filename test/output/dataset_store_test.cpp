@@ -52,7 +52,7 @@ class DatasetStoreTest : public StoreFixture {
     const std::string name = std::to_string(index);
     return {{image("a/" + name + ".png", pixels), text("a/" + name + ".txt", "label " + name),
              image("b/x/" + name + ".png", pixels)},
-            {{0, "record " + name}, {1, "other"}, {0, "second"}}};
+            {{0, "all", "record " + name}, {1, "all", "other"}, {0, "all", "second"}}};
   }
 };
 
@@ -228,7 +228,7 @@ TEST_F(DatasetStoreTest, HandsRecordsBackInSceneOrder) {
   auto store = makeStore();
   for (const int index : {2, 0, 1}) store->commitScene({index, Stamp{index}}, someScene(index));
   std::vector<std::string> seen;
-  store->records(0)->forEach([&](std::int64_t scene, const std::string& record) {
+  store->records(0)->forEach("all", [&](std::int64_t scene, const std::string& record) {
     seen.push_back(std::to_string(scene) + " " + record);
   });
   EXPECT_THAT(seen, ElementsAre("0 record 0", "0 second", "1 record 1", "1 second", "2 record 2",
@@ -238,11 +238,11 @@ TEST_F(DatasetStoreTest, HandsRecordsBackInSceneOrder) {
 TEST_F(DatasetStoreTest, HandsRecordsBackByteForByteAndTwice) {
   auto store = makeStore();
   const std::string record("a\0b\n\xC3\xA4", 6);
-  store->commitScene({0, Stamp{0}}, {{}, {{1, record}, {1, ""}}});
+  store->commitScene({0, Stamp{0}}, {{}, {{1, "all", record}, {1, "al", "l\nx"}, {1, "all", ""}}});
   const auto records = store->records(1);
   for (int time = 0; time < 2; ++time) {
     std::vector<std::string> seen;
-    records->forEach([&](std::int64_t, const std::string& text) { seen.push_back(text); });
+    records->forEach("all", [&](std::int64_t, const std::string& text) { seen.push_back(text); });
     EXPECT_THAT(seen, ElementsAre(record, ""));
   }
 }
@@ -251,7 +251,7 @@ TEST_F(DatasetStoreTest, KeepsNoRecordsOfASceneThatFails) {
   auto store = makeStore();
   fs::create_directories(path("b/x/0.png"));
   EXPECT_NE(failureOf(*store, 0, someScene(0)), "no error");
-  store->records(0)->forEach([](std::int64_t, const std::string&) { ADD_FAILURE(); });
+  store->records(0)->forEach("all", [](std::int64_t, const std::string&) { ADD_FAILURE(); });
 }
 
 TEST_F(DatasetStoreTest, StreamsADatasetFileWhileRecordsAreRead) {
@@ -259,7 +259,7 @@ TEST_F(DatasetStoreTest, StreamsADatasetFileWhileRecordsAreRead) {
   for (int index = 0; index < 3; ++index) store->commitScene({index, Stamp{0}}, someScene(index));
   const auto records = store->records(0);
   store->writeDatasetFile(0, path("list.txt"), [&](std::ostream& list) {
-    records->forEach([&](std::int64_t, const std::string& text) { list << text << "\n"; });
+    records->forEach("all", [&](std::int64_t, const std::string& text) { list << text << "\n"; });
   });
   EXPECT_EQ(test::readFile(path("list.txt")),
             "record 0\nsecond\nrecord 1\nsecond\nrecord 2\nsecond\n");
@@ -295,7 +295,7 @@ std::string manifestOfARun(const std::string& folder) {
     const std::string file = folder + "/a/" + std::to_string(index);
     store.commitScene({index, Stamp{index * 1000}},
                       {{{0, file + ".png", picture(index), ""}, {0, file + ".txt", {}, "x"}},
-                       {{0, "record of scene " + std::to_string(index)}}});
+                       {{0, "all", "record of scene " + std::to_string(index)}}});
   }
   store.writeDatasetFile(0, folder + "/a/list", [](std::ostream& list) { list << "all"; });
   store.complete();

@@ -34,7 +34,7 @@ class ResumeTest : public StoreFixture {
     const std::string name = std::to_string(index);
     store.commitScene(factsOf(index),
                       {{text("a/" + name, "a of " + name), text("b/" + name, "b of " + name)},
-                       {{0, "record " + name}}});
+                       {{0, "all", "record " + name}}});
   }
 
   void finish(DatasetStore& store) const {
@@ -54,7 +54,7 @@ class ResumeTest : public StoreFixture {
       const std::string name = std::to_string(index);
       store.commitScene(factsOf(index), {{{0, folder + "/a/" + name, {}, "a of " + name},
                                           {1, folder + "/b/" + name, {}, "b of " + name}},
-                                         {{0, "record " + name}}});
+                                         {{0, "all", "record " + name}}});
     }
     store.writeDatasetFile(0, folder + "/list.txt", [](std::ostream& list) { list << "all"; });
     store.complete();

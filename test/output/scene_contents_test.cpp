@@ -52,5 +52,21 @@ TEST(SceneContents, EncodesAPictureOnceForEachFormat) {
               ElementsAre(ElementsAre(0), ElementsAre(1, 2)));
 }
 
+TEST(SceneContents, AMaskIsItsWholeImageEncodedOnce) {
+  cv::Mat image = cv::Mat::zeros(40, 60, CV_8UC1);
+  image(cv::Rect(7, 9, 5, 3)).setTo(255);
+  OutputFile first;
+  first.path = "a.png";
+  first.mask = Mask(image);
+  OutputFile second = first;
+  second.path = "b.png";
+  const OutputFile whole = imageFile("c.png", image);
+  OutputFile empty = first;
+  empty.path = "d.png";
+  empty.mask = Mask(image.size());
+  EXPECT_THAT(sharesOf({first, second, whole, empty}),
+              ElementsAre(ElementsAre(0, 1, 2), ElementsAre(3)));
+}
+
 }  // namespace
 }  // namespace synthetic_dataset::output

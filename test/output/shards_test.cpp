@@ -39,7 +39,8 @@ class ShardsTest : public testing::Test {
     facts.contacts = {{"a", "b", 0.1}};
     facts.draws = {{"floor", name}};
     facts.warnings = {{"a warning"}};
-    store.commitScene(facts, {{{0, folder + "/a/" + name, {}, text}}, {{0, "record " + name}}});
+    store.commitScene(facts,
+                      {{{0, folder + "/a/" + name, {}, text}}, {{0, "all", "record " + name}}});
   }
 
   /// Every second scene of six.
@@ -51,7 +52,8 @@ class ShardsTest : public testing::Test {
 
   static void finish(DatasetStore& store, const std::string& folder) {
     store.writeDatasetFile(0, folder + "/a/list", [&](std::ostream& list) {
-      store.records(0)->forEach([&](std::int64_t, const std::string& text) { list << text; });
+      store.records(0)->forEach("all",
+                                [&](std::int64_t, const std::string& text) { list << text; });
     });
     store.complete();
   }

@@ -19,7 +19,7 @@ class Bop : public PluginTest {
     addObject("rover", {{-1.0, -0.5, 0.0}, {1.0, 0.5, 0.6}});
     addObject("lift", {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}});
     dataset_.classes = {{0, "vehicle"}};
-    dataset_.models = [this](std::size_t object) { return models_.at(object); };
+    dataset_.setModels([this](std::size_t object) { return models_.at(object); });
   }
 
   void addObject(const std::string& name, const Cuboid& cuboid_O) {
@@ -43,7 +43,7 @@ class Bop : public PluginTest {
   /// The rover and the lift, which stands before pixels of it.
   [[nodiscard]] static std::vector<SceneObject> roverAndLift() {
     SceneObject rover = seen("rover", {100, 80, 50, 40});
-    rover.visible_mask(cv::Rect(100, 80, 20, 40)).setTo(0);
+    rover.visible_mask = painted(rover.visible_mask(), {100, 80, 20, 40}, false);
     rover.visible_box = Box{119.5, 79.5, 149.5, 119.5};
     rover.pixels.visible = 30 * 40;
     rover.visibility = 0.6;

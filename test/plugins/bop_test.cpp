@@ -128,19 +128,14 @@ TEST_F(Bop, LetsTheSilhouettesBoxLeaveTheImage) {
 TEST_F(Bop, CountsAsValidOnlyWhereTheDepthImageHasDepth) {
   load({});
   Scene holed = scene(0, {seen("rover", {100, 80, 50, 40})});
-  holed.depth(cv::Rect(100, 80, 10, 40)).setTo(0.0F);
+  cv::Mat(holed.depth(), cv::Rect(100, 80, 10, 40)).setTo(0.0F);
   runAll({holed});
   EXPECT_EQ(jsonOf("train/000000/scene_gt_info.json").at("0").at(0).at("px_count_valid"), 1600);
 }
 
 TEST_F(Bop, ListsHiddenObjectsWithoutBoxes) {
   load({});
-  SceneObject hidden = seen("rover", {100, 80, 50, 40});
-  hidden.visible_mask.setTo(0);
-  hidden.visible_box.reset();
-  hidden.pixels.visible = 0;
-  hidden.visibility = 0.0;
-  runAll({scene(0, {hidden})});
+  runAll({scene(0, {hidden(seen("rover", {100, 80, 50, 40}))})});
   const json info = jsonOf("train/000000/scene_gt_info.json").at("0").at(0);
   EXPECT_EQ(info.at("bbox_obj"), json({-1, -1, -1, -1}));
   EXPECT_EQ(info.at("bbox_visib"), json({-1, -1, -1, -1}));
@@ -152,9 +147,8 @@ TEST_F(Bop, ListsHiddenObjectsWithoutBoxes) {
 TEST_F(Bop, WritesObjectsThatSubtractionHasNotFound) {
   load({});
   SceneObject lost = seen("rover", {100, 80, 50, 40});
-  lost.silhouette.setTo(0);
-  lost.visible_mask.setTo(0);
-  lost.visible_box.reset();
+  lost.silhouette = lost.visible_mask = Mask(lost.silhouette().imageSize());
+  lost.visible_box = std::nullopt;
   runAll({scene(0, {lost})});
   const json info = jsonOf("train/000000/scene_gt_info.json").at("0").at(0);
   EXPECT_EQ(info.at("px_count_valid"), 0);
@@ -192,10 +186,11 @@ TEST_F(Bop, FinishesADatasetWithoutScenes) {
 TEST_F(Bop, SavesDepthInMultiplesOfTheScale) {
   load({{"depth_scale", 0.5}});
   Scene deep = scene(0, {});
-  deep.depth.at<float>(10, 20) = 1.2344F;   // 2468.8 half millimetres
-  deep.depth.at<float>(11, 20) = 32.7675F;  // 65535
-  deep.depth.at<float>(12, 20) = 32.7682F;  // 65536.4: too far
-  deep.depth.at<float>(13, 20) = -2.0F;     // beside a fisheye's axis
+  cv::Mat given = deep.depth();
+  given.at<float>(10, 20) = 1.2344F;   // 2468.8 half millimetres
+  given.at<float>(11, 20) = 32.7675F;  // 65535
+  given.at<float>(12, 20) = 32.7682F;  // 65536.4: too far
+  given.at<float>(13, 20) = -2.0F;     // beside a fisheye's axis
   const auto result = host_->writeScene(deep);
   EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("farther than `depth_scale`")));
   runAll({deep});
@@ -215,17 +210,18 @@ TEST_F(Bop, SavesTheDepthOfEveryColumn) {
   std::vector<Scene> scenes;
   for (const int width : {1, 7, 8, 13, 24}) {
     scenes.push_back(scene(static_cast<std::int64_t>(scenes.size()), {}));
-    scenes.back().depth = cv::Mat(3, width, CV_32FC1);
-    cv::randu(scenes.back().depth, -1.0F, 80.0F);
+    cv::Mat depth(3, width, CV_32FC1);
+    cv::randu(depth, -1.0F, 80.0F);
+    scenes.back().depth = depth;
   }
   runAll(scenes);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const cv::Mat depth = cv::imread(
         folder() + "train/000000/depth/00000" + std::to_string(i) + ".png", cv::IMREAD_UNCHANGED);
-    ASSERT_EQ(depth.size(), scenes[i].depth.size());
+    ASSERT_EQ(depth.size(), scenes[i].depth().size());
     for (int pixel = 0; pixel < static_cast<int>(depth.total()); ++pixel) {
       const cv::Point place(pixel % depth.cols, pixel / depth.cols);
-      const double millimetres = 1000.0 * double{scenes[i].depth.at<float>(place)};
+      const double millimetres = 1000.0 * double{scenes[i].depth().at<float>(place)};
       const bool is_held = millimetres > 0.0 && millimetres < 65535.5;
       EXPECT_EQ(depth.at<std::uint16_t>(place), is_held ? std::llround(millimetres) : 0);
     }

@@ -17,7 +17,7 @@ class BoundingShape : public PluginTest {
   /// A scene that knows frame `sensor`: 1 m along map's x axis, turned a quarter about z.
   [[nodiscard]] static Scene sceneWithSensor(std::vector<SceneObject> objects) {
     Scene result = scene(5, std::move(objects));
-    result.lookup = [](const std::string& target, const std::string& source) -> Pose {
+    result.setTransforms([](const std::string& target, const std::string& source) -> Pose {
       EXPECT_EQ(target, "sensor");
       EXPECT_EQ(source, "map");
       // p_map = (1, 0, 0) + R p_sensor with R (x, y, z) = (-y, x, z), hence
@@ -26,7 +26,7 @@ class BoundingShape : public PluginTest {
       X_SG.linear() << 0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0;
       X_SG.translation() << 0.0, 1.0, 0.0;
       return X_SG;
-    };
+    });
     return result;
   }
 };

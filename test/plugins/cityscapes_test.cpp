@@ -117,7 +117,7 @@ TEST_F(Cityscapes, WritesObjectsAfterThe1000thAsAGroup) {
 TEST_F(Cityscapes, WritesPolygonsThatAreTheMaskWhenFilled) {
   load({});
   SceneObject ring = of(0, {100, 100, 50, 50});
-  ring.visible_mask(cv::Rect(120, 120, 10, 10)).setTo(0);
+  ring.visible_mask = painted(ring.visible_mask(), {120, 120, 10, 10}, false);
   const auto json = jsonOf(scene(0, {ring}), kBase + "polygons.json");
   EXPECT_EQ(json["imgHeight"], 480);
   EXPECT_EQ(json["imgWidth"], 640);
@@ -128,7 +128,7 @@ TEST_F(Cityscapes, WritesPolygonsThatAreTheMaskWhenFilled) {
   }
   cv::Mat filled(480, 640, CV_8UC1, cv::Scalar(0));
   cv::fillPoly(filled, std::vector<std::vector<cv::Point>>{points}, 255);
-  EXPECT_EQ(cv::countNonZero(filled != ring.visible_mask), 0);
+  EXPECT_EQ(cv::countNonZero(filled != ring.visible_mask().whole()), 0);
 }
 
 TEST_F(Cityscapes, WritesAnImageWithoutObjects) {

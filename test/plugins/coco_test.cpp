@@ -198,22 +198,21 @@ TEST_F(Coco, CutsTheLooseBoxToTheImage) {
 TEST_F(Coco, PacksMasksThatDecodeToThemselves) {
   load({});
   Scene scene = sceneOf(0, {{10, 20, 30, 40}, {635, 470, 20, 20}});
-  cv::Mat& holed = scene.objects[0].visible_mask;
-  holed(cv::Rect(15, 25, 10, 10)).setTo(0);    // a hole
-  holed(cv::Rect(200, 300, 1, 1)).setTo(255);  // a second part
+  const Mask holed = painted(scene.objects[0].visible_mask(), {15, 25, 10, 10}, false);
+  scene.objects[0].visible_mask = painted(holed, {200, 300, 1, 1}, true);  // a second part
   scene.objects[0].visible_box = Box{9.5, 19.5, 200.5, 300.5};
   const json annotations = annotationsOf({scene});
   for (std::size_t i = 0; i < 2; ++i) {
     const cv::Mat1b decoded = maskOf(annotations[i]["segmentation"]);
-    EXPECT_EQ(cv::countNonZero(decoded != scene.objects[i].visible_mask), 0);
-    EXPECT_EQ(annotations[i]["area"], cv::countNonZero(scene.objects[i].visible_mask));
+    EXPECT_EQ(cv::countNonZero(decoded != scene.objects[i].visible_mask().whole()), 0);
+    EXPECT_EQ(annotations[i]["area"], scene.objects[i].visible_mask().count());
   }
 }
 
 TEST_F(Coco, DrawsPolygonsAlongThePixelsEdges) {
   load({{"segmentation", "polygons"}});
   Scene scene = sceneOf(0, {{10, 20, 30, 40}});
-  scene.objects[0].visible_mask.at<std::uint8_t>(300, 200) = 255;
+  scene.objects[0].visible_mask = painted(scene.objects[0].visible_mask(), {200, 300, 1, 1}, true);
   scene.objects[0].visible_box = Box{9.5, 19.5, 200.5, 300.5};
   EXPECT_EQ(annotationsOf({scene})[0]["segmentation"],
             json({{10, 20, 40, 20, 40, 60, 10, 60}, {200, 300, 201, 300, 201, 301, 200, 301}}));
@@ -224,10 +223,11 @@ TEST_F(Coco, FlagsKeypoints) {
   dataset_.objects[0].skeleton = {{0, 1}, {1, 3}};
   load({});
   Scene scene = sceneOf(0, {{10, 20, 30, 40}});
-  scene.objects[0].keypoints = {{Eigen::Vector2d(12.5, 30.0), 1.0, KeypointState::kVisible},
-                                {Eigen::Vector2d(20.0, 31.0), 1.0, KeypointState::kHiddenByItself},
-                                {Eigen::Vector2d(-3.0, 31.0), 1.0, KeypointState::kOutside},
-                                {std::nullopt, -1.0, KeypointState::kOutside}};
+  scene.objects[0].keypoints = {
+      keypoint(Eigen::Vector2d(12.5, 30.0), 1.0, KeypointState::kVisible),
+      keypoint(Eigen::Vector2d(20.0, 31.0), 1.0, KeypointState::kHiddenByItself),
+      keypoint(Eigen::Vector2d(-3.0, 31.0), 1.0, KeypointState::kOutside),
+      keypoint(std::nullopt, -1.0, KeypointState::kOutside)};
   const json annotation = annotationsOf({scene})[0];
   EXPECT_EQ(annotation["keypoints"],
             json({12.5, 30.0, 2, 20.0, 31.0, 1, 0.0, 0.0, 0, 0.0, 0.0, 0}));
@@ -243,11 +243,12 @@ TEST_F(Coco, OrdersKeypointsOfAClassByTheirNames) {
   giveKeypoints(2, {"heel", "toe"});
   load({});
   Scene scene = sceneOf(0, {{10, 20, 30, 40}, {100, 20, 9, 9}, {200, 20, 30, 40}});
-  scene.objects[0].keypoints = {{Eigen::Vector2d(11.0, 21.0), 1.0, KeypointState::kVisible},
-                                {Eigen::Vector2d(12.0, 22.0), 1.0, KeypointState::kVisible}};
+  scene.objects[0].keypoints = {
+      keypoint(Eigen::Vector2d(11.0, 21.0), 1.0, KeypointState::kVisible),
+      keypoint(Eigen::Vector2d(12.0, 22.0), 1.0, KeypointState::kVisible)};
   scene.objects[2].keypoints = {
-      {Eigen::Vector2d(201.0, 21.0), 1.0, KeypointState::kVisible},
-      {Eigen::Vector2d(202.0, 22.0), 1.0, KeypointState::kHiddenByAnother}};
+      keypoint(Eigen::Vector2d(201.0, 21.0), 1.0, KeypointState::kVisible),
+      keypoint(Eigen::Vector2d(202.0, 22.0), 1.0, KeypointState::kHiddenByAnother)};
   const json annotations = annotationsOf({scene});
   EXPECT_EQ(written("instances_train")["categories"][0]["keypoints"], json({"tip", "heel", "toe"}));
   EXPECT_EQ(annotations[0]["keypoints"], json({11.0, 21.0, 2, 12.0, 22.0, 2, 0.0, 0.0, 0}));

@@ -29,7 +29,7 @@ class Dope : public PluginTest {
     info.class_name = "vehicle";
     info.class_id = 3;
     dataset_.objects = {info};
-    dataset_.models = [](std::size_t) { return cuboidModel(kRover); };
+    dataset_.setModels([](std::size_t) { return cuboidModel(kRover); });
   }
 
   /// The rover ten metres ahead, its x axis to the right, its z axis up.

@@ -22,9 +22,9 @@ class EveryFormat : public PluginTest, public testing::WithParamInterface<Format
   EveryFormat() : PluginTest("synthetic_dataset/" + GetParam().type) {
     for (const std::string name : {"a", "b"}) addObject(name);
     dataset_.classes = {{0, "cup"}};
-    dataset_.models = [](std::size_t /*object*/) {
+    dataset_.setModels([](std::size_t /*object*/) {
       return cuboidModel({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}});
-    };
+    });
   }
 
   void addObject(const std::string& name) {

@@ -85,9 +85,9 @@ TEST_F(ImageFolder, DescribesObjects) {
   load({});
   SceneObject object = seen("a", {-10, 20, 40, 30});
   object.class_id = 2;
-  object.keypoints = {{Eigen::Vector2d(12.5, 30.0), 1.0, KeypointState::kVisible},
-                      {Eigen::Vector2d(-12.5, 30.0), 1.0, KeypointState::kOutside},
-                      {std::nullopt, -1.0, KeypointState::kOutside}};
+  object.keypoints = {keypoint(Eigen::Vector2d(12.5, 30.0), 1.0, KeypointState::kVisible),
+                      keypoint(Eigen::Vector2d(-12.5, 30.0), 1.0, KeypointState::kOutside),
+                      keypoint(std::nullopt, -1.0, KeypointState::kOutside)};
   const json objects = lineOf(scene(0, {object}))["objects"];
   EXPECT_EQ(objects["bbox"], json({{0.0, 20.0, 30.0, 30.0}}));
   EXPECT_EQ(objects["categories"], json({2}));
@@ -153,8 +153,9 @@ TEST_F(ImageFolder, WritesDepthInMetres) {
 TEST_F(ImageFolder, WritesNormalsAsColours) {
   load({{"normals", true}});
   Scene tilted = scene(0, {});
-  tilted.normals = cv::Mat(480, 640, CV_32FC3, cv::Scalar(0.0, 0.0, 0.0));
-  tilted.normals.at<cv::Vec3f>(10, 20) = {1.0F, 0.6F, -1.0F};
+  cv::Mat given(480, 640, CV_32FC3, cv::Scalar(0.0, 0.0, 0.0));
+  given.at<cv::Vec3f>(10, 20) = {1.0F, 0.6F, -1.0F};
+  tilted.normals = given;
   runAll({tilted});
   const cv::Mat normals = cv::imread(folder() + "train/00000000.normals.png");
   // 0.6 is at 0.8 * 255 = 204. OpenCV's order: blue, green, red.
@@ -165,9 +166,10 @@ TEST_F(ImageFolder, WritesNormalsAsColours) {
 TEST_F(ImageFolder, KeepsFlowThatIsNotKnown) {
   load({{"optical_flow", true}});
   Scene moving = scene(0, {});
-  moving.optical_flow = cv::Mat(480, 640, CV_32FC2, cv::Scalar(1.5, -2.25));
+  cv::Mat flow(480, 640, CV_32FC2, cv::Scalar(1.5, -2.25));
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  moving.optical_flow.at<cv::Vec2f>(10, 20) = {nan, nan};
+  flow.at<cv::Vec2f>(10, 20) = {nan, nan};
+  moving.optical_flow = flow;
   runAll({moving});
   const cv::Mat u = cv::imread(folder() + "train/00000000.flow_u.tiff", cv::IMREAD_UNCHANGED);
   const cv::Mat v = cv::imread(folder() + "train/00000000.flow_v.tiff", cv::IMREAD_UNCHANGED);

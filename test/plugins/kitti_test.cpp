@@ -103,8 +103,8 @@ TEST_F(Kitti, CutsBoxesToTheImageAndTellsTruncation) {
   // 20 of 50 columns are left of the image.
   SceneObject object = upright({0.0, 0.0, 5.0}, 0.0);
   const SceneObject cut = seen("rover", {-20, 80, 50, 40});
-  object.silhouette_box = cut.silhouette_box;
-  object.truncation = cut.truncation;
+  object.silhouette_box = cut.silhouette_box();
+  object.truncation = cut.truncation();
   const auto numbers = numbersOf(object);
   EXPECT_NEAR(numbers[0], 0.4, 1e-9);
   EXPECT_THAT(std::vector<double>(numbers.begin() + 3, numbers.begin() + 7),
@@ -115,7 +115,7 @@ TEST_F(Kitti, TellsOcclusionOfThePartInTheImage) {
   load({});
   SceneObject object = upright({0.0, 0.0, 5.0}, 0.0);
   const auto occlusionAt = [&](std::int64_t visible) {
-    object.pixels = {4000, 1000, visible};
+    object.pixels = counts(4000, 1000, visible);
     return numbersOf(object)[1];
   };
   EXPECT_EQ(occlusionAt(900), 0.0);
@@ -142,10 +142,7 @@ TEST_F(Kitti, LeavesDontCareOutWhenAsked) {
 
 TEST_F(Kitti, SaysNothingOfAHiddenObject) {
   load({});
-  SceneObject object = upright({0.0, 0.0, 5.0}, 0.0);
-  object.pixels.visible = 0;
-  object.visible_box.reset();
-  EXPECT_EQ(labelOf(scene(0, {object})), "");
+  EXPECT_EQ(labelOf(scene(0, {hidden(upright({0.0, 0.0, 5.0}, 0.0))})), "");
 }
 
 TEST_F(Kitti, WritesAnEmptyFileForASceneWithoutObjects) {

@@ -73,40 +73,43 @@ const cv::Mat1b kRing = drawn({"......",  //
 
 TEST(EdgeRings, GoRoundABlockAlongItsPixelsEdges) {
   const cv::Mat1b mask = drawn({".....", ".###.", ".###.", "....."});
-  EXPECT_THAT(masks::edgeRings(mask), ElementsAre(ElementsAre(cv::Point(1, 1), cv::Point(4, 1),
-                                                              cv::Point(4, 3), cv::Point(1, 3))));
+  EXPECT_THAT(
+      masks::edgeRings(Mask(mask)),
+      ElementsAre(ElementsAre(cv::Point(1, 1), cv::Point(4, 1), cv::Point(4, 3), cv::Point(1, 3))));
 }
 
 TEST(EdgeRings, GoRoundASinglePixelInTheImagesCorner) {
   EXPECT_THAT(
-      masks::edgeRings(drawn({"....", "...#"})),
+      masks::edgeRings(Mask(drawn({"....", "...#"}))),
       ElementsAre(ElementsAre(cv::Point(3, 1), cv::Point(4, 1), cv::Point(4, 2), cv::Point(3, 2))));
 }
 
-TEST(EdgeRings, AreNoneOfAnEmptyMask) { EXPECT_THAT(masks::edgeRings(drawn({"...."})), IsEmpty()); }
+TEST(EdgeRings, AreNoneOfAnEmptyMask) {
+  EXPECT_THAT(masks::edgeRings(Mask(drawn({"...."}))), IsEmpty());
+}
 
 TEST(EdgeRings, CutAHoleByASeamStraightAboveIt) {
   // Down the seam from (2, 1), round the hole of 2 x 1 pixels against the clock, and up again. The
   // seam's upper end is passed straight on the way to it.
   EXPECT_THAT(
-      masks::edgeRings(kRing),
+      masks::edgeRings(Mask(kRing)),
       ElementsAre(ElementsAre(cv::Point(1, 1), cv::Point(2, 1), cv::Point(2, 3), cv::Point(4, 3),
                               cv::Point(4, 2), cv::Point(2, 2), cv::Point(2, 1), cv::Point(5, 1),
                               cv::Point(5, 4), cv::Point(1, 4))));
 }
 
 TEST(EdgeRings, ArePolygonsOfTheirOwnForParts) {
-  EXPECT_EQ(masks::edgeRings(drawn({"##.#", "##.#"})).size(), 2U);
+  EXPECT_EQ(masks::edgeRings(Mask(drawn({"##.#", "##.#"}))).size(), 2U);
 }
 
 TEST(EdgeRings, HoldPixelsTogetherThatShareACorner) {
-  EXPECT_EQ(masks::edgeRings(drawn({"#...", ".#.."})).size(), 1U);
+  EXPECT_EQ(masks::edgeRings(Mask(drawn({"#...", ".#.."}))).size(), 1U);
 }
 
 TEST(EdgeRings, FilledAreTheMask) {
   for (const int density : {5, 30, 50, 70, 95, 100}) {
     const cv::Mat1b mask = noise({37, 29}, 7, density);
-    EXPECT_EQ(differentPixels(filled(masks::edgeRings(mask), mask.size()), mask), 0)
+    EXPECT_EQ(differentPixels(filled(masks::edgeRings(Mask(mask)), mask.size()), mask), 0)
         << density << " per cent";
   }
 }
@@ -116,32 +119,32 @@ TEST(EdgeRings, FindHolesInPartsInHoles) {
   for (int margin = 0; margin < 10; ++margin) {
     mask(cv::Rect(margin, margin, 21 - 2 * margin, 21 - 2 * margin)) = margin % 2 == 0 ? 255 : 0;
   }
-  EXPECT_EQ(masks::edgeRings(mask).size(), 5U);
-  EXPECT_EQ(differentPixels(filled(masks::edgeRings(mask), mask.size()), mask), 0);
+  EXPECT_EQ(masks::edgeRings(Mask(mask)).size(), 5U);
+  EXPECT_EQ(differentPixels(filled(masks::edgeRings(Mask(mask)), mask.size()), mask), 0);
 }
 
 TEST(CentreRing, GoesThroughTheCentresOfTheRim) {
   const cv::Mat1b mask = drawn({".....", ".###.", ".###.", ".###."});
-  EXPECT_THAT(masks::centreRing(mask),
+  EXPECT_THAT(masks::centreRing(Mask(mask)),
               ElementsAre(cv::Point(1, 1), cv::Point(3, 1), cv::Point(3, 3), cv::Point(1, 3)));
 }
 
 TEST(CentreRing, HasThreePointsForOnePixel) {
   const cv::Point only(2, 1);
-  EXPECT_THAT(masks::centreRing(drawn({"....", "..#."})), ElementsAre(only, only, only));
+  EXPECT_THAT(masks::centreRing(Mask(drawn({"....", "..#."}))), ElementsAre(only, only, only));
 }
 
 TEST(CentreRing, HasThreePointsForALine) {
-  EXPECT_THAT(masks::centreRing(drawn({".###"})),
+  EXPECT_THAT(masks::centreRing(Mask(drawn({".###"}))),
               ElementsAre(cv::Point(1, 0), cv::Point(3, 0), cv::Point(3, 0)));
 }
 
 TEST(CentreRing, IsEmptyForAnEmptyMask) {
-  EXPECT_THAT(masks::centreRing(drawn({"...."})), IsEmpty());
+  EXPECT_THAT(masks::centreRing(Mask(drawn({"...."}))), IsEmpty());
 }
 
 TEST(CentreRing, FilledWithItsRimIsAMaskWithHoles) {
-  EXPECT_EQ(differentPixels(filledWithRim(masks::centreRing(kRing), kRing.size()), kRing), 0);
+  EXPECT_EQ(differentPixels(filledWithRim(masks::centreRing(Mask(kRing)), kRing.size()), kRing), 0);
 }
 
 TEST(CentreRing, JoinsPartsByTheShortestBridge) {
@@ -150,7 +153,7 @@ TEST(CentreRing, JoinsPartsByTheShortestBridge) {
                                 "......",  //
                                 "##..##"});
   // Down one pixel, and two to the right.
-  const cv::Mat1b bridged = filledWithRim(masks::centreRing(mask), mask.size());
+  const cv::Mat1b bridged = filledWithRim(masks::centreRing(Mask(mask)), mask.size());
   EXPECT_EQ(cv::countNonZero(bridged), cv::countNonZero(mask) + 1 + 2);
   EXPECT_EQ(cv::countNonZero(mask & ~bridged), 0);
 }
@@ -161,7 +164,7 @@ TEST(CentreRing, JoinsAPartInAHole) {
                                 "#..#..#",  //
                                 "#.....#",  //
                                 "#######"});
-  EXPECT_EQ(differentPixels(filledWithRim(masks::centreRing(mask), mask.size()), mask), 1);
+  EXPECT_EQ(differentPixels(filledWithRim(masks::centreRing(Mask(mask)), mask.size()), mask), 1);
 }
 
 TEST(CentreRing, FilledIsTheMaskWhereItIsOnePart) {
@@ -172,7 +175,7 @@ TEST(CentreRing, FilledIsTheMaskWhereItIsOnePart) {
     cv::connectedComponents(mask, parts, 8, CV_32S);
     mask.setTo(0, parts != parts(16, 20));
     ASSERT_GT(cv::countNonZero(mask), 500);
-    EXPECT_EQ(differentPixels(filledWithRim(masks::centreRing(mask), mask.size()), mask), 0)
+    EXPECT_EQ(differentPixels(filledWithRim(masks::centreRing(Mask(mask)), mask.size()), mask), 0)
         << "seed " << seed;
   }
 }
@@ -180,7 +183,7 @@ TEST(CentreRing, FilledIsTheMaskWhereItIsOnePart) {
 TEST(CentreRing, FilledHoldsAllOfANoisyMask) {
   for (const int density : {2, 10, 30, 60}) {
     const cv::Mat1b mask = noise({64, 48}, 11, density);
-    const cv::Mat1b bridged = filledWithRim(masks::centreRing(mask), mask.size());
+    const cv::Mat1b bridged = filledWithRim(masks::centreRing(Mask(mask)), mask.size());
     EXPECT_EQ(cv::countNonZero(mask & ~bridged), 0) << density << " per cent";
   }
 }

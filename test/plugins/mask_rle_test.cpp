@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgproc.hpp>
 
-#include "synthetic_dataset/mask_bounds.h"
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -12,12 +12,7 @@ using testing::ElementsAre;
 
 cv::Mat1b empty(int rows, int columns) { return cv::Mat1b(rows, columns, std::uint8_t{0}); }
 
-/// The same, whether more than the mask is looked at or not.
-std::vector<std::int64_t> runsOf(const cv::Mat& mask) {
-  const auto runs = masks::columnRuns(mask, cv::Rect(cv::Point(), mask.size()));
-  EXPECT_EQ(masks::columnRuns(mask, maskBounds(mask)), runs);
-  return runs;
-}
+std::vector<std::int64_t> runsOf(const cv::Mat& mask) { return masks::columnRuns(Mask(mask)); }
 
 std::string countsOf(const cv::Mat& mask) { return masks::cocoCounts(runsOf(mask)); }
 

@@ -110,13 +110,13 @@ TEST_F(PascalVoc, SaysWhatIsTruncatedOccludedAndDifficult) {
   load({});
   SceneObject object = robot({10, 10, 10, 10});
   object.truncation = 0.06;
-  object.pixels = {200, 188, 180};  // 8 of 188 are hidden: 4 %
+  object.pixels = counts(200, 188, 180);  // 8 of 188 are hidden: 4 %
   object.visibility = 0.9;
   EXPECT_THAT(annotationOf({object}),
               HasSubstr("<truncated>1</truncated>\n\t\t<occluded>0</occluded>\n\t\t"
                         "<difficult>0</difficult>"));
   object.truncation = 0.05;
-  object.pixels = {200, 190, 38};
+  object.pixels = counts(200, 190, 38);
   object.visibility = 0.19;
   EXPECT_THAT(annotationOf({object}),
               HasSubstr("<truncated>0</truncated>\n\t\t<occluded>1</occluded>\n\t\t"

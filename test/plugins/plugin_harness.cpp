@@ -1,10 +1,14 @@
 #include "plugins/plugin_harness.h"
 
-#include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 #include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
+namespace {
+
+const cv::Size kImageSize(640, 480);
+
+}  // namespace
 
 void PluginTest::SetUpTestSuite() { test::preparePluginEnvironment(); }
 
@@ -24,19 +28,20 @@ Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
   scene.camera_name = "camera";
   scene.stamp = Stamp{index};
   scene.image = cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(50));
-  scene.instance_map = cv::Mat(480, 640, CV_16UC1, cv::Scalar(0));
-  scene.class_map = cv::Mat(480, 640, CV_16UC1, cv::Scalar(0));
-  scene.depth = cv::Mat(480, 640, CV_32FC1, cv::Scalar(0));
+  cv::Mat instance_map(480, 640, CV_16UC1, cv::Scalar(0));
+  cv::Mat class_map(480, 640, CV_16UC1, cv::Scalar(0));
+  cv::Mat depth(480, 640, CV_32FC1, cv::Scalar(0));
   for (SceneObject& each : objects) {
     each.instance = static_cast<int>(scene.objects.size()) + 1;
-    scene.instance_map.setTo(each.instance, each.visible_mask);
-    scene.class_map.setTo(each.class_id + 1, each.visible_mask);
-    scene.depth.setTo(each.X_CO.translation().z(), each.visible_mask);
+    const cv::Mat visible = each.visible_mask().whole();
+    instance_map.setTo(each.instance, visible);
+    class_map.setTo(each.class_id + 1, visible);
+    depth.setTo(each.X_CO.translation().z(), visible);
     scene.objects.push_back(std::move(each));
   }
-  scene.lookup = [](const std::string& target, const std::string& source) -> Pose {
-    throw Error("no transform from " + source + " to " + target);
-  };
+  scene.instance_map = instance_map;
+  scene.class_map = class_map;
+  scene.depth = depth;
   return scene;
 }
 
@@ -73,25 +78,60 @@ SceneObject PluginTest::object(const std::string& name) {
   object.X_GO.translation() = Eigen::Vector3d(0.0, 0.0, 10.0);
   object.X_CO = object.X_GO;
   object.in_view = true;
-  object.silhouette = cv::Mat(480, 640, CV_8UC1, cv::Scalar(0));
-  object.visible_mask = cv::Mat(480, 640, CV_8UC1, cv::Scalar(0));
+  object.silhouette = Mask(kImageSize);
+  object.silhouette_box = std::nullopt;
+  object.pixels.silhouette = object.pixels.silhouette_in_image = 0;
+  object.truncation = 0.0;
+  return hidden(object);
+}
+
+SceneObject PluginTest::hidden(SceneObject object) {
+  object.visible_mask = Mask(kImageSize);
+  object.visible_box = std::nullopt;
+  object.pixels.visible = 0;
+  object.visibility = 0.0;
   return object;
+}
+
+PixelCounts PluginTest::counts(std::int64_t silhouette, std::int64_t in_image,
+                               std::int64_t visible) {
+  PixelCounts pixels;
+  pixels.silhouette = silhouette;
+  pixels.silhouette_in_image = in_image;
+  pixels.visible = visible;
+  return pixels;
+}
+
+Mask PluginTest::painted(const Mask& mask, const cv::Rect& pixels, bool on) {
+  cv::Mat image = mask.whole();
+  image(pixels).setTo(on ? 255 : 0);
+  return Mask(image);
+}
+
+Keypoint PluginTest::keypoint(const std::optional<Eigen::Vector2d>& pixel, double depth,
+                              KeypointState state) {
+  Keypoint keypoint;
+  keypoint.pixel = pixel;
+  keypoint.depth = depth;
+  keypoint.state = state;
+  return keypoint;
 }
 
 SceneObject PluginTest::seen(const std::string& name, const cv::Rect& pixels) {
   SceneObject object = PluginTest::object(name);
   object.cuboid_O = {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
   const cv::Rect visible = pixels & cv::Rect(0, 0, 640, 480);
-  object.silhouette(visible).setTo(255);
-  object.visible_mask(visible).setTo(255);
+  object.silhouette = painted(object.silhouette(), visible, true);
+  object.visible_mask = painted(object.visible_mask(), visible, true);
   const auto edges = [](const cv::Rect& r) {
     return Box{r.x - 0.5, r.y - 0.5, r.br().x - 0.5, r.br().y - 0.5};
   };
-  object.loose_box = object.silhouette_box = edges(pixels);
+  object.loose_box = edges(pixels);
+  object.silhouette_box = object.loose_box;
   if (!visible.empty()) object.visible_box = edges(visible);
-  object.pixels = {pixels.area(), visible.area(), visible.area()};
+  object.pixels = counts(pixels.area(), visible.area(), visible.area());
   object.visibility = static_cast<double>(visible.area()) / pixels.area();
-  object.truncation = 1.0 - object.visibility;
+  object.truncation = 1.0 - object.visibility();
   return object;
 }
 
@@ -106,9 +146,10 @@ std::map<std::string, std::string> PluginTest::filesOf(const Scene& scene) const
     std::string content = file.text;
     if (file.pixels.data == scene.image.data) content = "<image>";
     for (const SceneObject& object : scene.objects) {
-      if (file.pixels.empty()) continue;
-      if (file.pixels.data == object.silhouette.data) content = "<silhouette " + object.name + ">";
-      if (file.pixels.data == object.visible_mask.data) content = "<visible " + object.name + ">";
+      const uchar* pixels = file.mask.pixels().data;
+      if (pixels == nullptr) continue;
+      if (pixels == object.silhouette().pixels().data) content = "<silhouette " + object.name + ">";
+      if (pixels == object.visible_mask().pixels().data) content = "<visible " + object.name + ">";
     }
     files[file.path.substr(folder().size())] = content;
   }
@@ -117,7 +158,8 @@ std::map<std::string, std::string> PluginTest::filesOf(const Scene& scene) const
 
 cv::Mat PluginTest::pictureOf(const Scene& scene, const std::string& path) const {
   for (const output::OutputFile& file : host_->writeScene(scene).files.files) {
-    if (file.path == folder() + path) return file.pixels;
+    if (file.path != folder() + path) continue;
+    return file.mask.imageSize().empty() ? file.pixels : file.mask.whole();
   }
   return {};
 }

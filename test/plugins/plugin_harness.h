@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,12 +35,24 @@ class PluginTest : public testing::Test {
   /// The same scene as a camera of another focal length [px] has it.
   [[nodiscard]] static Scene zoomed(Scene scene, double focal_length);
 
-  /// An object at p_GO = (0, 0, 10) without turn, in view, with empty masks of its own.
+  /// An object at p_GO = (0, 0, 10) without turn, in view, with nothing to be seen.
   [[nodiscard]] static SceneObject object(const std::string& name);
 
   /// The same with all measures of one that covers these pixels and no other object hides; a cube
   /// of one metre.
   [[nodiscard]] static SceneObject seen(const std::string& name, const cv::Rect& pixels);
+
+  /// The mask with all pixels of a rectangle on or off it.
+  [[nodiscard]] static Mask painted(const Mask& mask, const cv::Rect& pixels, bool on);
+
+  [[nodiscard]] static Keypoint keypoint(const std::optional<Eigen::Vector2d>& pixel, double depth,
+                                         KeypointState state);
+
+  [[nodiscard]] static PixelCounts counts(std::int64_t silhouette, std::int64_t in_image,
+                                          std::int64_t visible);
+
+  /// The object as one of which no pixel is visible.
+  [[nodiscard]] static SceneObject hidden(SceneObject object);
 
   /// Two scenes of each of two cameras, the first in `train` and the second in `test`; the writer
   /// is told of them.

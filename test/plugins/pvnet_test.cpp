@@ -30,7 +30,7 @@ class PvNet : public PluginTest {
  protected:
   PvNet() : PluginTest("synthetic_dataset/PvNet") {
     addObject("rover", cuboidModel(kRover));
-    dataset_.models = [this](std::size_t object) { return models_.at(object); };
+    dataset_.setModels([this](std::size_t object) { return models_.at(object); });
   }
 
   void addObject(const std::string& name, const ObjectModel& model) {

@@ -142,20 +142,21 @@ TEST_F(RosBag, HoldsThePngItselfWhenCompressed) {
 TEST_F(RosBag, HoldsInstancesAsSixteenBits) {
   load({});
   Scene only = timed(0, {seen("a", {10, 20, 30, 40})});
-  only.instance_map.at<std::uint16_t>(100, 200) = 0x1234;
+  cv::Mat(only.instance_map()).at<std::uint16_t>(100, 200) = 0x1234;
   runAll({only});
   auto image = onlyMessage<sensor_msgs::Image>("/camera/instances");
   EXPECT_EQ(image.encoding, "mono16");
   const cv::Mat pixels = pixelsOf(image, CV_16UC1);
   EXPECT_EQ(pixels.at<std::uint16_t>(100, 200), 0x1234);
-  EXPECT_EQ(cv::norm(pixels, only.instance_map, cv::NORM_L1), 0.0);
+  EXPECT_EQ(cv::norm(pixels, only.instance_map(), cv::NORM_L1), 0.0);
 }
 
 TEST_F(RosBag, HoldsEveryBitOfDepthAndNothingWhereNothingIs) {
   load({});
   Scene only = timed(0, {});
   const std::array<float, 4> depths = {0.1F, 3.14159274F, 99.9999924F, -2.5F};
-  for (int i = 0; i < 4; ++i) only.depth.at<float>(7, i) = depths[static_cast<std::size_t>(i)];
+  cv::Mat given = only.depth();
+  for (int i = 0; i < 4; ++i) given.at<float>(7, i) = depths[static_cast<std::size_t>(i)];
   runAll({only});
   auto image = onlyMessage<sensor_msgs::Image>("/camera/depth/image_rect_raw");
   EXPECT_EQ(image.encoding, "32FC1");

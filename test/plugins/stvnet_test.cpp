@@ -16,7 +16,7 @@ class StvNet : public PluginTest {
 
   [[nodiscard]] static SceneObject keyed(const std::string& name,
                                          const std::vector<Eigen::Vector3d>& keypoints_O) {
-    SceneObject result = object(name);
+    SceneObject result = seen(name, {100, 100, 5, 5});
     result.keypoints_O = keypoints_O;
     return result;
   }

@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "plugins/plugin_harness.h"
-#include "synthetic_dataset/mask_bounds.h"
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -36,7 +36,7 @@ class Ultralytics : public PluginTest {
 
   [[nodiscard]] static SceneObject masked(const cv::Mat& mask) {
     SceneObject result = seen("a", maskBounds(mask));
-    result.silhouette = result.visible_mask = mask;
+    result.silhouette = result.visible_mask = Mask(mask);
     result.pixels.visible = cv::countNonZero(mask);
     return result;
   }
@@ -140,11 +140,11 @@ TEST_F(Ultralytics, WritesManyObjects) {
 TEST_F(Ultralytics, WritesKeypointsAndFillsUpMissingOnes) {
   load({{"task", "pose"}});
   SceneObject robot = seen("a", {128, 72, 64, 96});
-  robot.keypoints = {{Eigen::Vector2d(159.5, 119.5), 10.0, KeypointState::kVisible},
-                     {Eigen::Vector2d(-0.5, 479.5), 10.0, KeypointState::kHiddenByItself}};
+  robot.keypoints = {keypoint(Eigen::Vector2d(159.5, 119.5), 10.0, KeypointState::kVisible),
+                     keypoint(Eigen::Vector2d(-0.5, 479.5), 10.0, KeypointState::kHiddenByItself)};
   SceneObject lift = robot;
   lift.class_id = 2;
-  lift.keypoints = {{Eigen::Vector2d(319.5, 0.0), 10.0, KeypointState::kHiddenByAnother}};
+  lift.keypoints = {keypoint(Eigen::Vector2d(319.5, 0.0), 10.0, KeypointState::kHiddenByAnother)};
   EXPECT_EQ(labelsOf({robot, lift}),
             "0 0.25000000 0.25000000 0.10000000 0.20000000"
             " 0.25000000 0.25000000 2 0.00000000 1.00000000 1\n"
@@ -155,8 +155,8 @@ TEST_F(Ultralytics, WritesKeypointsAndFillsUpMissingOnes) {
 TEST_F(Ultralytics, WritesZerosForKeypointsThatAreNotOnTheImage) {
   load({{"task", "pose"}});
   SceneObject robot = seen("a", {128, 72, 64, 96});
-  robot.keypoints = {{Eigen::Vector2d(-3.0, 5.0), 10.0, KeypointState::kOutside},
-                     {std::nullopt, -1.0, KeypointState::kOutside}};
+  robot.keypoints = {keypoint(Eigen::Vector2d(-3.0, 5.0), 10.0, KeypointState::kOutside),
+                     keypoint(std::nullopt, -1.0, KeypointState::kOutside)};
   EXPECT_THAT(labelsOf({robot}), HasSubstr(" 0.20000000 0 0 0 0 0 0\n"));
 }
 
@@ -230,8 +230,8 @@ TEST_F(Ultralytics, AKeypointHasTheColumnOfItsName) {
   load({{"task", "pose"}});
   const auto keypointed = [](const Eigen::Vector2d& first, const Eigen::Vector2d& second) {
     SceneObject object = seen("a", {100, 100, 50, 50});
-    object.keypoints = {{first, 10.0, KeypointState::kVisible},
-                        {second, 10.0, KeypointState::kVisible}};
+    object.keypoints = {keypoint(first, 10.0, KeypointState::kVisible),
+                        keypoint(second, 10.0, KeypointState::kVisible)};
     return object;
   };
   SceneObject robot = keypointed({110, 110}, {140, 140});
@@ -239,7 +239,7 @@ TEST_F(Ultralytics, AKeypointHasTheColumnOfItsName) {
   SceneObject other = keypointed({140, 140}, {110, 110});
   std::vector<SceneObject> objects = {robot, seen("b", {400, 100, 9, 9}), other};
   objects[1].class_id = 2;
-  objects[1].keypoints = {{Eigen::Vector2d(404, 104), 10.0, KeypointState::kVisible}};
+  objects[1].keypoints = {keypoint(Eigen::Vector2d(404, 104), 10.0, KeypointState::kVisible)};
   std::istringstream lines(labelsOf(objects));
   std::string first;
   std::string second;

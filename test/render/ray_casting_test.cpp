@@ -10,7 +10,7 @@
 #include "render/renderer.h"
 #include "support/box_world.h"
 #include "support/random_poses.h"
-#include "synthetic_dataset/mask_bounds.h"
+#include "synthetic_dataset/mask.h"
 #include "world/physics/ray_caster.h"
 #include "world/shape/shape_meshes.h"
 

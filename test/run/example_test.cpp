@@ -72,7 +72,7 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
           renderer.labels({scene.camera, scene.X_GC}, setup.world->linkPoses(), {alone}).ids ==
           static_cast<int>(i + 1);
       const SceneObject& object = scene.objects[i];
-      const double overlap = intersectionOverUnion(object.silhouette, exact);
+      const double overlap = intersectionOverUnion(object.silhouette().whole(), exact);
       worst[i] = std::min(worst[i], overlap);
       sum[i] += overlap;
       std::vector<cv::Point> pixels;

@@ -36,20 +36,16 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithoutObjectsInView) {
     each.in_view = false;
     each.keypoints.resize(1);
   }
-  empty.instance_map.setTo(0);
+  cv::Mat(empty.instance_map()).setTo(0);
   write({empty}, GetParam().parameters);
   EXPECT_THAT(problems(), IsEmpty());
 }
 
 TEST_P(VerifyEveryFormat, FindsNothingWrongWithHiddenAndDroppedObjects) {
   Scene scene = sceneOfBoth(0);
-  SceneObject& hidden = scene.objects[0];
-  hidden.visible_mask.setTo(0);
-  hidden.visible_box.reset();
-  hidden.pixels.visible = 0;
-  hidden.visibility = 0.0;
+  scene.objects[0] = hidden(scene.objects[0]);
   scene.objects[1].dropped = true;
-  scene.instance_map.setTo(0, scene.instance_map == 1);
+  cv::Mat(scene.instance_map()).setTo(0, scene.instance_map() == 1);
   write({scene}, GetParam().parameters);
   EXPECT_THAT(problems(), IsEmpty());
 }
@@ -64,8 +60,8 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongAtTheImagesEdge) {
   cut.keypoints_O = whole.keypoints_O;
   cut.keypoints = whole.keypoints;
   cut.instance = 1;
-  scene.instance_map.setTo(0, scene.instance_map == 1);
-  scene.instance_map.setTo(1, cut.visible_mask);
+  cv::Mat(scene.instance_map()).setTo(0, scene.instance_map() == 1);
+  cv::Mat(scene.instance_map()).setTo(1, cut.visible_mask().whole());
   scene.objects[0] = cut;
   write({scene}, GetParam().parameters);
   EXPECT_THAT(problems(), IsEmpty());

@@ -35,9 +35,9 @@ VerificationTest::VerificationTest(const std::string& format)
     info.keypoint_names = {"0"};
     dataset_.objects.push_back(info);
   }
-  dataset_.models = [](std::size_t /*object*/) {
+  dataset_.setModels([](std::size_t /*object*/) {
     return cuboidModel({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}});
-  };
+  });
 }
 
 Scene VerificationTest::sceneOfBoth(std::int64_t index) const {
@@ -86,10 +86,10 @@ output::SceneFacts VerificationTest::factsOf(const Scene& scene) const {
   facts.warnings = warnings_;
   for (const SceneObject& object : scene.objects) {
     output::ObjectFacts of_object = output::objectFacts(object);
-    of_object.silhouette_pixels = object.pixels.silhouette;
-    of_object.visible_pixels = object.pixels.visible;
-    of_object.visibility = object.visibility;
-    of_object.truncation = object.truncation;
+    of_object.silhouette_pixels = object.pixels.silhouette();
+    of_object.visible_pixels = object.pixels.visible();
+    of_object.visibility = object.visibility();
+    of_object.truncation = object.truncation();
     facts.objects.push_back(of_object);
   }
   return facts;

@@ -11,12 +11,12 @@ namespace synthetic_dataset::test {
 /// Does wrong what the parameter `fault` asks for.
 class MisbehavingWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
     fault_ = parameters.optional<std::string>("fault", "none");
     frames_ =
         parameters.maybe<std::vector<std::string>>("frames").value_or(std::vector<std::string>());
     if (fault_ == "initialize") throw Error("there is no calibration");
-    if (parameters.has("list")) (void)parameters.requiredFile("list");
+    if (parameters.has("list")) list_ = parameters.requiredFile("list");
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -35,24 +35,27 @@ class MisbehavingWriter : public LabelWriter {
     if (fault_ == "other format") output.addImage("0.bmp", scene.image);
     output.addImage("same.png", scene.image);
     output.addText("same.txt", "label");
-    output.addRecord("record");
+    if (fault_ == "channel of two lines") output.addRecord("a\nb", "record");
+    output.addRecord("all", "record");
     output.addWarning("alpha: strange");
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
-    if (fault_ == "unknown parameter") output.addFileAtParameter("nowhere", [](std::ostream&) {});
+    if (fault_ == "unknown parameter")
+      output.addFileAtParameter(FileParameter(), [](std::ostream&) {});
     if (fault_ == "absolute path") output.addFile("/etc/list", [](std::ostream&) {});
     const auto all = [&](std::ostream& stream) {
-      records.forEach([&](std::int64_t scene, const std::string& record) {
+      records.forEach("all", [&](std::int64_t scene, const std::string& record) {
         stream << scene << " " << record << "\n";
       });
     };
     output.addFile("all.txt", all);
     if (fault_ == "same file twice") output.addFile("all.txt", all);
-    if (fault_ == "write the list") output.addFileAtParameter("list", all);
+    if (fault_ == "write the list") output.addFileAtParameter(list_, all);
   }
 
   std::string fault_;
+  FileParameter list_;
   std::vector<std::string> frames_;
 };
 

@@ -63,6 +63,31 @@ TEST_F(WriterOutputs, GatherIndicesAndColours) {
   EXPECT_THAT(files_.files[0].palette, SizeIs(2));
 }
 
+TEST_F(WriterOutputs, GatherMasksAsTheyAre) {
+  const Mask mask(cv::Mat(2, 2, CV_8UC1, cv::Scalar(255)), {3, 1}, {8, 6});
+  scene_output_.addMask("masks/0.png", mask);
+  ASSERT_THAT(files_.files, SizeIs(1));
+  EXPECT_EQ(files_.files[0].mask.pixels().data, mask.pixels().data);
+  EXPECT_THAT(failureOf([&] { scene_output_.addMask("masks/1.png", {}); }), HasSubstr("no pixels"));
+  EXPECT_THAT(failureOf([&] { scene_output_.addMask("masks/1.bmp", mask); }), HasSubstr(".png"));
+}
+
+TEST_F(WriterOutputs, RefuseARecordsChannelOfTwoLines) {
+  scene_output_.addRecord("images", "a\nb");
+  EXPECT_THAT(failureOf([&] { scene_output_.addRecord("a\nb", ""); }), HasSubstr("channel"));
+  EXPECT_THAT(files_.records, SizeIs(1));
+}
+
+TEST_F(WriterOutputs, WriteNoFileThatTheirParametersDoNotName) {
+  WriterParameters others(Parameters(Value::Map{{"list", Value(path("list.txt"))}}), "second",
+                          path("second") + "/");
+  const FileParameter list = others.requiredFile("list");
+  for (const FileParameter& file : {list, FileParameter()}) {
+    EXPECT_THAT(failureOf([&] { dataset_output_.addFileAtParameter(file, [](std::ostream&) {}); }),
+                HasSubstr("requiredFile"));
+  }
+}
+
 TEST_F(WriterOutputs, RefuseAnIndexWithoutAColour) {
   const cv::Mat indices(2, 2, CV_8UC1, cv::Scalar(1));
   EXPECT_THAT(failureOf([&] {

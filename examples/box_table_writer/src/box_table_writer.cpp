@@ -1,3 +1,4 @@
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -14,13 +15,9 @@ using namespace synthetic_dataset;
 /// visible pixels.
 class BoxTableWriter : public LabelWriter {
  private:
-  void doInitialize(const WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
-    (void)parameters.requiredFile("table");
-    decimals_ = parameters.optional("decimals", 1);
-    if (decimals_ < 0 || decimals_ > 9) {
-      parameters.addError("decimals",
-                          "found " + std::to_string(decimals_) + "; it should be 0 to 9");
-    }
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
+    table_ = parameters.requiredFile("table");
+    decimals_ = parameters.optionalBetween("decimals", 1, 0, 9);
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -33,24 +30,25 @@ class BoxTableWriter : public LabelWriter {
     const std::string image = "images/" + scene.name + ".png";
     output.addImage(image, scene.image);
     for (const SceneObject& object : scene.objects) {
-      if (!object.labelled() || !object.visible_box) continue;
+      const std::optional<Box>& box = object.visible_box();
+      if (!object.labelled() || !box) continue;
       std::string row = image + "," + object.name + "," + object.class_name;
-      const Box& box = *object.visible_box;
-      for (const double edge : {box.left, box.top, box.right, box.bottom}) {
+      for (const double edge : {box->left, box->top, box->right, box->bottom}) {
         row += "," + fixed(edge, decimals_);
       }
-      output.addRecord(row);
+      output.addRecord("rows", row);
     }
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
-    output.addFileAtParameter("table", [&](std::ostream& table) {
+    output.addFileAtParameter(table_, [&](std::ostream& table) {
       table << "image,object,class,left,top,right,bottom\n";
       records.forEach(
-          [&](std::int64_t /*scene*/, const std::string& row) { table << row << '\n'; });
+          "rows", [&](std::int64_t /*scene*/, const std::string& row) { table << row << '\n'; });
     });
   }
 
+  FileParameter table_;
   int decimals_ = 1;
 };
 

@@ -9,6 +9,13 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
+namespace {
+
+constexpr const char* kUnknownFormat =
+    "an image file's name should end in .png, .jpg, .jpeg, .tif or .tiff";
+constexpr const char* kNoPixels = "the image has no pixels";
+
+}  // namespace
 
 std::optional<ImageFormat> imageFormat(const std::string& path) {
   const std::size_t dot = path.find_last_of("./");
@@ -22,10 +29,16 @@ std::optional<ImageFormat> imageFormat(const std::string& path) {
   return std::nullopt;
 }
 
+std::optional<std::string> imageProblem(const std::string& path, const Mask& mask) {
+  if (!imageFormat(path)) return kUnknownFormat;
+  if (mask.imageSize().empty()) return kNoPixels;
+  return std::nullopt;
+}
+
 std::optional<std::string> imageProblem(const std::string& path, const cv::Mat& image) {
   const std::optional<ImageFormat> format = imageFormat(path);
-  if (!format) return "an image file's name should end in .png, .jpg, .jpeg, .tif or .tiff";
-  if (image.empty()) return "the image has no pixels";
+  if (!format) return kUnknownFormat;
+  if (image.empty()) return kNoPixels;
   if (image.dims != 2) return "the image should have two dimensions";
   const int type = image.type();
   const bool numbers = type == CV_32FC1;

@@ -6,6 +6,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "synthetic_dataset/mask.h"
+
 namespace synthetic_dataset::output {
 
 enum class ImageFormat { kPng, kJpeg, kTiff };
@@ -21,6 +23,7 @@ struct ImageQuality {
 /// Why an image cannot be written to a file of this name; nothing when it can.
 [[nodiscard]] std::optional<std::string> imageProblem(const std::string& path,
                                                       const cv::Mat& image);
+[[nodiscard]] std::optional<std::string> imageProblem(const std::string& path, const Mask& mask);
 
 /// The same bytes for the same pixels.
 /// @throws Error when the image cannot be encoded

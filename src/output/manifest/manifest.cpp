@@ -289,7 +289,7 @@ void Manifest::listScene(const SceneFacts& scene, const std::vector<SceneFiles::
   for (const SceneFiles::Record& record : records) {
     if (record.writer >= sequences.size()) sequences.resize(record.writer + 1, 0);
     insert_record_.run(signedIndex(record.writer), scene.index, sequences[record.writer]++,
-                       record.text);
+                       record.channel + '\n' + record.text);
   }
   set_state_.run(std::string("written"), scene.index);
   transaction.commit();

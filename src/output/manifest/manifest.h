@@ -73,8 +73,8 @@ class Manifest {
 
   void setContent(const std::string& path, std::int64_t bytes, const std::string& digest);
 
-  /// The records of one writer in scene order.
-  void forEachRecord(std::size_t writer,
+  /// One writer's records of a channel, in scene order.
+  void forEachRecord(std::size_t writer, const std::string& channel,
                      const std::function<void(std::int64_t, const std::string&)>& visit) const;
 
   [[nodiscard]] std::map<std::int64_t, SceneState> sceneStates() const;

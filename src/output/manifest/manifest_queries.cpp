@@ -31,11 +31,17 @@ bool Manifest::isSceneFile(std::size_t writer, const std::string& path) const {
 }
 
 void Manifest::forEachRecord(
-    std::size_t writer, const std::function<void(std::int64_t, const std::string&)>& visit) const {
+    std::size_t writer, const std::string& channel,
+    const std::function<void(std::int64_t, const std::string&)>& visit) const {
+  const std::string heading = channel + '\n';
   SqliteStatement records(
       database_, "SELECT scene, text FROM record WHERE writer = ? ORDER BY scene, sequence");
   records.start(static_cast<std::int64_t>(writer));
-  while (records.step()) visit(records.integer(0), records.text(1));
+  while (records.step()) {
+    const std::string text = records.text(1);
+    if (text.compare(0, heading.size(), heading) != 0) continue;
+    visit(records.integer(0), text.substr(heading.size()));
+  }
 }
 
 std::map<std::int64_t, SceneState> Manifest::sceneStates() const {

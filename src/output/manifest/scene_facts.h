@@ -61,7 +61,7 @@ struct SceneFacts {
   std::vector<Warning> warnings = {};
 };
 
-/// What every scene knows of an object, so all but pixels and what follows from them.
+/// What a scene knows of an object, but for `mask_agreement`.
 [[nodiscard]] ObjectFacts objectFacts(const SceneObject& object);
 
 /// What every scene knows of itself, without its objects.

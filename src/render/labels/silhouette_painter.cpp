@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <opencv2/core.hpp>
+
 #include "render/lens/lens_resampling.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
-#include "synthetic_dataset/mask_bounds.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -245,7 +246,8 @@ Silhouette SilhouettePainter::paint(const View& view, const std::vector<Pose>& X
                                     const std::optional<CoveredPixels>& in_image) {
   const Subject subject{X_WL, links};
   Silhouette silhouette;
-  silhouette.mask = cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
+  const cv::Size image_size(view.camera.width(), view.camera.height());
+  silhouette.mask = Mask(image_size);
   const std::optional<Box> bounds = boundsOf(subject, view);
   if (!bounds) return silhouette;
   Tally tally;
@@ -253,7 +255,7 @@ Silhouette SilhouettePainter::paint(const View& view, const std::vector<Pose>& X
   const cv::Rect region = in_image ? in_image->place : cellsWithin(image, *bounds);
   if (!region.empty()) {
     const cv::Mat covered = in_image ? in_image->mask : draw(subject, view, region);
-    covered.copyTo(silhouette.mask(region));
+    silhouette.mask = Mask(covered, region.tl(), image_size);
     tally.addPixels(image, region, covered);
     silhouette.pixels_in_image = tally.pixels();
   }

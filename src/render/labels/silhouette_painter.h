@@ -12,12 +12,13 @@
 #include "render/parts/shader_family.h"
 #include "render/view.h"
 #include "synthetic_dataset/box.h"
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::render {
 
 /// What links cover as if nothing stood in front of them. Pixels are sampled at their centres.
 struct Silhouette {
-  cv::Mat mask;                      ///< CV_8UC1 of the image's size: 255 on the links, 0 elsewhere
+  Mask mask;                         ///< of the image
   std::optional<Box> box;            ///< round all pixels' edges [px], past the image's edge too
   std::int64_t pixels = 0;           ///< all of them, past the image's edge too
   std::int64_t pixels_in_image = 0;  ///< those of the mask

@@ -10,7 +10,7 @@
 #include "render/picture/changed_pixels.h"
 #include "render/picture/possible_changes.h"
 #include "render/pixels/pixel_bands.h"
-#include "synthetic_dataset/mask_bounds.h"
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::render {
 namespace {

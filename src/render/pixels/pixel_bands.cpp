@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "synthetic_dataset/mask_bounds.h"
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::render {
 namespace {

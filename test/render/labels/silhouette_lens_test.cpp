@@ -86,7 +86,7 @@ TEST_P(SilhouetteThroughALens, IsWhatLabelsShowOfTheObjectAlone) {
     const cv::Mat labels = renderer.labels(view, stage.poses(), {stage.all()}).ids > 0;
 
     EXPECT_GT(silhouette.pixels_in_image, 0);
-    EXPECT_EQ(cv::norm(silhouette.mask, labels, cv::NORM_INF), 0.0) << angle;
+    EXPECT_EQ(cv::norm(silhouette.mask.whole(), labels, cv::NORM_INF), 0.0) << angle;
   }
 }
 

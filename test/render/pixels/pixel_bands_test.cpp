@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "synthetic_dataset/mask_bounds.h"
+#include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::render {
 namespace {

@@ -1,11 +1,15 @@
-#include "synthetic_dataset/mask_bounds.h"
+#include "synthetic_dataset/mask.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 
+#include <opencv2/core.hpp>
+
+#include "synthetic_dataset/errors.h"
+
 namespace synthetic_dataset {
-inline namespace v1 {
+inline namespace v2 {
 namespace {
 
 constexpr int kWord = 8;  // pixels that are looked at at once
@@ -53,5 +57,31 @@ cv::Rect maskBounds(const cv::Mat& mask) {
   return {left, top, right - left, bottom - top};
 }
 
-}  // namespace v1
+Mask::Mask(const cv::Mat& part, const cv::Point& offset, const cv::Size& image_size)
+    : image_size_(image_size) {
+  if (!part.empty() && part.type() != CV_8UC1) throw Error("a mask's pixels should be CV_8UC1");
+  const cv::Rect extent = maskBounds(part);
+  if (extent.empty()) return;
+  const cv::Rect bounds = extent + offset;
+  if ((bounds & cv::Rect({}, image_size)) != bounds) {
+    throw Error("a mask has pixels outside of its image");
+  }
+  offset_ = bounds.tl();
+  const bool shares = 2 * static_cast<std::size_t>(extent.area()) >= part.total();
+  pixels_ = shares ? part(extent) : part(extent).clone();
+}
+
+std::int64_t Mask::count() const { return empty() ? 0 : cv::countNonZero(pixels_); }
+
+bool Mask::at(const cv::Point& pixel) const {
+  return bounds().contains(pixel) && pixels_.at<std::uint8_t>(pixel - offset_) != 0;
+}
+
+cv::Mat Mask::whole() const {
+  cv::Mat image = cv::Mat::zeros(image_size_, CV_8UC1);
+  if (!empty()) pixels_.copyTo(image(bounds()));
+  return image;
+}
+
+}  // namespace v2
 }  // namespace synthetic_dataset

@@ -1,0 +1,68 @@
+#include <algorithm>
+
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+inline namespace v2 {
+
+ObjectModel DatasetInfo::model(std::size_t object) const {
+  if (!models_) throw Error("the dataset knows no models");
+  return models_(object);
+}
+
+std::vector<std::string> DatasetInfo::splitFolders() const {
+  std::vector<std::string> names;
+  for (const SplitInfo& split : splits) names.push_back(split.name);
+  if (names.empty()) names.emplace_back("train");
+  return names;
+}
+
+std::size_t DatasetInfo::classIndex(int class_id) const {
+  const auto found = std::find_if(classes.begin(), classes.end(),
+                                  [&](const ClassInfo& each) { return each.id == class_id; });
+  if (found == classes.end()) throw Error("no class has the number " + std::to_string(class_id));
+  return static_cast<std::size_t>(found - classes.begin());
+}
+
+std::vector<std::string> DatasetInfo::classNamesWithoutGaps() const {
+  std::vector<std::string> names;
+  for (const ClassInfo& each : classes) {
+    while (names.size() < static_cast<std::size_t>(each.id)) {
+      names.push_back("unused_" + std::to_string(names.size()));
+    }
+    names.push_back(each.name);
+  }
+  return names;
+}
+
+std::string DatasetInfo::cameraFolder(std::size_t camera) const {
+  return cameras.size() < 2 ? "" : safeFileName(cameras.at(camera).name) + "/";
+}
+
+void DatasetInfo::refuseVaryingIntrinsics(const std::string& file) const {
+  for (const CameraDescription& camera : cameras) {
+    if (!camera.intrinsics_vary) continue;
+    throw Error("found a camera, '" + camera.name +
+                "', whose intrinsics differ from scene to scene, and the format has one " + file +
+                " for all of its images; they should be the same: without "
+                "randomize/sensor/field_of_view, and with the same calibration in all motions. "
+                "BOP, DOPE, KITTI and others hold each image's own");
+  }
+}
+
+void DatasetInfo::refuseVaryingModels(const std::string& file) const {
+  for (const ObjectInfo& object : objects) {
+    if (!object.model_varies) continue;
+    throw Error("found an object, '" + object.name +
+                "', whose model or size differs from scene to scene, and the format has one " +
+                file +
+                " of it for all images; it should be the same: without model and scale in "
+                "randomize/objects, and with the same model in all motions. COCO, YOLO, KITTI and "
+                "others hold what is seen in each image");
+  }
+}
+
+}  // namespace v2
+}  // namespace synthetic_dataset

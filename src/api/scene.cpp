@@ -1,0 +1,21 @@
+#include "synthetic_dataset/scene.h"
+
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+inline namespace v2 {
+
+Pose Scene::transform(const std::string& target, const std::string& source) const {
+  if (!transforms_) throw Error("the scene knows no frames, '" + source + "' neither");
+  return transforms_(target, source);
+}
+
+std::string Scene::flatName() const {
+  const std::size_t slash = name.rfind('/');
+  if (slash == std::string::npos) return name;
+  return safeFileName(name.substr(0, slash)) + "_" + name.substr(slash + 1);
+}
+
+}  // namespace v2
+}  // namespace synthetic_dataset
