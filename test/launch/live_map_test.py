@@ -19,7 +19,50 @@ EXAMPLE = REPOSITORY / 'config' / 'example.yaml'
 SCENES = 2
 
 
+def start_publisher(environ, *arguments):
+    return subprocess.Popen([ros_programs.path_of_test_program('publish_map'), *arguments],
+                            env=environ)
+
+
+def start_generate(environ, dataset, node='generate', **settings):
+    text = EXAMPLE.read_text(encoding='utf-8')
+    parameters = yaml.safe_load(text.replace('$(find synthetic_dataset)', str(REPOSITORY)))
+    del parameters['bag_file']
+    parameters.update(output_folder=str(dataset), motion='placement', scenes=SCENES,
+                      placement={'map_topic': 'hall_map'})
+    parameters['camera']['sample'] = {'look_at': 'all', 'distance': 4.0, 'elevation': 0.6}
+    parameters.update(settings)
+    master = xmlrpc.client.ServerProxy(os.environ['ROS_MASTER_URI'])
+    master.deleteParam('/live_map_test', '/' + node)
+    master.setParam('/live_map_test', '/' + node, parameters)
+    return subprocess.Popen(['rosrun', 'synthetic_dataset', 'generate', '__name:=' + node],
+                            env=environ, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                            universal_newlines=True)
+
+
+def end_of(process):
+    log, _ = process.communicate(timeout=ros_programs.TIMEOUT)
+    return process.returncode, log
+
+
 class LiveMap(unittest.TestCase):
+
+    @classmethod
+    def setUpClass(cls):
+        """A map that does not come is waited for while the other tests go on."""
+        cls.scratch = tempfile.TemporaryDirectory(prefix='synthetic_dataset_')
+        environ = ros_programs.environment(cls.scratch.name)
+        cls.never_made = pathlib.Path(cls.scratch.name) / 'dataset'
+        cls.attic = start_publisher(environ, '/attic_maps', 'map', '__name:=attic')
+        cls.waiting = start_generate(environ, cls.never_made, 'waiting',
+                                     placement={'map_topic': 'attic_map'})
+
+    @classmethod
+    def tearDownClass(cls):
+        for process in (cls.waiting, cls.attic):
+            process.terminate()
+            process.wait()
+        cls.scratch.cleanup()
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix='synthetic_dataset_')
@@ -28,26 +71,12 @@ class LiveMap(unittest.TestCase):
         self.dataset = pathlib.Path(scratch.name) / 'dataset'
 
     def publish(self, *arguments):
-        node = subprocess.Popen([ros_programs.path_of_test_program('publish_map'), *arguments],
-                                env=self.environ)
+        node = start_publisher(self.environ, *arguments)
         self.addCleanup(node.wait)
         self.addCleanup(node.terminate)
 
     def generate(self, **settings):
-        text = EXAMPLE.read_text(encoding='utf-8')
-        parameters = yaml.safe_load(text.replace('$(find synthetic_dataset)', str(REPOSITORY)))
-        del parameters['bag_file']
-        parameters.update(output_folder=str(self.dataset), motion='placement', scenes=SCENES,
-                          placement={'map_topic': 'hall_map'})
-        parameters['camera']['sample'] = {'look_at': 'all', 'distance': 4.0, 'elevation': 0.6}
-        parameters.update(settings)
-        master = xmlrpc.client.ServerProxy(os.environ['ROS_MASTER_URI'])
-        master.deleteParam('/live_map_test', '/generate')
-        master.setParam('/live_map_test', '/generate', parameters)
-        run = subprocess.run(['rosrun', 'synthetic_dataset', 'generate'], env=self.environ,
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False,
-                             universal_newlines=True, timeout=ros_programs.TIMEOUT)
-        return run.returncode, run.stdout
+        return end_of(start_generate(self.environ, self.dataset, **settings))
 
     def query(self, sql):
         with sqlite3.connect(self.dataset / 'manifest.sqlite') as manifest:
@@ -79,12 +108,12 @@ class LiveMap(unittest.TestCase):
         self.assertIn("a map in the frame 'odom'", log)
 
     def test_that_does_not_come_is_an_error_that_says_what_there_is(self):
-        self.publish('/hall_maps')
-        code, log = self.generate()
+        code, log = end_of(self.waiting)
         self.assertEqual(code, 1, log)
-        self.assertIn("placement/map_topic: found '/hall_map', on which no map came within 10 s", log)
-        self.assertIn("did you mean '/hall_maps'?", log)
-        self.assertFalse(self.dataset.exists())
+        self.assertIn("placement/map_topic: found '/attic_map', on which no map came within 10 s",
+                      log)
+        self.assertIn("did you mean '/attic_maps'?", log)
+        self.assertFalse(self.never_made.exists())
 
     def test_topic_of_another_type_is_an_error_at_once(self):
         code, log = self.generate(placement={'map_topic': '/rosout'})  # its own messages

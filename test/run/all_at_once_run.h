@@ -26,7 +26,8 @@ class StoppingReporter : public Reporter {
 
 /// A small run in which much goes on: a ball that falls, two cameras, noise, masks by background
 /// subtraction, optical flow, which looks at the next scene, and formats with files of the dataset
-/// as a whole and links to files of scenes.
+/// as a whole and links to files of scenes. All tests have it in the same folder, one after
+/// another, as paths of inputs are part of a dataset.
 class AllAtOnceRun {
  public:
   AllAtOnceRun();
@@ -39,6 +40,10 @@ class AllAtOnceRun {
   /// Runs with these parameters; the dataset goes to `folder`.
   RunSummary run(Reporter& reporter, const std::string& folder) const;
   RunSummary run() const;
+
+  /// The files of a run of all scenes with these parameters, which leaves nothing behind. They are
+  /// made once for all tests that have the same parameters and inputs.
+  [[nodiscard]] const std::map<std::string, std::string>& unbroken() const;
 
   /// What the run says when it may not begin, or go on.
   [[nodiscard]] std::vector<std::string> errors() const;

@@ -171,13 +171,6 @@ class ZoomingRun : public ::testing::Test {
             "distortion_coefficients: {rows: 1, cols: 5, data: [-0.25, 0.08, 0.001, 0, 0]}\n";
   }
 
-  [[nodiscard]] Files unbroken() const {
-    (void)run.run();
-    Files files = AllAtOnceRun::files(run.folder());
-    fs::remove_all(run.folder());
-    return files;
-  }
-
   [[nodiscard]] std::vector<WrittenScene> scenesOf(const std::string& camera) const {
     std::ifstream file(run.folder() + "/w_ImageFolder/train/metadata.jsonl");
     std::vector<WrittenScene> scenes;
@@ -291,7 +284,7 @@ TEST_F(ZoomingRun, LeavesOtherDrawsAsTheyAre) {
 }
 
 TEST_F(ZoomingRun, GivesTheSameBytesResumedInShardsAndAlone) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   StoppingReporter stopping(5);
   EXPECT_TRUE(run.run(stopping, run.folder()).stopped);
   (void)run.run();
@@ -316,7 +309,7 @@ TEST_P(ReusingRun, GivesTheSameBytesWhereNothingIsKept) {
   if (which.rfind("Lens", 0) == 0) bend();
   const bool is_exact = which.find("Exact") != std::string::npos;
   run.parameters["masks"] = yaml(is_exact ? "{method: exact}" : "{method: mog2}");
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   run.parameters["rendering"] = yaml("{reuse: false}");
   (void)run.run();
   run.expectFiles(expected);

@@ -33,26 +33,18 @@ class MergerTest : public ::testing::Test {
     return test::messagesOf([&] { merge(folder, shard_folders); });
   }
 
-  /// The files of a run that makes all scenes.
-  [[nodiscard]] std::map<std::string, std::string> single() const {
-    (void)run.run();
-    auto files = AllAtOnceRun::files(run.folder());
-    fs::remove_all(run.folder());
-    return files;
-  }
-
   AllAtOnceRun run;
 };
 
 TEST_F(MergerTest, MakesTheBytesOfASingleRunInTheShardsFolder) {
-  const auto expected = single();
+  const auto expected = run.unbroken();
   for (const int index : {2, 0, 1}) (void)run.runShard(index, 3, run.folder());
   merge(run.folder());
   EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == expected);
 }
 
 TEST_F(MergerTest, MakesTheBytesOfASingleRunOfShardsElsewhere) {
-  const auto expected = single();
+  const auto expected = run.unbroken();
   const std::string one = run.input("one");
   const std::string two = run.input("two");
   (void)run.runShard(0, 2, one);
@@ -74,7 +66,7 @@ TEST_F(MergerTest, ShardsShareTheScenesAmongThem) {
 }
 
 TEST_F(MergerTest, AResumedShardIsAsGoodAsAnUnbrokenOne) {
-  const auto expected = single();
+  const auto expected = run.unbroken();
   Value::Map whole = run.parameters;
   run.parameters["shard"] = Value(Value::Map{{"index", Value(1)}, {"count", Value(2)}});
   StoppingReporter stopping(3);

@@ -418,15 +418,8 @@ class PlacedAllAtOnce : public ::testing::Test {
     settings["sample"] = Value(Value::Map{{"look_at", Value("any")}});
   }
 
-  [[nodiscard]] std::map<std::string, std::string> unbroken() const {
-    (void)run.run();
-    auto files = AllAtOnceRun::files(run.folder());
-    fs::remove_all(run.folder());
-    return files;
-  }
-
   void expectShardsMakeTheSame(int count) const {
-    const auto expected = unbroken();
+    const auto expected = run.unbroken();
     for (int i = 0; i < count; ++i) (void)run.runShard((i + 1) % count, count, run.folder());
     Reporter silent;
     mergeShards(run.folder(), {}, silent, {test::pluginXml()});
@@ -442,7 +435,7 @@ class PlacedAllAtOnce : public ::testing::Test {
 };
 
 TEST_F(PlacedAllAtOnce, GivesTheBytesOfAnUnbrokenRunWhenResumed) {
-  const auto expected = unbroken();
+  const auto expected = run.unbroken();
   ASSERT_GT(expected.size(), 100U);
   StoppingReporter stopping(5);
   EXPECT_TRUE(run.run(stopping, run.folder()).stopped);
@@ -455,7 +448,7 @@ TEST_F(PlacedAllAtOnce, GivesTheBytesOfASingleRunInShards) { expectShardsMakeThe
 TEST_F(PlacedAllAtOnce, GivesTheSameBytesWhateverIsKeptFromPictureToPicture) {
   const auto filesWith = [&](bool reuse) {
     run.parameters["rendering"] = Value(Value::Map{{"reuse", Value(reuse)}});
-    auto files = unbroken();
+    auto files = run.unbroken();
     files.erase("manifest.sqlite");  // which tells the setting
     return files;
   };
@@ -463,13 +456,7 @@ TEST_F(PlacedAllAtOnce, GivesTheSameBytesWhateverIsKeptFromPictureToPicture) {
 }
 
 TEST_F(PlacedAllAtOnce, GivesTheSameBytesInShardsWithACameraPutIntoARecording) {
-  run.parameters = AllAtOnceRun().parameters;
-  run.parameters["bag_file"] = Value(run.input("tiny.bag"));
-  run.parameters["world"] = Value(run.input("tiny.world"));
-  for (const char* camera : {"left", "right"}) {
-    Value::Map& cameras = *run.parameters.at("cameras").as<Value::Map>();
-    (*cameras.at(camera).as<Value::Map>())["info_file"] = Value(run.input("camera.yaml"));
-  }
+  run.parameters = AllAtOnceRun().parameters;  // in the same folder
   sample("left");
   expectShardsMakeTheSame(3);
 }

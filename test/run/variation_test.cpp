@@ -337,13 +337,6 @@ class VariedRun : public ::testing::Test {
         "0.3], max: [1, 1, 1.2]}}}");
   }
 
-  [[nodiscard]] Files unbroken() const {
-    (void)run.run();
-    Files files = AllAtOnceRun::files(run.folder());
-    fs::remove_all(run.folder());
-    return files;
-  }
-
   /// What was made so far is what these have.
   void expectScenesOf(const Files& expected) const {
     int files = 0;
@@ -376,7 +369,7 @@ TEST_F(VariedRun, HasAnExposureOfEachCamerasOwnAndALightForAll) {
 }
 
 TEST_F(VariedRun, GivesTheBytesOfAnUnbrokenOneWhenResumed) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   ASSERT_GT(expected.size(), 150U);
   StoppingReporter stopping(5);
   EXPECT_TRUE(run.run(stopping, run.folder()).stopped);
@@ -385,7 +378,7 @@ TEST_F(VariedRun, GivesTheBytesOfAnUnbrokenOneWhenResumed) {
 }
 
 TEST_F(VariedRun, GivesTheBytesOfASingleOneInShards) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   for (const int index : {1, 0}) (void)run.runShard(index, 2, run.folder());
   Reporter silent;
   mergeShards(run.folder(), {}, silent, {test::pluginXml()});
@@ -393,14 +386,14 @@ TEST_F(VariedRun, GivesTheBytesOfASingleOneInShards) {
 }
 
 TEST_F(VariedRun, GivesTheSameBytesWhereNothingIsKept) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   run.parameters["rendering"] = yaml("{reuse: false}");
   (void)run.run();
   run.expectFiles(expected);
 }
 
 TEST_F(VariedRun, MakesOneSceneByItself) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   only("[5]");
   EXPECT_EQ(run.run().scenes, 2) << "one a camera";
   expectScenesOf(expected);
@@ -413,14 +406,14 @@ TEST_F(VariedRun, MakesOneScenePlacedAtRandomByItself) {
   run.parameters["scenes"] = Value(6);
   run.parameters["placement"] =
       yaml("{mode: drop, volume: {min: [-0.5, -1, 0.6], max: [0.5, 0.5, 1.5]}}");
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   only("4");
   EXPECT_EQ(run.run().scenes, 2);
   expectScenesOf(expected);
 }
 
 TEST_F(VariedRun, IsCompletedByTheSameCommandWithoutOnlyScenes) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   only("[6, 2]");
   const RunSummary some = run.run();
   EXPECT_EQ(some.planned_scenes, 4);
@@ -436,7 +429,7 @@ TEST_F(VariedRun, IsCompletedByTheSameCommandWithoutOnlyScenes) {
 }
 
 TEST_F(VariedRun, LeavesTheDatasetOpenEvenIfAllScenesAreChosen) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   only("[0, 1, 2, 3, 4, 5, 6, 7]");
   EXPECT_EQ(run.run().scenes, 16);
   EXPECT_LT(AllAtOnceRun::files(run.folder()).size(), expected.size()) << "no files of the whole";
@@ -450,7 +443,7 @@ TEST_F(VariedRun, LeavesTheDatasetOpenEvenIfAllScenesAreChosen) {
 }
 
 TEST_F(VariedRun, ThatIsCompleteHasNothingToMake) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   (void)run.run();
   only("[0]");
   EXPECT_TRUE(run.run().was_complete);
@@ -458,7 +451,7 @@ TEST_F(VariedRun, ThatIsCompleteHasNothingToMake) {
 }
 
 TEST_F(VariedRun, MakesTheScenesOfAShardThatAreChosen) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   only("[1, 6]");
   EXPECT_EQ(run.runShard(0, 2, run.folder()).scenes, 2);
   EXPECT_EQ(run.runShard(1, 2, run.folder()).scenes, 2);

@@ -221,13 +221,6 @@ class WornModelsRun : public ::testing::Test {
     run.parameters["writers"] = Value(writers);
   }
 
-  [[nodiscard]] Files unbroken() const {
-    (void)run.run();
-    Files files = AllAtOnceRun::files(run.folder());
-    fs::remove_all(run.folder());
-    return files;
-  }
-
   void place() {
     run.parameters.erase("bag_file");
     run.parameters["motion"] = Value("placement");
@@ -240,7 +233,7 @@ class WornModelsRun : public ::testing::Test {
 };
 
 TEST_F(WornModelsRun, GivesTheSameBytesResumedInShardsAndWhereNothingIsKept) {
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   StoppingReporter stopping(5);
   (void)run.run(stopping, run.folder());
   (void)run.run();
@@ -258,7 +251,7 @@ TEST_F(WornModelsRun, GivesTheSameBytesResumedInShardsAndWhereNothingIsKept) {
 
 TEST_F(WornModelsRun, MakesOneSceneOfThoseThatAreDroppedByItself) {
   place();
-  const Files expected = unbroken();
+  const Files expected = run.unbroken();
   run.parameters["only_scenes"] = yaml("[4]");
   (void)run.run();
   for (const auto& [name, bytes] : AllAtOnceRun::files(run.folder())) {

@@ -1,5 +1,7 @@
 #include "support/tiny_run.h"
 
+#include <utility>
+
 #include "support/bag_builder.h"
 
 namespace synthetic_dataset::test {
@@ -41,14 +43,14 @@ Value point(double x, double y, double z) {
 
 }  // namespace
 
-TinyRun::TinyRun() {
+TinyRun::TinyRun(std::shared_ptr<const TemporaryFolder> folder) : folder_(std::move(folder)) {
   std::string world = kWorld;
   const std::string place = "%OBJECTS%";
   world.replace(world.find(place), place.size(),
                 boxModel("alpha", "0.9 0.2 0.1") + boxModel("bravo", "0.1 0.3 0.9"));
-  folder_.write("tiny.world", world);
-  folder_.write("camera.yaml", kCamera);
-  BagBuilder bag(folder_ / "tiny.bag");
+  folder_->write("tiny.world", world);
+  folder_->write("camera.yaml", kCamera);
+  BagBuilder bag(*folder_ / "tiny.bag");
   bag.fix("map", "bravo/base_link", milliseconds(1000), poseAt(0.0, 1.0, 0.0));
   for (int i = 0; i <= 20; ++i) {
     bag.move("map", "alpha/base_link", milliseconds(1000 + 50 * i),
@@ -71,7 +73,7 @@ Value::Map TinyRun::object(const std::string& id) {
 }
 
 Value::Map TinyRun::parameters() const {
-  const auto file = [&](const char* name) { return Value((folder_ / name).string()); };
+  const auto file = [&](const char* name) { return Value((*folder_ / name).string()); };
   // Three metres before the objects and one above, looking along the global +x.
   const Value::List pose = {Value(-3.0), Value(0.2),  Value(0.5), Value(-0.5),
                             Value(0.5),  Value(-0.5), Value(0.5)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "support/temporary_folder.h"
@@ -11,9 +12,11 @@ namespace synthetic_dataset::test {
 /// stands, a world with a floor and their models, a small camera.
 class TinyRun {
  public:
-  TinyRun();
+  /// @param folder  where its files go
+  explicit TinyRun(
+      std::shared_ptr<const TemporaryFolder> folder = std::make_shared<TemporaryFolder>());
 
-  [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
+  [[nodiscard]] const TemporaryFolder& folder() const { return *folder_; }
 
   /// Parameters for which everything is right; the dataset goes to folder() / "out".
   [[nodiscard]] Value::Map parameters() const;
@@ -22,7 +25,7 @@ class TinyRun {
   [[nodiscard]] static Value::Map object(const std::string& id);
 
  private:
-  TemporaryFolder folder_;
+  std::shared_ptr<const TemporaryFolder> folder_;
 };
 
 }  // namespace synthetic_dataset::test
