@@ -46,6 +46,7 @@ struct CameraFrame {
 
 /// A box and a name for each labelled object, in the global frame; what was shown before goes
 /// first.
+/// @throws Error unless the scene has visible masks or visibility, too
 [[nodiscard]] visualization_msgs::MarkerArray objectMarkers(const Scene& scene,
                                                             const SceneFrames& frames);
 
