@@ -26,6 +26,7 @@ MAY_INCLUDE = {
     'src/render': {API, 'render', 'sensor', 'world'},
     'src/annotate': {API, 'annotate'},
     'src/output': {API, 'output'},
+    'src/ros_messages': {API, 'ros_messages'},
     'src/writers': {API, 'writers', 'output'},
     'src/readback': {API, 'readback'},
     'src/verification': {API, 'verification', 'config', 'output', 'readback'},
@@ -38,7 +39,7 @@ MAY_INCLUDE = {
     'src/console': {API, 'console', 'config', 'motion', 'placement', 'output', 'run'},
     'src': {API, 'config', 'console', 'gallery', 'output', 'readback', 'run', 'setup',
             'verification', 'world'},
-    'plugins': {API, 'plugins'},
+    'plugins': {API, 'plugins', 'ros_messages'},
 }
 
 # Folders within a folder, each of which may include those before it, and what lies beside them all.
@@ -59,14 +60,14 @@ CONFINED = [
     ('assimp', re.compile(r'assimp/'), {'src/world'}),
     ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/world'}),
     ('rosbag', re.compile(r'rosbag/'), {'src/motion', 'plugins'}),
-    ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion', 'plugins'}),
+    ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion', 'src/ros_messages', 'plugins'}),
     ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/config'}),
     ('JSON for Modern C++', re.compile(r'nlohmann/'), {'plugins', 'src/readback'}),
     ('OpenSSL', re.compile(r'openssl/'), {'src/output'}),
     ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),
     ('pluginlib', re.compile(r'pluginlib/'), {'src/writers', 'plugins'}),
     ("ROS's time", re.compile(r'ros/(time|duration)\.h$'),
-     {'src/motion', 'src/console', 'plugins'}),
+     {'src/motion', 'src/console', 'src/ros_messages', 'plugins'}),
     ("ROS's serialization", re.compile(r'ros/(serialization|message_traits)\.h$'),
      {'src/motion', 'plugins'}),
     ('roscpp', re.compile(r'ros/(?!(time|duration|serialization|message_traits)\.h$)'),

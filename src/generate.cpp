@@ -80,9 +80,9 @@ int generate(const Value& settings) {
   return kDone;
 }
 
-/// Makes the dataset of the settings that `read_settings` finds; tells what is wrong with them.
+/// Makes the dataset of the settings that `read_settings` finds; reports what is wrong with them.
 template <class ReadSettings>
-int generateOrTell(ReadSettings read_settings) {
+int generateOrReport(ReadSettings read_settings) {
   try {
     return generate(read_settings());
   } catch (const ErrorList& errors) {
@@ -112,15 +112,16 @@ int main(int argc, char** argv) {
     std::cout << usage();
     return kDone;
   }
-  // Messages appear when they are made, also in files: who is stopped at once loses none.
+  // Messages appear when they are made, also in files: a program that is stopped at once loses
+  // none.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   stop_signals::install();
   if (command_line.config) {
-    return generateOrTell([&] { return settingsWithoutMaster(command_line); });
+    return generateOrReport([&] { return settingsWithoutMaster(command_line); });
   }
   if (!startNode(argc, argv)) return kFailed;
-  std::optional<ros::NodeHandle> node;  // to the end: with its end, rosconsole falls silent
-  return generateOrTell([&] {
+  std::optional<ros::NodeHandle> node;  // to the end: without it, rosconsole prints nothing
+  return generateOrReport([&] {
     Value settings = readRosParameters(rosPackageFinder());
     if (wantsLiveMap(settings)) {
       ConsoleReporter reporter;

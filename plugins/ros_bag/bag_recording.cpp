@@ -1,13 +1,11 @@
 #include "plugins/ros_bag/bag_recording.h"
 
 #include <cstdint>
-#include <limits>
 
 #include <sensor_msgs/CompressedImage.h>
-#include <sensor_msgs/Image.h>
-#include <sensor_msgs/image_encodings.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "ros_messages/image_messages.h"
 #include "synthetic_dataset/errors.h"
 
 #ifdef __has_feature
@@ -49,34 +47,19 @@ BagRecording::~BagRecording() {
     bag_->close();
   } catch (const std::exception&) {
     // The disk is full, say. rosbag::Bag's destructor would try again, and what it throws there
-    // ends the program before anybody is told.
+    // ends the program before anybody hears of it.
     abandon(bag_.release());
   }
 }
 
-void BagRecording::writePixels(const std::string& topic, const std_msgs::Header& header,
-                               const std::string& encoding, const cv::Mat& pixels) {
-  sensor_msgs::Image message;
-  message.header = header;
-  message.width = static_cast<std::uint32_t>(pixels.cols);
-  message.height = static_cast<std::uint32_t>(pixels.rows);
-  message.encoding = encoding;
-  message.is_bigendian = 0;
-  message.step = static_cast<std::uint32_t>(pixels.cols * static_cast<int>(pixels.elemSize()));
-  message.data.assign(pixels.datastart, pixels.dataend);
-  write(topic, message);
-}
-
 void BagRecording::writeImage(const std::string& topic, const std_msgs::Header& header,
                               const std::string& encoding, const std::string& encoded) {
-  writePixels(topic, header, encoding, decoded(encoded));
+  write(topic, ros_messages::imageMessage(header, encoding, decoded(encoded)));
 }
 
 void BagRecording::writeDepth(const std::string& topic, const std_msgs::Header& header,
                               const std::string& encoded) {
-  cv::Mat depth = decoded(encoded);
-  depth.setTo(std::numeric_limits<float>::quiet_NaN(), depth == 0.0F);
-  writePixels(topic, header, sensor_msgs::image_encodings::TYPE_32FC1, depth);
+  write(topic, ros_messages::depthMessage(header, decoded(encoded)));
 }
 
 void BagRecording::writeCompressed(const std::string& topic, const std_msgs::Header& header,

@@ -5,7 +5,6 @@
 
 #include <rosbag/bag.h>
 #include <std_msgs/Header.h>
-#include <opencv2/core/mat.hpp>
 
 namespace synthetic_dataset {
 
@@ -46,9 +45,6 @@ class BagRecording {
   void close();
 
  private:
-  void writePixels(const std::string& topic, const std_msgs::Header& header,
-                   const std::string& encoding, const cv::Mat& pixels);
-
   std::unique_ptr<rosbag::Bag> bag_;
 };
 

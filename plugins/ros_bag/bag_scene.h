@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <string>
 
-#include <geometry_msgs/Pose.h>
 #include <ros/serialization.h>
 #include <ros/time.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "ros_messages/scene_messages.h"
 #include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset {
@@ -24,28 +24,9 @@ struct BagScene {
   visualization_msgs::MarkerArray objects;
 };
 
-/// Frames as a bag of scenes names them: beside those of the recording, not in their place.
-class BagFrames {
- public:
-  BagFrames(const std::string& global_frame, const std::string& prefix);
-
-  [[nodiscard]] const std::string& globalFrame() const { return global_frame_; }
-  [[nodiscard]] std::string of(const std::string& name) const;
-
- private:
-  std::string global_frame_;
-  std::string prefix_;
-};
-
-struct BagCamera {
-  std::string frame;        ///< the optical frame as the recording names it
-  bool has_pose = true;     ///< whether its scenes tell the pose of this frame
-  bool has_objects = true;  ///< whether its scenes tell the objects' poses
-};
-
 /// @throws Error when ROS has no such time
-[[nodiscard]] BagScene makeBagScene(const Scene& scene, const BagCamera& camera,
-                                    const BagFrames& frames);
+[[nodiscard]] BagScene makeBagScene(const Scene& scene, const ros_messages::CameraFrame& camera,
+                                    const ros_messages::SceneFrames& frames);
 
 /// As ROS serialises messages; `bagSceneOf` is the way back.
 [[nodiscard]] std::string recordOf(const BagScene& scene);

@@ -8,6 +8,7 @@
 
 #include "plugins/ros_bag/bag_recording.h"
 #include "plugins/ros_bag/bag_scene.h"
+#include "ros_messages/scene_messages.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -40,7 +41,7 @@ class RosBagWriter : public LabelWriter {
   struct Camera {
     std::string topic;  ///< "/front"
     bool rectified = true;
-    BagCamera in_bag;
+    ros_messages::CameraFrame frame;
   };
 
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
@@ -48,8 +49,8 @@ class RosBagWriter : public LabelWriter {
     readCompression(parameters);
     compressed_ = parameters.optional("compressed", false);
     depth_ = parameters.optional("depth", true);
-    frames_ = BagFrames(dataset.global_frame,
-                        parameters.optional<std::string>("frame_prefix", "synthetic/"));
+    frames_ = ros_messages::SceneFrames(
+        dataset.global_frame, parameters.optional<std::string>("frame_prefix", "synthetic/"));
     addCameras(dataset.cameras, readRoot(parameters));
     if (dataset.motions.size() > 1) {
       throw Error("a bag has one time line, and each of the " +
@@ -58,7 +59,7 @@ class RosBagWriter : public LabelWriter {
     }
   }
 
-  /// Of each instant, every pose is told once: tf2 warns of what it is told again.
+  /// Poses that several cameras share come with the first one.
   void addCameras(const std::vector<CameraDescription>& cameras, const std::string& root) {
     std::set<std::string> topics;
     std::set<std::string> frames;
@@ -122,7 +123,7 @@ class RosBagWriter : public LabelWriter {
     output.addImage(instancesFile(scene.name), scene.instance_map());
     if (depth_) output.addImage(depthFile(scene.name), scene.depth());
     output.addRecord(
-        kScenes, recordOf(makeBagScene(scene, cameras_.at(scene.camera_index).in_bag, frames_)));
+        kScenes, recordOf(makeBagScene(scene, cameras_.at(scene.camera_index).frame, frames_)));
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
@@ -184,7 +185,7 @@ class RosBagWriter : public LabelWriter {
   rosbag::CompressionType compression_ = rosbag::compression::Uncompressed;
   bool compressed_ = false;
   bool depth_ = true;
-  BagFrames frames_{"", ""};
+  ros_messages::SceneFrames frames_{"", ""};
   std::vector<Camera> cameras_;
 };
 

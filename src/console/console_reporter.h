@@ -8,8 +8,8 @@
 
 namespace synthetic_dataset {
 
-/// Tells the run's events to rosconsole, which needs no master, and its progress to a terminal if
-/// there is one. Signals stop the run (see stop_signals.h).
+/// Reports to rosconsole, which needs no master, and shows progress on a terminal if there is one.
+/// Signals stop the run (see stop_signals.h).
 class ConsoleReporter : public Reporter {
  public:
   void info(const std::string& message) override;

@@ -14,14 +14,14 @@ namespace {
 
 constexpr int kMegabyte = 1 << 20;
 
-/// The C library would ask the system for each picture, which fills it with zeros, and give it
-/// back.
-void keepPictures() {
+/// Otherwise the C library would get memory from the system for each image, which fills it with
+/// zeros, and give it back.
+void keepImages() {
   mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the most that all versions take
   mallopt(M_TRIM_THRESHOLD, 512 * kMegabyte);
 }
 
-/// Whether addresses may be laid out that nothing may ever come to be at.
+/// Whether addresses may be reserved that may never be used.
 bool hasRoom() {
   const auto isFree = [](auto resource) {
     rlimit limit{};
@@ -30,8 +30,8 @@ bool hasRoom() {
   return isFree(RLIMIT_AS) && isFree(RLIMIT_DATA);
 }
 
-/// A shadow map's neighbouring rows lie on pages of their own; the processor finds few large pages
-/// sooner. The heap is laid out for some hundred megabytes, which take memory once they are used.
+/// A shadow map's neighbouring rows lie on different pages; the processor finds few large pages
+/// faster. Addresses for some hundred megabytes are reserved, which take memory once they are used.
 void useLargePages() {
   constexpr int kHeap = 256 * kMegabyte;
   constexpr int kUsualPad = 128 << 10;
@@ -40,9 +40,9 @@ void useLargePages() {
   mallopt(M_TOP_PAD, kHeap);
   void* const first = std::malloc(kMegabyte);
   mallopt(M_TOP_PAD, kUsualPad);
-  const auto place = reinterpret_cast<std::uintptr_t>(first);
+  const auto address = reinterpret_cast<std::uintptr_t>(first);
   const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
-  const std::uintptr_t begin = (place + kPage - 1) / kPage * kPage;
+  const std::uintptr_t begin = (address + kPage - 1) / kPage * kPage;
   // A sanitizer has a heap elsewhere.
   if (first != nullptr && begin < end && end - begin <= 2 * std::uintptr_t{kHeap}) {
     madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
@@ -53,7 +53,7 @@ void useLargePages() {
 }  // namespace
 
 void prepare() {
-  keepPictures();
+  keepImages();
   useLargePages();
 }
 

@@ -21,7 +21,7 @@
 namespace synthetic_dataset {
 namespace {
 
-constexpr double kPatience = 10.0;  // [s]
+constexpr double kTimeout = 10.0;  // [s]
 const char* const kType = "nav_msgs/OccupancyGrid";
 
 const Value* entryIn(const Value* group, const std::string& name) {
@@ -43,8 +43,8 @@ bool namesBags(const Value* files) {
   return list != nullptr ? !list->empty() : text == nullptr || !text->empty();
 }
 
-/// The topic of which a map is wanted; empty where none is, or something is wrong, which is told
-/// with all other errors.
+/// The topic of which a map is wanted; empty where none is, or something is wrong, which is
+/// reported with all other errors.
 std::string wantedTopic(const Value& settings) {
   const Value* placement = entryIn(&settings, "placement");
   const std::string mode = textIn(placement, "mode");
@@ -99,7 +99,7 @@ void checkType(const std::string& topic, const Topics& topics) {
 Error noMap(const std::string& topic) {
   const Topics topics = askMaster(topic);
   const std::string found =
-      "found '" + topic + "', on which no map came within " + fixed(kPatience, 0) + " s: ";
+      "found '" + topic + "', on which no map came within " + fixed(kTimeout, 0) + " s: ";
   if (!topics.type.empty()) {
     return Error(found + publishersOf(topic) +
                  " publishes it, but sent none; it should be latched, as map_server's is");
@@ -122,7 +122,7 @@ nav_msgs::OccupancyGrid waitFor(const std::string& topic, ros::NodeHandle& node)
       &queue);
   const ros::Subscriber subscriber = node.subscribe(options);
   // The wall's clock: a simulation's may stand still.
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kPatience);
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kTimeout);
   while (!map && ros::ok() && ros::WallTime::now() < end) {
     queue.callAvailable(ros::WallDuration(0.1));
     checkType(topic, askMaster(topic));
@@ -136,8 +136,8 @@ Value::Map& placementOf(Value& settings, const config::MotionEntry& motion) {
   Value::Map* group = settings.as<Value::Map>();
   if (!motion.group.empty()) {
     auto& entries = *group->at("motions").as<Value::List>();
-    const std::size_t place = std::stoul(motion.group.substr(motion.group.find('/') + 1));
-    Value::Map* own = entries.at(place).as<Value::Map>();
+    const std::size_t index = std::stoul(motion.group.substr(motion.group.find('/') + 1));
+    Value::Map* own = entries.at(index).as<Value::Map>();
     if (own->count("placement") != 0) group = own;
   }
   return *group->at("placement").as<Value::Map>();
@@ -161,8 +161,7 @@ void takeLiveMap(Value& settings, ros::NodeHandle& node, Reporter& reporter) {
     try {
       const std::string topic = node.resolveName(wanted);
       if (maps.count(topic) == 0) {
-        reporter.info("waiting for a map on '" + topic + "', " + fixed(kPatience, 0) +
-                      " s at most");
+        reporter.info("waiting for a map on '" + topic + "', " + fixed(kTimeout, 0) + " s at most");
         maps[topic] = placement::settingsOf(motion::mapOf(waitFor(topic, node)));
       }
       placementOf(settings, motion)["received_map"] = maps[topic];

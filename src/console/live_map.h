@@ -14,7 +14,7 @@ namespace synthetic_dataset {
 /// Waits for each such map and adds it as `placement/received_map`.
 /// @param settings  that want one
 /// @param node  subscribes for as long as it takes
-/// @param reporter  is told what is waited for
+/// @param reporter  gets what is waited for
 /// @throws Error when no map comes, with what there is instead
 void takeLiveMap(Value& settings, ros::NodeHandle& node, Reporter& reporter);
 

@@ -17,14 +17,14 @@
 namespace synthetic_dataset {
 namespace {
 
-/// What Mesa is told to use where processes share the cores. Its first thread draws by itself where
-/// it has no others, which is best where each process has one core.
+/// How many threads Mesa uses where processes share the cores. With none, the calling thread draws,
+/// which is best where each process has one core.
 void shareCores(int processes) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency()) / processes;
-  setenv("LP_NUM_THREADS", std::to_string(cores > 1 ? cores : 0).c_str(), 0);  // the user's first
+  setenv("LP_NUM_THREADS", std::to_string(cores > 1 ? cores : 0).c_str(), 0);  // keeps the user's
 }
 
-/// What a shard has to tell besides.
+/// @return whether all its scenes are made
 bool makeShard(const Value::Map& settings, Reporter& reporter) {
   Generator generator{Value(settings), reporter};
   return !generator.run().stopped;
@@ -53,7 +53,8 @@ bool ParallelRun::make(Reporter& reporter) const {
   reporter.info(std::to_string(output_.processes) + " processes make a shard each");
   const bool is_done = doInProcesses(
       output_.processes,
-      [this](int shard, Reporter& told) { return makeShard(settingsOf(shard), told); }, reporter);
+      [this](int shard, Reporter& of_shard) { return makeShard(settingsOf(shard), of_shard); },
+      reporter);
   if (!is_done || reporter.stopRequested()) return false;
   mergeShards(output_.folder, {}, reporter);
   return true;
@@ -70,7 +71,7 @@ Value::Map ParallelRun::settingsOf(int shard) const {
   return settings;
 }
 
-/// In a process of its own, which leaves this one without what reading a world leaves behind.
+/// In a process of its own, so that this one keeps no memory of the world that is read for it.
 bool ParallelRun::removeEarlier(Reporter& reporter) const {
   const bool is_there = std::filesystem::exists(output::manifestFile(output_.folder)) ||
                         !output::shardManifests(output_.folder).empty();

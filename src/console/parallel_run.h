@@ -6,12 +6,12 @@
 
 namespace synthetic_dataset {
 
-/// A run whose scenes several processes make, a shard each, which are one dataset in the end: byte
-/// for byte that of one process. To be made before there are other threads.
+/// A run whose scenes several processes make, a shard each, which are merged into one dataset: byte
+/// for byte that of one process. Make it before there are other threads.
 class ParallelRun {
  public:
-  /// @param settings  all of the run's; what is wrong with them is told by make(), or where this is
-  ///                  not possible by who makes the run instead
+  /// @param settings  all of the run's; errors in them are thrown by make(), or where this is not
+  ///     possible by the generator that makes the run instead
   explicit ParallelRun(const Value& settings);
 
   /// Whether `processes` asks for it, and the dataset that is there is not one that a single

@@ -29,7 +29,7 @@ enum class Kind : char { kInfo, kWarning, kError, kScenes, kScene };
 
 // Exit codes of a process.
 constexpr int kDone = 0;
-constexpr int kFailed = 1;  // errors have been told
+constexpr int kFailed = 1;  // errors have been sent
 constexpr int kStopped = 2;
 
 struct Message {
@@ -49,7 +49,7 @@ void send(int pipe, Kind kind, const std::string& text) {
   while (sent < bytes.size()) {
     const ssize_t count = write(pipe, bytes.data() + sent, bytes.size() - sent);
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return;  // nobody listens any more: a signal is on its way
+    if (count <= 0) return;  // nobody reads any more: a signal is on its way
     sent += static_cast<std::size_t>(count);
   }
 }
@@ -65,7 +65,7 @@ std::optional<Message> takeMessage(std::string& bytes) {
   return message;
 }
 
-/// In a process: tells who started it.
+/// In a child process: sends reports to its parent.
 class SendingReporter : public Reporter {
  public:
   explicit SendingReporter(int pipe) : pipe_(pipe) {}
@@ -92,7 +92,7 @@ class SendingReporter : public Reporter {
   setpgid(0, 0);  // a terminal's signals reach it by its parent alone, once
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(kStopped);
-  stop_signals::install(stop_signals::Voice::kSilent);
+  stop_signals::install(stop_signals::Messages::kOff);
   int code = kFailed;
   try {
     SendingReporter reporter(pipe);
@@ -120,7 +120,7 @@ int waitFor(pid_t process) {
   return status;
 }
 
-/// All of them, and what they have told.
+/// All child processes, and what they have sent.
 class Processes {
  public:
   explicit Processes(Reporter& reporter) : reporter_(reporter) {}
@@ -128,7 +128,7 @@ class Processes {
     stop();
     for (Process& process : processes_) {
       if (process.pipe < 0) continue;
-      close(process.pipe);  // nobody hears what it still has to tell
+      close(process.pipe);  // what it still sends is not read
       waitFor(process.id);
     }
   }
@@ -137,7 +137,7 @@ class Processes {
 
   void start(int index, const PieceOfWork& work) {
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("no pipe is to be had for a process");
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("cannot make a pipe for a process");
     const pid_t parent = getpid();
     const pid_t id = fork();
     if (id == 0) {
@@ -156,7 +156,7 @@ class Processes {
   /// Until all have ended.
   bool finish() {
     while (isAnyAlive()) {
-      listen();
+      receive();
       if (reporter_.stopRequested()) stop();
     }
     if (!errors_.empty()) throw ErrorList(errors_);
@@ -177,18 +177,18 @@ class Processes {
     }
   }
 
-  /// Waits for news, not longer than it may take until somebody wants an end.
-  void listen() {
-    constexpr int kPatience = 200;  // [ms]
+  /// Waits for messages, but not longer than a request to stop may wait.
+  void receive() {
+    constexpr int kTimeout = 200;  // [ms]
     std::vector<pollfd> pipes;
     for (const Process& process : processes_) pipes.push_back({process.pipe, POLLIN, 0});
-    if (poll(pipes.data(), pipes.size(), kPatience) <= 0) return;
+    if (poll(pipes.data(), pipes.size(), kTimeout) <= 0) return;
     for (std::size_t i = 0; i < pipes.size(); ++i) {
-      if (pipes[i].revents != 0) hear(i);
+      if (pipes[i].revents != 0) readFrom(i);
     }
   }
 
-  void hear(std::size_t index) {
+  void readFrom(std::size_t index) {
     Process& process = processes_[index];
     std::array<char, 1U << 16U> buffer{};
     const ssize_t count = read(process.pipe, buffer.data(), buffer.size());
@@ -207,18 +207,18 @@ class Processes {
         if (index == 0) reporter_.info(message.text);
         break;
       case Kind::kWarning:
-        if (told_.insert(message.text).second) reporter_.warning(message.text);
+        if (reported_warnings_.insert(message.text).second) reporter_.warning(message.text);
         break;
       case Kind::kError:
         addError(message.text);
         break;
       case Kind::kScenes:
         processes_[index].scenes = std::stoll(message.text);
-        tellScenes();
+        reportScenes();
         break;
       case Kind::kScene:
         ++scenes_made_;
-        tellScenes();
+        reportScenes();
         break;
     }
   }
@@ -227,8 +227,8 @@ class Processes {
     if (std::find(errors_.begin(), errors_.end(), error) == errors_.end()) errors_.push_back(error);
   }
 
-  /// Once all know how many they make.
-  void tellScenes() {
+  /// Once it is known of all processes how many scenes they make.
+  void reportScenes() {
     std::int64_t all = 0;
     for (const Process& process : processes_) {
       if (!process.scenes) return;
@@ -239,36 +239,38 @@ class Processes {
       reporter_.progress(0, all);
       if (isAnyAlive()) return;
     }
-    // One at a time: those that were made before all knew would make the run look fast.
+    // One at a time: those that were made before all counts were known would make the run look
+    // fast.
     const std::int64_t last =
-        isAnyAlive() ? std::min(scenes_told_ + 1, scenes_made_) : scenes_made_;
-    while (scenes_told_ < last) reporter_.progress(++scenes_told_, all);
+        isAnyAlive() ? std::min(scenes_reported_ + 1, scenes_made_) : scenes_made_;
+    while (scenes_reported_ < last) reporter_.progress(++scenes_reported_, all);
   }
 
   void end(std::size_t index) {
     Process& process = processes_[index];
     close(std::exchange(process.pipe, -1));
     const int status = waitFor(process.id);
-    const bool was_told = WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM;  // before it listened
-    if (WIFSIGNALED(status) && !was_told) {
+    const bool was_asked =
+        WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM;  // before it handled the signal
+    if (WIFSIGNALED(status) && !was_asked) {
       addError("process " + std::to_string(index + 1) + " died (" + strsignal(WTERMSIG(status)) +
                "); run the same command again to go on");
     }
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : was_told ? kStopped : kFailed;
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : was_asked ? kStopped : kFailed;
     if (code == kStopped || code > kShellsOffset) was_stopped_ = true;
     if (code == kFailed) stop();
     if (!process.scenes) process.scenes = 0;
-    tellScenes();
+    reportScenes();
   }
 
   static constexpr int kShellsOffset = 128;  ///< exit codes of what a signal stopped at once
 
   Reporter& reporter_;
   std::vector<Process> processes_;
-  std::set<std::string> told_;
+  std::set<std::string> reported_warnings_;
   std::vector<std::string> errors_;
   std::int64_t scenes_made_ = 0;
-  std::int64_t scenes_told_ = 0;
+  std::int64_t scenes_reported_ = 0;
   bool has_begun_ = false;
   bool is_stopping_ = false;
   bool was_stopped_ = false;

@@ -37,7 +37,7 @@ Value valueFromXmlRpc(XmlRpc::XmlRpcValue& value) {
 namespace {
 
 /// Replaces an object's `model: "param:NAME"` by the text of that ROS parameter. What is not set is
-/// left as it is, an error to be told with all others.
+/// left as it is, which is reported with all other errors.
 void takeModelsFromParameters(Value::Map& parameters) {
   const std::string start = "param:";
   for (auto& [group, content] : parameters) {

@@ -21,7 +21,7 @@ std::atomic<pid_t> g_process{0};
 std::atomic<bool> g_is_silent{false};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-void tell(std::string_view message) {
+void print(std::string_view message) {
   while (!message.empty() && !g_is_silent) {
     const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
     if (written <= 0) return;  // nobody reads any more
@@ -30,7 +30,7 @@ void tell(std::string_view message) {
 }
 
 [[noreturn]] void endNow(int signal, std::string_view message) {
-  tell(message);
+  print(message);
   _exit(kShellsOffset + signal);
 }
 
@@ -50,7 +50,7 @@ void onSignal(int signal) {
            "\ngenerate: stopped at once; run the same command again to go on "
            "(`if_exists: overwrite` starts anew)\n");
   }
-  tell(
+  print(
       "\ngenerate: stopping when this scene is written, or the dataset's last files; the next "
       "signal stops at once\n");
   errno = error;
@@ -63,9 +63,9 @@ void ignoreFailedWriting() {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the call that writes
 }
 
-void install(Voice voice) {
+void install(Messages messages) {
   g_process = getpid();
-  g_is_silent = voice == Voice::kSilent;
+  g_is_silent = messages == Messages::kOff;
   ignoreFailedWriting();
   struct sigaction action {};
   action.sa_handler = onSignal;

@@ -2,20 +2,20 @@
 
 namespace synthetic_dataset::stop_signals {
 
-/// Who tells the user what a signal does.
-enum class Voice {
-  kAloud,   ///< this process, on stderr
-  kSilent,  ///< somebody else: this one was forked from it
+/// Whether a message on stderr says what a signal does.
+enum class Messages {
+  kOn,
+  kOff,  ///< the process from which this one was forked prints them
 };
 
 /// SIGPIPE is ignored from now on: a run outlives the reader of its messages. So is SIGXFSZ: a
-/// limit of file sizes is told like a full disk.
+/// limit of file sizes is reported like a full disk.
 void ignoreFailedWriting();
 
 /// From now on SIGINT, SIGTERM and SIGHUP (the terminal has gone) end the process with the exit
 /// code 128 + signal and a message on stderr that says how to go on. What the caller of the program
 /// ignores, as nohup does SIGHUP, stays ignored. With ignoreFailedWriting.
-void install(Voice voice = Voice::kAloud);
+void install(Messages messages = Messages::kOn);
 
 /// From now on the first of these signals asks for an end, which `requested` answers; a second one
 /// ends the process at once.

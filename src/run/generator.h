@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset {
 
-/// Makes a dataset: the one place that knows recording, world, renderer, labels, writers, output.
+/// Makes a dataset: sets a run up and gives its scenes to a DatasetSink.
 ///
 /// Needs no ROS master. OpenGL belongs to the thread that makes the generator; use it from there.
 class Generator {

@@ -115,8 +115,8 @@ Value mergedParameters(const FoundShard& shard, const std::string& output_folder
   return config::settingsTree(given);
 }
 
-/// The files of the dataset as a whole follow from the inputs: these have to be as they were.
-/// @param now  takes what only those who draw know
+/// The files of the dataset as a whole follow from the inputs, which must not have changed.
+/// @param now  gets what is known only where scenes are drawn
 void requireSameRun(const FoundShard& shard, output::RunDescription& now) {
   const auto& software = shard.content.run.software;
   const auto opengl = software.find("opengl");
@@ -129,7 +129,7 @@ void requireSameRun(const FoundShard& shard, output::RunDescription& now) {
   throw ErrorList(problems);
 }
 
-/// A dataset that is complete, and of which only the manifests of its shards are left.
+/// What is left of the shards of a dataset that is complete.
 void removeShardManifests(const std::vector<FoundShard>& shards, const std::string& folder) {
   for (const FoundShard& each : shards) {
     if (each.place.folder == folder) ::unlink(each.manifest.c_str());

@@ -19,24 +19,23 @@ render::RenderOptions renderOptions(const config::RenderingConfig& config) {
 PixelLabelOptions labelOptions(const config::Config& config) {
   PixelLabelOptions options{config.masks, config.labels, {}};
   for (const config::ObjectConfig& object : config.objects) {
-    const auto place =
+    const auto found =
         std::find_if(config.classes.begin(), config.classes.end(),
                      [&](const config::ClassConfig& each) { return each.id == object.class_id; });
-    options.class_numbers.push_back(static_cast<std::uint16_t>(place - config.classes.begin() + 1));
+    options.class_numbers.push_back(static_cast<std::uint16_t>(found - config.classes.begin() + 1));
   }
   return options;
 }
 
 }  // namespace
 
-MotionRun::MotionRun(const RunSetup& setup, MotionSetup& motion, Sink sink)
+MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Requirements& requirements)
     : motion_(motion),
-      splits_(*setup.splits),
-      sink_(std::move(sink)),
+      splits_(splits),
       renderer_(motion.world->description(), motion.world->links(),
                 renderOptions(motion.config.rendering)),
       scene_maker_(*motion.world, renderer_, *motion.frames, motion.cameras, *motion.shapes,
-                   setup.writers->requirements(), labelOptions(motion.config)),
+                   requirements, labelOptions(motion.config)),
       picture_taker_(*motion.world, renderer_, *motion.frames, motion.cameras, motion.config.seed),
       object_motion_(*motion.frames, motion.config, motion.world->links(), motion.driven_links) {
   // A shutter may open before the recording begins: objects are where they are first seen then.
@@ -45,17 +44,16 @@ MotionRun::MotionRun(const RunSetup& setup, MotionSetup& motion, Sink sink)
   motion_start_ = first + picture_taker_.offsets().front();
 }
 
-bool MotionRun::run(const WorkPlan& work, const std::function<bool()>& is_told_to_stop) {
+bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, const Reporter& reporter) {
   settle();
-  const std::int64_t begin = motion_.first_instant;
-  const std::int64_t end = work.endOfWork(begin + motion_.instantCount());
-  std::int64_t instant = begin;
+  std::int64_t instant = motion_.first_instant;
+  const std::int64_t end = work.endOfWork(instant + motion_.instantCount());
   for (const Stamp stamp : motion_.timeline.stamps) {
-    if (instant >= end && unwritten_.empty()) break;
-    if (is_told_to_stop()) return false;
-    makeInstant(instant++, stamp, work);
+    if (instant >= end && drawn_.empty()) break;
+    if (reporter.stopRequested()) return false;
+    makeInstant(instant++, stamp, work, pipeline);
   }
-  write(std::nullopt, work);
+  passOn(std::nullopt, pipeline);
   return true;
 }
 
@@ -63,7 +61,7 @@ void MotionRun::settle() {
   if (motion_.arranger->standsAlone()) return;  // it has done so
   const Duration time = fromSeconds(motion_.config.physics.settle);
   if (time.count() == 0) return;
-  motion_.variation->choose(motion_.first_instant, *motion_.world);  // about what is worn first
+  motion_.variation->choose(motion_.first_instant, *motion_.world);  // around the first variants
   moveWorld(motion_start_ - std::min(time, motion_start_ - Stamp(1)));
 }
 
@@ -73,49 +71,52 @@ void MotionRun::moveWorld(Stamp stamp) {
       stamp, [this](int moving_object, Stamp time) {
         return object_motion_.at(moving_object, std::max(time, motion_start_));
       });
-  for (const std::string& gap : object_motion_.takeGaps()) news_.push_back({gap});
+  for (const std::string& gap : object_motion_.takeGaps()) pending_warnings_.push_back({gap});
 }
 
-/// The scenes of one time: one a camera. Where none of them is to be made, the world goes through
-/// this time all the same: what props do and where links were last seen follows from it.
-void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& work) {
+/// The scenes of one instant: one a camera. Where none of them is to be made, the world goes
+/// through this instant all the same: what props do and where links were last seen follows from it.
+void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& work,
+                            ScenePipeline& pipeline) {
   const bool stands_alone = motion_.arranger->standsAlone();
-  const bool is_wanted = work.wants(instant);
+  const bool is_wanted = work.hasInstant(instant);
   if (stands_alone && !is_wanted) return;
-  std::vector<UnwrittenScene> scenes;
+  std::vector<DrawnScene> scenes;
   arrange(instant, stamp, is_wanted);
   for (const Duration offset : picture_taker_.offsets()) {
     moveWorld(stamp + offset);
     if (is_wanted) picture_taker_.expose(stamp, offset);
     if (offset != Duration{0}) continue;
-    write(stamp, work);
+    passOn(stamp, pipeline);
     if (is_wanted) scenes = lookAtInstant(instant, stamp);
   }
-  for (UnwrittenScene& each : scenes) {
+  for (DrawnScene& each : scenes) {
     const Scene& scene = each.seen.scene;
     each.image = picture_taker_.develop(scene.camera_index, scene.index);
   }
-  // What a time brought to light is told with its first scene.
-  if (!scenes.empty()) scenes.front().warnings = std::move(news_);
-  news_.clear();
-  unwritten_ = std::move(scenes);
-  if (stands_alone || !scene_maker_.needsOpticalFlow()) write(std::nullopt, work);
+  // Warnings go to the instant's first scene.
+  if (!scenes.empty()) scenes.front().warnings = std::move(pending_warnings_);
+  pending_warnings_.clear();
+  for (DrawnScene& each : scenes) {
+    if (work.hasScene(each.seen.scene.index)) drawn_.push_back(std::move(each));
+  }
+  if (stands_alone || !scene_maker_.needsOpticalFlow()) passOn(std::nullopt, pipeline);
 }
 
-/// Puts everything that is put somewhere for each scene, at the time when the first shutter opens.
+/// Places everything that is placed for each scene, at the time when the first shutter opens.
 void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
   motion_.variation->choose(instant, *motion_.world);
   motion_.arranger->placeObjects(instant);
   moveWorld(stamp + picture_taker_.offsets().front());
   // The scene before may wait for where things have gone.
-  if (!is_wanted && unwritten_.empty()) return;
+  if (!is_wanted && drawn_.empty()) return;
   motion_.arranger->placeDistractors(instant, stamp);
   motion_.arranger->placeCameras(instant, stamp);
   motion_.variation->vary(instant, renderer_, motion_.cameras);
 }
 
-std::vector<MotionRun::UnwrittenScene> MotionRun::lookAtInstant(std::int64_t instant, Stamp stamp) {
-  std::vector<UnwrittenScene> scenes;
+std::vector<MotionRun::DrawnScene> MotionRun::lookAtInstant(std::int64_t instant, Stamp stamp) {
+  std::vector<DrawnScene> scenes;
   const std::vector<Pose> X_GO = object_motion_.objectPoses(stamp);
   for (std::size_t camera = 0; camera < motion_.cameras.size(); ++camera) {
     scenes.push_back(
@@ -130,8 +131,8 @@ std::vector<MotionRun::UnwrittenScene> MotionRun::lookAtInstant(std::int64_t ins
 std::vector<output::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64_t instant) const {
   std::vector<output::DrawFacts> draws = motion_.variation->draws(camera);
   if (const auto& jitter = motion_.timeline.jitter; !jitter.empty()) {
-    const auto place = static_cast<std::size_t>(instant - motion_.first_instant);
-    draws.push_back({"time/jitter", config::jsonText(Value(toSeconds(jitter[place])))});
+    const auto index = static_cast<std::size_t>(instant - motion_.first_instant);
+    draws.push_back({"time/jitter", config::jsonText(Value(toSeconds(jitter[index])))});
   }
   if (const auto& numbers = motion_.arranger->distractors()) {
     Value::List there;
@@ -146,46 +147,45 @@ std::vector<output::ContactFacts> MotionRun::findContacts(Stamp stamp) {
   std::vector<output::ContactFacts> contacts;
   for (const world::Interpenetration& pair : motion_.world->interpenetrations()) {
     contacts.push_back({pair.first, pair.second, pair.depth});
-    news_.push_back({"'" + pair.first + "' and '" + pair.second + "' are inside one another",
-                     "by " + fixed(pair.depth, 3) + " m at " + fixed(toSeconds(stamp), 3) + " s"});
+    pending_warnings_.push_back(
+        {"'" + pair.first + "' and '" + pair.second + "' are inside one another",
+         "by " + fixed(pair.depth, 3) + " m at " + fixed(toSeconds(stamp), 3) + " s"});
   }
   return contacts;
 }
 
-/// Hands over the scenes that were made last.
+/// Passes the scenes on that were drawn last.
 /// @param now  where the world stands, for where their pixels have gone; nothing after the last
-void MotionRun::write(std::optional<Stamp> now, const WorkPlan& work) {
-  for (UnwrittenScene& each : unwritten_) {
-    if (!work.lacks(each.seen.scene.index)) continue;  // of another camera than those missing
+void MotionRun::passOn(std::optional<Stamp> now, ScenePipeline& pipeline) {
+  for (DrawnScene& each : drawn_) {
     if (scene_maker_.needsOpticalFlow()) scene_maker_.addOpticalFlow(each.seen, now);
-    sink_([this, unfinished = std::make_shared<UnwrittenScene>(std::move(each))] {
-      return finish(*unfinished);
-    });
+    pipeline.add(
+        [this, drawn = std::make_shared<DrawnScene>(std::move(each))] { return finish(*drawn); });
   }
-  unwritten_.clear();
+  drawn_.clear();
 }
 
-FinishedScene MotionRun::finish(UnwrittenScene& each) const {
-  Scene& scene = each.seen.scene;
-  each.seen.X_GL.clear();
-  each.seen.pixels.surface = {};
-  // What labels and picture are made of is not needed any more.
-  const MaskAgreement agreement = std::exchange(each.seen.pixels.labels, {})(scene);
-  scene.image = std::exchange(each.image, {})();
-  output::SceneFacts facts = factsOf(each, agreement);
+FinishedScene MotionRun::finish(DrawnScene& drawn) const {
+  Scene& scene = drawn.seen.scene;
+  drawn.seen.X_GL.clear();
+  drawn.seen.pixels.surface = {};
+  // What labels and image are made of is not needed any more.
+  const MaskAgreement agreement = std::exchange(drawn.seen.pixels.labels, {})(scene);
+  scene.image = std::exchange(drawn.image, {})();
+  output::SceneFacts facts = factsOf(drawn, agreement);
   return {std::move(scene), std::move(facts)};
 }
 
-output::SceneFacts MotionRun::factsOf(const UnwrittenScene& each,
+output::SceneFacts MotionRun::factsOf(const DrawnScene& drawn,
                                       const MaskAgreement& agreement) const {
-  const Scene& scene = each.seen.scene;
+  const Scene& scene = drawn.seen.scene;
   output::SceneFacts facts = output::sceneFacts(scene);
   facts.seed =
       random::randomSeed(static_cast<std::uint64_t>(motion_.config.seed), scene.index, "scene");
   facts.objects = scene_maker_.objectFacts(scene, agreement);
-  facts.contacts = each.contacts;
-  facts.warnings = each.warnings;
-  facts.draws = each.draws;
+  facts.contacts = drawn.contacts;
+  facts.warnings = drawn.warnings;
+  facts.draws = drawn.draws;
   return facts;
 }
 

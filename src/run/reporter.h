@@ -1,11 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
+#include <vector>
+
+#include "output/manifest/run_description.h"
 
 namespace synthetic_dataset {
 
-/// Where a run tells what happens: rosconsole and a terminal in the node, nothing in tests.
+/// Where a run reports what happens: rosconsole and a terminal in the node, nothing in tests.
+/// Called in the thread that runs alone.
 class Reporter {
  public:
   Reporter() = default;
@@ -21,6 +26,17 @@ class Reporter {
 
   /// Asked before each scene: the user wants the run to end (Ctrl-C).
   [[nodiscard]] virtual bool stopRequested() const { return false; }
+
+  /// Reports each kind of warning once; how often it came, the manifest knows.
+  void warnOfEachKind(const std::vector<output::Warning>& warnings) {
+    for (const output::Warning& each : warnings) {
+      if (!reported_kinds_.insert(each.kind).second) continue;
+      warning(each.detail.empty() ? each.kind : each.kind + " (" + each.detail + ")");
+    }
+  }
+
+ private:
+  std::set<std::string> reported_kinds_;
 };
 
 }  // namespace synthetic_dataset

@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset {
 
-/// What a run made, for its last words.
+/// What a run made, for the report at its end.
 struct RunSummary {
   struct Object {
     std::string name;
@@ -23,7 +23,7 @@ struct RunSummary {
   };
 
   bool stopped = false;       ///< ended early because the user asked for it
-  bool was_complete = false;  ///< there was nothing to do: all else here is empty then
+  bool was_complete = false;  ///< there was nothing to do, and all else here is empty
   std::int64_t scenes = 0;    ///< made by this run
   double seconds = 0.0;       ///< that they took
 

@@ -3,26 +3,24 @@
 namespace synthetic_dataset {
 
 WorkPlan::WorkPlan(std::int64_t instant_count, std::int64_t camera_count,
-                   const std::optional<output::Shard>& shard, const std::set<std::int64_t>& only,
-                   const std::function<bool(std::int64_t scene)>& is_there)
-    : wanted_(static_cast<std::size_t>(instant_count), false),
-      there_(static_cast<std::size_t>(instant_count * camera_count), false) {
-  for (std::int64_t instant = 0; instant < instant_count; ++instant) {
-    if (shard && !belongsTo(*shard, instant, instant_count)) continue;
-    if (!only.empty() && only.count(instant) == 0) continue;
-    scene_count_ += camera_count;
-    for (std::int64_t camera = 0; camera < camera_count; ++camera) {
-      const std::int64_t scene = instant * camera_count + camera;
-      there_[static_cast<std::size_t>(scene)] = is_there(scene);
-      if (!lacks(scene)) continue;
-      ++missing_count_;
-      wanted_[static_cast<std::size_t>(instant)] = true;
-    }
+                   const std::function<bool(std::int64_t scene)>& is_wanted)
+    : camera_count_(camera_count) {
+  for (std::int64_t scene = 0; scene < instant_count * camera_count; ++scene) {
+    wanted_.push_back(is_wanted(scene));
+    if (wanted_.back()) ++scene_count_;
   }
 }
 
+bool WorkPlan::hasInstant(std::int64_t instant) const {
+  for (std::int64_t scene = instant * camera_count_; scene < (instant + 1) * camera_count_;
+       ++scene) {
+    if (hasScene(scene)) return true;
+  }
+  return false;
+}
+
 std::int64_t WorkPlan::endOfWork(std::int64_t end) const {
-  while (end > 0 && !wants(end - 1)) --end;
+  while (end > 0 && !hasInstant(end - 1)) --end;
   return end;
 }
 

@@ -5,43 +5,30 @@
 namespace synthetic_dataset {
 namespace {
 
-bool nothingIsThere(std::int64_t /*scene*/) { return false; }
-
 TEST(WorkPlan, OfAFreshRunIsAllOfIt) {
-  const WorkPlan plan(5, 2, {}, {}, nothingIsThere);
+  const WorkPlan plan(5, 2, [](std::int64_t) { return true; });
   EXPECT_EQ(plan.sceneCount(), 10);
-  EXPECT_EQ(plan.missingCount(), 10);
-  EXPECT_TRUE(plan.wants(0));
+  EXPECT_TRUE(plan.hasInstant(0));
   EXPECT_EQ(plan.endOfWork(5), 5);
   EXPECT_EQ(plan.endOfWork(3), 3);
 }
 
-TEST(WorkPlan, LeavesOutInstantsOfWhichAllScenesAreThere) {
-  const WorkPlan plan(3, 2, {}, {}, [](std::int64_t scene) { return scene != 3; });
-  EXPECT_FALSE(plan.wants(0));
-  EXPECT_TRUE(plan.wants(1));
-  EXPECT_FALSE(plan.wants(2));
-  EXPECT_EQ(plan.missingCount(), 1);
+TEST(WorkPlan, LeavesOutInstantsOfWhichNoSceneIsWanted) {
+  const WorkPlan plan(3, 2, [](std::int64_t scene) { return scene == 3; });
+  EXPECT_FALSE(plan.hasInstant(0));
+  EXPECT_TRUE(plan.hasInstant(1));
+  EXPECT_FALSE(plan.hasInstant(2));
+  EXPECT_FALSE(plan.hasScene(2));
+  EXPECT_TRUE(plan.hasScene(3));
+  EXPECT_EQ(plan.sceneCount(), 1);
   EXPECT_EQ(plan.endOfWork(3), 2);
   EXPECT_EQ(plan.endOfWork(1), 0);
 }
 
 TEST(WorkPlan, OfACompleteRunIsEmpty) {
-  const WorkPlan plan(3, 1, {}, {}, [](std::int64_t /*scene*/) { return true; });
-  EXPECT_EQ(plan.missingCount(), 0);
+  const WorkPlan plan(3, 1, [](std::int64_t) { return false; });
+  EXPECT_EQ(plan.sceneCount(), 0);
   EXPECT_EQ(plan.endOfWork(3), 0);
-}
-
-TEST(WorkPlan, MakesOnlyTheScenesThatAreAskedFor) {
-  const WorkPlan plan(5, 2, {}, {1, 3}, [](std::int64_t scene) { return scene == 2; });
-  EXPECT_EQ(plan.sceneCount(), 4);
-  EXPECT_EQ(plan.missingCount(), 3);
-  EXPECT_FALSE(plan.wants(0));
-  EXPECT_TRUE(plan.wants(1));
-  EXPECT_FALSE(plan.wants(2));
-  EXPECT_TRUE(plan.wants(3));
-  EXPECT_EQ(plan.endOfWork(5), 4);
-  EXPECT_EQ(plan.endOfWork(3), 2);
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+
+#include <sensor_msgs/CameraInfo.h>
+#include <std_msgs/Header.h>
+#include <tf2_msgs/TFMessage.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "synthetic_dataset/scene.h"
+
+/// Scenes as ROS messages, for bags and for topics; no ROS master is needed.
+namespace synthetic_dataset::ros_messages {
+
+/// Frames of scenes as messages name them: beside those of the recording, not in their place.
+class SceneFrames {
+ public:
+  /// @param prefix  of all frames but the global one
+  SceneFrames(const std::string& global_frame, const std::string& prefix);
+
+  [[nodiscard]] const std::string& globalFrame() const { return global_frame_; }
+  [[nodiscard]] std::string of(const std::string& name) const;
+
+ private:
+  std::string global_frame_;
+  std::string prefix_;
+};
+
+/// Which poses the scenes of a camera give. Of each instant, each pose is to be given once, as tf2
+/// warns of a pose that comes again.
+struct CameraFrame {
+  std::string name;         ///< of the optical frame, in the recording
+  bool has_pose = true;     ///< whether they give the pose of this frame
+  bool has_objects = true;  ///< whether they give the objects' poses
+};
+
+/// @throws Error when ROS has no such time, as the functions below do
+[[nodiscard]] std_msgs::Header headerOf(Stamp stamp, const std::string& frame);
+
+[[nodiscard]] sensor_msgs::CameraInfo cameraInfo(const std_msgs::Header& header,
+                                                 const CameraModel& camera);
+
+/// X_GC of the camera and X_GO of the objects, for `/tf`.
+[[nodiscard]] tf2_msgs::TFMessage transforms(const Scene& scene, const CameraFrame& camera,
+                                             const SceneFrames& frames);
+
+/// A box and a name for each labelled object, in the global frame; what was shown before goes
+/// first.
+/// @throws Error unless the scene has visible masks or visibility, too
+[[nodiscard]] visualization_msgs::MarkerArray objectMarkers(const Scene& scene,
+                                                            const SceneFrames& frames);
+
+}  // namespace synthetic_dataset::ros_messages

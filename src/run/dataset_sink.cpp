@@ -1,0 +1,55 @@
+#include "run/dataset_sink.h"
+
+#include "run/open_output.h"
+
+namespace synthetic_dataset {
+
+Requirements DatasetSink::requirements() const { return setup_.writers->requirements(); }
+
+void DatasetSink::begin(const DatasetInfo& /*dataset*/) { store_ = openOutput(setup_); }
+
+bool DatasetSink::wants(std::int64_t scene) const {
+  return isAskedFor(scene / cameraCount()) && !store_->wasComplete() && !store_->hasScene(scene);
+}
+
+bool DatasetSink::isAskedFor(std::int64_t instant) const {
+  const config::OutputConfig& config = setup_.config.output;
+  const auto shard = shardOf(config);
+  if (shard && !belongsTo(*shard, instant, setup_.instantCount())) return false;
+  return config.only_scenes.empty() || config.only_scenes.count(instant) != 0;
+}
+
+std::int64_t DatasetSink::plannedCount() const {
+  std::int64_t instants = 0;
+  for (std::int64_t instant = 0; instant < setup_.instantCount(); ++instant) {
+    if (isAskedFor(instant)) ++instants;
+  }
+  return instants * cameraCount();
+}
+
+std::int64_t DatasetSink::cameraCount() const {
+  return static_cast<std::int64_t>(setup_.config.cameras.size());
+}
+
+std::vector<output::Warning> DatasetSink::add(const FinishedScene& finished) {
+  const writers::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
+  std::vector<output::Warning> warnings;
+  for (const std::string& warning : written.warnings) warnings.push_back({warning});
+  output::SceneFacts facts = finished.facts;
+  facts.warnings.insert(facts.warnings.end(), warnings.begin(), warnings.end());
+  store_->commitScene(facts, written.files);
+  return warnings;
+}
+
+void DatasetSink::finish(RunEnd end) {
+  const config::OutputConfig& config = setup_.config.output;
+  if (end == RunEnd::kStopped || !config.only_scenes.empty()) {
+    store_->flush();
+    return;
+  }
+  // The files of the dataset as a whole are made of all shards together, when they are merged.
+  if (!config.shard) setup_.writers->finalize(*store_);
+  store_->complete();
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,50 @@
+#include "run/scene_loop.h"
+
+#include "run/scene_pipeline.h"
+#include "setup/dataset_description.h"
+
+namespace synthetic_dataset {
+
+SceneLoop::SceneLoop(RunSetup& setup, SceneSink& sink, Reporter& reporter)
+    : setup_(setup),
+      sink_(sink),
+      reporter_(reporter),
+      motion_run_(makeRun(setup.motions.front())),
+      work_(begin()) {}
+
+std::unique_ptr<MotionRun> SceneLoop::makeRun(MotionSetup& motion) const {
+  return std::make_unique<MotionRun>(motion, *setup_.splits, sink_.requirements());
+}
+
+WorkPlan SceneLoop::begin() {
+  setup_.description.software["opengl"] = motion_run_->glVersion();
+  const DatasetInfo dataset = describeDataset(setup_.config, setup_.motions, *setup_.splits);
+  sink_.begin(dataset);
+  return {setup_.instantCount(), static_cast<std::int64_t>(dataset.cameras.size()),
+          [this](std::int64_t scene) { return sink_.wants(scene); }};
+}
+
+SceneLoop::Result SceneLoop::run() {
+  ScenePipeline pipeline(sink_, reporter_, work_.sceneCount());
+  const RunEnd end = makeScenes(pipeline);
+  sink_.finish(end);
+  return {pipeline.addedCount(), end};
+}
+
+RunEnd SceneLoop::makeScenes(ScenePipeline& pipeline) {
+  for (MotionSetup& motion : setup_.motions) {
+    const std::int64_t end = motion.first_instant + motion.instantCount();
+    if (work_.endOfWork(end) <= motion.first_instant) continue;
+    if (!motion_run_->isOf(motion)) {
+      motion_run_.reset();  // two cannot draw at once
+      motion_run_ = makeRun(motion);
+    }
+    const bool goes_on = motion_run_->run(work_, pipeline, reporter_);
+    pipeline.finish();  // scenes are finished with what the motion's run draws with
+    if (!goes_on) return RunEnd::kStopped;
+  }
+  // What the sink finishes with may take long, too.
+  return reporter_.stopRequested() ? RunEnd::kStopped : RunEnd::kAllMade;
+}
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "run/motion_run.h"
+#include "run/reporter.h"
+#include "run/scene_sink.h"
+#include "run/work_plan.h"
+#include "setup/run_setup.h"
+
+namespace synthetic_dataset {
+
+/// The loop over a run's motions: makes the scenes that a sink wants.
+///
+/// OpenGL belongs to the thread that makes the loop; use it from there.
+class SceneLoop {
+ public:
+  /// Prepares drawing, and then lets the sink begin.
+  /// @param setup, sink, reporter  have to outlive this; the setup's description gets the version
+  ///     of OpenGL before the sink begins
+  /// @throws Error where drawing is not possible; what the sink throws
+  SceneLoop(RunSetup& setup, SceneSink& sink, Reporter& reporter);
+
+  /// How many scenes are to be made.
+  [[nodiscard]] std::int64_t sceneCount() const { return work_.sceneCount(); }
+
+  struct Result {
+    std::int64_t scenes = 0;  ///< that the sink has taken
+    RunEnd end = RunEnd::kAllMade;
+  };
+
+  /// Makes all scenes, and lets the sink finish.
+  /// @throws Error when a scene cannot be made or the sink fails
+  Result run();
+
+ private:
+  [[nodiscard]] std::unique_ptr<MotionRun> makeRun(MotionSetup& motion) const;
+  [[nodiscard]] WorkPlan begin();
+  [[nodiscard]] RunEnd makeScenes(ScenePipeline& pipeline);
+
+  RunSetup& setup_;
+  SceneSink& sink_;
+  Reporter& reporter_;
+  std::unique_ptr<MotionRun> motion_run_;  ///< of the motion whose scenes are made now, or first
+  WorkPlan work_;
+};
+
+}  // namespace synthetic_dataset

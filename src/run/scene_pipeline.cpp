@@ -1,0 +1,68 @@
+#include "run/scene_pipeline.h"
+
+#include <memory>
+#include <utility>
+
+namespace synthetic_dataset {
+namespace {
+
+/// How many scenes may wait while one is finished, and as many while one is added.
+constexpr std::size_t kMostWaiting = 1;
+
+}  // namespace
+
+ScenePipeline::ScenePipeline(SceneSink& sink, Reporter& reporter, std::int64_t scene_count)
+    : sink_(sink),
+      reporter_(reporter),
+      scene_count_(scene_count),
+      adder_(kMostWaiting),
+      finisher_(kMostWaiting) {
+  reporter_.progress(0, scene_count_);
+}
+
+void ScenePipeline::add(PendingScene scene) {
+  try {
+    finisher_.add([this, scene = std::move(scene)] {
+      adder_.add([this, finished = std::make_shared<const FinishedScene>(scene())] {
+        addToSink(*finished);
+      });
+    });
+  } catch (...) {
+    adder_.finish();  // the scenes before are added, or one of them has failed first
+    throw;
+  }
+  report();
+}
+
+void ScenePipeline::finish() {
+  try {
+    finisher_.finish();
+  } catch (...) {
+    adder_.finish();
+    throw;
+  }
+  adder_.finish();
+  report();
+}
+
+void ScenePipeline::addToSink(const FinishedScene& finished) {
+  std::vector<output::Warning> warnings = finished.facts.warnings;
+  const std::vector<output::Warning> of_sink = sink_.add(finished);
+  warnings.insert(warnings.end(), of_sink.begin(), of_sink.end());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  unreported_.push_back(std::move(warnings));
+}
+
+void ScenePipeline::report() {
+  std::vector<std::vector<output::Warning>> added;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    added.swap(unreported_);
+  }
+  for (const std::vector<output::Warning>& warnings : added) {
+    reporter_.warnOfEachKind(warnings);
+    reporter_.progress(++added_count_, scene_count_);
+  }
+}
+
+}  // namespace synthetic_dataset

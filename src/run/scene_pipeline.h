@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+#include "output/background_worker.h"
+#include "run/reporter.h"
+#include "run/scene_sink.h"
+
+namespace synthetic_dataset {
+
+/// Finishes a scene from what was drawn for it, once, in any thread, as long as what drew it lives.
+using PendingScene = std::function<FinishedScene()>;
+
+/// Finishes scenes and adds them to a sink, in their order, while the caller makes the next ones:
+/// one thread finishes a scene while another one has the sink take the one before. At most one
+/// scene waits for each. Progress and warnings are reported in the caller's thread.
+///
+/// A scene that fails ends with its error out of one of the next calls; those behind it are not
+/// added.
+class ScenePipeline {
+ public:
+  /// @param sink, reporter  have to outlive this
+  /// @param scene_count  how many scenes will come
+  ScenePipeline(SceneSink& sink, Reporter& reporter, std::int64_t scene_count);
+
+  /// Waits while too many scenes wait already.
+  void add(PendingScene scene);
+
+  /// Waits until the sink has all scenes.
+  void finish();
+
+  /// How many scenes the sink has taken, as far as it was reported.
+  [[nodiscard]] std::int64_t addedCount() const { return added_count_; }
+
+ private:
+  void addToSink(const FinishedScene& finished);
+  void report();
+
+  SceneSink& sink_;
+  Reporter& reporter_;
+  std::int64_t scene_count_;
+  std::int64_t added_count_ = 0;
+  std::mutex mutex_;
+  std::vector<std::vector<output::Warning>> unreported_;  ///< of each scene that was added
+  output::BackgroundWorker adder_;
+  output::BackgroundWorker finisher_;  ///< last: its jobs use all of the above
+};
+
+}  // namespace synthetic_dataset

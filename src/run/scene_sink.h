@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "output/manifest/run_description.h"
+#include "output/manifest/scene_facts.h"
+#include "synthetic_dataset/label_writer.h"
+#include "synthetic_dataset/scene.h"
+
+namespace synthetic_dataset {
+
+/// A scene with its image and all labels, and what is known of it besides.
+struct FinishedScene {
+  Scene scene;
+  output::SceneFacts facts;
+};
+
+/// How a run ends.
+enum class RunEnd {
+  kAllMade,  ///< every scene that the sink wanted was added
+  kStopped,  ///< the user stopped it before
+};
+
+/// Gets the finished scenes of a run: a dataset, or whatever else shows or keeps scenes.
+///
+/// Its life: `begin`, then `add` for each scene, then `finish`. `add` is called in a background
+/// thread, by one caller at a time, in the order of the scenes, while the next ones are drawn; all
+/// other methods are called in the thread that runs, none of them while `add` runs. So a sink needs
+/// no locks. When a method throws, the run ends with its error, and nothing more is called.
+class SceneSink {
+ public:
+  SceneSink() = default;
+  SceneSink(const SceneSink&) = delete;
+  SceneSink& operator=(const SceneSink&) = delete;
+  virtual ~SceneSink() = default;
+
+  /// What has to be computed of each scene; nothing else is. The same at every call.
+  [[nodiscard]] virtual Requirements requirements() const = 0;
+
+  /// Called once all else is ready for the first scene.
+  virtual void begin(const DatasetInfo& dataset) = 0;
+
+  /// Whether a scene is to be made. Asked after `begin`, for every scene of the run.
+  /// @param scene  its Scene::index
+  [[nodiscard]] virtual bool wants(std::int64_t scene) const = 0;
+
+  /// Takes a scene that it wants. To keep it, copy it: the copies share their pixels.
+  /// @return what the user should know of the scene beside the warnings in its facts
+  [[nodiscard]] virtual std::vector<output::Warning> add(const FinishedScene& finished) = 0;
+
+  /// Called after the last scene, unless the run failed.
+  virtual void finish(RunEnd end) = 0;
+};
+
+}  // namespace synthetic_dataset
