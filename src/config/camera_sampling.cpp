@@ -17,7 +17,7 @@ void read(const Parameters& group, const std::string& name, const DistributionRa
 }
 
 /// `look_at: any | all | NAME | [x, y, z]`.
-void readAim(const Parameters& group, CameraSampling& sampling) {
+void readAim(const Parameters& group, placement::CameraSampling& sampling) {
   const auto given = group.maybe<Value>("look_at");
   if (!given) return;
   if (!given->is<Value::List>()) {
@@ -39,7 +39,7 @@ void readAim(const Parameters& group, CameraSampling& sampling) {
 }
 
 /// `position` in a box, or `distance`, `elevation` and `azimuth`.
-void readPlace(const Parameters& group, CameraSampling& sampling) {
+void readPlace(const Parameters& group, placement::CameraSampling& sampling) {
   sampling.position_G = maybeDistribution(group, "position", kPlaceRange);
   for (const char* name : {"distance", "elevation", "azimuth"}) {
     if (!group.has("position") || !group.has(name)) continue;
@@ -57,10 +57,10 @@ void readPlace(const Parameters& group, CameraSampling& sampling) {
 
 }  // namespace
 
-std::optional<CameraSampling> readCameraSampling(const Parameters& camera) {
+std::optional<placement::CameraSampling> readCameraSampling(const Parameters& camera) {
   if (!camera.has("sample")) return std::nullopt;
   const Parameters group = camera.group("sample");
-  CameraSampling sampling;
+  placement::CameraSampling sampling;
   readAim(group, sampling);
   readPlace(group, sampling);
   read(group, "aim_offset", kPlaceRange, sampling.aim_offset);

@@ -5,10 +5,10 @@
 namespace synthetic_dataset::config {
 
 /// Reads `masks` and `background_subtractor`.
-[[nodiscard]] MaskConfig readMasks(const Parameters& root);
+[[nodiscard]] MaskOptions readMasks(const Parameters& root);
 
 /// Reads `labels`.
-[[nodiscard]] LabelConfig readLabels(const Parameters& root);
+[[nodiscard]] LabelOptions readLabels(const Parameters& root);
 
 /// Reads `split`.
 [[nodiscard]] SplitConfig readSplit(const Parameters& root);
@@ -19,6 +19,6 @@ namespace synthetic_dataset::config {
 /// are left, from 0 on, in alphabetical order.
 /// @return all classes in the order of their numbers
 [[nodiscard]] std::vector<ClassConfig> readClasses(const Parameters& root,
-                                                   std::vector<ObjectConfig>& objects);
+                                                   std::vector<ObjectOptions>& objects);
 
 }  // namespace synthetic_dataset::config

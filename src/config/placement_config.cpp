@@ -12,15 +12,15 @@
 namespace synthetic_dataset::config {
 namespace {
 
-PlacementMode readMode(const Parameters& group) {
+placement::PlacementMode readMode(const Parameters& group) {
   const auto mode = group.optional<std::string>("mode", "map");
-  if (mode == "volume") return PlacementMode::kVolume;
-  if (mode == "drop") return PlacementMode::kDrop;
+  if (mode == "volume") return placement::PlacementMode::kVolume;
+  if (mode == "drop") return placement::PlacementMode::kDrop;
   if (mode != "map") {
     group.addError("mode", "found '" + mode + "'; it should be map, volume or drop" +
                                didYouMean(mode, {"map", "volume", "drop"}));
   }
-  return PlacementMode::kMap;
+  return placement::PlacementMode::kMap;
 }
 
 /// One of two words. @return whether it is the first
@@ -34,8 +34,8 @@ bool readWord(const Parameters& group, const std::string& name, const std::strin
 }
 
 /// Settings of another mode would do nothing, which nobody expects.
-void refuseOthers(const Parameters& group, PlacementMode mode) {
-  const bool is_map = mode == PlacementMode::kMap;
+void refuseOthers(const Parameters& group, placement::PlacementMode mode) {
+  const bool is_map = mode == placement::PlacementMode::kMap;
   const auto refuse = [&](const char* name, const char* needed) {
     if (!group.has(name)) return;
     group.addError(name, std::string("has a meaning with mode: ") + needed + " alone");
@@ -48,7 +48,7 @@ void refuseOthers(const Parameters& group, PlacementMode mode) {
   for (const char* name : {"volume", "orientation"}) {
     if (is_map) refuse(name, "volume or drop");
   }
-  if (mode != PlacementMode::kDrop) refuse("fall_time", "drop");
+  if (mode != placement::PlacementMode::kDrop) refuse("fall_time", "drop");
 }
 
 double numberFromZero(const Parameters& group, const std::string& name, double fallback,
@@ -67,19 +67,20 @@ double heightOf(const Parameters& group, const std::string& name, double fallbac
   return fallback;
 }
 
-void readSurface(const Parameters& group, PlacementConfig& placement) {
+void readSurface(const Parameters& group, placement::PlacementOptions& placement) {
   constexpr double kSteepest = 1.5;  // [rad] nearly a wall
   placement.on_surface = readWord(group, "surface", "below", "none");
   if (!placement.on_surface) {
     placement.height = heightOf(group, "height", placement.height);
     return;
   }
-  placement.highest_surface = heightOf(group, "highest_surface", placement.highest_surface);
-  placement.steepest = numberFromZero(group, "steepest", placement.steepest, kSteepest);
-  placement.unevenness = numberFromZero(group, "unevenness", placement.unevenness, 1e3);
+  placement::SurfaceOptions& surface = placement.surface;
+  surface.highest = heightOf(group, "highest_surface", surface.highest);
+  surface.steepest = numberFromZero(group, "steepest", surface.steepest, kSteepest);
+  surface.unevenness = numberFromZero(group, "unevenness", surface.unevenness, 1e3);
 }
 
-void readMap(const Parameters& group, PlacementConfig& placement) {
+void readMap(const Parameters& group, placement::PlacementOptions& placement) {
   placement.map_file = group.maybe<std::string>("map");
   placement.map_topic = group.maybe<std::string>("map_topic");
   placement.received_map = group.maybe<Value>("received_map");
@@ -114,7 +115,7 @@ std::optional<Eigen::Vector3d> readCorner(const Parameters& volume, const std::s
 
 }  // namespace
 
-Volume readVolume(const Parameters& group) {
+placement::Volume readVolume(const Parameters& group) {
   if (!group.has("volume")) {
     group.addError("volume",
                    "missing; it should be {min: [x, y, z], max: [x, y, z]}, a box in global_frame");
@@ -129,18 +130,19 @@ Volume readVolume(const Parameters& group) {
   return {};
 }
 
-PlacementConfig readPlacement(const Parameters& root) {
-  PlacementConfig placement;
+placement::PlacementOptions readPlacement(const Parameters& root) {
+  placement::PlacementOptions placement;
   const Parameters group = root.group("placement");
   placement.mode = readMode(group);
-  if (placement.mode == PlacementMode::kMap) {
+  if (placement.mode == placement::PlacementMode::kMap) {
     readMap(group, placement);
   } else {
     placement.volume = readVolume(group);
     placement.upright = !readWord(group, "orientation", "random", "upright");
   }
-  if (placement.mode == PlacementMode::kDrop) {
-    placement.fall_time = numberAbove(group, "fall_time", placement.fall_time, kShortestFall);
+  if (placement.mode == placement::PlacementMode::kDrop) {
+    placement.fall_time =
+        numberAbove(group, "fall_time", placement.fall_time, placement::kShortestFall);
   }
   refuseOthers(group, placement.mode);
   constexpr int kMostTries = 1000000;

@@ -4,13 +4,13 @@
 #include <memory>
 #include <utility>
 
+#include "base/seconds.h"
 #include "run/label_counts.h"
 #include "run/motion_run.h"
 #include "run/open_output.h"
 #include "run/scene_committer.h"
 #include "run/warning_teller.h"
 #include "run/work_plan.h"
-#include "scene/seconds.h"
 #include "setup/run_setup.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -23,8 +23,8 @@ struct Generator::Impl {
         setup(setUpRun(parameters, plugin_xml_files)),
         run(makeRun(setup.motions.front())),
         store(openStore()),
-        work(setup.instantCount(), cameraCount(), shardOf(setup.config.output),
-             setup.config.output.only_scenes, [this](std::int64_t scene) {
+        work(setup.instantCount(), cameraCount(), setup.config.output.shard,
+             setup.config.only_scenes, [this](std::int64_t scene) {
                return store->wasComplete() || store->hasScene(scene);
              }) {
     tellPlan();
@@ -116,7 +116,7 @@ struct Generator::Impl {
   }
 
   [[nodiscard]] std::string ofChoice() const {
-    if (setup.config.output.only_scenes.empty()) return "";
+    if (setup.config.only_scenes.empty()) return "";
     return "; only_scenes makes " + std::to_string(work.sceneCount()) +
            ", and leaves the dataset open for the others";
   }
@@ -149,8 +149,8 @@ struct Generator::Impl {
 
   /// Whether all scenes of the dataset are there, and not those of a shard or a choice alone.
   [[nodiscard]] bool isWhole() const {
-    const config::OutputConfig& output = setup.config.output;
-    return !summary.stopped && !output.shard && output.only_scenes.empty();
+    const config::Config& config = setup.config;
+    return !summary.stopped && !config.output.shard && config.only_scenes.empty();
   }
 
   /// What the whole dataset holds, for the run's last words.
@@ -191,7 +191,7 @@ RunSummary Generator::run() {
   if (summary.was_complete) return summary;
   const auto begin = std::chrono::steady_clock::now();
   impl_->makeScenes();
-  if (summary.stopped || !impl_->setup.config.output.only_scenes.empty()) {
+  if (summary.stopped || !impl_->setup.config.only_scenes.empty()) {
     store.flush();
   } else {
     // The files of the dataset as a whole are made of all shards together, when they are merged.
