@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "run/generator.h"
 #include "run/reporter.h"
 
@@ -71,7 +71,7 @@ std::string exampleSettings(const fs::path& repository) {
 /// The processor's seconds that a run with the first `count` writers takes: on a machine that does
 /// other things too, these tell more than a clock.
 double timeOf(const fs::path& repository, const fs::path& folder, std::size_t count) {
-  Value settings = config::parseYaml(exampleSettings(repository), "example.yaml");
+  Value settings = base::parseYaml(exampleSettings(repository), "example.yaml");
   Value::Map& map = *settings.as<Value::Map>();
   Value::List list;
   const std::vector<Writer> all = writers();

@@ -1,13 +1,13 @@
 // Settings: YAML, and all that is read of them before the run.
+#include "base/yaml_value.h"
 #include "config/config.h"
 #include "config/motion_list.h"
-#include "config/yaml_value.h"
 #include "fuzzing.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;
   fuzzing::tolerating([&] {
-    const Value settings = config::parseYaml(std::string(fuzzing::view(data, size)), "settings");
+    const Value settings = base::parseYaml(std::string(fuzzing::view(data, size)), "settings");
     for (const config::MotionEntry& motion : config::readMotions(settings).entries) {
       Parameters root(motion.settings);
       static_cast<void>(config::readConfig(root));

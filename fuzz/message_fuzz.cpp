@@ -1,12 +1,12 @@
 // Recorded messages: a bag that is sound holds the input as the content of its messages.
 #include <rosbag/bag.h>
 
-#include "config/camera_info.h"
 #include "fuzzing.h"
 #include "motion/bag_motion.h"
 #include "motion/checked_messages.h"
 #include "motion/recorded_camera_info.h"
 #include "motion/recorded_map.h"
+#include "scene/camera_info.h"
 
 namespace {
 
@@ -66,7 +66,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   }
   fuzzing::tolerating([&] {
     const auto camera = motion::readCameraInfo({file}, "/camera_info");
-    static_cast<void>(config::cameraModelOf(camera.info, "/camera_info", false, 0.01, 100.0));
+    static_cast<void>(cameraModelOf(camera.info, "/camera_info", false, 0.01, 100.0));
   });
   fuzzing::tolerating([&] { static_cast<void>(motion::readMap({file}, "/map")); });
   fuzzing::tolerating([&] { static_cast<void>(motion::BagMotion({file}).notes()); });

@@ -17,11 +17,11 @@ MAY_INCLUDE = {
     'src/api': {API, 'api'},
     'src/base': {API, 'base'},
     'src/random': {API, 'random'},
-    'src/config': {API, 'config', 'random'},
+    'src/config': {API, 'base', 'config', 'random'},  # and the options of all folders
     'src/motion': {API, 'motion'},
     'src/world': {API, 'world'},
-    'src/appearance': {API, 'base', 'appearance', 'random', 'config', 'world'},
-    'src/placement': {API, 'placement', 'random', 'config', 'motion', 'world'},
+    'src/appearance': {API, 'base', 'appearance', 'placement', 'random', 'world'},
+    'src/placement': {API, 'base', 'placement', 'random', 'motion', 'world'},
     'src/sensor': {API, 'sensor', 'random'},
     'src/render': {API, 'render', 'sensor', 'world'},
     'src/annotate': {API, 'annotate'},
@@ -29,12 +29,13 @@ MAY_INCLUDE = {
     'src/ros_messages': {API, 'ros_messages'},
     'src/writers': {API, 'writers', 'output'},
     'src/readback': {API, 'readback'},
-    'src/verification': {API, 'verification', 'config', 'output', 'readback'},
-    'src/scene': {API, 'base', 'scene', 'random', 'config', 'motion', 'placement', 'appearance', 'world',
+    'src/verification': {API, 'base', 'verification', 'output', 'readback'},
+    'src/scene': {API, 'base', 'scene', 'random', 'motion', 'placement', 'appearance', 'world',
                   'sensor', 'render', 'annotate', 'output'},
-    'src/setup': {API, 'base', 'setup', 'scene', 'config', 'motion', 'appearance', 'world', 'render',
-                  'random', 'output', 'writers'},
-    'src/run': {API, 'base', 'run', 'setup', 'scene', 'config', 'random', 'render', 'output', 'writers'},
+    'src/setup': {API, 'base', 'setup', 'scene', 'config', 'motion', 'placement', 'appearance',
+                  'world', 'render', 'random', 'output', 'writers'},
+    'src/run': {API, 'base', 'run', 'setup', 'scene', 'config', 'random', 'render', 'output',
+                'writers'},
     'src/gallery': {API, 'gallery', 'world', 'render'},
     'src/console': {API, 'console', 'config', 'motion', 'placement', 'output', 'run'},
     'src': {API, 'config', 'console', 'gallery', 'output', 'readback', 'run', 'setup',
@@ -61,7 +62,7 @@ CONFINED = [
     ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/world'}),
     ('rosbag', re.compile(r'rosbag/'), {'src/motion', 'plugins'}),
     ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion', 'src/ros_messages', 'plugins'}),
-    ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/config'}),
+    ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/base'}),
     ('JSON for Modern C++', re.compile(r'nlohmann/'), {'plugins', 'src/readback'}),
     ('OpenSSL', re.compile(r'openssl/'), {'src/output'}),
     ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),
@@ -73,6 +74,10 @@ CONFINED = [
     ('roscpp', re.compile(r'ros/(?!(time|duration|serialization|message_traits)\.h$)'),
      {'src/console', 'src'}),
 ]
+
+# Each folder defines its options beside the code that they configure, in headers that `config` fills
+# and that are light: they include API, distributions and other options.
+OPTIONS = re.compile(r'_options\.h$')
 
 SOURCES = {'.h', '.hpp', '.cpp'}
 INCLUDE = re.compile(r'\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
@@ -108,8 +113,9 @@ def includes_of(path):
             yield number, match[1] or match[2], match[1] is not None
 
 
-def forbidden(folder, included, quoted):
-    """What the folder reaches for and may not, or None."""
+def forbidden(file, included, quoted):
+    """What a file, relative to the repository, reaches for and may not, or None."""
+    folder = folder_of(file)
     for library, beginning, folders in CONFINED:
         if beginning.match(included):
             return None if folder in folders else library
@@ -117,6 +123,10 @@ def forbidden(folder, included, quoted):
     if not quoted and first not in MAY_INCLUDE['src']:
         return None  # somebody else's
     target = first if slash else 'src'  # without a folder: a file at the top of src/
+    if OPTIONS.search(file.name) and target not in {API, 'random'}:
+        return None if OPTIONS.search(included) else f'{target} (from options)'
+    if folder == 'src/config' and OPTIONS.search(included):
+        return None
     return None if target in MAY_INCLUDE.get(folder, set()) else target
 
 
@@ -134,7 +144,7 @@ def main():
         folder = folder_of(file)
         for number, included, quoted in includes_of(path):
             include_count += 1
-            target = forbidden(folder, included, quoted) or inner_arrow(file, included)
+            target = forbidden(file, included, quoted) or inner_arrow(file, included)
             if target is not None:
                 arrows.append(f'{file}:{number}: {folder} -> {target} ({included})')
     for arrow in arrows:

@@ -15,14 +15,13 @@ const char* const kEntry = "background/pictures";
 
 std::string entryName() { return std::string("randomize/") + kEntry; }
 
-bool isPanorama(const config::BackgroundPictures& pictures) {
-  return pictures.projection == config::BackgroundProjection::kPanorama;
+bool isPanorama(const BackgroundPictures& pictures) {
+  return pictures.projection == BackgroundProjection::kPanorama;
 }
 
 }  // namespace
 
-BackgroundSampler::BackgroundSampler(const config::BackgroundRandomization& config)
-    : config_(config) {
+BackgroundSampler::BackgroundSampler(const BackgroundRandomization& config) : config_(config) {
   if (!config_.pictures) return;
   base::namingPlace(entryName(), [&] {
     pictures_.emplace(config_.pictures->folder);
@@ -56,7 +55,7 @@ void BackgroundSampler::sample(EntryDraws& draws, world::Look& look) {
 
 world::BackgroundPicture BackgroundSampler::drawPicture(EntryDraws& draws) {
   using Projection = world::BackgroundPicture::Projection;
-  const config::BackgroundPictures& config = *config_.pictures;
+  const BackgroundPictures& config = *config_.pictures;
   random::RandomSource random = draws.source(kEntry);
   const std::size_t index = random.index(pictures_->files().size());
   draws.note(kEntry, pictures_->files()[index]);

@@ -4,7 +4,7 @@
 
 #include "appearance/entry_draws.h"
 #include "appearance/picture_folder.h"
-#include "config/background_config.h"
+#include "appearance/randomize_options.h"
 #include "world/look.h"
 
 namespace synthetic_dataset::appearance {
@@ -14,7 +14,7 @@ class BackgroundSampler {
  public:
   /// @throws ErrorList naming the entry, for a folder without pictures, pictures that cannot be
   ///     decoded, and panoramas that are not twice as wide as they are high
-  explicit BackgroundSampler(const config::BackgroundRandomization& config);
+  explicit BackgroundSampler(const BackgroundRandomization& config);
 
   /// Draws a scene's background into its look.
   void sample(EntryDraws& draws, world::Look& look);
@@ -23,7 +23,7 @@ class BackgroundSampler {
   void checkProportions() const;
   [[nodiscard]] world::BackgroundPicture drawPicture(EntryDraws& draws);
 
-  config::BackgroundRandomization config_;
+  BackgroundRandomization config_;
   std::optional<PictureFolder> pictures_;  ///< none where a colour alone is drawn
 };
 

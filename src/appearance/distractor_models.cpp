@@ -19,7 +19,7 @@ struct Form {
   world::Shape shape;
 };
 
-Form drawForm(const config::DistractorConfig& config, random::RandomSource& random) {
+Form drawForm(const placement::DistractorOptions& config, random::RandomSource& random) {
   const std::size_t kind = random.index(3);
   const double a = config.size.drawNumber(random);
   if (kind == 0) return {world::sphereMesh(0.5 * a), world::SphereShape{0.5 * a}};
@@ -69,7 +69,7 @@ bool canBeSeen(const world::Model& model) {
 }  // namespace
 
 std::vector<world::Model> makeDistractors(
-    const config::DistractorConfig& config, std::uint64_t seed,
+    const placement::DistractorOptions& config, std::uint64_t seed,
     const std::function<world::Model(const std::string& uri, const std::string& name)>& load) {
   std::optional<TextureSource> textures;
   if (config.models.empty() && config.textures != "none") textures.emplace(config.textures);
@@ -79,7 +79,7 @@ std::vector<world::Model> makeDistractors(
   }
   std::vector<world::Model> models;
   for (int i = 0; i < config.pool; ++i) {
-    const std::string name = config::distractorName(i + 1);
+    const std::string name = placement::distractorName(i + 1);
     if (!files.empty()) {
       const std::string& file = files[static_cast<std::size_t>(i) % files.size()];
       models.push_back(load(file, name));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "config/distractor_config.h"
+#include "placement/distractor_options.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::appearance {
@@ -16,7 +16,7 @@ namespace synthetic_dataset::appearance {
 /// @param load  reads a model, by its URI and its new name
 /// @throws Error as PictureFolder does for a folder of textures; and what `load` throws
 [[nodiscard]] std::vector<world::Model> makeDistractors(
-    const config::DistractorConfig& config, std::uint64_t seed,
+    const placement::DistractorOptions& config, std::uint64_t seed,
     const std::function<world::Model(const std::string& uri, const std::string& name)>& load);
 
 }  // namespace synthetic_dataset::appearance

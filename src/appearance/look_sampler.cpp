@@ -57,7 +57,7 @@ bool takesTexture(const world::Surface& surface) {
 }
 
 /// A lamp has a place, sunlight a direction. For `every`, each has its own.
-void checkMeaning(const world::Light& light, const config::LightRandomization& config,
+void checkMeaning(const world::Light& light, const LightRandomization& config,
                   base::Diagnostics& errors) {
   const std::string parameter = "randomize/lights/" + light.name;
   const bool is_sun = light.type == world::LightType::kDirectional;
@@ -81,7 +81,7 @@ Eigen::Vector3d shiningFrom(double elevation, double azimuth) {
 
 }  // namespace
 
-LookSampler::LookSampler(const config::Randomization& config, const world::World& world)
+LookSampler::LookSampler(const Randomization& config, const world::World& world)
     : world_(world), config_(config) {
   base::Diagnostics errors;
   findLights(config, errors);
@@ -98,19 +98,19 @@ LookSampler::LookSampler(const config::Randomization& config, const world::World
   errors.throwIfAny();
 }
 
-void LookSampler::findLights(const config::Randomization& config, base::Diagnostics& errors) {
+void LookSampler::findLights(const Randomization& config, base::Diagnostics& errors) {
   std::set<std::string> names;
   const std::vector<world::Light>& lights = world_.description().lights;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     names.insert(lights[i].name);
     auto entry = config.lights.find(lights[i].name);
-    if (entry == config.lights.end()) entry = config.lights.find(config::kOthers);
+    if (entry == config.lights.end()) entry = config.lights.find(kOthers);
     if (entry == config.lights.end()) continue;
-    if (entry->first != config::kOthers) checkMeaning(lights[i], entry->second, errors);
+    if (entry->first != kOthers) checkMeaning(lights[i], entry->second, errors);
     lights_.push_back({i, "lights/" + lights[i].name, entry->second});
   }
   for (const auto& [name, light] : config.lights) {
-    if (name == config::kOthers || names.count(name) != 0) continue;
+    if (name == kOthers || names.count(name) != 0) continue;
     errors.error("randomize/lights/" + name, "the world has no light of this name" +
                                                  didYouMean(name, {names.begin(), names.end()}));
   }
@@ -128,8 +128,7 @@ void LookSampler::checkLightCount(base::Diagnostics& errors) const {
                    ", and it should be no more (where a normal distribution ends, its `max` says)");
 }
 
-void LookSampler::findSurfaces(const std::string& target,
-                               const config::MaterialRandomization& config,
+void LookSampler::findSurfaces(const std::string& target, const MaterialRandomization& config,
                                base::Diagnostics& errors) {
   const std::string parameter = "randomize/materials/" + target;
   TextureSource* textures = nullptr;
@@ -177,7 +176,7 @@ world::Look LookSampler::sample(EntryDraws& draws) {
 }
 
 void LookSampler::relight(const LightEntry& entry, EntryDraws& draws, world::Light& light) const {
-  const config::LightRandomization& config = entry.config;
+  const LightRandomization& config = entry.config;
   if (const auto colour = draws.vector(entry.name + "/colour", config.colour)) {
     light.diffuse = colour->cast<float>();
   }
@@ -221,7 +220,7 @@ void LookSampler::chooseLights(EntryDraws& draws, world::Look& look) const {
 }
 
 void LookSampler::repaint(const MaterialEntry& entry, EntryDraws& draws, world::Look& look) {
-  const config::MaterialRandomization& config = entry.config;
+  const MaterialRandomization& config = entry.config;
   const auto colour = draws.vector(entry.name + "/colour", config.colour);
   const auto tint = draws.vector(entry.name + "/tint", config.tint);
   const auto roughness = draws.number(entry.name + "/roughness", config.roughness);

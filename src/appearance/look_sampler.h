@@ -8,9 +8,9 @@
 
 #include "appearance/background_sampler.h"
 #include "appearance/entry_draws.h"
+#include "appearance/randomize_options.h"
 #include "appearance/texture_source.h"
 #include "base/diagnostics.h"
-#include "config/randomization.h"
 #include "world/look.h"
 #include "world/world.h"
 
@@ -22,7 +22,7 @@ class LookSampler {
   /// @param world  has to outlive this
   /// @throws ErrorList naming the entries whose lights, model, link or visual the world does not
   ///     have, folders without pictures, and pictures that cannot be decoded
-  LookSampler(const config::Randomization& config, const world::World& world);
+  LookSampler(const Randomization& config, const world::World& world);
 
   /// The look of a scene; what is drawn for it is added to the draws.
   /// @throws Error naming the entry, for a picture that cannot be decoded after all
@@ -33,29 +33,29 @@ class LookSampler {
   struct LightEntry {
     std::size_t light;  ///< index in the world's
     std::string name;   ///< "lights/sun"
-    config::LightRandomization config;
+    LightRandomization config;
   };
 
   /// Surfaces that wear the same, and what is drawn of it.
   struct MaterialEntry {
     std::string name;  ///< "materials/rover_1/rover_1::base_link::hull"
-    config::MaterialRandomization config;
+    MaterialRandomization config;
     std::vector<const world::Surface*> surfaces;
     std::vector<bool> takes_texture;    ///< of surfaces
     TextureSource* textures = nullptr;  ///< one of textures_, where they are drawn
     std::string textures_entry;         ///< "randomize/materials/rover_1/textures"
   };
 
-  void findLights(const config::Randomization& config, base::Diagnostics& errors);
+  void findLights(const Randomization& config, base::Diagnostics& errors);
   void checkLightCount(base::Diagnostics& errors) const;
-  void findSurfaces(const std::string& target, const config::MaterialRandomization& config,
+  void findSurfaces(const std::string& target, const MaterialRandomization& config,
                     base::Diagnostics& errors);
   void relight(const LightEntry& entry, EntryDraws& draws, world::Light& light) const;
   void chooseLights(EntryDraws& draws, world::Look& look) const;
   void repaint(const MaterialEntry& entry, EntryDraws& draws, world::Look& look);
 
   const world::World& world_;
-  config::Randomization config_;
+  Randomization config_;
   std::vector<LightEntry> lights_;
   std::optional<BackgroundSampler> background_;
   std::vector<MaterialEntry> materials_;           ///< the more special ones later

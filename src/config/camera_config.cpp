@@ -1,7 +1,12 @@
 #include "config/camera_config.h"
 
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
+#include "base/seconds.h"
+#include "config/camera_sampling.h"
 #include "config/checked_values.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -37,34 +42,34 @@ std::optional<double> maybeBetween(Parameters& group, const std::string& name, d
   return std::nullopt;
 }
 
-EffectsConfig readEffects(Parameters& camera) {
-  EffectsConfig effects;
-  if (!camera.has("effects")) return effects;
-  Parameters group = camera.group("effects");
+void readEffects(Parameters group, CameraOptions& camera) {
   constexpr double kMostStops = 10.0;
   constexpr double kLongestExposure = 10.0;  // [s]
   constexpr double kWidestBlur = 50.0;       // [px]
   constexpr double kLargestWell = 1e9;       // electrons
-  effects.exposure = maybeBetween(group, "exposure", -kMostStops, kMostStops).value_or(0.0);
-  effects.exposure_time = maybeBetween(group, "exposure_time", 0.0, kLongestExposure).value_or(0.0);
-  effects.readout_time = maybeBetween(group, "readout_time", 0.0, kLongestExposure).value_or(0.0);
-  if (effects.exposure_time > 0.0 || group.has("motion_samples")) {
-    effects.motion_samples =
-        group.optionalBetween("motion_samples", effects.motion_samples, 2, 256);
+  const auto read = [&](const std::string& name, double low, double high) {
+    return maybeBetween(group, name, low, high).value_or(0.0);
+  };
+  sensor::SensorEffects& effects = camera.effects;
+  Shutter& shutter = camera.shutter;
+  effects.exposure = read("exposure", -kMostStops, kMostStops);
+  shutter.exposure_time = base::fromSeconds(read("exposure_time", 0.0, kLongestExposure));
+  shutter.readout_time = base::fromSeconds(read("readout_time", 0.0, kLongestExposure));
+  if (shutter.exposure_time.count() > 0 || group.has("motion_samples")) {
+    shutter.motion_samples = group.optionalBetween("motion_samples", shutter.motion_samples, 2, 256);
   }
-  if (effects.readout_time > 0.0 || group.has("readout_bands")) {
-    effects.readout_bands = group.optionalBetween("readout_bands", effects.readout_bands, 2, 4096);
+  if (shutter.readout_time.count() > 0 || group.has("readout_bands")) {
+    shutter.readout_bands = group.optionalBetween("readout_bands", shutter.readout_bands, 2, 4096);
   }
-  effects.blur = maybeBetween(group, "blur", 0.0, kWidestBlur).value_or(0.0);
-  effects.vignetting = maybeBetween(group, "vignetting", 0.0, 1.0).value_or(0.0);
-  effects.full_well = maybeBetween(group, "full_well", 0.0, kLargestWell).value_or(0.0);
-  effects.noise_mean = maybeBetween(group, "noise_mean", -1.0, 1.0);
-  effects.noise_stddev = maybeBetween(group, "noise_stddev", 0.0, 1.0);
-  return effects;
+  effects.blur = read("blur", 0.0, kWidestBlur);
+  effects.vignetting = read("vignetting", 0.0, 1.0);
+  effects.full_well = read("full_well", 0.0, kLargestWell);
+  camera.noise_mean = maybeBetween(group, "noise_mean", -1.0, 1.0);
+  camera.noise_stddev = maybeBetween(group, "noise_stddev", 0.0, 1.0);
 }
 
 /// What is not set is as the world has it of a camera of its own.
-void readRange(Parameters& group, CameraConfig& camera) {
+void readRange(Parameters& group, CameraOptions& camera) {
   constexpr double kNear = 0.05;   // [m]
   constexpr double kFar = 1000.0;  // [m]
   const bool is_of_world = camera.sensor && !camera.info_file && !camera.info_topic;
@@ -75,9 +80,9 @@ void readRange(Parameters& group, CameraConfig& camera) {
 }
 
 /// The members that a camera has whether it is the only one or not.
-CameraConfig readCamera(Parameters group, const std::string& name,
-                        std::optional<std::string> frame) {
-  CameraConfig camera;
+CameraOptions readCamera(Parameters group, const std::string& name,
+                         std::optional<std::string> frame) {
+  CameraOptions camera;
   camera.name = name;
   camera.group = group.fullName("");
   camera.info_file = group.maybe<std::string>("info_file");
@@ -94,7 +99,7 @@ CameraConfig readCamera(Parameters group, const std::string& name,
   }
   camera.rectified = group.maybe<bool>("rectified").value_or(false);
   readRange(group, camera);
-  camera.effects = readEffects(group);
+  if (group.has("effects")) readEffects(group.group("effects"), camera);
   camera.frame = group.maybe<std::string>("frame_id");
   if (!camera.frame) camera.frame = std::move(frame);
   if (!camera.frame && !camera.info_topic) {
@@ -103,7 +108,8 @@ CameraConfig readCamera(Parameters group, const std::string& name,
   return camera;
 }
 
-void checkIntrinsicsNamed(const CameraConfig& camera, Parameters& above, const std::string& name) {
+void checkIntrinsicsNamed(const CameraOptions& camera, Parameters& above,
+                          const std::string& name) {
   if (camera.info_file && camera.info_topic) {
     above.addError(name, "found both info_file and info_topic; intrinsics should come from one");
   }
@@ -124,8 +130,8 @@ bool isGoodName(const std::string& name) {
 
 }  // namespace
 
-std::vector<CameraConfig> readCameras(Parameters root) {
-  std::vector<CameraConfig> cameras;
+std::vector<CameraOptions> readCameras(Parameters root) {
+  std::vector<CameraOptions> cameras;
   if (!root.has("cameras")) {
     auto frame = root.maybe<std::string>("camera_frame_id");
     cameras.push_back(readCamera(root.group("camera"), "camera", std::move(frame)));

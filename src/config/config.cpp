@@ -2,23 +2,26 @@
 
 #include <utility>
 
+#include "base/seconds.h"
 #include "config/camera_config.h"
 #include "config/checked_values.h"
 #include "config/label_config.h"
 #include "config/object_config.h"
 #include "config/output_config.h"
+#include "config/placement_config.h"
+#include "config/randomization.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
 
-MotionSource readSource(Parameters& root) {
+motion::MotionSource readSource(Parameters& root) {
   const std::string source = root.maybe<std::string>("motion").value_or("bag");
   if (source != "bag" && source != "placement") {
     root.addError("motion", "found '" + source + "'; it should be bag or placement" +
                                 didYouMean(source, {"bag", "placement"}));
   }
-  return source == "placement" ? MotionSource::kPlacement : MotionSource::kBag;
+  return source == "placement" ? motion::MotionSource::kPlacement : motion::MotionSource::kBag;
 }
 
 /// Settings of the other source would do nothing, which nobody expects.
@@ -30,10 +33,10 @@ void refuse(Parameters& root, const std::vector<std::string>& names, const std::
   }
 }
 
-MotionConfig readMotion(Parameters& root) {
-  MotionConfig motion;
+motion::MotionOptions readMotion(Parameters& root) {
+  motion::MotionOptions motion;
   motion.source = readSource(root);
-  const bool is_placed = motion.source == MotionSource::kPlacement;
+  const bool is_placed = motion.source == motion::MotionSource::kPlacement;
   if (is_placed) {
     motion.bag_files = root.maybe<std::vector<std::string>>("bag_file").value_or(motion.bag_files);
     if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which tells so
@@ -61,10 +64,11 @@ MotionConfig readMotion(Parameters& root) {
 }
 
 /// Scenes keep their order: physics goes forward only.
-void checkJitter(Parameters& root, const MotionConfig& motion, const Randomization& randomization) {
+void checkJitter(Parameters& root, const motion::MotionOptions& motion,
+                 const appearance::Randomization& randomization) {
   if (!randomization.time_jitter) return;
   Parameters group = root.group("randomize").group("time");
-  if (motion.source == MotionSource::kPlacement) {
+  if (motion.source == motion::MotionSource::kPlacement) {
     group.addError("jitter",
                    "has a meaning with motion: bag alone; what is placed at random stands still");
     return;
@@ -81,12 +85,12 @@ void checkJitter(Parameters& root, const MotionConfig& motion, const Randomizati
                                "`max`");
 }
 
-OnMissingAsset readOnMissingAsset(Parameters& group) {
+world::OnMissingAsset readOnMissingAsset(Parameters& group) {
   const std::string found = group.maybe<std::string>("on_missing_asset").value_or("error");
   if (found != "error" && found != "warn") {
     group.addError("on_missing_asset", "found '" + found + "'; it should be error or warn");
   }
-  return found == "warn" ? OnMissingAsset::kWarn : OnMissingAsset::kError;
+  return found == "warn" ? world::OnMissingAsset::kWarn : world::OnMissingAsset::kError;
 }
 
 /// `world` is a file's name, or a group with `file`, `model_folders` and `on_missing_asset`.
@@ -101,7 +105,7 @@ WorldConfig readWorld(Parameters& root) {
     world.model_folders =
         group.maybe<std::vector<std::string>>("model_folders").value_or(std::vector<std::string>{});
     for (std::string& folder : world.model_folders) folder = absolutePath(folder);
-    world.on_missing_asset = readOnMissingAsset(group);
+    world.loading.on_missing_asset = readOnMissingAsset(group);
   } else if (given || !replaced) {
     world.file = root.required<std::string>("world");
   }
@@ -110,30 +114,37 @@ WorldConfig readWorld(Parameters& root) {
   return world;
 }
 
-PhysicsConfig readPhysics(Parameters& root, MotionSource source) {
-  PhysicsConfig physics;
-  Parameters group = root.group("physics");
+world::PhysicsOptions readPhysics(Parameters group, const SceneOptions& scenes) {
+  world::PhysicsOptions physics;
   constexpr double kLongestStep = 0.1;  // [s]: beyond it things fall through floors
-  physics.step = numberAbove(group, "step", physics.step, 1e-5);
-  if (physics.step > kLongestStep) {
-    group.addError("step", "found " + Value(physics.step).text() + " s; it should be at most 0.1");
-    physics.step = kLongestStep;
+  double step = numberAbove(group, "step", toSeconds(physics.step), 1e-5);
+  if (step > kLongestStep) {
+    group.addError("step", "found " + Value(step).text() + " s; it should be at most 0.1");
+    step = kLongestStep;
   }
+  physics.step = base::fromSeconds(step);
   physics.contact_tolerance = group.optional("contact_tolerance", physics.contact_tolerance);
   if (physics.contact_tolerance < 0.0) {
     group.addError("contact_tolerance", "found " + Value(physics.contact_tolerance).text() +
                                             " m; it should not be below 0");
     physics.contact_tolerance = 0.0;
   }
-  // Scenes that stand alone are of a world that has come to rest; a recording begins as it is told.
-  constexpr double kUntilRest = 10.0;  // [s] at most
-  const double settle = source == MotionSource::kPlacement ? kUntilRest : 0.0;
-  physics.settle = maybeSeconds(group, "settle").value_or(settle);
+  physics.drops_objects =
+      scenes.isPlaced() && scenes.placement.mode == placement::PlacementMode::kDrop;
+  const auto& distractors = scenes.randomization.distractors;
+  physics.drops_distractors = distractors && distractors->mode == placement::DistractorMode::kDrop;
+  physics.labels_distractors = distractors && distractors->label_class;
   return physics;
 }
 
-RenderingConfig readRendering(Parameters& root) {
-  RenderingConfig rendering;
+/// Scenes that stand alone are of a world that has come to rest; a recording begins as it is.
+Duration readSettling(Parameters& physics, bool is_placed) {
+  constexpr double kUntilRest = 10.0;  // [s] at most
+  return base::fromSeconds(maybeSeconds(physics, "settle").value_or(is_placed ? kUntilRest : 0.0));
+}
+
+render::RenderOptions readRendering(Parameters& root) {
+  render::RenderOptions rendering;
   Parameters group = root.group("rendering");
   rendering.samples = group.optional("samples", rendering.samples);
   if (rendering.samples != 1 && rendering.samples != 4) {
@@ -184,14 +195,18 @@ Config readConfig(Parameters root) {
   config.labels = readLabels(root);
   config.split = readSplit(root);
   checkJitter(root, config.motion, config.randomization);
-  config.physics = readPhysics(root, config.motion.source);
+  const Parameters physics = root.group("physics");
+  config.physics = readPhysics(physics, config);
+  config.settling = readSettling(physics, config.isPlaced());
   config.rendering = readRendering(root);
   config.seed = root.maybe<std::int64_t>("seed").value_or(config.seed);
   config.output = readOutput(root);
+  config.processes = readProcesses(root, config.output.shard.has_value());
+  config.only_scenes = readOnlyScenes(root);
   config.writers = readWriters(root, config.output.folder);
   if (config.output.folder.empty()) config.output.folder = commonFolder(config.writers);
-  for (const ObjectConfig& object : config.objects) {
-    for (const WriterConfig& writer : config.writers) {
+  for (const ObjectOptions& object : config.objects) {
+    for (const writers::WriterOptions& writer : config.writers) {
       if (object.name == writer.name) {
         root.addError("robot_list", "found '" + object.name +
                                         "', which is also a writer's name; rename the writer");

@@ -3,25 +3,26 @@
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
 #include "config/object_config.h"
+#include "config/placement_config.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
 
-DistractorMode readMode(Parameters& group) {
+placement::DistractorMode readMode(Parameters& group) {
   const auto mode = group.optional<std::string>("mode", "fly");
-  if (mode == "stand") return DistractorMode::kStand;
-  if (mode == "drop") return DistractorMode::kDrop;
+  if (mode == "stand") return placement::DistractorMode::kStand;
+  if (mode == "drop") return placement::DistractorMode::kDrop;
   if (mode != "fly") {
     group.addError("mode", "found '" + mode + "'; it should be fly, stand or drop" +
                                didYouMean(mode, {"fly", "stand", "drop"}));
   }
-  return DistractorMode::kFly;
+  return placement::DistractorMode::kFly;
 }
 
-double readFallTime(Parameters& group, DistractorMode mode, double fallback) {
-  if (mode == DistractorMode::kDrop) {
-    return numberAbove(group, "fall_time", fallback, kShortestFall);
+double readFallTime(Parameters& group, placement::DistractorMode mode, double fallback) {
+  if (mode == placement::DistractorMode::kDrop) {
+    return numberAbove(group, "fall_time", fallback, placement::kShortestFall);
   }
   if (group.has("fall_time")) {
     group.addError("fall_time", "has a meaning with mode: drop alone");
@@ -37,15 +38,13 @@ std::string readTextures(Parameters& group) {
 
 }  // namespace
 
-std::string distractorName(int number) { return "distractor_" + std::to_string(number); }
-
-std::optional<DistractorConfig> readDistractors(Parameters randomize) {
+std::optional<placement::DistractorOptions> readDistractors(Parameters randomize) {
   if (!randomize.has("distractors")) return std::nullopt;
   Parameters group = randomize.group("distractors");
   constexpr int kMost = 1000;
   constexpr double kSmallest = 1e-3;  // [m]
   constexpr double kLargest = 1e3;    // [m]
-  DistractorConfig distractors;
+  placement::DistractorOptions distractors;
   distractors.pool = group.optionalBetween("pool", distractors.pool, 1, kMost);
   if (auto count = maybeDistribution(group, "count", {1, 0.0, kMost})) distractors.count = *count;
   distractors.models =

@@ -1,42 +1,14 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "config/placement_config.h"
-#include "random/distribution.h"
+#include "placement/distractor_options.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {
 
-/// How distractors are put somewhere.
-enum class DistractorMode {
-  kFly,    ///< anywhere in the volume, turned anyhow
-  kStand,  ///< upright on what is below
-  kDrop,   ///< as they lie when they have fallen from there
-};
-
-/// Things that stand, lie or fly about, so that a network does not take all that
-/// stands out for an object.
-struct DistractorConfig {
-  int pool = 24;  ///< different ones, made once for the run
-  random::Distribution count = random::Distribution::uniform({0.0}, {8.0});     ///< in a scene
-  random::Distribution size = random::Distribution::logUniform({0.08}, {0.4});  ///< of a side [m]
-  std::vector<std::string> models;      ///< URIs or paths of models, or of folders that hold some;
-                                        ///< empty: boxes, balls and cylinders
-  std::string textures = "procedural";  ///< of those; or an absolute folder, or `none`
-  DistractorMode mode = DistractorMode::kFly;
-  double fall_time = 10.0;  ///< [s] in which those that are dropped come to rest, or are left out
-  Volume volume;            ///< where they are, or above where, or from where they fall
-  std::optional<std::string> label_class;  ///< of all of them, as text; nothing: they have no label
-  int tries = 50;  ///< for each; one without a place is left out of the scene
-};
-
-/// What a run calls its distractors: "distractor_1" is number 1.
-[[nodiscard]] std::string distractorName(int number);
-
 /// Reads the group `distractors` of `randomize`, or nothing where there is none.
-[[nodiscard]] std::optional<DistractorConfig> readDistractors(Parameters randomize);
+[[nodiscard]] std::optional<placement::DistractorOptions> readDistractors(
+    Parameters randomize);
 
 }  // namespace synthetic_dataset::config

@@ -92,10 +92,10 @@ void readTable(Parameters& root, const Value& given, ClassTable& table) {
 }
 
 /// Classes as the objects have them.
-void numberClasses(const std::vector<ObjectConfig>& objects, ClassTable& table) {
+void numberClasses(const std::vector<ObjectOptions>& objects, ClassTable& table) {
   std::set<std::string> names;
   std::set<int> taken;
-  for (const ObjectConfig& object : objects) {
+  for (const ObjectOptions& object : objects) {
     const auto number = wholeNumber(object.class_text);
     if (number && taken.insert(*number).second) table.add(*number, object.class_text);
     if (!number && !object.class_text.empty()) names.insert(object.class_text);
@@ -109,13 +109,14 @@ void numberClasses(const std::vector<ObjectConfig>& objects, ClassTable& table) 
 
 }  // namespace
 
-MaskConfig readMasks(Parameters root) {
-  MaskConfig masks;
+MaskOptions readMasks(Parameters root) {
+  MaskOptions masks;
   Parameters subtractor = root.group("background_subtractor");
-  masks.history_length =
-      subtractor.optionalBetween("history_length", masks.history_length, 1, 10000);
-  masks.var_threshold = numberAbove(subtractor, "var_threshold", masks.var_threshold, 0.0);
-  masks.detect_shadows = subtractor.optional("detect_shadows", masks.detect_shadows);
+  masks.mog2.history_length =
+      subtractor.optionalBetween("history_length", masks.mog2.history_length, 1, 10000);
+  masks.mog2.var_threshold =
+      numberAbove(subtractor, "var_threshold", masks.mog2.var_threshold, 0.0);
+  masks.mog2.detect_shadows = subtractor.optional("detect_shadows", masks.mog2.detect_shadows);
   Parameters group = root.group("masks");
   masks.clean = group.optional("clean", masks.clean);
   masks.method_is_given = group.has("method");
@@ -124,8 +125,8 @@ MaskConfig readMasks(Parameters root) {
   return masks;
 }
 
-LabelConfig readLabels(Parameters root) {
-  LabelConfig labels;
+LabelOptions readLabels(Parameters root) {
+  LabelOptions labels;
   Parameters group = root.group("labels");
   labels.min_visibility = group.maybe<double>("min_visibility").value_or(0.0);
   if (!(labels.min_visibility >= 0.0 && labels.min_visibility <= 1.0)) {
@@ -177,7 +178,7 @@ SplitConfig readSplit(Parameters root) {
   return split;
 }
 
-std::vector<ClassConfig> readClasses(Parameters root, std::vector<ObjectConfig>& objects) {
+std::vector<ClassConfig> readClasses(Parameters root, std::vector<ObjectOptions>& objects) {
   ClassTable table(root);
   const auto given = root.maybe<Value>("classes");
   if (given) {
@@ -185,7 +186,7 @@ std::vector<ClassConfig> readClasses(Parameters root, std::vector<ObjectConfig>&
   } else {
     numberClasses(objects, table);
   }
-  for (ObjectConfig& object : objects) {
+  for (ObjectOptions& object : objects) {
     const auto id = table.find(object.class_text);
     if (id) {
       object.class_id = *id;

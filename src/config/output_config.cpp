@@ -37,34 +37,11 @@ Choice choice(Parameters& group, const std::string& name,
   return choices.front().second;
 }
 
-/// `only_scenes: [17]`, or one number.
-std::set<std::int64_t> readOnlyScenes(Parameters& root) {
-  const auto given = root.maybe<Value>("only_scenes");
-  if (!given) return {};
-  const auto* list = given->as<Value::List>();
-  const Value::List one{*given};
-  std::set<std::int64_t> scenes;
-  for (const Value& each : list != nullptr ? *list : one) {
-    const auto* number = each.as<std::int64_t>();
-    if (number == nullptr || *number < 0) {
-      root.addError("only_scenes", "found " + given->text() +
-                                       "; it should be a list of scenes' numbers, as their files' "
-                                       "names have them");
-      return {};
-    }
-    scenes.insert(*number);
-  }
-  if (scenes.empty()) {
-    root.addError("only_scenes", "found an empty list; it should name scenes, or be left out");
-  }
-  return scenes;
-}
-
 /// `shard: {index: 2, count: 8}`; none when the whole run is to be made.
-std::optional<ShardConfig> readShard(Parameters& root) {
+std::optional<output::Shard> readShard(Parameters& root) {
   if (!root.has("shard")) return std::nullopt;
   Parameters group = root.group("shard");
-  ShardConfig shard;
+  output::Shard shard;
   if (!group.has("count") || !group.has("index")) {
     for (const char* name : {"count", "index"}) (void)group.required<std::int64_t>(name);
     return std::nullopt;
@@ -84,16 +61,6 @@ std::optional<ShardConfig> readShard(Parameters& root) {
     return std::nullopt;
   }
   return shard;
-}
-
-int readProcesses(Parameters& root, bool is_shard) {
-  constexpr int kMost = 1024;
-  const int processes = root.optionalBetween("processes", 1, 1, kMost);
-  if (!is_shard || processes == 1) return processes;
-  root.addError("processes", "found " + std::to_string(processes) +
-                                 " and a shard, which one process makes; it should be 1, or " +
-                                 "shard be left out");
-  return 1;
 }
 
 /// Names and types of the writers; left out, the original's three.
@@ -135,26 +102,59 @@ std::vector<std::pair<std::string, std::string>> readWriterNames(Parameters& roo
 
 }  // namespace
 
-OutputConfig readOutput(Parameters root) {
-  OutputConfig output;
+output::StoreOptions readOutput(Parameters root) {
+  output::StoreOptions output;
   output.folder = absolutePath(root.maybe<std::string>("output_folder").value_or(""));
-  output.if_exists = choice<IfExists>(root, "if_exists",
-                                      {{"resume", IfExists::kResume},
-                                       {"overwrite", IfExists::kOverwrite},
-                                       {"error", IfExists::kError}});
-  output.sync = choice<Sync>(
-      root, "sync", {{"batch", Sync::kBatch}, {"scene", Sync::kScene}, {"off", Sync::kOff}});
+  output.if_exists = choice<output::IfExists>(root, "if_exists",
+                                              {{"resume", output::IfExists::kResume},
+                                               {"overwrite", output::IfExists::kOverwrite},
+                                               {"error", output::IfExists::kError}});
+  output.sync = choice<output::Sync>(root, "sync",
+                                     {{"batch", output::Sync::kBatch},
+                                      {"scene", output::Sync::kScene},
+                                      {"off", output::Sync::kOff}});
   output.shard = readShard(root);
-  output.processes = readProcesses(root, output.shard.has_value());
-  output.only_scenes = readOnlyScenes(root);
   Parameters image = root.group("image");
   output.png_compression = image.optionalBetween("png_compression", output.png_compression, 0, 9);
   output.jpeg_quality = image.optionalBetween("jpeg_quality", output.jpeg_quality, 1, 100);
   return output;
 }
 
-std::vector<WriterConfig> readWriters(Parameters root, const std::string& output_folder) {
-  std::vector<WriterConfig> writers;
+int readProcesses(Parameters root, bool is_shard) {
+  constexpr int kMost = 1024;
+  const int processes = root.optionalBetween("processes", 1, 1, kMost);
+  if (!is_shard || processes == 1) return processes;
+  root.addError("processes", "found " + std::to_string(processes) +
+                                 " and a shard, which one process makes; it should be 1, or " +
+                                 "shard be left out");
+  return 1;
+}
+
+std::set<std::int64_t> readOnlyScenes(Parameters root) {
+  const auto given = root.maybe<Value>("only_scenes");
+  if (!given) return {};
+  const auto* list = given->as<Value::List>();
+  const Value::List one{*given};
+  std::set<std::int64_t> scenes;
+  for (const Value& each : list != nullptr ? *list : one) {
+    const auto* number = each.as<std::int64_t>();
+    if (number == nullptr || *number < 0) {
+      root.addError("only_scenes", "found " + given->text() +
+                                       "; it should be a list of scenes' numbers, as their files' "
+                                       "names have them");
+      return {};
+    }
+    scenes.insert(*number);
+  }
+  if (scenes.empty()) {
+    root.addError("only_scenes", "found an empty list; it should name scenes, or be left out");
+  }
+  return scenes;
+}
+
+std::vector<writers::WriterOptions> readWriters(Parameters root,
+                                                const std::string& output_folder) {
+  std::vector<writers::WriterOptions> writers;
   std::set<std::string> seen;
   for (const auto& [name, type] : readWriterNames(root)) {
     if (!seen.insert(name).second) {
@@ -177,10 +177,10 @@ std::vector<WriterConfig> readWriters(Parameters root, const std::string& output
   return writers;
 }
 
-std::string commonFolder(const std::vector<WriterConfig>& writers) {
+std::string commonFolder(const std::vector<writers::WriterOptions>& writers) {
   if (writers.empty()) return "";
   std::filesystem::path common = writers.front().output_folder;
-  for (const WriterConfig& writer : writers) {
+  for (const writers::WriterOptions& writer : writers) {
     std::filesystem::path shared;
     const std::filesystem::path other = writer.output_folder;
     for (auto a = common.begin(), b = other.begin();

@@ -12,15 +12,15 @@
 namespace synthetic_dataset::config {
 namespace {
 
-PlacementMode readMode(Parameters& group) {
+placement::PlacementMode readMode(Parameters& group) {
   const auto mode = group.optional<std::string>("mode", "map");
-  if (mode == "volume") return PlacementMode::kVolume;
-  if (mode == "drop") return PlacementMode::kDrop;
+  if (mode == "volume") return placement::PlacementMode::kVolume;
+  if (mode == "drop") return placement::PlacementMode::kDrop;
   if (mode != "map") {
     group.addError("mode", "found '" + mode + "'; it should be map, volume or drop" +
                                didYouMean(mode, {"map", "volume", "drop"}));
   }
-  return PlacementMode::kMap;
+  return placement::PlacementMode::kMap;
 }
 
 /// One of two words. @return whether it is the first
@@ -34,8 +34,8 @@ bool readWord(Parameters& group, const std::string& name, const std::string& fir
 }
 
 /// Settings of another mode would do nothing, which nobody expects.
-void refuseOthers(Parameters& group, PlacementMode mode) {
-  const bool is_map = mode == PlacementMode::kMap;
+void refuseOthers(Parameters& group, placement::PlacementMode mode) {
+  const bool is_map = mode == placement::PlacementMode::kMap;
   const auto refuse = [&](const char* name, const char* needed) {
     if (!group.has(name)) return;
     group.addError(name, std::string("has a meaning with mode: ") + needed + " alone");
@@ -48,7 +48,7 @@ void refuseOthers(Parameters& group, PlacementMode mode) {
   for (const char* name : {"volume", "orientation"}) {
     if (is_map) refuse(name, "volume or drop");
   }
-  if (mode != PlacementMode::kDrop) refuse("fall_time", "drop");
+  if (mode != placement::PlacementMode::kDrop) refuse("fall_time", "drop");
 }
 
 double numberFromZero(Parameters& group, const std::string& name, double fallback, double most) {
@@ -66,19 +66,20 @@ double heightOf(Parameters& group, const std::string& name, double fallback) {
   return fallback;
 }
 
-void readSurface(Parameters& group, PlacementConfig& placement) {
+void readSurface(Parameters& group, placement::PlacementOptions& placement) {
   constexpr double kSteepest = 1.5;  // [rad] nearly a wall
   placement.on_surface = readWord(group, "surface", "below", "none");
   if (!placement.on_surface) {
     placement.height = heightOf(group, "height", placement.height);
     return;
   }
-  placement.highest_surface = heightOf(group, "highest_surface", placement.highest_surface);
-  placement.steepest = numberFromZero(group, "steepest", placement.steepest, kSteepest);
-  placement.unevenness = numberFromZero(group, "unevenness", placement.unevenness, 1e3);
+  placement::SurfaceOptions& surface = placement.surface;
+  surface.highest = heightOf(group, "highest_surface", surface.highest);
+  surface.steepest = numberFromZero(group, "steepest", surface.steepest, kSteepest);
+  surface.unevenness = numberFromZero(group, "unevenness", surface.unevenness, 1e3);
 }
 
-void readMap(Parameters& group, PlacementConfig& placement) {
+void readMap(Parameters& group, placement::PlacementOptions& placement) {
   placement.map_file = group.maybe<std::string>("map");
   placement.map_topic = group.maybe<std::string>("map_topic");
   placement.received_map = group.maybe<Value>("received_map");
@@ -113,7 +114,7 @@ std::optional<Eigen::Vector3d> readCorner(Parameters& volume, const std::string&
 
 }  // namespace
 
-Volume readVolume(Parameters group) {
+placement::Volume readVolume(Parameters group) {
   if (!group.has("volume")) {
     group.addError("volume",
                    "missing; it should be {min: [x, y, z], max: [x, y, z]}, a box in global_frame");
@@ -128,18 +129,19 @@ Volume readVolume(Parameters group) {
   return {};
 }
 
-PlacementConfig readPlacement(Parameters root) {
-  PlacementConfig placement;
+placement::PlacementOptions readPlacement(Parameters root) {
+  placement::PlacementOptions placement;
   Parameters group = root.group("placement");
   placement.mode = readMode(group);
-  if (placement.mode == PlacementMode::kMap) {
+  if (placement.mode == placement::PlacementMode::kMap) {
     readMap(group, placement);
   } else {
     placement.volume = readVolume(group);
     placement.upright = !readWord(group, "orientation", "random", "upright");
   }
-  if (placement.mode == PlacementMode::kDrop) {
-    placement.fall_time = numberAbove(group, "fall_time", placement.fall_time, kShortestFall);
+  if (placement.mode == placement::PlacementMode::kDrop) {
+    placement.fall_time =
+        numberAbove(group, "fall_time", placement.fall_time, placement::kShortestFall);
   }
   refuseOthers(group, placement.mode);
   constexpr int kMostTries = 1000000;

@@ -1,6 +1,8 @@
 #include "config/randomization.h"
 
+#include "config/background_config.h"
 #include "config/checked_values.h"
+#include "config/distractor_config.h"
 #include "config/distribution_config.h"
 
 namespace synthetic_dataset::config {
@@ -8,8 +10,8 @@ namespace {
 
 constexpr double kBrightest = 1e6;
 
-LightRandomization readLight(Parameters group) {
-  LightRandomization light;
+appearance::LightRandomization readLight(Parameters group) {
+  appearance::LightRandomization light;
   light.present = maybeProbability(group, "present");
   light.intensity = maybeDistribution(group, "intensity", {1, 0.0, kBrightest});
   light.colour = maybeDistribution(group, "colour", {3, 0.0, kBrightest});
@@ -21,7 +23,7 @@ LightRandomization readLight(Parameters group) {
 
 /// How many lights are on; nothing where each light goes its own way.
 std::optional<random::Distribution> readLightCount(
-    Parameters& group, const std::map<std::string, LightRandomization>& lights) {
+    Parameters& group, const std::map<std::string, appearance::LightRandomization>& lights) {
   constexpr double kMost = 1000.0;  // the world's own number is known later
   const std::string name = "light_count";
   auto count = maybeDistribution(group, name, {1, 0.0, kMost});
@@ -42,8 +44,8 @@ bool readForEachVisual(Parameters& group) {
   return each != "model";
 }
 
-MaterialRandomization readMaterial(Parameters group) {
-  MaterialRandomization material;
+appearance::MaterialRandomization readMaterial(Parameters group) {
+  appearance::MaterialRandomization material;
   material.for_each_visual = readForEachVisual(group);
   material.colour = maybeDistribution(group, "colour", {3, 0.0, 1.0});
   material.tint = maybeDistribution(group, "tint", {3, 0.0, 1.0});
@@ -71,11 +73,11 @@ std::optional<random::TextChoice> readModels(Parameters& group) {
   return models;
 }
 
-ObjectRandomization readObject(Parameters group) {
+appearance::ObjectRandomization readObject(Parameters group) {
   constexpr double kSmallest = 1e-3;
   constexpr double kLargest = 1e3;
   constexpr int kMostSizes = 100;
-  ObjectRandomization object;
+  appearance::ObjectRandomization object;
   object.present = maybeProbability(group, "present");
   object.model = readModels(group);
   object.scale = maybeDistribution(group, "scale", {1, kSmallest, kLargest});
@@ -90,10 +92,10 @@ ObjectRandomization readObject(Parameters group) {
   return object;
 }
 
-SensorRandomization readSensor(Parameters group) {
+appearance::SensorRandomization readSensor(Parameters group) {
   constexpr double kMostStops = 10.0;
   constexpr double kWidestBlur = 50.0;  // [px]
-  SensorRandomization sensor;
+  appearance::SensorRandomization sensor;
   sensor.exposure = maybeDistribution(group, "exposure", {1, -kMostStops, kMostStops});
   sensor.blur = maybeDistribution(group, "blur", {1, 0.0, kWidestBlur});
   sensor.noise_stddev = maybeDistribution(group, "noise_stddev", {1, 0.0, 1.0});
@@ -106,15 +108,8 @@ SensorRandomization readSensor(Parameters group) {
 
 }  // namespace
 
-const ObjectRandomization& Randomization::ofObject(const std::string& name) const {
-  static const ObjectRandomization kNothing;
-  auto entry = objects.find(name);
-  if (entry == objects.end()) entry = objects.find(kOthers);
-  return entry == objects.end() ? kNothing : entry->second;
-}
-
-Randomization readRandomization(Parameters root) {
-  Randomization randomization;
+appearance::Randomization readRandomization(Parameters root) {
+  appearance::Randomization randomization;
   if (!root.has("randomize")) return randomization;
   Parameters group = root.group("randomize");
   Parameters lights = group.group("lights");

@@ -1,91 +1,11 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
-
-#include "config/background_config.h"
-#include "config/distractor_config.h"
-#include "random/distribution.h"
-#include "random/text_choice.h"
+#include "appearance/randomize_options.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {
 
-/// What is drawn anew of a light; nothing: as the world has it.
-struct LightRandomization {
-  std::optional<double> present;                  ///< how likely it is on, 0 .. 1
-  std::optional<random::Distribution> intensity;  ///< times that of the world, >= 0
-  std::optional<random::Distribution> colour;     ///< linear red, green, blue, >= 0, instead
-  std::optional<random::Distribution> elevation;  ///< sunlight comes from there, above the horizon
-                                                  ///< [rad]
-  std::optional<random::Distribution> azimuth;    ///< sunlight comes from there, from x to y [rad]
-  std::optional<random::Distribution> shift;      ///< of a lamp, in the global frame [m]
-};
-
-/// What is drawn anew of materials; nothing: as the models have it.
-struct MaterialRandomization {
-  bool for_each_visual = true;                    ///< else one draw serves the whole model
-  std::optional<random::Distribution> colour;     ///< sRGB-encoded red, green, blue, 0 .. 1
-  std::optional<random::Distribution> tint;       ///< times the colour that it has; 0 .. 1
-  std::optional<random::Distribution> roughness;  ///< 0 .. 1
-  std::optional<random::Distribution> metalness;  ///< 0 .. 1
-  std::optional<std::string> textures;  ///< `procedural`, or an absolute folder of pictures
-};
-
-/// What is drawn anew of an object; nothing: as `robot_list` and its group have it.
-struct ObjectRandomization {
-  std::optional<double> present;              ///< how likely it is there, 0 .. 1
-  std::optional<random::TextChoice> model;    ///< absolute paths or URIs, instead of its own; of a
-                                              ///< folder that holds models, one of them
-  std::optional<random::Distribution> scale;  ///< times the model's size, > 0
-  int sizes = 8;  ///< so many are made of what `scale` draws, unless that is a few values
-};
-
-/// What is drawn anew of a camera's sensor and lens; nothing: as `effects` and the calibration have
-/// it.
-struct SensorRandomization {
-  std::optional<random::Distribution> exposure;      ///< [stops]
-  std::optional<random::Distribution> blur;          ///< [px], >= 0
-  std::optional<random::Distribution> noise_stddev;  ///< of the full scale, 0 .. 1
-
-  /// Horizontal, of the lens without its distortion's coefficients [rad]; instead of that of the
-  /// calibration.
-  std::optional<random::Distribution> field_of_view;
-};
-
-/// Everything that differs from scene to scene so that a network does not learn it. Each entry's
-/// draws follow from the seed, the scene and the entry's name alone.
-struct Randomization {
-  std::map<std::string, LightRandomization> lights;  ///< by the world's names; `every`: others
-  std::optional<random::Distribution> light_count;   ///< how many of the lights are on, rounded;
-                                                     ///< nothing: as each one's `present` says
-  std::optional<random::Distribution> ambient;       ///< sRGB-encoded red, green, blue
-  BackgroundRandomization background;
-  std::map<std::string, MaterialRandomization> materials;  ///< by model, model::link or
-                                                           ///< model::link::visual; `objects`,
-                                                           ///< `world`: all of these
-  std::map<std::string, ObjectRandomization> objects;      ///< by their names; `every`: others
-  std::optional<DistractorConfig> distractors;
-  SensorRandomization sensor;  ///< of each camera
-
-  /// How much later than the regular timeline has it a scene of a recording is [s]; below 0
-  /// earlier.
-  std::optional<random::Distribution> time_jitter;
-
-  /// What is drawn of an object.
-  [[nodiscard]] const ObjectRandomization& ofObject(const std::string& name) const;
-
-  [[nodiscard]] bool changesLook() const {
-    return !lights.empty() || light_count || !materials.empty() || ambient || background.colour ||
-           background.pictures;
-  }
-};
-
-/// In the groups of lights and objects: those that have no group of their own.
-inline const char* const kOthers = "every";
-
 /// Reads the group `randomize`, all of which may be left out.
-[[nodiscard]] Randomization readRandomization(Parameters root);
+[[nodiscard]] appearance::Randomization readRandomization(Parameters root);
 
 }  // namespace synthetic_dataset::config

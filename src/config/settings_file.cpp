@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::config {
@@ -136,9 +136,9 @@ Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
     throw Error(file + ": include: found a file that includes itself");
   }
   above.push_back(place);
-  const std::string text = withPlainLineEnds(readTextFile(file));
+  const std::string text = withPlainLineEnds(base::readTextFile(file));
   Value::Map own =
-      asParameters(parseSettings(substitute(text, {file, package_folder}), file), file);
+      asParameters(base::parseSettings(substitute(text, {file, package_folder}), file), file);
   Value::Map settings;
   for (const std::string& name : takeIncluded(own, file)) {
     const auto folder = std::filesystem::path(file).parent_path();
@@ -180,7 +180,7 @@ void overlay(Value::Map& settings, const Value::Map& over) {
 
 Value::Map settingOf(const std::string& name, const std::string& text) {
   const std::string origin = name + ":=" + text;
-  const Value value = parseSettings(text, origin);
+  const Value value = base::parseSettings(text, origin);
   if (value.isNull()) throw Error(origin + ": found nothing; it should have a value");
   return asParameters(Value::Map{{name, value}}, origin);
 }

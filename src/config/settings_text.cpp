@@ -1,47 +1,18 @@
 #include "config/settings_text.h"
 
-#include <cmath>
-#include <cstdio>
+#include <utility>
 
-#include "config/yaml_value.h"
+#include "base/json_text.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
-
-/// RFC 8259, section 7.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result += std::string("\\") + c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      char code[8];
-      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
-      result += code;
-    } else {
-      result += c;
-    }
-  }
-  return result + "\"";
-}
-
-/// With a point, without which YAML 1.1 takes 1e-05 for a text.
-std::string numberText(double number) {
-  if (std::isnan(number)) return ".nan";
-  if (std::isinf(number)) return number < 0.0 ? "-.inf" : ".inf";
-  std::string text = Value(number).text();
-  const std::size_t exponent = text.find('e');
-  if (exponent != std::string::npos && text.find('.') == std::string::npos) {
-    text.insert(exponent, ".0");
-  }
-  return text;
-}
 
 void flatten(const std::string& name, const Value& value,
              std::map<std::string, std::string>& flat) {
   const auto* map = value.as<Value::Map>();
   if (map == nullptr) {
-    if (!value.isNull()) flat[name] = jsonText(value);
+    if (!value.isNull()) flat[name] = base::jsonText(value);
     return;
   }
   for (const auto& [key, entry] : *map) flatten(name.empty() ? key : name + "/" + key, entry, flat);
@@ -60,25 +31,6 @@ void insert(Value::Map& tree, const std::string& name, Value value) {
 
 }  // namespace
 
-std::string jsonText(const Value& value) {
-  if (value.isNull()) return "null";
-  if (const auto* flag = value.as<bool>()) return *flag ? "true" : "false";
-  if (const auto* number = value.as<double>()) return numberText(*number);
-  if (const auto* text = value.as<std::string>()) return quoted(*text);
-  std::string result;
-  if (const auto* list = value.as<Value::List>()) {
-    for (const Value& entry : *list) result += (result.empty() ? "" : ", ") + jsonText(entry);
-    return "[" + result + "]";
-  }
-  if (const auto* map = value.as<Value::Map>()) {
-    for (const auto& [name, entry] : *map) {
-      result += (result.empty() ? "" : ", ") + quoted(name) + ": " + jsonText(entry);
-    }
-    return "{" + result + "}";
-  }
-  return value.text();
-}
-
 std::map<std::string, std::string> flatSettings(const Value& tree) {
   std::map<std::string, std::string> flat;
   flatten("", tree, flat);
@@ -88,7 +40,7 @@ std::map<std::string, std::string> flatSettings(const Value& tree) {
 Value settingsTree(const std::map<std::string, std::string>& flat) {
   Value::Map tree;
   for (const auto& [name, text] : flat) {
-    insert(tree, name, parseYaml(text, "the setting '" + name + "'"));
+    insert(tree, name, base::parseYaml(text, "the setting '" + name + "'"));
   }
   return tree;
 }

@@ -7,10 +7,6 @@
 
 namespace synthetic_dataset::config {
 
-/// A value as JSON that parseYaml reads back; numbers that JSON has no words for (`.inf`, `.nan`)
-/// as YAML has them.
-[[nodiscard]] std::string jsonText(const Value& value);
-
 /// A tree of settings with a line each: "camera/far" to JSON. Lists count as one setting.
 [[nodiscard]] std::map<std::string, std::string> flatSettings(const Value& tree);
 

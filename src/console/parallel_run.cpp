@@ -30,33 +30,34 @@ bool makeShard(const Value::Map& settings, Reporter& reporter) {
   return !generator.run().stopped;
 }
 
-config::OutputConfig outputOf(const Value::Map& settings) {
+config::Config configOf(const Value::Map& settings) {
   const config::MotionList motions = config::readMotions(Value(settings));
-  return config::readConfig(Parameters(motions.entries.front().settings)).output;
+  return config::readConfig(Parameters(motions.entries.front().settings));
 }
 
 }  // namespace
 
 ParallelRun::ParallelRun(const Value& settings)
-    : settings_(*settings.as<Value::Map>()), output_(outputOf(settings_)) {}
+    : settings_(*settings.as<Value::Map>()), config_(configOf(settings_)) {}
 
 bool ParallelRun::isPossible() const {
-  if (output_.processes == 1 || !output_.only_scenes.empty()) return false;
-  if (output_.if_exists == config::IfExists::kOverwrite) return true;
-  return !std::filesystem::exists(output::manifestFile(output_.folder)) ||
-         !output::shardManifests(output_.folder).empty();
+  if (config_.processes == 1 || !config_.only_scenes.empty()) return false;
+  if (config_.output.if_exists == output::IfExists::kOverwrite) return true;
+  return !std::filesystem::exists(output::manifestFile(config_.output.folder)) ||
+         !output::shardManifests(config_.output.folder).empty();
 }
 
 bool ParallelRun::make(Reporter& reporter) const {
-  shareCores(output_.processes);
-  if (output_.if_exists == config::IfExists::kOverwrite && !removeEarlier(reporter)) return false;
-  reporter.info(std::to_string(output_.processes) + " processes make a shard each");
+  shareCores(config_.processes);
+  if (config_.output.if_exists == output::IfExists::kOverwrite && !removeEarlier(reporter))
+    return false;
+  reporter.info(std::to_string(config_.processes) + " processes make a shard each");
   const bool is_done = doInProcesses(
-      output_.processes,
+      config_.processes,
       [this](int shard, Reporter& of_shard) { return makeShard(settingsOf(shard), of_shard); },
       reporter);
   if (!is_done || reporter.stopRequested()) return false;
-  mergeShards(output_.folder, {}, reporter);
+  mergeShards(config_.output.folder, {}, reporter);
   return true;
 }
 
@@ -65,16 +66,17 @@ Value::Map ParallelRun::settingsOf(int shard) const {
   settings["processes"] = Value(1);
   config::overlay(
       settings,
-      {{"shard", Value(Value::Map{{"index", Value(shard)}, {"count", Value(output_.processes)}})}});
+      {{"shard", Value(Value::Map{{"index", Value(shard)}, {"count", Value(config_.processes)}})}});
   // What was to be overwritten has been removed.
-  if (output_.if_exists == config::IfExists::kOverwrite) settings["if_exists"] = Value("resume");
+  if (config_.output.if_exists == output::IfExists::kOverwrite)
+    settings["if_exists"] = Value("resume");
   return settings;
 }
 
 /// In a process of its own, so that this one keeps no memory of the world that is read for it.
 bool ParallelRun::removeEarlier(Reporter& reporter) const {
-  const bool is_there = std::filesystem::exists(output::manifestFile(output_.folder)) ||
-                        !output::shardManifests(output_.folder).empty();
+  const bool is_there = std::filesystem::exists(output::manifestFile(config_.output.folder)) ||
+                        !output::shardManifests(config_.output.folder).empty();
   if (!is_there) return true;
   return doInProcesses(
       1,

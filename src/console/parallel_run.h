@@ -27,7 +27,7 @@ class ParallelRun {
   [[nodiscard]] bool removeEarlier(Reporter& reporter) const;
 
   Value::Map settings_;
-  config::OutputConfig output_;
+  config::Config config_;  ///< of the first motion
 };
 
 }  // namespace synthetic_dataset

@@ -12,33 +12,11 @@
 #include "output/manifest/manifest_schema.h"
 #include "output/manifest/run_description.h"
 #include "output/manifest/scene_facts.h"
+#include "output/output_options.h"
 #include "output/store_types.h"
 #include "synthetic_dataset/output.h"
 
 namespace synthetic_dataset::output {
-
-/// What to do with a dataset that is already there.
-enum class IfExists {
-  kResume,     ///< go on with it, if it was begun with the same settings
-  kOverwrite,  ///< remove the files that its manifest lists, and nothing else
-  kError,      ///< refuse
-};
-
-/// Where a dataset's scenes come from.
-enum class Source {
-  kScenes,  ///< they are made one by one
-  kShards,  ///< they are taken in from shards, which may lie in the same folder
-};
-
-struct StoreOptions {
-  std::string folder;  ///< of the manifest, absolute
-  IfExists if_exists = IfExists::kResume;
-  Sync sync = Sync::kBatch;
-  std::optional<Shard> shard = {};  ///< the part of a run that this one makes
-  Source source = Source::kScenes;
-  int png_compression = 1;  ///< 0 and 1 fastest .. 9 smallest
-  int jpeg_quality = 95;    ///< 1 .. 100
-};
 
 /// A shard of a dataset, by where its manifest lies.
 struct ShardPlace {

@@ -46,9 +46,8 @@ Pose lookingAt(const Eigen::Vector3d& position_G, const Eigen::Vector3d& aim_G, 
   return makePose(position_G, Eigen::Quaterniond(axes) * turn);
 }
 
-CameraSampler::CameraSampler(config::CameraSampling config, std::string group,
-                             const world::World& world, Surroundings& surroundings,
-                             std::uint64_t seed)
+CameraSampler::CameraSampler(CameraSampling config, std::string group, const world::World& world,
+                             Surroundings& surroundings, std::uint64_t seed)
     : config_(std::move(config)),
       group_(std::move(group)),
       world_(world),

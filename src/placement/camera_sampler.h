@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "config/camera_sampling.h"
+#include "placement/sampling_options.h"
 #include "placement/surroundings.h"
 #include "random/random_source.h"
 #include "synthetic_dataset/pose.h"
@@ -26,7 +26,7 @@ class CameraSampler {
  public:
   /// @param group  the camera's parameters, for messages: "camera"
   /// @param world  has to outlive this, and so have its surroundings
-  CameraSampler(config::CameraSampling config, std::string group, const world::World& world,
+  CameraSampler(CameraSampling config, std::string group, const world::World& world,
                 Surroundings& surroundings, std::uint64_t seed);
 
   /// X_GC of the optical frame in a scene, as the world stands now: a function of the seed, the
@@ -52,7 +52,7 @@ class CameraSampler {
   [[nodiscard]] Eigen::Vector3d position(random::RandomSource& source,
                                          const Eigen::Vector3d& target_G) const;
 
-  config::CameraSampling config_;
+  CameraSampling config_;
   std::string group_;
   const world::World& world_;
   Surroundings& surroundings_;

@@ -20,7 +20,7 @@ std::size_t countOf(const std::vector<std::optional<Pose>>& poses) {
       std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return pose.has_value(); }));
 }
 
-SurfaceOptions surfaceOptions(const config::DistractorConfig& config) {
+SurfaceOptions surfaceOptions(const DistractorOptions& config) {
   SurfaceOptions options;
   options.highest = config.volume.high.z();
   return options;
@@ -28,9 +28,9 @@ SurfaceOptions surfaceOptions(const config::DistractorConfig& config) {
 
 }  // namespace
 
-DistractorPlacer::DistractorPlacer(const config::DistractorConfig& config,
-                                   std::vector<Cuboid> boxes_M, world::World& world,
-                                   Surroundings& surroundings, std::uint64_t seed)
+DistractorPlacer::DistractorPlacer(const DistractorOptions& config, std::vector<Cuboid> boxes_M,
+                                   world::World& world, Surroundings& surroundings,
+                                   std::uint64_t seed)
     : config_(config),
       boxes_M_(std::move(boxes_M)),
       world_(world),
@@ -55,7 +55,7 @@ std::vector<int> DistractorPlacer::place(std::int64_t scene,
   for (const std::size_t i : choose(scene)) {
     placed[i] = findPlace(i, scene, placed, cameras_G);
   }
-  if (config_.mode == config::DistractorMode::kDrop) drop(placed, cameras_G);
+  if (config_.mode == DistractorMode::kDrop) drop(placed, cameras_G);
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (placed[i]) numbers.push_back(static_cast<int>(i) + 1);
   }
@@ -105,7 +105,7 @@ bool DistractorPlacer::isNearAny(const std::vector<Eigen::Vector3d>& cameras_G,
 
 PoseOrReason DistractorPlacer::draw(std::size_t distractor, random::RandomSource& source) const {
   const Eigen::Vector3d position = drawWithin(config_.volume, source);
-  if (config_.mode != config::DistractorMode::kStand) {
+  if (config_.mode != DistractorMode::kStand) {
     return makePose(position, Eigen::Quaterniond(source.orientation()));
   }
   return stand_.at(position.head<2>(), source.angle(), boxes_M_[distractor]);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "config/distractor_config.h"
+#include "placement/distractor_options.h"
 #include "placement/standing_place.h"
 #include "placement/surroundings.h"
 #include "random/random_source.h"
@@ -19,7 +19,7 @@ class DistractorPlacer {
  public:
   /// @param world  has to outlive this, and so have its surroundings
   /// @param boxes_M  round each distractor, in its own frame
-  DistractorPlacer(const config::DistractorConfig& config, std::vector<Cuboid> boxes_M,
+  DistractorPlacer(const DistractorOptions& config, std::vector<Cuboid> boxes_M,
                    world::World& world, Surroundings& surroundings, std::uint64_t seed);
 
   /// Puts a scene's distractors into the world, whose objects are where they will be.
@@ -38,7 +38,7 @@ class DistractorPlacer {
   [[nodiscard]] bool isNearAny(const std::vector<Eigen::Vector3d>& cameras_G,
                                std::size_t distractor, const Pose& X_GM) const;
 
-  config::DistractorConfig config_;
+  DistractorOptions config_;
   std::vector<Cuboid> boxes_M_;
   world::World& world_;
   std::uint64_t seed_;

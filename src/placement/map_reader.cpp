@@ -10,7 +10,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "config/map_file.h"
+#include "placement/map_file.h"
 #include "synthetic_dataset/errors.h"
 #include "world/material/picture_decoder.h"
 
@@ -26,9 +26,9 @@ Cell cellOf(std::int8_t number, const Thresholds& thresholds) {
 }
 
 /// @param shade  0 (black) to 255 (white)
-Cell cellOf(double shade, const config::MapFile& file) {
+Cell cellOf(double shade, const MapFile& file) {
   if (file.negate) shade = 255.0 - shade;
-  if (file.mode == config::MapMode::kRaw) {
+  if (file.mode == MapMode::kRaw) {
     const auto number = static_cast<std::int8_t>(static_cast<std::uint8_t>(shade));
     return cellOf(number, {file.free_threshold, file.occupied_threshold});
   }
@@ -52,10 +52,10 @@ double shadeAt(const cv::Mat& picture, int row, int column, int channel_count) {
                                   : shadeOf(picture.ptr<std::uint16_t>(row) + first, channel_count);
 }
 
-std::vector<Cell> cellsOf(const cv::Mat& picture, const config::MapFile& file) {
+std::vector<Cell> cellsOf(const cv::Mat& picture, const MapFile& file) {
   // "Alpha will be averaged in with color channels when using trinary mode", says map_server.
   const bool has_alpha = picture.channels() == 4;
-  const bool averages_alpha = file.mode == config::MapMode::kTrinary;
+  const bool averages_alpha = file.mode == MapMode::kTrinary;
   const int channel_count = picture.channels() - (has_alpha && !averages_alpha ? 1 : 0);
   std::vector<Cell> cells;
   cells.reserve(picture.total());
@@ -82,7 +82,7 @@ cv::Mat readPicture(const std::string& file) {
 }  // namespace
 
 OccupancyMap readMapFile(const std::string& file) {
-  const config::MapFile map = config::readMapFile(file);
+  const MapFile map = readMapYaml(file);
   try {
     const cv::Mat picture = readPicture(map.image);
     return {static_cast<std::size_t>(picture.cols),

@@ -27,11 +27,11 @@ std::string noPlaceOnMap(const PlacedObject& object, double radius, double large
 
 }  // namespace
 
-ScenePlacer::ScenePlacer(const config::PlacementConfig& config,
-                         const std::optional<OccupancyMap>& map, std::vector<PlacedObject> objects,
-                         world::World& world, Surroundings& surroundings, std::uint64_t seed)
+ScenePlacer::ScenePlacer(const PlacementOptions& config, const std::optional<OccupancyMap>& map,
+                         std::vector<PlacedObject> objects, world::World& world,
+                         Surroundings& surroundings, std::uint64_t seed)
     : config_(config), objects_(std::move(objects)), world_(world), seed_(seed) {
-  if (config_.mode != config::PlacementMode::kMap) return;
+  if (config_.mode != PlacementMode::kMap) return;
   std::vector<std::string> errors;
   for (const PlacedObject& object : objects_) {
     if (object.X_GO_kept) continue;
@@ -46,8 +46,7 @@ ScenePlacer::ScenePlacer(const config::PlacementConfig& config,
   }
   if (!errors.empty()) throw ErrorList(std::move(errors));
   if (config_.on_surface) {
-    stand_.emplace(surroundings,
-                   SurfaceOptions{config_.highest_surface, config_.steepest, config_.unevenness});
+    stand_.emplace(surroundings, config_.surface);
   }
 }
 
@@ -58,7 +57,7 @@ std::vector<Pose> ScenePlacer::place(std::int64_t scene) {
   }
   const auto fall_time =
       std::chrono::duration_cast<Duration>(std::chrono::duration<double>(config_.fall_time));
-  const bool drops = config_.mode == config::PlacementMode::kDrop;
+  const bool drops = config_.mode == PlacementMode::kDrop;
   std::string problem;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     world_.restart();
@@ -116,7 +115,7 @@ const NeededRoom& ScenePlacer::roomOf(std::size_t object) const {
 }
 
 PoseOrReason ScenePlacer::draw(std::size_t object, random::RandomSource& source) const {
-  if (config_.mode == config::PlacementMode::kMap) return drawOnMap(object, source);
+  if (config_.mode == PlacementMode::kMap) return drawOnMap(object, source);
   return drawInVolume(source);
 }
 
@@ -143,7 +142,7 @@ std::optional<std::string> ScenePlacer::whyNot(std::size_t object, const Pose& X
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (objects_[i].X_GO_kept) continue;
     Eigen::Vector3d apart = placed[i].translation() - X_GO.translation();
-    if (config_.mode == config::PlacementMode::kMap) apart.z() = 0.0;  // as seen from above
+    if (config_.mode == PlacementMode::kMap) apart.z() = 0.0;  // as seen from above
     if (apart.norm() < radius + roomOf(i).safety_radius) {
       return "were too near '" + objects_[i].name + "'";
     }

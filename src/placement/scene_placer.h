@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "config/placement_config.h"
 #include "placement/free_places.h"
 #include "placement/occupancy_map.h"
+#include "placement/placement_options.h"
 #include "placement/standing_place.h"
 #include "random/random_source.h"
 #include "synthetic_dataset/cuboid.h"
@@ -43,7 +43,7 @@ class ScenePlacer {
   /// @param objects  in the world's order
   /// @param world  has to outlive this, and so have its surroundings
   /// @throws ErrorList naming each object for which the map has no place
-  ScenePlacer(const config::PlacementConfig& config, const std::optional<OccupancyMap>& map,
+  ScenePlacer(const PlacementOptions& config, const std::optional<OccupancyMap>& map,
               std::vector<PlacedObject> objects, world::World& world, Surroundings& surroundings,
               std::uint64_t seed);
 
@@ -66,7 +66,7 @@ class ScenePlacer {
   [[nodiscard]] std::optional<std::vector<Pose>> placeAll(
       std::vector<random::RandomSource>& sources, std::string& problem) const;
 
-  config::PlacementConfig config_;
+  PlacementOptions config_;
   std::vector<PlacedObject> objects_;
   world::World& world_;
   std::uint64_t seed_;

@@ -5,19 +5,12 @@
 
 #include <Eigen/Core>
 
+#include "placement/placement_options.h"
 #include "placement/surroundings.h"
 #include "synthetic_dataset/cuboid.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::placement {
-
-/// What a surface has to be like for a thing to stand on it.
-struct SurfaceOptions {
-  double highest = 2.0;      ///< what is above it in the global frame counts for nothing [m]
-  double steepest = 0.35;    ///< [rad] from the horizontal
-  double unevenness = 0.05;  ///< how far below or above the surface's plane it may lie at the
-                             ///< corners of what stands on it [m]
-};
 
 /// A pose, or why there is none.
 using PoseOrReason = std::variant<Pose, std::string>;

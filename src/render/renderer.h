@@ -12,18 +12,12 @@
 #include "render/labels/silhouette_painter.h"
 #include "render/parts/draw_list.h"
 #include "render/pending_picture.h"
+#include "render/render_options.h"
 #include "render/view.h"
 #include "world/look.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::render {
-
-struct RenderOptions {
-  int samples = 4;                ///< of pixels by an edge, 1 or 4
-  int shadow_map_size = 2048;     ///< [texel]
-  double shadow_distance = 50.0;  ///< [m] from the camera; sunlight casts shadows up to it
-  bool reuse = true;  ///< keeps what has not changed from picture to picture: faster, nothing else
-};
 
 /// Where a colour pass looks at each pixel.
 enum class Sampling {

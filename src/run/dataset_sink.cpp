@@ -13,8 +13,8 @@ bool DatasetSink::wants(std::int64_t scene) const {
 }
 
 bool DatasetSink::isAskedFor(std::int64_t instant) const {
-  const config::OutputConfig& config = setup_.config.output;
-  const auto shard = shardOf(config);
+  const config::Config& config = setup_.config;
+  const auto& shard = config.output.shard;
   if (shard && !belongsTo(*shard, instant, setup_.instantCount())) return false;
   return config.only_scenes.empty() || config.only_scenes.count(instant) != 0;
 }
@@ -42,13 +42,13 @@ std::vector<output::Warning> DatasetSink::add(const FinishedScene& finished) {
 }
 
 void DatasetSink::finish(RunEnd end) {
-  const config::OutputConfig& config = setup_.config.output;
+  const config::Config& config = setup_.config;
   if (end == RunEnd::kStopped || !config.only_scenes.empty()) {
     store_->flush();
     return;
   }
   // The files of the dataset as a whole are made of all shards together, when they are merged.
-  if (!config.shard) setup_.writers->finalize(*store_);
+  if (!config.output.shard) setup_.writers->finalize(*store_);
   store_->complete();
 }
 

@@ -29,8 +29,8 @@ struct Generator::Impl {
     summary.bytes = store.counts().bytes;
     summary.warnings = store.warningCounts();
     summary.objects = labelCounts(store, setup.config.objects);
-    const config::OutputConfig& output = setup.config.output;
-    if (summary.stopped || output.shard || !output.only_scenes.empty()) return;
+    const config::Config& config = setup.config;
+    if (summary.stopped || config.output.shard || !config.only_scenes.empty()) return;
     for (const std::string& message : missingLabels(summary.objects, summary.dataset_scenes)) {
       reporter.warning(message);
     }

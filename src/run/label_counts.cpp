@@ -18,7 +18,7 @@ std::string whyNot(const RunSummary::Object& object) {
 }  // namespace
 
 std::vector<RunSummary::Object> labelCounts(const output::DatasetStore& store,
-                                            const std::vector<config::ObjectConfig>& objects) {
+                                            const std::vector<ObjectOptions>& objects) {
   std::vector<RunSummary::Object> result;
   const std::vector<output::ObjectCounts> counts = store.objectCounts();
   for (std::size_t i = 0; i < counts.size(); ++i) {

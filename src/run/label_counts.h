@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "config/config.h"
 #include "output/dataset_store.h"
 #include "run/run_summary.h"
+#include "scene/object_options.h"
 
 namespace synthetic_dataset {
 
 /// In how many of a dataset's scenes each object is in view, seen and labelled.
 [[nodiscard]] std::vector<RunSummary::Object> labelCounts(
-    const output::DatasetStore& store, const std::vector<config::ObjectConfig>& objects);
+    const output::DatasetStore& store, const std::vector<ObjectOptions>& objects);
 
 /// What the user should know where an object, or all of them, has no label in any scene.
 /// @param scenes  of the dataset

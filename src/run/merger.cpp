@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "base/json_text.h"
 #include "config/settings_text.h"
 #include "output/files/file_name_rules.h"
 #include "output/manifest/manifest_content.h"
@@ -107,9 +108,9 @@ Value mergedParameters(const FoundShard& shard, const std::string& output_folder
   for (const auto& [name, setting] : shard.content.run.settings) {
     if (!setting.is_default) given[name] = setting.value;
   }
-  given["output_folder"] = config::jsonText(Value(output_folder));
+  given["output_folder"] = base::jsonText(Value(output_folder));
   for (const output::StoreWriter& writer : shard.content.writers) {
-    given[writer.name + "/output_folder"] = config::jsonText(
+    given[writer.name + "/output_folder"] = base::jsonText(
         Value(mergedFolder(writer.output_folder, shard.place.folder, output_folder)));
   }
   return config::settingsTree(given);

@@ -4,21 +4,17 @@
 #include <memory>
 #include <utility>
 
-#include "config/settings_text.h"
+#include "base/json_text.h"
+#include "base/seconds.h"
 #include "random/random_seed.h"
-#include "scene/seconds.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
 namespace {
 
-render::RenderOptions renderOptions(const config::RenderingConfig& config) {
-  return {config.samples, config.shadow_map_size, config.shadow_distance, config.reuse};
-}
-
 PixelLabelOptions labelOptions(const config::Config& config) {
   PixelLabelOptions options{config.masks, config.labels, {}};
-  for (const config::ObjectConfig& object : config.objects) {
+  for (const ObjectOptions& object : config.objects) {
     const auto found =
         std::find_if(config.classes.begin(), config.classes.end(),
                      [&](const config::ClassConfig& each) { return each.id == object.class_id; });
@@ -32,12 +28,12 @@ PixelLabelOptions labelOptions(const config::Config& config) {
 MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Requirements& requirements)
     : motion_(motion),
       splits_(splits),
-      renderer_(motion.world->description(), motion.world->links(),
-                renderOptions(motion.config.rendering)),
+      renderer_(motion.world->description(), motion.world->links(), motion.config.rendering),
       scene_maker_(*motion.world, renderer_, *motion.frames, motion.cameras, *motion.shapes,
                    requirements, labelOptions(motion.config)),
       picture_taker_(*motion.world, renderer_, *motion.frames, motion.cameras, motion.config.seed),
-      object_motion_(*motion.frames, motion.config, motion.world->links(), motion.driven_links) {
+      object_motion_(*motion.frames, motion.config.objects, motion.world->links(),
+                     motion.driven_links) {
   // A shutter may open before the recording begins: objects are where they are first seen then.
   const Stamp first = motion_.timeline.stamps.front();
   (void)object_motion_.objectPoses(first);
@@ -59,7 +55,7 @@ bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, const Reporte
 
 void MotionRun::settle() {
   if (motion_.arranger->standsAlone()) return;  // it has done so
-  const Duration time = fromSeconds(motion_.config.physics.settle);
+  const Duration time = motion_.config.settling;
   if (time.count() == 0) return;
   motion_.variation->choose(motion_.first_instant, *motion_.world);  // around the first variants
   moveWorld(motion_start_ - std::min(time, motion_start_ - Stamp(1)));
@@ -132,12 +128,12 @@ std::vector<output::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64
   std::vector<output::DrawFacts> draws = motion_.variation->draws(camera);
   if (const auto& jitter = motion_.timeline.jitter; !jitter.empty()) {
     const auto index = static_cast<std::size_t>(instant - motion_.first_instant);
-    draws.push_back({"time/jitter", config::jsonText(Value(toSeconds(jitter[index])))});
+    draws.push_back({"time/jitter", base::jsonText(Value(toSeconds(jitter[index])))});
   }
   if (const auto& numbers = motion_.arranger->distractors()) {
     Value::List there;
     for (const int number : *numbers) there.emplace_back(number);
-    draws.push_back({"distractors", config::jsonText(Value(there))});
+    draws.push_back({"distractors", base::jsonText(Value(there))});
   }
   return draws;
 }

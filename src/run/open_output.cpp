@@ -4,45 +4,11 @@
 
 namespace synthetic_dataset {
 
-std::optional<output::Shard> shardOf(const config::OutputConfig& config) {
-  if (!config.shard) return std::nullopt;
-  return output::Shard{config.shard->index, config.shard->count};
-}
-
 namespace {
 
-output::IfExists ifExists(config::IfExists choice) {
-  switch (choice) {
-    case config::IfExists::kOverwrite:
-      return output::IfExists::kOverwrite;
-    case config::IfExists::kError:
-      return output::IfExists::kError;
-    default:
-      return output::IfExists::kResume;
-  }
-}
-
-output::Sync syncOf(config::Sync choice) {
-  switch (choice) {
-    case config::Sync::kOff:
-      return output::Sync::kOff;
-    case config::Sync::kScene:
-      return output::Sync::kScene;
-    default:
-      return output::Sync::kBatch;
-  }
-}
-
 std::unique_ptr<output::DatasetStore> open(const RunSetup& setup, output::Source source) {
-  const config::OutputConfig& config = setup.config.output;
-  output::StoreOptions options;
-  options.folder = config.folder;
-  options.if_exists = ifExists(config.if_exists);
-  options.sync = syncOf(config.sync);
-  options.shard = shardOf(config);
+  output::StoreOptions options = setup.config.output;
   options.source = source;
-  options.png_compression = config.png_compression;
-  options.jpeg_quality = config.jpeg_quality;
   return std::make_unique<output::DatasetStore>(options, setup.writers->storeWriters(),
                                                 setup.description);
 }

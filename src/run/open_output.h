@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +9,6 @@
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset {
-
-/// The shard that the settings ask for; nothing: the whole run.
-[[nodiscard]] std::optional<output::Shard> shardOf(const config::OutputConfig& config);
 
 /// Opens the output, which may remove an earlier dataset or go on with it: the last thing before
 /// the first scene.

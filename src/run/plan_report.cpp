@@ -43,12 +43,12 @@ std::string splitsOf(const RunSetup& setup) {
 
 /// The part of the run's scenes that is made here.
 std::string partOf(const RunSetup& setup, const DatasetSink& dataset) {
-  const config::OutputConfig& config = setup.config.output;
+  const config::Config& config = setup.config;
   const std::string makes = " makes " + std::to_string(dataset.plannedCount());
   std::string text;
-  if (config.shard) {
-    text += "; shard " + std::to_string(config.shard->index) + " of 0 to " +
-            std::to_string(config.shard->count - 1) + makes;
+  if (config.output.shard) {
+    text += "; shard " + std::to_string(config.output.shard->index) + " of 0 to " +
+            std::to_string(config.output.shard->count - 1) + makes;
   }
   if (!config.only_scenes.empty()) {
     text += "; only_scenes" + makes + ", and leaves the dataset open for the others";

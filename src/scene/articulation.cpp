@@ -39,7 +39,7 @@ std::vector<std::string> frameNames(const world::Model& model, const world::Link
   return names;
 }
 
-Frames framesByPattern(const world::Model& model, const config::ObjectConfig& object,
+Frames framesByPattern(const world::Model& model, const ObjectOptions& object,
                        const motion::FrameMotion& frame_motion) {
   Frames frames;
   for (const world::Link& link : model.links) {
@@ -54,7 +54,7 @@ Frames framesByPattern(const world::Model& model, const config::ObjectConfig& ob
   return frames;
 }
 
-Frames framesByLink(const world::Model& model, const config::ObjectConfig& object,
+Frames framesByLink(const world::Model& model, const ObjectOptions& object,
                     const motion::FrameMotion& frame_motion) {
   Frames frames(model.links.size());
   std::vector<std::string> names;
@@ -101,7 +101,7 @@ std::string heldJoints(const world::Model& model, const Frames& frames) {
 
 }  // namespace
 
-Articulation articulate(world::Model model, const config::ObjectConfig& object,
+Articulation articulate(world::Model model, const ObjectOptions& object,
                         const motion::FrameMotion& frame_motion) {
   const Frames frames = object.link_frames.by_link.empty()
                             ? framesByPattern(model, object, frame_motion)

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "config/config.h"
 #include "motion/frame_motion.h"
+#include "scene/object_options.h"
 #include "world/description.h"
 
 namespace synthetic_dataset {
@@ -30,7 +30,7 @@ struct Articulation {
 
 /// Decides which links of an object's model follow frames of their own.
 /// @throws ErrorList with links and frames of `link_frames` that do not exist
-[[nodiscard]] Articulation articulate(world::Model model, const config::ObjectConfig& object,
+[[nodiscard]] Articulation articulate(world::Model model, const ObjectOptions& object,
                                       const motion::FrameMotion& frame_motion);
 
 }  // namespace synthetic_dataset

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/diagnostics.h"
-#include "config/camera_info.h"
+#include "base/seconds.h"
 #include "motion/recorded_camera_info.h"
-#include "scene/seconds.h"
+#include "scene/camera_info.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
@@ -13,7 +13,7 @@
 namespace synthetic_dataset {
 namespace {
 
-const world::CameraSensor* findSensor(const config::CameraConfig& config,
+const world::CameraSensor* findSensor(const CameraOptions& config,
                                       const std::vector<world::CameraSensor>& sensors) {
   if (!config.sensor) return nullptr;
   const auto found = std::find_if(
@@ -28,10 +28,10 @@ const world::CameraSensor* findSensor(const config::CameraConfig& config,
               "' (model::link::sensor); it has " + (there.empty() ? "none" : there));
 }
 
-CameraModel readInfoFile(const config::CameraConfig& config) {
+CameraModel readInfoFile(const CameraOptions& config) {
   try {
-    return config::readCameraInfo(*config.info_file, config.rectified, config.near.value(),
-                                  config.far.value());
+    return readCameraInfo(*config.info_file, config.rectified, config.near.value(),
+                          config.far.value());
   } catch (const ErrorList&) {
     throw;  // of what is in the file
   } catch (const Error& error) {
@@ -40,15 +40,15 @@ CameraModel readInfoFile(const config::CameraConfig& config) {
 }
 
 /// Reads what the recording tells of a camera: its intrinsics and its frame.
-void readRecordedInfo(const config::CameraConfig& config, const std::vector<std::string>& bag_files,
+void readRecordedInfo(const CameraOptions& config, const std::vector<std::string>& bag_files,
                       std::optional<CameraModel>& model, std::string& frame) {
   const std::string parameter = config.group + "/info_topic: ";
   try {
     const motion::RecordedCameraInfo recorded =
         motion::readCameraInfo(bag_files, *config.info_topic);
     if (frame.empty()) frame = recorded.frame;
-    model = config::cameraModelOf(recorded.info, parameter + *config.info_topic, config.rectified,
-                                  config.near.value(), config.far.value());
+    model = cameraModelOf(recorded.info, parameter + *config.info_topic, config.rectified,
+                          config.near.value(), config.far.value());
   } catch (const ErrorList&) {
     throw;  // names the parameter already
   } catch (const Error& error) {
@@ -59,7 +59,7 @@ void readRecordedInfo(const config::CameraConfig& config, const std::vector<std:
 }
 
 /// The camera of a sensor, with the range of sight that is set, if any.
-CameraModel modelOf(const world::CameraSensor& sensor, const config::CameraConfig& config) {
+CameraModel modelOf(const world::CameraSensor& sensor, const CameraOptions& config) {
   const CameraModel& camera = sensor.camera;
   const double near = config.near.value_or(camera.near());
   const double far = config.far.value_or(camera.far());
@@ -93,10 +93,9 @@ std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
 }
 
 /// The frame of the object that a camera is mounted on.
-std::string carrierOf(const config::CameraConfig& config,
-                      const std::vector<config::ObjectConfig>& objects) {
+std::string carrierOf(const CameraOptions& config, const std::vector<ObjectOptions>& objects) {
   std::vector<std::string> names;
-  for (const config::ObjectConfig& object : objects) {
+  for (const ObjectOptions& object : objects) {
     if (!object.takes_part) continue;
     if (object.name == *config.on) return object.frame;
     names.push_back(object.name);
@@ -105,9 +104,9 @@ std::string carrierOf(const config::CameraConfig& config,
               "'; it should be an object of robot_list" + didYouMean(*config.on, names));
 }
 
-void findPose(const config::CameraConfig& config, const world::CameraSensor* sensor,
+void findPose(const CameraOptions& config, const world::CameraSensor* sensor,
               const std::vector<world::LinkInstance>& links,
-              const std::vector<config::ObjectConfig>& objects, const motion::FrameMotion& frames,
+              const std::vector<ObjectOptions>& objects, const motion::FrameMotion& frames,
               CameraRig& rig) {
   rig.sampled = config.sample.has_value();
   if (rig.sampled) return;
@@ -137,31 +136,21 @@ void findPose(const config::CameraConfig& config, const world::CameraSensor* sen
               frames.suggestFrame(rig.frame));
 }
 
-Shutter shutterOf(const config::EffectsConfig& config) {
-  return {fromSeconds(config.exposure_time), config.motion_samples,
-          fromSeconds(config.readout_time), config.readout_bands};
-}
-
-sensor::SensorEffects effectsOf(const config::EffectsConfig& config,
-                                const world::CameraSensor* sensor) {
-  sensor::SensorEffects effects;
-  effects.exposure = config.exposure;
-  effects.blur = config.blur;
-  effects.vignetting = config.vignetting;
-  effects.full_well = config.full_well;
-  effects.noise_mean = config.noise_mean.value_or(sensor != nullptr ? sensor->noise.mean : 0.0);
-  effects.noise_stddev =
-      config.noise_stddev.value_or(sensor != nullptr ? sensor->noise.stddev : 0.0);
+/// The noise that is not set is that of the world's sensor.
+sensor::SensorEffects effectsOf(const CameraOptions& config, const world::CameraSensor* sensor) {
+  const world::PixelNoise own = sensor != nullptr ? sensor->noise : world::PixelNoise();
+  sensor::SensorEffects effects = config.effects;
+  effects.noise_mean = config.noise_mean.value_or(own.mean);
+  effects.noise_stddev = config.noise_stddev.value_or(own.stddev);
   return effects;
 }
 
 }  // namespace
 
-CameraRig makeCameraRig(const config::CameraConfig& config,
-                        const std::vector<std::string>& bag_files,
+CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::string>& bag_files,
                         const std::vector<world::CameraSensor>& sensors,
                         const std::vector<world::LinkInstance>& links,
-                        const std::vector<config::ObjectConfig>& objects,
+                        const std::vector<ObjectOptions>& objects,
                         const motion::FrameMotion& frames) {
   const world::CameraSensor* sensor = findSensor(config, sensors);
   std::optional<CameraModel> model;
@@ -176,8 +165,8 @@ CameraRig makeCameraRig(const config::CameraConfig& config,
   if (!model) throw Error(config.group + ": no intrinsics");
   CameraRig rig{config.name, *model, frame};
   findPose(config, sensor, links, objects, frames, rig);
-  rig.shutter = shutterOf(config.effects);
-  rig.effects = effectsOf(config.effects, sensor);
+  rig.shutter = config.shutter;
+  rig.effects = effectsOf(config, sensor);
   return rig;
 }
 

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "config/config.h"
 #include "motion/frame_motion.h"
+#include "scene/camera_options.h"
+#include "scene/object_options.h"
 #include "scene/shutter.h"
 #include "sensor/sensor_effects.h"
 #include "synthetic_dataset/camera_model.h"
@@ -37,11 +38,11 @@ struct CameraRig {
 /// is on).
 /// @param sensors  the cameras of the world and of the objects' models
 /// @throws ErrorList naming the parameters that would mend it
-[[nodiscard]] CameraRig makeCameraRig(const config::CameraConfig& config,
+[[nodiscard]] CameraRig makeCameraRig(const CameraOptions& config,
                                       const std::vector<std::string>& bag_files,
                                       const std::vector<world::CameraSensor>& sensors,
                                       const std::vector<world::LinkInstance>& links,
-                                      const std::vector<config::ObjectConfig>& objects,
+                                      const std::vector<ObjectOptions>& objects,
                                       const motion::FrameMotion& frames);
 
 /// The share of the image's pixels along which the lens sees something, 0 .. 1: less than all in

@@ -24,12 +24,13 @@ std::vector<std::size_t> parentsFirst(const std::vector<const world::Link*>& lin
 
 }  // namespace
 
-ObjectMotion::ObjectMotion(const motion::FrameMotion& frames, const config::Config& config,
+ObjectMotion::ObjectMotion(const motion::FrameMotion& frames,
+                           const std::vector<ObjectOptions>& objects,
                            const std::vector<world::LinkInstance>& links,
                            const std::vector<std::vector<DrivenLinks>>& driven)
     : frames_(frames) {
-  for (std::size_t i = 0; i < config.objects.size(); ++i) {
-    objects_.push_back({config.objects[i].name, config.objects[i].frame});
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    objects_.push_back({objects[i].name, objects[i].frame});
     for (std::size_t variant = 0; variant < driven[i].size(); ++variant) {
       const auto own = linksAt(linksOfVariant(i, variant, links), links);
       variants_.push_back(makeVariant(i, own, driven[i][variant]));

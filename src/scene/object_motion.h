@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "config/config.h"
 #include "motion/frame_motion.h"
 #include "scene/articulation.h"
+#include "scene/object_options.h"
 #include "world/world.h"
 
 namespace synthetic_dataset {
@@ -20,7 +20,7 @@ class ObjectMotion {
   /// @param frames  has to outlive this
   /// @param links  of the world; their Link objects have to outlive this
   /// @param driven  the driven links of each object's variants
-  ObjectMotion(const motion::FrameMotion& frames, const config::Config& config,
+  ObjectMotion(const motion::FrameMotion& frames, const std::vector<ObjectOptions>& objects,
                const std::vector<world::LinkInstance>& links,
                const std::vector<std::vector<DrivenLinks>>& driven);
 

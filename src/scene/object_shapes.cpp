@@ -9,15 +9,15 @@
 namespace synthetic_dataset {
 namespace {
 
-void needVisuals(const config::ObjectConfig& object, const std::string& parameter,
-                 const std::string& what, base::Diagnostics& errors) {
+void needVisuals(const ObjectOptions& object, const std::string& parameter, const std::string& what,
+                 base::Diagnostics& errors) {
   errors.error(object.name + "/" + parameter,
                what + " is found on the model's visuals, and that of '" + object.name +
                    "' has none; add a visual to the model, or list points here");
 }
 
 /// What the parameters say, in a size.
-annotate::ObjectShape givenShape(const config::ObjectConfig& config, int instance, double scale) {
+annotate::ObjectShape givenShape(const ObjectOptions& config, int instance, double scale) {
   annotate::ObjectShape shape{config.name,        config.class_text,       config.class_name,
                               config.id,          config.class_id,         instance,
                               config.keypoints_O, config.bounding_shape_O, {}};
@@ -27,7 +27,7 @@ annotate::ObjectShape givenShape(const config::ObjectConfig& config, int instanc
 }
 
 /// Of what is not there, and so has no label, but as many keypoints as elsewhere.
-void leaveOutShape(annotate::ObjectShape& shape, const config::ObjectConfig& config) {
+void leaveOutShape(annotate::ObjectShape& shape, const ObjectOptions& config) {
   shape.bounding_shape_O = {Eigen::Vector3d::Zero()};
   const std::size_t count = config.farthest_points > 0
                                 ? static_cast<std::size_t>(config.farthest_points)
@@ -46,12 +46,12 @@ Cuboid boxRound(const std::vector<Eigen::Vector3d>& points) {
   return box;
 }
 
-ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
+ObjectShapes::ObjectShapes(const std::vector<ObjectOptions>& objects,
                            const std::vector<ObjectVariants>& variants, const world::World& world)
     : world_(world) {
   base::Diagnostics errors;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const config::ObjectConfig& config = objects[i];
+    const ObjectOptions& config = objects[i];
     const std::vector<ObjectVariant>& all = variants[i].all();
     Object& object = objects_.emplace_back(all.size());
     for (std::size_t k = 0; k < object.size(); ++k) {
@@ -68,8 +68,7 @@ ObjectShapes::ObjectShapes(const std::vector<config::ObjectConfig>& objects,
 }
 
 /// @throws ErrorList where the parameters need what the model does not have
-ObjectShapes::Variant ObjectShapes::measure(Variant variant,
-                                            const config::ObjectConfig& config) const {
+ObjectShapes::Variant ObjectShapes::measure(Variant variant, const ObjectOptions& config) const {
   base::Diagnostics errors;
   const std::vector<const world::Link*> own = linksAt(variant.links, world_.links());
   variant.geometry = world::ModelGeometry(own);

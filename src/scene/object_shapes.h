@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "annotate/object_labels.h"
-#include "config/config.h"
+#include "scene/object_options.h"
 #include "scene/object_variants.h"
 #include "world/mesh/model_geometry.h"
 #include "world/mesh/surface_points.h"
@@ -22,7 +22,7 @@ class ObjectShapes {
   /// @param variants  of each object
   /// @param world  has to outlive this
   /// @throws ErrorList naming the parameters that need a model that can be seen
-  ObjectShapes(const std::vector<config::ObjectConfig>& objects,
+  ObjectShapes(const std::vector<ObjectOptions>& objects,
                const std::vector<ObjectVariants>& variants, const world::World& world);
 
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
@@ -43,7 +43,7 @@ class ObjectShapes {
   };
   using Object = std::vector<Variant>;
 
-  [[nodiscard]] Variant measure(Variant variant, const config::ObjectConfig& config) const;
+  [[nodiscard]] Variant measure(Variant variant, const ObjectOptions& config) const;
   [[nodiscard]] annotate::ObjectShape shapeOf(const Variant& variant, const Pose& X_WO) const;
 
   const world::World& world_;

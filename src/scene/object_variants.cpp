@@ -40,8 +40,8 @@ std::vector<ObjectVariants::Size> ObjectVariants::sizesOf(const random::Distribu
   return different;
 }
 
-ObjectVariants::ObjectVariants(const config::ObjectConfig& object,
-                               const config::Randomization& randomization)
+ObjectVariants::ObjectVariants(const ObjectOptions& object,
+                               const appearance::Randomization& randomization)
     : entry_("objects/" + object.name) {
   // Nothing of what is not there is made; distractors have models and sizes of their own.
   if (object.takes_part && !object.is_distractor) config_ = randomization.ofObject(object.name);

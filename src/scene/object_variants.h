@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "appearance/entry_draws.h"
-#include "config/config.h"
+#include "appearance/randomize_options.h"
+#include "scene/object_options.h"
 
 namespace synthetic_dataset {
 
@@ -23,7 +24,7 @@ struct ObjectVariant {
 class ObjectVariants {
  public:
   /// @throws Error naming a folder without models, or more variants than can be made
-  ObjectVariants(const config::ObjectConfig& object, const config::Randomization& randomization);
+  ObjectVariants(const ObjectOptions& object, const appearance::Randomization& randomization);
 
   /// All of them: at least one.
   [[nodiscard]] const std::vector<ObjectVariant>& all() const { return all_; }
@@ -46,7 +47,7 @@ class ObjectVariants {
   [[nodiscard]] std::size_t drawSize(appearance::EntryDraws& draws) const;
 
   std::string entry_;  ///< "objects/NAME"
-  config::ObjectRandomization config_;
+  appearance::ObjectRandomization config_;
   std::map<std::string, std::vector<std::string>> models_of_;  ///< by what is drawn: it, or the
                                                                ///< models in the folder that it is
   std::vector<std::string> models_;  ///< of all of these, each once; empty: its own alone

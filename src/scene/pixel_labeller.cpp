@@ -7,14 +7,6 @@
 #include "scene/object_links.h"
 
 namespace synthetic_dataset {
-namespace {
-
-annotate::Mog2Options mog2Options(const config::MaskConfig& config) {
-  return {config.history_length, config.var_threshold, config.detect_shadows};
-}
-
-}  // namespace
-
 PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& renderer,
                              std::size_t object_count, const Requirements& requirements,
                              const PixelLabelOptions& options)
@@ -23,7 +15,7 @@ PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& render
       requirements_(requirements),
       options_(options),
       pass_{render::LinkSelection(world.links().size(), true)},
-      finder_(world, renderer, object_count, mog2Options(options.masks), options.masks.clean) {
+      finder_(world, renderer, object_count, options.masks.mog2, options.masks.clean) {
   Requirements& needed = requirements_;
   needed.visible_masks = needed.visible_masks || needed.class_map;
   needed.visibility = needed.visibility || options_.labels.min_visibility > 0.0;
@@ -38,9 +30,7 @@ PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& render
   }
 }
 
-bool PixelLabeller::usesSubtraction() const {
-  return options_.masks.method == config::MaskMethod::kMog2;
-}
+bool PixelLabeller::usesSubtraction() const { return options_.masks.method == MaskMethod::kMog2; }
 
 SeenPixels PixelLabeller::look(const render::View& view, Scene& scene) {
   pass_.drawn = world_.presentLinks();
@@ -155,7 +145,7 @@ void PixelLabeller::addKeypointStates(const render::LabelImages& images, Scene& 
 }
 
 void PixelLabeller::drop(Scene& scene) const {
-  const config::LabelConfig& labels = options_.labels;
+  const LabelOptions& labels = options_.labels;
   if (!labels.hasThresholds()) return;
   for (SceneObject& object : scene.objects) {
     const std::int64_t visible = object.pixels.visible();

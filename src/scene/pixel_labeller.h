@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "annotate/instance_map.h"
-#include "config/config.h"
 #include "render/renderer.h"
+#include "scene/label_options.h"
 #include "scene/mask_finder.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
@@ -17,8 +17,8 @@ namespace synthetic_dataset {
 
 /// How labels are taken from pixels.
 struct PixelLabelOptions {
-  config::MaskConfig masks;
-  config::LabelConfig labels;
+  MaskOptions masks;
+  LabelOptions labels;
   std::vector<std::uint16_t> class_numbers;  ///< of the objects: their values in Scene::class_map
 };
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/seconds.h"
 #include "motion/frame_names.h"
 #include "placement/map_reader.h"
 #include "placement/received_map.h"
-#include "scene/seconds.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "world/mesh/model_geometry.h"
@@ -41,8 +41,8 @@ std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
 }
 
 /// What came on the topic, from a running system or in the bags.
-motion::RecordedMap topicsMap(const config::Config& config) {
-  const config::PlacementConfig& placement = config.placement;
+motion::RecordedMap topicsMap(const SceneOptions& config) {
+  const placement::PlacementOptions& placement = config.placement;
   if (placement.received_map) return placement::receivedMap(*placement.received_map);
   if (!config.motion.bag_files.empty()) {
     return motion::readMap(config.motion.bag_files, *placement.map_topic);
@@ -54,8 +54,8 @@ motion::RecordedMap topicsMap(const config::Config& config) {
               "YAML file");
 }
 
-placement::OccupancyMap readMap(const config::Config& config) {
-  const config::PlacementConfig& placement = config.placement;
+placement::OccupancyMap readMap(const SceneOptions& config) {
+  const placement::PlacementOptions& placement = config.placement;
   if (placement.map_file) {
     try {
       return placement::readMapFile(*placement.map_file);
@@ -80,7 +80,7 @@ placement::OccupancyMap readMap(const config::Config& config) {
 
 }  // namespace
 
-SceneArranger::SceneArranger(const config::Config& config, const std::vector<CameraRig>& cameras,
+SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                              const std::vector<ObjectVariants>& variants,
                              const ObjectShapes& shapes, world::World& world,
                              motion::FrameMotion& frames, base::Diagnostics& found)
@@ -97,7 +97,7 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
       std::any_of(cameras.begin(), cameras.end(), [](const CameraRig& rig) { return rig.sampled; });
   const auto& distractors = config.randomization.distractors;
   if (!places_objects && !places_cameras && !distractors) return;
-  if (places_objects) world_.settleProps(fromSeconds(config.physics.settle));
+  if (places_objects) world_.settleProps(config.settling);
   surroundings_.emplace(world_);
   base::Diagnostics errors;
   if (places_objects) errors.attempt([&] { setUpPlacer(config, variants, found); });
@@ -111,7 +111,7 @@ SceneArranger::SceneArranger(const config::Config& config, const std::vector<Cam
 
 placement::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
                                                 bool on_map, base::Diagnostics& found) {
-  const config::ObjectConfig& config = objects_[object];
+  const ObjectOptions& config = objects_[object];
   placement::PlacedObject placed{config.name, {}};
   if (!config.takes_part) placed.X_GO_kept = frames_.pose(config.frame, Stamp{0});
   std::vector<double> reaches;
@@ -131,10 +131,10 @@ placement::PlacedObject SceneArranger::describe(std::size_t object, const Object
   return placed;
 }
 
-void SceneArranger::setUpPlacer(const config::Config& config,
+void SceneArranger::setUpPlacer(const SceneOptions& config,
                                 const std::vector<ObjectVariants>& variants,
                                 base::Diagnostics& found) {
-  const bool on_map = config.placement.mode == config::PlacementMode::kMap;
+  const bool on_map = config.placement.mode == placement::PlacementMode::kMap;
   if (on_map && !config.placement.map_file && !config.placement.map_topic) return;  // told already
   std::optional<placement::OccupancyMap> map;
   if (on_map) map = readMap(config);
@@ -146,15 +146,15 @@ void SceneArranger::setUpPlacer(const config::Config& config,
                   static_cast<std::uint64_t>(config.seed));
 }
 
-void SceneArranger::setUpCameras(const config::Config& config,
+void SceneArranger::setUpCameras(const SceneOptions& config,
                                  const std::vector<CameraRig>& cameras) {
   for (const CameraRig& rig : cameras) {
     if (!rig.sampled) continue;
     const auto camera =
         std::find_if(config.cameras.begin(), config.cameras.end(),
-                     [&](const config::CameraConfig& each) { return each.name == rig.name; });
+                     [&](const CameraOptions& each) { return each.name == rig.name; });
     std::vector<std::string> targets{"any", "all"};
-    for (const config::ObjectConfig& object : objects_) {
+    for (const ObjectOptions& object : objects_) {
       if (object.takes_part) targets.push_back(object.name);
     }
     const std::string& look_at = camera->sample->look_at;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "config/config.h"
 #include "motion/frame_motion.h"
 #include "placement/camera_sampler.h"
 #include "placement/distractor_placer.h"
@@ -15,6 +14,7 @@
 #include "scene/camera_rig.h"
 #include "scene/object_shapes.h"
 #include "scene/object_variants.h"
+#include "scene/scene_options.h"
 #include "world/world.h"
 
 namespace synthetic_dataset {
@@ -28,7 +28,7 @@ class SceneArranger {
   /// @param shapes, world, frames  have to outlive this
   /// @param found  takes what the user may like to know
   /// @throws ErrorList with all that keeps objects and cameras from being placed
-  SceneArranger(const config::Config& config, const std::vector<CameraRig>& cameras,
+  SceneArranger(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                 const std::vector<ObjectVariants>& variants, const ObjectShapes& shapes,
                 world::World& world, motion::FrameMotion& frames, base::Diagnostics& found);
 
@@ -55,17 +55,17 @@ class SceneArranger {
     placement::CameraSampler sampler;
   };
 
-  void setUpPlacer(const config::Config& config, const std::vector<ObjectVariants>& variants,
+  void setUpPlacer(const SceneOptions& config, const std::vector<ObjectVariants>& variants,
                    base::Diagnostics& found);
-  void setUpCameras(const config::Config& config, const std::vector<CameraRig>& cameras);
+  void setUpCameras(const SceneOptions& config, const std::vector<CameraRig>& cameras);
   [[nodiscard]] placement::PlacedObject describe(std::size_t object, const ObjectVariants& variants,
                                                  bool on_map, base::Diagnostics& found);
 
   std::vector<CameraRig> rigs_;
   world::World& world_;
   motion::FrameMotion& frames_;
-  std::vector<config::ObjectConfig> objects_;               ///< that are followed or placed
-  std::vector<config::ObjectConfig> labelled_distractors_;  ///< in the world's order
+  std::vector<ObjectOptions> objects_;               ///< that are followed or placed
+  std::vector<ObjectOptions> labelled_distractors_;  ///< in the world's order
   std::vector<std::vector<Cuboid>> boxes_O_;  ///< of the objects' variants, their links at rest
   std::optional<placement::Surroundings> surroundings_;
   std::optional<placement::ScenePlacer> placer_;

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "base/diagnostics.h"
-#include "config/settings_text.h"
+#include "base/json_text.h"
 #include "scene/field_of_view.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
@@ -25,7 +25,7 @@ Value valueOf(const appearance::DrawnValue& drawn) {
 
 }  // namespace
 
-SceneVariation::SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
+SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                                std::vector<ObjectVariants> variants, const world::World& world,
                                base::Diagnostics& found)
     : config_(config.randomization),
@@ -49,9 +49,9 @@ SceneVariation::SceneVariation(const config::Config& config, const std::vector<C
     if (config_.changesLook()) looks_.emplace(config_, world);
   });
   std::vector<std::string> names;
-  for (const config::ObjectConfig& object : objects_) names.push_back(object.name);
+  for (const ObjectOptions& object : objects_) names.push_back(object.name);
   for (const auto& [name, entry] : config_.objects) {
-    if (name == config::kOthers || std::count(names.begin(), names.end(), name) > 0) continue;
+    if (name == appearance::kOthers || std::count(names.begin(), names.end(), name) > 0) continue;
     errors.error("randomize/objects/" + name,
                  "robot_list has no object of this name" + didYouMean(name, names));
   }
@@ -63,7 +63,7 @@ void SceneVariation::choose(std::int64_t instant, world::World& world) {
   std::vector<bool> present;
   std::vector<std::size_t> variants;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    const config::ObjectConfig& object = objects_[i];
+    const ObjectOptions& object = objects_[i];
     const auto share = config_.ofObject(object.name).present;
     present.push_back(object.takes_part);
     if (object.takes_part && share) {
@@ -94,7 +94,7 @@ void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,
 
 sensor::SensorEffects SceneVariation::varied(const sensor::SensorEffects& effects,
                                              appearance::EntryDraws& draws) const {
-  const config::SensorRandomization& sensor = config_.sensor;
+  const appearance::SensorRandomization& sensor = config_.sensor;
   sensor::SensorEffects result = effects;
   result.exposure = draws.number("sensor/exposure", sensor.exposure).value_or(effects.exposure);
   result.blur = draws.number("sensor/blur", sensor.blur).value_or(effects.blur);
@@ -107,7 +107,7 @@ std::vector<output::DrawFacts> SceneVariation::draws(std::size_t camera) const {
   std::vector<output::DrawFacts> facts;
   for (const auto* values : {&chosen_, &shared_, &cameras_[camera]}) {
     for (const appearance::DrawnValue& drawn : *values) {
-      facts.push_back({drawn.name, config::jsonText(valueOf(drawn))});
+      facts.push_back({drawn.name, base::jsonText(valueOf(drawn))});
     }
   }
   return facts;

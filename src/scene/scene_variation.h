@@ -8,11 +8,11 @@
 #include "appearance/entry_draws.h"
 #include "appearance/look_sampler.h"
 #include "base/diagnostics.h"
-#include "config/config.h"
 #include "output/manifest/scene_facts.h"
 #include "render/renderer.h"
 #include "scene/camera_rig.h"
 #include "scene/object_variants.h"
+#include "scene/scene_options.h"
 #include "sensor/sensor_effects.h"
 #include "world/world.h"
 
@@ -25,7 +25,7 @@ class SceneVariation {
   /// @param world  has to outlive this
   /// @param found  takes what the user should know
   /// @throws ErrorList with the entries that mean nothing in this world
-  SceneVariation(const config::Config& config, const std::vector<CameraRig>& cameras,
+  SceneVariation(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                  std::vector<ObjectVariants> variants, const world::World& world,
                  base::Diagnostics& found);
 
@@ -45,12 +45,12 @@ class SceneVariation {
   [[nodiscard]] sensor::SensorEffects varied(const sensor::SensorEffects& effects,
                                              appearance::EntryDraws& draws) const;
 
-  config::Randomization config_;
+  appearance::Randomization config_;
   std::uint64_t seed_;
   std::vector<sensor::SensorEffects> effects_;  ///< of the cameras, as they are set
   std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
   std::optional<appearance::LookSampler> looks_;
-  std::vector<config::ObjectConfig> objects_;                 ///< that are followed or placed
+  std::vector<ObjectOptions> objects_;                        ///< that are followed or placed
   std::vector<ObjectVariants> variants_;                      ///< of each object
   std::vector<appearance::DrawnValue> chosen_;                ///< of the time: what is there
   std::vector<appearance::DrawnValue> shared_;                ///< of the time: its look

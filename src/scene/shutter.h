@@ -2,18 +2,10 @@
 
 #include <vector>
 
+#include "scene/camera_options.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset {
-
-/// When a camera's sensor gathers light. A picture's stamp is the middle of its exposure: of the
-/// whole picture's, and with a rolling shutter of its middle row's.
-struct Shutter {
-  Duration exposure_time{0};  ///< of each row; above 0 what moves is blurred
-  int motion_samples = 1;     ///< pictures that are averaged over it
-  Duration readout_time{0};   ///< from the first row's exposure to the last row's
-  int readout_bands = 1;      ///< rows are taken in so many groups
-};
 
 /// One look at some rows of the picture.
 struct Shot {

@@ -10,7 +10,7 @@
 namespace synthetic_dataset {
 namespace {
 
-ObjectInfo describeObject(const config::ObjectConfig& config) {
+ObjectInfo describeObject(const ObjectOptions& config) {
   ObjectInfo object;
   object.name = config.name;
   object.class_name = config.class_name;
@@ -68,7 +68,7 @@ CameraDescription describeCamera(std::size_t camera, const std::vector<MotionSet
 bool modelVaries(std::size_t object, const std::vector<MotionSetup>& motions) {
   std::set<std::pair<std::string, double>> found;
   for (const MotionSetup& motion : motions) {
-    const config::ObjectConfig& config = motion.config.objects[object];
+    const ObjectOptions& config = motion.config.objects[object];
     if (!config.takes_part || object >= motion.variants.size()) continue;
     for (const ObjectVariant& variant : motion.variants[object].all()) {
       found.emplace(variant.model.value_or(""), variant.scale);
@@ -100,7 +100,7 @@ std::vector<std::vector<const world::Link*>> linksByObject(const std::vector<Mot
 DatasetInfo describeDataset(const config::Config& config, const std::vector<MotionSetup>& motions,
                             const SplitPlan& splits) {
   DatasetInfo info;
-  for (const config::ObjectConfig& object : config.objects) {
+  for (const ObjectOptions& object : config.objects) {
     info.objects.push_back(describeObject(object));
     info.objects.back().model_varies = modelVaries(info.objects.size() - 1, motions);
   }

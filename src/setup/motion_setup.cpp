@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/seconds.h"
+#include "base/seconds.h"
 #include "setup/scene_plan.h"
 #include "setup/size_checks.h"
 #include "setup/world_setup.h"
@@ -41,7 +41,7 @@ class MotionBuilder {
   void leaveOutOthers() {
     const std::set<std::string>& named = setup_.entry.objects;
     if (named.empty()) return;
-    for (config::ObjectConfig& object : setup_.config.objects) {
+    for (ObjectOptions& object : setup_.config.objects) {
       if (object.is_distractor) continue;
       object.takes_part = named.count(object.name) != 0;
       if (!object.takes_part) object.frame = "not in this motion: " + object.name;
@@ -69,13 +69,13 @@ class MotionBuilder {
           std::make_unique<motion::FrameMotion>(config().global_frame, std::move(recording));
     }
     if (!setup_.frames) return;
-    for (const config::ObjectConfig& each : config().objects) {
+    for (const ObjectOptions& each : config().objects) {
       if (!each.takes_part) setup_.frames->place(each.frame, motion::nowhere());
     }
   }
 
   void placeObjects() {
-    for (const config::ObjectConfig& each : config().objects) {
+    for (const ObjectOptions& each : config().objects) {
       if (!each.takes_part) continue;
       if (setup_.frames->isPlaced(each.frame) || each.frame == config().global_frame) {
         found().error(
@@ -98,13 +98,13 @@ class MotionBuilder {
 
   void loadWorld() {
     if (config().world.file.empty()) return;
-    for (const config::ObjectConfig& object : config().objects) {
+    for (const ObjectOptions& object : config().objects) {
       if (!found().attempt([&] { setup_.variants.emplace_back(object, config().randomization); })) {
-        setup_.variants.emplace_back(object, config::Randomization{});
+        setup_.variants.emplace_back(object, appearance::Randomization{});
       }
     }
     WorldSetup world = setUpWorld(config(), setup_.variants, setup_.frames.get(),
-                                  worlds_.filesFor(config()), found());
+                                  worlds_.filesFor(config().world), found());
     sensors_ = std::move(world.sensors);
     setup_.driven_links = std::move(world.driven_links);
     setup_.inputs = std::move(world.inputs);
@@ -121,7 +121,7 @@ class MotionBuilder {
   void noteStrangeSizes() {
     if (!setup_.shapes) return;
     for (std::size_t i = 0; i < config().objects.size(); ++i) {
-      const config::ObjectConfig& object = config().objects[i];
+      const ObjectOptions& object = config().objects[i];
       const bool varies = setup_.variants[i].all().size() > 1;  // and what is given with it
       if (object.takes_part && !object.is_distractor && !varies) {
         checkSizes(object, setup_.shapes->boxesAtRest(i).front(), found());
@@ -132,7 +132,7 @@ class MotionBuilder {
   /// Points that are given are those of one model.
   void noteSharedShapes() {
     for (std::size_t i = 0; i < config().objects.size(); ++i) {
-      const config::ObjectConfig& object = config().objects[i];
+      const ObjectOptions& object = config().objects[i];
       const auto note = [&](const std::string& parameter, const std::string& instead) {
         found().warning(object.name + "/" + parameter,
                         "the same points are taken for all models of randomize/objects; " +
@@ -147,7 +147,7 @@ class MotionBuilder {
   void setUpCameras() {
     static const std::vector<world::LinkInstance> kNoLinks;
     if (!setup_.frames || !sensors_) return;
-    for (const config::CameraConfig& camera : config().cameras) {
+    for (const CameraOptions& camera : config().cameras) {
       const bool two_sources = camera.info_file && camera.info_topic;
       const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
       if (two_sources || no_source) continue;  // told already
@@ -167,9 +167,9 @@ class MotionBuilder {
   }
 
   /// What is placed has a frame of its own: else one would be where the other is.
-  bool isTaken(const std::string& frame, const config::CameraConfig& camera) {
+  bool isTaken(const std::string& frame, const CameraOptions& camera) {
     std::string owner = frame == config().global_frame ? "global_frame" : "";
-    for (const config::ObjectConfig& object : config().objects) {
+    for (const ObjectOptions& object : config().objects) {
       if (object.frame == frame) owner = object.name;
     }
     for (const CameraRig& other : setup_.cameras) {
@@ -183,7 +183,7 @@ class MotionBuilder {
   }
 
   /// Physics goes forward only, so a picture has to be exposed before the next one begins.
-  void checkShutter(const config::CameraConfig& camera, const CameraRig& rig) {
+  void checkShutter(const CameraOptions& camera, const CameraRig& rig) {
     const Duration period = shortestPeriod(config());
     if (openTime(rig.shutter) <= period) return;
     found().error(
@@ -197,7 +197,7 @@ class MotionBuilder {
 
   /// Intrinsics of another resolution have their principal point elsewhere. Only what is cut out of
   /// a sensor's picture may have it far from the middle.
-  void noteFarAxis(const config::CameraConfig& camera, const CameraRig& rig) {
+  void noteFarAxis(const CameraOptions& camera, const CameraRig& rig) {
     constexpr double kFar = 0.2;  // of the image's size
     const CameraModel& model = rig.model;
     const double across = model.intrinsics().cx + 0.5 - 0.5 * model.width();
@@ -211,7 +211,7 @@ class MotionBuilder {
                                       " (is the calibration that of another resolution?)");
   }
 
-  void noteBlindLens(const config::CameraConfig& camera, const CameraRig& rig) {
+  void noteBlindLens(const CameraOptions& camera, const CameraRig& rig) {
     constexpr double kLittle = 0.25;  // a fisheye's circle in a wide image fills more than this
     const double share = seenShare(rig.model);
     if (share >= kLittle) return;

@@ -5,9 +5,10 @@
 #include <libdeflate.h>
 
 #include "appearance/picture_folder.h"
-#include "config/map_file.h"
+#include "base/json_text.h"
 #include "config/settings_text.h"
 #include "output/files/digest.h"
+#include "placement/map_file.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -21,7 +22,7 @@ bool isIn(const std::set<std::string>& names, const std::string& setting) {
   return false;
 }
 
-std::vector<std::string> pictureFolders(const config::Randomization& randomization) {
+std::vector<std::string> pictureFolders(const appearance::Randomization& randomization) {
   std::vector<std::string> sources;
   for (const auto& [name, material] : randomization.materials) {
     if (material.textures) sources.push_back(*material.textures);
@@ -46,7 +47,7 @@ std::map<std::string, output::RunDescription::Setting> usedSettings(
   std::set<std::string> left_out = {"output_folder", "if_exists",   "sync",           "shard",
                                     "processes",     "only_scenes", "rendering/reuse"};
   left_out.insert(unused.begin(), unused.end());
-  for (const config::WriterConfig& writer : config.writers) {
+  for (const writers::WriterOptions& writer : config.writers) {
     left_out.insert(writer.name + "/output_folder");
   }
   std::map<std::string, output::RunDescription::Setting> settings;
@@ -54,7 +55,7 @@ std::map<std::string, output::RunDescription::Setting> usedSettings(
     if (!isIn(left_out, name)) settings[name] = {text, false};
   }
   for (const auto& [name, value] : defaults) {
-    if (!isIn(left_out, name)) settings.insert({name, {config::jsonText(value), true}});
+    if (!isIn(left_out, name)) settings.insert({name, {base::jsonText(value), true}});
   }
   return settings;
 }
@@ -71,12 +72,12 @@ std::map<std::string, std::string> softwareVersions() {
 
 std::set<std::string> inputsNamedBy(const config::Config& config) {
   std::set<std::string> inputs(config.motion.bag_files.begin(), config.motion.bag_files.end());
-  for (const config::CameraConfig& camera : config.cameras) {
+  for (const CameraOptions& camera : config.cameras) {
     if (camera.info_file) inputs.insert(*camera.info_file);
   }
   if (config.placement.map_file) {
     inputs.insert(*config.placement.map_file);
-    inputs.insert(config::readMapFile(*config.placement.map_file).image);
+    inputs.insert(placement::readMapYaml(*config.placement.map_file).image);
   }
   for (const std::string& folder : pictureFolders(config.randomization)) {
     for (const std::string& file : appearance::picturesIn(folder)) inputs.insert(file);

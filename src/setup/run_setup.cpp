@@ -94,7 +94,7 @@ class Builder {
   void checkSameCameras() {
     const auto namesOf = [](const MotionSetup& motion) {
       std::string names;
-      for (const config::CameraConfig& camera : motion.config.cameras) {
+      for (const CameraOptions& camera : motion.config.cameras) {
         names += (names.empty() ? "'" : ", '") + camera.name + "'";
       }
       return names;
@@ -123,7 +123,7 @@ class Builder {
   }
 
   void checkOnlyScenes() {
-    const std::set<std::int64_t>& only = config().output.only_scenes;
+    const std::set<std::int64_t>& only = config().only_scenes;
     const std::int64_t count = setup_.instantCount();
     if (count == 0 || only.empty() || *only.rbegin() < count) return;
     found().error("only_scenes", "found " + std::to_string(*only.rbegin()) +
@@ -146,13 +146,9 @@ class Builder {
   }
 
   void loadWriters() {
-    std::vector<writers::WriterChoice> choices;
-    for (const config::WriterConfig& writer : config().writers) {
-      choices.push_back({writer.name, writer.type, writer.output_folder, writer.parameters});
-    }
-    if (choices.empty() || !setup_.splits) return;
+    if (config().writers.empty() || !setup_.splits) return;
     auto made = found().attempt([&] {
-      return std::make_unique<writers::WriterHost>(choices, dataset(), plugin_xml_files_);
+      return std::make_unique<writers::WriterHost>(config().writers, dataset(), plugin_xml_files_);
     });
     if (made) setup_.writers = std::move(*made);
   }
@@ -192,8 +188,8 @@ class Builder {
 
   /// Users of nn_data_collection's settings may not know that there are exact masks.
   void noteSubtraction() {
-    const config::MaskConfig& masks = config().masks;
-    if (masks.method == config::MaskMethod::kExact || masks.method_is_given) return;
+    const MaskOptions& masks = config().masks;
+    if (masks.method == MaskMethod::kExact || masks.method_is_given) return;
     if (!setup_.writers || !setup_.writers->requirements().visible_masks) return;
     found().warning("",
                     "masks are found by background subtraction since background_subtractor is set; "

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "appearance/entry_draws.h"
-#include "scene/seconds.h"
+#include "base/seconds.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/value.h"
@@ -14,18 +14,18 @@ namespace synthetic_dataset {
 namespace {
 
 motion::TimelineOptions timelineOptions(const config::Config& config) {
-  const config::MotionConfig& motion = config.motion;
+  const motion::MotionOptions& motion = config.motion;
   motion::TimelineOptions options;
   options.period = motion::periodOf(motion.rate);
-  options.start_offset = fromSeconds(motion.start_offset);
-  if (motion.duration) options.duration = fromSeconds(*motion.duration);
-  if (motion.max_tf_gap) options.max_tf_gap = fromSeconds(*motion.max_tf_gap);
+  options.start_offset = base::fromSeconds(motion.start_offset);
+  if (motion.duration) options.duration = base::fromSeconds(*motion.duration);
+  if (motion.max_tf_gap) options.max_tf_gap = base::fromSeconds(*motion.max_tf_gap);
   const auto& jitter = config.randomization.time_jitter;
   if (!jitter) return options;
   // By the regular time, not by the scene's number: what another frame leaves out moves no scene.
   options.jitter = [&jitter, seed = static_cast<std::uint64_t>(config.seed)](std::int64_t place) {
     appearance::EntryDraws draws(seed, place);
-    return fromSeconds(*draws.number("time/jitter", jitter));
+    return base::fromSeconds(*draws.number("time/jitter", jitter));
   };
   return options;
 }
@@ -73,7 +73,7 @@ motion::Timeline planScenes(const motion::FrameMotion& frame_motion, const confi
                             const std::vector<std::vector<DrivenLinks>>& driven_links) {
   std::vector<std::string> frames;
   Duration open{0};
-  for (const config::ObjectConfig& object : config.objects) {
+  for (const ObjectOptions& object : config.objects) {
     if (object.takes_part) frames.push_back(object.frame);
   }
   for (const CameraRig& camera : cameras) {
@@ -96,7 +96,7 @@ Duration shortestPeriod(const config::Config& config) {
   const Duration period = motion::periodOf(config.motion.rate);
   const auto& jitter = config.randomization.time_jitter;
   if (!jitter) return period;
-  const Duration range = fromSeconds(jitter->highest()) - fromSeconds(jitter->lowest());
+  const Duration range = base::fromSeconds(jitter->highest()) - base::fromSeconds(jitter->lowest());
   return std::max(period - range, Duration{0});
 }
 

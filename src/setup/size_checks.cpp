@@ -23,7 +23,7 @@ std::string metres(double length) { return fixed(length, 3) + " m"; }
 
 }  // namespace
 
-void checkSizes(const config::ObjectConfig& object, const Cuboid& box_O, base::Diagnostics& found) {
+void checkSizes(const ObjectOptions& object, const Cuboid& box_O, base::Diagnostics& found) {
   const double model = diagonal(box_O);
   if (!object.bounding_shape_O.empty()) {
     const Cuboid given = boxRound(object.bounding_shape_O);

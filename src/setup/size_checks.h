@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostics.h"
-#include "config/config.h"
+#include "scene/object_options.h"
 #include "synthetic_dataset/cuboid.h"
 
 namespace synthetic_dataset {
@@ -9,6 +9,6 @@ namespace synthetic_dataset {
 /// Warns of a bounding shape or keypoints that have little to do with the object's model, as
 /// numbers in millimetres have.
 /// @param box_O  around the model, in the object's frame
-void checkSizes(const config::ObjectConfig& object, const Cuboid& box_O, base::Diagnostics& found);
+void checkSizes(const ObjectOptions& object, const Cuboid& box_O, base::Diagnostics& found);
 
 }  // namespace synthetic_dataset

@@ -1,26 +1,14 @@
 #include "setup/world_files.h"
 
-#include "config/settings_text.h"
+#include "base/json_text.h"
 #include "setup/ros_packages.h"
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset {
-namespace {
-
-world::LoadOptions loadOptions(const config::Config& config) {
-  world::LoadOptions options;
-  if (config.world.on_missing_asset == config::OnMissingAsset::kWarn) {
-    options.on_missing_asset = world::OnMissingAsset::kWarn;
-  }
-  return options;
-}
-
-}  // namespace
-
-WorldFiles::WorldFiles(const config::Config& config)
-    : world_file_(config.world.file),
-      finder_(config.world.model_folders, rosPackageFinder()),
-      loader_(finder_, loadOptions(config)) {}
+WorldFiles::WorldFiles(const config::WorldConfig& config)
+    : world_file_(config.file),
+      finder_(config.model_folders, rosPackageFinder()),
+      loader_(finder_, config.loading) {}
 
 const world::Description& WorldFiles::world() {
   if (!world_) world_ = loader_.loadWorld(world_file_);
@@ -34,11 +22,10 @@ const world::Model& WorldFiles::model(const std::string& model_or_uri, const std
   return models_.emplace(key, loader_.loadModel(model_or_uri, name)).first->second;
 }
 
-WorldFiles& WorldShelf::filesFor(const config::Config& config) {
-  const world::LoadOptions options = loadOptions(config);
-  Value::List key{config.world.file, options.on_missing_asset == world::OnMissingAsset::kWarn};
-  for (const std::string& folder : config.world.model_folders) key.emplace_back(folder);
-  std::unique_ptr<WorldFiles>& files = files_[config::jsonText(Value(key))];
+WorldFiles& WorldShelf::filesFor(const config::WorldConfig& config) {
+  Value::List key{config.file, config.loading.on_missing_asset == world::OnMissingAsset::kWarn};
+  for (const std::string& folder : config.model_folders) key.emplace_back(folder);
+  std::unique_ptr<WorldFiles>& files = files_[base::jsonText(Value(key))];
   if (!files) files = std::make_unique<WorldFiles>(config);
   return *files;
 }

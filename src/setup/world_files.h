@@ -20,7 +20,7 @@ namespace synthetic_dataset {
 class WorldFiles {
  public:
   /// @param config  of a motion
-  explicit WorldFiles(const config::Config& config);
+  explicit WorldFiles(const config::WorldConfig& config);
   WorldFiles(const WorldFiles&) = delete;  // the loader refers to the finder
   WorldFiles& operator=(const WorldFiles&) = delete;
 
@@ -53,7 +53,7 @@ class WorldFiles {
 class WorldShelf {
  public:
   /// The files of a motion's world, the same for all motions that read them alike.
-  [[nodiscard]] WorldFiles& filesFor(const config::Config& config);
+  [[nodiscard]] WorldFiles& filesFor(const config::WorldConfig& config);
 
  private:
   std::map<std::string, std::unique_ptr<WorldFiles>> files_;  ///< by all that decides what is read

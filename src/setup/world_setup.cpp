@@ -6,9 +6,9 @@
 
 #include "appearance/distractor_models.h"
 #include "base/diagnostics.h"
+#include "base/seconds.h"
 #include "render/light/light_setup.h"
 #include "render/shadows/shadow_projection.h"
-#include "scene/seconds.h"
 #include "world/mesh/scaled_model.h"
 
 namespace synthetic_dataset {
@@ -40,18 +40,6 @@ world::MovingObject nothingCalled(const std::string& name) {
   return model;
 }
 
-world::PhysicsOptions physicsOptions(const config::Config& config) {
-  world::PhysicsOptions physics;
-  physics.step = fromSeconds(config.physics.step);
-  physics.contact_tolerance = config.physics.contact_tolerance;
-  physics.drops_objects =
-      config.isPlaced() && config.placement.mode == config::PlacementMode::kDrop;
-  const auto& distractors = config.randomization.distractors;
-  physics.drops_distractors = distractors && distractors->mode == config::DistractorMode::kDrop;
-  physics.labels_distractors = distractors && distractors->label_class;
-  return physics;
-}
-
 std::vector<world::Model> loadDistractors(const config::Config& config, WorldFiles& files) {
   const auto& distractors = config.randomization.distractors;
   if (!distractors) return {};
@@ -79,7 +67,7 @@ class WorldBuilder {
     setup_.sensors = description->cameras;
     for (std::size_t i = 0; i < config_.objects.size(); ++i) {
       setup_.driven_links.emplace_back();
-      const config::ObjectConfig& object = config_.objects[i];
+      const ObjectOptions& object = config_.objects[i];
       if (!object.is_distractor) addObject(object, variants_[i].all(), *description);
     }
     auto distractors = found_.attempt([&] { return loadDistractors(config_, files_); });
@@ -90,7 +78,7 @@ class WorldBuilder {
     if (!distractors || lacks_objects_) return std::move(setup_);
     auto world = found_.attempt([&] {
       return std::make_unique<world::World>(std::move(*description), std::move(objects_),
-                                            physicsOptions(config_), std::move(*distractors));
+                                            config_.physics, std::move(*distractors));
     });
     if (!world) return std::move(setup_);
     setup_.world = std::move(*world);
@@ -101,7 +89,7 @@ class WorldBuilder {
   }
 
  private:
-  void addObject(const config::ObjectConfig& object, const std::vector<ObjectVariant>& variants,
+  void addObject(const ObjectOptions& object, const std::vector<ObjectVariant>& variants,
                  world::Description& surroundings) {
     const auto in_world = takeModel(surroundings, object.name);
     if (!object.takes_part) {
@@ -131,14 +119,14 @@ class WorldBuilder {
     objects_.emplace_back(std::move(moving));
   }
 
-  const world::Model& modelOf(const ObjectVariant& variant, const config::ObjectConfig& object) {
+  const world::Model& modelOf(const ObjectVariant& variant, const ObjectOptions& object) {
     if (variant.model == object.model) return files_.model(*variant.model, object.name);
     return base::namingPlace(
         "randomize/objects/" + object.name + "/model",
         [&]() -> const world::Model& { return files_.model(*variant.model, object.name); });
   }
 
-  world::MovingModel makeVariant(const ObjectVariant& variant, const config::ObjectConfig& object,
+  world::MovingModel makeVariant(const ObjectVariant& variant, const ObjectOptions& object,
                                  const std::optional<world::Model>& in_world) {
     world::Model model =
         world::scaled(variant.model ? modelOf(variant, object) : *in_world, variant.scale);

@@ -4,7 +4,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "output/manifest/manifest_paths.h"
 #include "readback/files.h"
 #include "readback/format_readers.h"
@@ -19,7 +19,7 @@ namespace {
 std::map<std::string, Value> settingValues(const output::RunDescription& run) {
   std::map<std::string, Value> values;
   for (const auto& [name, setting] : run.settings) {
-    values[name] = config::parseYaml(setting.value, "setting '" + name + "'");
+    values[name] = base::parseYaml(setting.value, "setting '" + name + "'");
   }
   return values;
 }

@@ -10,6 +10,7 @@
 #include "synthetic_dataset/pose.h"
 #include "world/description.h"
 #include "world/physics/object_bodies.h"
+#include "world/physics_options.h"
 
 namespace synthetic_dataset::world {
 
@@ -27,14 +28,6 @@ struct LinkInstance {
   int object = -1;          ///< index of the object, or labelled distractor, else -1
   std::string model = "";   ///< the name of its model
   std::size_t variant = 0;  ///< index among its object's variants
-};
-
-struct PhysicsOptions {
-  Duration step = std::chrono::microseconds(4000);  ///< of the simulation, fixed; at least 1 us
-  double contact_tolerance = 0.01;  ///< [m], >= 0: shallower overlaps are not reported
-  bool drops_objects = false;       ///< whether drop() will be called
-  bool drops_distractors = false;   ///< whether dropDistractors() will be called
-  bool labels_distractors = false;  ///< whether they are numbered as objects, behind the others
 };
 
 /// Two things that are inside one another.

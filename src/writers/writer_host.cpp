@@ -19,7 +19,7 @@ struct ReadyWriter {
   Requirements requirements;
 };
 
-ReadyWriter makeReady(WriterLoader& loader, const WriterChoice& choice,
+ReadyWriter makeReady(WriterLoader& loader, const WriterOptions& choice,
                       const DatasetInfo& dataset) {
   WriterLoader::Instance instance;
   try {
@@ -61,11 +61,11 @@ struct WriterHost::Impl {
   Requirements requirements;
 };
 
-WriterHost::WriterHost(const std::vector<WriterChoice>& choices, const DatasetInfo& dataset,
+WriterHost::WriterHost(const std::vector<WriterOptions>& choices, const DatasetInfo& dataset,
                        const std::vector<std::string>& plugin_xml_files)
     : impl_(std::make_unique<Impl>(plugin_xml_files)) {
   std::vector<std::string> errors;
-  for (const WriterChoice& choice : choices) {
+  for (const WriterOptions& choice : choices) {
     try {
       impl_->writers.push_back(makeReady(impl_->loader, choice, dataset));
     } catch (const Error& error) {

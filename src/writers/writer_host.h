@@ -6,16 +6,9 @@
 
 #include "output/dataset_store.h"
 #include "synthetic_dataset/label_writer.h"
+#include "writers/writer_options.h"
 
 namespace synthetic_dataset::writers {
-
-/// One entry of the parameter `writers`.
-struct WriterChoice {
-  std::string name;           ///< also the group of its parameters
-  std::string type;           ///< pluginlib's lookup name: "synthetic_dataset/Yolo"
-  std::string output_folder;  ///< absolute, ending in `/`
-  Parameters parameters;      ///< the group `name`
-};
 
 /// Loads the chosen writers from their plugin libraries, runs them and checks what they did.
 class WriterHost {
@@ -33,7 +26,7 @@ class WriterHost {
   /// @param plugin_xml_files  where to look for writers; empty: all that installed packages export
   /// @throws ErrorList: an unknown type (with the types that there are, and why a declared one
   ///     cannot be loaded), a writer that fails to initialise
-  WriterHost(const std::vector<WriterChoice>& choices, const DatasetInfo& dataset,
+  WriterHost(const std::vector<WriterOptions>& choices, const DatasetInfo& dataset,
              const std::vector<std::string>& plugin_xml_files = {});
   ~WriterHost();
   WriterHost(const WriterHost&) = delete;

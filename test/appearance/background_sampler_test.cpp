@@ -6,7 +6,8 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
+#include "config/background_config.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
@@ -28,9 +29,9 @@ class BackgroundSamplerTest : public ::testing::Test {
   }
 
   [[nodiscard]] BackgroundSampler sampler(const std::string& entries) const {
-    Parameters root(config::parseYaml(
+    Parameters root(base::parseYaml(
         "{background: {pictures: '" + folder.path().string() + "', " + entries + "}}", "test"));
-    config::BackgroundRandomization config = config::readBackground(root);
+    BackgroundRandomization config = config::readBackground(root);
     EXPECT_THAT(root.errors(), IsEmpty());
     EXPECT_THAT(root.unknownNames(), IsEmpty());
     return BackgroundSampler(config);

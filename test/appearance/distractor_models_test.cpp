@@ -33,7 +33,7 @@ TEST(DistractorModels, AreTakenInTurnFromFilesAndFolders) {
   const test::TemporaryFolder folder;
   folder.write("shelf/cup/model.config", "");
   folder.write("shelf/jug.sdf", "");
-  config::DistractorConfig config;
+  placement::DistractorOptions config;
   config.models = {"model://crate", (folder / "shelf").string()};
   config.pool = 5;
   std::vector<std::string> loaded;
@@ -49,7 +49,7 @@ TEST(DistractorModels, AreTakenInTurnFromFilesAndFolders) {
 }
 
 TEST(DistractorModels, ThatCannotBeSeenAreTold) {
-  config::DistractorConfig config;
+  placement::DistractorOptions config;
   config.models = {"model://ghost"};
   const auto load = [](const std::string&, const std::string&) { return world::Model{}; };
   EXPECT_THAT([&] { (void)makeDistractors(config, 1, load); },

@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
+#include "config/randomization.h"
 #include "support/box_world.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
@@ -113,7 +114,7 @@ class LookSamplerTest : public ::testing::Test {
  protected:
   /// The look of a scene, and in `draws` what was drawn for it.
   world::Look sample(const std::string& randomize, std::int64_t scene = 0, std::uint64_t seed = 1) {
-    Parameters root(config::parseYaml("randomize: {" + randomize + "}", "test"));
+    Parameters root(base::parseYaml("randomize: {" + randomize + "}", "test"));
     LookSampler sampler(config::readRandomization(root), world);
     EXPECT_THAT(root.errors(), IsEmpty());
     EntryDraws entry_draws(seed, scene);
@@ -126,7 +127,7 @@ class LookSamplerTest : public ::testing::Test {
   }
 
   [[nodiscard]] std::vector<std::string> errorsOf(const std::string& randomize) const {
-    Parameters root(config::parseYaml("randomize: {" + randomize + "}", "test"));
+    Parameters root(base::parseYaml("randomize: {" + randomize + "}", "test"));
     return test::messagesOf([&] { LookSampler sampler(config::readRandomization(root), world); });
   }
 
@@ -481,7 +482,7 @@ TEST_F(LookSamplerTest, NamesTheEntryOfAPictureThatCannotBeDecodedAfterAll) {
   const test::TemporaryFolder folder;
   const std::string file = (folder / "a.png").string();
   cv::imwrite(file, cv::Mat(2, 2, CV_8UC3));
-  Parameters root(config::parseYaml(
+  Parameters root(base::parseYaml(
       "randomize: {materials: {world: {textures: " + folder.path().string() + "}}}", "test"));
   LookSampler sampler(config::readRandomization(root), world);
   std::filesystem::remove(file);
@@ -512,7 +513,7 @@ TEST_F(LookSamplerTest, DrawsTheSameForTheSameSeedAndScene) {
 
 /// One sampler draws one scene after the other, in whatever order they are made.
 TEST_F(LookSamplerTest, DrawsASceneTheSameWhateverItDrewBefore) {
-  Parameters root(config::parseYaml(std::string("randomize: {") + kMuch + "}", "test"));
+  Parameters root(base::parseYaml(std::string("randomize: {") + kMuch + "}", "test"));
   LookSampler sampler(config::readRandomization(root), world);
   for (const std::int64_t scene : {5, 2, 9, 2, 5}) {
     EntryDraws entry_draws(1, scene);

@@ -1,8 +1,10 @@
 #include "config/camera_config.h"
 
+#include <chrono>
+
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -13,11 +15,11 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 struct Reading {
-  explicit Reading(const std::string& text) : root(parseYaml(text, "test")) {
+  explicit Reading(const std::string& text) : root(base::parseYaml(text, "test")) {
     cameras = readCameras(root);
   }
   Parameters root;
-  std::vector<CameraConfig> cameras;
+  std::vector<CameraOptions> cameras;
 };
 
 TEST(ReadCameras, OneCameraIsCalledCamera) {
@@ -53,10 +55,10 @@ TEST(ReadCameras, ARecordedCalibrationBringsItsFrame) {
 }
 
 TEST(ReadCameras, EffectsAreOffUnlessSet) {
-  const EffectsConfig effects = Reading("camera: {info_file: /a.yaml}").cameras[0].effects;
-  EXPECT_EQ(effects.exposure_time, 0.0);
-  EXPECT_EQ(effects.full_well, 0.0);
-  EXPECT_EQ(effects.noise_stddev, std::nullopt);
+  const CameraOptions camera = Reading("camera: {info_file: /a.yaml}").cameras[0];
+  EXPECT_EQ(camera.shutter.exposure_time.count(), 0);
+  EXPECT_EQ(camera.effects.full_well, 0.0);
+  EXPECT_EQ(camera.noise_stddev, std::nullopt);
 }
 
 TEST(ReadCameras, EffectsAreRead) {
@@ -64,11 +66,11 @@ TEST(ReadCameras, EffectsAreRead) {
       "camera: {info_file: /a.yaml, effects: {exposure_time: 0.02, motion_samples: 5, "
       "noise_stddev: 0.01, vignetting: 0.3}}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  const EffectsConfig& effects = reading.cameras[0].effects;
-  EXPECT_EQ(effects.exposure_time, 0.02);
-  EXPECT_EQ(effects.motion_samples, 5);
-  EXPECT_EQ(effects.noise_stddev, 0.01);
-  EXPECT_EQ(effects.vignetting, 0.3);
+  const CameraOptions& camera = reading.cameras[0];
+  EXPECT_EQ(camera.shutter.exposure_time, std::chrono::milliseconds(20));
+  EXPECT_EQ(camera.shutter.motion_samples, 5);
+  EXPECT_EQ(camera.noise_stddev, 0.01);
+  EXPECT_EQ(camera.effects.vignetting, 0.3);
 }
 
 TEST(ReadCameras, AreMountedOnAnObject) {

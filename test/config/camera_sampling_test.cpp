@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -15,11 +15,11 @@ using ::testing::Pair;
 
 struct Reading {
   explicit Reading(const std::string& sample)
-      : root(parseYaml("camera: {sample: {" + sample + "}}", "test")) {
+      : root(base::parseYaml("camera: {sample: {" + sample + "}}", "test")) {
     sampling = readCameraSampling(root.group("camera")).value();
   }
   Parameters root;
-  CameraSampling sampling;
+  placement::CameraSampling sampling;
 };
 
 std::pair<double, double> rangeOf(const Distribution& distribution) {
@@ -32,14 +32,14 @@ std::vector<double> drawn(const Distribution& distribution) {
 }
 
 TEST(ReadCameraSampling, IsNothingWithoutItsGroup) {
-  Parameters root(parseYaml("camera: {pose: [0, 0, 0, 0, 0, 0, 1]}", "test"));
+  Parameters root(base::parseYaml("camera: {pose: [0, 0, 0, 0, 0, 0, 1]}", "test"));
   EXPECT_FALSE(readCameraSampling(root.group("camera")));
 }
 
 TEST(ReadCameraSampling, LooksAtAnyObjectFromAShellByDefault) {
   const Reading reading("");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  const CameraSampling& sampling = reading.sampling;
+  const placement::CameraSampling& sampling = reading.sampling;
   EXPECT_EQ(sampling.look_at, "any");
   EXPECT_FALSE(sampling.look_at_point_G);
   EXPECT_THAT(drawn(sampling.aim_offset), ElementsAre(0, 0, 0));
@@ -60,7 +60,7 @@ TEST(ReadCameraSampling, ReadsAShell) {
       "clearance: 0.25, tries: 20");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
   EXPECT_THAT(reading.root.unknownNames(), IsEmpty());
-  const CameraSampling& sampling = reading.sampling;
+  const placement::CameraSampling& sampling = reading.sampling;
   EXPECT_EQ(sampling.look_at, "alpha");
   EXPECT_THAT(rangeOf(sampling.distance), Pair(2.0, 4.0));
   EXPECT_THAT(rangeOf(sampling.elevation), Pair(0.5, 0.5));
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSampling{"tries: 0", "camera/sample/tries: found 0; it should be 1 to 1000000"}));
 
 TEST(ReadCameraSampling, IsOfItsOwnCameraAmongSeveral) {
-  Parameters root(parseYaml("cameras: {left: {sample: {clearance: -1}}}", "test"));
+  Parameters root(base::parseYaml("cameras: {left: {sample: {clearance: -1}}}", "test"));
   (void)readCameraSampling(root.group("cameras").group("left"));
   EXPECT_THAT(root.errors(), ElementsAre(HasSubstr("cameras/left/sample/clearance: found -1.0")));
 }

@@ -1,8 +1,9 @@
 #include "config/config.h"
 
 #include <gmock/gmock.h>
+#include <chrono>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -30,7 +31,7 @@ alpha:
 
 /// The settings with one line of the minimal file replaced, or a line added.
 struct Reading {
-  explicit Reading(const std::string& text) : root(parseYaml(text, "test")) {
+  explicit Reading(const std::string& text) : root(base::parseYaml(text, "test")) {
     config = readConfig(root);
   }
   Parameters root;
@@ -51,9 +52,9 @@ TEST(ReadConfig, AMinimalFileTakesTheOriginalsDefaults) {
   EXPECT_EQ(config.motion.rate, 30.0);
   EXPECT_EQ(config.global_frame, "map");
   EXPECT_EQ(config.cameras.at(0).frame, "camera/optical_link");
-  EXPECT_EQ(config.masks.history_length, 100);
-  EXPECT_EQ(config.masks.var_threshold, 500.0);
-  EXPECT_FALSE(config.masks.detect_shadows);
+  EXPECT_EQ(config.masks.mog2.history_length, 100);
+  EXPECT_EQ(config.masks.mog2.var_threshold, 500.0);
+  EXPECT_FALSE(config.masks.mog2.detect_shadows);
   ASSERT_EQ(config.objects.size(), 1U);
   EXPECT_EQ(config.objects[0].frame, "alpha/base_link");
   EXPECT_EQ(config.objects[0].class_name, "summit");
@@ -113,9 +114,9 @@ TEST(ReadConfig, SaysWhatMissingAssetsMean) {
   const auto reading = [](const std::string& rest) {
     return Reading(with("world: /data/hall.world", "world: {file: /data/hall.world" + rest + "}"));
   };
-  EXPECT_EQ(reading("").config.world.on_missing_asset, OnMissingAsset::kError);
-  EXPECT_EQ(reading(", on_missing_asset: warn").config.world.on_missing_asset,
-            OnMissingAsset::kWarn);
+  EXPECT_EQ(reading("").config.world.loading.on_missing_asset, world::OnMissingAsset::kError);
+  EXPECT_EQ(reading(", on_missing_asset: warn").config.world.loading.on_missing_asset,
+            world::OnMissingAsset::kWarn);
   EXPECT_THAT(reading(", on_missing_asset: ignore").root.errors(),
               ElementsAre("world/on_missing_asset: found 'ignore'; it should be error or warn"));
 }
@@ -180,11 +181,11 @@ TEST(ReadConfig, AModelMayBeAText) {
 constexpr char kPlaced[] = "motion: placement\nscenes: 5\nplacement: {map: /a.yaml}\n";
 
 TEST(ReadConfig, FollowsABagUnlessObjectsArePlaced) {
-  EXPECT_EQ(Reading(kMinimal).config.motion.source, MotionSource::kBag);
-  EXPECT_EQ(Reading(plus("motion: bag\n")).config.motion.source, MotionSource::kBag);
+  EXPECT_EQ(Reading(kMinimal).config.motion.source, motion::MotionSource::kBag);
+  EXPECT_EQ(Reading(plus("motion: bag\n")).config.motion.source, motion::MotionSource::kBag);
   const Reading reading(with("bag_file: /data/run.bag\n", kPlaced));
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  EXPECT_EQ(reading.config.motion.source, MotionSource::kPlacement);
+  EXPECT_EQ(reading.config.motion.source, motion::MotionSource::kPlacement);
   EXPECT_EQ(reading.config.motion.scenes, 5);
   EXPECT_EQ(reading.config.placement.map_file, "/a.yaml");
   EXPECT_THAT(reading.config.motion.bag_files, IsEmpty());
@@ -197,10 +198,10 @@ TEST(ReadConfig, PlacementMayHaveABagToo) {
 }
 
 TEST(ReadConfig, PropsComeToRestBeforeObjectsArePlaced) {
-  EXPECT_EQ(Reading(kMinimal).config.physics.settle, 0.0);
-  EXPECT_EQ(Reading(plus(kPlaced)).config.physics.settle, 10.0);
-  EXPECT_EQ(Reading(plus(std::string(kPlaced) + "physics: {settle: 2}")).config.physics.settle,
-            2.0);
+  EXPECT_EQ(Reading(kMinimal).config.settling.count(), 0);
+  EXPECT_EQ(Reading(plus(kPlaced)).config.settling, std::chrono::seconds(10));
+  EXPECT_EQ(Reading(plus(std::string(kPlaced) + "physics: {settle: 2}")).config.settling,
+            std::chrono::seconds(2));
 }
 
 TEST(ReadConfig, ObjectsMayHaveASafetyRadius) {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -13,11 +13,11 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 struct Reading {
-  explicit Reading(const std::string& yaml) : root(parseYaml(yaml, "test"), "randomize") {
+  explicit Reading(const std::string& yaml) : root(base::parseYaml(yaml, "test"), "randomize") {
     distractors = readDistractors(root);
   }
   Parameters root;
-  std::optional<DistractorConfig> distractors;
+  std::optional<placement::DistractorOptions> distractors;
 };
 
 TEST(DistractorConfig, IsNothingWithoutItsGroup) {
@@ -29,7 +29,7 @@ TEST(DistractorConfig, NeedsNothingButAVolume) {
   EXPECT_THAT(reading.root.errors(), IsEmpty());
   ASSERT_TRUE(reading.distractors);
   EXPECT_EQ(reading.distractors->pool, 24);
-  EXPECT_EQ(reading.distractors->mode, DistractorMode::kFly);
+  EXPECT_EQ(reading.distractors->mode, placement::DistractorMode::kFly);
   EXPECT_EQ(reading.distractors->textures, "procedural");
   EXPECT_EQ(reading.distractors->volume.low, Eigen::Vector3d(-1, -2, 0));
   EXPECT_EQ(reading.distractors->volume.high, Eigen::Vector3d(1, 2, 3));
@@ -45,7 +45,7 @@ TEST(DistractorConfig, ReadsEverySetting) {
   EXPECT_EQ(reading.distractors->pool, 5);
   EXPECT_EQ(reading.distractors->count.lowest(), 3.0);
   EXPECT_EQ(reading.distractors->size.highest(), 0.2);
-  EXPECT_EQ(reading.distractors->mode, DistractorMode::kStand);
+  EXPECT_EQ(reading.distractors->mode, placement::DistractorMode::kStand);
   EXPECT_EQ(reading.distractors->textures, "none");
   EXPECT_EQ(reading.distractors->tries, 7);
 }

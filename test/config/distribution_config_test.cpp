@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -24,7 +24,7 @@ constexpr DistributionRange kEachAxis = {3, -kInfinity, kInfinity, true};
 
 /// Settings whose entry `sun/x` is this.
 Parameters settings(const std::string& x) {
-  return Parameters(parseYaml("sun: {x: " + x + "}", "test"));
+  return Parameters(base::parseYaml("sun: {x: " + x + "}", "test"));
 }
 
 /// What is drawn from an entry that should be right.
@@ -293,7 +293,7 @@ TEST(MaybeDistribution, CutsLongListsShort) {
 }
 
 TEST(MaybeChoice, ReadsOneTextOrSeveral) {
-  Parameters root = Parameters(parseYaml(
+  Parameters root = Parameters(base::parseYaml(
       "sun: {a: oak, b: {choice: [oak, pine]}, c: {choice: [oak, pine], weights: [1, 0]}}", "t"));
   Parameters group = root.group("sun");
   EXPECT_FALSE(maybeChoice(group, "nothing"));

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -12,17 +12,17 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Pair;
 
-Parameters settings(const std::string& yaml) { return Parameters(parseYaml(yaml, "test")); }
+Parameters settings(const std::string& yaml) { return Parameters(base::parseYaml(yaml, "test")); }
 
-ObjectConfig objectOf(const std::string& name, const std::string& class_name) {
-  ObjectConfig object;
+ObjectOptions objectOf(const std::string& name, const std::string& class_name) {
+  ObjectOptions object;
   object.name = name;
   object.class_text = object.class_name = class_name;
   return object;
 }
 
 /// "0 rover, 1 drone": what classes became of these objects.
-std::string classesOf(Parameters root, std::vector<ObjectConfig>& objects) {
+std::string classesOf(Parameters root, std::vector<ObjectOptions>& objects) {
   std::string text;
   for (const ClassConfig& each : readClasses(root, objects)) {
     text += (text.empty() ? "" : ", ") + std::to_string(each.id) + " " + each.name;
@@ -64,8 +64,8 @@ TEST(ReadLabels, RefusesWhatIsOutOfRange) {
 }
 
 TEST(ReadClasses, NumberNamesInAlphabeticalOrder) {
-  std::vector<ObjectConfig> objects = {objectOf("a", "rover"), objectOf("b", "drone"),
-                                       objectOf("c", "rover")};
+  std::vector<ObjectOptions> objects = {objectOf("a", "rover"), objectOf("b", "drone"),
+                                        objectOf("c", "rover")};
   EXPECT_EQ(classesOf(settings("{}"), objects), "0 drone, 1 rover");
   EXPECT_EQ(objects[0].class_id, 1);
   EXPECT_EQ(objects[1].class_id, 0);
@@ -73,25 +73,25 @@ TEST(ReadClasses, NumberNamesInAlphabeticalOrder) {
 }
 
 TEST(ReadClasses, KeepNumbersAndNumberNamesRoundThem) {
-  std::vector<ObjectConfig> objects = {objectOf("a", "0"), objectOf("b", "7"),
-                                       objectOf("c", "drone"), objectOf("d", "cat")};
+  std::vector<ObjectOptions> objects = {objectOf("a", "0"), objectOf("b", "7"),
+                                        objectOf("c", "drone"), objectOf("d", "cat")};
   EXPECT_EQ(classesOf(settings("{}"), objects), "0 0, 1 cat, 2 drone, 7 7");
   EXPECT_EQ(objects[1].class_id, 7);
 }
 
 TEST(ReadClasses, TextsThatOnlyLookLikeNumbersAreNames) {
-  std::vector<ObjectConfig> objects = {objectOf("a", "007"), objectOf("b", "-1")};
+  std::vector<ObjectOptions> objects = {objectOf("a", "007"), objectOf("b", "-1")};
   EXPECT_EQ(classesOf(settings("{}"), objects), "0 -1, 1 007");
 }
 
 TEST(ReadClasses, AListNumbersThemFromZero) {
-  std::vector<ObjectConfig> objects = {objectOf("a", "rover")};
+  std::vector<ObjectOptions> objects = {objectOf("a", "rover")};
   EXPECT_EQ(classesOf(settings("classes: [person, rover]"), objects), "0 person, 1 rover");
   EXPECT_EQ(objects[0].class_id, 1);
 }
 
 TEST(ReadClasses, AMapGivesNumbersAndObjectsMayNameEither) {
-  std::vector<ObjectConfig> objects = {objectOf("a", "rover"), objectOf("b", "26")};
+  std::vector<ObjectOptions> objects = {objectOf("a", "rover"), objectOf("b", "26")};
   EXPECT_EQ(classesOf(settings("classes: {rover: 3, car: 26}"), objects), "3 rover, 26 car");
   EXPECT_EQ(objects[0].class_id, 3);
   EXPECT_EQ(objects[1].class_id, 26);
@@ -100,7 +100,7 @@ TEST(ReadClasses, AMapGivesNumbersAndObjectsMayNameEither) {
 }
 
 TEST(ReadClasses, RefuseAnObjectOfNoClass) {
-  std::vector<ObjectConfig> objects = {objectOf("a", "rovr")};
+  std::vector<ObjectOptions> objects = {objectOf("a", "rovr")};
   Parameters root = settings("classes: [person, rover]");
   (void)readClasses(root, objects);
   EXPECT_THAT(root.errors(),
@@ -109,7 +109,7 @@ TEST(ReadClasses, RefuseAnObjectOfNoClass) {
 }
 
 TEST(ReadClasses, RefuseNumbersTwiceAndOutOfRange) {
-  std::vector<ObjectConfig> objects;
+  std::vector<ObjectOptions> objects;
   Parameters root = settings("classes: {a: 1, b: 1, c: -2, d: 70000}");
   (void)readClasses(root, objects);
   EXPECT_THAT(root.errors(), ElementsAre(HasSubstr("its number 1 more than once"),

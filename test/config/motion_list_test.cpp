@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -27,7 +27,7 @@ camera: {info_file: c.yaml, pose: [1, 2]}
 
 /// The motions of a run with these entries.
 MotionList motions(const std::string& entries, const std::string& more = "") {
-  return readMotions(parseYaml(std::string(kRun) + more + "\nmotions: " + entries, "test"));
+  return readMotions(base::parseYaml(std::string(kRun) + more + "\nmotions: " + entries, "test"));
 }
 
 std::vector<std::string> errorsOf(const std::string& entries, const std::string& more = "") {
@@ -42,7 +42,7 @@ Value setting(const MotionEntry& entry, const std::string& name) {
 }
 
 TEST(ReadMotions, WithoutAListTheRunIsTheOnlyOne) {
-  const Value run = parseYaml(kRun + std::string("scenes: 5"), "test");
+  const Value run = base::parseYaml(kRun + std::string("scenes: 5"), "test");
   const MotionList list = readMotions(run);
   EXPECT_THAT(list.errors, IsEmpty());
   ASSERT_THAT(list.entries, SizeIs(1));
@@ -57,10 +57,10 @@ TEST(ReadMotions, LaysEachEntryOverTheRun) {
   const MotionList list = motions("[{}, {bag_file: b.bag, camera: {pose: [3, 4]}}]");
   EXPECT_THAT(list.errors, IsEmpty());
   ASSERT_THAT(list.entries, SizeIs(2));
-  EXPECT_EQ(list.entries[0].settings, parseYaml(kRun, "test"));
+  EXPECT_EQ(list.entries[0].settings, base::parseYaml(kRun, "test"));
   EXPECT_EQ(setting(list.entries[1], "bag_file"), Value("b.bag"));
   EXPECT_EQ(setting(list.entries[1], "camera"),
-            parseYaml("{info_file: c.yaml, pose: [3, 4]}", "test"));
+            base::parseYaml("{info_file: c.yaml, pose: [3, 4]}", "test"));
   EXPECT_EQ(setting(list.entries[1], "seed"), Value(3));
   EXPECT_TRUE(setting(list.entries[1], "motions").isNull());
 }
@@ -69,7 +69,7 @@ TEST(ReadMotions, TakesSlashesInAnEntry) {
   const MotionList list = motions("[{camera/far: 5, physics/settle: 1}]");
   EXPECT_THAT(list.errors, IsEmpty());
   EXPECT_EQ(setting(list.entries[0], "camera"),
-            parseYaml("{info_file: c.yaml, pose: [1, 2], far: 5}", "test"));
+            base::parseYaml("{info_file: c.yaml, pose: [1, 2], far: 5}", "test"));
 }
 
 TEST(ReadMotions, NamesEntriesByTheirPlaceUnlessTheyHaveAName) {
@@ -87,7 +87,8 @@ TEST(ReadMotions, TakesWhatIsAboutTheEntryOutOfItsSettings) {
   EXPECT_EQ(list.entries[0].weight, 2.0);
   EXPECT_EQ(list.entries[0].split, "val");
   EXPECT_THAT(list.entries[0].objects, ElementsAre("rover"));
-  EXPECT_EQ(list.entries[0].settings, parseYaml(kRun, "test")) << "the run's robot_list stays";
+  EXPECT_EQ(list.entries[0].settings, base::parseYaml(kRun, "test"))
+      << "the run's robot_list stays";
   EXPECT_EQ(list.entries[1].weight, 1.0);
   EXPECT_EQ(list.entries[1].split, std::nullopt);
   EXPECT_THAT(list.entries[1].objects, IsEmpty());
@@ -239,7 +240,7 @@ TEST(ReadMotions, LetsAnObjectHaveAnotherFrame) {
   const MotionList list = motions("[{rover: {frame: robot_7, safety_radius: 1}}]");
   EXPECT_THAT(list.errors, IsEmpty());
   EXPECT_EQ(setting(list.entries[0], "rover"),
-            parseYaml("{class: car, id: 1, frame: robot_7, safety_radius: 1}", "test"));
+            base::parseYaml("{class: car, id: 1, frame: robot_7, safety_radius: 1}", "test"));
 }
 
 TEST(ReadMotions, LetsAnObjectBeNothingElse) {

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::Not;
 
-Value::Map yaml(const std::string& text) { return *parseYaml(text, "test").as<Value::Map>(); }
+Value::Map yaml(const std::string& text) { return *base::parseYaml(text, "test").as<Value::Map>(); }
 
 /// The run's settings with an entry's over them; both have the object `rover`.
 Value::Map overlaid(const std::string& run, const std::string& own) {

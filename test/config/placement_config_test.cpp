@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -12,24 +12,24 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 struct Reading {
-  explicit Reading(const std::string& text) : root(parseYaml(text, "test")) {
+  explicit Reading(const std::string& text) : root(base::parseYaml(text, "test")) {
     placement = readPlacement(root);
   }
   Parameters root;
-  PlacementConfig placement;
+  placement::PlacementOptions placement;
 };
 
 TEST(ReadPlacement, TakesAMapForEnough) {
   const Reading reading("placement: {map: /maps/hall.yaml}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  const PlacementConfig& placement = reading.placement;
-  EXPECT_EQ(placement.mode, PlacementMode::kMap);
+  const placement::PlacementOptions& placement = reading.placement;
+  EXPECT_EQ(placement.mode, placement::PlacementMode::kMap);
   EXPECT_EQ(placement.map_file, "/maps/hall.yaml");
   EXPECT_EQ(placement.map_topic, std::nullopt);
   EXPECT_TRUE(placement.on_surface);
-  EXPECT_EQ(placement.highest_surface, 2.0);
-  EXPECT_EQ(placement.steepest, 0.35);
-  EXPECT_EQ(placement.unevenness, 0.05);
+  EXPECT_EQ(placement.surface.highest, 2.0);
+  EXPECT_EQ(placement.surface.steepest, 0.35);
+  EXPECT_EQ(placement.surface.unevenness, 0.05);
   EXPECT_EQ(placement.tries, 1000);
 }
 
@@ -39,12 +39,12 @@ TEST(ReadPlacement, ReadsHowThingsStandOnAMap) {
       "0, unevenness: 0, tries: 7}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
   EXPECT_THAT(reading.root.unknownNames(), IsEmpty());
-  const PlacementConfig& placement = reading.placement;
+  const placement::PlacementOptions& placement = reading.placement;
   EXPECT_EQ(placement.map_file, std::nullopt);
   EXPECT_EQ(placement.map_topic, "/map");
-  EXPECT_EQ(placement.highest_surface, -1.5);
-  EXPECT_EQ(placement.steepest, 0.0);
-  EXPECT_EQ(placement.unevenness, 0.0);
+  EXPECT_EQ(placement.surface.highest, -1.5);
+  EXPECT_EQ(placement.surface.steepest, 0.0);
+  EXPECT_EQ(placement.surface.unevenness, 0.0);
   EXPECT_EQ(placement.tries, 7);
 }
 
@@ -64,7 +64,7 @@ TEST(ReadPlacement, KnowsNoHeightOnASurface) {
 TEST(ReadPlacement, ReadsAVolume) {
   const Reading reading("placement: {mode: volume, volume: {min: [-1, 2, 0.5], max: [1, 2, 3]}}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  EXPECT_EQ(reading.placement.mode, PlacementMode::kVolume);
+  EXPECT_EQ(reading.placement.mode, placement::PlacementMode::kVolume);
   EXPECT_EQ(reading.placement.volume.low, Eigen::Vector3d(-1, 2, 0.5));
   EXPECT_EQ(reading.placement.volume.high, Eigen::Vector3d(1, 2, 3));
   EXPECT_FALSE(reading.placement.upright);
@@ -80,7 +80,7 @@ TEST(ReadPlacement, ReadsADrop) {
   const std::string drop = "placement: {mode: drop, volume: {min: [0, 0, 1], max: [1, 1, 2]}";
   const Reading reading(drop + ", fall_time: 4}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  EXPECT_EQ(reading.placement.mode, PlacementMode::kDrop);
+  EXPECT_EQ(reading.placement.mode, placement::PlacementMode::kDrop);
   EXPECT_EQ(reading.placement.fall_time, 4.0);
   EXPECT_EQ(Reading(drop + "}").placement.fall_time, 10.0);
 }

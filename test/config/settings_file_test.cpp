@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -17,7 +17,7 @@ using ::testing::ThrowsMessage;
 using Map = Value::Map;
 
 Map parameters(const std::string& yaml) {
-  return asParameters(parseSettings(yaml, "test"), "test");
+  return asParameters(base::parseSettings(yaml, "test"), "test");
 }
 
 std::optional<std::string> noPackage(const std::string& /*name*/) { return std::nullopt; }

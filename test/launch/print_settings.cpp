@@ -8,8 +8,8 @@
 #include <iostream>
 #include <string>
 
+#include "base/json_text.h"
 #include "config/settings_file.h"
-#include "config/settings_text.h"
 #include "setup/ros_packages.h"
 #include "synthetic_dataset/errors.h"
 
@@ -29,7 +29,7 @@ std::string json(const Value& value) {
   if (const auto* number = value.as<double>()) {
     return "{\"float\": \"" + formatted("%a", *number) + "\"}";
   }
-  if (value.is<std::string>()) return config::jsonText(value);
+  if (value.is<std::string>()) return base::jsonText(value);
   std::string entries;
   if (const auto* list = value.as<Value::List>()) {
     for (const Value& entry : *list) entries += (entries.empty() ? "" : ", ") + json(entry);
@@ -37,7 +37,7 @@ std::string json(const Value& value) {
   }
   if (const auto* map = value.as<Value::Map>()) {
     for (const auto& [name, entry] : *map) {
-      entries += (entries.empty() ? "" : ", ") + config::jsonText(name) + ": " + json(entry);
+      entries += (entries.empty() ? "" : ", ") + base::jsonText(name) + ": " + json(entry);
     }
     return "{" + entries + "}";
   }
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     try {
       std::cout << json(Value(config::loadSettings(argv[i], packages))) << '\n';
     } catch (const Error& error) {
-      std::cout << "{\"error\": " << config::jsonText(error.what()) << "}\n";
+      std::cout << "{\"error\": " << base::jsonText(error.what()) << "}\n";
     }
   }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "run/generator.h"
 #include "support/bag_builder.h"
 #include "synthetic_dataset/label_text.h"
@@ -75,7 +75,7 @@ Value objectValue(const LoaderObject& object, std::size_t index, const Temporary
 
 /// The parameter `writers` and the groups of the writers in it.
 void addWriters(Value::Map& parameters) {
-  const Value file = config::loadYamlFile(kFolder + "/writers.yaml");
+  const Value file = base::loadYamlFile(kFolder + "/writers.yaml");
   Value::List writers;
   for (const Value& each : *file.as<Value::List>()) {
     Value::Map entry = *each.as<Value::Map>();

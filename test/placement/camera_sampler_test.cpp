@@ -96,7 +96,7 @@ class CameraSamplerTest : public ::testing::Test {
     return p_C.z() > 0.0 && p_C.head<2>().norm() < 1e-9 * p_C.z();
   }
 
-  config::CameraSampling config;
+  CameraSampling config;
   std::vector<CameraTarget> targets{{"alpha", {1, 2, 0.5}}};
   std::unique_ptr<world::World> world;
   std::unique_ptr<Surroundings> surroundings;

@@ -62,7 +62,7 @@ class DistractorPlacerTest : public ::testing::Test {
     return there;
   }
 
-  config::DistractorConfig config;
+  DistractorOptions config;
   std::vector<SolidBox> standing{floorBox(), {"wall", {4, 0.4, 3}, at(0, 0, 1.5)}};
   std::vector<SolidBox> objects{{"alpha", {0.8, 0.8, 0.8}, at(1, 1, 0.4)}};
   std::vector<SolidBox> boxes;
@@ -101,7 +101,7 @@ TEST_F(DistractorPlacerTest, FlyWithinTheVolumeTurnedAnyhow) {
 }
 
 TEST_F(DistractorPlacerTest, StandOnWhatIsBelow) {
-  config.mode = config::DistractorMode::kStand;
+  config.mode = DistractorMode::kStand;
   standing.push_back({"table", {1.5, 1.5, 0.7}, at(-1.2, -1.2, 0.35)});
   const Placer made = make();
   bool on_table = false;
@@ -118,7 +118,7 @@ TEST_F(DistractorPlacerTest, StandOnWhatIsBelow) {
 }
 
 TEST_F(DistractorPlacerTest, WhatIsDroppedLiesOnSomething) {
-  config.mode = config::DistractorMode::kDrop;
+  config.mode = DistractorMode::kDrop;
   config.volume = {{-1.5, -1.5, 1.2}, {1.5, 1.5, 2.5}};
   standing.push_back({"table", {1.5, 1.5, 0.7}, at(-1.2, -1.2, 0.35)});
   const Placer made = make();
@@ -153,7 +153,7 @@ TEST_F(DistractorPlacerTest, WhatIsDroppedLiesOnSomething) {
 }
 
 TEST_F(DistractorPlacerTest, WhatFallsForEverIsLeftOut) {
-  config.mode = config::DistractorMode::kDrop;
+  config.mode = DistractorMode::kDrop;
   config.fall_time = 3.0;
   config.volume = {{20, 20, 1}, {22, 22, 2}};  // beside the floor
   standing.front().size = {10, 10, 0.2};
@@ -164,7 +164,7 @@ TEST_F(DistractorPlacerTest, WhatFallsForEverIsLeftOut) {
 }
 
 TEST_F(DistractorPlacerTest, FallingMovesNothingElse) {
-  config.mode = config::DistractorMode::kDrop;
+  config.mode = DistractorMode::kDrop;
   config.volume = {{0.8, 0.8, 1.5}, {1.2, 1.2, 3.0}};  // above alpha
   const Placer made = make();
   const std::vector<Pose> before = made.world->linkPoses();

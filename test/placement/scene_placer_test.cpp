@@ -11,7 +11,6 @@
 namespace synthetic_dataset::placement {
 namespace {
 
-using config::PlacementMode;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using test::chiSquared;
@@ -116,7 +115,7 @@ class ScenePlacerTest : public ::testing::Test {
     return test::messagesOf([&] { static_cast<void>(make().place(0)); });
   }
 
-  config::PlacementConfig config;
+  PlacementOptions config;
   std::optional<OccupancyMap> map = clutteredMap();
   std::vector<SolidBox> standing{floorBox()};
   std::vector<world::Model> props;
@@ -174,7 +173,7 @@ TEST_F(ScenePlacerTest, KeepsOutOfProps) {
   map = hall(20, 20);
   const SolidBox crate{"crate", {2, 2, 2}, at(-3, -1, 1)};
   props.push_back(crate.model());
-  config.highest_surface = 0.5;  // nobody stands on the crate
+  config.surface.highest = 0.5;  // nobody stands on the crate
   const Placer placer = make();
   for (int scene = 0; scene < 100; ++scene) {
     const std::vector<Pose> X_GO = placer.place(scene);
@@ -428,7 +427,7 @@ TEST_F(ScenePlacerTest, TellsThatTheMapLiesOverNothing) {
 
 TEST_F(ScenePlacerTest, TellsThatAllIsTooSteep) {
   standing = {{"ramp", {40, 40, 1}, world::turnedAt({0, 0, 0}, 0.5, {0, 1, 0})}};
-  config.highest_surface = 20.0;
+  config.surface.highest = 20.0;
   config.tries = 20;
   EXPECT_THAT(errors(), ElementsAre(HasSubstr(" would have stood on something steep")));
 }

@@ -15,7 +15,7 @@ void PluginTest::SetUpTestSuite() { test::preparePluginEnvironment(); }
 writers::WriterHost& PluginTest::load(const Value::Map& parameters) {
   parameters_ = Parameters(parameters, "w");
   host_ = std::make_unique<writers::WriterHost>(
-      std::vector<writers::WriterChoice>{{"w", type_, folder(), parameters_}}, dataset_,
+      std::vector<writers::WriterOptions>{{"w", type_, folder(), parameters_}}, dataset_,
       std::vector<std::string>{test::pluginXml()});
   return *host_;
 }

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::test {
@@ -47,7 +47,7 @@ std::filesystem::path referenceFolder() {
 }
 
 GoldenCase::GoldenCase(const std::string& name) : folder_(referenceFolder() / "golden" / name) {
-  const Value recorded = config::loadYamlFile((folder_ / "frames.json").string());
+  const Value recorded = base::loadYamlFile((folder_ / "frames.json").string());
   for (const Value& frame : *entry(recorded, "frames").as<Value::List>()) {
     Frame result;
     result.stamp_ns = *entry(frame, "stamp_ns").as<std::int64_t>();
@@ -68,7 +68,7 @@ Value GoldenCase::parameters(const std::filesystem::path& output,
   text = replaced(text, "$(env NN_CASE_DIR)", folder_.string());
   text = replaced(text, "$(env NN_OUT_DIR)", output.string());
   text = replaced(text, "/robot_list:", "robot_list:");
-  Value parameters = config::parseYaml(text, (folder_ / "params.yaml").string());
+  Value parameters = base::parseYaml(text, (folder_ / "params.yaml").string());
   auto& map = *parameters.as<Value::Map>();
 
   Value::List objects;
@@ -80,7 +80,7 @@ Value GoldenCase::parameters(const std::filesystem::path& output,
   std::ofstream(world_file) << boxWorld(objects);
   map["world"] = Value(world_file.string());
 
-  const Value poses = config::loadYamlFile((folder_ / "camera_pose.yaml").string());
+  const Value poses = base::loadYamlFile((folder_ / "camera_pose.yaml").string());
   const Value& optical = entry(poses, "frames").as<Value::List>()->front();
   map["camera"] = Value(Value::Map{{"info_file", Value((folder_ / "camera_info.yaml").string())},
                                    {"pose", entry(optical, "pose")}});

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "reference/golden_case.h"
 #include "run/generator.h"
 #include "support/temporary_folder.h"
@@ -79,7 +79,7 @@ RunSummary replay(const test::TemporaryFolder& folder, const std::string& model,
       "\nbackground_subtractor: {history_length: 1, var_threshold: 16.0}\nyolo: {main_list: "
       "list.txt}\nbounding_shape: {output_frame: map}\n";
   Reporter reporter;
-  Generator generator(config::parseYaml(text, "test"), reporter, {test::pluginXml()});
+  Generator generator(base::parseYaml(text, "test"), reporter, {test::pluginXml()});
   return generator.run();
 }
 

@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run_fixture.h"
 
@@ -25,7 +25,7 @@ using ::testing::SizeIs;
 
 using Files = std::map<std::string, std::string>;
 
-Value yaml(const std::string& text) { return config::parseYaml(text, "test"); }
+Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
 /// Pixels that have nothing to do with one another, so that what is a pixel off is another picture.
 cv::Mat noise(const cv::Size& size, std::uint64_t seed) {

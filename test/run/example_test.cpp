@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "render/renderer.h"
 #include "scene/object_motion.h"
 #include "scene/scene_maker.h"
@@ -29,7 +29,7 @@ Value exampleParameters(const std::string& output) {
   const std::string file = test::sourceFolder() + "/config/example.yaml";
   std::string text = test::readFile(file);
   text = replaced(text, "$(find synthetic_dataset)", test::sourceFolder());
-  Value parameters = config::parseYaml(text, file);
+  Value parameters = base::parseYaml(text, file);
   (*parameters.as<Value::Map>())["output_folder"] = Value(output);
   (*parameters.as<Value::Map>())["simulated_rate"] = Value(2.0);
   return parameters;
@@ -47,14 +47,14 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   const RunSetup run = setUpRun(exampleParameters(folder / "out"), {test::pluginXml()});
   const MotionSetup& setup = run.motions.front();
   render::Renderer renderer(setup.world->description(), setup.world->links(), {});
-  const std::vector<config::ObjectConfig>& objects = setup.config.objects;
+  const std::vector<ObjectOptions>& objects = setup.config.objects;
   Requirements masks;
   masks.silhouettes = true;
-  config::MaskConfig subtraction = setup.config.masks;
-  subtraction.method = config::MaskMethod::kMog2;
+  MaskOptions subtraction = setup.config.masks;
+  subtraction.method = MaskMethod::kMog2;
   SceneMaker maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes, masks,
                    {subtraction, {}, {}});
-  ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
+  ObjectMotion motion(*setup.frames, objects, setup.world->links(), setup.driven_links);
   std::vector<double> worst(objects.size(), 1.0);
   std::vector<double> sum(objects.size(), 0.0);
   for (std::size_t s = 0; s < setup.timeline.stamps.size(); ++s) {

@@ -10,7 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "synthetic_dataset/errors.h"
@@ -90,7 +90,7 @@ TEST(FieldOfView, AtWhichALensSeesNextToNothingIsTold) {
 
 // --- Whole runs ---
 
-Value yaml(const std::string& text) { return config::parseYaml(text, "test"); }
+Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
 double numberOf(const Value& value) {
   const auto* whole = value.as<std::int64_t>();

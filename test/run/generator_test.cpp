@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "run_fixture.h"
 #include "support/bag_builder.h"
 #include "support/tiny_run.h"
@@ -267,7 +267,7 @@ TEST_F(GeneratorTest, TellsWritersOfTheScenesThatHaveTheirFramesAlone) {
   parameters["split"] = Value(Value::Map{{"train", Value(0.85)}, {"val", Value(0.15)}});
   (*parameters.at("bounding_shape").as<Value::Map>())["output_frame"] = Value("tool");
   parameters.erase("yolo");
-  parameters["writers"] = config::parseYaml(
+  parameters["writers"] = base::parseYaml(
       "[{name: folder, type: synthetic_dataset/ImageFolder},"
       " {name: bounding_shape, type: synthetic_dataset/BoundingShape}]",
       "test");

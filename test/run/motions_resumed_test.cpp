@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "all_at_once_run.h"
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "run/merger.h"
 #include "support/bag_builder.h"
 #include "support/temporary_folder.h"
@@ -21,7 +21,7 @@ using test::poseAt;
 
 using Files = std::map<std::string, std::string>;
 
-Value yaml(const std::string& text) { return config::parseYaml(text, "test"); }
+Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
 /// Stops a run after so many times, whatever is written by then; counts them.
 struct TimesReporter : Reporter {

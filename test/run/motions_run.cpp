@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "all_at_once_run.h"
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run/generator.h"
 #include "support/bag_builder.h"
@@ -75,7 +75,7 @@ MotionsRun::MotionsRun() {
 
 void MotionsRun::set(const std::string& name, const std::string& text) {
   const std::string folder = tiny_.folder().path().string();
-  parameters[name] = config::parseYaml(replaced(text, "DIR", folder), "test");
+  parameters[name] = base::parseYaml(replaced(text, "DIR", folder), "test");
 }
 
 RunSummary MotionsRun::run(Reporter& reporter) const {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "all_at_once_run.h"
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "run/merger.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
@@ -23,7 +23,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-Value yaml(const std::string& text) { return config::parseYaml(text, "test"); }
+Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
 /// Free all over, but for one corner.
 motion::RecordedMap hall() {

@@ -33,7 +33,7 @@ class SceneLoopTest : public testing::Test {
   }
 
   void addMotion() {
-    config::ObjectConfig box;
+    ObjectOptions box;
     box.name = box.frame = "box";
     box.bounding_shape_O = test::boxCorners({1.0, 1.0, 1.0});
     setup.config.objects = {box};

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "all_at_once_run.h"
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "writers/plugin_environment.h"
@@ -30,7 +30,7 @@ constexpr std::int64_t kStart = 1000000000;   // of the recording [ns]
 constexpr std::int64_t kPeriod = 125000000;   // [ns]
 constexpr std::int64_t kFarthest = 40000000;  // [ns]
 
-Value yaml(const std::string& text) { return config::parseYaml(text, "test"); }
+Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
 /// A scene as the manifest has it.
 struct ListedScene {

@@ -9,7 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "run_fixture.h"
@@ -31,7 +31,7 @@ using ::testing::UnorderedElementsAre;
 using Files = std::map<std::string, std::string>;
 using Draws = std::map<std::string, std::vector<double>>;  ///< a scene's, by name; texts are empty
 
-Value yaml(const std::string& text) { return config::parseYaml(text, "test"); }
+Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
 /// A number, or those of a list; none of a text.
 std::vector<double> numbersOf(const Value& value) {

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "all_at_once_run.h"
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "run_fixture.h"
@@ -25,7 +25,7 @@ using ::testing::SizeIs;
 
 using Files = std::map<std::string, std::string>;
 
-Value yaml(const std::string& text) { return config::parseYaml(text, "test"); }
+Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
 /// An SDF model whose shape stands on its origin.
 std::string modelText(const std::string& shape, double height, const std::string& colour) {

@@ -16,12 +16,12 @@ world::CameraSensor eye() {
   return {"mast::link::eye", Pose::Identity(), model, {}, "link", Pose::Identity()};
 }
 
-CameraRig rigOf(const config::CameraConfig& config) {
+CameraRig rigOf(const CameraOptions& config) {
   return makeCameraRig(config, {}, {eye()}, {}, {}, motion::FrameMotion("map", nullptr));
 }
 
-config::CameraConfig ofEye() {
-  config::CameraConfig config;
+CameraOptions ofEye() {
+  CameraOptions config;
   config.sensor = "mast::link::eye";
   return config;
 }
@@ -33,7 +33,7 @@ TEST(CameraRig, OfTheWorldSeesAsFarAsItsFileSays) {
 }
 
 TEST(CameraRig, OfTheWorldSeesAsFarAsIsSet) {
-  config::CameraConfig config = ofEye();
+  CameraOptions config = ofEye();
   config.far = 5.0;
   const CameraModel model = rigOf(config).model;
   EXPECT_EQ(model.near(), 0.2);
@@ -42,7 +42,7 @@ TEST(CameraRig, OfTheWorldSeesAsFarAsIsSet) {
 }
 
 TEST(CameraRig, OfTheWorldIsRefusedWhereNothingWouldBeLeftToSee) {
-  config::CameraConfig config = ofEye();
+  CameraOptions config = ofEye();
   config.near = 30.0;
   EXPECT_THAT(test::messagesOf([&] { (void)rigOf(config); }),
               ElementsAre(StartsWith("camera/near: found 30.0; the world's camera "

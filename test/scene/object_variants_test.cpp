@@ -22,7 +22,7 @@ class ObjectVariantsTest : public ::testing::Test {
   }
 
   [[nodiscard]] ObjectVariants make() const {
-    config::Randomization randomization;
+    appearance::Randomization randomization;
     randomization.objects["rover"] = entry;
     return {object, randomization};
   }
@@ -38,8 +38,8 @@ class ObjectVariantsTest : public ::testing::Test {
     return worn;
   }
 
-  config::ObjectConfig object;
-  config::ObjectRandomization entry;
+  ObjectOptions object;
+  appearance::ObjectRandomization entry;
 };
 
 std::vector<double> sizesOf(const ObjectVariants& variants) {

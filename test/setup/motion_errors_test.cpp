@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -49,8 +49,8 @@ class UnknownOfMotions : public ::testing::Test {
            const std::vector<std::string>& read) {
     config::MotionEntry entry;
     entry.group = "motions/" + std::to_string(entries.size());
-    entry.own = *config::parseYaml(own, "test").as<Value::Map>();
-    roots.emplace_back(config::parseYaml(settings, "test"));
+    entry.own = *base::parseYaml(own, "test").as<Value::Map>();
+    roots.emplace_back(base::parseYaml(settings, "test"));
     for (const std::string& name : read) {
       const std::size_t slash = name.find('/');
       if (slash == std::string::npos) {

@@ -14,8 +14,8 @@ using ::testing::StartsWith;
 
 const Cuboid kRover{{-0.5, -0.3, 0.0}, {0.5, 0.3, 0.4}};
 
-config::ObjectConfig rover(double scale) {
-  config::ObjectConfig object;
+ObjectOptions rover(double scale) {
+  ObjectOptions object;
   object.name = "rover";
   for (const Eigen::Vector3d& corner : kRover.corners()) {
     object.bounding_shape_O.push_back(scale * corner);
@@ -24,7 +24,7 @@ config::ObjectConfig rover(double scale) {
   return object;
 }
 
-std::vector<std::string> warningsOf(const config::ObjectConfig& object, const Cuboid& box_O) {
+std::vector<std::string> warningsOf(const ObjectOptions& object, const Cuboid& box_O) {
   base::Diagnostics found;
   checkSizes(object, box_O, found);
   return found.messages(base::Severity::kWarning);
@@ -33,7 +33,7 @@ std::vector<std::string> warningsOf(const config::ObjectConfig& object, const Cu
 TEST(Sizes, AreRightOfWhatFitsTheModel) {
   EXPECT_THAT(warningsOf(rover(1.0), kRover), IsEmpty());
   EXPECT_THAT(warningsOf(rover(1.4), kRover), IsEmpty()) << "with room";
-  config::ObjectConfig found_on_model;
+  ObjectOptions found_on_model;
   EXPECT_THAT(warningsOf(found_on_model, kRover), IsEmpty());
 }
 
@@ -45,14 +45,14 @@ TEST(Sizes, WarnOfMillimetres) {
 }
 
 TEST(Sizes, WarnOfASinglePoint) {
-  config::ObjectConfig object = rover(1.0);
+  ObjectOptions object = rover(1.0);
   object.bounding_shape_O = {Eigen::Vector3d::Zero()};
   EXPECT_THAT(warningsOf(object, kRover), ElementsAre(StartsWith("rover/bounding_shape: its points "
                                                                  "reach over 0.000 m")));
 }
 
 TEST(Sizes, WarnOfAnotherFrame) {
-  config::ObjectConfig object = rover(1.0);
+  ObjectOptions object = rover(1.0);
   for (Eigen::Vector3d& point : object.bounding_shape_O) point.x() += 5.0;
   EXPECT_THAT(warningsOf(object, kRover),
               ElementsAre(StartsWith("rover/bounding_shape: its middle is 4.500 m away")));

@@ -30,12 +30,12 @@ class WriterHostTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { test::preparePluginEnvironment(); }
 
-  [[nodiscard]] WriterChoice choice(const std::string& name, Value::Map values,
-                                    const std::string& type = "test/Misbehaving") const {
+  [[nodiscard]] WriterOptions choice(const std::string& name, Value::Map values,
+                                     const std::string& type = "test/Misbehaving") const {
     return {name, type, (folder_ / name).string() + "/", Parameters(std::move(values), name)};
   }
 
-  [[nodiscard]] static WriterHost makeHost(const std::vector<WriterChoice>& choices) {
+  [[nodiscard]] static WriterHost makeHost(const std::vector<WriterOptions>& choices) {
     return WriterHost(choices, {}, {test::pluginXml(), test::testPluginXml()});
   }
 
@@ -68,7 +68,7 @@ class WriterHostTest : public testing::Test {
     return "no error";
   }
 
-  [[nodiscard]] std::vector<std::string> errorsOf(const std::vector<WriterChoice>& choices) const {
+  [[nodiscard]] std::vector<std::string> errorsOf(const std::vector<WriterOptions>& choices) const {
     return test::messagesOf([&] { (void)makeHost(choices); });
   }
 

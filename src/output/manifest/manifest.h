@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "output/files/disk_sync.h"
 #include "output/manifest/manifest_schema.h"
 #include "output/manifest/run_description.h"
 #include "output/manifest/scene_facts.h"
 #include "output/manifest/sqlite.h"
+#include "output/output_options.h"
 #include "output/store_types.h"
 
 namespace synthetic_dataset::output {

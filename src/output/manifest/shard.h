@@ -3,13 +3,9 @@
 #include <cstdint>
 #include <string>
 
-namespace synthetic_dataset::output {
+#include "output/output_options.h"
 
-/// What a run makes of a job: every `count`-th block of instants, beginning with block `index`.
-struct Shard {
-  std::int64_t index = 0;  ///< 0 .. count - 1
-  std::int64_t count = 1;
-};
+namespace synthetic_dataset::output {
 
 /// "2/8"
 [[nodiscard]] std::string shardText(const Shard& shard);

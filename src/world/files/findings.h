@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "world/load_options.h"
+
 namespace synthetic_dataset::world {
 
 /// Where in which file something stands, for messages: "world.sdf: model 'shelf': link 'body'".
@@ -41,10 +43,6 @@ class Place {
   std::string file_;
   std::string path_;
 };
-
-/// What becomes of a world that names a file which is not there, or cannot be read: it is refused,
-/// or loaded without what needs the file.
-enum class OnMissingAsset { kError, kWarn };
 
 /// What reading files has brought to light, each thing once, in the order of its finding.
 struct Findings {

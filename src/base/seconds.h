@@ -5,11 +5,11 @@
 
 #include "synthetic_dataset/pose.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::base {
 
 /// A length of time that the parameters give in seconds, to the nearest nanosecond.
 [[nodiscard]] inline Duration fromSeconds(double seconds) {
   return Duration(static_cast<std::int64_t>(std::llround(seconds * 1e9)));
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::base

@@ -1,4 +1,4 @@
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,11 +12,11 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
-#include "config/angle_expression.h"
-#include "config/yaml_scalar.h"
+#include "base/angle_expression.h"
+#include "base/yaml_scalar.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::base {
 namespace {
 
 constexpr int kDeepestNesting = 64;
@@ -288,4 +288,4 @@ std::string readTextFile(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::base

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::base {
 
 /// The value of rosparam's `rad(...)` and `!radians` [rad]: numbers, pi, + - * / ** and
 /// parentheses, as Python computes them (rosparam has Python evaluate it; functions are not known
@@ -14,4 +14,4 @@ namespace synthetic_dataset::config {
 /// @throws Error saying what was found
 [[nodiscard]] double degrees(const std::string& number);
 
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::base

@@ -1,14 +1,14 @@
-#include "config/camera_info.h"
+#include "scene/camera_info.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <string>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/parameters.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset {
 namespace {
 
 using Errors = std::vector<std::string>;
@@ -230,7 +230,7 @@ CameraModel cameraModelOf(const Value& info, const std::string& origin, bool rec
 }
 
 CameraModel readCameraInfo(const std::string& file, bool rectified, double near, double far) {
-  return cameraModelOf(loadYamlFile(file), file, rectified, near, far);
+  return cameraModelOf(base::loadYamlFile(file), file, rectified, near, far);
 }
 
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset

@@ -1,11 +1,11 @@
-#include "config/angle_expression.h"
+#include "base/angle_expression.h"
 
 #include <cmath>
 
-#include "config/yaml_scalar.h"
+#include "base/yaml_scalar.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::base {
 namespace {
 
 constexpr int kDeepestNesting = 32;
@@ -135,4 +135,4 @@ double degrees(const std::string& number) {
   return *value * M_PI / 180.0;
 }
 
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::base

@@ -1,4 +1,4 @@
-#include "config/angle_expression.h"
+#include "base/angle_expression.h"
 
 #include <string>
 
@@ -6,7 +6,7 @@
 
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::base {
 namespace {
 
 using ::testing::HasSubstr;
@@ -53,4 +53,4 @@ TEST(Degrees, AreOneNumber) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::base

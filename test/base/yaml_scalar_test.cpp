@@ -1,4 +1,4 @@
-#include "config/yaml_scalar.h"
+#include "base/yaml_scalar.h"
 
 #include <cmath>
 #include <limits>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::base {
 namespace {
 
 // What yaml.safe_load of PyYAML 6.0 answers for each.
@@ -69,4 +69,4 @@ TEST(DecimalNumber, IsNothingElse) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::base

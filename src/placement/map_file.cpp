@@ -1,14 +1,14 @@
-#include "config/map_file.h"
+#include "placement/map_file.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <vector>
 
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/parameters.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::placement {
 namespace {
 
 /// A number that is held against a rule when it is one.
@@ -83,8 +83,8 @@ std::string readImage(Parameters& root, const std::string& file) {
 
 }  // namespace
 
-MapFile readMapFile(const std::string& file) {
-  Parameters root(loadYamlFile(file));
+MapFile readMapYaml(const std::string& file) {
+  Parameters root(base::loadYamlFile(file));
   const auto isPositive = [](double number) { return number > 0.0; };
   MapFile map;
   map.image = readImage(root, file);
@@ -99,4 +99,4 @@ MapFile readMapFile(const std::string& file) {
   throw ErrorList(named);
 }
 
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::placement

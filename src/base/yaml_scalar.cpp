@@ -1,4 +1,4 @@
-#include "config/yaml_scalar.h"
+#include "base/yaml_scalar.h"
 
 #include <algorithm>
 #include <limits>
@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::base {
 namespace {
 
 /// std::regex goes one call deeper for each character, and no number of use is longer.
@@ -135,4 +135,4 @@ Value plainScalar(const std::string& text) {
   return text;
 }
 
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::base

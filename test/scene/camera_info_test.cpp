@@ -1,11 +1,11 @@
-#include "config/camera_info.h"
+#include "scene/camera_info.h"
 
 #include <gmock/gmock.h>
 
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset {
 namespace {
 
 using ::testing::AllOf;
@@ -187,4 +187,4 @@ TEST_F(CameraInfo, NamesTheFileOfAnImpossibleCamera) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset

@@ -5,7 +5,7 @@
 
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::base {
 
 /// What PyYAML takes a text without quotes for (its yaml/resolver.py and yaml/constructor.py, YAML
 /// 1.1): yes is true, 010 is 8, 1:30 is 90, 1e5 is a text since a number with a fraction needs its
@@ -23,4 +23,4 @@ namespace synthetic_dataset::config {
 /// is anything else.
 [[nodiscard]] std::optional<double> decimalNumber(const std::string& text);
 
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::base

@@ -1,4 +1,4 @@
-#include "config/map_file.h"
+#include "placement/map_file.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::placement {
 namespace {
 
 using ::testing::ElementsAre;
@@ -24,7 +24,7 @@ free_thresh: 0.196
 class MapFileTest : public ::testing::Test {
  protected:
   [[nodiscard]] MapFile read(const std::string& text) const {
-    return readMapFile(folder.write("maps/office.yaml", text).string());
+    return readMapYaml(folder.write("maps/office.yaml", text).string());
   }
 
   [[nodiscard]] std::vector<std::string> faultsOf(const std::string& text) const {
@@ -131,7 +131,7 @@ TEST_F(MapFileTest, RefusesAnotherNegate) {
 
 TEST_F(MapFileTest, ThatIsNotThereIsNamed) {
   try {
-    static_cast<void>(readMapFile("/no/such/map.yaml"));
+    static_cast<void>(readMapYaml("/no/such/map.yaml"));
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("/no/such/map.yaml: no such file"));
@@ -139,4 +139,4 @@ TEST_F(MapFileTest, ThatIsNotThereIsNamed) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::placement

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::placement {
 
 /// What map_server makes of a picture's shades: free, occupied and unknown only, grades between
 /// these, or each shade as it is (http://wiki.ros.org/map_server#Value_Interpretation).
@@ -24,6 +24,6 @@ struct MapFile {
 /// Reads a map_server's YAML file, with the same fields required; others than its own are passed
 /// over, as it does.
 /// @throws ErrorList with all faults, each beginning with the file and naming the field
-[[nodiscard]] MapFile readMapFile(const std::string& file);
+[[nodiscard]] MapFile readMapYaml(const std::string& file);
 
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::placement

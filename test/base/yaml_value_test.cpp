@@ -1,4 +1,4 @@
-#include "config/yaml_value.h"
+#include "base/yaml_value.h"
 
 #include <string>
 #include <utility>
@@ -9,7 +9,7 @@
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::base {
 namespace {
 
 using ::testing::HasSubstr;
@@ -160,4 +160,4 @@ TEST(LoadYamlFile, NamesAFileThatIsMissing) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::base

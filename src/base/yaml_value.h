@@ -4,7 +4,7 @@
 
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset::config {
+namespace synthetic_dataset::base {
 
 /// Reads YAML text with PyYAML's rules (YAML 1.1): 010 is 8, yes is true, "007" is a text, `<<`
 /// merges, the last of equal names counts. Tags that are not YAML's own are passed over.
@@ -27,4 +27,4 @@ namespace synthetic_dataset::config {
 /// @throws Error naming the file when it cannot be read
 [[nodiscard]] std::string readTextFile(const std::string& file);
 
-}  // namespace synthetic_dataset::config
+}  // namespace synthetic_dataset::base

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::base {
+
+/// A value as JSON that parseYaml reads back; numbers that JSON has no words for (`.inf`, `.nan`)
+/// as YAML has them.
+[[nodiscard]] std::string jsonText(const Value& value);
+
+}  // namespace synthetic_dataset::base

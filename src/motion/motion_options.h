@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace synthetic_dataset::motion {
+
+/// Where objects and frames come from.
+enum class MotionSource {
+  kBag,        ///< a recording's TF
+  kPlacement,  ///< placed at random, scene by scene
+};
+
+struct MotionOptions {
+  MotionSource source = MotionSource::kBag;
+  std::vector<std::string> bag_files;  ///< of kPlacement: for recorded maps and calibrations
+  std::int64_t scenes = 0;             ///< of kPlacement: how many times a picture is taken
+  double rate = 30.0;                  ///< [Hz]
+  double start_offset = 0.0;           ///< [s]
+  std::optional<double> duration;      ///< [s]
+  std::optional<double> max_tf_gap;    ///< [s]
+};
+
+}  // namespace synthetic_dataset::motion

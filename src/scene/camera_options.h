@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "placement/sampling_options.h"
+#include "sensor/sensor_options.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset {
+
+/// When a camera's sensor gathers light. A picture's stamp is the middle of its exposure: of the
+/// whole picture's, and with a rolling shutter of its middle row's.
+struct Shutter {
+  Duration exposure_time{0};  ///< of each row; above 0 what moves is blurred
+  int motion_samples = 8;     ///< pictures that are averaged over it
+  Duration readout_time{0};   ///< from the first row's exposure to the last row's
+  int readout_bands = 24;     ///< rows are taken in so many groups
+};
+
+struct CameraOptions {
+  std::string name = "camera";
+  std::string group = "camera";                     ///< its parameters' full name, for messages
+  std::optional<std::string> frame;                 ///< none: that of the recorded CameraInfo
+  std::optional<std::string> info_file;             ///< absolute
+  std::optional<std::string> info_topic;            ///< of the bag
+  std::optional<std::string> sensor;                ///< "model::link::sensor"
+  std::optional<Pose> X_GC;                         ///< with `mounted_on`, in that object's frame
+  std::optional<std::string> on;                    ///< the object that it is mounted on
+  std::optional<placement::CameraSampling> sample;  ///< drawn for each scene instead
+  bool rectified = false;
+  std::optional<double> near;  ///< [m]; none: as the world has it of its `sensor`
+  std::optional<double> far;   ///< [m]; none: as the world has it of its `sensor`
+  Shutter shutter;
+  sensor::SensorEffects effects;       ///< but for the noise
+  std::optional<double> noise_mean;    ///< of the full scale; none: as the world's sensor says
+  std::optional<double> noise_stddev;  ///< of the full scale; none: as the world's sensor says
+};
+
+}  // namespace synthetic_dataset

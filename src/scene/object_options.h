@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace synthetic_dataset {
+
+/// Which TF frame each link of an object has.
+struct LinkFrames {
+  std::string pattern = "{object}/{link}";     ///< for all links
+  std::map<std::string, std::string> by_link;  ///< where not empty: these frames, and no others
+};
+
+struct ObjectOptions {
+  std::string name;
+  std::string class_text;            ///< `class` as text: a name, or a class's number
+  std::string class_name;            ///< of its class in the dataset's classes
+  int class_id = 0;                  ///< of its class in the dataset's classes
+  std::string id;                    ///< `id` as text
+  bool takes_part = true;            ///< in this motion, where its frame is
+  bool is_distractor = false;        ///< put somewhere now and then; these come last
+  std::string frame;                 ///< `frame`, else "<name>/<frame_id>"
+  LinkFrames link_frames;            ///< of an articulated model
+  std::optional<std::string> model;  ///< its model, the URI of it or its text; none: the world's
+                                     ///< model of its name
+  std::vector<Eigen::Vector3d> keypoints_O;
+  std::vector<std::string> keypoint_names;           ///< none: numbers
+  std::vector<std::array<std::size_t, 2>> skeleton;  ///< pairs of keypoints, from 0
+  int farthest_points = 0;  ///< so many keypoints are chosen on the model instead; 0: as given
+  std::vector<Eigen::Vector3d> bounding_shape_O;  ///< none: the model's own box
+  std::optional<double> safety_radius;  ///< kept free round it when it is placed [m]; none: its own
+};
+
+}  // namespace synthetic_dataset

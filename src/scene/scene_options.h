@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "appearance/randomize_options.h"
+#include "motion/motion_options.h"
+#include "placement/placement_options.h"
+#include "scene/camera_options.h"
+#include "scene/label_options.h"
+#include "scene/object_options.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset {
+
+/// What a motion's scenes are made of: what is where, how it looks, who sees it.
+struct SceneOptions {
+  /// Whether scenes are placed at random, not recorded.
+  [[nodiscard]] bool isPlaced() const { return motion.source == motion::MotionSource::kPlacement; }
+
+  /// How many objects are followed or placed, and no distractors.
+  [[nodiscard]] std::size_t robotCount() const {
+    std::size_t count = 0;
+    for (const ObjectOptions& object : objects) count += object.is_distractor ? 0 : 1;
+    return count;
+  }
+
+  std::string global_frame = "map";
+  motion::MotionOptions motion;
+  placement::PlacementOptions placement;  ///< of MotionSource::kPlacement
+  appearance::Randomization randomization;
+  std::vector<CameraOptions> cameras;  ///< at least one
+  std::vector<ObjectOptions> objects;
+  MaskOptions masks;
+  LabelOptions labels;
+  Duration settling{0};   ///< simulated before the first scene
+  std::int64_t seed = 0;  ///< of all that is random
+};
+
+}  // namespace synthetic_dataset
