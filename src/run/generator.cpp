@@ -66,7 +66,7 @@ struct Generator::Impl {
   }
 
   [[nodiscard]] static std::string whenMade(const MotionSetup& motion) {
-    if (motion.isPlaced()) return ", placed";
+    if (!motion.timeline.is_recorded) return ", placed";
     return " from " + startOf(motion) + " s on, every " +
            fixed(1.0 / motion.config.motion.rate, 4) + " s" +
            (motion.timeline.jitter.empty() ? "" : " but for randomize/time/jitter");
@@ -83,10 +83,10 @@ struct Generator::Impl {
     reporter.info(all + " of " + std::to_string(setup.motions.size()) + " motions" + rest);
     for (const MotionSetup& motion : setup.motions) {
       const std::int64_t last = motion.first_instant + motion.instantCount() - 1;
-      reporter.info(
-          "motion '" + motion.entry.name + "': numbers " + std::to_string(motion.first_instant) +
-          " to " + std::to_string(last) +
-          (motion.isPlaced() ? ", placed" : ", recorded from " + startOf(motion) + " s on"));
+      reporter.info("motion '" + motion.entry.name + "': numbers " +
+                    std::to_string(motion.first_instant) + " to " + std::to_string(last) +
+                    (motion.timeline.is_recorded ? ", recorded from " + startOf(motion) + " s on"
+                                                 : ", placed"));
     }
   }
 
