@@ -13,8 +13,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     motion::checkBag(bag, [](const std::string& topic) { return topic != "/other"; });
     fuzzing::tolerating([&] { static_cast<void>(motion::readCameraInfo({bag}, "/camera_info")); });
     fuzzing::tolerating([&] { static_cast<void>(motion::readMap({bag}, "/map")); });
-    const motion::BagMotion motion({bag});
-    static_cast<void>(motion.timeline("map", {"robot"}, {}));
+    const motion::BagMotion motion({bag}, "map");
+    static_cast<void>(motion.timeline({"robot"}, {}));
   });
   return 0;
 }

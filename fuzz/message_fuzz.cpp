@@ -69,6 +69,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static_cast<void>(cameraModelOf(camera.info, "/camera_info", false, 0.01, 100.0));
   });
   fuzzing::tolerating([&] { static_cast<void>(motion::readMap({file}, "/map")); });
-  fuzzing::tolerating([&] { static_cast<void>(motion::BagMotion({file}).notes()); });
+  fuzzing::tolerating([&] { static_cast<void>(motion::BagMotion({file}, "map").notes()); });
   return 0;
 }

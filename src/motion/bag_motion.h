@@ -1,65 +1,53 @@
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "motion/timeline.h"
-#include "synthetic_dataset/pose.h"
+#include "motion/bag_reader.h"
+#include "motion/frame_source.h"
+#include "motion/frame_tree.h"
 
 namespace synthetic_dataset::motion {
 
 /// Where everything was while a recording was made: the TF tree of one or more bags.
 ///
-/// Bags given together count as one recording. Leading slashes of frame names are stripped, of
-/// those in the bag and of those asked for. Interpolation is tf2's own.
-class BagMotion {
+/// Bags given together count as one recording. Interpolation is tf2's own, to the last bit.
+class BagMotion : public FrameSource {
  public:
   /// Reads `/tf` and `/tf_static` of the bags, whole: interpolation may cross any length of time.
   /// @throws ErrorList with what is wrong with each file: missing, no bag, truncated (with what to
   ///     do about it), messages of another type; or no transform in any of them
-  explicit BagMotion(const std::vector<std::string>& bag_files);
-  ~BagMotion();
-  BagMotion(BagMotion&&) noexcept;
-  BagMotion& operator=(BagMotion&&) noexcept;
+  BagMotion(const std::vector<std::string>& bag_files, const std::string& global_frame);
 
   /// The earliest and latest record times of the bags' messages, of any topic.
-  [[nodiscard]] Stamp start() const;
-  [[nodiscard]] Stamp end() const;
+  [[nodiscard]] const RecordedTimes& times() const { return times_; }
 
-  [[nodiscard]] bool knowsFrame(const std::string& frame) const;
+  [[nodiscard]] const FrameNames& names() const override { return tree_.names(); }
 
-  /// "; did you mean 'alpha/base_link'?" about a frame that it does not know, or nothing.
-  [[nodiscard]] std::string suggestFrame(const std::string& frame) const;
+  /// At times above 0: what is "the latest" to tf2 is no time here.
+  [[nodiscard]] std::optional<Pose> pose(FrameId frame, Stamp time) const override;
 
-  /// X_target_source at `time`, its rotation normalised.
-  /// @param time  above 0: what is "the latest" to tf2 is no time here
-  /// @throws Error with tf2's reason
-  [[nodiscard]] Pose transform(const std::string& target, const std::string& source,
-                               Stamp time) const;
-
-  /// Whether transform() has an answer.
-  [[nodiscard]] bool canTransform(const std::string& target, const std::string& source,
-                                  Stamp time) const;
-
-  /// The times at which every frame of `frames` can be transformed into `global_frame`.
-  ///
-  /// Start: the first recording start + start_offset + k * period at which all can; end: found in
-  /// the same way backwards from the recording's end (or that of `duration`); scenes while
-  /// time < end. In between, single scenes are left out as the Timeline's counts tell.
+  /// Start: the first recording start + start_offset + k * period at which all can be transformed
+  /// into the global frame; end: found in the same way backwards from the recording's end (or that
+  /// of `duration`); scenes while time < end. In between, single scenes are left out, as the
+  /// Timeline's counts say.
   /// @throws ErrorList when there is none: per frame from when to when it is known, or, for a frame
   ///     that does not exist, those that are spelt nearly like it; options that leave nothing of
   ///     the recording, or more scenes than file names can number
-  [[nodiscard]] Timeline timeline(const std::string& global_frame,
-                                  const std::vector<std::string>& frames,
-                                  const TimelineOptions& options) const;
+  [[nodiscard]] Timeline timeline(const std::vector<std::string>& frames,
+                                  const TimelineOptions& options) const override;
 
-  /// What the user should know about the recording: transforms that were left out, and why.
-  [[nodiscard]] const std::vector<std::string>& notes() const;
+  [[nodiscard]] std::string title() const override { return "the recording"; }
+
+  /// Transforms that were left out, and why.
+  [[nodiscard]] std::vector<std::string> notes() const override { return notes_; }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  RecordedTimes times_;
+  FrameTree tree_;
+  FrameId global_ = kNoFrame;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace synthetic_dataset::motion

@@ -51,4 +51,21 @@ std::string didYouMeanFrame(const std::string& name, const std::vector<std::stri
   return "; did you mean " + choice + "?";
 }
 
+FrameId FrameNames::findOrAdd(const std::string& name) {
+  const std::string plain = withoutLeadingSlashes(name);
+  const auto [entry, added] = ids_.try_emplace(plain, static_cast<FrameId>(names_.size()));
+  if (added) names_.push_back(plain);
+  return entry->second;
+}
+
+std::optional<FrameId> FrameNames::find(const std::string& name) const {
+  const auto entry = ids_.find(withoutLeadingSlashes(name));
+  if (entry == ids_.end()) return std::nullopt;
+  return entry->second;
+}
+
+const std::string& FrameNames::of(FrameId frame) const {
+  return names_.at(static_cast<std::size_t>(frame));
+}
+
 }  // namespace synthetic_dataset::motion

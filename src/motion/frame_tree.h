@@ -2,10 +2,11 @@
 
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "motion/frame_names.h"
 #include "motion/link_history.h"
+#include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::motion {
 
@@ -16,34 +17,37 @@ struct Connection {
 
   /// The frames whose links to their parents are crossed on the way, up from the source and down to
   /// the target; empty unless known.
-  std::vector<FrameIndex> links;
+  std::vector<FrameId> links;
 };
 
-/// Which frame hung below which one, and when. It answers as tf2's `canTransform` does, and says in
-/// addition how long the answer holds, so that long recordings are searched in a few steps.
+/// Which frame hung below which one, when and where. It answers as tf2's buffer does, and says in
+/// addition how long an answer holds, so that long recordings are searched in a few steps.
 class FrameTree {
  public:
-  [[nodiscard]] FrameIndex findOrAdd(const std::string& name);
-  [[nodiscard]] std::optional<FrameIndex> find(const std::string& name) const;
-  [[nodiscard]] const std::string& name(FrameIndex frame) const;
+  [[nodiscard]] FrameId findOrAdd(const std::string& name);
+  [[nodiscard]] const FrameNames& names() const { return names_; }
 
-  /// All names in order of their first use.
-  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  void setLink(FrameId child, LinkHistory link);
+  [[nodiscard]] const LinkHistory& link(FrameId child) const;
 
-  void setLink(FrameIndex child, LinkHistory link);
-  [[nodiscard]] const LinkHistory& link(FrameIndex child) const;
+  /// X_TS at a time, its rotation normalised; nothing where they are not connected then.
+  [[nodiscard]] std::optional<Pose> transform(FrameId target, FrameId source, Stamp time) const;
 
-  [[nodiscard]] Connection connection(FrameIndex target, FrameIndex source, Stamp time) const;
+  /// Whether there is such a transform.
+  [[nodiscard]] Connection connection(FrameId target, FrameId source, Stamp time) const;
 
   /// All times at which `source` can be transformed into `target`: apart and ascending.
-  [[nodiscard]] std::vector<Validity> knownTimes(FrameIndex target, FrameIndex source) const;
+  [[nodiscard]] std::vector<Validity> knownTimes(FrameId target, FrameId source) const;
 
   /// Whether links connect the two frames when it is left aside at which times they are known.
-  [[nodiscard]] bool everLinked(FrameIndex a, FrameIndex b) const;
+  [[nodiscard]] bool everLinked(FrameId a, FrameId b) const;
 
  private:
-  std::unordered_map<std::string, FrameIndex> indices_;
-  std::vector<std::string> names_;
+  [[nodiscard]] FrameId parentOf(FrameId frame, Stamp time) const {
+    return link(frame).parentAt(time).frame;
+  }
+
+  FrameNames names_;
   std::vector<LinkHistory> links_;
 };
 

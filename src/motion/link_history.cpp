@@ -2,54 +2,109 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+
+#include <tf2/LinearMath/Quaternion.h>
+#include <tf2/LinearMath/Vector3.h>
+
+#include "motion/ros_time.h"
 
 namespace synthetic_dataset::motion {
+namespace {
+
+tf2::Vector3 positionOf(const LinkHistory::Sample& sample) {
+  const auto& t = sample.X_PC.translation;
+  return {t.x, t.y, t.z};
+}
+
+tf2::Quaternion rotationOf(const LinkHistory::Sample& sample) {
+  const auto& q = sample.X_PC.rotation;
+  return {q.x, q.y, q.z, q.w};
+}
+
+/// With tf2's own arithmetic: it makes whatever tf2::BufferCore would make.
+geometry_msgs::Transform interpolated(const LinkHistory::Sample& before,
+                                      const LinkHistory::Sample& after, Stamp time) {
+  const double ratio = toRosDuration(time - before.stamp).toSec() /
+                       toRosDuration(after.stamp - before.stamp).toSec();
+  tf2::Vector3 position;
+  position.setInterpolate3(positionOf(before), positionOf(after), ratio);
+  const tf2::Quaternion rotation = tf2::slerp(rotationOf(before), rotationOf(after), ratio);
+  geometry_msgs::Transform X_PC;
+  X_PC.translation.x = position.x();
+  X_PC.translation.y = position.y();
+  X_PC.translation.z = position.z();
+  X_PC.rotation.x = rotation.x();
+  X_PC.rotation.y = rotation.y();
+  X_PC.rotation.z = rotation.z();
+  X_PC.rotation.w = rotation.w();
+  return X_PC;
+}
+
+}  // namespace
 
 void Validity::intersect(const Validity& other) {
   from = std::max(from, other.from);
   until = std::min(until, other.until);
 }
 
-LinkHistory LinkHistory::fixedTo(FrameIndex parent) {
-  LinkHistory link;
-  link.fixed_parent_ = parent;
+LinkHistory LinkHistory::fixedTo(FrameId parent, const geometry_msgs::Transform& X_PC) {
+  LinkHistory link = sampledAt({{Stamp{0}, parent, X_PC}});
+  link.is_fixed_ = true;
   return link;
 }
 
-LinkHistory LinkHistory::sampledAt(const std::vector<Sample>& samples) {
+LinkHistory LinkHistory::sampledAt(std::vector<Sample> samples) {
   LinkHistory link;
-  link.stamps_.reserve(samples.size());
   for (const Sample& sample : samples) {
-    link.stamps_.push_back(sample.stamp);
     const bool changed = link.changes_.empty() || link.changes_.back().parent != sample.parent;
-    if (changed) link.changes_.push_back(sample);
+    if (changed) link.changes_.push_back({sample.stamp, sample.parent});
   }
+  link.samples_ = std::move(samples);
   return link;
 }
 
 LinkHistory::Parent LinkHistory::parentAt(Stamp time) const {
-  if (stamps_.empty()) return {fixed_parent_, {}};
+  if (samples_.empty()) return {};
+  if (is_fixed_) return {samples_.front().parent, {}};
   constexpr Duration kTick{1};
-  if (time < stamps_.front()) return {kNoFrame, {Stamp::min(), stamps_.front() - kTick}};
-  if (time > stamps_.back()) return {kNoFrame, {stamps_.back() + kTick, Stamp::max()}};
+  const Stamp first = samples_.front().stamp;
+  const Stamp last = samples_.back().stamp;
+  if (time < first) return {kNoFrame, {Stamp::min(), first - kTick}};
+  if (time > last) return {kNoFrame, {last + kTick, Stamp::max()}};
   const auto next =
       std::upper_bound(changes_.begin(), changes_.end(), time,
-                       [](Stamp t, const Sample& change) { return t < change.stamp; });
-  const Sample& current = *std::prev(next);
-  const Stamp until = next == changes_.end() ? stamps_.back() : next->stamp - kTick;
-  return {current.parent, {current.stamp, until}};
+                       [](Stamp t, const Change& change) { return t < change.stamp; });
+  const Change& current = *std::prev(next);
+  return {current.parent, {current.stamp, next == changes_.end() ? last : next->stamp - kTick}};
+}
+
+LinkHistory::Samples::const_iterator LinkHistory::firstFrom(Stamp time) const {
+  return std::lower_bound(samples_.begin(), samples_.end(), time,
+                          [](const Sample& sample, Stamp t) { return sample.stamp < t; });
+}
+
+geometry_msgs::Transform LinkHistory::transformAt(Stamp time) const {
+  if (is_fixed_) return samples_.front().X_PC;
+  // Between two others, tf2 interpolates at a sample's own time too.
+  const auto next = firstFrom(time);
+  const auto after = next->stamp == time ? std::next(next) : next;
+  if (next == samples_.begin() || after == samples_.end()) return next->X_PC;
+  const Sample& before = *std::prev(after);
+  if (before.parent != after->parent) return before.X_PC;
+  return interpolated(before, *after, time);
 }
 
 Duration LinkHistory::gapAt(Stamp time) const {
-  const auto next = std::lower_bound(stamps_.begin(), stamps_.end(), time);
-  if (next == stamps_.begin() || next == stamps_.end() || *next == time) return Duration{0};
-  return *next - *std::prev(next);
+  if (is_fixed_) return Duration{0};
+  const auto next = firstFrom(time);
+  if (next == samples_.begin() || next == samples_.end() || next->stamp == time) return Duration{0};
+  return next->stamp - std::prev(next)->stamp;
 }
 
-std::vector<FrameIndex> LinkHistory::parents() const {
-  std::vector<FrameIndex> all;
-  if (fixed_parent_ != kNoFrame) all.push_back(fixed_parent_);
-  for (const Sample& change : changes_) all.push_back(change.parent);
+std::vector<FrameId> LinkHistory::parents() const {
+  std::vector<FrameId> all;
+  for (const Change& change : changes_) all.push_back(change.parent);
   return all;
 }
 

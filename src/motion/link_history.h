@@ -1,15 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
+#include <geometry_msgs/Transform.h>
+
+#include "motion/frame_names.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::motion {
-
-/// A frame's place in the list of frames.
-using FrameIndex = std::int32_t;
-constexpr FrameIndex kNoFrame = -1;
 
 /// The times over which an answer stays the same, both ends included.
 struct Validity {
@@ -19,16 +17,18 @@ struct Validity {
   void intersect(const Validity& other);
 };
 
-/// To which parent a frame is linked over time, by tf2's rules: nothing is known before the first
-/// and after the last sample; between two samples the parent is the earlier one's.
+/// To which parent a frame is linked over time and where it is in it, by tf2's rules: nothing is
+/// known before the first and after the last sample; between two samples the parent is the earlier
+/// one's.
 class LinkHistory {
  public:
   struct Sample {
     Stamp stamp;
-    FrameIndex parent;
+    FrameId parent;
+    geometry_msgs::Transform X_PC = {};  ///< P parent, C child
   };
   struct Parent {
-    FrameIndex frame = kNoFrame;  ///< kNoFrame where nothing is known
+    FrameId frame = kNoFrame;  ///< kNoFrame where nothing is known
     Validity validity;
   };
 
@@ -36,25 +36,37 @@ class LinkHistory {
   LinkHistory() = default;
 
   /// A link of `/tf_static`: holds at all times.
-  [[nodiscard]] static LinkHistory fixedTo(FrameIndex parent);
+  [[nodiscard]] static LinkHistory fixedTo(FrameId parent,
+                                           const geometry_msgs::Transform& X_PC = {});
 
   /// A link of `/tf`.
   /// @param samples  at least one, with ascending stamps
-  [[nodiscard]] static LinkHistory sampledAt(const std::vector<Sample>& samples);
+  [[nodiscard]] static LinkHistory sampledAt(std::vector<Sample> samples);
 
   [[nodiscard]] Parent parentAt(Stamp time) const;
+
+  /// X_PC, to the last bit as tf2 interpolates it, at a time at which parentAt() knows a parent.
+  [[nodiscard]] geometry_msgs::Transform transformAt(Stamp time) const;
 
   /// How far apart the samples are between which tf2 interpolates; 0 where it need not: at a
   /// sample, for a static link.
   [[nodiscard]] Duration gapAt(Stamp time) const;
 
   /// All parents that it ever had, in order of time.
-  [[nodiscard]] std::vector<FrameIndex> parents() const;
+  [[nodiscard]] std::vector<FrameId> parents() const;
 
  private:
-  FrameIndex fixed_parent_ = kNoFrame;
-  std::vector<Stamp> stamps_;
-  std::vector<Sample> changes_;  ///< the samples whose parent is another than that before
+  struct Change {
+    Stamp stamp;
+    FrameId parent;
+  };
+
+  using Samples = std::vector<Sample>;
+  [[nodiscard]] Samples::const_iterator firstFrom(Stamp time) const;
+
+  bool is_fixed_ = false;
+  Samples samples_;              ///< one, if it is fixed
+  std::vector<Change> changes_;  ///< samples whose parent is another than that of the one before
 };
 
 }  // namespace synthetic_dataset::motion

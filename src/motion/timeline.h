@@ -10,16 +10,18 @@
 
 namespace synthetic_dataset::motion {
 
-/// When scenes are made: at regular times from the recording's start + start_offset on.
+/// When scenes are made: at regular times; of a recording, from its start + start_offset on.
 struct TimelineOptions {
   Duration period{0};                  ///< between scenes, > 0
   Duration start_offset{0};            ///< left out at the recording's start, >= 0
   std::optional<Duration> duration;    ///< of the part that is used, counted from start_offset
   std::optional<Duration> max_tf_gap;  ///< scenes interpolated across a longer gap are left out
 
-  /// How much later than at its regular time a scene is made, by the regular time's place from 0;
+  std::int64_t scenes = 0;  ///< how many, where no recording has a start and an end
+
+  /// How much later than at its regular time a scene is made, by the regular time's index from 0;
   /// any two less than a period apart. Nothing: not at all.
-  std::function<Duration(std::int64_t place)> jitter;
+  std::function<Duration(std::int64_t index)> jitter;
 };
 
 /// The times of all scenes of a run, found before the first one is made.
@@ -28,6 +30,8 @@ struct Timeline {
   std::vector<Duration> jitter;       ///< in each of these; empty where there is none
   std::int64_t left_out_gap = 0;      ///< scenes left out because of max_tf_gap
   std::int64_t left_out_unknown = 0;  ///< scenes left out because a transform was not known
+  bool is_recorded = true;            ///< else the times only number scenes that have nothing to
+                                      ///< do with one another
 };
 
 /// 1/rate cut to whole nanoseconds, as the original does: 30 Hz is 33333333 ns.

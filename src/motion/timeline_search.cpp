@@ -23,7 +23,7 @@ std::int64_t periodsIn(Duration length, Duration period) {
 class Connections {
  public:
   Connections(const FrameTree& tree, const FramesToKnow& wanted) : tree_(tree), wanted_(wanted) {
-    for (const FrameIndex frame : wanted.frames) {
+    for (const FrameId frame : wanted.frames) {
       connections_.push_back(tree.connection(wanted.global_frame, frame, Stamp{0}));
     }
   }
@@ -45,7 +45,7 @@ class Connections {
 
   bool gapAbove(Duration longest, Stamp time) {
     for (const Connection& connection : at(time)) {
-      for (const FrameIndex child : connection.links) {
+      for (const FrameId child : connection.links) {
         if (tree_.link(child).gapAt(time) > longest) return true;
       }
     }

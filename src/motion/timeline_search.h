@@ -12,8 +12,8 @@ namespace synthetic_dataset::motion {
 
 /// What a timeline is looked for: frames that have to be known in the global frame.
 struct FramesToKnow {
-  FrameIndex global_frame = kNoFrame;
-  std::vector<FrameIndex> frames;
+  FrameId global_frame = kNoFrame;
+  std::vector<FrameId> frames;
 };
 
 /// What is wrong with the options: they leave nothing of the recording, ...

@@ -18,7 +18,7 @@ void TransformRecording::add(geometry_msgs::TransformStamped transform, Transfor
   std::string& child_name = transform.child_frame_id;
   parent_name = withoutLeadingSlashes(parent_name);
   child_name = withoutLeadingSlashes(child_name);
-  const auto before = tree_.find(child_name);
+  const auto before = tree_.names().find(child_name);
   const auto history_before = before ? history_of_.find(*before) : history_of_.end();
   if (history_before != history_of_.end()) kind = histories_[history_before->second].kind;
 
@@ -27,11 +27,11 @@ void TransformRecording::add(geometry_msgs::TransformStamped transform, Transfor
     left_out_.add(bag_file, parent_name, child_name, *reason, stamp);
     return;
   }
-  const FrameIndex parent = tree_.findOrAdd(parent_name);
-  const FrameIndex child = tree_.findOrAdd(child_name);
+  const FrameId parent = tree_.findOrAdd(parent_name);
+  const FrameId child = tree_.findOrAdd(child_name);
   const auto [entry, is_new] = history_of_.try_emplace(child, histories_.size());
   if (is_new) histories_.push_back({child, kind, {}});
-  std::vector<Sample>& samples = histories_[entry->second].samples;
+  auto& samples = histories_[entry->second].samples;
   if (kind == TransformKind::kStatic) {  // its stamp means nothing and may be anything
     samples = {{Stamp{0}, parent, transform.transform}};
   } else {
@@ -39,21 +39,22 @@ void TransformRecording::add(geometry_msgs::TransformStamped transform, Transfor
   }
 }
 
-void TransformRecording::finish() {
+FrameTree TransformRecording::finish() {
   for (History& history : histories_) {
-    if (history.kind == TransformKind::kStatic) {
-      tree_.setLink(history.child, LinkHistory::fixedTo(history.samples.back().parent));
-      continue;
-    }
-    sortByStamp(history);
-    std::vector<LinkHistory::Sample> samples;
-    samples.reserve(history.samples.size());
-    for (const Sample& sample : history.samples) samples.push_back({sample.stamp, sample.parent});
-    tree_.setLink(history.child, LinkHistory::sampledAt(samples));
+    if (history.kind == TransformKind::kMoving) sortByStamp(history);
   }
+  checkSpans();
+  for (History& history : histories_) {
+    const auto& last = history.samples.back();
+    tree_.setLink(history.child, history.kind == TransformKind::kStatic
+                                     ? LinkHistory::fixedTo(last.parent, last.X_PC)
+                                     : LinkHistory::sampledAt(std::move(history.samples)));
+  }
+  return std::move(tree_);
 }
 
 void TransformRecording::sortByStamp(History& history) {
+  using Sample = LinkHistory::Sample;
   std::vector<Sample>& samples = history.samples;
   // Stable: what was recorded first stays first among equal stamps.
   std::stable_sort(samples.begin(), samples.end(),
@@ -65,51 +66,25 @@ void TransformRecording::sortByStamp(History& history) {
     if (next.stamp != last.stamp) {
       samples[++kept] = next;
     } else if (next.parent != last.parent || next.X_PC != last.X_PC) {
-      left_out_.add("", tree_.name(next.parent), tree_.name(history.child),
+      left_out_.add("", tree_.names().of(next.parent), tree_.names().of(history.child),
                     "an earlier one with other values has the same time stamp", next.stamp);
     }
   }
   samples.resize(kept + 1);
 }
 
-ros::Duration TransformRecording::cacheTime() const {
-  // tf2 adds the cache's length to stamps; ros::Time ends in 2106, ros::Duration at 68 years.
-  constexpr Duration kLongestCache = std::chrono::seconds(std::numeric_limits<std::int32_t>::max());
-  constexpr Duration kLatestSum = std::chrono::seconds(std::numeric_limits<std::uint32_t>::max());
-  constexpr Duration kMargin = std::chrono::seconds(1);
-  Duration cache = kMargin;
-  Stamp latest{0};
+void TransformRecording::checkSpans() const {
+  constexpr Duration kLongest = std::chrono::seconds(std::numeric_limits<std::int32_t>::max());
   std::vector<std::string> errors;
   for (const History& history : histories_) {
-    if (history.kind == TransformKind::kStatic) continue;
     const Stamp first = history.samples.front().stamp;
     const Stamp last = history.samples.back().stamp;
-    cache = std::max(cache, last - first + kMargin);
-    latest = std::max(latest, last);
-    if (cache <= kLongestCache && latest + cache <= kLatestSum) continue;
-    errors.push_back("the time stamps of frame '" + tree_.name(history.child) + "' go from " +
+    if (last - first <= kLongest) continue;  // what ros::Duration can hold, 68 years
+    errors.push_back("the time stamps of frame '" + tree_.names().of(history.child) + "' go from " +
                      secondsText(first) + " to " + secondsText(last) +
-                     ": more than tf2 can hold; one of them must be wrong");
-    cache = kMargin;
-    latest = Stamp{0};
+                     ": more than ROS can hold; one of them must be wrong");
   }
   if (!errors.empty()) throw ErrorList(errors);
-  return toRosDuration(cache);
-}
-
-std::unique_ptr<tf2::BufferCore> TransformRecording::moveToBuffer() {
-  auto buffer = std::make_unique<tf2::BufferCore>(cacheTime());
-  geometry_msgs::TransformStamped transform;
-  for (History& history : histories_) {
-    transform.child_frame_id = tree_.name(history.child);
-    for (const Sample& sample : std::exchange(history.samples, {})) {
-      transform.header.stamp = toRosTime(sample.stamp);
-      transform.header.frame_id = tree_.name(sample.parent);
-      transform.transform = sample.X_PC;
-      buffer->setTransform(transform, "bag", history.kind == TransformKind::kStatic);
-    }
-  }
-  return buffer;
 }
 
 }  // namespace synthetic_dataset::motion

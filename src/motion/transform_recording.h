@@ -1,13 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include <geometry_msgs/TransformStamped.h>
-#include <tf2/buffer_core.h>
 
 #include "motion/frame_tree.h"
 #include "motion/left_out_transforms.h"
@@ -29,39 +27,27 @@ class TransformRecording {
   /// Whether nothing that counts was added.
   [[nodiscard]] bool empty() const { return histories_.empty(); }
 
-  /// Ends the recording: sorts by stamps. To be called once, before tree() and moveToBuffer().
-  void finish();
-
-  /// Which frame hung below which one, and when.
-  [[nodiscard]] const FrameTree& tree() const { return tree_; }
-
-  /// Moves the transforms into a tf2 buffer that keeps all of them; they are gone from here, since
-  /// a long recording takes much memory.
-  /// @throws ErrorList when a frame's stamps are further apart than tf2 can hold
-  [[nodiscard]] std::unique_ptr<tf2::BufferCore> moveToBuffer();
+  /// Ends the recording, to be called once: which frame hung below which one, when and where.
+  /// @throws ErrorList when a frame's stamps are further apart than any recording lasts
+  [[nodiscard]] FrameTree finish();
 
   /// What was left out and why.
   [[nodiscard]] std::vector<std::string> notes() const { return left_out_.notes(); }
 
  private:
-  struct Sample {
-    Stamp stamp;
-    FrameIndex parent;
-    geometry_msgs::Transform X_PC;  ///< P parent, C child
-  };
   struct History {
-    FrameIndex child;
+    FrameId child;
     TransformKind kind;
-    std::vector<Sample> samples;
+    std::vector<LinkHistory::Sample> samples;
   };
 
   void sortByStamp(History& history);
-  [[nodiscard]] ros::Duration cacheTime() const;
+  void checkSpans() const;
 
   FrameTree tree_;
   LeftOutTransforms left_out_;
   std::vector<History> histories_;
-  std::unordered_map<FrameIndex, std::size_t> history_of_;  ///< of a child frame
+  std::unordered_map<FrameId, std::size_t> history_of_;  ///< of a child frame
 };
 
 }  // namespace synthetic_dataset::motion

@@ -15,7 +15,7 @@ constexpr std::size_t kMostNames = 12;
 constexpr std::size_t kMostTimes = 3;
 
 std::string existingFrames(const FrameTree& tree) {
-  std::vector<std::string> names = tree.names();
+  std::vector<std::string> names = tree.names().all();
   std::sort(names.begin(), names.end());
   std::string list;
   for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) {
@@ -28,19 +28,19 @@ std::string existingFrames(const FrameTree& tree) {
 }
 
 std::string unknownFrame(const FrameTree& tree, const std::string& role, const std::string& name) {
-  const std::string guess = didYouMeanFrame(name, tree.names());
+  const std::string guess = didYouMeanFrame(name, tree.names().all());
   return role + " '" + name + "' is not in the recording" +
          (guess.empty() ? "; its frames are " + existingFrames(tree) : guess);
 }
 
 /// The frame at the top of the tree in which `frame` was last.
-std::string topOf(const FrameTree& tree, FrameIndex frame) {
-  std::set<FrameIndex> seen;  // a recording can hold loops
+std::string topOf(const FrameTree& tree, FrameId frame) {
+  std::set<FrameId> seen;  // a recording can hold loops
   while (seen.insert(frame).second) {
-    const std::vector<FrameIndex> parents = tree.link(frame).parents();
+    const std::vector<FrameId> parents = tree.link(frame).parents();
     if (!parents.empty()) frame = parents.back();
   }
-  return tree.name(frame);
+  return tree.names().of(frame);
 }
 
 std::string relativeText(Stamp time, Stamp start) {
@@ -68,17 +68,17 @@ std::string timesText(const Validity& times, Stamp start) {
   return exact + " (" + relative + " after the recording's start)";
 }
 
-std::string whenKnown(const FrameTree& tree, FrameIndex global, FrameIndex frame,
+std::string whenKnown(const FrameTree& tree, FrameId global, FrameId frame,
                       const RecordedTimes& recorded) {
-  const std::string names =
-      "frame '" + tree.name(frame) + "' can be transformed into '" + tree.name(global) + "' ";
+  const std::string names = "frame '" + tree.names().of(frame) + "' can be transformed into '" +
+                            tree.names().of(global) + "' ";
   const std::vector<Validity> times = tree.knownTimes(global, frame);
   if (times.empty()) {
     const std::string reason =
         tree.everLinked(global, frame)
             ? "the transforms between them are never all known at the same time"
-            : "nothing connects them: '" + tree.name(frame) + "' is in the tree of '" +
-                  topOf(tree, frame) + "', '" + tree.name(global) + "' in that of '" +
+            : "nothing connects them: '" + tree.names().of(frame) + "' is in the tree of '" +
+                  topOf(tree, frame) + "', '" + tree.names().of(global) + "' in that of '" +
                   topOf(tree, global) + "'";
     return names + "at no time: " + reason;
   }
@@ -102,11 +102,11 @@ std::string whenKnown(const FrameTree& tree, FrameIndex global, FrameIndex frame
 std::vector<std::string> unknownFrames(const FrameTree& tree, const std::string& global_frame,
                                        const std::vector<std::string>& frames) {
   std::vector<std::string> messages;
-  if (!tree.find(global_frame)) {
+  if (!tree.names().find(global_frame)) {
     messages.push_back(unknownFrame(tree, "global frame", global_frame));
   }
   for (const std::string& frame : frames) {
-    if (!tree.find(frame)) messages.push_back(unknownFrame(tree, "frame", frame));
+    if (!tree.names().find(frame)) messages.push_back(unknownFrame(tree, "frame", frame));
   }
   return messages;
 }
@@ -114,12 +114,12 @@ std::vector<std::string> unknownFrames(const FrameTree& tree, const std::string&
 std::vector<std::string> whyNoWindow(const FrameTree& tree, const FramesToKnow& wanted,
                                      const RecordedTimes& recorded, const RecordedTimes& part,
                                      const TimelineOptions& options) {
-  std::vector<std::string> messages{"there is no stretch of time between " +
-                                    secondsText(part.start) + " and " + secondsText(part.end) +
-                                    " in which all frames can be transformed into '" +
-                                    tree.name(wanted.global_frame) + "' (looked for in steps of " +
-                                    secondsText(options.period) + ")"};
-  for (const FrameIndex frame : wanted.frames) {
+  std::vector<std::string> messages{
+      "there is no stretch of time between " + secondsText(part.start) + " and " +
+      secondsText(part.end) + " in which all frames can be transformed into '" +
+      tree.names().of(wanted.global_frame) + "' (looked for in steps of " +
+      secondsText(options.period) + ")"};
+  for (const FrameId frame : wanted.frames) {
     messages.push_back(whenKnown(tree, wanted.global_frame, frame, recorded));
   }
   return messages;

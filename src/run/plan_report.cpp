@@ -15,7 +15,7 @@ std::string startOf(const MotionSetup& motion) {
 }
 
 std::string whenMade(const MotionSetup& motion) {
-  if (motion.isPlaced()) return ", placed";
+  if (!motion.timeline.is_recorded) return ", placed";
   return " from " + startOf(motion) + " s on, every " + fixed(1.0 / motion.config.motion.rate, 4) +
          " s" + (motion.timeline.jitter.empty() ? "" : " but for randomize/time/jitter");
 }
@@ -24,7 +24,7 @@ std::string rangeOf(const MotionSetup& motion) {
   const std::int64_t last = motion.first_instant + motion.instantCount() - 1;
   return "motion '" + motion.entry.name + "': numbers " + std::to_string(motion.first_instant) +
          " to " + std::to_string(last) +
-         (motion.isPlaced() ? ", placed" : ", recorded from " + startOf(motion) + " s on");
+         (motion.timeline.is_recorded ? ", recorded from " + startOf(motion) + " s on" : ", placed");
 }
 
 std::string scenesOf(const RunSetup& setup) {

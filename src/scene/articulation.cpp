@@ -4,15 +4,14 @@
 #include <optional>
 #include <utility>
 
-#include "motion/frame_names.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset {
 namespace {
 
-/// Of each link; nothing for one whose frame the recording does not have.
-using Frames = std::vector<std::optional<std::string>>;
+/// Of each link; nothing for one that has none of its own.
+using Frames = std::vector<std::optional<motion::FrameId>>;
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
   for (std::size_t at = text.find(what); at != std::string::npos;
@@ -40,36 +39,36 @@ std::vector<std::string> frameNames(const world::Model& model, const world::Link
 }
 
 Frames framesByPattern(const world::Model& model, const ObjectOptions& object,
-                       const motion::FrameMotion& frame_motion) {
+                       const motion::FrameSource& source) {
   Frames frames;
   for (const world::Link& link : model.links) {
-    std::optional<std::string> known;
+    std::optional<motion::FrameId> frame;
     for (const std::string& name : frameNames(model, link)) {
-      const std::string frame =
-          replaced(replaced(object.link_frames.pattern, "{object}", object.name), "{link}", name);
-      if (!known && frame_motion.knowsFrame(frame)) known = frame;
+      if (frame) break;
+      frame = source.find(
+          replaced(replaced(object.link_frames.pattern, "{object}", object.name), "{link}", name));
     }
-    frames.push_back(known);
+    frames.push_back(frame);
   }
   return frames;
 }
 
 Frames framesByLink(const world::Model& model, const ObjectOptions& object,
-                    const motion::FrameMotion& frame_motion) {
+                    const motion::FrameSource& source) {
   Frames frames(model.links.size());
   std::vector<std::string> names;
   for (const world::Link& link : model.links) names.push_back(link.name);
   std::vector<std::string> errors;
   for (const auto& [link, frame] : object.link_frames.by_link) {
-    const std::string place = object.name + "/link_frames/" + link + ": ";
+    const std::string setting = object.name + "/link_frames/" + link + ": ";
     const auto found = std::find(names.begin(), names.end(), link);
+    const auto id = source.find(frame);
     if (found == names.end()) {
-      errors.push_back(place + "the model has no link '" + link + "'" + didYouMean(link, names));
-    } else if (!frame_motion.knowsFrame(frame)) {
-      errors.push_back(place + "the recording has no frame '" + frame + "'" +
-                       frame_motion.suggestFrame(frame));
+      errors.push_back(setting + "the model has no link '" + link + "'" + didYouMean(link, names));
+    } else if (!id) {
+      errors.push_back(setting + source.lacks(frame));
     } else {
-      frames[static_cast<std::size_t>(found - names.begin())] = frame;
+      frames[static_cast<std::size_t>(found - names.begin())] = id;
     }
   }
   if (!errors.empty()) throw ErrorList(std::move(errors));
@@ -102,16 +101,15 @@ std::string heldJoints(const world::Model& model, const Frames& frames) {
 }  // namespace
 
 Articulation articulate(world::Model model, const ObjectOptions& object,
-                        const motion::FrameMotion& frame_motion) {
-  const Frames frames = object.link_frames.by_link.empty()
-                            ? framesByPattern(model, object, frame_motion)
-                            : framesByLink(model, object, frame_motion);
-  const std::string object_frame = motion::withoutLeadingSlashes(object.frame);
+                        const motion::FrameSource& source) {
+  const Frames frames = object.link_frames.by_link.empty() ? framesByPattern(model, object, source)
+                                                           : framesByLink(model, object, source);
+  const std::optional<motion::FrameId> object_frame = source.find(object.frame);
   std::optional<std::size_t> base;
   std::size_t others = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (!frames[i]) continue;
-    if (motion::withoutLeadingSlashes(*frames[i]) == object_frame && !base) {
+    if (frames[i] == object_frame && !base) {
       base = i;
     } else {
       ++others;

@@ -5,21 +5,21 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "motion/frame_motion.h"
+#include "motion/frame_source.h"
 #include "scene/object_options.h"
 #include "world/description.h"
 
 namespace synthetic_dataset {
 
-/// A link that follows a frame of the recording.
+/// A link that follows a frame of its own.
 struct DrivenLink {
   std::size_t link = 0;  ///< index in the model's links
-  std::string frame;
+  motion::FrameId frame = motion::kNoFrame;
 };
 
 using DrivenLinks = std::vector<DrivenLink>;
 
-/// How an object follows the recording.
+/// How an object follows frames.
 struct Articulation {
   /// The object's model. Where links other than that of the object's frame follow TF, it is moved
   /// in its frame so that this one lies at the origin: else its body would not fit to them.
@@ -31,6 +31,6 @@ struct Articulation {
 /// Decides which links of an object's model follow frames of their own.
 /// @throws ErrorList with links and frames of `link_frames` that do not exist
 [[nodiscard]] Articulation articulate(world::Model model, const ObjectOptions& object,
-                                      const motion::FrameMotion& frame_motion);
+                                      const motion::FrameSource& source);
 
 }  // namespace synthetic_dataset

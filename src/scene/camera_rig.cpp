@@ -106,17 +106,19 @@ std::string carrierOf(const CameraOptions& config, const std::vector<ObjectOptio
 
 void findPose(const CameraOptions& config, const world::CameraSensor* sensor,
               const std::vector<world::LinkInstance>& links,
-              const std::vector<ObjectOptions>& objects, const motion::FrameMotion& frames,
+              const std::vector<ObjectOptions>& objects, const motion::FrameSource& frames,
               CameraRig& rig) {
   rig.sampled = config.sample.has_value();
   if (rig.sampled) return;
   if (config.on) {
-    rig.carrier = carrierOf(config, objects);
+    rig.is_carried = true;
+    rig.followed = frames.find(carrierOf(config, objects)).value_or(motion::kNoFrame);
     rig.X_LC = config.X_GC.value_or(Pose::Identity());
     return;
   }
   rig.X_GC = config.X_GC;
-  if (rig.X_GC || frames.knowsFrame(rig.frame)) return;
+  rig.followed = frames.find(rig.frame).value_or(motion::kNoFrame);
+  if (rig.X_GC || rig.followed != motion::kNoFrame) return;
   if (sensor != nullptr) {
     rig.link =
         base::namingPlace(config.group + "/sensor", [&] { return movingLinkOf(*sensor, links); });
@@ -124,16 +126,11 @@ void findPose(const CameraOptions& config, const world::CameraSensor* sensor,
     if (!rig.link) rig.X_GC = sensor->X_WC;
     return;
   }
-  if (frames.recording() == nullptr) {
-    throw Error(config.group + ": nothing says where it is; " + config.group +
-                "/pose should, or sample, mounted_on or sensor");
-  }
-  const std::string parameter =
+  const std::string frame_id =
       config.group == "camera" ? "camera_frame_id" : config.group + "/frame_id";
-  throw Error(parameter + ": found '" + rig.frame +
-              "', a frame that the recording does not have (name one of its frames, or give " +
-              config.group + "/pose or " + config.group + "/sensor)" +
-              frames.suggestFrame(rig.frame));
+  throw Error(config.group + ": nothing says where it is; " + config.group +
+              "/pose should, or sample, mounted_on or sensor, or " + frame_id +
+              " should name a frame: " + frames.lacks(rig.frame));
 }
 
 /// The noise that is not set is that of the world's sensor.
@@ -151,7 +148,7 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
                         const std::vector<world::CameraSensor>& sensors,
                         const std::vector<world::LinkInstance>& links,
                         const std::vector<ObjectOptions>& objects,
-                        const motion::FrameMotion& frames) {
+                        const motion::FrameSource& frames) {
   const world::CameraSensor* sensor = findSensor(config, sensors);
   std::optional<CameraModel> model;
   std::string frame = config.frame.value_or("");
@@ -184,13 +181,12 @@ double seenShare(const CameraModel& camera) {
 }
 
 Pose cameraPose(const CameraRig& camera, const world::World& world,
-                const motion::FrameMotion& frames, Stamp instant, Duration offset) {
+                const motion::FrameSource& frames, Stamp instant, Duration offset) {
   if (camera.X_GC) return *camera.X_GC;
   if (camera.link) return world.linkPoses()[*camera.link] * camera.X_LC;
-  const std::string& frame = camera.carrier.value_or(camera.frame);
-  const bool known = frames.hasPose(frame, instant + offset);
-  const Pose X_GF = frames.pose(frame, known ? instant + offset : instant);
-  return camera.carrier ? Pose(X_GF * camera.X_LC) : X_GF;
+  const auto X_GF_then = frames.pose(camera.followed, instant + offset);
+  const Pose X_GF = X_GF_then ? *X_GF_then : frames.knownPose(camera.followed, instant);
+  return camera.is_carried ? Pose(X_GF * camera.X_LC) : X_GF;
 }
 
 }  // namespace synthetic_dataset

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/frame_motion.h"
+#include "motion/frame_source.h"
 #include "scene/camera_options.h"
 #include "scene/object_options.h"
 #include "scene/shutter.h"
@@ -24,17 +24,18 @@ struct CameraRig {
   std::optional<std::size_t> link =
       std::nullopt;  ///< of the world's links, on which it rides at X_LC
   Pose X_LC = Pose::Identity();
-  std::optional<std::string> carrier = std::nullopt;  ///< the frame on which it rides at X_LC
-  bool sampled = false;                               ///< its frame is placed for each scene
+  motion::FrameId followed = motion::kNoFrame;  ///< its own frame, or that of its carrier
+  bool is_carried = false;  ///< it rides at X_LC on an object, whose frame it follows
+  bool sampled = false;     ///< its frame is placed for each scene
   Shutter shutter = {};
   sensor::SensorEffects effects = {};
 
-  /// Whether its pose is that of its frame, which the recording has.
-  [[nodiscard]] bool followsRecording() const { return !X_GC && !link && !carrier && !sampled; }
+  /// Whether its pose is that of its own frame, which the source of motion has.
+  [[nodiscard]] bool followsFrame() const { return !X_GC && !link && !is_carried && !sampled; }
 };
 
 /// Finds the intrinsics (a calibration file, a recorded CameraInfo, else the world's sensor) and
-/// the pose (drawn, the parameter, else the recording's TF, else the link that the world's sensor
+/// the pose (drawn, the parameter, else that of its frame, else the link that the world's sensor
 /// is on).
 /// @param sensors  the cameras of the world and of the objects' models
 /// @throws ErrorList naming the parameters that would mend it
@@ -43,16 +44,16 @@ struct CameraRig {
                                       const std::vector<world::CameraSensor>& sensors,
                                       const std::vector<world::LinkInstance>& links,
                                       const std::vector<ObjectOptions>& objects,
-                                      const motion::FrameMotion& frames);
+                                      const motion::FrameSource& frames);
 
 /// The share of the image's pixels along which the lens sees something, 0 .. 1: less than all in
 /// the corners of a fisheye's image, and nearly none where a calibration's numbers are wrong.
 [[nodiscard]] double seenShare(const CameraModel& camera);
 
-/// X_GC at a time round `instant`, at which the world stands: where the recording does not know it
-/// then, that of the instant.
+/// X_GC at a time around `instant`, at which the world stands: where its frame is not known then,
+/// that of the instant.
 [[nodiscard]] Pose cameraPose(const CameraRig& camera, const world::World& world,
-                              const motion::FrameMotion& frames, Stamp instant,
+                              const motion::FrameSource& frames, Stamp instant,
                               Duration offset = Duration{0});
 
 }  // namespace synthetic_dataset

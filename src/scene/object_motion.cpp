@@ -24,13 +24,13 @@ std::vector<std::size_t> parentsFirst(const std::vector<const world::Link*>& lin
 
 }  // namespace
 
-ObjectMotion::ObjectMotion(const motion::FrameMotion& frames,
-                           const std::vector<ObjectOptions>& objects,
+ObjectMotion::ObjectMotion(const motion::FrameSource& frames, const std::vector<ObjectOptions>& objects,
                            const std::vector<world::LinkInstance>& links,
                            const std::vector<std::vector<DrivenLinks>>& driven)
     : frames_(frames) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    objects_.push_back({objects[i].name, objects[i].frame});
+    const ObjectOptions& object = objects[i];
+    objects_.push_back({object.name, frames.find(object.frame).value_or(motion::kNoFrame)});
     for (std::size_t variant = 0; variant < driven[i].size(); ++variant) {
       const auto own = linksAt(linksOfVariant(i, variant, links), links);
       variants_.push_back(makeVariant(i, own, driven[i][variant]));
@@ -54,27 +54,22 @@ ObjectMotion::Variant ObjectMotion::makeVariant(std::size_t object,
   return variant;
 }
 
-std::optional<Pose> ObjectMotion::lookUp(const std::string& frame, Stamp time) const {
-  if (!frames_.hasPose(frame, time)) return std::nullopt;
-  return frames_.pose(frame, time);
-}
-
 const Pose& ObjectMotion::objectPose(Object& object, Stamp time) const {
-  if (const auto X_GO = lookUp(object.frame, time)) object.X_GO = *X_GO;
+  if (const auto X_GO = frames_.pose(object.frame, time)) object.X_GO = *X_GO;
   return object.X_GO;
 }
 
 Pose ObjectMotion::linkPose(const Object& object, LinkState& link, const Pose& X_GP, Stamp time) {
   if (!link.frame) return X_GP * link.X_PL;
-  if (const auto X_GL = lookUp(*link.frame, time)) {
+  if (const auto X_GL = frames_.pose(*link.frame, time)) {
     link.X_PL = X_GP.inverse() * *X_GL;
     return *X_GL;
   }
-  const std::string gap = "'" + object.name + "': the frame '" + *link.frame + "' of its link '" +
-                          link.name +
+  const std::string gap = "'" + object.name + "': the frame '" + frames_.names().of(*link.frame) +
+                          "' of its link '" + link.name +
                           "' is not known to TF all the time; meanwhile the link keeps its place "
                           "on what it hangs on";
-  if (told_gaps_.insert(gap).second) gaps_.push_back(gap);
+  if (reported_gaps_.insert(gap).second) gaps_.push_back(gap);
   return X_GP * link.X_PL;
 }
 

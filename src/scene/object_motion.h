@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "motion/frame_motion.h"
+#include "motion/frame_source.h"
 #include "scene/articulation.h"
 #include "scene/object_options.h"
 #include "world/world.h"
 
 namespace synthetic_dataset {
 
-/// Where objects and their links are, between scenes too: where the recording says, or, over a gap,
+/// Where objects and their links are, between scenes too: where their frames are, or, over a gap,
 /// where they were; a link whose frame is not known keeps its last pose relative to the link that
 /// it hangs on, at first that of the model at rest.
 class ObjectMotion {
@@ -20,30 +20,30 @@ class ObjectMotion {
   /// @param frames  has to outlive this
   /// @param links  of the world; their Link objects have to outlive this
   /// @param driven  the driven links of each object's variants
-  ObjectMotion(const motion::FrameMotion& frames, const std::vector<ObjectOptions>& objects,
+  ObjectMotion(const motion::FrameSource& frames, const std::vector<ObjectOptions>& objects,
                const std::vector<world::LinkInstance>& links,
                const std::vector<std::vector<DrivenLinks>>& driven);
 
-  /// @param moving_object  an object, or one of its variants: its place among all of them
+  /// @param moving_object  an object, or one of its variants: its index among all of them
   [[nodiscard]] world::ObjectPose at(int moving_object, Stamp time);
 
-  /// X_GO of all objects at a time at which the recording knows them.
+  /// X_GO of all objects at a time at which their frames are known.
   [[nodiscard]] std::vector<Pose> objectPoses(Stamp time);
 
-  /// The links whose frames were found unknown at some time since the last asking, each told once
-  /// in all.
+  /// The links whose frames were found unknown at some time since the last call, each reported
+  /// once in all.
   [[nodiscard]] std::vector<std::string> takeGaps();
 
  private:
   struct LinkState {
     std::string name;
     std::optional<std::size_t> parent;
-    std::optional<std::string> frame;  ///< where it is driven
-    Pose X_PL = Pose::Identity();      ///< last known, in the parent's frame, or the object's
+    std::optional<motion::FrameId> frame;  ///< where it is driven
+    Pose X_PL = Pose::Identity();          ///< last known, in the parent's frame, or the object's
   };
   struct Object {
     std::string name;
-    std::string frame;
+    motion::FrameId frame;
     Pose X_GO = Pose::Identity();  ///< last known
   };
   struct Variant {
@@ -56,15 +56,14 @@ class ObjectMotion {
   [[nodiscard]] static Variant makeVariant(std::size_t object,
                                            const std::vector<const world::Link*>& links,
                                            const DrivenLinks& driven);
-  [[nodiscard]] std::optional<Pose> lookUp(const std::string& frame, Stamp time) const;
   [[nodiscard]] const Pose& objectPose(Object& object, Stamp time) const;
   [[nodiscard]] Pose linkPose(const Object& object, LinkState& link, const Pose& X_GP, Stamp time);
 
-  const motion::FrameMotion& frames_;
+  const motion::FrameSource& frames_;
   std::vector<Object> objects_;
   std::vector<Variant> variants_;  ///< of all objects in turn
   std::vector<std::string> gaps_;
-  std::set<std::string> told_gaps_;  ///< variants have the same ones
+  std::set<std::string> reported_gaps_;  ///< variants have the same ones
 };
 
 }  // namespace synthetic_dataset

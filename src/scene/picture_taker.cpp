@@ -8,7 +8,7 @@
 namespace synthetic_dataset {
 
 PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer,
-                           const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+                           const motion::FrameSource& frames, const std::vector<CameraRig>& cameras,
                            std::int64_t seed)
     : world_(world),
       renderer_(renderer),

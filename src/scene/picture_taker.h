@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/frame_motion.h"
+#include "motion/frame_source.h"
 #include "render/renderer.h"
 #include "scene/camera_rig.h"
 #include "scene/shutter.h"
@@ -23,7 +23,7 @@ class PictureTaker {
  public:
   /// All references have to outlive this.
   PictureTaker(const world::World& world, render::Renderer& renderer,
-               const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+               const motion::FrameSource& frames, const std::vector<CameraRig>& cameras,
                std::int64_t seed);
 
   /// The times round an instant at which a shutter lets light in, ascending; 0 is among them.
@@ -50,7 +50,7 @@ class PictureTaker {
 
   const world::World& world_;
   render::Renderer& renderer_;
-  const motion::FrameMotion& frames_;
+  const motion::FrameSource& frames_;
   const std::vector<CameraRig>& cameras_;
   std::uint64_t seed_;
   std::vector<Sensor> sensors_;  ///< of cameras_

@@ -83,14 +83,16 @@ placement::OccupancyMap readMap(const SceneOptions& config) {
 SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                              const std::vector<ObjectVariants>& variants,
                              const ObjectShapes& shapes, world::World& world,
-                             motion::FrameMotion& frames, base::Diagnostics& found)
+                             motion::PlacedFrames& frames, base::Diagnostics& found)
     : rigs_(cameras),
       world_(world),
       frames_(frames),
       objects_(config.objects.begin(),
-               config.objects.begin() + static_cast<std::ptrdiff_t>(config.robotCount())),
-      labelled_distractors_(config.objects.begin() + static_cast<std::ptrdiff_t>(objects_.size()),
-                            config.objects.end()) {
+               config.objects.begin() + static_cast<std::ptrdiff_t>(config.robotCount())) {
+  for (std::size_t i = 0; i < config.objects.size(); ++i) {
+    const auto frame = frames.find(config.objects[i].frame).value_or(motion::kNoFrame);
+    (i < objects_.size() ? object_frames_ : distractor_frames_).push_back(frame);
+  }
   for (std::size_t i = 0; i < objects_.size(); ++i) boxes_O_.push_back(shapes.boxesAtRest(i));
   const bool places_objects = config.isPlaced();
   const bool places_cameras =
@@ -113,7 +115,7 @@ placement::PlacedObject SceneArranger::describe(std::size_t object, const Object
                                                 bool on_map, base::Diagnostics& found) {
   const ObjectOptions& config = objects_[object];
   placement::PlacedObject placed{config.name, {}};
-  if (!config.takes_part) placed.X_GO_kept = frames_.pose(config.frame, Stamp{0});
+  if (!config.takes_part) placed.X_GO_kept = frames_.knownPose(object_frames_[object], Stamp{0});
   std::vector<double> reaches;
   for (std::size_t i = 0; i < variants.all().size(); ++i) {
     const Cuboid& box_O = boxes_O_[object][i];
@@ -164,7 +166,7 @@ void SceneArranger::setUpCameras(const SceneOptions& config,
                   "'; it should be any, all, an object of robot_list or a point [x, y, z]" +
                   didYouMean(look_at, targets));
     }
-    cameras_.push_back({rig.frame,
+    cameras_.push_back({rig.followed,
                         {*camera->sample, camera->group, world_, *surroundings_,
                          static_cast<std::uint64_t>(config.seed)}});
   }
@@ -174,7 +176,7 @@ void SceneArranger::placeObjects(std::int64_t instant) {
   if (!placer_) return;
   const std::vector<Pose> X_GO = placer_->place(instant);
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    if (objects_[i].takes_part) frames_.place(objects_[i].frame, X_GO[i]);
+    if (objects_[i].takes_part) frames_.place(object_frames_[i], X_GO[i]);
   }
 }
 
@@ -187,8 +189,8 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
   }
   distractors_there_ = distractor_placer_->place(instant, cameras_G);
   const std::vector<std::optional<Pose>> X_GM = world_.distractorPoses();
-  for (std::size_t i = 0; i < labelled_distractors_.size(); ++i) {
-    frames_.place(labelled_distractors_[i].frame, X_GM[i].value_or(motion::nowhere()));
+  for (std::size_t i = 0; i < distractor_frames_.size(); ++i) {
+    frames_.place(distractor_frames_[i], X_GM[i].value_or(motion::nowhere()));
   }
 }
 
@@ -199,8 +201,8 @@ void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
     if (!objects_[i].takes_part) continue;
     const Cuboid& box_O = boxes_O_[i][world_.variant(i)];
     const Eigen::Vector3d centre_O = 0.5 * (box_O.low + box_O.high);
-    targets.push_back(
-        {objects_[i].name, frames_.pose(objects_[i].frame, stamp) * centre_O, world_.isPresent(i)});
+    targets.push_back({objects_[i].name, frames_.knownPose(object_frames_[i], stamp) * centre_O,
+                       world_.isPresent(i)});
   }
   for (const SampledCamera& camera : cameras_) {
     frames_.place(camera.frame, camera.sampler.sample(instant, targets));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "motion/frame_motion.h"
+#include "motion/placed_frames.h"
 #include "placement/camera_sampler.h"
 #include "placement/distractor_placer.h"
 #include "placement/scene_placer.h"
@@ -30,7 +30,7 @@ class SceneArranger {
   /// @throws ErrorList with all that keeps objects and cameras from being placed
   SceneArranger(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                 const std::vector<ObjectVariants>& variants, const ObjectShapes& shapes,
-                world::World& world, motion::FrameMotion& frames, base::Diagnostics& found);
+                world::World& world, motion::PlacedFrames& frames, base::Diagnostics& found);
 
   /// Whether no scene has to do with the one before.
   [[nodiscard]] bool standsAlone() const { return placer_.has_value(); }
@@ -51,7 +51,7 @@ class SceneArranger {
 
  private:
   struct SampledCamera {
-    std::string frame;
+    motion::FrameId frame;
     placement::CameraSampler sampler;
   };
 
@@ -63,9 +63,10 @@ class SceneArranger {
 
   std::vector<CameraRig> rigs_;
   world::World& world_;
-  motion::FrameMotion& frames_;
-  std::vector<ObjectOptions> objects_;               ///< that are followed or placed
-  std::vector<ObjectOptions> labelled_distractors_;  ///< in the world's order
+  motion::PlacedFrames& frames_;
+  std::vector<ObjectOptions> objects_;  ///< that are followed or placed
+  std::vector<motion::FrameId> object_frames_;
+  std::vector<motion::FrameId> distractor_frames_;  ///< of those with labels, in the world's order
   std::vector<std::vector<Cuboid>> boxes_O_;  ///< of the objects' variants, their links at rest
   std::optional<placement::Surroundings> surroundings_;
   std::optional<placement::ScenePlacer> placer_;

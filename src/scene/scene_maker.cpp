@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "annotate/optical_flow.h"
+#include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
@@ -19,7 +20,7 @@ void leaveOut(SceneObject& object) {
 }  // namespace
 
 SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
-                       const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+                       const motion::PlacedFrames& frames, const std::vector<CameraRig>& cameras,
                        const ObjectShapes& shapes, const Requirements& requirements,
                        const PixelLabelOptions& options)
     : world_(world),
@@ -55,7 +56,10 @@ SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp
                           const std::string& target, const std::string& source) {
     const auto inGlobal = [&](const std::string& frame) {
       const auto found = X_GC.find(frame);
-      return found != X_GC.end() ? found->second : frames.pose(frame, stamp);
+      if (found != X_GC.end()) return found->second;
+      const auto id = frames.find(frame);
+      if (!id) throw Error(frames.lacks(frame));
+      return frames.knownPose(*id, stamp);
     };
     return Pose(inGlobal(target).inverse() * inGlobal(source));
   });

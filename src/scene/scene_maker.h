@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/frame_motion.h"
+#include "motion/placed_frames.h"
 #include "output/manifest/scene_facts.h"
 #include "render/renderer.h"
 #include "scene/camera_rig.h"
@@ -30,7 +30,7 @@ class SceneMaker {
   /// All references have to outlive the maker.
   /// @param shapes  of the objects, in the world's order
   SceneMaker(const world::World& world, render::Renderer& renderer,
-             const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
+             const motion::PlacedFrames& frames, const std::vector<CameraRig>& cameras,
              const ObjectShapes& shapes, const Requirements& requirements,
              const PixelLabelOptions& options);
 
@@ -59,7 +59,7 @@ class SceneMaker {
   [[nodiscard]] std::map<std::string, Pose> cameraPoses(Stamp stamp) const;
 
   const world::World& world_;
-  const motion::FrameMotion& frames_;
+  const motion::PlacedFrames& frames_;
   const std::vector<CameraRig>& cameras_;
   const ObjectShapes& shapes_;
   bool needs_optical_flow_;

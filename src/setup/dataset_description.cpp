@@ -112,7 +112,7 @@ DatasetInfo describeDataset(const config::Config& config, const std::vector<Moti
   }
   for (const MotionSetup& motion : motions) {
     info.motions.push_back({motion.entry.name, motion.first_instant, motion.instantCount(),
-                            motion.isPlaced() ? 0.0 : motion.config.motion.rate});
+                            !motion.timeline.is_recorded ? 0.0 : motion.config.motion.rate});
   }
   const std::int64_t instants =
       info.motions.back().first_instant + info.motions.back().instant_count;

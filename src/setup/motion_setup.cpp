@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/seconds.h"
+#include "motion/bag_motion.h"
+#include "motion/placement_motion.h"
 #include "setup/scene_plan.h"
 #include "setup/size_checks.h"
 #include "setup/world_setup.h"
@@ -12,6 +14,18 @@
 
 namespace synthetic_dataset {
 namespace {
+
+/// Nothing where the settings name none, which is an error already.
+std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& config) {
+  switch (config.motion.source) {
+    case config::MotionSource::kPlacement:
+      return std::make_shared<motion::PlacementMotion>(config.global_frame);
+    case config::MotionSource::kBag:
+      if (config.motion.bag_files.empty()) return nullptr;
+      return std::make_shared<motion::BagMotion>(config.motion.bag_files, config.global_frame);
+  }
+  return nullptr;
+}
 
 /// Sets a motion up part by part; what fails is noted, and the parts that need it are passed over.
 class MotionBuilder {
@@ -24,12 +38,12 @@ class MotionBuilder {
   }
 
   MotionSetup build() {
-    openRecording();
+    openSource();
     loadWorld();
     setUpCameras();
     arrangeScenes();
     planScenes();
-    if (found().hasErrors()) tellOfRecording();
+    if (found().hasErrors()) reportSource();
     return std::move(setup_);
   }
 
@@ -55,20 +69,13 @@ class MotionBuilder {
     return made ? std::move(*made) : nullptr;
   }
 
-  void openRecording() {
-    if (setup_.isPlaced()) {
-      setup_.frames = std::make_unique<motion::FrameMotion>(config().global_frame, nullptr);
-      placeObjects();
-    } else if (!config().motion.bag_files.empty()) {
-      auto recording =
-          attempt([&] { return std::make_unique<motion::BagMotion>(config().motion.bag_files); });
-      if (!recording) return;
-      recording_notes_ = recording->notes();
-      found().add(base::Severity::kWarning, recording_notes_);
-      setup_.frames =
-          std::make_unique<motion::FrameMotion>(config().global_frame, std::move(recording));
-    }
-    if (!setup_.frames) return;
+  void openSource() {
+    auto source = attempt([&] { return makeSource(config()); });
+    if (!source) return;
+    source_notes_ = source->notes();
+    found().add(base::Severity::kWarning, source_notes_);
+    setup_.frames = std::make_unique<motion::PlacedFrames>(std::move(source));
+    if (config().isPlaced()) placeObjects();
     for (const ObjectOptions& each : config().objects) {
       if (!each.takes_part) setup_.frames->place(each.frame, motion::nowhere());
     }
@@ -89,12 +96,14 @@ class MotionBuilder {
   }
 
   /// What was left out of the recording may be what is missing.
-  void tellOfRecording() {
-    for (const std::string& note : recording_notes_) found().error("bag_file", note);
+  void reportSource() {
+    for (const std::string& note : source_notes_) found().error("bag_file", note);
   }
 
   /// Frames that are placed scene by scene are known from the start.
-  void placeSomewhere(const std::string& frame) { setup_.frames->place(frame, Pose::Identity()); }
+  motion::FrameId placeSomewhere(const std::string& frame) {
+    return setup_.frames->place(frame, Pose::Identity());
+  }
 
   void loadWorld() {
     if (config().world.file.empty()) return;
@@ -158,7 +167,7 @@ class MotionBuilder {
       });
       if (!rig) continue;
       if (rig->sampled && isTaken(rig->frame, camera)) continue;
-      if (rig->sampled) placeSomewhere(rig->frame);
+      if (rig->sampled) rig->followed = placeSomewhere(rig->frame);
       checkShutter(camera, *rig);
       noteBlindLens(camera, *rig);
       noteFarAxis(camera, *rig);
@@ -237,7 +246,6 @@ class MotionBuilder {
   void planScenes() {
     if (!setup_.frames || config().objects.empty()) return;
     auto timeline = found().attempt([&] {
-      if (setup_.isPlaced()) return planUnrelatedScenes(config());
       return synthetic_dataset::planScenes(*setup_.frames, config(), setup_.cameras,
                                            setup_.driven_links);
     });
@@ -246,7 +254,7 @@ class MotionBuilder {
 
   WorldShelf& worlds_;
   MotionSetup setup_;
-  std::vector<std::string> recording_notes_;
+  std::vector<std::string> source_notes_;
   std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
 };
 

@@ -9,7 +9,7 @@
 #include "base/diagnostics.h"
 #include "config/config.h"
 #include "config/motion_list.h"
-#include "motion/frame_motion.h"
+#include "motion/placed_frames.h"
 #include "scene/articulation.h"
 #include "scene/camera_rig.h"
 #include "scene/object_shapes.h"
@@ -26,7 +26,7 @@ namespace synthetic_dataset {
 struct MotionSetup {
   config::MotionEntry entry;
   config::Config config;  ///< all settings that hold for it
-  std::unique_ptr<motion::FrameMotion> frames;
+  std::unique_ptr<motion::PlacedFrames> frames;
   motion::Timeline timeline;
   std::int64_t first_instant = 0;        ///< in the run, of its timeline's first time
   std::vector<ObjectVariants> variants;  ///< of each object
@@ -45,10 +45,7 @@ struct MotionSetup {
     return static_cast<std::int64_t>(timeline.stamps.size());
   }
 
-  /// Whether it has no recording, but is placed at random.
-  [[nodiscard]] bool isPlaced() const { return config.isPlaced(); }
-
-  /// Whether a camera has this frame: the recording need not know it then.
+  /// Whether a camera has this frame: the source of motion need not have it then.
   [[nodiscard]] bool isCameraFrame(const std::string& frame) const;
 };
 

@@ -72,11 +72,7 @@ class Builder {
     if (!counts) return;
     for (std::size_t i = 0; i < counts->size(); ++i) {
       MotionSetup& motion = setup_.motions[i];
-      if (motion.isPlaced()) {
-        motion.timeline.stamps.resize(static_cast<std::size_t>((*counts)[i]));
-      } else {
-        thinOut(motion.timeline, (*counts)[i]);
-      }
+      thinOut(motion.timeline, (*counts)[i]);
     }
   }
 
@@ -158,14 +154,12 @@ class Builder {
     if (!setup_.writers || !motion.frames) return;
     for (const std::string& frame : setup_.writers->requirements().frames) {
       if (motion.isCameraFrame(frame)) continue;
-      if (motion.frames->knowsFrame(frame)) {
+      if (motion.frames->find(frame)) {
         motion.found.attempt(
             [&] { leaveOutScenesWithout(frame, *motion.frames, motion.timeline); });
       } else {
-        motion.found.error("", "a writer asks for the frame '" + frame +
-                                   (motion.isPlaced() ? "', which nothing that is placed has"
-                                                      : "', which the recording does not have") +
-                                   motion.frames->suggestFrame(frame));
+        motion.found.error(
+            "", "a writer asks for the frame '" + frame + "': " + motion.frames->lacks(frame));
       }
     }
   }

@@ -8,7 +8,6 @@
 #include "base/seconds.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
-#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -17,14 +16,15 @@ motion::TimelineOptions timelineOptions(const config::Config& config) {
   const motion::MotionOptions& motion = config.motion;
   motion::TimelineOptions options;
   options.period = motion::periodOf(motion.rate);
+  options.scenes = motion.scenes;
   options.start_offset = base::fromSeconds(motion.start_offset);
   if (motion.duration) options.duration = base::fromSeconds(*motion.duration);
   if (motion.max_tf_gap) options.max_tf_gap = base::fromSeconds(*motion.max_tf_gap);
   const auto& jitter = config.randomization.time_jitter;
   if (!jitter) return options;
   // By the regular time, not by the scene's number: what another frame leaves out moves no scene.
-  options.jitter = [&jitter, seed = static_cast<std::uint64_t>(config.seed)](std::int64_t place) {
-    appearance::EntryDraws draws(seed, place);
+  options.jitter = [&jitter, seed = static_cast<std::uint64_t>(config.seed)](std::int64_t index) {
+    appearance::EntryDraws draws(seed, index);
     return base::fromSeconds(*draws.number("time/jitter", jitter));
   };
   return options;
@@ -33,28 +33,25 @@ motion::TimelineOptions timelineOptions(const config::Config& config) {
 /// Takes scenes out and counts them.
 template <class Unwanted>
 void leaveOut(const Unwanted& unwanted, motion::Timeline& timeline) {
-  motion::Timeline kept;
-  for (std::size_t i = 0; i < timeline.stamps.size(); ++i) {
-    if (unwanted(timeline.stamps[i])) continue;
-    kept.stamps.push_back(timeline.stamps[i]);
-    if (!timeline.jitter.empty()) kept.jitter.push_back(timeline.jitter[i]);
+  const motion::Timeline all = timeline;
+  timeline.stamps.clear();
+  timeline.jitter.clear();
+  for (std::size_t i = 0; i < all.stamps.size(); ++i) {
+    if (unwanted(all.stamps[i])) continue;
+    timeline.stamps.push_back(all.stamps[i]);
+    if (!all.jitter.empty()) timeline.jitter.push_back(all.jitter[i]);
   }
   timeline.left_out_unknown +=
-      static_cast<std::int64_t>(timeline.stamps.size() - kept.stamps.size());
-  timeline.stamps = std::move(kept.stamps);
-  timeline.jitter = std::move(kept.jitter);
+      static_cast<std::int64_t>(all.stamps.size() - timeline.stamps.size());
 }
 
 /// Scenes during whose exposure a frame is not known, as at the recording's ends.
-void leaveOutHalfExposed(const std::vector<std::string>& frames, Duration open,
-                         const motion::FrameMotion& frame_motion, motion::Timeline& timeline) {
-  const auto known = [&](const std::string& frame, Stamp time) {
-    return frame_motion.hasPose(frame, time);
-  };
+void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids, Duration open,
+                         const motion::FrameSource& frames, motion::Timeline& timeline) {
   const auto is_half_exposed = [&](Stamp stamp) {
-    return std::any_of(frames.begin(), frames.end(), [&](const std::string& frame) {
-      return known(frame, stamp) &&
-             !(known(frame, stamp - open / 2) && known(frame, stamp + open / 2));
+    return std::any_of(ids.begin(), ids.end(), [&](motion::FrameId id) {
+      return frames.pose(id, stamp) &&
+             !(frames.pose(id, stamp - open / 2) && frames.pose(id, stamp + open / 2));
     });
   };
   leaveOut(is_half_exposed, timeline);
@@ -68,27 +65,26 @@ void leaveOutHalfExposed(const std::vector<std::string>& frames, Duration open,
 
 }  // namespace
 
-motion::Timeline planScenes(const motion::FrameMotion& frame_motion, const config::Config& config,
+motion::Timeline planScenes(const motion::FrameSource& frames, const config::Config& config,
                             const std::vector<CameraRig>& cameras,
                             const std::vector<std::vector<DrivenLinks>>& driven_links) {
-  std::vector<std::string> frames;
+  std::vector<std::string> names;
   Duration open{0};
-  for (const ObjectOptions& object : config.objects) {
-    if (object.takes_part) frames.push_back(object.frame);
-  }
+  for (const ObjectOptions& object : config.objects) names.push_back(object.frame);
   for (const CameraRig& camera : cameras) {
-    if (camera.followsRecording()) frames.push_back(camera.frame);
+    if (camera.followsFrame()) names.push_back(camera.frame);
     open = std::max(open, openTime(camera.shutter));
   }
-  motion::Timeline timeline =
-      frame_motion.recording()->timeline(config.global_frame, frames, timelineOptions(config));
+  motion::Timeline timeline = frames.timeline(names, timelineOptions(config));
   if (open.count() == 0) return timeline;
+  std::vector<motion::FrameId> ids;
+  for (const std::string& name : names) ids.push_back(*frames.find(name));
   for (const std::vector<DrivenLinks>& object : driven_links) {
     for (const DrivenLinks& variant : object) {
-      for (const DrivenLink& link : variant) frames.push_back(link.frame);
+      for (const DrivenLink& link : variant) ids.push_back(link.frame);
     }
   }
-  leaveOutHalfExposed(frames, open, frame_motion, timeline);
+  leaveOutHalfExposed(ids, open, frames, timeline);
   return timeline;
 }
 
@@ -100,39 +96,26 @@ Duration shortestPeriod(const config::Config& config) {
   return std::max(period - range, Duration{0});
 }
 
-motion::Timeline planUnrelatedScenes(const config::Config& config) {
-  const Duration period = motion::periodOf(config.motion.rate);
-  if (config.motion.scenes > Stamp::max() / period) {
-    throw Error("scenes: found " + std::to_string(config.motion.scenes) +
-                " at a simulated_rate of " + Value(config.motion.rate).text() +
-                " Hz; the last one should be less than 292 years from the first");
-  }
-  motion::Timeline timeline;
-  for (std::int64_t scene = 1; scene <= config.motion.scenes; ++scene) {
-    timeline.stamps.push_back(scene * period);
-  }
-  return timeline;
-}
-
 void thinOut(motion::Timeline& timeline, std::int64_t count) {
   const motion::Timeline all = timeline;
   const auto all_count = static_cast<std::int64_t>(all.stamps.size());
   timeline.stamps.clear();
   timeline.jitter.clear();
   for (std::int64_t i = 0; i < count; ++i) {
-    const auto place = static_cast<std::size_t>(i * all_count / count);
-    timeline.stamps.push_back(all.stamps[place]);
-    if (!all.jitter.empty()) timeline.jitter.push_back(all.jitter[place]);
+    const auto index = static_cast<std::size_t>(all.is_recorded ? i * all_count / count : i);
+    timeline.stamps.push_back(all.stamps[index]);
+    if (!all.jitter.empty()) timeline.jitter.push_back(all.jitter[index]);
   }
 }
 
-void leaveOutScenesWithout(const std::string& frame, const motion::FrameMotion& frame_motion,
+void leaveOutScenesWithout(const std::string& frame, const motion::FrameSource& frames,
                            motion::Timeline& timeline) {
   if (timeline.stamps.empty()) return;
-  leaveOut([&](Stamp stamp) { return !frame_motion.hasPose(frame, stamp); }, timeline);
+  const motion::FrameId id = *frames.find(frame);
+  leaveOut([&](Stamp stamp) { return !frames.pose(id, stamp); }, timeline);
   if (timeline.stamps.empty()) {
     throw Error("a writer asks for the frame '" + frame + "', which cannot be transformed into '" +
-                frame_motion.globalFrame() + "' at any scene");
+                frames.globalFrame() + "' at any scene");
   }
 }
 

@@ -57,7 +57,7 @@ std::vector<world::Model> loadDistractors(const config::Config& config, WorldFil
 class WorldBuilder {
  public:
   WorldBuilder(const config::Config& config, const std::vector<ObjectVariants>& variants,
-               const motion::FrameMotion* frames, WorldFiles& files, base::Diagnostics& found)
+               const motion::FrameSource* frames, WorldFiles& files, base::Diagnostics& found)
       : config_(config), variants_(variants), frames_(frames), files_(files), found_(found) {}
 
   WorldSetup build() {
@@ -153,7 +153,7 @@ class WorldBuilder {
 
   const config::Config& config_;
   const std::vector<ObjectVariants>& variants_;
-  const motion::FrameMotion* frames_;
+  const motion::FrameSource* frames_;
   WorldFiles& files_;
   base::Diagnostics& found_;
   std::string model_names_;  ///< of the world, objects included
@@ -165,7 +165,7 @@ class WorldBuilder {
 }  // namespace
 
 WorldSetup setUpWorld(const config::Config& config, const std::vector<ObjectVariants>& variants,
-                      const motion::FrameMotion* frames, WorldFiles& files,
+                      const motion::FrameSource* frames, WorldFiles& files,
                       base::Diagnostics& found) {
   return WorldBuilder(config, variants, frames, files, found).build();
 }

@@ -8,7 +8,7 @@
 
 #include "base/diagnostics.h"
 #include "config/config.h"
-#include "motion/frame_motion.h"
+#include "motion/frame_source.h"
 #include "scene/articulation.h"
 #include "scene/object_variants.h"
 #include "setup/world_files.h"
@@ -37,7 +37,7 @@ struct WorldSetup {
 /// @param found  takes all that is wrong, was left out or replaced, or may be good to know
 [[nodiscard]] WorldSetup setUpWorld(const config::Config& config,
                                     const std::vector<ObjectVariants>& variants,
-                                    const motion::FrameMotion* frames, WorldFiles& files,
+                                    const motion::FrameSource* frames, WorldFiles& files,
                                     base::Diagnostics& found);
 
 }  // namespace synthetic_dataset

@@ -22,19 +22,19 @@ class FrameTreeTest : public ::testing::Test {
   }
 
   FrameTree tree;
-  FrameIndex earth = tree.findOrAdd("earth");
-  FrameIndex map = tree.findOrAdd("map");
-  FrameIndex odom = tree.findOrAdd("odom");
-  FrameIndex base = tree.findOrAdd("base");
-  FrameIndex tower = tree.findOrAdd("tower");
-  FrameIndex lonely = tree.findOrAdd("lonely");
+  FrameId earth = tree.findOrAdd("earth");
+  FrameId map = tree.findOrAdd("map");
+  FrameId odom = tree.findOrAdd("odom");
+  FrameId base = tree.findOrAdd("base");
+  FrameId tower = tree.findOrAdd("tower");
+  FrameId lonely = tree.findOrAdd("lonely");
 };
 
 TEST_F(FrameTreeTest, FindsFramesByName) {
-  EXPECT_EQ(tree.find("odom"), odom);
-  EXPECT_EQ(tree.find("nowhere"), std::nullopt);
+  EXPECT_EQ(tree.names().find("odom"), odom);
+  EXPECT_EQ(tree.names().find("nowhere"), std::nullopt);
   EXPECT_EQ(tree.findOrAdd("odom"), odom);
-  EXPECT_EQ(tree.name(odom), "odom");
+  EXPECT_EQ(tree.names().of(odom), "odom");
 }
 
 TEST_F(FrameTreeTest, CrossesTheLinksBetweenAFrameAndAnAncestor) {

@@ -9,8 +9,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr FrameIndex kA = 1;
-constexpr FrameIndex kB = 2;
+constexpr FrameId kA{1};
+constexpr FrameId kB{2};
 
 const LinkHistory& movingLink() {
   static const LinkHistory link = LinkHistory::sampledAt(
@@ -18,7 +18,7 @@ const LinkHistory& movingLink() {
   return link;
 }
 
-void expectParent(Stamp time, FrameIndex frame, Stamp from, Stamp until) {
+void expectParent(Stamp time, FrameId frame, Stamp from, Stamp until) {
   const LinkHistory::Parent parent = movingLink().parentAt(time);
   EXPECT_EQ(parent.frame, frame) << time.count();
   EXPECT_EQ(parent.validity.from, from) << time.count();

@@ -7,11 +7,20 @@
 
 namespace synthetic_dataset::motion {
 
-BagMotion recorded(const std::function<void(test::BagBuilder&)>& write) {
+BagMotion recorded(const std::function<void(test::BagBuilder&)>& write,
+                   const std::string& global_frame) {
   const test::TemporaryFolder folder;
   test::BagBuilder bag(folder / "recorded.bag");
   write(bag);
-  return BagMotion({bag.close()});
+  return BagMotion({bag.close()}, global_frame);
+}
+
+Pose poseOf(const FrameSource& source, const std::string& frame, Stamp time) {
+  return source.knownPose(source.find(frame).value_or(kNoFrame), time);
+}
+
+bool isKnown(const FrameSource& source, const std::string& frame, Stamp time) {
+  return source.pose(source.find(frame).value_or(kNoFrame), time).has_value();
 }
 
 TimelineOptions everyMilliseconds(std::int64_t period_ms) {

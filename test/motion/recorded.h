@@ -10,7 +10,14 @@
 namespace synthetic_dataset::motion {
 
 /// The motion of a bag that lives only as long as it is read.
-[[nodiscard]] BagMotion recorded(const std::function<void(test::BagBuilder&)>& write);
+[[nodiscard]] BagMotion recorded(const std::function<void(test::BagBuilder&)>& write,
+                                 const std::string& global_frame = "map");
+
+/// Where a frame is, by its name.
+/// @throws Error where it is not known
+[[nodiscard]] Pose poseOf(const FrameSource& source, const std::string& frame, Stamp time);
+
+[[nodiscard]] bool isKnown(const FrameSource& source, const std::string& frame, Stamp time);
 
 /// One scene every `period_ms` from the recording's start to its end.
 [[nodiscard]] TimelineOptions everyMilliseconds(std::int64_t period_ms);

@@ -14,11 +14,10 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::vector<std::string> timelineErrors(const BagMotion& motion, const std::string& global_frame,
+std::vector<std::string> timelineErrors(const BagMotion& motion,
                                         const std::vector<std::string>& frames,
                                         const TimelineOptions& options = everyMilliseconds(100)) {
-  return test::messagesOf(
-      [&] { static_cast<void>(motion.timeline(global_frame, frames, options)); });
+  return test::messagesOf([&] { static_cast<void>(motion.timeline(frames, options)); });
 }
 
 TEST(WindowReport, TellsFromWhenToWhenEachFrameIsKnown) {
@@ -28,7 +27,7 @@ TEST(WindowReport, TellsFromWhenToWhenEachFrameIsKnown) {
     moveAlongX(bag, "map", "bravo", 1650000002000, 1650000003000);
   });
   EXPECT_THAT(
-      timelineErrors(motion, "map", {"alpha", "bravo", "camera"}),
+      timelineErrors(motion, {"alpha", "bravo", "camera"}),
       ElementsAre(AllOf(HasSubstr("no stretch of time between 1650000000.000000000 s and "
                                   "1650000003.000000000 s"),
                         HasSubstr("into 'map'"), HasSubstr("steps of 0.100000000 s")),
@@ -47,24 +46,25 @@ TEST(WindowReport, ListsTheFirstOfManyStretches) {
       bag.move("elsewhere", "alpha", milliseconds(1051 + 200 * i));
     }
   });
-  EXPECT_THAT(timelineErrors(motion, "map", {"alpha"}, everyMilliseconds(100)).back(),
+  EXPECT_THAT(timelineErrors(motion, {"alpha"}, everyMilliseconds(100)).back(),
               AllOf(HasSubstr("from 1.050000000 s to 1.050999999 s"),
                     HasSubstr("from 1.450000000 s to 1.450999999 s"),
                     HasSubstr("and in 3 more stretches up to 2.050999999 s")));
 }
 
 TEST(WindowReport, NamesUnknownFramesAllAtOnce) {
-  const BagMotion motion = recorded([](BagBuilder& bag) {
-    moveAlongX(bag, "map", "alpha/base_link", 1000, 2000);
-    moveAlongX(bag, "map", "bravo/base_link", 1000, 2000);
-  });
-  EXPECT_THAT(
-      timelineErrors(motion, "/mpa", {"alpha/baselink", "bravo/base_link", "robots/charlie"}),
-      ElementsAre(AllOf(HasSubstr("global frame 'mpa' is not in the recording"),
-                        HasSubstr("its frames are alpha/base_link, bravo/base_link, map")),
-                  "frame 'alpha/baselink' is not in the recording; did you mean "
-                  "'alpha/base_link'?",
-                  HasSubstr("frame 'robots/charlie' is not in the recording")));
+  const BagMotion motion = recorded(
+      [](BagBuilder& bag) {
+        moveAlongX(bag, "map", "alpha/base_link", 1000, 2000);
+        moveAlongX(bag, "map", "bravo/base_link", 1000, 2000);
+      },
+      "/mpa");
+  EXPECT_THAT(timelineErrors(motion, {"alpha/baselink", "bravo/base_link", "robots/charlie"}),
+              ElementsAre(AllOf(HasSubstr("global frame 'mpa' is not in the recording"),
+                                HasSubstr("its frames are alpha/base_link, bravo/base_link, map")),
+                          "frame 'alpha/baselink' is not in the recording; did you mean "
+                          "'alpha/base_link'?",
+                          HasSubstr("frame 'robots/charlie' is not in the recording")));
 }
 
 TEST(WindowReport, ShortensLongListsOfFrames) {
@@ -72,7 +72,7 @@ TEST(WindowReport, ShortensLongListsOfFrames) {
     for (int i = 10; i < 30; ++i) bag.fix("map", "f" + std::to_string(i), milliseconds(1000));
     bag.say("/chatter", milliseconds(2000));
   });
-  EXPECT_THAT(timelineErrors(motion, "map", {"chimney"}),
+  EXPECT_THAT(timelineErrors(motion, {"chimney"}),
               ElementsAre(AllOf(HasSubstr("its frames are f10, f11,"), HasSubstr("and 9 more"))));
 }
 
@@ -81,7 +81,7 @@ TEST(WindowReport, TellsInWhichTreeAnUnconnectedFrameIs) {
     moveAlongX(bag, "earth", "map", 1000, 2000);
     moveAlongX(bag, "bravo/odom", "bravo/base_link", 1000, 2000);
   });
-  EXPECT_THAT(timelineErrors(motion, "map", {"bravo/base_link"}).back(),
+  EXPECT_THAT(timelineErrors(motion, {"bravo/base_link"}).back(),
               AllOf(HasSubstr("frame 'bravo/base_link' can be transformed into 'map' at no time"),
                     HasSubstr("'bravo/base_link' is in the tree of 'bravo/odom'"),
                     HasSubstr("'map' in that of 'earth'")));
@@ -92,7 +92,7 @@ TEST(WindowReport, TellsOfLinksThatAreNeverKnownTogether) {
     moveAlongX(bag, "map", "odom", 1000, 2000);
     moveAlongX(bag, "odom", "alpha", 3000, 4000);
   });
-  EXPECT_THAT(timelineErrors(motion, "map", {"alpha"}).back(),
+  EXPECT_THAT(timelineErrors(motion, {"alpha"}).back(),
               HasSubstr("never all known at the same time"));
 }
 
@@ -107,7 +107,7 @@ TEST(WindowReport, SuspectsAnotherClock) {
       bag.add(transform);
     }
   });
-  EXPECT_THAT(timelineErrors(motion, "map", {"alpha"}).back(),
+  EXPECT_THAT(timelineErrors(motion, {"alpha"}).back(),
               AllOf(HasSubstr("from 12.000000000 s to 12.900000000 s"),
                     HasSubstr("outside the recording"), HasSubstr("use_sim_time")));
 }
@@ -118,7 +118,7 @@ TEST(WindowReport, NamesOptionsThatLeaveNothing) {
   TimelineOptions options;
   options.start_offset = milliseconds(1000);
   options.duration = Duration(0);
-  EXPECT_THAT(timelineErrors(motion, "map", {"alpha"}, options),
+  EXPECT_THAT(timelineErrors(motion, {"alpha"}, options),
               ElementsAre(HasSubstr("the period is 0.000000000 s"),
                           AllOf(HasSubstr("the start offset of 1.000000000 s leaves nothing"),
                                 HasSubstr("the recording lasts 1.000000000 s")),

@@ -9,16 +9,18 @@ namespace synthetic_dataset {
 namespace {
 
 TEST(RecordedBags, AJackalsRunIsReplayed) {
-  const motion::BagMotion recording({(test::referenceFolder() / "bags/jackal.bag").string()});
+  const motion::BagMotion recording({(test::referenceFolder() / "bags/jackal.bag").string()},
+                                    "map");
   motion::TimelineOptions options;
   options.period = motion::periodOf(2.0);
-  const motion::Timeline timeline = recording.timeline("map", {"jackal/base_link"}, options);
+  const motion::Timeline timeline = recording.timeline({"jackal/base_link"}, options);
   EXPECT_NEAR(static_cast<double>(timeline.stamps.size()), 61.18 * 2.0, 2.0);
   // It drove: its poses differ, smoothly.
   double length = 0.0;
-  Pose last = recording.transform("map", "jackal/base_link", timeline.stamps.front());
+  const motion::FrameId base = *recording.find("jackal/base_link");
+  Pose last = recording.knownPose(base, timeline.stamps.front());
   for (const Stamp stamp : timeline.stamps) {
-    const Pose now = recording.transform("map", "jackal/base_link", stamp);
+    const Pose now = recording.knownPose(base, stamp);
     const double step = (now.translation() - last.translation()).norm();
     EXPECT_LT(step, 1.5) << "faster than 3 m/s";
     length += step;

@@ -55,8 +55,8 @@ TEST_F(MotionsErrors, NameFramesThatARecordingDoesNotHave) {
   run.set("bounding_shape", "{output_frame: bravo/base_link}");
   run.list("[{}, {robot_list: [alpha], bag_file: DIR/lone.bag}]");
   EXPECT_THAT(run.errors(), ElementsAre(StartsWith("motions/1: a writer asks for the frame "
-                                                   "'bravo/base_link', which the recording does "
-                                                   "not have")));
+                                                   "'bravo/base_link': the recording has no "
+                                                   "frame")));
 }
 
 TEST_F(MotionsErrors, NameParametersThatNobodyReads) {

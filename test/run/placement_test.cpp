@@ -542,8 +542,8 @@ TEST_F(PlacementTest, NamesADistractorThatCannotBeSeen) {
 TEST_F(PlacementTest, NamesAFrameThatNothingHas) {
   group("bounding_shape")["output_frame"] = Value("alpha/base_lin");
   EXPECT_THAT(errors(), Contains(AllOf(
-                            HasSubstr("a writer asks for the frame 'alpha/base_lin', which nothing "
-                                      "that is placed has"),
+                            HasSubstr("a writer asks for the frame 'alpha/base_lin': the placement "
+                                      "has no frame"),
                             HasSubstr("did you mean 'alpha/base_link'?"))));
 }
 

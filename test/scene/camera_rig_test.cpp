@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "support/error_messages.h"
+#include "support/fake_frame_source.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -17,7 +18,7 @@ world::CameraSensor eye() {
 }
 
 CameraRig rigOf(const CameraOptions& config) {
-  return makeCameraRig(config, {}, {eye()}, {}, {}, motion::FrameMotion("map", nullptr));
+  return makeCameraRig(config, {}, {eye()}, {}, {}, test::FakeFrameSource());
 }
 
 CameraOptions ofEye() {

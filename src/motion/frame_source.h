@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/frame_names.h"
+#include "motion/timeline.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::motion {
+
+/// A source of motion: where frames are at a time, in the global frame G. Sources can be asked from
+/// several threads at a time, once set-up is over.
+class FrameSource {
+ public:
+  /// @param global_frame  with or without leading slashes; the source need not have it
+  explicit FrameSource(const std::string& global_frame)
+      : global_frame_(withoutLeadingSlashes(global_frame)) {}
+  virtual ~FrameSource() = default;
+
+  [[nodiscard]] const std::string& globalFrame() const { return global_frame_; }
+
+  /// All frames that it has, at some time at least.
+  [[nodiscard]] virtual const FrameNames& names() const = 0;
+
+  [[nodiscard]] std::optional<FrameId> find(const std::string& frame) const {
+    return names().find(frame);
+  }
+
+  /// X_GF, its rotation normalised; nothing at times at which it is not known, and for kNoFrame.
+  [[nodiscard]] virtual std::optional<Pose> pose(FrameId frame, Stamp time) const = 0;
+
+  /// X_GF.
+  /// @throws Error where it is not known
+  [[nodiscard]] Pose knownPose(FrameId frame, Stamp time) const;
+
+  /// The times of the scenes, at each of which all of these frames are known.
+  /// @throws ErrorList when there is none, saying why: frames that it does not have, options that
+  ///     leave no time, ...
+  [[nodiscard]] virtual Timeline timeline(const std::vector<std::string>& frames,
+                                          const TimelineOptions& options) const = 0;
+
+  /// What it is, for messages: "the recording".
+  [[nodiscard]] virtual std::string title() const = 0;
+
+  /// "the recording has no frame 'bass'; did you mean 'base'?"
+  [[nodiscard]] std::string lacks(const std::string& frame) const;
+
+  /// What the user should know about it.
+  [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
+
+ protected:
+  FrameSource(const FrameSource&) = default;
+  FrameSource& operator=(const FrameSource&) = default;
+
+ private:
+  std::string global_frame_;
+};
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,50 @@
+#include "motion/placed_frames.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace synthetic_dataset::motion {
+
+const Pose& nowhere() {
+  constexpr double kDepth = 1e5;  // [m]
+  static const Pose X_GF = makePose({0, 0, -kDepth}, Eigen::Quaterniond::Identity());
+  return X_GF;
+}
+
+PlacedFrames::PlacedFrames(std::shared_ptr<const FrameSource> others)
+    : FrameSource(others->globalFrame()),
+      others_(std::move(others)),
+      names_(std::make_shared<FrameNames>(others_->names())) {}
+
+FrameId PlacedFrames::place(const std::string& frame, const Pose& X_GF) {
+  const FrameId id = names_->findOrAdd(frame);
+  place(id, X_GF);
+  return id;
+}
+
+void PlacedFrames::place(FrameId frame, const Pose& X_GF) { placed_.insert_or_assign(frame, X_GF); }
+
+bool PlacedFrames::isPlaced(const std::string& frame) const {
+  const auto id = find(frame);
+  return id && placed_.count(*id) != 0;
+}
+
+std::optional<Pose> PlacedFrames::pose(FrameId frame, Stamp time) const {
+  const auto placed = placed_.find(frame);
+  if (placed != placed_.end()) return placed->second;
+  // Names were added behind those of the others.
+  const bool is_theirs = static_cast<std::size_t>(frame) < others_->names().all().size();
+  return is_theirs ? others_->pose(frame, time) : std::nullopt;
+}
+
+Timeline PlacedFrames::timeline(const std::vector<std::string>& frames,
+                                const TimelineOptions& options) const {
+  std::vector<std::string> theirs;
+  std::copy_if(frames.begin(), frames.end(), std::back_inserter(theirs),
+               [this](const std::string& frame) { return !isPlaced(frame); });
+  return others_->timeline(theirs, options);
+}
+
+}  // namespace synthetic_dataset::motion

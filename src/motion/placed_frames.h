@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/frame_source.h"
+
+namespace synthetic_dataset::motion {
+
+/// X_GF of what is not there: so deep that nothing meets it.
+[[nodiscard]] const Pose& nowhere();
+
+/// Frames that are placed anew for each scene, over a source that has all others. A copy keeps what
+/// is placed as it is, for use in another thread.
+class PlacedFrames : public FrameSource {
+ public:
+  explicit PlacedFrames(std::shared_ptr<const FrameSource> others);
+
+  /// Puts a frame somewhere, from now on and whatever the other source has of it; at set-up, as
+  /// all copies have the same names.
+  FrameId place(const std::string& frame, const Pose& X_GF);
+
+  /// The same for a frame of names().
+  void place(FrameId frame, const Pose& X_GF);
+
+  [[nodiscard]] bool isPlaced(const std::string& frame) const;
+
+  [[nodiscard]] const FrameNames& names() const override { return *names_; }
+  [[nodiscard]] std::optional<Pose> pose(FrameId frame, Stamp time) const override;
+  [[nodiscard]] Timeline timeline(const std::vector<std::string>& frames,
+                                  const TimelineOptions& options) const override;
+  [[nodiscard]] std::string title() const override { return others_->title(); }
+  [[nodiscard]] std::vector<std::string> notes() const override { return others_->notes(); }
+
+ private:
+  std::shared_ptr<const FrameSource> others_;
+  std::shared_ptr<FrameNames> names_;  ///< those of the others, and those that are placed
+  std::map<FrameId, Pose> placed_;     ///< X_GF
+};
+
+}  // namespace synthetic_dataset::motion
