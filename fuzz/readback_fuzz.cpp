@@ -6,8 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "fuzzing.h"
-#include "readback/format_readers.h"
-#include "readback/label_overlay.h"
+#include "plugins/readback/format_readers.h"
+#include "plugins/readback/label_overlay.h"
 
 namespace {
 

@@ -20,8 +20,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "output/written_dataset.h"
-#include "readback/format_readers.h"
-#include "readback/label_overlay.h"
+#include "plugins/readback/format_readers.h"
+#include "plugins/readback/label_overlay.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "readback/json_text.h"
+#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {

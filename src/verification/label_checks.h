@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "readback/drawn_label.h"
+#include "plugins/readback/drawn_label.h"
 #include "verification/expected_labels.h"
 
 namespace synthetic_dataset {

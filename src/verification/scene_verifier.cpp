@@ -6,8 +6,8 @@
 
 #include "config/yaml_value.h"
 #include "output/manifest/manifest_paths.h"
-#include "readback/files.h"
-#include "readback/format_readers.h"
+#include "plugins/readback/files.h"
+#include "plugins/readback/format_readers.h"
 #include "synthetic_dataset/label_text.h"
 #include "verification/expected_labels.h"
 #include "verification/label_checks.h"

@@ -10,7 +10,7 @@
 
 #include "output/file_checks.h"
 #include "output/listed_dataset.h"
-#include "readback/drawn_label.h"
+#include "plugins/readback/drawn_label.h"
 #include "synthetic_dataset/value.h"
 #include "verification/dataset_verifier.h"
 

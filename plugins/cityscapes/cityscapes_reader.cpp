@@ -1,0 +1,55 @@
+#include <map>
+#include <set>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/readback/files.h"
+#include "plugins/readback/format_readers.h"
+#include "plugins/readback/json_file.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::readback {
+namespace {
+
+/// Names by label (classes may share one), where the table is there: it is written when a dataset
+/// is complete.
+std::map<int, std::vector<std::string>> namesIn(const std::filesystem::path& file) {
+  std::map<int, std::vector<std::string>> names;
+  if (!std::filesystem::exists(file)) return names;
+  readJson(file, [&](const nlohmann::json& table) {
+    for (const auto& entry : table) {
+      names[integerOf(entry.at("id"))].push_back(entry.at("name").get<std::string>());
+    }
+  });
+  return names;
+}
+
+}  // namespace
+
+// Cityscapes: a picture of instances, label * 1000 + number; smaller numbers are labels alone.
+LabelledPicture readCityscapes(const WrittenScene& scene) {
+  constexpr int kInstancesOfLabel = 1000;
+  LabelledPicture picture{readPicture(scene.file("_leftImg8bit.png"), cv::IMREAD_COLOR), {}};
+  const cv::Mat instances =
+      readPicture(scene.file("_gtFine_instanceIds.png"), cv::IMREAD_UNCHANGED);
+  if (instances.type() != CV_16UC1) {
+    throw Error("'" + scene.file("_gtFine_instanceIds.png").string() +
+                "': it should have one channel of 16 bits");
+  }
+  const auto names = namesIn(scene.folder / "labels.json");
+  const cv::Mat_<ushort> pixels = instances;
+  for (const int instance : std::set<int>(pixels.begin(), pixels.end())) {
+    if (instance < kInstancesOfLabel) continue;
+    DrawnLabel label;
+    const auto name = names.find(instance / kInstancesOfLabel);
+    if (name != names.end()) label.class_names = name->second;
+    label.caption =
+        (name == names.end() ? "" : name->second.front() + " ") + std::to_string(instance);
+    label.mask = instances == instance;
+    picture.labels.push_back(std::move(label));
+  }
+  return picture;
+}
+
+}  // namespace synthetic_dataset::readback
