@@ -1,15 +1,16 @@
 #include <array>
+#include <cmath>
 #include <map>
 
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/readback/camera_drawing.h"
-#include "plugins/readback/format_readers.h"
+#include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/kept_files.h"
+#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/cuboid.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::bop {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,14 +54,21 @@ fs::path imageOf(const WrittenScene& scene) {
   throw Error("'" + scene.folder.string() + "': scene " + scene.name + " has no file in rgb/");
 }
 
+struct Document {
+  explicit Document(const fs::path& file)
+      : content(readJson(file, [](const Json& json) { return json; })) {}
+
+  Json content;
+};
+
 /// What `read` makes of a file that is kept.
 template <class Read>
 auto reading(const fs::path& file, KeptFiles& kept, const Read& read) {
-  const Json& content = kept.document(file);
-  return readingJson(file, [&] { return read(content); });
+  const auto document = kept.get<Document>(file);
+  return readingJson(file, [&] { return read(document->content); });
 }
 
-/// What the format's own files do not tell of a model: the objects that have it.
+/// What the format's own files do not say of a model: the objects that have it.
 struct ModelOwners {
   std::vector<std::string> class_names;
   Pose X_OM = Pose::Identity();  ///< of the model's frame, which is parallel to the object's
@@ -88,16 +96,13 @@ Pose objectPose(const Pose& X_CM, const Pose& X_OM) {
   return X_CO;
 }
 
-std::string maskName(const std::string& image, std::size_t place) {
-  const std::string digits = std::to_string(place);
+std::string maskName(const std::string& image, std::size_t index) {
+  const std::string digits = std::to_string(index);
   return image + "_" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits +
          ".png";
 }
 
-}  // namespace
-
-LabelledPicture readBop(const WrittenScene& scene) {
-  const std::shared_ptr<KeptFiles> kept = keptFilesOf(scene);
+LabelledPicture readScene(const WrittenScene& scene) {
   const fs::path image = imageOf(scene);
   const fs::path folder = image.parent_path().parent_path();
   const std::string name = image.stem().string();
@@ -107,14 +112,15 @@ LabelledPicture readBop(const WrittenScene& scene) {
   }
   const std::string key = std::to_string(std::stoi(name));
   const auto ofImage = [&](const Json& json) { return json.at(key); };
-  const Intrinsics camera = reading(folder / "scene_camera.json", *kept,
+  const Intrinsics camera = reading(folder / "scene_camera.json", *scene.kept,
                                     [&](const Json& json) { return cameraOf(json.at(key)); });
-  const Json infos = reading(folder / "scene_gt_info.json", *kept, ofImage);
+  const Json infos = reading(folder / "scene_gt_info.json", *scene.kept, ofImage);
   const Json models = reading(folder.parent_path().parent_path() / "models" / "models_info.json",
-                              *kept, [](const Json& json) { return json; });
-  const std::map<int, ModelOwners> owners = ownersIn(scene.folder / "dataset_info.json", *kept);
+                              *scene.kept, [](const Json& json) { return json; });
+  const std::map<int, ModelOwners> owners =
+      ownersIn(scene.folder / "dataset_info.json", *scene.kept);
   LabelledPicture picture{readPicture(image, cv::IMREAD_COLOR), {}};
-  picture.labels = reading(folder / "scene_gt.json", *kept, [&](const Json& json) {
+  picture.labels = reading(folder / "scene_gt.json", *scene.kept, [&](const Json& json) {
     std::vector<DrawnLabel> labels;
     for (const Json& object : json.at(key)) {
       const Pose X_CM = poseOf(object);
@@ -138,4 +144,35 @@ LabelledPicture readBop(const WrittenScene& scene) {
   return picture;
 }
 
-}  // namespace synthetic_dataset::readback
+/// @param edge  between pixels
+double wholeEdge(double edge) { return std::round(edge + 0.5) - 0.5; }
+
+ExpectedLabels expectedOf(const MeasuredScene& scene) {
+  ExpectedLabels expected;
+  for (const MeasuredObject& object : scene.objects) {
+    if (object.silhouette_pixels.value_or(0) == 0 || object.truncation.value_or(1.0) >= 1.0) {
+      continue;
+    }
+    ExpectedLabel label{object.name, asJsonHasIt(object.class_name)};
+    if (object.isSeen() && object.silhouette_box) {
+      const Box& box = *object.silhouette_box;
+      const double left = wholeEdge(box.left);
+      const double top = wholeEdge(box.top);
+      label.box = Box{left, top, left + std::round(box.width()), top + std::round(box.height())};
+    }
+    label.setVisibleMask(scene, object);
+    label.X_CO = object.X_CO;
+    expected.labels.push_back(std::move(label));
+  }
+  return expected;
+}
+
+Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
+  return expectedOf;
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/Bop", true, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::bop

@@ -7,6 +7,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/cityscapes/cityscapes_files.h"
+#include "plugins/cityscapes/cityscapes_options.h"
 #include "plugins/shared/colour_map.h"
 #include "plugins/shared/mask_outlines.h"
 #include "plugins/shared/pixel_map.h"
@@ -16,11 +17,6 @@
 
 namespace synthetic_dataset {
 namespace {
-
-constexpr int kInstancesOfLabel = 1000;  // an instance's number is 1000 times its label's and more
-
-/// The greatest label for which all of its instances' numbers have 16 bits.
-constexpr int kGreatestLabel = 64;
 
 /// Which file names are an image's: `<city>_<sequence>_<frame>` with six digits each. The frame is
 /// the one that Cityscapes labels of each sequence of 30.
@@ -45,29 +41,7 @@ class CityscapesWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     cities_ = cityNames(dataset.cameras);
-    world_id_ = parameters.optional("world_id", 0);
-    if (world_id_ < 0 || world_id_ > kGreatestLabel) {
-      parameters.addError("world_id", "found " + std::to_string(world_id_) +
-                                          "; it should be 0 to " + std::to_string(kGreatestLabel));
-    }
-    Parameters ids = parameters.group("label_ids");
-    for (const ClassInfo& each : dataset.classes) {
-      // 0 is what has no label.
-      const int id = ids.maybe<int>(each.name).value_or(each.id + 1);
-      if (id < 1 || id > kGreatestLabel) {
-        parameters.addError("label_ids", "found " + std::to_string(id) + " for the class '" +
-                                             each.name + "'; it should be 1 to " +
-                                             std::to_string(kGreatestLabel) +
-                                             ": instances are numbered from 1000 times that on, "
-                                             "in 16 bits");
-      }
-      if (id == world_id_ && id <= kGreatestLabel) {
-        parameters.addError("world_id", "found " + std::to_string(id) +
-                                            ", which is also the label of the class '" + each.name +
-                                            "'; it should be another");
-      }
-      labels_.push_back({each.name, id, each.id});
-    }
+    options_ = readCityscapesOptions(parameters, dataset.classes);
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -106,13 +80,13 @@ class CityscapesWriter : public LabelWriter {
                                                   std::vector<CityscapesPolygon>& polygons,
                                                   SceneOutput& output) const {
     std::vector<PixelValues> values(scene.objects.size() + 1);
-    values[0] = {static_cast<uchar>(world_id_), static_cast<ushort>(world_id_)};
+    values[0] = {static_cast<uchar>(options_.world_id), static_cast<ushort>(options_.world_id)};
     std::map<int, int> counts;  // by label
     for (const SceneObject& object : scene.objects) {
       if (!object.labelled()) continue;
       const CityscapesLabel& label = labelOf(object.class_id);
       const int number = counts[label.id]++;
-      const bool is_single = number < kInstancesOfLabel;
+      const bool is_single = number < kCityscapesInstances;
       if (!is_single) {
         output.addWarning(
             "more than 1000 objects of one label in an image: those after them are "
@@ -120,7 +94,7 @@ class CityscapesWriter : public LabelWriter {
       }
       values.at(static_cast<std::size_t>(object.instance)) = {
           static_cast<uchar>(label.id),
-          static_cast<ushort>(is_single ? label.id * kInstancesOfLabel + number : label.id)};
+          static_cast<ushort>(is_single ? label.id * kCityscapesInstances + number : label.id)};
       masks::Ring ring = masks::centreRing(object.visible_mask());
       if (!ring.empty()) {
         polygons.push_back({label.name + (is_single ? "" : "group"), std::move(ring)});
@@ -130,18 +104,18 @@ class CityscapesWriter : public LabelWriter {
   }
 
   [[nodiscard]] const CityscapesLabel& labelOf(int class_id) const {
-    return *std::find_if(labels_.begin(), labels_.end(),
+    return *std::find_if(options_.labels.begin(), options_.labels.end(),
                          [&](const CityscapesLabel& label) { return label.class_id == class_id; });
   }
 
   void doFinalize(const SceneRecords& /*records*/, DatasetOutput& output) const override {
-    output.addFile("labels.json",
-                   [&](std::ostream& file) { writeLabelTable(file, labels_, world_id_); });
+    output.addFile("labels.json", [&](std::ostream& file) {
+      writeLabelTable(file, options_.labels, options_.world_id);
+    });
   }
 
   std::vector<std::string> cities_;  ///< by camera
-  std::vector<CityscapesLabel> labels_;
-  int world_id_ = 0;
+  CityscapesOptions options_;
 };
 
 }  // namespace synthetic_dataset

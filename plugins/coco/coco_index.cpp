@@ -7,7 +7,7 @@
 #include "plugins/readback/json_file.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::coco {
 namespace {
 
 using nlohmann::json;
@@ -150,4 +150,4 @@ json CocoIndex::entryAt(const Place& place) const {
   return readingJson(file_, [&] { return json::parse(text); });
 }
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats::coco

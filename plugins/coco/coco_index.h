@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::coco {
 
 /// Where the entries of a COCO annotation file stand in it, so that a scene's can be read alone: a
 /// dataset's file may be larger than the memory.
@@ -44,4 +44,4 @@ class CocoIndex {
   std::vector<nlohmann::json> categories_;
 };
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats::coco

@@ -2,18 +2,21 @@
 #include <map>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/coco/coco_index.h"
+#include "plugins/coco/coco_options.h"
 #include "plugins/coco/coco_rle.h"
 #include "plugins/readback/files.h"
-#include "plugins/readback/format_readers.h"
+#include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/kept_files.h"
+#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::coco {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,7 +27,7 @@ constexpr const char* kPrefix = "instances_";  // of annotation files
 /// The annotation file that knows an image, and the image's number in it.
 struct ImageEntry {
   fs::path file;
-  const CocoIndex* index = nullptr;
+  std::shared_ptr<const CocoIndex> index;
   std::int64_t image_id = 0;
 };
 
@@ -45,10 +48,10 @@ std::vector<fs::path> annotationFiles(const fs::path& folder) {
 ImageEntry entryOf(const fs::path& folder, const fs::path& image, KeptFiles& kept) {
   for (const fs::path& file : annotationFiles(folder / "annotations")) {
     const std::string split = file.stem().string().substr(std::string(kPrefix).size());
-    const CocoIndex& index = kept.coco.try_emplace(file, file).first->second;
+    const auto index = kept.get<CocoIndex>(file);
     for (const fs::path& images : {folder / "images" / split, folder / "images"}) {
-      if (const auto id = index.imageId(image.lexically_relative(images).string())) {
-        return {file, &index, *id};
+      if (const auto id = index->imageId(image.lexically_relative(images).string())) {
+        return {file, index, *id};
       }
     }
   }
@@ -106,19 +109,16 @@ DrawnLabel labelOf(const json& annotation, const json& category, const cv::Size&
   return label;
 }
 
-}  // namespace
-
 // COCO: boxes, run lengths or polygons in coordinates in which the image spans 0 to its width;
 // keypoints in those in which pixels' centres are whole.
-LabelledPicture readCoco(const WrittenScene& scene) {
+LabelledPicture readScene(const WrittenScene& scene) {
   const fs::path images = scene.folder / "images";
   const auto image = std::find_if(
       scene.files.begin(), scene.files.end(),
       [&](const fs::path& file) { return file.string().rfind(images.string() + "/", 0) == 0; });
   if (image == scene.files.end()) throw Error("'" + images.string() + "': no image of the scene");
   LabelledPicture picture{readPicture(*image, cv::IMREAD_COLOR), {}};
-  const std::shared_ptr<KeptFiles> kept = keptFilesOf(scene);
-  const ImageEntry entry = entryOf(scene.folder, *image, *kept);
+  const ImageEntry entry = entryOf(scene.folder, *image, *scene.kept);
   readingJson(entry.file, [&] {
     std::map<std::int64_t, json> categories;
     for (const json& each : entry.index->categories()) {
@@ -132,4 +132,29 @@ LabelledPicture readCoco(const WrittenScene& scene) {
   return picture;
 }
 
-}  // namespace synthetic_dataset::readback
+Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
+  return [options = readCocoOptions(parameters)](const MeasuredScene& scene) {
+    ExpectedLabels expected;
+    for (const MeasuredObject& object : scene.objects) {
+      const auto box = scene.box(object, options.box);
+      if (!object.labelled() || !object.visible_box || !box) continue;
+      ExpectedLabel label{object.name, asJsonHasIt(object.class_name), asJsonHasIt(object.name)};
+      label.box = box;
+      label.box_tolerance = kRounding;
+      label.setVisibleMask(scene, object);
+      if (options
+              .as_polygons) {  // along pixels' edges: they enclose as much as the mask has pixels
+        label.polygon_bounds = std::exchange(label.mask_bounds, std::nullopt);
+        label.polygon_area = std::exchange(label.mask_pixels, std::nullopt);
+      }
+      expected.labels.push_back(std::move(label));
+    }
+    return expected;
+  };
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/Coco", true, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::coco

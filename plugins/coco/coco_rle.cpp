@@ -6,7 +6,7 @@
 
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::coco {
 namespace {
 
 /// As rleFrString of common/maskApi.c in https://github.com/cocodataset/cocoapi has it: letters
@@ -54,4 +54,4 @@ cv::Mat maskOfCocoCounts(const std::string& counts, const cv::Size& size) {
   return columns.t();
 }
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats::coco

@@ -5,6 +5,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/coco/coco_keypoints.h"
+#include "plugins/coco/coco_options.h"
 #include "plugins/shared/colour_map.h"
 #include "plugins/shared/json.h"
 #include "plugins/shared/mask_outlines.h"
@@ -42,12 +43,8 @@ Json segmentationOf(const Mask& mask, bool as_polygons) {
 class CocoWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
-    as_polygons_ =
-        parameters.optionalChoice("segmentation", {"rle", "polygons"}, "rle") == "polygons";
-    extension_ = parameters.optionalChoice("image_format", {"png", "jpg"}, "png");
-    box_ = readBoxChoice(parameters);
-    panoptic_ = parameters.optional("panoptic", false);
-    if (parameters.optional("keypoints", true)) keypoints_ = CocoKeypoints(dataset);
+    options_ = readCocoOptions(parameters);
+    if (options_.keypoints) keypoints_ = CocoKeypoints(dataset);
     classes_ = dataset.classes;
     object_count_ = static_cast<std::int64_t>(dataset.objects.size());
     has_splits_ = !dataset.splits.empty();
@@ -55,7 +52,7 @@ class CocoWriter : public LabelWriter {
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
-    Requirements requirements = requirementsOf(box_);
+    Requirements requirements = requirementsOf(options_.box);
     requirements.visibility = true;
     requirements.keypoint_states = keypoints_.any();
     return requirements;
@@ -63,28 +60,28 @@ class CocoWriter : public LabelWriter {
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     const std::string split = scene.splitFolder();
-    const std::string file_name = scene.name + "." + extension_;
+    const std::string file_name = scene.name + "." + options_.image_format;
     output.addImage("images/" + (has_splits_ ? split + "/" : "") + file_name, scene.image);
     output.addRecord(channelOf(kImages, split), jsonText(imageOf(scene, file_name)));
 
     std::vector<const SceneObject*> labelled;
     std::string annotations;
     for (const SceneObject& object : scene.objects) {
-      const auto box = boxOf(object, box_, scene.camera);
+      const auto box = boxOf(object, options_.box, scene.camera);
       if (!object.labelled() || !object.visible_box() || !box) continue;
       labelled.push_back(&object);
       annotations +=
           (annotations.empty() ? "" : ",\n") + jsonText(annotationOf(scene, object, *box));
     }
     if (!annotations.empty()) output.addRecord(channelOf(kAnnotations, split), annotations);
-    if (panoptic_) writePanoptic(scene, labelled, output);
+    if (options_.panoptic) writePanoptic(scene, labelled, output);
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
     for (const std::string& split : splits_) {
       writeAnnotationFile("instances_" + split, split, kAnnotations, instanceCategories(), records,
                           output);
-      if (!panoptic_) continue;
+      if (!options_.panoptic) continue;
       writeAnnotationFile("panoptic_" + split, split, kPanoptic, panopticCategories(), records,
                           output);
     }
@@ -118,13 +115,14 @@ class CocoWriter : public LabelWriter {
   /// can be made apart and merged.
   [[nodiscard]] Json annotationOf(const Scene& scene, const SceneObject& object,
                                   const Box& box) const {
-    Json annotation = {{"id", scene.index * object_count_ + object.instance},
-                       {"image_id", imageId(scene)},
-                       {"category_id", categoryId(object.class_id)},
-                       {"bbox", cocoBox(box)},
-                       {"area", object.visible_mask().count()},
-                       {"iscrowd", 0},
-                       {"segmentation", segmentationOf(object.visible_mask(), as_polygons_)}};
+    Json annotation = {
+        {"id", scene.index * object_count_ + object.instance},
+        {"image_id", imageId(scene)},
+        {"category_id", categoryId(object.class_id)},
+        {"bbox", cocoBox(box)},
+        {"area", object.visible_mask().count()},
+        {"iscrowd", 0},
+        {"segmentation", segmentationOf(object.visible_mask(), options_.as_polygons)}};
     // COCOeval wants keypoints of all annotations or of none.
     if (keypoints_.any()) addKeypoints(object, annotation);
     Json more = {{"object", object.name},
@@ -233,10 +231,7 @@ class CocoWriter : public LabelWriter {
     });
   }
 
-  bool as_polygons_ = false;
-  bool panoptic_ = false;
-  std::string extension_;
-  BoxChoice box_ = BoxChoice::kVisible;
+  CocoOptions options_;
   CocoKeypoints keypoints_{DatasetInfo{}};
   std::vector<ClassInfo> classes_;
   std::int64_t object_count_ = 0;

@@ -2,10 +2,12 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/readback/format_readers.h"
+#include "plugins/dope/dope_options.h"
+#include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
+#include "plugins/readback/json_text.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::dope {
 namespace {
 
 using Json = nlohmann::json;
@@ -55,9 +57,7 @@ DrawnLabel labelOf(const Json& object) {
   return label;
 }
 
-}  // namespace
-
-LabelledPicture readDope(const WrittenScene& scene) {
+LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture{readPicture(scene.file(".png"), cv::IMREAD_COLOR), {}};
   picture.labels = readJson(scene.file(".json"), [](const Json& json) {
     std::vector<DrawnLabel> labels;
@@ -67,4 +67,24 @@ LabelledPicture readDope(const WrittenScene& scene) {
   return picture;
 }
 
-}  // namespace synthetic_dataset::readback
+Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
+  return [options = readDopeOptions(parameters)](const MeasuredScene& scene) {
+    ExpectedLabels expected;
+    for (const MeasuredObject& object : scene.objects) {
+      if (!object.labelled()) continue;
+      ExpectedLabel label{object.name, asJsonHasIt(object.class_name), asJsonHasIt(object.name)};
+      label.box = scene.box(object, options.box);
+      label.box_tolerance = kRounding;
+      label.X_CO = object.X_CO;
+      label.may_lack = object.is_warned_of;
+      expected.labels.push_back(std::move(label));
+    }
+    return expected;
+  };
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/Dope", false, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::dope

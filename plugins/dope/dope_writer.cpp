@@ -5,6 +5,7 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "plugins/dope/dope_options.h"
 #include "plugins/shared/json.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/box_choice.h"
@@ -67,16 +68,10 @@ std::optional<ProjectedCuboid> projected(const SceneObject& object, const Camera
   return cuboid;
 }
 
-/// The dialects of one format. In both, locations are in the camera's frame.
-enum class Style {
-  kDope,  ///< of DOPE's own generators: metres, the centre as the ninth point
-  kNdds,  ///< of NVIDIA's Unreal plugin: centimetres, the centre apart
-};
-
-double unitsInAMetre(Style style) { return style == Style::kNdds ? 100.0 : 1.0; }
+double unitsInAMetre(DopeStyle style) { return style == DopeStyle::kNdds ? 100.0 : 1.0; }
 
 void addNddsShape(const SceneObject& object, const ProjectedCuboid& cuboid, Json& entry) {
-  const double scale = unitsInAMetre(Style::kNdds);
+  const double scale = unitsInAMetre(DopeStyle::kNdds);
   entry["instance_id"] = object.instance;
   entry["pose_transform"] = transposedMatrix(object.X_CO, scale);
   entry["cuboid_centroid"] = numbersOf(scale * cuboid.centre_C);
@@ -100,8 +95,8 @@ void addDopeShape(const SceneObject& object, const ProjectedCuboid& cuboid, Json
 
 /// NDDS has rows before columns, from the image's edge; DOPE's generators the first and the last
 /// column and row.
-void addBox(const Box& box, Style style, Json& entry) {
-  if (style == Style::kNdds) {
+void addBox(const Box& box, DopeStyle style, Json& entry) {
+  if (style == DopeStyle::kNdds) {
     entry["bounding_box"] = {{"top_left", {box.top + 0.5, box.left + 0.5}},
                              {"bottom_right", {box.bottom + 0.5, box.right + 0.5}}};
   } else {
@@ -110,7 +105,7 @@ void addBox(const Box& box, Style style, Json& entry) {
   }
 }
 
-Json cameraData(const Scene& scene, Style style) {
+Json cameraData(const Scene& scene, DopeStyle style) {
   const double scale = unitsInAMetre(style);
   const Intrinsics& k = scene.camera.intrinsics();
   const Eigen::Vector3d eye = scene.X_GC.translation();
@@ -156,9 +151,7 @@ class DopeWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     dataset_ = dataset;
-    const bool is_ndds = parameters.optionalChoice("style", {"dope", "ndds"}, "dope") == "ndds";
-    style_ = is_ndds ? Style::kNdds : Style::kDope;
-    box_ = readBoxChoice(parameters);
+    options_ = readDopeOptions(parameters);
     for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
       const ObjectModel model = dataset.model(i);
       sizes_.push_back(model.vertices.empty() ? Eigen::Vector3d::Zero() : boundsOf(model).size());
@@ -186,7 +179,7 @@ class DopeWriter : public LabelWriter {
     }
     const std::string name = folderOf(scene.split, scene.camera_index) + sceneNumber(scene.instant);
     output.addImage(name + ".png", scene.image);
-    output.addText(name + ".json", indentedJson({{"camera_data", cameraData(scene, style_)},
+    output.addText(name + ".json", indentedJson({{"camera_data", cameraData(scene, options_.style)},
                                                  {"objects", objects}}));
   }
 
@@ -220,20 +213,21 @@ class DopeWriter : public LabelWriter {
   /// The entry of an object in a scene's list.
   [[nodiscard]] Json entryOf(const SceneObject& object, const ProjectedCuboid& cuboid,
                              const CameraModel& camera) const {
-    Json entry = {{"class", object.class_name},
-                  {"name", object.name},
-                  {"visibility", object.visibility()},
-                  {"location", numbersOf(unitsInAMetre(style_) * object.X_CO.translation())},
-                  {"quaternion_xyzw", quaternionOf(object.X_CO)}};
+    Json entry = {
+        {"class", object.class_name},
+        {"name", object.name},
+        {"visibility", object.visibility()},
+        {"location", numbersOf(unitsInAMetre(options_.style) * object.X_CO.translation())},
+        {"quaternion_xyzw", quaternionOf(object.X_CO)}};
     for (const Eigen::Vector2d& corner : cuboid.corners) {
       entry["projected_cuboid"].push_back(placeOf(corner));
     }
-    if (style_ == Style::kNdds) {
+    if (options_.style == DopeStyle::kNdds) {
       addNddsShape(object, cuboid, entry);
     } else {
       addDopeShape(object, cuboid, entry);
     }
-    if (const auto box = boxOf(object, box_, camera)) addBox(*box, style_, entry);
+    if (const auto box = boxOf(object, options_.box, camera)) addBox(*box, options_.style, entry);
     return entry;
   }
 
@@ -248,7 +242,7 @@ class DopeWriter : public LabelWriter {
                        {"fixed_model_transform", transposedMatrix(Pose::Identity(), 1.0)}};
       // No one size is true of an object that has several.
       if (!object.model_varies) {
-        settings["cuboid_dimensions"] = numbersOf(unitsInAMetre(style_) * sizes_[i]);
+        settings["cuboid_dimensions"] = numbersOf(unitsInAMetre(options_.style) * sizes_[i]);
       }
       by_class.emplace(object.class_name, std::move(settings));
     }
@@ -262,8 +256,7 @@ class DopeWriter : public LabelWriter {
   }
 
   DatasetInfo dataset_;
-  Style style_ = Style::kDope;
-  BoxChoice box_ = BoxChoice::kVisible;
+  DopeOptions options_;
   std::vector<Eigen::Vector3d> sizes_;  ///< of each object's model [m]
 };
 

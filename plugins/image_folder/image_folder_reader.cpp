@@ -1,30 +1,63 @@
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <map>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/image_folder/image_folder_options.h"
+#include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/cuboid_lines.h"
 #include "plugins/readback/files.h"
-#include "plugins/readback/format_readers.h"
+#include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/kept_files.h"
+#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::image_folder {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-DistortionModel distortionModelOf(const std::string& name) {
-  if (name == "plumb_bob") return DistortionModel::kPlumbBob;
-  if (name == "rational_polynomial") return DistortionModel::kRationalPolynomial;
-  if (name == "equidistant") return DistortionModel::kEquidistant;
-  if (name == "none") return DistortionModel::kNone;
-  throw Error("found the distortion model '" + name + "'");
-}
+/// Where in a file of JSON lines each image's line begins.
+class LineIndex {
+ public:
+  /// @throws Error where a line is no JSON with a `file_name`
+  explicit LineIndex(const fs::path& file) : file_(file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw Error("'" + file.string() + "': cannot be read");
+    std::int64_t begin = 0;
+    readingJson(file, [&] {
+      for (std::string text; std::getline(stream, text);) {
+        if (!text.empty()) {
+          begins_.emplace(json::parse(text).at("file_name").get<std::string>(), begin);
+        }
+        begin += static_cast<std::int64_t>(text.size()) + 1;
+      }
+    });
+  }
+
+  /// @throws Error where there is no line of this `file_name`
+  [[nodiscard]] json line(const std::string& file_name) const {
+    const auto found = begins_.find(file_name);
+    if (found == begins_.end()) {
+      throw Error("'" + file_.string() + "': no line of '" + file_name + "'");
+    }
+    std::ifstream stream(file_, std::ios::binary);
+    std::string text;
+    if (!stream.seekg(found->second) || !std::getline(stream, text)) {
+      throw Error("'" + file_.string() + "': cannot be read");
+    }
+    return readingJson(file_, [&] { return json::parse(text); });
+  }
+
+ private:
+  fs::path file_;
+  std::map<std::string, std::int64_t> begins_;
+};
 
 CameraModel cameraOf(const json& line) {
   constexpr double kNear = 1e-3;  // the line has no range of sight
@@ -53,7 +86,7 @@ Pose poseOf(const json& numbers) {
   return X_AB;
 }
 
-/// The label of the object that is at place `i` of the lists.
+/// The label of the object that is the `i`th of the lists.
 DrawnLabel labelOf(const json& objects, std::size_t i, const cv::Mat& instances,
                    const CameraModel& camera) {
   DrawnLabel label;
@@ -77,10 +110,8 @@ DrawnLabel labelOf(const json& objects, std::size_t i, const cv::Mat& instances,
   return label;
 }
 
-}  // namespace
-
 // Hugging Face's imagefolder: <split>/metadata.jsonl with a line an image, paths relative to it.
-LabelledPicture readImageFolder(const WrittenScene& scene) {
+LabelledPicture readScene(const WrittenScene& scene) {
   const auto image =
       std::find_if(scene.files.begin(), scene.files.end(), [&](const fs::path& file) {
         return file.stem() == fs::path(scene.name).filename() &&
@@ -92,10 +123,9 @@ LabelledPicture readImageFolder(const WrittenScene& scene) {
   LabelledPicture picture{readPicture(*image, cv::IMREAD_COLOR), {}};
   const fs::path split = scene.folder / *image->lexically_relative(scene.folder).begin();
   const fs::path metadata = split / "metadata.jsonl";
-  const std::shared_ptr<KeptFiles> kept = keptFilesOf(scene);
   readingJson(metadata, [&] {
-    const json line = kept->lines.try_emplace(metadata, metadata)
-                          .first->second.line(image->lexically_relative(split).string());
+    const json line =
+        scene.kept->get<LineIndex>(metadata)->line(image->lexically_relative(split).string());
     cv::Mat instances;
     if (line.contains("mask_file_name")) {
       instances =
@@ -112,4 +142,25 @@ LabelledPicture readImageFolder(const WrittenScene& scene) {
   return picture;
 }
 
-}  // namespace synthetic_dataset::readback
+Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
+  return [options = readImageFolderOptions(parameters)](const MeasuredScene& scene) {
+    ExpectedLabels expected;
+    for (const MeasuredObject& object : scene.objects) {
+      const auto box = scene.box(object, options.box);
+      if (!object.labelled() || !box) continue;
+      ExpectedLabel label{object.name, asJsonHasIt(object.class_name), asJsonHasIt(object.name)};
+      label.box = box;
+      label.box_tolerance = kRounding;
+      if (options.masks) label.setVisibleMask(scene, object);
+      label.X_CO = object.X_CO;
+      expected.labels.push_back(std::move(label));
+    }
+    return expected;
+  };
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/ImageFolder", true, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::image_folder

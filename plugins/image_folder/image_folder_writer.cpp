@@ -8,6 +8,7 @@
 
 #include "plugins/coco/coco_keypoints.h"
 #include "plugins/image_folder/image_folder_card.h"
+#include "plugins/image_folder/image_folder_options.h"
 #include "plugins/shared/json.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/fingerprint.h"
@@ -95,13 +96,7 @@ Json cameraOf(const Scene& scene) {
 class ImageFolderWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
-    extension_ = parameters.optionalChoice("image_format", {"png", "jpg"}, "png");
-    box_ = readBoxChoice(parameters);
-    masks_ = parameters.optional("masks", true);
-    depth_ = parameters.optional("depth", false);
-    normals_ = parameters.optional("normals", false);
-    optical_flow_ = parameters.optional("optical_flow", false);
-    webdataset_ = parameters.optional("webdataset", false);
+    options_ = readImageFolderOptions(parameters);
     has_keypoints_ = std::any_of(dataset.objects.begin(), dataset.objects.end(),
                                  [](const ObjectInfo& each) { return each.keypoint_count > 0; });
     card_.classes = dataset.classes;
@@ -109,19 +104,20 @@ class ImageFolderWriter : public LabelWriter {
     std::copy_if(dataset.splits.begin(), dataset.splits.end(), std::back_inserter(card_.splits),
                  [](const SplitInfo& each) { return each.scene_count > 0; });
     if (dataset.splits.empty()) card_.splits = {{"train", dataset.scene_count}};
-    if (extension_ == "png" || masks_ || normals_) card_.extensions.emplace_back("png");
-    if (extension_ == "jpg") card_.extensions.emplace_back("jpg");
-    if (depth_ || optical_flow_) card_.extensions.emplace_back("tiff");
-    card_.webdataset = webdataset_;
+    if (options_.image_format == "png" || options_.masks || options_.normals)
+      card_.extensions.emplace_back("png");
+    if (options_.image_format == "jpg") card_.extensions.emplace_back("jpg");
+    if (options_.depth || options_.optical_flow) card_.extensions.emplace_back("tiff");
+    card_.webdataset = options_.webdataset;
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
-    Requirements requirements = requirementsOf(box_);
+    Requirements requirements = requirementsOf(options_.box);
     requirements.visibility = true;
     requirements.keypoint_states = has_keypoints_;
-    requirements.depth = depth_;
-    requirements.normals = normals_;
-    requirements.optical_flow = optical_flow_;
+    requirements.depth = options_.depth;
+    requirements.normals = options_.normals;
+    requirements.optical_flow = options_.optical_flow;
     return requirements;
   }
 
@@ -132,11 +128,11 @@ class ImageFolderWriter : public LabelWriter {
       output.addImage(split + "/" + scene.name + end, image);
       line[column] = scene.name + end;
     };
-    add("file_name", "." + extension_, scene.image);
-    if (masks_) add("mask_file_name", ".mask.png", scene.instance_map());
-    if (depth_) add("depth_file_name", ".depth.tiff", scene.depth());
-    if (normals_) add("normals_file_name", ".normals.png", normalPicture(scene.normals()));
-    if (optical_flow_) {
+    add("file_name", "." + options_.image_format, scene.image);
+    if (options_.masks) add("mask_file_name", ".mask.png", scene.instance_map());
+    if (options_.depth) add("depth_file_name", ".depth.tiff", scene.depth());
+    if (options_.normals) add("normals_file_name", ".normals.png", normalPicture(scene.normals()));
+    if (options_.optical_flow) {
       add("flow_u_file_name", ".flow_u.tiff", channel(scene.optical_flow(), 0));
       add("flow_v_file_name", ".flow_v.tiff", channel(scene.optical_flow(), 1));
     }
@@ -144,7 +140,8 @@ class ImageFolderWriter : public LabelWriter {
     line.update(contents);
     const ImageRecord record{split, fingerprintOf(scene.image), jsonText(line)};
     output.addRecord(kImages, record.text());
-    if (webdataset_) output.addText(split + "/" + scene.name + ".json", jsonText(contents) + "\n");
+    if (options_.webdataset)
+      output.addText(split + "/" + scene.name + ".json", jsonText(contents) + "\n");
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
@@ -180,7 +177,7 @@ class ImageFolderWriter : public LabelWriter {
       objects[key] = Json::array();
     }
     for (const SceneObject& object : scene.objects) {
-      const auto box = boxOf(object, box_, scene.camera);
+      const auto box = boxOf(object, options_.box, scene.camera);
       if (!object.labelled() || !box) continue;
       objects["bbox"].push_back(cocoBox(*box));
       objects["categories"].push_back(object.class_id);
@@ -209,13 +206,7 @@ class ImageFolderWriter : public LabelWriter {
 
   static constexpr const char* kImages = "images";  // of records: all, for the fingerprint
 
-  std::string extension_;
-  BoxChoice box_ = BoxChoice::kVisible;
-  bool masks_ = true;
-  bool depth_ = false;
-  bool normals_ = false;
-  bool optical_flow_ = false;
-  bool webdataset_ = false;
+  ImageFolderOptions options_;
   bool has_keypoints_ = false;
   DatasetCard card_;
 };

@@ -2,12 +2,13 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/kitti/kitti_options.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
-#include "plugins/readback/format_readers.h"
+#include "plugins/readback/format.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::kitti {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,9 +40,7 @@ std::array<Eigen::Vector3d, 8> cornersOf(const std::vector<double>& n) {
   return corners;
 }
 
-}  // namespace
-
-LabelledPicture readKitti(const WrittenScene& scene) {
+LabelledPicture readScene(const WrittenScene& scene) {
   const fs::path image = scene.file(".png");
   const fs::path training = image.parent_path().parent_path();
   const std::string name = image.stem().string() + ".txt";
@@ -57,10 +56,33 @@ LabelledPicture readKitti(const WrittenScene& scene) {
     label.caption = words[0];
     label.class_names = {words[0]};
     label.box = Box{numbers[3] - 0.5, numbers[4] - 0.5, numbers[5] - 0.5, numbers[6] - 0.5};
-    if (words[0] != "DontCare") addCuboid(label, camera, cornersOf(numbers));
+    if (words[0] != kDontCare) addCuboid(label, camera, cornersOf(numbers));
     picture.labels.push_back(std::move(label));
   }
   return picture;
 }
 
-}  // namespace synthetic_dataset::readback
+Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& classes) {
+  return [options = readKittiOptions(parameters, classes)](const MeasuredScene& scene) {
+    ExpectedLabels expected;
+    for (const MeasuredObject& object : scene.objects) {
+      const auto type = options.types.find(object.class_name);
+      ExpectedLabel label{object.name, type == options.types.end() ? "" : type->second};
+      label.box_tolerance = std::pow(10.0, -kKittiDecimals);
+      if (object.labelled()) {
+        label.box = scene.box(object, options.box);
+      } else if (options.dont_care && object.isSeen()) {
+        label.class_name = kDontCare;
+        label.box = object.visible_box;
+      }
+      if (label.box) expected.labels.push_back(std::move(label));
+    }
+    return expected;
+  };
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/Kitti", false, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::kitti

@@ -1,20 +1,18 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <ostream>
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "plugins/kitti/kitti_options.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
-#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset {
 namespace {
 
 constexpr double kLargestTilt = M_PI / 180.0;  // [rad]
-constexpr int kDecimals = 6;
 
 /// In (-pi, pi].
 double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
@@ -29,7 +27,7 @@ int occlusionOf(const PixelCounts& pixels) {
 
 std::string columns(std::initializer_list<double> numbers) {
   std::string text;
-  for (const double number : numbers) text += " " + fixed(number, kDecimals);
+  for (const double number : numbers) text += " " + fixed(number, kKittiDecimals);
   return text;
 }
 
@@ -78,41 +76,6 @@ std::string calibration(const Intrinsics& k) {
   return text;
 }
 
-/// The parameter `class_names`: class to KITTI's type. Types end at the first space.
-std::map<std::string, std::string> typesOf(WriterParameters& parameters,
-                                           const DatasetInfo& dataset) {
-  std::map<std::string, std::string> types;
-  std::vector<std::string> classes;
-  for (const ClassInfo& each : dataset.classes) {
-    classes.push_back(each.name);
-    std::string type = each.name;
-    std::replace_if(
-        type.begin(), type.end(), [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }, '_');
-    const bool is_taken = std::any_of(types.begin(), types.end(),
-                                      [&](const auto& other) { return other.second == type; });
-    if (is_taken && !parameters.group("class_names").has(each.name)) {
-      parameters.group("class_names")
-          .addError(each.name, "the class is called '" + type +
-                                   "' like another where spaces are not allowed; give it a name");
-    }
-    types[each.name] = type;
-  }
-  Parameters group = parameters.group("class_names");
-  for (const std::string& name : group.names()) {
-    const auto type = group.required<std::string>(name);
-    if (types.count(name) == 0) {
-      group.addError(name, "no object has this class" + didYouMean(name, classes));
-    } else if (type == "DontCare") {
-      group.addError(name, "found 'DontCare', which is what KITTI calls regions without labels");
-    } else if (type.empty() || type.find_first_of(" \t\n\v\f\r") != std::string::npos) {
-      group.addError(name, "found '" + type + "'; it should be a word without spaces");
-    } else {
-      types[name] = type;
-    }
-  }
-  return types;
-}
-
 }  // namespace
 
 /// KITTI's object benchmark: `training/{image_2,label_2,calib}/NNNNNN.*`, `ImageSets/*.txt`.
@@ -120,9 +83,7 @@ std::map<std::string, std::string> typesOf(WriterParameters& parameters,
 class KittiWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
-    types_ = typesOf(parameters, dataset);
-    box_ = readBoxChoice(parameters);
-    dont_care_ = parameters.optional("dont_care", true);
+    options_ = readKittiOptions(parameters, dataset.classes);
     for (std::size_t i = 0; i < dataset.cameras.size(); ++i) {
       folders_.push_back(dataset.cameraFolder(i));
     }
@@ -144,7 +105,7 @@ class KittiWriter : public LabelWriter {
       if (object.labelled()) {
         labels += label(object, scene.camera);
         is_tilted = is_tilted || tiltOf(object.X_CO) > kLargestTilt;
-      } else if (dont_care_ && object.pixels.visible() > 0) {
+      } else if (options_.dont_care && object.pixels.visible() > 0) {
         labels += dontCare(object, scene.camera);
       }
     }
@@ -188,10 +149,10 @@ class KittiWriter : public LabelWriter {
 
   /// An object's line; nothing for one without box in the image.
   [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
-    const auto box = boxOf(object, box_, camera);
+    const auto box = boxOf(object, options_.box, camera);
     if (!box) return "";
     const Placement placement = placementOf(object);
-    return types_.at(object.class_name) + columns({object.truncation()}) + " " +
+    return options_.types.at(object.class_name) + columns({object.truncation()}) + " " +
            std::to_string(occlusionOf(object.pixels)) + columns({placement.alpha}) +
            boxColumns(*box) + placement.columns + "\n";
   }
@@ -199,14 +160,13 @@ class KittiWriter : public LabelWriter {
   [[nodiscard]] static std::string dontCare(const SceneObject& object, const CameraModel& camera) {
     const auto box = boxOf(object, BoxChoice::kVisible, camera);
     if (!box) return "";
-    return "DontCare -1 -1 -10" + boxColumns(*box) + " -1 -1 -1 -1000 -1000 -1000 -10\n";
+    return std::string(kDontCare) + " -1 -1 -10" + boxColumns(*box) +
+           " -1 -1 -1 -1000 -1000 -1000 -10\n";
   }
 
   static constexpr const char* kTrainVal = "trainval";
 
-  std::map<std::string, std::string> types_;
-  BoxChoice box_ = BoxChoice::kVisible;
-  bool dont_care_ = true;
+  KittiOptions options_;
   std::vector<std::string> folders_;  ///< of each camera
   std::vector<std::string> splits_;
 };

@@ -1,14 +1,17 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/pascal_voc/pascal_voc_options.h"
+#include "plugins/pascal_voc/pascal_voc_pictures.h"
 #include "plugins/readback/files.h"
-#include "plugins/readback/format_readers.h"
+#include "plugins/readback/format.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::pascal_voc {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,11 +78,9 @@ std::vector<DrawnLabel> masksOf(const fs::path& file) {
   return labels;
 }
 
-}  // namespace
-
 // Pascal VOC: an <object> each with its <bndbox>, both edges' pixels in it; a palette picture of
 // the objects.
-LabelledPicture readPascalVoc(const WrittenScene& scene) {
+LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture;
   for (const fs::path& file : scene.files) {
     const fs::path folder = file.parent_path().filename();
@@ -98,4 +99,31 @@ LabelledPicture readPascalVoc(const WrittenScene& scene) {
   return picture;
 }
 
-}  // namespace synthetic_dataset::readback
+Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
+  return [options = readPascalVocOptions(parameters)](const MeasuredScene& scene) {
+    ExpectedLabels expected;
+    expected.has_masks_apart = options.segmentation && options.void_border == 0;
+    for (const MeasuredObject& object : scene.objects) {
+      const auto box = scene.box(object, options.box);
+      if (!object.labelled() || !box) continue;
+      ExpectedLabel label{object.name, vocName(object.class_name)};
+      // Whole pixels, the box's edges in them.
+      label.box = Box{std::floor(box->left + 0.5) - 0.5, std::floor(box->top + 0.5) - 0.5,
+                      std::ceil(box->right + 0.5) - 0.5, std::ceil(box->bottom + 0.5) - 0.5};
+      expected.labels.push_back(label);
+      if (expected.has_masks_apart && expected.labels.size() <= kMostVocIndices &&
+          object.visible_box) {
+        ExpectedLabel mask{object.name, label.class_name};
+        mask.setVisibleMask(scene, object);
+        expected.masks.push_back(std::move(mask));
+      }
+    }
+    return expected;
+  };
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/PascalVoc", false, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::pascal_voc

@@ -6,6 +6,7 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "plugins/pascal_voc/pascal_voc_options.h"
 #include "plugins/pascal_voc/pascal_voc_pictures.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
@@ -29,7 +30,7 @@ std::string escaped(const std::string& text) {
         result += "&gt;";
         break;
       default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+        result += c;
     }
   }
   return result;
@@ -43,15 +44,6 @@ std::string element(const std::string& name, int number) {
   return element(name, std::to_string(number));
 }
 
-/// A share of the whole from a parameter.
-double readShare(Parameters& parameters, const std::string& name, double fallback) {
-  const double share = parameters.optional(name, fallback);
-  if (share < 0.0 || share > 1.0) {
-    parameters.addError(name, "found " + Value(share).text() + "; it should be 0 to 1");
-  }
-  return share;
-}
-
 }  // namespace
 
 /// Pascal VOC: `JPEGImages/N.jpg`, `Annotations/N.xml`, pictures of classes and objects in
@@ -60,22 +52,8 @@ double readShare(Parameters& parameters, const std::string& name, double fallbac
 class PascalVocWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
-    box_ = readBoxChoice(parameters);
-    image_format_ = parameters.optionalChoice("image_format", {"jpg", "png"}, "jpg");
-    first_pixel_ = parameters.optionalChoice("coordinates", {"one_based", "zero_based"},
-                                             "one_based") == "one_based"
-                       ? 1
-                       : 0;
-    truncated_above_ = readShare(parameters, "truncated_above", truncated_above_);
-    occluded_above_ = readShare(parameters, "occluded_above", occluded_above_);
-    difficult_below_ = readShare(parameters, "difficult_below", difficult_below_);
-    has_pictures_ = parameters.optional("segmentation", true);
-    void_border_ = parameters.optional("void_border", 0);
-    if (void_border_ < 0 || void_border_ > 100) {
-      parameters.addError("void_border", "found " + std::to_string(void_border_) +
-                                             "; it should be 0 to 100 pixels");
-    }
-    if (has_pictures_ && dataset.classes.size() > kMostVocIndices) {
+    options_ = readPascalVocOptions(parameters);
+    if (options_.segmentation && dataset.classes.size() > kMostVocIndices) {
       parameters.addError("segmentation", "found true; it should be false: there are " +
                                               std::to_string(dataset.classes.size()) +
                                               " classes, and a picture of them can tell 254 apart");
@@ -85,19 +63,19 @@ class PascalVocWriter : public LabelWriter {
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
-    Requirements requirements = requirementsOf(box_);
+    Requirements requirements = requirementsOf(options_.box);
     requirements.visibility = true;
     return requirements;
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     const std::string name = scene.flatName();
-    const std::string image = name + "." + image_format_;
+    const std::string image = name + "." + options_.image_format;
     std::vector<const SceneObject*> objects;  // with a label, in the order of their numbers
     std::string elements;
     std::map<int, bool> is_plain;  // classes that are seen: whether an object is not difficult
     for (const SceneObject& object : scene.objects) {
-      const auto box = boxOf(object, box_, scene.camera);
+      const auto box = boxOf(object, options_.box, scene.camera);
       if (!object.labelled() || !box) continue;
       objects.push_back(&object);
       elements += objectElement(object, *box);
@@ -106,7 +84,7 @@ class PascalVocWriter : public LabelWriter {
     }
     output.addImage("JPEGImages/" + image, scene.image);
     output.addText("Annotations/" + name + ".xml", annotation(scene, image, elements));
-    if (has_pictures_) addPictures(scene, objects, output);
+    if (options_.segmentation) addPictures(scene, objects, output);
 
     std::string record = scene.splitFolder() + " " + name;
     for (const auto& [id, plain] : is_plain) {
@@ -118,30 +96,31 @@ class PascalVocWriter : public LabelWriter {
   [[nodiscard]] std::string annotation(const Scene& scene, const std::string& image,
                                        const std::string& objects) const {
     return "<annotation>\n\t" + element("folder", "JPEGImages") + "\n\t" +
-           element("filename", escaped(image)) + "\n\t<source>\n\t\t" +
+           element("filename", escaped(vocName(image))) + "\n\t<source>\n\t\t" +
            element("database", "synthetic_dataset") + "\n\t\t" +
-           element("annotation", "pixels are counted from " + std::to_string(first_pixel_)) +
+           element("annotation",
+                   "pixels are counted from " + std::to_string(options_.first_pixel)) +
            "\n\t\t" + element("image", "synthetic_dataset") + "\n\t</source>\n\t<size>\n\t\t" +
            element("width", scene.camera.width()) + "\n\t\t" +
            element("height", scene.camera.height()) + "\n\t\t" + element("depth", 3) +
-           "\n\t</size>\n\t" + element("segmented", has_pictures_ ? 1 : 0) + "\n" + objects +
-           "</annotation>\n";
+           "\n\t</size>\n\t" + element("segmented", options_.segmentation ? 1 : 0) + "\n" +
+           objects + "</annotation>\n";
   }
 
   [[nodiscard]] std::string objectElement(const SceneObject& object, const Box& box) const {
-    const bool is_truncated = object.truncation() > truncated_above_;
+    const bool is_truncated = object.truncation() > options_.truncated_above;
     // Without a division: the share of the silhouette in the image that something else hides.
     const auto in_image = static_cast<double>(object.pixels.silhouette_in_image());
     const double hidden = in_image - static_cast<double>(object.pixels.visible());
-    const bool is_occluded = hidden > occluded_above_ * in_image;
+    const bool is_occluded = hidden > options_.occluded_above * in_image;
     // The first pixel's left edge is at -0.5, and the last pixel's right edge ends the box.
     const auto first = [&](double edge) {
-      return static_cast<int>(std::floor(edge + 0.5)) + first_pixel_;
+      return static_cast<int>(std::floor(edge + 0.5)) + options_.first_pixel;
     };
     const auto last = [&](double edge) {
-      return static_cast<int>(std::ceil(edge + 0.5)) - 1 + first_pixel_;
+      return static_cast<int>(std::ceil(edge + 0.5)) - 1 + options_.first_pixel;
     };
-    return "\t<object>\n\t\t" + element("name", escaped(object.class_name)) + "\n\t\t" +
+    return "\t<object>\n\t\t" + element("name", escaped(vocName(object.class_name))) + "\n\t\t" +
            element("pose", "Unspecified") + "\n\t\t" + element("truncated", is_truncated ? 1 : 0) +
            "\n\t\t" + element("occluded", is_occluded ? 1 : 0) + "\n\t\t" +
            element("difficult", isDifficult(object) ? 1 : 0) + "\n\t\t<bndbox>\n\t\t\t" +
@@ -151,7 +130,7 @@ class PascalVocWriter : public LabelWriter {
   }
 
   [[nodiscard]] bool isDifficult(const SceneObject& object) const {
-    return object.visibility() < difficult_below_;
+    return object.visibility() < options_.difficult_below;
   }
 
   void addPictures(const Scene& scene, const std::vector<const SceneObject*>& objects,
@@ -160,14 +139,14 @@ class PascalVocWriter : public LabelWriter {
       output.addWarning(
           "SegmentationObject can tell 254 objects of an image apart: those after them are void");
     }
-    const VocPictures pictures = vocPictures(scene, objects, classes_, void_border_);
+    const VocPictures pictures = vocPictures(scene, objects, classes_, options_.void_border);
     const std::string end = "/" + scene.flatName() + ".png";
     output.addIndexedImage("SegmentationClass" + end, pictures.classes, vocColourMap());
     output.addIndexedImage("SegmentationObject" + end, pictures.objects, vocColourMap());
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
-    if (has_pictures_) {
+    if (options_.segmentation) {
       output.addFile("labelmap.txt", [&](std::ostream& file) { writeLabelMap(file, classes_); });
     }
     std::map<std::string, std::set<std::string>> lists;  // by name: the splits in them
@@ -198,7 +177,8 @@ class PascalVocWriter : public LabelWriter {
           [&](const std::string& name, std::istream& /*classes*/) { file << name << '\n'; });
     };
     output.addFile("ImageSets/Main/" + list + ".txt", writeNames);
-    if (has_pictures_) output.addFile("ImageSets/Segmentation/" + list + ".txt", writeNames);
+    if (options_.segmentation)
+      output.addFile("ImageSets/Segmentation/" + list + ".txt", writeNames);
     for (const ClassInfo& each : classes_) {
       const std::string file_name = safeFileName(each.name) + "_" + list + ".txt";
       output.addFile("ImageSets/Main/" + file_name, [&](std::ostream& file) {
@@ -216,14 +196,7 @@ class PascalVocWriter : public LabelWriter {
 
   static constexpr const char* kImages = "images";  // of records
 
-  BoxChoice box_ = BoxChoice::kVisible;
-  std::string image_format_;
-  int first_pixel_ = 1;            ///< what the first pixel of a row or column is called
-  double truncated_above_ = 0.05;  ///< share of the silhouette outside the image
-  double occluded_above_ = 0.05;   ///< share of the silhouette in the image that is hidden
-  double difficult_below_ = 0.2;   ///< visibility
-  bool has_pictures_ = true;
-  int void_border_ = 0;  ///< [px]
+  PascalVocOptions options_;
   std::vector<ClassInfo> classes_;
   std::vector<std::string> splits_;
 };

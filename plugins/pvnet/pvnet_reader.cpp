@@ -5,10 +5,11 @@
 
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
-#include "plugins/readback/format_readers.h"
+#include "plugins/readback/format.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::pvnet {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,9 +74,7 @@ DrawnLabel readObject(const fs::path& image, const fs::path& writer_folder) {
   return label;
 }
 
-}  // namespace
-
-LabelledPicture readPvNet(const WrittenScene& scene) {
+LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture;
   for (const fs::path& file : scene.files) {
     if (file.parent_path().filename() != "rgb") continue;
@@ -85,4 +84,25 @@ LabelledPicture readPvNet(const WrittenScene& scene) {
   return picture;
 }
 
-}  // namespace synthetic_dataset::readback
+ExpectedLabels expectedOf(const MeasuredScene& scene) {
+  ExpectedLabels expected;
+  for (const MeasuredObject& object : scene.objects) {
+    if (!object.labelled()) continue;
+    ExpectedLabel label{object.name, "", safeFileName(object.name)};
+    label.setVisibleMask(scene, object);
+    label.X_CO = object.X_CO;
+    label.may_lack = object.is_warned_of;
+    expected.labels.push_back(std::move(label));
+  }
+  return expected;
+}
+
+Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
+  return expectedOf;
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/PvNet", true, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::pvnet

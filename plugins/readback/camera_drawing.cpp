@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-namespace synthetic_dataset::readback {
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats {
 namespace {
 
 cv::Point2d placeOf(const Eigen::Vector3d& p_C, const Intrinsics& camera) {
@@ -10,6 +12,14 @@ cv::Point2d placeOf(const Eigen::Vector3d& p_C, const Intrinsics& camera) {
 }
 
 }  // namespace
+
+DistortionModel distortionModelOf(const std::string& name) {
+  if (name == "plumb_bob") return DistortionModel::kPlumbBob;
+  if (name == "rational_polynomial") return DistortionModel::kRationalPolynomial;
+  if (name == "equidistant") return DistortionModel::kEquidistant;
+  if (name == "none") return DistortionModel::kNone;
+  throw Error("found the distortion model '" + name + "'");
+}
 
 void addLine(DrawnLabel& label, const Intrinsics& camera, const Eigen::Vector3d& a_C,
              const Eigen::Vector3d& b_C) {
@@ -42,4 +52,4 @@ void addAxes(DrawnLabel& label, const Intrinsics& camera, const Pose& X_CO, doub
   }
 }
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

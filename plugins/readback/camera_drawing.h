@@ -1,13 +1,18 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "plugins/readback/drawn_label.h"
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/pose.h"
 
 /// Lines of things in a pinhole camera's frame, of any unit of length.
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
+
+/// @param name  as sensor_msgs/CameraInfo has it, or "none"
+/// @throws Error for any other
+[[nodiscard]] DistortionModel distortionModelOf(const std::string& name);
 
 /// A line between two points, or the part of it that is before the camera.
 void addLine(DrawnLabel& label, const Intrinsics& camera, const Eigen::Vector3d& a_C,
@@ -21,4 +26,4 @@ void addCuboid(DrawnLabel& label, const Intrinsics& camera,
 /// The three axes of a frame.
 void addAxes(DrawnLabel& label, const Intrinsics& camera, const Pose& X_CO, double length);
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 
 std::vector<std::array<cv::Point2d, 2>> cuboidLines(const Cuboid& cuboid_O, const Pose& X_CO,
                                                     const CameraModel& camera) {
@@ -29,4 +29,4 @@ std::vector<std::array<cv::Point2d, 2>> cuboidLines(const Cuboid& cuboid_O, cons
   return lines;
 }
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

@@ -9,7 +9,7 @@
 #include "synthetic_dataset/cuboid.h"
 #include "synthetic_dataset/pose.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 
 /// The edges of an object's cuboid as the camera has them [px], in short pieces, as lenses bend
 /// them. Pieces that have no place on the image's plane are left out.
@@ -17,4 +17,4 @@ namespace synthetic_dataset::readback {
                                                                   const Pose& X_CO,
                                                                   const CameraModel& camera);
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +10,7 @@
 #include "synthetic_dataset/box.h"
 #include "synthetic_dataset/pose.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 
 /// One object as a format's files have it, in OpenCV's pixel coordinates: a pixel's centre is
 /// whole.
@@ -37,21 +35,4 @@ struct LabelledPicture {
   std::vector<DrawnLabel> labels;
 };
 
-struct KeptFiles;
-
-/// What a writer made of one scene.
-struct WrittenScene {
-  std::filesystem::path folder;              ///< the writer's, absolute
-  std::string name;                          ///< Scene::name: "00000012", "front/00000012"
-  std::int64_t instant = 0;                  ///< the place of its time, from 0
-  std::vector<std::filesystem::path> files;  ///< of this scene, absolute, in alphabetical order
-
-  /// Of the dataset, where several of its scenes are read.
-  std::shared_ptr<KeptFiles> kept = nullptr;
-
-  /// The file whose path below `folder` ends in `end`; the first of several.
-  /// @throws Error when there is none
-  [[nodiscard]] std::filesystem::path file(const std::string& end) const;
-};
-
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

@@ -10,7 +10,7 @@
 
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
 std::uint64_t bigEndian(const std::string& bytes, std::size_t at, std::size_t count) {
@@ -110,6 +110,12 @@ std::vector<std::string> wordsOf(const std::string& line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 double numberOf(const std::string& word, const std::filesystem::path& file) {
   std::istringstream stream(word);
   stream.imbue(std::locale::classic());
@@ -139,4 +145,4 @@ cv::Mat readPicture(const std::filesystem::path& file, int mode) {
   return picture;
 }
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

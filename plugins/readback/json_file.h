@@ -10,7 +10,7 @@
 #include "plugins/readback/files.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 
 /// A number in JSON that is not what it should be.
 class UnfitNumber : public std::runtime_error {
@@ -50,4 +50,4 @@ auto readJson(const std::filesystem::path& file, const Read& read) {
   return readingJson(file, [&] { return read(nlohmann::json::parse(readText(file))); });
 }
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

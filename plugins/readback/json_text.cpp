@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 
 std::string asJsonHasIt(const std::string& text) {
   using nlohmann::json;
@@ -10,4 +10,4 @@ std::string asJsonHasIt(const std::string& text) {
   return json::parse(written).get<std::string>();
 }
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

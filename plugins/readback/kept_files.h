@@ -1,43 +1,36 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <map>
-#include <string>
+#include <memory>
+#include <typeindex>
+#include <utility>
 
-#include <nlohmann/json.hpp>
-
-#include "plugins/coco/coco_index.h"
-#include "plugins/readback/drawn_label.h"
-
-namespace synthetic_dataset::readback {
-
-/// Where in a file of JSON lines each image's line begins.
-class LineIndex {
- public:
-  /// @throws Error where a line is no JSON with a `file_name`
-  explicit LineIndex(const std::filesystem::path& file);
-
-  /// @throws Error where there is no line of this `file_name`
-  [[nodiscard]] nlohmann::json line(const std::string& file_name) const;
-
- private:
-  std::filesystem::path file_;
-  std::map<std::string, std::int64_t> begins_;
-};
+namespace synthetic_dataset::formats {
 
 /// What readers keep from scene to scene of files that tell of many, so that each is read once and
-/// not for every scene.
-struct KeptFiles {
-  std::map<std::filesystem::path, CocoIndex> coco;
-  std::map<std::filesystem::path, LineIndex> lines;
-  std::map<std::filesystem::path, nlohmann::json> documents;  ///< whole; only a few
+/// not for every scene. The files must not change as long as it lives.
+class KeptFiles {
+ public:
+  /// A file's content: `Content(file)` of the first call, or of one long ago.
+  template <class Content>
+  [[nodiscard]] std::shared_ptr<const Content> get(const std::filesystem::path& file) {
+    constexpr std::size_t kMost = 64;  // BOP uses three for each camera at a time
+    const Key key(typeid(Content), file);
+    if (const auto found = contents_.find(key); found != contents_.end()) {
+      return std::static_pointer_cast<const Content>(found->second);
+    }
+    auto content = std::make_shared<const Content>(file);
+    if (contents_.size() >= kMost) contents_.clear();
+    contents_[key] = content;
+    return content;
+  }
 
-  /// A file's JSON, valid until the next call.
-  [[nodiscard]] const nlohmann::json& document(const std::filesystem::path& file);
+ private:
+  using Key = std::pair<std::type_index, std::filesystem::path>;
+
+  std::map<Key, std::shared_ptr<const void>> contents_;
 };
 
-/// The scene's, or new ones where it has none.
-[[nodiscard]] std::shared_ptr<KeptFiles> keptFilesOf(const WrittenScene& scene);
-
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <opencv2/imgproc.hpp>
@@ -10,7 +11,7 @@
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/mask.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
 /// Colours that stay apart for the colour-blind (Okabe and Ito 2008), blue green red.
@@ -74,19 +75,19 @@ cv::Mat filled(const std::vector<cv::Point2d>& polygon, const cv::Size& size) {
   return mask;
 }
 
-/// The box round all that a label shows.
-Box extentOf(const DrawnLabel& label) {
+/// The box around all that a label shows; nothing where it shows nothing.
+std::optional<Box> extentOf(const DrawnLabel& label) {
   if (label.box) return *label.box;
   if (!label.mask.empty()) {
     const cv::Rect pixels = maskBounds(label.mask);
-    return {pixels.x - 0.5, pixels.y - 0.5, pixels.br().x - 0.5, pixels.br().y - 0.5};
+    return Box{pixels.x - 0.5, pixels.y - 0.5, pixels.br().x - 0.5, pixels.br().y - 0.5};
   }
   std::vector<cv::Point2d> points = label.keypoints;
   for (const auto& polygon : label.polygons) {
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
   for (const auto& line : label.lines) points.insert(points.end(), line.begin(), line.end());
-  if (points.empty()) return {};
+  if (points.empty()) return std::nullopt;
   Box box{points[0].x, points[0].y, points[0].x, points[0].y};
   for (const cv::Point2d& point : points) {
     box = {std::min(box.left, point.x), std::min(box.top, point.y), std::max(box.right, point.x),
@@ -141,14 +142,19 @@ cv::Mat drawLabels(const LabelledPicture& picture) {
                kSubpixelBits);
     }
   }
+  constexpr double kLineHeight = 20.0;  // [px]
+  double next_line = kLineHeight;       // for captions of labels that show nothing
   for (std::size_t i = 0; i < labels.size(); ++i) {
     for (const cv::Point2d& point : labels[i].keypoints) {
       dot(result, point, colourOf(i), cv::FILLED);
     }
     for (const cv::Point2d& point : labels[i].hidden_keypoints) dot(result, point, colourOf(i), 1);
-    if (!labels[i].caption.empty()) write(result, labels[i].caption, extentOf(labels[i]));
+    if (labels[i].caption.empty()) continue;
+    const std::optional<Box> extent = extentOf(labels[i]);
+    write(result, labels[i].caption, extent.value_or(Box{0.0, next_line, 0.0, next_line}));
+    if (!extent) next_line += kLineHeight;
   }
   return result;
 }
 
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

@@ -58,7 +58,7 @@ class RosBagWriter : public LabelWriter {
     }
   }
 
-  /// Of each instant, every pose is told once: tf2 warns of what it is told again.
+  /// Of each instant, every pose is written once: tf2 warns of what comes twice.
   void addCameras(const std::vector<CameraDescription>& cameras, const std::string& root) {
     std::set<std::string> topics;
     std::set<std::string> frames;

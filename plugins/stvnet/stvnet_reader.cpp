@@ -1,9 +1,10 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/readback/files.h"
-#include "plugins/readback/format_readers.h"
+#include "plugins/readback/format.h"
+#include "plugins/stvnet/stvnet_folder.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::stvnet {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,9 +26,7 @@ std::vector<cv::Point2d> readKeypoints(const fs::path& file, const cv::Size& ima
   return keypoints;
 }
 
-}  // namespace
-
-LabelledPicture readStvNet(const WrittenScene& scene) {
+LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture;
   for (const fs::path& image : scene.files) {
     if (image.parent_path().string().find("/JPEGImages") == std::string::npos) continue;
@@ -48,4 +47,25 @@ LabelledPicture readStvNet(const WrittenScene& scene) {
   return picture;
 }
 
-}  // namespace synthetic_dataset::readback
+ExpectedLabels expectedOf(const MeasuredScene& scene) {
+  ExpectedLabels expected;
+  for (const MeasuredObject& object : scene.objects) {
+    if (!object.in_view || object.dropped) continue;
+    ExpectedLabel label{object.name, "", stvNetFolder(object.name)};
+    label.mask_bounds = scene.wholeSilhouette(object);
+    if (label.mask_bounds) label.mask_pixels = object.silhouette_pixels;
+    label.may_lack = object.is_warned_of;
+    expected.labels.push_back(std::move(label));
+  }
+  return expected;
+}
+
+Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
+  return expectedOf;
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/StvNet", false, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::stvnet

@@ -10,6 +10,7 @@
 
 #include "plugins/shared/mask_outlines.h"
 #include "plugins/ultralytics/oriented_box.h"
+#include "plugins/ultralytics/ultralytics_options.h"
 #include "plugins/ultralytics/ultralytics_yaml.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
@@ -22,9 +23,9 @@ namespace {
 /// an image away that has a label with a number outside of 0 .. 1.
 /// @param place  [px], where the image spans (0, 0) to (width, height)
 std::string fractions(const Eigen::Vector2d& place, const CameraModel& camera) {
-  constexpr int kDecimals = 8;
   const auto fraction = [](double length, int size) {
-    return " " + fixed(std::clamp(length / size, 0.0, 1.0) + 0.0, kDecimals);  // no negative zero
+    return " " +
+           fixed(std::clamp(length / size, 0.0, 1.0) + 0.0, kFractionDecimals);  // no negative zero
   };
   return fraction(place.x(), camera.width()) + fraction(place.y(), camera.height());
 }
@@ -57,7 +58,7 @@ std::string orientedBoxColumns(const Mask& mask, const CameraModel& camera) {
 /// box round the points for the object's, hence the polygon touches each side of that box on a
 /// line to the edge of one of its pixels and back.
 std::string ringColumns(const Mask& mask, const CameraModel& camera) {
-  constexpr double kToEdge = 0.49;  // not into the next pixel, whatever a float makes of it
+  constexpr double kToEdge = 0.5 - kOutlineMargin;
   struct Side {
     Eigen::Vector2d outwards;
     double farthest = -std::numeric_limits<double>::infinity();
@@ -92,15 +93,9 @@ std::string ringColumns(const Mask& mask, const CameraModel& camera) {
 class UltralyticsYoloWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
-    task_ = parameters.requiredChoice("task", {"detect", "segment", "pose", "obb"});
-    image_format_ = parameters.optionalChoice("image_format", {"png", "jpg"}, "png");
-    if (task_ == "detect" || task_ == "pose") box_ = readBoxChoice(parameters);
-    if (task_ == "segment" || task_ == "obb") {
-      is_whole_ =
-          parameters.optionalChoice("mask", {"visible", "silhouette"}, "visible") == "silhouette";
-    }
+    options_ = readUltralyticsOptions(parameters);
     yaml_.names = dataset.classNamesWithoutGaps();
-    if (task_ == "pose") readKeypoints(parameters, dataset);
+    if (options_.task == "pose") readKeypoints(parameters, dataset);
   }
 
   void readKeypoints(WriterParameters& parameters, const DatasetInfo& dataset) {
@@ -145,9 +140,9 @@ class UltralyticsYoloWriter : public LabelWriter {
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
-    Requirements requirements = requirementsOf(box_);
-    requirements.silhouettes = is_whole_;
-    requirements.keypoint_states = task_ == "pose";
+    Requirements requirements = requirementsOf(options_.box);
+    requirements.silhouettes = options_.is_whole;
+    requirements.keypoint_states = options_.task == "pose";
     return requirements;
   }
 
@@ -161,21 +156,21 @@ class UltralyticsYoloWriter : public LabelWriter {
     }
     const std::string split = scene.splitFolder();
     const std::string name = split + "/" + scene.flatName();
-    output.addImage("images/" + name + "." + image_format_, scene.image);
+    output.addImage("images/" + name + "." + options_.image_format, scene.image);
     output.addText("labels/" + name + ".txt", labels);
     output.addRecord(kSplits, split);
   }
 
   /// What follows the class in an object's line; nothing where it has no such label.
   [[nodiscard]] std::string columnsOf(const SceneObject& object, const CameraModel& camera) const {
-    const Mask& mask = is_whole_ ? object.silhouette() : object.visible_mask();
-    if (task_ == "obb") return orientedBoxColumns(mask, camera);
-    if (task_ == "segment") return ringColumns(mask, camera);
-    const auto box = boxOf(object, box_, camera);
+    const Mask& mask = options_.is_whole ? object.silhouette() : object.visible_mask();
+    if (options_.task == "obb") return orientedBoxColumns(mask, camera);
+    if (options_.task == "segment") return ringColumns(mask, camera);
+    const auto box = boxOf(object, options_.box, camera);
     if (!box) return "";
     std::string columns = boxColumns(*box, camera);
     std::vector<std::string> keypoints(yaml_.keypoint_count, " 0 0 0");
-    if (task_ == "pose") {
+    if (options_.task == "pose") {
       const auto& places = columns_of_.at(static_cast<std::size_t>(object.instance - 1));
       for (std::size_t i = 0; i < places.size(); ++i) {
         keypoints[places[i]] = keypointText(object.keypoints.at(i), camera);
@@ -199,10 +194,7 @@ class UltralyticsYoloWriter : public LabelWriter {
 
   static constexpr const char* kSplits = "splits";  // of records
 
-  std::string task_;
-  std::string image_format_;
-  BoxChoice box_ = BoxChoice::kVisible;
-  bool is_whole_ = false;                             ///< the mask is the silhouette
+  UltralyticsOptions options_;
   UltralyticsDataset yaml_;                           ///< without the splits
   std::vector<std::vector<std::size_t>> columns_of_;  ///< of each object's keypoints
 };

@@ -6,6 +6,7 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "plugins/yolo/yolo_options.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -19,7 +20,7 @@ class YoloWriter : public LabelWriter {
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     parameters.ignore("tf_timeout");  // of nn_data_collection
     main_list_ = parameters.requiredFile(kMainList);
-    cut_to_image_ = parameters.optional("cut_to_image", true);
+    options_ = readYoloOptions(parameters);
     output_folder_ = parameters.outputFolder();
     if (!isOfAScene(main_list_.path(), dataset)) return;
     parameters.addError(kMainList, "found '" + main_list_.path() +
@@ -60,23 +61,24 @@ class YoloWriter : public LabelWriter {
   /// An object's line; nothing for one of which no area is in view.
   [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
     if (!object.in_view || object.dropped || !object.loose_box) return "";
-    // Fractions as in nn_data_collection, u / width: the image is taken to begin at its first
-    // pixel's centre, half a pixel off the pixel's edge.
     const double width = camera.width();
     const double height = camera.height();
-    const auto in_image = intersection(*object.loose_box, {0.0, 0.0, width, height});
-    if (!in_image) return "";
-    const Box box = cut_to_image_ ? *in_image : *object.loose_box;
-    return object.class_text + " " + fixed((box.left + box.right) / 2.0 / width, 5) + " " +
-           fixed((box.top + box.bottom) / 2.0 / height, 5) + " " + fixed(box.width() / width, 5) +
-           " " + fixed(box.height() / height, 5) + "\n";
+    const auto box = yoloBox(*object.loose_box, options_, width, height);
+    if (!box) return "";
+    std::string line = object.class_text;
+    for (const double fraction :
+         {(box->left + box->right) / 2.0 / width, (box->top + box->bottom) / 2.0 / height,
+          box->width() / width, box->height() / height}) {
+      line += " " + fixed(fraction, kYoloDecimals);
+    }
+    return line + "\n";
   }
 
   static constexpr const char* kMainList = "main_list";
   static constexpr const char* kImages = "images";  // of records
 
   FileParameter main_list_;
-  bool cut_to_image_ = true;
+  YoloOptions options_;
   std::string output_folder_;
 };
 

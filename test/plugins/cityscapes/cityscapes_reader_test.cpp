@@ -1,24 +1,18 @@
 #include <gmock/gmock.h>
-#include <opencv2/imgcodecs.hpp>
 
-#include "plugins/readback/format_readers.h"
-#include "support/temporary_folder.h"
-#include "synthetic_dataset/errors.h"
+#include "plugins/reader_harness.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
-class CityscapesReader : public testing::Test {
+class CityscapesReader : public ReaderTest {
  protected:
-  [[nodiscard]] LabelledPicture read(const cv::Mat& instances) const {
-    const auto image = folder_.write("leftImg8bit/a_leftImg8bit.png", "");
-    const auto ids = folder_.write("gtFine/a_gtFine_instanceIds.png", "");
-    cv::imwrite(image.string(), cv::Mat(10, 20, CV_8UC3, cv::Scalar::all(9)));
-    cv::imwrite(ids.string(), instances);
-    return readCityscapes({folder_.path(), "a", 0, {ids, image}});
-  }
+  CityscapesReader() : ReaderTest("Cityscapes") {}
 
-  test::TemporaryFolder folder_;
+  [[nodiscard]] LabelledPicture read(const cv::Mat& instances) const {
+    return readScene({picture("gtFine/a_gtFine_instanceIds.png", instances),
+                      image("leftImg8bit/a_leftImg8bit.png", {20, 10})});
+  }
 };
 
 TEST_F(CityscapesReader, ReadsInstancesAndTheirNames) {
@@ -47,4 +41,4 @@ TEST_F(CityscapesReader, RefusesPicturesOfAnotherKind) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

@@ -1,19 +1,18 @@
 #include <gmock/gmock.h>
-#include <opencv2/imgcodecs.hpp>
 
-#include "plugins/readback/format_readers.h"
-#include "support/temporary_folder.h"
-#include "synthetic_dataset/errors.h"
+#include "plugins/reader_harness.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class CocoReader : public testing::Test {
+class CocoReader : public ReaderTest {
  protected:
+  CocoReader() : ReaderTest("Coco") {}
+
   /// What is read of images/val/front/0.png, 5 x 4 pixels, with this list of annotations.
   [[nodiscard]] LabelledPicture read(const std::string& annotations) const {
     const std::string train = R"({"images": [{"id": 7, "file_name": "front/9.png"}],
@@ -24,12 +23,8 @@ class CocoReader : public testing::Test {
       "keypoints": ["a", "b", "c"], "skeleton": [[1, 2], [2, 3]]}]})";
     (void)folder_.write("annotations/instances_train.json", train);
     (void)folder_.write("annotations/instances_val.json", val);
-    const auto image = folder_.write("images/val/front/0.png", "");
-    cv::imwrite(image.string(), cv::Mat(4, 5, CV_8UC3, cv::Scalar::all(9)));
-    return readCoco({folder_.path(), "front/0", 0, {image}});
+    return readScene({image("images/val/front/0.png", {5, 4})});
   }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(CocoReader, ReadsBoxesAndMasks) {
@@ -75,4 +70,4 @@ TEST_F(CocoReader, NamesTheFileThatLacksAKey) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

@@ -5,7 +5,7 @@
 
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats::coco {
 namespace {
 
 // What pycocotools 2.0.11 packs these masks into.
@@ -39,4 +39,4 @@ TEST(CocoRle, RefusesWhatIsNoPacking) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats::coco

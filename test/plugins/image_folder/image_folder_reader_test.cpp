@@ -1,32 +1,26 @@
 #include <gmock/gmock.h>
-#include <opencv2/imgcodecs.hpp>
 
-#include "plugins/readback/format_readers.h"
-#include "support/temporary_folder.h"
-#include "synthetic_dataset/errors.h"
+#include "plugins/reader_harness.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-class ImageFolderReader : public testing::Test {
+class ImageFolderReader : public ReaderTest {
  protected:
+  ImageFolderReader() : ReaderTest("ImageFolder") {}
+
   /// What is read of val/front/0.png, 8 x 4 pixels.
   [[nodiscard]] LabelledPicture read(const std::string& metadata) const {
     (void)folder_.write("val/metadata.jsonl", metadata);
-    const auto image = folder_.write("val/front/0.png", "");
-    const auto mask = folder_.write("val/front/0.mask.png", "");
-    cv::imwrite(image.string(), cv::Mat(4, 8, CV_8UC3, cv::Scalar::all(9)));
     cv::Mat1w instances(4, 8, std::uint16_t{0});
     instances(cv::Rect(1, 1, 3, 2)) = 700;
-    cv::imwrite(mask.string(), instances);
-    return readImageFolder({folder_.path(), "front/0", 0, {mask, image}});
+    return readScene({picture("val/front/0.mask.png", instances), image("val/front/0.png", {8, 4})},
+                     "front/0");
   }
-
-  test::TemporaryFolder folder_;
 };
 
 const std::string kMetadata = R"({"file_name": "front/1.png"}
@@ -72,4 +66,4 @@ TEST_F(ImageFolderReader, NamesTheFileWithoutALineOfTheImage) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

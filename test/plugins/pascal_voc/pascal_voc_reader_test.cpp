@@ -1,24 +1,17 @@
 #include <gmock/gmock.h>
-#include <opencv2/imgcodecs.hpp>
 
-#include "plugins/readback/format_readers.h"
-#include "support/temporary_folder.h"
-#include "synthetic_dataset/errors.h"
+#include "plugins/reader_harness.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
-class PascalVocReader : public testing::Test {
+class PascalVocReader : public ReaderTest {
  protected:
-  PascalVocReader() {
-    const auto image = folder_.write("JPEGImages/0.png", "");
-    cv::imwrite(image.string(), cv::Mat(10, 20, CV_8UC3, cv::Scalar::all(9)));
-    scene_ = {folder_.path(), "0", 0, {image}};
-  }
+  PascalVocReader() : ReaderTest("PascalVoc") {}
 
   [[nodiscard]] LabelledPicture read(const std::string& annotation) {
-    scene_.files.push_back(folder_.write("Annotations/0.xml", annotation));
-    return readPascalVoc(scene_);
+    files_.push_back(folder_.write("Annotations/0.xml", annotation));
+    return readScene(files_);
   }
 
   static constexpr const char* kObject =
@@ -26,8 +19,7 @@ class PascalVocReader : public testing::Test {
       "<difficult>0</difficult><bndbox><xmin>2</xmin><ymin>3</ymin><xmax>4</xmax>"
       "<ymax>5</ymax></bndbox></object>";
 
-  test::TemporaryFolder folder_;
-  WrittenScene scene_;
+  std::vector<std::filesystem::path> files_ = {image("JPEGImages/0.png", {20, 10})};
 };
 
 TEST_F(PascalVocReader, ReadsBoxesCountedFromOne) {
@@ -49,13 +41,11 @@ TEST_F(PascalVocReader, ReadsBoxesCountedFromZeroWhereTheFileSaysSo) {
 }
 
 TEST_F(PascalVocReader, ReadsThePictureOfObjects) {
-  const auto file = folder_.write("SegmentationObject/0.png", "");
   cv::Mat objects(10, 20, CV_8UC3, cv::Scalar::all(0));
   objects.at<cv::Vec3b>(0, 0) = {0, 0, 128};
   objects.at<cv::Vec3b>(0, 1) = {192, 224, 224};  // void
   objects.at<cv::Vec3b>(9, 19) = {0, 128, 0};
-  cv::imwrite(file.string(), objects);
-  scene_.files.push_back(file);
+  files_.push_back(picture("SegmentationObject/0.png", objects));
   const LabelledPicture picture = read("<annotation></annotation>");
   ASSERT_EQ(picture.labels.size(), 2U);
   EXPECT_EQ(cv::countNonZero(picture.labels[0].mask), 1);
@@ -68,4 +58,4 @@ TEST_F(PascalVocReader, NamesTheFileThatLacksAnElement) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

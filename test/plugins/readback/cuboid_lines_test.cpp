@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
 using testing::IsEmpty;
@@ -39,4 +39,4 @@ TEST(CuboidLines, LeaveOutWhatIsBehindTheCamera) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

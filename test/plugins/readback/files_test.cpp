@@ -6,7 +6,7 @@
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
 using testing::HasSubstr;
@@ -73,4 +73,4 @@ TEST_F(ReadPicture, RefusesDevices) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

@@ -6,7 +6,7 @@
 
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
 using testing::HasSubstr;
@@ -46,4 +46,4 @@ TEST(DrawLabels, WritesOnAPictureThatIsSmallerThanTheWords) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats

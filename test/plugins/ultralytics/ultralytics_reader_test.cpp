@@ -1,29 +1,23 @@
 #include <gmock/gmock.h>
-#include <opencv2/imgcodecs.hpp>
 
-#include "plugins/readback/format_readers.h"
-#include "support/temporary_folder.h"
-#include "synthetic_dataset/errors.h"
+#include "plugins/reader_harness.h"
 
-namespace synthetic_dataset::readback {
+namespace synthetic_dataset::formats {
 namespace {
 
 using testing::ElementsAre;
 
-class UltralyticsReader : public testing::Test {
+class UltralyticsReader : public ReaderTest {
  protected:
+  UltralyticsReader() : ReaderTest("UltralyticsYolo") {}
+
   /// The first label of a picture of 200 x 100 with this label file.
   [[nodiscard]] DrawnLabel read(const std::string& text) const {
-    const auto image = folder_.write("images/train/0.png", "");
-    cv::imwrite(image.string(), cv::Mat(100, 200, CV_8UC3, cv::Scalar::all(9)));
-    const WrittenScene scene{
-        folder_.path(), "0", 0, {image, folder_.write("labels/train/0.txt", text)}};
-    const LabelledPicture picture = readUltralytics(scene);
+    const LabelledPicture picture = readScene(
+        {image("images/train/0.png", {200, 100}), folder_.write("labels/train/0.txt", text)});
     EXPECT_EQ(picture.image.cols, 200);
     return picture.labels.empty() ? DrawnLabel() : picture.labels.front();
   }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(UltralyticsReader, ReadsBoxesAndNames) {
@@ -72,4 +66,4 @@ TEST_F(UltralyticsReader, RefusesLinesThatAreNoLabels) {
 }
 
 }  // namespace
-}  // namespace synthetic_dataset::readback
+}  // namespace synthetic_dataset::formats
