@@ -6,8 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "fuzzing.h"
-#include "readback/format_readers.h"
-#include "readback/label_overlay.h"
+#include "plugins/readback/format.h"
+#include "plugins/readback/label_overlay.h"
 
 namespace {
 
@@ -59,6 +59,7 @@ const std::vector<Format> kFormats = {
      {"labels/train/000000.txt", "data.yaml"},
      {"labels/train/000000.txt"}},
     {"Yolo", "000000.png", {}, {"000000.txt"}, {"000000.txt"}},
+    {"BoundingShape", "000000.png", {}, {"000000.txt"}, {"000000.txt"}},
 };
 
 std::string png(int type) {
@@ -72,7 +73,7 @@ void read(const Format& format, const Names& contents) {
   static const std::string kMask = png(CV_8UC1);
   static const std::string kInstances = png(CV_16UC1);
   const std::size_t texts = format.texts.size();
-  readback::WrittenScene scene;
+  formats::WrittenScene scene;
   scene.folder = fuzzing::folder() / format.type;
   scene.name = "000000";
   const auto write = [&](const std::string& name, const std::string& content) {
@@ -87,7 +88,7 @@ void read(const Format& format, const Names& contents) {
   for (const std::string& name : format.masks) {
     scene.files.push_back(write(name, format.type == "Cityscapes" ? kInstances : kMask));
   }
-  static_cast<void>(drawLabels(readback::readerOf("synthetic_dataset/" + format.type)(scene)));
+  static_cast<void>(drawLabels(formats::formatOf("synthetic_dataset/" + format.type)->read(scene)));
 }
 
 }  // namespace

@@ -20,8 +20,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "output/written_dataset.h"
-#include "readback/format_readers.h"
-#include "readback/label_overlay.h"
+#include "plugins/readback/format.h"
+#include "plugins/readback/label_overlay.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {
@@ -46,14 +46,15 @@ struct Panel {
 /// What one writer made of a scene; nothing where it made no picture of it.
 std::optional<Panel> panelOf(const output::WrittenDataset& dataset,
                              const output::WrittenWriter& writer, std::int64_t index) {
-  const readback::FormatReader read = readback::readerOf(writer.type);
-  if (read == nullptr) return std::nullopt;
+  const formats::Format* format = formats::formatOf(writer.type);
+  if (format == nullptr) return std::nullopt;
   const output::WrittenSceneRow row = dataset.scene(index);
-  readback::WrittenScene scene{writer.folder, row.name, row.instant, dataset.files(writer, index)};
+  const formats::WrittenScene scene{writer.folder, row.name, row.camera_index, row.stamp,
+                                    dataset.files(writer, index)};
   if (scene.files.empty()) return std::nullopt;
-  const readback::LabelledPicture picture = read(scene);
+  const formats::LabelledPicture picture = format->read(scene);
   if (picture.image.empty()) return std::nullopt;
-  return Panel{writer.name + "  (" + writer.type + ")", readback::drawLabels(picture)};
+  return Panel{writer.name + "  (" + writer.type + ")", formats::drawLabels(picture)};
 }
 
 /// The panels in rows that make a sheet about as wide as high.
@@ -108,7 +109,7 @@ void drawLabelsOf(const std::vector<std::string>& arguments) {
     names += (names.empty() ? "" : ", ") + writer.name;
     if (arguments.size() > 3 && writer.name != arguments[3]) continue;
     is_known = true;
-    if (arguments.size() > 3 && readback::readerOf(writer.type) == nullptr) {
+    if (arguments.size() > 3 && formats::formatOf(writer.type) == nullptr) {
       throw Error("WRITER: '" + writer.name + "' is of type " + writer.type +
                   ", whose files this tool does not draw");
     }

@@ -29,9 +29,8 @@ WrittenDataset::WrittenDataset(const std::filesystem::path& folder)
     writers_.push_back(
         {rows.integer(0), rows.text(1), rows.text(2), (folder_ / rows.text(3)).lexically_normal()});
   }
-  SqliteStatement cameras(database_, "SELECT count(*) FROM camera");
-  cameras.start();
-  if (cameras.step()) camera_count_ = std::max<std::int64_t>(1, cameras.integer(0));
+  SqliteStatement cameras(database_, "SELECT name FROM camera ORDER BY \"index\"");
+  for (cameras.start(); cameras.step();) cameras_.push_back(cameras.text(0));
 }
 
 std::int64_t WrittenDataset::middleScene() const {
@@ -45,20 +44,23 @@ std::int64_t WrittenDataset::middleScene() const {
 }
 
 WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
-  SqliteStatement scenes(
-      database_, "SELECT camera, instant FROM scene WHERE \"index\" = ? AND state <> 'begun'");
+  SqliteStatement scenes(database_,
+                         "SELECT camera, instant, stamp_ns FROM scene WHERE \"index\" = ? AND "
+                         "state <> 'begun'");
   scenes.start(index);
   if (!scenes.step()) {
-    (void)middleScene();  // tells of a dataset without scenes
+    (void)middleScene();  // throws for a dataset without scenes
     SqliteStatement last(database_, "SELECT coalesce(max(\"index\"), -1) FROM scene");
     last.start();
     last.step();
     throw Error("found the scene " + std::to_string(index) + "; the dataset has 0 to " +
                 std::to_string(last.integer(0)));
   }
-  const std::int64_t instant = scenes.integer(1);
-  const std::string camera = camera_count_ > 1 ? scenes.text(0) + "/" : "";
-  return {camera + sceneNumber(instant), instant};
+  const std::string camera = scenes.text(0);
+  const auto found = std::find(cameras_.begin(), cameras_.end(), camera);
+  return {(cameras_.size() > 1 ? camera + "/" : "") + sceneNumber(scenes.integer(1)),
+          found == cameras_.end() ? 0 : static_cast<std::size_t>(found - cameras_.begin()),
+          Stamp(scenes.integer(2))};
 }
 
 bool WrittenDataset::lists(const std::filesystem::path& file) const {

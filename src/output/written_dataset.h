@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/manifest/sqlite.h"
+#include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset::output {
 
@@ -19,8 +20,9 @@ struct WrittenWriter {
 
 /// A scene as a manifest lists it.
 struct WrittenSceneRow {
-  std::string name;          ///< Scene::name
-  std::int64_t instant = 0;  ///< Scene::instant
+  std::string name;              ///< Scene::name
+  std::size_t camera_index = 0;  ///< Scene::camera_index
+  Stamp stamp{0};                ///< Scene::stamp
 };
 
 /// A dataset that a run has written, as its manifest lists it.
@@ -49,7 +51,7 @@ class WrittenDataset {
   std::filesystem::path folder_;
   SqliteDatabase database_;
   std::vector<WrittenWriter> writers_;
-  std::int64_t camera_count_ = 1;
+  std::vector<std::string> cameras_;
 };
 
 }  // namespace synthetic_dataset::output

@@ -12,7 +12,8 @@
 namespace synthetic_dataset {
 namespace {
 
-using readback::DrawnLabel;
+using formats::DrawnLabel;
+using formats::ExpectedLabel;
 
 /// A label with what is measured on it once.
 struct FoundLabel {
@@ -157,7 +158,7 @@ std::string nameOf(const FoundLabel& found) {
 }
 
 /// Gives each expected label one that is found. First those that agree in everything; what is left
-/// over then is told: by pairs of the same object or class, and one by one.
+/// over then is a problem: by pairs of the same object or class, and one by one.
 void match(std::vector<FoundLabel> found, const std::vector<ExpectedLabel>& expected,
            std::vector<std::string>& problems) {
   std::vector<const ExpectedLabel*> open;
@@ -190,13 +191,14 @@ void match(std::vector<FoundLabel> found, const std::vector<ExpectedLabel>& expe
 
 }  // namespace
 
-std::vector<std::string> labelProblems(const readback::LabelledPicture& picture,
-                                       const ExpectedLabels& expected) {
+std::vector<std::string> labelProblems(const formats::LabelledPicture& picture,
+                                       const formats::ExpectedLabels& expected) {
   std::vector<FoundLabel> labels;
   std::vector<FoundLabel> masks;
   for (const DrawnLabel& each : picture.labels) {
     // A mask apart says nothing but where it is.
-    const bool is_mask = each.class_names.empty() && each.object_name.empty() && !each.box;
+    const bool is_mask =
+        each.class_names.empty() && each.object_name.empty() && !each.box && !each.mask.empty();
     (is_mask ? masks : labels).push_back(measured(each));
   }
   std::vector<std::string> problems;

@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "readback/drawn_label.h"
-#include "verification/expected_labels.h"
+#include "plugins/readback/drawn_label.h"
+#include "plugins/readback/expected_labels.h"
 
 namespace synthetic_dataset {
 
 /// What is wrong with the labels that a format's files have of a scene, a line each: one that
 /// differs from what the measures say, one that should not be there, one that lacks.
-[[nodiscard]] std::vector<std::string> labelProblems(const readback::LabelledPicture& picture,
-                                                     const ExpectedLabels& expected);
+[[nodiscard]] std::vector<std::string> labelProblems(const formats::LabelledPicture& picture,
+                                                     const formats::ExpectedLabels& expected);
 
 }  // namespace synthetic_dataset

@@ -1,28 +1,17 @@
 #include "verification/scene_verifier.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "base/yaml_value.h"
 #include "output/manifest/manifest_paths.h"
-#include "readback/files.h"
-#include "readback/format_readers.h"
+#include "plugins/readback/files.h"
 #include "synthetic_dataset/label_text.h"
-#include "verification/expected_labels.h"
 #include "verification/label_checks.h"
 
 namespace synthetic_dataset {
 namespace {
-
-/// The settings of a run by their names.
-std::map<std::string, Value> settingValues(const output::RunDescription& run) {
-  std::map<std::string, Value> values;
-  for (const auto& [name, setting] : run.settings) {
-    values[name] = base::parseYaml(setting.value, "setting '" + name + "'");
-  }
-  return values;
-}
 
 /// Whether a file is a picture, by its name.
 bool isPicture(const std::string& path) {
@@ -48,25 +37,27 @@ SceneVerifier::SceneVerifier(const output::ListedDataset& dataset, VerificationD
       depth_(depth),
       listener_(listener),
       counts_(counts),
-      settings_(settingValues(dataset.content().run)),
-      kept_(readback::keptFiles()) {
+      measured_(dataset.content().run) {
   const output::ManifestContent& content = dataset.content();
-  if (depth_ != VerificationDepth::kLabels || content.scene_count == 0) return;
   std::string unread;
   for (const output::StoreWriter& writer : content.writers) {
-    if (hasLabelRules(writer.type) && !hasReadableLabels(writer)) {
+    labels_.push_back(labelsOf(writer));
+    if (labels_.back().format == nullptr && formats::formatOf(writer.type) != nullptr) {
       unread += (unread.empty() ? "'" : ", '") + writer.name + "'";
     }
   }
-  if (unread.empty()) return;
+  if (unread.empty() || depth_ != VerificationDepth::kLabels || content.scene_count == 0) return;
   listener_.remark("'" + dataset.manifest() + "': the labels of " + unread +
                    " are not checked: they need files that only a whole, complete dataset has");
 }
 
-bool SceneVerifier::hasReadableLabels(const output::StoreWriter& writer) const {
+SceneVerifier::Labels SceneVerifier::labelsOf(const output::StoreWriter& writer) const {
   const output::ManifestContent& content = dataset_.content();
+  const formats::Format* format = formats::formatOf(writer.type);
   const bool has_dataset_files = content.complete && !content.shard;
-  return hasLabelRules(writer.type) && (has_dataset_files || !needsDatasetFiles(writer.type));
+  if (format == nullptr || (format->needs_dataset_files && !has_dataset_files)) return {};
+  Parameters parameters = measured_.parametersOf(writer);
+  return {format, format->expectation(parameters, measured_.classes())};
 }
 
 void SceneVerifier::verifyDatasetFiles() {
@@ -75,6 +66,13 @@ void SceneVerifier::verifyDatasetFiles() {
   dataset_.forEachFileOf(std::nullopt, [&](const output::ListedFile& file) {
     WrittenFiles files;
     verifyFile(file, files);
+    if (files.are_whole || depth_ != VerificationDepth::kLabels) return;
+    Labels& labels = labels_.at(file.writer);
+    if (labels.format == nullptr || !labels.format->needs_dataset_files) return;
+    labels.format = nullptr;
+    listener_.remark("'" + dataset_.manifest() + "': the labels of '" +
+                     dataset_.content().writers[file.writer].name +
+                     "' are not checked: a file that they need is not as it was written");
   });
 }
 
@@ -84,7 +82,7 @@ void SceneVerifier::verifyFile(const output::ListedFile& file, WrittenFiles& of_
   if (!path_problem.empty()) {
     listener_.problem("'" + dataset_.manifest() + "': the listed path '" + file.path + "' " +
                       path_problem);
-    of_writer.are_readable = false;
+    of_writer.are_readable = of_writer.are_whole = false;
     return;
   }
   const std::string& folder = dataset_.folder();
@@ -94,6 +92,7 @@ void SceneVerifier::verifyFile(const output::ListedFile& file, WrittenFiles& of_
       depth_ == VerificationDepth::kSizes ? output::FileCheck::kSize : output::FileCheck::kContent);
   if (!finding.problem.empty()) {
     listener_.problem("'" + path + "' " + finding.problem);
+    of_writer.are_whole = false;
   }
   of_writer.are_readable = of_writer.are_readable && finding.is_readable;
   of_writer.listed.push_back(file);
@@ -115,7 +114,7 @@ void SceneVerifier::verifyScene(const output::SceneFacts& scene) {
         "scene " + std::to_string(scene.index) + ", writer '" + writers[i].name + "': ";
     try {
       verifyPictures(writers[i], files[i], size);
-      if (hasReadableLabels(writers[i])) verifyLabels(origin, scene, writers[i], files[i], size);
+      if (labels_[i].format != nullptr) verifyLabels(origin, scene, i, files[i]);
     } catch (const std::exception& error) {
       listener_.problem(origin + error.what());
     }
@@ -127,7 +126,7 @@ void SceneVerifier::verifyPictures(const output::StoreWriter& writer, const Writ
   const bool is_ours = writer.type.rfind("synthetic_dataset/", 0) == 0;
   for (std::size_t i = 0; i < files.paths.size(); ++i) {
     if (!isPicture(files.paths[i]) || files.listed[i].linked_to) continue;
-    const cv::Mat picture = readback::readPicture(files.paths[i], cv::IMREAD_UNCHANGED);
+    const cv::Mat picture = formats::readPicture(files.paths[i], cv::IMREAD_UNCHANGED);
     if (is_ours && picture.size() != size) {
       listener_.problem("'" + files.paths[i] + "' is a picture of " + text(picture.size()) +
                         " pixels; it should be of its camera's " + text(size));
@@ -136,15 +135,18 @@ void SceneVerifier::verifyPictures(const output::StoreWriter& writer, const Writ
 }
 
 void SceneVerifier::verifyLabels(const std::string& origin, const output::SceneFacts& scene,
-                                 const output::StoreWriter& writer, const WrittenFiles& files,
-                                 const cv::Size& size) {
-  const output::RunDescription& run = dataset_.content().run;
-  readback::WrittenScene written{writer.output_folder,
-                                 sceneName(scene, run.cameras.size()),
-                                 scene.instant,
-                                 {files.paths.begin(), files.paths.end()},
-                                 kept_};
-  const ExpectedLabels expected = expectedLabels(scene, {run, settings_, writer, size});
+                                 std::size_t writer, const WrittenFiles& files) {
+  const output::StoreWriter& of = dataset_.content().writers[writer];
+  const std::vector<output::RunDescription::Camera>& cameras = dataset_.content().run.cameras;
+  const auto camera = std::find_if(cameras.begin(), cameras.end(),
+                                   [&](const auto& each) { return each.name == scene.camera; });
+  const formats::WrittenScene written{of.output_folder,
+                                      sceneName(scene, cameras.size()),
+                                      static_cast<std::size_t>(camera - cameras.begin()),
+                                      scene.stamp,
+                                      {files.paths.begin(), files.paths.end()},
+                                      kept_};
+  const formats::ExpectedLabels expected = labels_[writer].expected(measured_.scene(scene, of));
   if (written.files.empty()) {
     // Formats with a folder for each object have none of a scene without labels.
     for (const std::string& problem : labelProblems({}, expected)) {
@@ -152,7 +154,7 @@ void SceneVerifier::verifyLabels(const std::string& origin, const output::SceneF
     }
     return;
   }
-  const readback::LabelledPicture picture = readback::readerOf(writer.type)(written);
+  const formats::LabelledPicture picture = labels_[writer].format->read(written);
   counts_.labels += static_cast<std::int64_t>(picture.labels.size());
   for (const std::string& problem : labelProblems(picture, expected)) {
     listener_.problem(origin + problem);

@@ -10,9 +10,9 @@
 
 #include "output/file_checks.h"
 #include "output/listed_dataset.h"
-#include "readback/drawn_label.h"
-#include "synthetic_dataset/value.h"
+#include "plugins/readback/format.h"
 #include "verification/dataset_verifier.h"
+#include "verification/measured_scenes.h"
 
 namespace synthetic_dataset {
 
@@ -29,27 +29,34 @@ class SceneVerifier {
   void verifyScene(const output::SceneFacts& scene);
 
  private:
-  /// Of a scene, what one writer made.
+  /// What one writer made of a scene, or of the dataset as a whole.
   struct WrittenFiles {
     std::vector<output::ListedFile> listed;
     std::vector<std::string> paths;  ///< absolute
     bool are_readable = true;
+    bool are_whole = true;  ///< as they were written
   };
 
+  /// What is known of a writer's labels.
+  struct Labels {
+    const formats::Format* format = nullptr;  ///< null: nothing that can be checked
+    formats::Expectation expected;
+  };
+
+  [[nodiscard]] Labels labelsOf(const output::StoreWriter& writer) const;
   void verifyFile(const output::ListedFile& file, WrittenFiles& of_writer);
   void verifyPictures(const output::StoreWriter& writer, const WrittenFiles& files,
                       const cv::Size& size);
-  void verifyLabels(const std::string& origin, const output::SceneFacts& scene,
-                    const output::StoreWriter& writer, const WrittenFiles& files,
-                    const cv::Size& size);
-  [[nodiscard]] bool hasReadableLabels(const output::StoreWriter& writer) const;
+  void verifyLabels(const std::string& origin, const output::SceneFacts& scene, std::size_t writer,
+                    const WrittenFiles& files);
 
   const output::ListedDataset& dataset_;
   VerificationDepth depth_;
   VerificationListener& listener_;
   VerificationCounts& counts_;
-  std::map<std::string, Value> settings_;
-  std::shared_ptr<readback::KeptFiles> kept_;
+  const MeasuredScenes measured_;
+  std::vector<Labels> labels_;  ///< of each writer
+  std::shared_ptr<formats::KeptFiles> kept_ = std::make_shared<formats::KeptFiles>();
 };
 
 }  // namespace synthetic_dataset

@@ -47,7 +47,7 @@ TEST_F(WrittenDatasetTest, NamesScenesAsTheRunDid) {
   for (const int index : {0, 1, 2}) addScene(index, "camera", index);
   const WrittenSceneRow row = dataset().scene(2);
   EXPECT_EQ(row.name, "00000002");
-  EXPECT_EQ(row.instant, 2);
+  EXPECT_EQ(row.camera_index, 0U);
 }
 
 TEST_F(WrittenDatasetTest, NamesScenesOfSeveralCamerasByCameraAndInstant) {
@@ -61,7 +61,7 @@ TEST_F(WrittenDatasetTest, NamesScenesOfSeveralCamerasByCameraAndInstant) {
   addScene(3, "rear", 1);
   const WrittenSceneRow row = dataset().scene(3);
   EXPECT_EQ(row.name, "rear/00000001");
-  EXPECT_EQ(row.instant, 1);
+  EXPECT_EQ(row.camera_index, 1U);
 }
 
 TEST_F(WrittenDatasetTest, FindsTheSceneInTheMiddle) {

@@ -1,23 +1,23 @@
+#include <algorithm>
 #include <filesystem>
+#include <regex>
 
 #include <gmock/gmock.h>
 
+#include "plugins/format_cases.h"
 #include "plugins/model_shapes.h"
 #include "plugins/plugin_harness.h"
-#include "synthetic_dataset/label_text.h"
+#include "plugins/readback/format.h"
+#include "support/temporary_folder.h"
+#include "writers/plugin_environment.h"
 
 namespace synthetic_dataset {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Format {
-  std::string type;
-  Value::Map parameters = {};
-};
-
 /// What has to hold for each of the package's formats.
-class EveryFormat : public PluginTest, public testing::WithParamInterface<Format> {
+class EveryFormat : public PluginTest, public testing::WithParamInterface<FormatCase> {
  protected:
   EveryFormat() : PluginTest("synthetic_dataset/" + GetParam().type) {
     for (const std::string name : {"a", "b"}) addObject(name);
@@ -32,6 +32,8 @@ class EveryFormat : public PluginTest, public testing::WithParamInterface<Format
     info.name = name;
     info.id = name;
     info.class_name = "cup";
+    info.keypoint_count = 1;
+    info.keypoint_names = {"0"};
     dataset_.objects.push_back(info);
   }
 
@@ -87,14 +89,24 @@ TEST_P(EveryFormat, WritesScenesOfTwoCamerasAndSplits) {
   EXPECT_NO_THROW(runAll(scenes));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Formats, EveryFormat,
-    testing::Values(Format{"Bop"}, Format{"Cityscapes"}, Format{"Coco", {{"panoptic", true}}},
-                    Format{"Dope"}, Format{"ImageFolder"}, Format{"Kitti"}, Format{"PascalVoc"},
-                    Format{"PvNet"}, Format{"RosBag"}, Format{"StvNet"},
-                    Format{"UltralyticsYolo", {{"task", "segment"}}},
-                    Format{"Yolo", {{"main_list", "list.txt"}}}),
-    [](const testing::TestParamInfo<Format>& format) { return format.param.type; });
+INSTANTIATE_TEST_SUITE_P(Formats, EveryFormat, testing::ValuesIn(formatCases()),
+                         [](const auto& format) { return format.param.name; });
+
+TEST(Formats, HaveAReaderAndATestEach) {
+  const std::regex kName("class name=\"(synthetic_dataset/(\\w+))\"");
+  const std::string xml = test::readFile(test::pluginXml());
+  const std::vector<FormatCase> cases = formatCases();
+  int count = 0;
+  for (std::sregex_iterator match(xml.begin(), xml.end(), kName), end; match != end; ++match) {
+    ++count;
+    EXPECT_NE(formats::formatOf((*match)[1]), nullptr) << (*match)[1];
+    EXPECT_TRUE(std::any_of(cases.begin(), cases.end(), [&](const FormatCase& each) {
+      return each.type == (*match)[2];
+    })) << (*match)[1];
+  }
+  EXPECT_GT(count, 0);
+  EXPECT_EQ(formats::formatOf("synthetic_dataset/Yol"), nullptr);
+}
 
 }  // namespace
 }  // namespace synthetic_dataset

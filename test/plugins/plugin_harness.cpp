@@ -1,5 +1,6 @@
 #include "plugins/plugin_harness.h"
 
+#include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 #include "writers/plugin_environment.h"
 
@@ -42,6 +43,10 @@ Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
   scene.instance_map = instance_map;
   scene.class_map = class_map;
   scene.depth = depth;
+  scene.setTransforms([](const std::string& target, const std::string& source) -> Pose {
+    if (target == source) return Pose::Identity();
+    throw Error("no transform from " + source + " to " + target);
+  });
   return scene;
 }
 

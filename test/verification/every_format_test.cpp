@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "plugins/format_cases.h"
 #include "verification/verification_fixture.h"
 
 namespace synthetic_dataset {
@@ -7,15 +8,8 @@ namespace {
 
 using testing::IsEmpty;
 
-struct Format {
-  std::string name;
-  std::string type;
-  Value::Map parameters = {};
-  std::int64_t labels_of_a_scene = 2;
-};
-
 /// What has to hold for a dataset of each format that nobody has touched.
-class VerifyEveryFormat : public VerificationTest, public testing::WithParamInterface<Format> {
+class VerifyEveryFormat : public VerificationTest, public testing::WithParamInterface<FormatCase> {
  protected:
   VerifyEveryFormat() : VerificationTest(GetParam().type) {}
 };
@@ -33,6 +27,7 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithoutObjectsInView) {
   Scene empty = sceneOfBoth(0);
   for (SceneObject& each : empty.objects) {
     each = object(each.name);
+    each.id = each.name;
     each.in_view = false;
     each.keypoints.resize(1);
   }
@@ -84,11 +79,11 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoCamerasAndSplits) {
 }
 
 TEST_P(VerifyEveryFormat, SeesALabelOfAnObjectThatIsNotThere) {
-  if (GetParam().labels_of_a_scene == 0) GTEST_SKIP() << "the format has no reader";
   write({sceneOfBoth(0), sceneOfBoth(1)}, GetParam().parameters);
   // The second object is nowhere in scene 1, as the manifest has it now.
   change(
-      "UPDATE scene_object SET in_view = 0, visible_pixels = 0, silhouette_pixels = 0, visibility "
+      "UPDATE scene_object SET in_view = 0, dropped = 1, visible_pixels = 0, silhouette_pixels = "
+      "0, visibility "
       "= 0, loose_left = NULL, loose_top = NULL, loose_right = NULL, loose_bottom = NULL, "
       "visible_left = NULL, visible_top = NULL, visible_right = NULL, visible_bottom = NULL, "
       "silhouette_left = NULL, silhouette_top = NULL, silhouette_right = NULL, "
@@ -109,27 +104,8 @@ TEST_P(VerifyEveryFormat, SeesAPictureOfAnotherSize) {
                               "641 x 480")));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Formats, VerifyEveryFormat,
-    testing::Values(
-        Format{"Bop", "Bop"}, Format{"Cityscapes", "Cityscapes"},
-        Format{"Coco", "Coco", {{"panoptic", true}}},
-        Format{"CocoPolygons", "Coco", {{"segmentation", "polygons"}, {"box", "silhouette"}}},
-        Format{"Dope", "Dope"}, Format{"Ndds", "Dope", {{"style", "ndds"}, {"box", "loose"}}},
-        Format{"ImageFolder", "ImageFolder", {{"depth", true}, {"masks", true}}},
-        Format{"Kitti", "Kitti", {{"class_names", Value::Map{{"cup", "Car"}}}}},
-        // A mask apart from each box.
-        Format{"PascalVoc", "PascalVoc", {{"segmentation", true}}, 4},
-        Format{
-            "PascalVocFromZero", "PascalVoc", {{"coordinates", "zero_based"}, {"box", "loose"}}, 4},
-        Format{"PvNet", "PvNet"}, Format{"RosBag", "RosBag", {}, 0}, Format{"StvNet", "StvNet"},
-        Format{"UltralyticsDetect", "UltralyticsYolo", {{"task", "detect"}}},
-        Format{"UltralyticsObb", "UltralyticsYolo", {{"task", "obb"}}},
-        Format{"UltralyticsPose", "UltralyticsYolo", {{"task", "pose"}}},
-        Format{"UltralyticsSegment", "UltralyticsYolo", {{"task", "segment"}}},
-        Format{"Yolo", "Yolo", {{"main_list", "list.txt"}, {"cut_to_image", true}}},
-        Format{"YoloUncut", "Yolo", {{"main_list", "list.txt"}, {"cut_to_image", false}}}),
-    [](const testing::TestParamInfo<Format>& format) { return format.param.name; });
+INSTANTIATE_TEST_SUITE_P(Formats, VerifyEveryFormat, testing::ValuesIn(formatCases()),
+                         [](const auto& format) { return format.param.name; });
 
 }  // namespace
 }  // namespace synthetic_dataset

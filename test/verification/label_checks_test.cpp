@@ -6,7 +6,9 @@
 namespace synthetic_dataset {
 namespace {
 
-using readback::DrawnLabel;
+using formats::DrawnLabel;
+using formats::ExpectedLabel;
+using formats::ExpectedLabels;
 using testing::ElementsAre;
 using testing::IsEmpty;
 

@@ -1,0 +1,178 @@
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/readback/camera_drawing.h"
+#include "plugins/readback/format.h"
+#include "plugins/readback/json_file.h"
+#include "plugins/readback/json_text.h"
+#include "synthetic_dataset/cuboid.h"
+
+namespace synthetic_dataset::formats::bop {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// All lengths are in millimetres.
+Pose poseOf(const Json& json) {
+  Pose pose = Pose::Identity();
+  for (int i = 0; i < 9; ++i) {
+    pose.linear()(i / 3, i % 3) = json.at("cam_R_m2c").at(static_cast<std::size_t>(i));
+  }
+  for (int i = 0; i < 3; ++i) {
+    pose.translation()(i) = json.at("cam_t_m2c").at(static_cast<std::size_t>(i));
+  }
+  return pose;
+}
+
+Intrinsics cameraOf(const Json& json) {
+  const Json& k = json.at("cam_K");
+  return {k.at(0), k.at(4), k.at(2), k.at(5)};
+}
+
+Cuboid boundsOf(const Json& info) {
+  const Eigen::Vector3d low(info.at("min_x"), info.at("min_y"), info.at("min_z"));
+  return {low, low + Eigen::Vector3d(info.at("size_x"), info.at("size_y"), info.at("size_z"))};
+}
+
+/// The toolkit's box has one column and row less than its pixels.
+std::optional<Box> boxOf(const Json& json) {
+  const double left = json.at(0);
+  const double top = json.at(1);
+  if (json.at(2).get<double>() < 0.0) return std::nullopt;
+  return Box{left - 0.5, top - 0.5, left + json.at(2).get<double>() + 0.5,
+             top + json.at(3).get<double>() + 0.5};
+}
+
+fs::path imageOf(const WrittenScene& scene) {
+  for (const fs::path& file : scene.files) {
+    if (file.parent_path().filename() == "rgb") return file;
+  }
+  throw Error("'" + scene.folder.string() + "': scene " + scene.name + " has no file in rgb/");
+}
+
+struct Document {
+  explicit Document(const fs::path& file)
+      : content(readJson(file, [](const Json& json) { return json; })) {}
+
+  Json content;
+};
+
+/// What `read` makes of a file that is kept.
+template <class Read>
+auto reading(const fs::path& file, KeptFiles& kept, const Read& read) {
+  const auto document = kept.get<Document>(file);
+  return readingJson(file, [&] { return read(document->content); });
+}
+
+/// What the format's own files do not say of a model: the objects that have it.
+struct ModelOwners {
+  std::vector<std::string> class_names;
+  Pose X_OM = Pose::Identity();  ///< of the model's frame, which is parallel to the object's
+};
+
+std::map<int, ModelOwners> ownersIn(const fs::path& file, KeptFiles& kept) {
+  if (!fs::exists(file)) return {};
+  return reading(file, kept, [](const Json& json) {
+    std::map<int, ModelOwners> owners;
+    for (const Json& object : json.at("objects")) {
+      ModelOwners& of_model = owners[integerOf(object.at("obj_id"))];
+      of_model.class_names.push_back(object.at("class").get<std::string>());
+      const auto origin = object.at("model_origin").get<std::array<double, 3>>();
+      of_model.X_OM.translation() = Eigen::Vector3d(origin[0], origin[1], origin[2]);
+    }
+    return owners;
+  });
+}
+
+/// From the model's frame to the object's, from millimetres to metres.
+Pose objectPose(const Pose& X_CM, const Pose& X_OM) {
+  constexpr double kMillimetres = 1000.0;  // in a metre
+  Pose X_CO = X_CM * X_OM.inverse();
+  X_CO.translation() /= kMillimetres;
+  return X_CO;
+}
+
+std::string maskName(const std::string& image, std::size_t index) {
+  const std::string digits = std::to_string(index);
+  return image + "_" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits +
+         ".png";
+}
+
+LabelledPicture readScene(const WrittenScene& scene) {
+  const fs::path image = imageOf(scene);
+  const fs::path folder = image.parent_path().parent_path();
+  const std::string name = image.stem().string();
+  if (name.empty() || name.size() > 9 ||
+      name.find_first_not_of("0123456789") != std::string::npos) {
+    throw Error("'" + image.string() + "': its name should be a number");
+  }
+  const std::string key = std::to_string(std::stoi(name));
+  const auto ofImage = [&](const Json& json) { return json.at(key); };
+  const Intrinsics camera = reading(folder / "scene_camera.json", *scene.kept,
+                                    [&](const Json& json) { return cameraOf(json.at(key)); });
+  const Json infos = reading(folder / "scene_gt_info.json", *scene.kept, ofImage);
+  const Json models = reading(folder.parent_path().parent_path() / "models" / "models_info.json",
+                              *scene.kept, [](const Json& json) { return json; });
+  const std::map<int, ModelOwners> owners =
+      ownersIn(scene.folder / "dataset_info.json", *scene.kept);
+  LabelledPicture picture{readPicture(image, cv::IMREAD_COLOR), {}};
+  picture.labels = reading(folder / "scene_gt.json", *scene.kept, [&](const Json& json) {
+    std::vector<DrawnLabel> labels;
+    for (const Json& object : json.at(key)) {
+      const Pose X_CM = poseOf(object);
+      const int id = integerOf(object.at("obj_id"));
+      DrawnLabel label;
+      label.caption = std::to_string(id);
+      if (const auto owner = owners.find(id); owner != owners.end()) {
+        label.class_names = owner->second.class_names;
+        label.X_CO = objectPose(X_CM, owner->second.X_OM);
+      }
+      label.mask =
+          readPicture(folder / "mask_visib" / maskName(name, labels.size()), cv::IMREAD_GRAYSCALE);
+      label.box = boxOf(infos.at(labels.size()).at("bbox_obj"));
+      auto corners = boundsOf(models.at(label.caption)).corners();
+      for (Eigen::Vector3d& corner : corners) corner = X_CM * corner;
+      addCuboid(label, camera, corners);
+      labels.push_back(std::move(label));
+    }
+    return labels;
+  });
+  return picture;
+}
+
+/// @param edge  between pixels
+double wholeEdge(double edge) { return std::round(edge + 0.5) - 0.5; }
+
+ExpectedLabels expectedOf(const MeasuredScene& scene) {
+  ExpectedLabels expected;
+  for (const MeasuredObject& object : scene.objects) {
+    if (object.silhouette_pixels.value_or(0) == 0 || object.truncation.value_or(1.0) >= 1.0) {
+      continue;
+    }
+    ExpectedLabel label{object.name, asJsonHasIt(object.class_name)};
+    if (object.isSeen() && object.silhouette_box) {
+      const Box& box = *object.silhouette_box;
+      const double left = wholeEdge(box.left);
+      const double top = wholeEdge(box.top);
+      label.box = Box{left, top, left + std::round(box.width()), top + std::round(box.height())};
+    }
+    label.setVisibleMask(scene, object);
+    label.X_CO = object.X_CO;
+    expected.labels.push_back(std::move(label));
+  }
+  return expected;
+}
+
+Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
+  return expectedOf;
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/Bop", true, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::bop

@@ -1,0 +1,51 @@
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/readback/files.h"
+#include "plugins/readback/format.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats::bounding_shape {
+namespace {
+
+/// `id x y z x y z ...`. The id may be several words, or none: coordinates have a point and come in
+/// threes.
+DrawnLabel labelOf(const std::string& line, const std::filesystem::path& file) {
+  const auto words = wordsOf(line);
+  const std::size_t shortest_id = line.front() == ' ' ? 0 : 1;
+  std::size_t first = words.size();
+  while (first > shortest_id && words[first - 1].find('.') != std::string::npos) --first;
+  first += (words.size() - first) % 3;
+  for (std::size_t i = first; i < words.size(); ++i) (void)numberOf(words[i], file);
+  DrawnLabel label;
+  label.object_name = joined({words.begin(), words.begin() + static_cast<std::ptrdiff_t>(first)});
+  label.caption =
+      label.object_name + ": " + std::to_string((words.size() - first) / 3) + " vertices";
+  return label;
+}
+
+// The vertices are in a frame of the user's: where they are on the image, no file says.
+LabelledPicture readScene(const WrittenScene& scene) {
+  LabelledPicture picture{readPicture(scene.file(".png"), cv::IMREAD_COLOR), {}};
+  const std::filesystem::path file = scene.file(".txt");
+  for (const std::string& line : readLines(file)) picture.labels.push_back(labelOf(line, file));
+  return picture;
+}
+
+ExpectedLabels expectedOf(const MeasuredScene& scene) {
+  ExpectedLabels expected;
+  for (const MeasuredObject& object : scene.objects) {
+    if (object.dropped) continue;
+    expected.labels.push_back({object.name, "", joined(wordsOf(object.id))});
+  }
+  return expected;
+}
+
+Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
+  return expectedOf;
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/BoundingShape", false, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::bounding_shape

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/cityscapes/cityscapes_files.h"
+#include "plugins/cityscapes/cityscapes_options.h"
+#include "plugins/shared/colour_map.h"
+#include "plugins/shared/mask_outlines.h"
+#include "plugins/shared/pixel_map.h"
+#include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/box_choice.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// Which file names are an image's: `<city>_<sequence>_<frame>` with six digits each. The frame is
+/// the one that Cityscapes labels of each sequence of 30.
+std::string imageName(const std::string& city, std::int64_t instant) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "_%06lld_000019", static_cast<long long>(instant));
+  return city + digits.data();
+}
+
+/// What pixels of one instance are in the pictures.
+struct PixelValues {
+  uchar label = 0;
+  ushort instance = 0;
+};
+
+}  // namespace
+
+/// Cityscapes: `leftImg8bit/<split>/<city>/` with images, `gtFine/<split>/<city>/` with pictures of
+/// labels, instances and colours and with polygons, `camera/<split>/<city>/`; a camera is a city.
+/// https://github.com/mcordts/cityscapesScripts
+class CityscapesWriter : public LabelWriter {
+ private:
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
+    cities_ = cityNames(dataset.cameras);
+    options_ = readCityscapesOptions(parameters, dataset.classes);
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements;
+    requirements.visible_masks = true;
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    const std::string& city = cities_.at(scene.camera_index);
+    const std::string name =
+        scene.splitFolder() + "/" + city + "/" + imageName(city, scene.instant);
+    std::vector<CityscapesPolygon> polygons;
+    const std::vector<PixelValues> values = valuesOf(scene, polygons, output);
+    const cv::Mat_<ushort> instances = scene.instance_map();
+    const auto labels =
+        mapped<uchar>(instances, [&](ushort instance) { return values.at(instance).label; });
+    const std::vector<cv::Vec3b> colours = vocColourMap();
+
+    output.addImage("leftImg8bit/" + name + "_leftImg8bit.png", scene.image);
+    output.addImage("gtFine/" + name + "_gtFine_labelIds.png", labels);
+    output.addImage(
+        "gtFine/" + name + "_gtFine_instanceIds.png",
+        mapped<ushort>(instances, [&](ushort instance) { return values.at(instance).instance; }));
+    output.addImage("gtFine/" + name + "_gtFine_color.png",
+                    mapped<cv::Vec3b>(labels, [&](uchar label) { return colours[label]; }));
+    output.addText("gtFine/" + name + "_gtFine_polygons.json",
+                   polygonsJson(scene.camera, polygons));
+    output.addText("camera/" + name + "_camera.json", cameraJson(scene));
+    warnOfDistortion(scene.camera, output);
+  }
+
+  /// What pixels of each instance are, and the polygons of those with a label. Objects without a
+  /// label stay unlabeled; of one label, those after the 1000th are a group, as Cityscapes has it.
+  [[nodiscard]] std::vector<PixelValues> valuesOf(const Scene& scene,
+                                                  std::vector<CityscapesPolygon>& polygons,
+                                                  SceneOutput& output) const {
+    std::vector<PixelValues> values(scene.objects.size() + 1);
+    values[0] = {static_cast<uchar>(options_.world_id), static_cast<ushort>(options_.world_id)};
+    std::map<int, int> counts;  // by label
+    for (const SceneObject& object : scene.objects) {
+      if (!object.labelled()) continue;
+      const CityscapesLabel& label = labelOf(object.class_id);
+      const int number = counts[label.id]++;
+      const bool is_single = number < kCityscapesInstances;
+      if (!is_single) {
+        output.addWarning(
+            "more than 1000 objects of one label in an image: those after them are "
+            "written as a group");
+      }
+      values.at(static_cast<std::size_t>(object.instance)) = {
+          static_cast<uchar>(label.id),
+          static_cast<ushort>(is_single ? label.id * kCityscapesInstances + number : label.id)};
+      masks::Ring ring = masks::centreRing(object.visible_mask());
+      if (!ring.empty()) {
+        polygons.push_back({label.name + (is_single ? "" : "group"), std::move(ring)});
+      }
+    }
+    return values;
+  }
+
+  [[nodiscard]] const CityscapesLabel& labelOf(int class_id) const {
+    return *std::find_if(options_.labels.begin(), options_.labels.end(),
+                         [&](const CityscapesLabel& label) { return label.class_id == class_id; });
+  }
+
+  void doFinalize(const SceneRecords& /*records*/, DatasetOutput& output) const override {
+    output.addFile("labels.json", [&](std::ostream& file) {
+      writeLabelTable(file, options_.labels, options_.world_id);
+    });
+  }
+
+  std::vector<std::string> cities_;  ///< by camera
+  CityscapesOptions options_;
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::CityscapesWriter, synthetic_dataset::LabelWriter)

@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <ostream>
+
+#include <opencv2/core.hpp>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/coco/coco_keypoints.h"
+#include "plugins/coco/coco_options.h"
+#include "plugins/shared/colour_map.h"
+#include "plugins/shared/json.h"
+#include "plugins/shared/mask_outlines.h"
+#include "plugins/shared/mask_rle.h"
+#include "synthetic_dataset/box_choice.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// The mask as COCO's `segmentation`.
+Json segmentationOf(const Mask& mask, bool as_polygons) {
+  if (!as_polygons) {
+    return {{"size", {mask.imageSize().height, mask.imageSize().width}},
+            {"counts", masks::cocoCounts(masks::columnRuns(mask))}};
+  }
+  Json polygons = Json::array();
+  for (const masks::Ring& ring : masks::edgeRings(mask)) {
+    Json polygon = Json::array();
+    for (const cv::Point& corner : ring) {
+      polygon.push_back(corner.x);
+      polygon.push_back(corner.y);
+    }
+    polygons.push_back(std::move(polygon));
+  }
+  return polygons;
+}
+
+}  // namespace
+
+/// COCO: instances, keypoints and, if asked for, panoptic segmentation.
+/// https://cocodataset.org/#format-data, read by pycocotools. Boxes and polygons have coordinates
+/// in which the image spans 0 to its width; keypoints those in which pixels' centres are whole
+/// (detectron2's loader adds half a pixel to keypoints alone).
+class CocoWriter : public LabelWriter {
+ private:
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
+    options_ = readCocoOptions(parameters);
+    if (options_.keypoints) keypoints_ = CocoKeypoints(dataset);
+    classes_ = dataset.classes;
+    object_count_ = static_cast<std::int64_t>(dataset.objects.size());
+    has_splits_ = !dataset.splits.empty();
+    splits_ = dataset.splitFolders();
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements = requirementsOf(options_.box);
+    requirements.visibility = true;
+    requirements.keypoint_states = keypoints_.any();
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    const std::string split = scene.splitFolder();
+    const std::string file_name = scene.name + "." + options_.image_format;
+    output.addImage("images/" + (has_splits_ ? split + "/" : "") + file_name, scene.image);
+    output.addRecord(channelOf(kImages, split), jsonText(imageOf(scene, file_name)));
+
+    std::vector<const SceneObject*> labelled;
+    std::string annotations;
+    for (const SceneObject& object : scene.objects) {
+      const auto box = boxOf(object, options_.box, scene.camera);
+      if (!object.labelled() || !object.visible_box() || !box) continue;
+      labelled.push_back(&object);
+      annotations +=
+          (annotations.empty() ? "" : ",\n") + jsonText(annotationOf(scene, object, *box));
+    }
+    if (!annotations.empty()) output.addRecord(channelOf(kAnnotations, split), annotations);
+    if (options_.panoptic) writePanoptic(scene, labelled, output);
+  }
+
+  void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
+    for (const std::string& split : splits_) {
+      writeAnnotationFile("instances_" + split, split, kAnnotations, instanceCategories(), records,
+                          output);
+      if (!options_.panoptic) continue;
+      writeAnnotationFile("panoptic_" + split, split, kPanoptic, panopticCategories(), records,
+                          output);
+    }
+  }
+
+  // What the records of a scene are: entries of a list in one of the files.
+  static constexpr const char* kImages = "images";
+  static constexpr const char* kAnnotations = "annotations";
+  static constexpr const char* kPanoptic = "panoptic";
+
+  [[nodiscard]] static std::string channelOf(const std::string& list, const std::string& split) {
+    return list + " " + split;
+  }
+
+  [[nodiscard]] static std::int64_t imageId(const Scene& scene) { return scene.index + 1; }
+
+  [[nodiscard]] static int categoryId(int class_id) { return class_id + 1; }
+
+  [[nodiscard]] static Json imageOf(const Scene& scene, const std::string& file_name) {
+    return {{"id", imageId(scene)},
+            {"file_name", file_name},
+            {"width", scene.camera.width()},
+            {"height", scene.camera.height()},
+            {"synthetic_dataset",
+             {{"camera", scene.camera_name},
+              {"instant", scene.instant},
+              {"stamp_ns", scene.stamp.count()}}}};
+  }
+
+  /// Ids are unique in all splits together and do not depend on other scenes, so parts of a dataset
+  /// can be made apart and merged.
+  [[nodiscard]] Json annotationOf(const Scene& scene, const SceneObject& object,
+                                  const Box& box) const {
+    Json annotation = {
+        {"id", scene.index * object_count_ + object.instance},
+        {"image_id", imageId(scene)},
+        {"category_id", categoryId(object.class_id)},
+        {"bbox", cocoBox(box)},
+        {"area", object.visible_mask().count()},
+        {"iscrowd", 0},
+        {"segmentation", segmentationOf(object.visible_mask(), options_.as_polygons)}};
+    // COCOeval wants keypoints of all annotations or of none.
+    if (keypoints_.any()) addKeypoints(object, annotation);
+    Json more = {{"object", object.name},
+                 {"id", object.id},
+                 {"visibility", object.visibility()},
+                 {"truncation", object.truncation()}};
+    if (object.silhouette_box()) more["amodal_bbox"] = cocoBox(*object.silhouette_box());
+    annotation["synthetic_dataset"] = std::move(more);
+    return annotation;
+  }
+
+  void addKeypoints(const SceneObject& object, Json& annotation) const {
+    Json numbers = Json::array();
+    int count = 0;
+    for (const std::size_t place :
+         keypoints_.places(static_cast<std::size_t>(object.instance - 1))) {
+      const Keypoint keypoint =
+          place == CocoKeypoints::kNone ? Keypoint() : object.keypoints[place];
+      const int flag = cocoFlag(keypoint);
+      const Eigen::Vector2d pixel = flag > 0 ? *keypoint.pixel : Eigen::Vector2d::Zero();
+      numbers.insert(numbers.end(), {pixel.x(), pixel.y(), flag});
+      if (flag > 0) ++count;
+    }
+    annotation["keypoints"] = std::move(numbers);
+    annotation["num_keypoints"] = count;
+  }
+
+  /// A segment's id in the image is the object's place among all objects, from 1.
+  static void writePanoptic(const Scene& scene, const std::vector<const SceneObject*>& labelled,
+                            SceneOutput& output) {
+    std::vector<cv::Vec3b> colours(scene.objects.size() + 1);  // blue green red; 0: void
+    Json segments = Json::array();
+    for (const SceneObject* object : labelled) {
+      const int id = object->instance;
+      colours[static_cast<std::size_t>(id)] = {static_cast<uchar>(id >> 16),
+                                               static_cast<uchar>(id >> 8), static_cast<uchar>(id)};
+      segments.push_back({{"id", id},
+                          {"category_id", categoryId(object->class_id)},
+                          {"area", object->visible_mask().count()},
+                          {"bbox", cocoBox(*object->visible_box())},
+                          {"iscrowd", 0}});
+    }
+    cv::Mat_<cv::Vec3b> ids(scene.instance_map().size());
+    const cv::Mat_<std::uint16_t> instances = scene.instance_map();
+    std::transform(instances.begin(), instances.end(), ids.begin(),
+                   [&](std::uint16_t instance) { return colours[instance]; });
+
+    const std::string split = scene.splitFolder();
+    const std::string file_name = scene.name + ".png";
+    output.addImage("annotations/panoptic_" + split + "/" + file_name, ids);
+    output.addRecord(channelOf(kPanoptic, split), jsonText({{"image_id", imageId(scene)},
+                                                            {"file_name", file_name},
+                                                            {"segments_info", segments}}));
+  }
+
+  [[nodiscard]] Json instanceCategories() const {
+    Json categories = Json::array();
+    for (const ClassInfo& each : classes_) {
+      Json category = {
+          {"id", categoryId(each.id)}, {"name", each.name}, {"supercategory", "object"}};
+      const ClassKeypoints& keypoints = keypoints_.of(each.id);
+      if (!keypoints.names.empty()) {
+        category["keypoints"] = keypoints.names;
+        category["skeleton"] = Json::array();
+        for (const auto& [from, to] : keypoints.skeleton) {
+          category["skeleton"].push_back({from + 1, to + 1});
+        }
+      }
+      categories.push_back(std::move(category));
+    }
+    return categories;
+  }
+
+  [[nodiscard]] Json panopticCategories() const {
+    const std::vector<cv::Vec3b> colours = vocColourMap();  // the first is the background's
+    Json categories = Json::array();
+    for (std::size_t i = 0; i < classes_.size(); ++i) {
+      const cv::Vec3b& colour = colours[1 + i % (colours.size() - 1)];
+      categories.push_back({{"id", categoryId(classes_[i].id)},
+                            {"name", classes_[i].name},
+                            {"supercategory", "object"},
+                            {"isthing", 1},
+                            {"color", {colour[2], colour[1], colour[0]}}});
+    }
+    return categories;
+  }
+
+  static void writeAnnotationFile(const std::string& name, const std::string& split,
+                                  const std::string& annotation_list, const Json& categories,
+                                  const SceneRecords& records, DatasetOutput& output) {
+    const auto writeList = [&](std::ostream& file, const std::string& list) {
+      const char* separator = "\n";
+      const std::string channel = channelOf(list, split);
+      records.forEach(channel, [&](std::int64_t /*scene*/, const std::string& record) {
+        file << separator << record;
+        separator = ",\n";
+      });
+    };
+    output.addFile("annotations/" + name + ".json", [&](std::ostream& file) {
+      const Json info = {{"description", "Made by synthetic_dataset"}, {"version", "1.0"}};
+      file << "{\"info\":" << jsonText(info) << ",\n\"licenses\":[],\n\"images\":[";
+      writeList(file, kImages);
+      file << "],\n\"annotations\":[";
+      writeList(file, annotation_list);
+      file << "],\n\"categories\":" << jsonText(categories) << "}\n";
+    });
+  }
+
+  CocoOptions options_;
+  CocoKeypoints keypoints_{DatasetInfo{}};
+  std::vector<ClassInfo> classes_;
+  std::int64_t object_count_ = 0;
+  bool has_splits_ = false;
+  std::vector<std::string> splits_;
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::CocoWriter, synthetic_dataset::LabelWriter)

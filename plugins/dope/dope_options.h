@@ -1,0 +1,24 @@
+#pragma once
+
+#include "synthetic_dataset/box_choice.h"
+
+namespace synthetic_dataset {
+
+/// The dialects of one format. In both, locations are in the camera's frame.
+enum class DopeStyle {
+  kDope,  ///< of DOPE's own generators: metres, the centre as the ninth point
+  kNdds,  ///< of NVIDIA's Unreal plugin: centimetres, the centre apart
+};
+
+/// The settings of a DOPE writer.
+struct DopeOptions {
+  DopeStyle style = DopeStyle::kDope;
+  BoxChoice box = BoxChoice::kVisible;
+};
+
+[[nodiscard]] inline DopeOptions readDopeOptions(Parameters& parameters) {
+  const bool is_ndds = parameters.optionalChoice("style", {"dope", "ndds"}, "dope") == "ndds";
+  return {is_ndds ? DopeStyle::kNdds : DopeStyle::kDope, readBoxChoice(parameters)};
+}
+
+}  // namespace synthetic_dataset

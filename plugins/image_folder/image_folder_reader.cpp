@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <map>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/image_folder/image_folder_options.h"
+#include "plugins/readback/camera_drawing.h"
+#include "plugins/readback/cuboid_lines.h"
+#include "plugins/readback/files.h"
+#include "plugins/readback/format.h"
+#include "plugins/readback/json_file.h"
+#include "plugins/readback/json_text.h"
+#include "synthetic_dataset/camera_model.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats::image_folder {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Where in a file of JSON lines each image's line begins.
+class LineIndex {
+ public:
+  /// @throws Error where a line is no JSON with a `file_name`
+  explicit LineIndex(const fs::path& file) : file_(file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw Error("'" + file.string() + "': cannot be read");
+    std::int64_t begin = 0;
+    readingJson(file, [&] {
+      for (std::string text; std::getline(stream, text);) {
+        if (!text.empty()) {
+          begins_.emplace(json::parse(text).at("file_name").get<std::string>(), begin);
+        }
+        begin += static_cast<std::int64_t>(text.size()) + 1;
+      }
+    });
+  }
+
+  /// @throws Error where there is no line of this `file_name`
+  [[nodiscard]] json line(const std::string& file_name) const {
+    const auto found = begins_.find(file_name);
+    if (found == begins_.end()) {
+      throw Error("'" + file_.string() + "': no line of '" + file_name + "'");
+    }
+    std::ifstream stream(file_, std::ios::binary);
+    std::string text;
+    if (!stream.seekg(found->second) || !std::getline(stream, text)) {
+      throw Error("'" + file_.string() + "': cannot be read");
+    }
+    return readingJson(file_, [&] { return json::parse(text); });
+  }
+
+ private:
+  fs::path file_;
+  std::map<std::string, std::int64_t> begins_;
+};
+
+CameraModel cameraOf(const json& line) {
+  constexpr double kNear = 1e-3;  // the line has no range of sight
+  constexpr double kFar = 1e6;
+  const json& camera = line.at("camera");
+  const auto k = camera.at("K").get<std::array<double, 9>>();
+  Distortion distortion;
+  distortion.model = distortionModelOf(camera.at("distortion_model").get<std::string>());
+  distortion.coefficients = camera.at("D").get<std::array<double, 8>>();
+  return {integerOf(line.at("width")),
+          integerOf(line.at("height")),
+          {k[0], k[4], k[2], k[5]},
+          kNear,
+          kFar,
+          distortion};
+}
+
+Pose poseOf(const json& numbers) {
+  const auto rows = numbers.get<std::array<double, 16>>();
+  Pose X_AB = Pose::Identity();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      X_AB.matrix()(row, column) = rows.at(static_cast<std::size_t>(4 * row + column));
+    }
+  }
+  return X_AB;
+}
+
+/// The label of the object that is the `i`th of the lists.
+DrawnLabel labelOf(const json& objects, std::size_t i, const cv::Mat& instances,
+                   const CameraModel& camera) {
+  DrawnLabel label;
+  label.caption = objects.at("class_names").at(i).get<std::string>();
+  label.class_names = {label.caption};
+  if (objects.contains("names")) label.object_name = objects.at("names").at(i).get<std::string>();
+  label.X_CO = poseOf(objects.at("X_CO").at(i));
+  const auto box = objects.at("bbox").at(i).get<std::array<double, 4>>();
+  label.box = Box{box[0] - 0.5, box[1] - 0.5, box[0] + box[2] - 0.5, box[1] + box[3] - 0.5};
+  if (!instances.empty()) label.mask = instances == integerOf(objects.at("instances").at(i));
+  const auto cuboid = objects.at("cuboid").at(i).get<std::array<double, 6>>();
+  label.lines = cuboidLines({{cuboid[0], cuboid[1], cuboid[2]}, {cuboid[3], cuboid[4], cuboid[5]}},
+                            *label.X_CO, camera);
+  const json& keypoints = objects.at("keypoints").at(i);
+  for (std::size_t k = 0; k < keypoints.size(); ++k) {
+    const auto place = keypoints.at(k).get<std::array<double, 2>>();
+    const int flag = integerOf(objects.at("keypoint_visibility").at(i).at(k));
+    if (flag == 2) label.keypoints.emplace_back(place[0], place[1]);
+    if (flag == 1) label.hidden_keypoints.emplace_back(place[0], place[1]);
+  }
+  return label;
+}
+
+// Hugging Face's imagefolder: <split>/metadata.jsonl with a line an image, paths relative to it.
+LabelledPicture readScene(const WrittenScene& scene) {
+  const auto image =
+      std::find_if(scene.files.begin(), scene.files.end(), [&](const fs::path& file) {
+        return file.stem() == fs::path(scene.name).filename() &&
+               (file.extension() == ".png" || file.extension() == ".jpg");
+      });
+  if (image == scene.files.end()) {
+    throw Error("'" + scene.folder.string() + "': no image of scene " + scene.name);
+  }
+  LabelledPicture picture{readPicture(*image, cv::IMREAD_COLOR), {}};
+  const fs::path split = scene.folder / *image->lexically_relative(scene.folder).begin();
+  const fs::path metadata = split / "metadata.jsonl";
+  readingJson(metadata, [&] {
+    const json line =
+        scene.kept->get<LineIndex>(metadata)->line(image->lexically_relative(split).string());
+    cv::Mat instances;
+    if (line.contains("mask_file_name")) {
+      instances =
+          readPicture(split / line.at("mask_file_name").get<std::string>(), cv::IMREAD_UNCHANGED);
+      if (instances.channels() != 1) {
+        throw Error("'" + metadata.string() + "': its mask_file_name should have one channel");
+      }
+    }
+    const json& objects = line.at("objects");
+    for (std::size_t i = 0; i < objects.at("bbox").size(); ++i) {
+      picture.labels.push_back(labelOf(objects, i, instances, cameraOf(line)));
+    }
+  });
+  return picture;
+}
+
+Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
+  return [options = readImageFolderOptions(parameters)](const MeasuredScene& scene) {
+    ExpectedLabels expected;
+    for (const MeasuredObject& object : scene.objects) {
+      const auto box = scene.box(object, options.box);
+      if (!object.labelled() || !box) continue;
+      ExpectedLabel label{object.name, asJsonHasIt(object.class_name), asJsonHasIt(object.name)};
+      label.box = box;
+      label.box_tolerance = kRounding;
+      if (options.masks) label.setVisibleMask(scene, object);
+      label.X_CO = object.X_CO;
+      expected.labels.push_back(std::move(label));
+    }
+    return expected;
+  };
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/ImageFolder", true, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::image_folder

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "synthetic_dataset/box_choice.h"
+
+namespace synthetic_dataset {
+
+inline constexpr int kKittiDecimals = 6;
+
+/// What KITTI calls regions without labels.
+inline constexpr const char* kDontCare = "DontCare";
+
+/// The settings of a KITTI writer.
+struct KittiOptions {
+  std::map<std::string, std::string> types;  ///< KITTI's, by class
+  BoxChoice box = BoxChoice::kVisible;
+  bool dont_care = true;  ///< whether objects without a label become such regions
+};
+
+[[nodiscard]] KittiOptions readKittiOptions(Parameters& parameters,
+                                            const std::vector<ClassInfo>& classes);
+
+}  // namespace synthetic_dataset

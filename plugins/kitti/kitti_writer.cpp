@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/kitti/kitti_options.h"
+#include "plugins/shared/pose_formats.h"
+#include "synthetic_dataset/box_choice.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+namespace {
+
+constexpr double kLargestTilt = M_PI / 180.0;  // [rad]
+
+/// In (-pi, pi].
+double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
+
+/// 0 fully visible, 1 partly occluded, 2 largely occluded: of the part in the image.
+int occlusionOf(const PixelCounts& pixels) {
+  const double seen = static_cast<double>(pixels.visible()) /
+                      static_cast<double>(std::max<std::int64_t>(pixels.silhouette_in_image(), 1));
+  if (seen >= 0.9) return 0;
+  return seen >= 0.5 ? 1 : 2;
+}
+
+std::string columns(std::initializer_list<double> numbers) {
+  std::string text;
+  for (const double number : numbers) text += " " + fixed(number, kKittiDecimals);
+  return text;
+}
+
+/// Pixels count from the image's edge here, not from the first pixel's centre.
+std::string boxColumns(const Box& box) {
+  return columns({box.left + 0.5, box.top + 0.5, box.right + 0.5, box.bottom + 0.5});
+}
+
+/// The angle between the object's z axis and the camera's upward one [rad].
+double tiltOf(const Pose& X_CO) { return std::acos(std::clamp(-X_CO.linear()(1, 2), -1.0, 1.0)); }
+
+/// The columns from height on, and the observation angle that stands before the 2D box.
+struct Placement {
+  double alpha = 0.0;
+  std::string columns;
+};
+
+/// Length lies along the object's x axis, width along y, height along z.
+Placement placementOf(const SceneObject& object) {
+  const Cuboid& cuboid_O = object.cuboid_O;
+  const Eigen::Vector3d centre_O = cuboid_O.centre();
+  const Eigen::Vector3d bottom_C =
+      object.X_CO * Eigen::Vector3d(centre_O.x(), centre_O.y(), cuboid_O.low.z());
+  const Eigen::Vector3d ahead_C = object.X_CO.linear().col(0);
+  // A turn by rotation_y takes the camera's x axis to (cos, 0, -sin).
+  const double rotation_y = std::atan2(-ahead_C.z(), ahead_C.x());
+  const Eigen::Vector3d size = cuboid_O.size();
+  return {wrapped(rotation_y - std::atan2(bottom_C.x(), bottom_C.z())),
+          columns({size.z(), size.y(), size.x(), bottom_C.x(), bottom_C.y(), bottom_C.z(),
+                   rotation_y})};
+}
+
+std::string calibration(const Intrinsics& k) {
+  const std::string projection =
+      columns({k.fx, 0.0, k.cx, 0.0, 0.0, k.fy, k.cy, 0.0, 0.0, 0.0, 1.0, 0.0}) + "\n";
+  std::string text;
+  for (const char* camera : {"P0:", "P1:", "P2:", "P3:"}) text += camera + projection;
+  text += "R0_rect:" + columns({1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) + "\n";
+  // A scanner in the camera's place, with x ahead, y left and z up.
+  text +=
+      "Tr_velo_to_cam:" + columns({0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0}) +
+      "\n";
+  text +=
+      "Tr_imu_to_velo:" + columns({1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0}) +
+      "\n";
+  return text;
+}
+
+}  // namespace
+
+/// KITTI's object benchmark: `training/{image_2,label_2,calib}/NNNNNN.*`, `ImageSets/*.txt`.
+/// http://www.cvlibs.net/datasets/kitti/eval_object.php, readme.txt of its devkit_object
+class KittiWriter : public LabelWriter {
+ private:
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
+    options_ = readKittiOptions(parameters, dataset.classes);
+    for (std::size_t i = 0; i < dataset.cameras.size(); ++i) {
+      folders_.push_back(dataset.cameraFolder(i));
+    }
+    splits_ = dataset.splitFolders();
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements;
+    requirements.visible_masks = true;
+    requirements.visibility = true;
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    warnOfDistortion(scene.camera, output);
+    std::string labels;
+    bool is_tilted = false;
+    for (const SceneObject& object : scene.objects) {
+      if (object.labelled()) {
+        labels += label(object, scene.camera);
+        is_tilted = is_tilted || tiltOf(object.X_CO) > kLargestTilt;
+      } else if (options_.dont_care && object.pixels.visible() > 0) {
+        labels += dontCare(object, scene.camera);
+      }
+    }
+    if (is_tilted) {
+      output.addWarning(
+          "an object is tilted against the camera by more than 1 degree: KITTI's labels have its "
+          "rotation about the camera's y axis alone");
+    }
+    const std::string number = sixDigits(scene.instant);
+    const std::string training = folders_[scene.camera_index] + "training/";
+    output.addImage(training + "image_2/" + number + ".png", scene.image);
+    output.addText(training + "label_2/" + number + ".txt", labels);
+    output.addText(training + "calib/" + number + ".txt", calibration(scene.camera.intrinsics()));
+    const std::string split = scene.splitFolder();
+    output.addRecord(imageSet(scene.camera_index, split), number);
+    if (split == "train" || split == "val") {
+      output.addRecord(imageSet(scene.camera_index, kTrainVal), number);
+    }
+  }
+
+  void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
+    for (std::size_t camera = 0; camera < folders_.size(); ++camera) {
+      for (const std::string& split : splits_) addImageSet(records, output, camera, split);
+      addImageSet(records, output, camera, kTrainVal);
+    }
+  }
+
+  /// The channel of the numbers of a list's images.
+  [[nodiscard]] static std::string imageSet(std::size_t camera, const std::string& name) {
+    return std::to_string(camera) + " " + name;
+  }
+
+  void addImageSet(const SceneRecords& records, DatasetOutput& output, std::size_t camera,
+                   const std::string& name) const {
+    output.addFile(folders_[camera] + "ImageSets/" + name + ".txt", [&](std::ostream& list) {
+      records.forEach(
+          imageSet(camera, name),
+          [&](std::int64_t /*scene*/, const std::string& number) { list << number << '\n'; });
+    });
+  }
+
+  /// An object's line; nothing for one without box in the image.
+  [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
+    const auto box = boxOf(object, options_.box, camera);
+    if (!box) return "";
+    const Placement placement = placementOf(object);
+    return options_.types.at(object.class_name) + columns({object.truncation()}) + " " +
+           std::to_string(occlusionOf(object.pixels)) + columns({placement.alpha}) +
+           boxColumns(*box) + placement.columns + "\n";
+  }
+
+  [[nodiscard]] static std::string dontCare(const SceneObject& object, const CameraModel& camera) {
+    const auto box = boxOf(object, BoxChoice::kVisible, camera);
+    if (!box) return "";
+    return std::string(kDontCare) + " -1 -1 -10" + boxColumns(*box) +
+           " -1 -1 -1 -1000 -1000 -1000 -10\n";
+  }
+
+  static constexpr const char* kTrainVal = "trainval";
+
+  KittiOptions options_;
+  std::vector<std::string> folders_;  ///< of each camera
+  std::vector<std::string> splits_;
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::KittiWriter, synthetic_dataset::LabelWriter)

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/pascal_voc/pascal_voc_options.h"
+#include "plugins/pascal_voc/pascal_voc_pictures.h"
+#include "plugins/readback/files.h"
+#include "plugins/readback/format.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats::pascal_voc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What stands between <name> and </name>, from `begin` on.
+/// @throws Error when there is no such element
+std::string contentOf(const std::string& text, const std::string& name, const fs::path& file,
+                      std::size_t begin = 0) {
+  const std::size_t start = text.find("<" + name + ">", begin);
+  const std::size_t end = text.find("</" + name + ">", start);
+  if (start == std::string::npos || end == std::string::npos) {
+    throw Error("'" + file.string() + "': there is no <" + name + ">");
+  }
+  const std::size_t first = start + name.size() + 2;
+  return text.substr(first, end - first);
+}
+
+std::string unescaped(std::string text) {
+  const std::vector<std::pair<std::string, std::string>> references = {
+      {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}};
+  for (const auto& [reference, character] : references) {
+    for (std::size_t at = 0; (at = text.find(reference, at)) != std::string::npos; ++at) {
+      text.replace(at, reference.size(), character);
+    }
+  }
+  return text;
+}
+
+DrawnLabel labelOf(const std::string& object, double first_pixel, const fs::path& file) {
+  const auto pixel = [&](const std::string& name) {
+    return numberOf(contentOf(object, name, file), file) - first_pixel;
+  };
+  DrawnLabel label;
+  label.caption = unescaped(contentOf(object, "name", file));
+  label.class_names = {label.caption};
+  for (const std::string flag : {"truncated", "occluded", "difficult"}) {
+    if (contentOf(object, flag, file) == "1") label.caption += ", " + flag;
+  }
+  label.box =
+      Box{pixel("xmin") - 0.5, pixel("ymin") - 0.5, pixel("xmax") + 0.5, pixel("ymax") + 0.5};
+  return label;
+}
+
+/// The parts of a picture of objects: all colours but background's black and void's.
+std::vector<DrawnLabel> masksOf(const fs::path& file) {
+  constexpr std::size_t kMostColours = 256;  // of a palette
+  const cv::Mat picture = readPicture(file, cv::IMREAD_COLOR);
+  const cv::Mat_<cv::Vec3b> pixels = picture;
+  std::set<std::tuple<int, int, int>> colours;
+  for (const cv::Vec3b& pixel : pixels) {
+    colours.emplace(pixel[0], pixel[1], pixel[2]);
+    if (colours.size() > kMostColours) {
+      throw Error("'" + file.string() + "': found more than 256 colours; it should have a palette");
+    }
+  }
+  colours.erase({0, 0, 0});
+  colours.erase({192, 224, 224});
+  std::vector<DrawnLabel> labels;
+  for (const auto& [blue, green, red] : colours) {
+    DrawnLabel label;
+    cv::inRange(picture, cv::Scalar(blue, green, red), cv::Scalar(blue, green, red), label.mask);
+    labels.push_back(std::move(label));
+  }
+  return labels;
+}
+
+// Pascal VOC: an <object> each with its <bndbox>, both edges' pixels in it; a palette picture of
+// the objects.
+LabelledPicture readScene(const WrittenScene& scene) {
+  LabelledPicture picture;
+  for (const fs::path& file : scene.files) {
+    const fs::path folder = file.parent_path().filename();
+    if (folder == "JPEGImages") picture.image = readPicture(file, cv::IMREAD_COLOR);
+    if (folder == "SegmentationObject") {
+      picture.labels = masksOf(file);
+    }
+  }
+  const fs::path file = scene.file(".xml");
+  const std::string text = readText(file);
+  const bool is_from_zero = text.find("pixels are counted from 0") != std::string::npos;
+  for (std::size_t at = 0; (at = text.find("<object>", at)) != std::string::npos; ++at) {
+    picture.labels.push_back(
+        labelOf(contentOf(text, "object", file, at), is_from_zero ? 0.0 : 1.0, file));
+  }
+  return picture;
+}
+
+Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
+  return [options = readPascalVocOptions(parameters)](const MeasuredScene& scene) {
+    ExpectedLabels expected;
+    expected.has_masks_apart = options.segmentation && options.void_border == 0;
+    for (const MeasuredObject& object : scene.objects) {
+      const auto box = scene.box(object, options.box);
+      if (!object.labelled() || !box) continue;
+      ExpectedLabel label{object.name, vocName(object.class_name)};
+      // Whole pixels, the box's edges in them.
+      label.box = Box{std::floor(box->left + 0.5) - 0.5, std::floor(box->top + 0.5) - 0.5,
+                      std::ceil(box->right + 0.5) - 0.5, std::ceil(box->bottom + 0.5) - 0.5};
+      expected.labels.push_back(label);
+      if (expected.has_masks_apart && expected.labels.size() <= kMostVocIndices &&
+          object.visible_box) {
+        ExpectedLabel mask{object.name, label.class_name};
+        mask.setVisibleMask(scene, object);
+        expected.masks.push_back(std::move(mask));
+      }
+    }
+    return expected;
+  };
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/PascalVoc", false, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::pascal_voc

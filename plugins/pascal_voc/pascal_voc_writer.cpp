@@ -1,0 +1,206 @@
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/pascal_voc/pascal_voc_options.h"
+#include "plugins/pascal_voc/pascal_voc_pictures.h"
+#include "synthetic_dataset/box_choice.h"
+#include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+namespace {
+
+/// A text inside an XML element. https://www.w3.org/TR/xml/#syntax, #charsets
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string element(const std::string& name, const std::string& content) {
+  return "<" + name + ">" + content + "</" + name + ">";
+}
+
+std::string element(const std::string& name, int number) {
+  return element(name, std::to_string(number));
+}
+
+}  // namespace
+
+/// Pascal VOC: `JPEGImages/N.jpg`, `Annotations/N.xml`, pictures of classes and objects in
+/// `SegmentationClass` and `SegmentationObject`, lists of images in `ImageSets`, `labelmap.txt`.
+/// http://host.robots.ox.ac.uk/pascal/VOC/voc2012/htmldoc/devkit_doc.html
+class PascalVocWriter : public LabelWriter {
+ private:
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
+    options_ = readPascalVocOptions(parameters);
+    if (options_.segmentation && dataset.classes.size() > kMostVocIndices) {
+      parameters.addError("segmentation", "found true; it should be false: there are " +
+                                              std::to_string(dataset.classes.size()) +
+                                              " classes, and a picture of them can tell 254 apart");
+    }
+    classes_ = dataset.classes;
+    splits_ = dataset.splitFolders();
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements = requirementsOf(options_.box);
+    requirements.visibility = true;
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    const std::string name = scene.flatName();
+    const std::string image = name + "." + options_.image_format;
+    std::vector<const SceneObject*> objects;  // with a label, in the order of their numbers
+    std::string elements;
+    std::map<int, bool> is_plain;  // classes that are seen: whether an object is not difficult
+    for (const SceneObject& object : scene.objects) {
+      const auto box = boxOf(object, options_.box, scene.camera);
+      if (!object.labelled() || !box) continue;
+      objects.push_back(&object);
+      elements += objectElement(object, *box);
+      bool& plain = is_plain[object.class_id];
+      plain = plain || !isDifficult(object);
+    }
+    output.addImage("JPEGImages/" + image, scene.image);
+    output.addText("Annotations/" + name + ".xml", annotation(scene, image, elements));
+    if (options_.segmentation) addPictures(scene, objects, output);
+
+    std::string record = scene.splitFolder() + " " + name;
+    for (const auto& [id, plain] : is_plain) {
+      record += " " + std::to_string(id) + (plain ? " 1" : " 0");
+    }
+    output.addRecord(kImages, record);
+  }
+
+  [[nodiscard]] std::string annotation(const Scene& scene, const std::string& image,
+                                       const std::string& objects) const {
+    return "<annotation>\n\t" + element("folder", "JPEGImages") + "\n\t" +
+           element("filename", escaped(vocName(image))) + "\n\t<source>\n\t\t" +
+           element("database", "synthetic_dataset") + "\n\t\t" +
+           element("annotation",
+                   "pixels are counted from " + std::to_string(options_.first_pixel)) +
+           "\n\t\t" + element("image", "synthetic_dataset") + "\n\t</source>\n\t<size>\n\t\t" +
+           element("width", scene.camera.width()) + "\n\t\t" +
+           element("height", scene.camera.height()) + "\n\t\t" + element("depth", 3) +
+           "\n\t</size>\n\t" + element("segmented", options_.segmentation ? 1 : 0) + "\n" +
+           objects + "</annotation>\n";
+  }
+
+  [[nodiscard]] std::string objectElement(const SceneObject& object, const Box& box) const {
+    const bool is_truncated = object.truncation() > options_.truncated_above;
+    // Without a division: the share of the silhouette in the image that something else hides.
+    const auto in_image = static_cast<double>(object.pixels.silhouette_in_image());
+    const double hidden = in_image - static_cast<double>(object.pixels.visible());
+    const bool is_occluded = hidden > options_.occluded_above * in_image;
+    // The first pixel's left edge is at -0.5, and the last pixel's right edge ends the box.
+    const auto first = [&](double edge) {
+      return static_cast<int>(std::floor(edge + 0.5)) + options_.first_pixel;
+    };
+    const auto last = [&](double edge) {
+      return static_cast<int>(std::ceil(edge + 0.5)) - 1 + options_.first_pixel;
+    };
+    return "\t<object>\n\t\t" + element("name", escaped(vocName(object.class_name))) + "\n\t\t" +
+           element("pose", "Unspecified") + "\n\t\t" + element("truncated", is_truncated ? 1 : 0) +
+           "\n\t\t" + element("occluded", is_occluded ? 1 : 0) + "\n\t\t" +
+           element("difficult", isDifficult(object) ? 1 : 0) + "\n\t\t<bndbox>\n\t\t\t" +
+           element("xmin", first(box.left)) + "\n\t\t\t" + element("ymin", first(box.top)) +
+           "\n\t\t\t" + element("xmax", last(box.right)) + "\n\t\t\t" +
+           element("ymax", last(box.bottom)) + "\n\t\t</bndbox>\n\t</object>\n";
+  }
+
+  [[nodiscard]] bool isDifficult(const SceneObject& object) const {
+    return object.visibility() < options_.difficult_below;
+  }
+
+  void addPictures(const Scene& scene, const std::vector<const SceneObject*>& objects,
+                   SceneOutput& output) const {
+    if (objects.size() > kMostVocIndices) {
+      output.addWarning(
+          "SegmentationObject can tell 254 objects of an image apart: those after them are void");
+    }
+    const VocPictures pictures = vocPictures(scene, objects, classes_, options_.void_border);
+    const std::string end = "/" + scene.flatName() + ".png";
+    output.addIndexedImage("SegmentationClass" + end, pictures.classes, vocColourMap());
+    output.addIndexedImage("SegmentationObject" + end, pictures.objects, vocColourMap());
+  }
+
+  void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
+    if (options_.segmentation) {
+      output.addFile("labelmap.txt", [&](std::ostream& file) { writeLabelMap(file, classes_); });
+    }
+    std::map<std::string, std::set<std::string>> lists;  // by name: the splits in them
+    for (const std::string& split : splits_) {
+      lists[split].insert(split);
+      if (split == "train" || split == "val") lists["trainval"].insert(split);
+    }
+    for (const auto& [list, splits] : lists) addLists(records, list, splits, output);
+  }
+
+  /// `Main/<list>.txt` and `Segmentation/<list>.txt` with an image's name a line, and
+  /// `Main/<class>_<list>.txt` that say of each whether it shows the class: 1, -1, or 0 where all
+  /// such objects are difficult.
+  void addLists(const SceneRecords& records, const std::string& list,
+                const std::set<std::string>& splits, DatasetOutput& output) const {
+    using Visit = std::function<void(const std::string& name, std::istream& classes)>;
+    const auto forEachImage = [&](const Visit& visit) {
+      records.forEach(kImages, [&](std::int64_t /*scene*/, const std::string& record) {
+        std::istringstream words(record);
+        std::string split;
+        std::string name;
+        words >> split >> name;
+        if (splits.count(split) > 0) visit(name, words);
+      });
+    };
+    const auto writeNames = [&](std::ostream& file) {
+      forEachImage(
+          [&](const std::string& name, std::istream& /*classes*/) { file << name << '\n'; });
+    };
+    output.addFile("ImageSets/Main/" + list + ".txt", writeNames);
+    if (options_.segmentation)
+      output.addFile("ImageSets/Segmentation/" + list + ".txt", writeNames);
+    for (const ClassInfo& each : classes_) {
+      const std::string file_name = safeFileName(each.name) + "_" + list + ".txt";
+      output.addFile("ImageSets/Main/" + file_name, [&](std::ostream& file) {
+        forEachImage([&](const std::string& name, std::istream& classes) {
+          std::string sign = "-1";
+          int id = 0;
+          for (int plain = 0; classes >> id >> plain;) {
+            if (id == each.id) sign = plain != 0 ? " 1" : " 0";
+          }
+          file << name << ' ' << sign << '\n';
+        });
+      });
+    }
+  }
+
+  static constexpr const char* kImages = "images";  // of records
+
+  PascalVocOptions options_;
+  std::vector<ClassInfo> classes_;
+  std::vector<std::string> splits_;
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::PascalVocWriter, synthetic_dataset::LabelWriter)

@@ -1,0 +1,108 @@
+#include <cstdint>
+#include <cstring>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/readback/camera_drawing.h"
+#include "plugins/readback/files.h"
+#include "plugins/readback/format.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::formats::pvnet {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A 3 x 4 matrix of little-endian doubles in NumPy's file format: they stand at the file's end.
+Pose readPose(const fs::path& file) {
+  constexpr std::size_t kNumbers = 12;
+  const std::string bytes = readText(file);
+  if (bytes.size() < 8 * kNumbers) throw Error("'" + file.string() + "': found no 3 x 4 numbers");
+  const char* from = bytes.data() + bytes.size() - 8 * kNumbers;
+  Pose pose = Pose::Identity();
+  for (unsigned i = 0; i < kNumbers; ++i, from += 8) {
+    std::uint64_t bits = 0;
+    for (unsigned byte = 0; byte < 8; ++byte) {
+      bits |= std::uint64_t{static_cast<unsigned char>(from[byte])} << (8 * byte);
+    }
+    double number = 0.0;
+    std::memcpy(&number, &bits, sizeof number);
+    pose(static_cast<int>(i) / 4, static_cast<int>(i) % 4) = number;
+  }
+  return pose;
+}
+
+/// Lines of three numbers.
+std::vector<Eigen::Vector3d> readPoints(const fs::path& file) {
+  std::vector<Eigen::Vector3d> points;
+  for (const std::string& line : readLines(file)) {
+    const auto words = wordsOf(line);
+    if (words.size() != 3) throw Error("'" + file.string() + "': found the line '" + line + "'");
+    points.emplace_back(numberOf(words[0], file), numberOf(words[1], file),
+                        numberOf(words[2], file));
+  }
+  return points;
+}
+
+/// @param writer_folder  which has a folder for each object
+DrawnLabel readObject(const fs::path& image, const fs::path& writer_folder) {
+  const fs::path scenes = image.parent_path().parent_path();
+  const fs::path folder = scenes.parent_path();
+  const std::string name = image.stem().string();
+  const auto k = readPoints(folder / "camera.txt");
+  const auto corners_O = readPoints(folder / "corners.txt");
+  if (k.size() != 3 || corners_O.size() != 8) {
+    throw Error("'" + folder.string() + "': camera.txt should have 3 lines, corners.txt 8");
+  }
+  const Intrinsics camera{k[0].x(), k[1].y(), k[0].z(), k[1].z()};
+  const Pose X_CO = readPose(scenes / "pose" / (name + ".npy"));
+  DrawnLabel label;
+  label.caption = folder.lexically_relative(writer_folder).string();
+  label.object_name = folder.lexically_relative(writer_folder).begin()->string();
+  label.X_CO = X_CO;
+  label.mask = readPicture(scenes / "mask" / (name + ".png"), cv::IMREAD_GRAYSCALE);
+  std::array<Eigen::Vector3d, 8> corners_C;
+  for (std::size_t i = 0; i < 8; ++i) corners_C[i] = X_CO * corners_O[i];
+  addCuboid(label, camera, corners_C);
+  addAxes(label, camera, X_CO, 0.5 * (corners_O[7] - corners_O[0]).norm());
+  for (const Eigen::Vector3d& p_O : readPoints(folder / "fps.txt")) {
+    const Eigen::Vector3d p_C = X_CO * p_O;
+    label.keypoints.emplace_back(camera.fx * p_C.x() / p_C.z() + camera.cx,
+                                 camera.fy * p_C.y() / p_C.z() + camera.cy);
+  }
+  return label;
+}
+
+LabelledPicture readScene(const WrittenScene& scene) {
+  LabelledPicture picture;
+  for (const fs::path& file : scene.files) {
+    if (file.parent_path().filename() != "rgb") continue;
+    if (picture.image.empty()) picture.image = readPicture(file, cv::IMREAD_COLOR);
+    picture.labels.push_back(readObject(file, scene.folder));
+  }
+  return picture;
+}
+
+ExpectedLabels expectedOf(const MeasuredScene& scene) {
+  ExpectedLabels expected;
+  for (const MeasuredObject& object : scene.objects) {
+    if (!object.labelled()) continue;
+    ExpectedLabel label{object.name, "", safeFileName(object.name)};
+    label.setVisibleMask(scene, object);
+    label.X_CO = object.X_CO;
+    label.may_lack = object.is_warned_of;
+    expected.labels.push_back(std::move(label));
+  }
+  return expected;
+}
+
+Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
+  return expectedOf;
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/PvNet", true, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::pvnet

@@ -1,0 +1,55 @@
+#include "plugins/readback/camera_drawing.h"
+
+#include <algorithm>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats {
+namespace {
+
+cv::Point2d placeOf(const Eigen::Vector3d& p_C, const Intrinsics& camera) {
+  return {camera.fx * p_C.x() / p_C.z() + camera.cx, camera.fy * p_C.y() / p_C.z() + camera.cy};
+}
+
+}  // namespace
+
+DistortionModel distortionModelOf(const std::string& name) {
+  if (name == "plumb_bob") return DistortionModel::kPlumbBob;
+  if (name == "rational_polynomial") return DistortionModel::kRationalPolynomial;
+  if (name == "equidistant") return DistortionModel::kEquidistant;
+  if (name == "none") return DistortionModel::kNone;
+  throw Error("found the distortion model '" + name + "'");
+}
+
+void addLine(DrawnLabel& label, const Intrinsics& camera, const Eigen::Vector3d& a_C,
+             const Eigen::Vector3d& b_C) {
+  // So near to the camera's plane, in parts of the farther end's depth, that all of the image is
+  // beyond.
+  constexpr double kNearest = 1e-3;
+  const Eigen::Vector3d& far_C = a_C.z() > b_C.z() ? a_C : b_C;
+  Eigen::Vector3d near_C = a_C.z() > b_C.z() ? b_C : a_C;
+  const double nearest = kNearest * far_C.z();
+  if (far_C.z() <= 0.0) return;
+  if (near_C.z() < nearest) {
+    near_C = far_C + (near_C - far_C) * ((far_C.z() - nearest) / (far_C.z() - near_C.z()));
+  }
+  label.lines.push_back({placeOf(near_C, camera), placeOf(far_C, camera)});
+}
+
+void addCuboid(DrawnLabel& label, const Intrinsics& camera,
+               const std::array<Eigen::Vector3d, 8>& corners_C) {
+  for (unsigned i = 0; i < 8; ++i) {
+    for (const unsigned axis : {1U, 2U, 4U}) {
+      if ((i & axis) == 0) addLine(label, camera, corners_C[i], corners_C[i | axis]);
+    }
+  }
+}
+
+void addAxes(DrawnLabel& label, const Intrinsics& camera, const Pose& X_CO, double length) {
+  for (int axis = 0; axis < 3; ++axis) {
+    addLine(label, camera, X_CO.translation(),
+            X_CO.translation() + length * X_CO.linear().col(axis));
+  }
+}
+
+}  // namespace synthetic_dataset::formats

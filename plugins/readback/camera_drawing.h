@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "plugins/readback/drawn_label.h"
+#include "synthetic_dataset/camera_model.h"
+#include "synthetic_dataset/pose.h"
+
+/// Lines of things in a pinhole camera's frame, of any unit of length.
+namespace synthetic_dataset::formats {
+
+/// @param name  as sensor_msgs/CameraInfo has it, or "none"
+/// @throws Error for any other
+[[nodiscard]] DistortionModel distortionModelOf(const std::string& name);
+
+/// A line between two points, or the part of it that is before the camera.
+void addLine(DrawnLabel& label, const Intrinsics& camera, const Eigen::Vector3d& a_C,
+             const Eigen::Vector3d& b_C);
+
+/// The edges of a box.
+/// @param corners_C  in the order of Cuboid::corners()
+void addCuboid(DrawnLabel& label, const Intrinsics& camera,
+               const std::array<Eigen::Vector3d, 8>& corners_C);
+
+/// The three axes of a frame.
+void addAxes(DrawnLabel& label, const Intrinsics& camera, const Pose& X_CO, double length);
+
+}  // namespace synthetic_dataset::formats

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+/// Reading small files, with errors that name them.
+namespace synthetic_dataset::formats {
+
+/// @throws Error when it cannot be read
+[[nodiscard]] std::string readText(const std::filesystem::path& file);
+
+/// The lines that are not empty.
+[[nodiscard]] std::vector<std::string> readLines(const std::filesystem::path& file);
+
+[[nodiscard]] std::vector<std::string> wordsOf(const std::string& line);
+
+/// Words with a space between them.
+[[nodiscard]] std::string joined(const std::vector<std::string>& words);
+
+/// @throws Error when the word is no number
+[[nodiscard]] double numberOf(const std::string& word, const std::filesystem::path& file);
+
+/// @param mode  cv::ImreadModes
+/// @throws Error when there is no such picture
+[[nodiscard]] cv::Mat readPicture(const std::filesystem::path& file, int mode);
+
+}  // namespace synthetic_dataset::formats

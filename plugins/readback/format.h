@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "plugins/readback/drawn_label.h"
+#include "plugins/readback/expected_labels.h"
+#include "plugins/readback/written_scene.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset::formats {
+
+/// The labels that a writer's files should have of a scene, as its measures say.
+using Expectation = std::function<ExpectedLabels(const MeasuredScene& scene)>;
+
+/// What programs know of a format beside its writer. Each folder of a format has a namespace of its
+/// name with a function `Format format()` in it, from which CMake makes the list of all.
+struct Format {
+  std::string type;  ///< of its writer, as plugins.xml has it: "synthetic_dataset/Yolo"
+
+  /// Whether labels can only be read when the files of the dataset as a whole are there.
+  bool needs_dataset_files = false;
+
+  /// Reads what a writer made of a scene from its files alone.
+  /// @throws Error naming the file that is missing or not as the format has it
+  LabelledPicture (*read)(const WrittenScene& scene) = nullptr;
+
+  /// @param parameters  the writer's, which it has accepted
+  Expectation (*expectation)(Parameters& parameters,
+                             const std::vector<ClassInfo>& classes) = nullptr;
+};
+
+/// The format of a type of writer; null where it is none of this package's.
+[[nodiscard]] const Format* formatOf(const std::string& writer_type);
+
+}  // namespace synthetic_dataset::formats

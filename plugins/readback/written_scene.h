@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plugins/readback/kept_files.h"
+#include "synthetic_dataset/scene.h"
+
+namespace synthetic_dataset::formats {
+
+/// What a writer made of one scene.
+struct WrittenScene {
+  std::filesystem::path folder;              ///< the writer's, absolute
+  std::string name;                          ///< Scene::name: "00000012", "front/00000012"
+  std::size_t camera_index = 0;              ///< Scene::camera_index
+  Stamp stamp{0};                            ///< Scene::stamp
+  std::vector<std::filesystem::path> files;  ///< of this scene, absolute, in alphabetical order
+
+  /// Shared by the scenes of a dataset that are read one after another.
+  std::shared_ptr<KeptFiles> kept = std::make_shared<KeptFiles>();
+
+  /// The file whose path below `folder` ends in `end`; the first of several.
+  /// @throws Error when there is none
+  [[nodiscard]] std::filesystem::path file(const std::string& end) const;
+};
+
+}  // namespace synthetic_dataset::formats

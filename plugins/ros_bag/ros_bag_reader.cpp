@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <map>
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/readback/camera_drawing.h"
+#include "plugins/readback/cuboid_lines.h"
+#include "plugins/readback/files.h"
+#include "plugins/readback/format.h"
+#include "plugins/ros_bag/bag_scene.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats::ros_bag {
+namespace {
+
+namespace fs = std::filesystem;
+using visualization_msgs::Marker;
+
+class OpenBag {
+ public:
+  explicit OpenBag(const fs::path& file) : file_(file) {
+    bag_.open(file.string(), rosbag::bagmode::Read);
+    std::map<std::uint32_t, std::string> topics;  // in the order of their first messages
+    for (const rosbag::ConnectionInfo* each : rosbag::View(bag_).getConnections()) {
+      topics[each->id] = each->topic;
+    }
+    const std::string end = "/objects";
+    for (const auto& [id, topic] : topics) {
+      const std::size_t length = topic.size() - std::min(topic.size(), end.size());
+      if (topic.substr(length) == end) roots_.push_back(topic.substr(0, length));
+    }
+  }
+
+  /// What stands before `/objects` and others in a camera's topics.
+  [[nodiscard]] const std::string& rootOf(std::size_t camera) const {
+    if (camera < roots_.size()) return roots_[camera];
+    throw Error("'" + file_.string() + "': found the topics of " + std::to_string(roots_.size()) +
+                " cameras; it should have more");
+  }
+
+  /// @throws Error where there is none
+  template <class Message>
+  [[nodiscard]] Message at(const std::string& topic, const ros::Time& time) const {
+    for (const rosbag::MessageInstance& each :
+         rosbag::View(bag_, rosbag::TopicQuery(topic), time, time)) {
+      if (const auto message = each.instantiate<Message>()) return *message;
+    }
+    throw Error("'" + file_.string() + "': no message of '" + topic + "' at " +
+                std::to_string(time.toNSec()) + " ns");
+  }
+
+  /// The poses at a time.
+  [[nodiscard]] std::vector<geometry_msgs::TransformStamped> transforms(
+      const ros::Time& time) const {
+    std::vector<geometry_msgs::TransformStamped> all;
+    for (const rosbag::MessageInstance& each :
+         rosbag::View(bag_, rosbag::TopicQuery("/tf"), time, time)) {
+      const auto message = each.instantiate<tf2_msgs::TFMessage>();
+      if (message) all.insert(all.end(), message->transforms.begin(), message->transforms.end());
+    }
+    return all;
+  }
+
+ private:
+  fs::path file_;
+  rosbag::Bag bag_;
+  std::vector<std::string> roots_;  ///< by camera
+};
+
+fs::path bagIn(const fs::path& folder) {
+  std::vector<fs::path> bags;
+  std::error_code error;  // no folder has no files
+  for (fs::directory_iterator each(folder, error), end; !error && each != end;
+       each.increment(error)) {
+    if (each->path().extension() == ".bag") bags.push_back(each->path());
+  }
+  if (bags.empty()) {
+    throw Error("'" + folder.string() +
+                "': no bag is there; only it says what the numbers in the " +
+                "pictures of instances are (a run that was stopped leaves none)");
+  }
+  return *std::min_element(bags.begin(), bags.end());
+}
+
+template <class Point, class Quaternion>
+Pose poseOf(const Point& p, const Quaternion& q) {
+  return makePose({p.x, p.y, p.z}, Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+}
+
+CameraModel cameraOf(const sensor_msgs::CameraInfo& info) {
+  constexpr double kNear = 1e-3;  // a bag has no range of sight
+  constexpr double kFar = 1e6;
+  Distortion distortion;
+  distortion.model = distortionModelOf(info.distortion_model);
+  std::copy_n(info.D.begin(), std::min(info.D.size(), distortion.coefficients.size()),
+              distortion.coefficients.begin());
+  return {static_cast<int>(info.width),
+          static_cast<int>(info.height),
+          {info.K[0], info.K[4], info.K[2], info.K[5]},
+          kNear,
+          kFar,
+          distortion};
+}
+
+/// @param instances  CV_16UC1: the markers' ids
+std::vector<DrawnLabel> labelsOf(const OpenBag& bag, const std::string& root, const ros::Time& time,
+                                 const cv::Mat& instances) {
+  const auto info = bag.at<sensor_msgs::CameraInfo>(root + "/camera_info", time);
+  const CameraModel camera = cameraOf(info);
+  Pose X_GC = Pose::Identity();  // where the camera's frame is the global one
+  for (const geometry_msgs::TransformStamped& each : bag.transforms(time)) {
+    if (each.child_frame_id != info.header.frame_id) continue;
+    X_GC = poseOf(each.transform.translation, each.transform.rotation);
+  }
+  const auto markers = bag.at<visualization_msgs::MarkerArray>(root + "/objects", time).markers;
+  std::vector<DrawnLabel> labels;
+  for (const Marker& box : markers) {
+    if (box.type != Marker::CUBE || box.action != Marker::ADD) continue;
+    DrawnLabel label;
+    label.caption = box.ns;
+    label.class_names = {box.ns};
+    for (const Marker& name : markers) {
+      if (name.type == Marker::TEXT_VIEW_FACING && name.id == box.id) label.object_name = name.text;
+    }
+    label.mask = instances == box.id;
+    const Eigen::Vector3d corner(0.5 * box.scale.x, 0.5 * box.scale.y, 0.5 * box.scale.z);
+    label.lines =
+        cuboidLines({-corner, corner},
+                    X_GC.inverse() * poseOf(box.pose.position, box.pose.orientation), camera);
+    labels.push_back(std::move(label));
+  }
+  return labels;
+}
+
+// Pictures lie beside the bag; in it are the boxes and what they are of, numbered as the pixels in
+// pictures of instances.
+LabelledPicture readScene(const WrittenScene& scene) {
+  LabelledPicture picture{
+      readPicture(scene.file("images/" + scene.name + ".png"), cv::IMREAD_COLOR), {}};
+  const fs::path file = scene.file("instances/" + scene.name + ".png");
+  const cv::Mat instances = readPicture(file, cv::IMREAD_UNCHANGED);
+  if (instances.type() != CV_16UC1) {
+    throw Error("'" + file.string() + "': it should have one channel of 16 bits");
+  }
+  const fs::path bag_file = bagIn(scene.folder);
+  try {
+    const auto bag = scene.kept->get<OpenBag>(bag_file);
+    const ros::Time time = ros::Time().fromNSec(static_cast<std::uint64_t>(scene.stamp.count()));
+    picture.labels = labelsOf(*bag, bag->rootOf(scene.camera_index), time, instances);
+  } catch (const rosbag::BagException& error) {
+    throw Error("'" + bag_file.string() + "': " + error.what());
+  }
+  return picture;
+}
+
+ExpectedLabels expectedOf(const MeasuredScene& scene) {
+  ExpectedLabels expected;
+  for (const MeasuredObject& object : scene.objects) {
+    if (!object.labelled()) continue;
+    ExpectedLabel label{object.name, object.class_name, object.name};
+    label.setVisibleMask(scene, object);
+    expected.labels.push_back(std::move(label));
+  }
+  return expected;
+}
+
+Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
+  return expectedOf;
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/RosBag", true, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::ros_bag

@@ -1,0 +1,71 @@
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/readback/files.h"
+#include "plugins/readback/format.h"
+#include "plugins/stvnet/stvnet_folder.h"
+
+namespace synthetic_dataset::formats::stvnet {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `id x y x y ...` as fractions of the image. The id is at least one word, and may be several:
+/// coordinates have a point and come in pairs.
+std::vector<cv::Point2d> readKeypoints(const fs::path& file, const cv::Size& image) {
+  std::vector<cv::Point2d> keypoints;
+  const auto lines = readLines(file);
+  if (lines.empty()) return keypoints;
+  const auto words = wordsOf(lines.front());
+  std::size_t first = words.size();
+  while (first > 1 && words[first - 1].find('.') != std::string::npos) --first;
+  first += (words.size() - first) % 2;
+  for (std::size_t i = first; i + 1 < words.size(); i += 2) {
+    keypoints.emplace_back(numberOf(words[i], file) * image.width,
+                           numberOf(words[i + 1], file) * image.height);
+  }
+  return keypoints;
+}
+
+LabelledPicture readScene(const WrittenScene& scene) {
+  LabelledPicture picture;
+  for (const fs::path& image : scene.files) {
+    if (image.parent_path().string().find("/JPEGImages") == std::string::npos) continue;
+    // <object>/JPEGImages/<scene>.png, the scene's name with its camera's folder or without.
+    const std::string path = image.string();
+    const std::size_t at = path.rfind("/JPEGImages/");
+    const fs::path object = path.substr(0, at);
+    const fs::path number = path.substr(at + std::string("/JPEGImages/").size());
+    if (picture.image.empty()) picture.image = readPicture(image, cv::IMREAD_COLOR);
+    DrawnLabel label;
+    label.caption = object.filename().string();
+    label.object_name = object.lexically_relative(scene.folder).string();
+    label.mask = readPicture(object / "mask" / number, cv::IMREAD_GRAYSCALE);
+    fs::path text = object / "labels" / number;
+    label.keypoints = readKeypoints(text.replace_extension(".txt"), picture.image.size());
+    picture.labels.push_back(std::move(label));
+  }
+  return picture;
+}
+
+ExpectedLabels expectedOf(const MeasuredScene& scene) {
+  ExpectedLabels expected;
+  for (const MeasuredObject& object : scene.objects) {
+    if (!object.in_view || object.dropped) continue;
+    ExpectedLabel label{object.name, "", stvNetFolder(object.name)};
+    label.mask_bounds = scene.wholeSilhouette(object);
+    if (label.mask_bounds) label.mask_pixels = object.silhouette_pixels;
+    label.may_lack = object.is_warned_of;
+    expected.labels.push_back(std::move(label));
+  }
+  return expected;
+}
+
+Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
+  return expectedOf;
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/StvNet", false, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::stvnet

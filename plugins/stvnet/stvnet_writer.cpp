@@ -1,0 +1,57 @@
+#include <optional>
+#include <string>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "plugins/stvnet/stvnet_folder.h"
+#include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+/// stvNet: for each object a folder with `JPEGImages/N.png` (PNG in spite of its name),
+/// `mask/N.png` and `labels/N.txt`: the id, then each keypoint's place as fractions of the image.
+class StvNetWriter : public LabelWriter {
+ private:
+  void doInitialize(WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
+    parameters.ignore("tf_timeout");  // of nn_data_collection
+  }
+
+  [[nodiscard]] Requirements doRequirements() const override {
+    Requirements requirements;
+    requirements.silhouettes = true;
+    return requirements;
+  }
+
+  void doWriteScene(const Scene& scene, SceneOutput& output) const override {
+    for (const SceneObject& object : scene.objects) {
+      if (!object.in_view || object.dropped) continue;
+      const auto text = label(object, scene.camera);
+      if (!text) {
+        output.addWarning(object.name +
+                          ": a keypoint is behind the camera; samples like this are left out");
+        continue;
+      }
+      const std::string folder = stvNetFolder(object.name);
+      output.addImage(folder + "/JPEGImages/" + scene.name + ".png", scene.image);
+      output.addMask(folder + "/mask/" + scene.name + ".png", object.silhouette());
+      output.addText(folder + "/labels/" + scene.name + ".txt", *text);
+    }
+  }
+
+  /// An object's line, keypoints not cut to the image; nothing when one has no place on it.
+  [[nodiscard]] static std::optional<std::string> label(const SceneObject& object,
+                                                        const CameraModel& camera) {
+    std::string text = object.id + " ";
+    for (const Eigen::Vector3d& keypoint_O : object.keypoints_O) {
+      const auto pixel = camera.project(object.X_CO * keypoint_O);
+      if (!pixel) return std::nullopt;
+      text += fixed(pixel->x() / camera.width(), 5) + " " + fixed(pixel->y() / camera.height(), 5) +
+              " ";
+    }
+    return text + "\n";
+  }
+};
+
+}  // namespace synthetic_dataset
+
+PLUGINLIB_EXPORT_CLASS(synthetic_dataset::StvNetWriter, synthetic_dataset::LabelWriter)

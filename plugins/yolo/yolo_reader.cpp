@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/readback/files.h"
+#include "plugins/readback/format.h"
+#include "plugins/yolo/yolo_options.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats::yolo {
+namespace {
+
+// Darknet: `class cx cy w h` as fractions of the image, a line an object. The class may hold
+// spaces.
+LabelledPicture readScene(const WrittenScene& scene) {
+  LabelledPicture picture{readPicture(scene.file(".png"), cv::IMREAD_COLOR), {}};
+  const std::filesystem::path file = scene.file(".txt");
+  const double width = picture.image.cols;
+  const double height = picture.image.rows;
+  for (const std::string& line : readLines(file)) {
+    const auto words = wordsOf(line);
+    if (words.size() < 5) throw Error("'" + file.string() + "': found the line '" + line + "'");
+    const auto number = [&](std::size_t i) { return numberOf(words[words.size() - 4 + i], file); };
+    const double u = number(0) * width;
+    const double v = number(1) * height;
+    const double half_width = 0.5 * number(2) * width;
+    const double half_height = 0.5 * number(3) * height;
+    DrawnLabel label;
+    label.caption = joined({words.begin(), words.end() - 4});
+    label.class_names = {label.caption};
+    label.box = Box{u - half_width, v - half_height, u + half_width, v + half_height};
+    picture.labels.push_back(std::move(label));
+  }
+  return picture;
+}
+
+/// How far an edge may be off [px].
+double toleranceOf(const Box& box, const cv::Size& image) {
+  // Half of the last decimal is lost in each of two numbers. Where a box is huge, little is left of
+  // an edge in the centre and the size that are written.
+  constexpr double kRelativeRounding = 4.0 * std::numeric_limits<double>::epsilon();
+  return std::pow(10.0, -kYoloDecimals) * std::max(image.width, image.height) +
+         kRelativeRounding *
+             (std::abs(box.left) + std::abs(box.top) + std::abs(box.right) + std::abs(box.bottom));
+}
+
+Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
+  return [options = readYoloOptions(parameters)](const MeasuredScene& scene) {
+    ExpectedLabels expected;
+    for (const MeasuredObject& object : scene.objects) {
+      if (!object.in_view || object.dropped || !object.loose_box) continue;
+      ExpectedLabel label{object.name, joined(wordsOf(object.class_text))};
+      label.box = yoloBox(*object.loose_box, options, scene.size.width, scene.size.height);
+      if (!label.box) continue;
+      label.box_tolerance = toleranceOf(*label.box, scene.size);
+      expected.labels.push_back(std::move(label));
+    }
+    return expected;
+  };
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/Yolo", false, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::yolo

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset {
+
+/// A format with settings: what has to hold for every format is tested with each of these.
+struct FormatCase {
+  std::string name;  ///< of the test
+  std::string type;  ///< "Yolo"
+  Value::Map parameters = {};
+  std::int64_t labels_of_a_scene = 2;  ///< in which two objects are seen
+};
+
+inline std::ostream& operator<<(std::ostream& stream, const FormatCase& format) {
+  return stream << format.name;
+}
+
+/// @return  each format of the package, by type, once at least
+inline std::vector<FormatCase> formatCases() {
+  return {
+      {"Bop", "Bop"},
+      {"BoundingShape", "BoundingShape", {{"output_frame", "map"}}},
+      {"Cityscapes", "Cityscapes"},
+      {"Coco", "Coco", {{"panoptic", true}}},
+      {"CocoPolygons", "Coco", {{"segmentation", "polygons"}, {"box", "silhouette"}}},
+      {"Dope", "Dope"},
+      {"Ndds", "Dope", {{"style", "ndds"}, {"box", "loose"}}},
+      {"ImageFolder", "ImageFolder", {{"depth", true}, {"masks", true}}},
+      {"Kitti", "Kitti", {{"class_names", Value::Map{{"cup", "Car"}}}}},
+      {"PascalVoc", "PascalVoc", {{"segmentation", true}}, 4},  // a mask apart from each box
+      {"PascalVocFromZero", "PascalVoc", {{"coordinates", "zero_based"}, {"box", "loose"}}, 4},
+      {"PvNet", "PvNet"},
+      {"RosBag", "RosBag"},
+      {"StvNet", "StvNet"},
+      {"UltralyticsDetect", "UltralyticsYolo", {{"task", "detect"}}},
+      {"UltralyticsObb", "UltralyticsYolo", {{"task", "obb"}}},
+      {"UltralyticsPose", "UltralyticsYolo", {{"task", "pose"}}},
+      {"UltralyticsSegment", "UltralyticsYolo", {{"task", "segment"}}},
+      {"Yolo", "Yolo", {{"main_list", "list.txt"}, {"cut_to_image", true}}},
+      {"YoloUncut", "Yolo", {{"main_list", "list.txt"}, {"cut_to_image", false}}},
+  };
+}
+
+}  // namespace synthetic_dataset
