@@ -27,7 +27,7 @@
 #include "floor_picture.h"
 #include "floor_shaders.h"
 #include "output/background_worker.h"
-#include "output/image/png_encoder.h"
+#include "base/image/png_encoder.h"
 #include "render/gl/gl_planes.h"
 #include "render/gl/osmesa_context.h"
 #include "render/gl/shader_program.h"
@@ -241,8 +241,8 @@ double secondsOf(const std::string& folder, std::size_t scenes, bool same) {
       cv::Mat identifiers;
       ids.convertTo(identifiers, CV_8U);
       const std::string name = folder + "/floor" + std::to_string(scene);
-      write(name + ".png", output::encodePng(colour, {}, kCompression));
-      write(name + "_ids.png", output::encodePng(identifiers, {}, kCompression));
+      write(name + ".png", base::encodePng(colour, {}, kCompression));
+      write(name + "_ids.png", base::encodePng(identifiers, {}, kCompression));
     });
   }
   encoder.finish();

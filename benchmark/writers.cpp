@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr int kTries = 3;
 const std::vector<std::size_t> kCounts = {1, 2, 4, 8};
 
-class QuietReporter : public Reporter {
+class QuietReporter : public run::Reporter {
  public:
   void info(const std::string& /*message*/) override {}
   void warning(const std::string& /*message*/) override {}
@@ -87,7 +87,7 @@ double timeOf(const fs::path& repository, const fs::path& folder, std::size_t co
   map["output_folder"] = Value((folder / std::to_string(count)).string());
   map["if_exists"] = Value("overwrite");
   QuietReporter reporter;
-  Generator generator(settings, reporter, {(repository / "plugins.xml").string()});
+  run::Generator generator(settings, reporter, {(repository / "plugins.xml").string()});
   const std::clock_t start = std::clock();
   (void)generator.run();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

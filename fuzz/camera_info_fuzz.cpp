@@ -8,7 +8,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (const bool rectified : {false, true}) {
     fuzzing::tolerating([&] {
       const Value info = base::parseYaml(std::string(fuzzing::view(data, size)), "camera_info");
-      const CameraModel camera = cameraModelOf(info, "camera_info", rectified, 0.01, 100.0);
+      const CameraModel camera = scene::cameraModelOf(info, "camera_info", rectified, 0.01, 100.0);
       for (const double x : {-2.0, 0.0, 0.7}) {
         static_cast<void>(camera.project(Eigen::Vector3d(x, 0.5, 1.0)));
       }

@@ -1,6 +1,6 @@
 // Occupancy maps: map_server's YAML and, after a line of "%%", the picture of this name.
 #include "fuzzing.h"
-#include "placement/map_reader.h"
+#include "randomize/placement/map_reader.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;
@@ -8,7 +8,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string file = fuzzing::write("map.yaml", contents.front()).string();
   fuzzing::write("map.pgm", contents.size() > 1 ? contents[1] : "");
   fuzzing::tolerating([&] {
-    const placement::OccupancyMap map = placement::readMapFile(file);
+    const randomize::OccupancyMap map = randomize::readMapFile(file);
     static_cast<void>(map.isFree({map.pose().x, map.pose().y}));
   });
   return 0;

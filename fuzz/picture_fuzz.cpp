@@ -1,18 +1,18 @@
 // Pictures of all formats. Their decoders run in a process of their own, which costs time: only
 // what passes our own checks gets as far.
 #include "fuzzing.h"
-#include "world/material/picture_decoder.h"
-#include "world/material/picture_end.h"
-#include "world/material/picture_file.h"
-#include "world/material/picture_size.h"
+#include "base/image/picture_decoder.h"
+#include "base/image/picture_end.h"
+#include "base/image/picture_file.h"
+#include "base/image/picture_size.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;
   const std::vector<std::uint8_t> bytes(data, data + size);
-  static_cast<void>(world::claimedSize(bytes));
-  const std::vector<std::uint8_t> essential = world::withoutColourProfile(bytes);
-  if (essential.empty() || !world::isWhole(essential)) return 0;
+  static_cast<void>(base::claimedSize(bytes));
+  const std::vector<std::uint8_t> essential = base::withoutColourProfile(bytes);
+  if (essential.empty() || !base::isWhole(essential)) return 0;
   if (std::hash<std::string_view>()(fuzzing::view(data, size)) % 8 != 0) return 0;
-  fuzzing::tolerating([&] { static_cast<void>(world::decodePicture(bytes, "picture")); });
+  fuzzing::tolerating([&] { static_cast<void>(base::decodePicture(bytes, "picture")); });
   return 0;
 }

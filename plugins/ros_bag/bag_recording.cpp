@@ -5,7 +5,7 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "ros_messages/image_messages.h"
+#include "base/ros_messages/image_messages.h"
 #include "synthetic_dataset/errors.h"
 
 #ifdef __has_feature

@@ -9,7 +9,7 @@
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "ros_messages/scene_messages.h"
+#include "base/ros_messages/scene_messages.h"
 #include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset {

@@ -8,7 +8,7 @@
 
 #include "plugins/ros_bag/bag_recording.h"
 #include "plugins/ros_bag/bag_scene.h"
-#include "ros_messages/scene_messages.h"
+#include "base/ros_messages/scene_messages.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_writer.h"
 

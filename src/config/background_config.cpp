@@ -28,21 +28,21 @@ bool isGroup(const std::optional<Value>& background) {
   });
 }
 
-appearance::BackgroundProjection readProjection(Parameters& group) {
+randomize::BackgroundProjection readProjection(Parameters& group) {
   const auto projection = group.optional<std::string>("projection", "backdrop");
   if (projection != "backdrop" && projection != "panorama") {
     group.addError("projection", "found '" + projection + "'; it should be backdrop or panorama");
   }
-  return projection == "panorama" ? appearance::BackgroundProjection::kPanorama
-                                  : appearance::BackgroundProjection::kBackdrop;
+  return projection == "panorama" ? randomize::BackgroundProjection::kPanorama
+                                  : randomize::BackgroundProjection::kBackdrop;
 }
 
-appearance::BackgroundPictures readPictures(Parameters& group) {
-  appearance::BackgroundPictures pictures;
+randomize::BackgroundPictures readPictures(Parameters& group) {
+  randomize::BackgroundPictures pictures;
   pictures.folder = absolutePath(group.required<std::string>("pictures"));
   pictures.present = maybeProbability(group, "present");
   pictures.projection = readProjection(group);
-  if (pictures.projection == appearance::BackgroundProjection::kPanorama) {
+  if (pictures.projection == randomize::BackgroundProjection::kPanorama) {
     pictures.yaw = maybeDistribution(group, "yaw", kTurnRange);
   } else if (group.has("yaw")) {
     group.addError("yaw", "has a meaning with projection: panorama alone");
@@ -54,9 +54,9 @@ appearance::BackgroundPictures readPictures(Parameters& group) {
 
 }  // namespace
 
-appearance::BackgroundRandomization readBackground(Parameters randomize) {
+randomize::BackgroundRandomization readBackground(Parameters randomize) {
   const std::string name = "background";
-  appearance::BackgroundRandomization background;
+  randomize::BackgroundRandomization background;
   if (!randomize.has(name)) return background;
   if (!isGroup(randomize.maybe<Value>(name))) {
     background.colour = maybeDistribution(randomize, name, kColourRange);

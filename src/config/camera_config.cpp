@@ -42,7 +42,7 @@ std::optional<double> maybeBetween(Parameters& group, const std::string& name, d
   return std::nullopt;
 }
 
-void readEffects(Parameters group, CameraOptions& camera) {
+void readEffects(Parameters group, scene::CameraOptions& camera) {
   constexpr double kMostStops = 10.0;
   constexpr double kLongestExposure = 10.0;  // [s]
   constexpr double kWidestBlur = 50.0;       // [px]
@@ -50,8 +50,8 @@ void readEffects(Parameters group, CameraOptions& camera) {
   const auto read = [&](const std::string& name, double low, double high) {
     return maybeBetween(group, name, low, high).value_or(0.0);
   };
-  sensor::SensorEffects& effects = camera.effects;
-  Shutter& shutter = camera.shutter;
+  render::SensorEffects& effects = camera.effects;
+  scene::Shutter& shutter = camera.shutter;
   effects.exposure = read("exposure", -kMostStops, kMostStops);
   shutter.exposure_time = base::fromSeconds(read("exposure_time", 0.0, kLongestExposure));
   shutter.readout_time = base::fromSeconds(read("readout_time", 0.0, kLongestExposure));
@@ -69,7 +69,7 @@ void readEffects(Parameters group, CameraOptions& camera) {
 }
 
 /// What is not set is as the world has it of a camera of its own.
-void readRange(Parameters& group, CameraOptions& camera) {
+void readRange(Parameters& group, scene::CameraOptions& camera) {
   constexpr double kNear = 0.05;   // [m]
   constexpr double kFar = 1000.0;  // [m]
   const bool is_of_world = camera.sensor && !camera.info_file && !camera.info_topic;
@@ -80,9 +80,9 @@ void readRange(Parameters& group, CameraOptions& camera) {
 }
 
 /// The members that a camera has whether it is the only one or not.
-CameraOptions readCamera(Parameters group, const std::string& name,
+scene::CameraOptions readCamera(Parameters group, const std::string& name,
                          std::optional<std::string> frame) {
-  CameraOptions camera;
+  scene::CameraOptions camera;
   camera.name = name;
   camera.group = group.fullName("");
   camera.info_file = group.maybe<std::string>("info_file");
@@ -108,7 +108,7 @@ CameraOptions readCamera(Parameters group, const std::string& name,
   return camera;
 }
 
-void checkIntrinsicsNamed(const CameraOptions& camera, Parameters& above,
+void checkIntrinsicsNamed(const scene::CameraOptions& camera, Parameters& above,
                           const std::string& name) {
   if (camera.info_file && camera.info_topic) {
     above.addError(name, "found both info_file and info_topic; intrinsics should come from one");
@@ -130,8 +130,8 @@ bool isGoodName(const std::string& name) {
 
 }  // namespace
 
-std::vector<CameraOptions> readCameras(Parameters root) {
-  std::vector<CameraOptions> cameras;
+std::vector<scene::CameraOptions> readCameras(Parameters root) {
+  std::vector<scene::CameraOptions> cameras;
   if (!root.has("cameras")) {
     auto frame = root.maybe<std::string>("camera_frame_id");
     cameras.push_back(readCamera(root.group("camera"), "camera", std::move(frame)));

@@ -9,6 +9,6 @@ namespace synthetic_dataset::config {
 
 /// The camera of the group `camera`, or those of the group `cameras`, in alphabetical order.
 /// What is wrong is noted in `root`, with a harmless value in its place.
-[[nodiscard]] std::vector<CameraOptions> readCameras(Parameters root);
+[[nodiscard]] std::vector<scene::CameraOptions> readCameras(Parameters root);
 
 }  // namespace synthetic_dataset::config

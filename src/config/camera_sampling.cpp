@@ -12,12 +12,12 @@ namespace {
 
 /// A distribution that has a default.
 void read(Parameters& group, const std::string& name, const DistributionRange& range,
-          random::Distribution& value) {
+          base::Distribution& value) {
   if (auto given = maybeDistribution(group, name, range)) value = std::move(*given);
 }
 
 /// `look_at: any | all | NAME | [x, y, z]`.
-void readAim(Parameters& group, placement::CameraSampling& sampling) {
+void readAim(Parameters& group, randomize::CameraSampling& sampling) {
   const auto given = group.maybe<Value>("look_at");
   if (!given) return;
   if (!given->is<Value::List>()) {
@@ -39,7 +39,7 @@ void readAim(Parameters& group, placement::CameraSampling& sampling) {
 }
 
 /// `position` in a box, or `distance`, `elevation` and `azimuth`.
-void readPlace(Parameters& group, placement::CameraSampling& sampling) {
+void readPlace(Parameters& group, randomize::CameraSampling& sampling) {
   sampling.position_G = maybeDistribution(group, "position", kPlaceRange);
   for (const char* name : {"distance", "elevation", "azimuth"}) {
     if (!group.has("position") || !group.has(name)) continue;
@@ -57,10 +57,10 @@ void readPlace(Parameters& group, placement::CameraSampling& sampling) {
 
 }  // namespace
 
-std::optional<placement::CameraSampling> readCameraSampling(Parameters camera) {
+std::optional<randomize::CameraSampling> readCameraSampling(Parameters camera) {
   if (!camera.has("sample")) return std::nullopt;
   Parameters group = camera.group("sample");
-  placement::CameraSampling sampling;
+  randomize::CameraSampling sampling;
   readAim(group, sampling);
   readPlace(group, sampling);
   read(group, "aim_offset", kPlaceRange, sampling.aim_offset);

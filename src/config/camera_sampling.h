@@ -2,13 +2,13 @@
 
 #include <optional>
 
-#include "placement/sampling_options.h"
+#include "randomize/placement/sampling_options.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {
 
 /// Reads a camera's group `sample`, or nothing where there is none.
 /// @param camera  its group
-[[nodiscard]] std::optional<placement::CameraSampling> readCameraSampling(Parameters camera);
+[[nodiscard]] std::optional<randomize::CameraSampling> readCameraSampling(Parameters camera);
 
 }  // namespace synthetic_dataset::config

@@ -65,7 +65,7 @@ motion::MotionOptions readMotion(Parameters& root) {
 
 /// Scenes keep their order: physics goes forward only.
 void checkJitter(Parameters& root, const motion::MotionOptions& motion,
-                 const appearance::Randomization& randomization) {
+                 const randomize::Randomization& randomization) {
   if (!randomization.time_jitter) return;
   Parameters group = root.group("randomize").group("time");
   if (motion.source == motion::MotionSource::kPlacement) {
@@ -114,7 +114,7 @@ WorldConfig readWorld(Parameters& root) {
   return world;
 }
 
-world::PhysicsOptions readPhysics(Parameters group, const SceneOptions& scenes) {
+world::PhysicsOptions readPhysics(Parameters group, const scene::SceneOptions& scenes) {
   world::PhysicsOptions physics;
   constexpr double kLongestStep = 0.1;  // [s]: beyond it things fall through floors
   double step = numberAbove(group, "step", toSeconds(physics.step), 1e-5);
@@ -130,9 +130,9 @@ world::PhysicsOptions readPhysics(Parameters group, const SceneOptions& scenes) 
     physics.contact_tolerance = 0.0;
   }
   physics.drops_objects =
-      scenes.isPlaced() && scenes.placement.mode == placement::PlacementMode::kDrop;
+      scenes.isPlaced() && scenes.placement.mode == randomize::PlacementMode::kDrop;
   const auto& distractors = scenes.randomization.distractors;
-  physics.drops_distractors = distractors && distractors->mode == placement::DistractorMode::kDrop;
+  physics.drops_distractors = distractors && distractors->mode == randomize::DistractorMode::kDrop;
   physics.labels_distractors = distractors && distractors->label_class;
   return physics;
 }
@@ -205,8 +205,8 @@ Config readConfig(Parameters root) {
   config.only_scenes = readOnlyScenes(root);
   config.writers = readWriters(root, config.output.folder);
   if (config.output.folder.empty()) config.output.folder = commonFolder(config.writers);
-  for (const ObjectOptions& object : config.objects) {
-    for (const writers::WriterOptions& writer : config.writers) {
+  for (const scene::ObjectOptions& object : config.objects) {
+    for (const output::WriterOptions& writer : config.writers) {
       if (object.name == writer.name) {
         root.addError("robot_list", "found '" + object.name +
                                         "', which is also a writer's name; rename the writer");

@@ -12,7 +12,7 @@
 #include "synthetic_dataset/parameters.h"
 #include "world/load_options.h"
 #include "world/physics_options.h"
-#include "writers/writer_options.h"
+#include "output/writers/writer_options.h"
 
 /// Every setting of a run as a value, with its default; config/params.yaml documents each.
 namespace synthetic_dataset::config {
@@ -39,7 +39,7 @@ struct ClassConfig {
 };
 
 /// All settings that hold for a motion, and for the dataset that it is part of.
-struct Config : SceneOptions {
+struct Config : scene::SceneOptions {
   WorldConfig world;
   std::vector<ClassConfig> classes;  ///< in the order of their numbers
   SplitConfig split;
@@ -48,7 +48,7 @@ struct Config : SceneOptions {
   output::StoreOptions output;
   int processes = 1;                   ///< that make the scenes; 1 where there is a shard
   std::set<std::int64_t> only_scenes;  ///< by the numbers in their files' names; empty: all
-  std::vector<writers::WriterOptions> writers;
+  std::vector<output::WriterOptions> writers;
 };
 
 /// Reads all settings. What is wrong is noted in `root`, with a harmless value in its place.

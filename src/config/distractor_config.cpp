@@ -9,20 +9,20 @@
 namespace synthetic_dataset::config {
 namespace {
 
-placement::DistractorMode readMode(Parameters& group) {
+randomize::DistractorMode readMode(Parameters& group) {
   const auto mode = group.optional<std::string>("mode", "fly");
-  if (mode == "stand") return placement::DistractorMode::kStand;
-  if (mode == "drop") return placement::DistractorMode::kDrop;
+  if (mode == "stand") return randomize::DistractorMode::kStand;
+  if (mode == "drop") return randomize::DistractorMode::kDrop;
   if (mode != "fly") {
     group.addError("mode", "found '" + mode + "'; it should be fly, stand or drop" +
                                didYouMean(mode, {"fly", "stand", "drop"}));
   }
-  return placement::DistractorMode::kFly;
+  return randomize::DistractorMode::kFly;
 }
 
-double readFallTime(Parameters& group, placement::DistractorMode mode, double fallback) {
-  if (mode == placement::DistractorMode::kDrop) {
-    return numberAbove(group, "fall_time", fallback, placement::kShortestFall);
+double readFallTime(Parameters& group, randomize::DistractorMode mode, double fallback) {
+  if (mode == randomize::DistractorMode::kDrop) {
+    return numberAbove(group, "fall_time", fallback, randomize::kShortestFall);
   }
   if (group.has("fall_time")) {
     group.addError("fall_time", "has a meaning with mode: drop alone");
@@ -38,13 +38,13 @@ std::string readTextures(Parameters& group) {
 
 }  // namespace
 
-std::optional<placement::DistractorOptions> readDistractors(Parameters randomize) {
+std::optional<randomize::DistractorOptions> readDistractors(Parameters randomize) {
   if (!randomize.has("distractors")) return std::nullopt;
   Parameters group = randomize.group("distractors");
   constexpr int kMost = 1000;
   constexpr double kSmallest = 1e-3;  // [m]
   constexpr double kLargest = 1e3;    // [m]
-  placement::DistractorOptions distractors;
+  randomize::DistractorOptions distractors;
   distractors.pool = group.optionalBetween("pool", distractors.pool, 1, kMost);
   if (auto count = maybeDistribution(group, "count", {1, 0.0, kMost})) distractors.count = *count;
   distractors.models =

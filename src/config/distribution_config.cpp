@@ -11,7 +11,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-using random::Distribution;
+using base::Distribution;
 using Numbers = Distribution::Numbers;
 
 constexpr double kLeastAboveZero = std::numeric_limits<double>::denorm_min();
@@ -25,7 +25,7 @@ const std::vector<DistributionKind>& kindsOfNumbers() {
 /// Whether low <= high in each component.
 bool isOrdered(const Numbers& low, const Numbers& high) {
   for (std::size_t i = 0; i < std::max(low.size(), high.size()); ++i) {
-    if (random::componentOf(low, i) > random::componentOf(high, i)) return false;
+    if (base::componentOf(low, i) > base::componentOf(high, i)) return false;
   }
   return true;
 }
@@ -195,7 +195,7 @@ std::vector<std::string> textsIn(const Value& value) {
   return texts;
 }
 
-std::optional<random::TextChoice> choiceOfTexts(const DistributionEntry& entry,
+std::optional<base::TextChoice> choiceOfTexts(const DistributionEntry& entry,
                                                 const Value::Map& given) {
   const auto kind = entry.kindOf(given, {{"choice", {"weights"}}});
   if (!kind) return std::nullopt;
@@ -204,7 +204,7 @@ std::optional<random::TextChoice> choiceOfTexts(const DistributionEntry& entry,
   if (texts.empty()) return entry.refuse("choice: " + shortText(value), "a list of texts");
   auto weights = entry.weightsOf(given, texts.size());
   if (!weights) return std::nullopt;
-  return random::TextChoice{std::move(texts), std::move(*weights)};
+  return base::TextChoice{std::move(texts), std::move(*weights)};
 }
 
 }  // namespace
@@ -218,10 +218,10 @@ std::optional<Distribution> maybeDistribution(Parameters group, const std::strin
   return map == nullptr ? reader.constant(*given) : reader.fromGroup(*map);
 }
 
-std::optional<random::TextChoice> maybeChoice(Parameters group, const std::string& name) {
+std::optional<base::TextChoice> maybeChoice(Parameters group, const std::string& name) {
   const auto given = group.maybe<Value>(name);
   if (!given) return std::nullopt;
-  if (const auto* text = given->as<std::string>()) return random::TextChoice{{*text}, {}};
+  if (const auto* text = given->as<std::string>()) return base::TextChoice{{*text}, {}};
   const DistributionEntry entry(group, name);
   if (const auto* map = given->as<Value::Map>()) return choiceOfTexts(entry, *map);
   return entry.refuse(shortText(*given) + " (" + given->kind() + ")",

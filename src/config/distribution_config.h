@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "random/distribution.h"
-#include "random/text_choice.h"
+#include "base/random/distribution.h"
+#include "base/random/text_choice.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {
@@ -43,11 +43,11 @@ inline constexpr DistributionRange kTurnRange{1, -2.0 * kHalfTurn, 2.0 * kHalfTu
 ///
 /// What is wrong, or could be drawn out of range, is noted in `group` as an error of `name`.
 /// @return nothing where it is not there or wrong
-[[nodiscard]] std::optional<random::Distribution> maybeDistribution(
+[[nodiscard]] std::optional<base::Distribution> maybeDistribution(
     Parameters group, const std::string& name, const DistributionRange& range = {});
 
 /// The same of a text: one alone, or a group with `choice` and perhaps `weights`.
-[[nodiscard]] std::optional<random::TextChoice> maybeChoice(Parameters group,
+[[nodiscard]] std::optional<base::TextChoice> maybeChoice(Parameters group,
                                                             const std::string& name);
 
 }  // namespace synthetic_dataset::config

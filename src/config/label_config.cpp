@@ -13,14 +13,14 @@ namespace {
 
 constexpr int kLargestClass = 65534;  // its place + 1 fits into 16 bits of a class map
 
-MaskMethod readMethod(Parameters& group, MaskMethod fallback) {
+label::MaskMethod readMethod(Parameters& group, label::MaskMethod fallback) {
   const auto found = group.maybe<std::string>("method");
   if (!found) return fallback;
-  if (*found == "mog2") return MaskMethod::kMog2;
+  if (*found == "mog2") return label::MaskMethod::kMog2;
   if (*found != "exact") {
     group.addError("method", "found '" + *found + "'; it should be mog2 or exact");
   }
-  return MaskMethod::kExact;
+  return label::MaskMethod::kExact;
 }
 
 /// The number that a text is, written as numbers are: not "007".
@@ -92,10 +92,10 @@ void readTable(Parameters& root, const Value& given, ClassTable& table) {
 }
 
 /// Classes as the objects have them.
-void numberClasses(const std::vector<ObjectOptions>& objects, ClassTable& table) {
+void numberClasses(const std::vector<scene::ObjectOptions>& objects, ClassTable& table) {
   std::set<std::string> names;
   std::set<int> taken;
-  for (const ObjectOptions& object : objects) {
+  for (const scene::ObjectOptions& object : objects) {
     const auto number = wholeNumber(object.class_text);
     if (number && taken.insert(*number).second) table.add(*number, object.class_text);
     if (!number && !object.class_text.empty()) names.insert(object.class_text);
@@ -109,8 +109,8 @@ void numberClasses(const std::vector<ObjectOptions>& objects, ClassTable& table)
 
 }  // namespace
 
-MaskOptions readMasks(Parameters root) {
-  MaskOptions masks;
+label::MaskOptions readMasks(Parameters root) {
+  label::MaskOptions masks;
   Parameters subtractor = root.group("background_subtractor");
   masks.mog2.history_length =
       subtractor.optionalBetween("history_length", masks.mog2.history_length, 1, 10000);
@@ -121,12 +121,12 @@ MaskOptions readMasks(Parameters root) {
   masks.clean = group.optional("clean", masks.clean);
   masks.method_is_given = group.has("method");
   masks.method =
-      readMethod(group, root.has("background_subtractor") ? MaskMethod::kMog2 : MaskMethod::kExact);
+      readMethod(group, root.has("background_subtractor") ? label::MaskMethod::kMog2 : label::MaskMethod::kExact);
   return masks;
 }
 
-LabelOptions readLabels(Parameters root) {
-  LabelOptions labels;
+label::LabelOptions readLabels(Parameters root) {
+  label::LabelOptions labels;
   Parameters group = root.group("labels");
   labels.min_visibility = group.maybe<double>("min_visibility").value_or(0.0);
   if (!(labels.min_visibility >= 0.0 && labels.min_visibility <= 1.0)) {
@@ -178,7 +178,7 @@ SplitConfig readSplit(Parameters root) {
   return split;
 }
 
-std::vector<ClassConfig> readClasses(Parameters root, std::vector<ObjectOptions>& objects) {
+std::vector<ClassConfig> readClasses(Parameters root, std::vector<scene::ObjectOptions>& objects) {
   ClassTable table(root);
   const auto given = root.maybe<Value>("classes");
   if (given) {
@@ -186,7 +186,7 @@ std::vector<ClassConfig> readClasses(Parameters root, std::vector<ObjectOptions>
   } else {
     numberClasses(objects, table);
   }
-  for (ObjectOptions& object : objects) {
+  for (scene::ObjectOptions& object : objects) {
     const auto id = table.find(object.class_text);
     if (id) {
       object.class_id = *id;

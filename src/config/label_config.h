@@ -5,10 +5,10 @@
 namespace synthetic_dataset::config {
 
 /// Reads `masks` and `background_subtractor`.
-[[nodiscard]] MaskOptions readMasks(Parameters root);
+[[nodiscard]] label::MaskOptions readMasks(Parameters root);
 
 /// Reads `labels`.
-[[nodiscard]] LabelOptions readLabels(Parameters root);
+[[nodiscard]] label::LabelOptions readLabels(Parameters root);
 
 /// Reads `split`.
 [[nodiscard]] SplitConfig readSplit(Parameters root);
@@ -19,6 +19,6 @@ namespace synthetic_dataset::config {
 /// are left, from 0 on, in alphabetical order.
 /// @return all classes in the order of their numbers
 [[nodiscard]] std::vector<ClassConfig> readClasses(Parameters root,
-                                                   std::vector<ObjectOptions>& objects);
+                                                   std::vector<scene::ObjectOptions>& objects);
 
 }  // namespace synthetic_dataset::config

@@ -42,8 +42,8 @@ void checkPattern(Parameters& group, const std::string& pattern) {
 }
 
 /// A pattern for all links, or a map from a link to its frame.
-LinkFrames readLinkFrames(Parameters& group) {
-  LinkFrames frames;
+scene::LinkFrames readLinkFrames(Parameters& group) {
+  scene::LinkFrames frames;
   const auto given = group.maybe<Value>("link_frames");
   if (given && given->is<Value::Map>()) {
     Parameters links = group.group("link_frames");
@@ -73,7 +73,7 @@ std::optional<int> farthestPointsOf(Parameters& group, const Value& keypoints) {
   return number >> count && (number >> std::ws).eof() ? count : 0;
 }
 
-void readKeypoints(Parameters& group, ObjectOptions& object) {
+void readKeypoints(Parameters& group, scene::ObjectOptions& object) {
   const auto given = group.maybe<Value>("keypoints");
   if (!given) return;
   const auto count = farthestPointsOf(group, *given);
@@ -91,12 +91,12 @@ void readKeypoints(Parameters& group, ObjectOptions& object) {
   }
 }
 
-std::size_t keypointCount(const ObjectOptions& object) {
+std::size_t keypointCount(const scene::ObjectOptions& object) {
   return object.farthest_points > 0 ? static_cast<std::size_t>(object.farthest_points)
                                     : object.keypoints_O.size();
 }
 
-void readKeypointNames(Parameters& group, ObjectOptions& object) {
+void readKeypointNames(Parameters& group, scene::ObjectOptions& object) {
   const auto names = group.maybe<std::vector<std::string>>("keypoint_names");
   if (!names) return;
   if (names->size() != keypointCount(object)) {
@@ -116,7 +116,7 @@ void readKeypointNames(Parameters& group, ObjectOptions& object) {
 }
 
 /// One end of a skeleton's line: a keypoint's place, from 0, or its name.
-std::optional<std::size_t> keypointOf(const Value& end, const ObjectOptions& object) {
+std::optional<std::size_t> keypointOf(const Value& end, const scene::ObjectOptions& object) {
   const std::vector<std::string>& names = object.keypoint_names;
   const auto named = std::find(names.begin(), names.end(), end.text());
   const bool is_text = end.is<std::string>();
@@ -128,7 +128,7 @@ std::optional<std::size_t> keypointOf(const Value& end, const ObjectOptions& obj
 }
 
 /// `skeleton: [[0, 1], [nose, tail]]`.
-void readSkeleton(Parameters& group, ObjectOptions& object) {
+void readSkeleton(Parameters& group, scene::ObjectOptions& object) {
   const auto given = group.maybe<Value>("skeleton");
   if (!given) return;
   const auto* lines = given->as<Value::List>();
@@ -186,9 +186,9 @@ bool isXml(const std::string& text) {
   return first != std::string::npos && text[first] == '<';
 }
 
-ObjectOptions readObject(Parameters& root, const std::string& name) {
+scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
   Parameters group = root.group(name);
-  ObjectOptions object;
+  scene::ObjectOptions object;
   object.name = name;
   object.class_text = readLabel(group, "class");
   object.class_name = object.class_text;
@@ -213,9 +213,9 @@ ObjectOptions readObject(Parameters& root, const std::string& name) {
 }
 
 /// Of a distractor with a label; its shape is its model's.
-ObjectOptions labelledDistractor(int number, const std::string& label_class) {
-  ObjectOptions object;
-  object.name = object.id = placement::distractorName(number);
+scene::ObjectOptions labelledDistractor(int number, const std::string& label_class) {
+  scene::ObjectOptions object;
+  object.name = object.id = randomize::distractorName(number);
   object.class_text = object.class_name = label_class;
   object.frame = "distractors/" + object.name;
   object.takes_part = false;
@@ -237,11 +237,11 @@ std::string readLabel(Parameters group, const std::string& name) {
 }
 
 void addLabelledDistractors(Parameters root,
-                            const std::optional<placement::DistractorOptions>& distractors,
-                            std::vector<ObjectOptions>& objects) {
+                            const std::optional<randomize::DistractorOptions>& distractors,
+                            std::vector<scene::ObjectOptions>& objects) {
   if (!distractors || !distractors->label_class) return;
   std::set<std::string> taken;
-  for (const ObjectOptions& object : objects) taken.insert({object.name, object.id});
+  for (const scene::ObjectOptions& object : objects) taken.insert({object.name, object.id});
   for (int number = 1; number <= distractors->pool; ++number) {
     objects.push_back(labelledDistractor(number, *distractors->label_class));
     if (taken.count(objects.back().name) == 0) continue;
@@ -250,7 +250,7 @@ void addLabelledDistractors(Parameters root,
   }
 }
 
-std::vector<ObjectOptions> readObjects(Parameters root) {
+std::vector<scene::ObjectOptions> readObjects(Parameters root) {
   const auto names = root.required<std::vector<std::string>>("robot_list");
   if (isEmptyList(root, "robot_list")) {
     root.addError("robot_list", "found an empty list; it should name at least one object");
@@ -270,7 +270,7 @@ std::vector<ObjectOptions> readObjects(Parameters root) {
                                                   "split",
                                                   "world",
                                                   "writers"};
-  std::vector<ObjectOptions> objects;
+  std::vector<scene::ObjectOptions> objects;
   std::set<std::string> seen;
   std::map<std::string, std::string> ids;
   for (std::string name : names) {
@@ -290,7 +290,7 @@ std::vector<ObjectOptions> readObjects(Parameters root) {
       continue;
     }
     objects.push_back(readObject(root, name));
-    const ObjectOptions& object = objects.back();
+    const scene::ObjectOptions& object = objects.back();
     const auto [same, added] = ids.emplace(object.id, name);
     if (!added && root.group(name).has("id")) {
       root.addError(name + "/id", "found " + object.id + ", which is also the id of '" +

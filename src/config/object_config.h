@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "placement/distractor_options.h"
+#include "randomize/placement/distractor_options.h"
 #include "scene/object_options.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {
 
 /// Reads `robot_list` and the group of each object in it.
-[[nodiscard]] std::vector<ObjectOptions> readObjects(Parameters root);
+[[nodiscard]] std::vector<scene::ObjectOptions> readObjects(Parameters root);
 
 /// Adds the distractors that are labelled to the objects, in the order of their numbers.
 void addLabelledDistractors(Parameters root,
-                            const std::optional<placement::DistractorOptions>& distractors,
-                            std::vector<ObjectOptions>& objects);
+                            const std::optional<randomize::DistractorOptions>& distractors,
+                            std::vector<scene::ObjectOptions>& objects);
 
 /// A class's name or an object's id: a text or a number, a word of label files.
 [[nodiscard]] std::string readLabel(Parameters group, const std::string& name);

@@ -152,9 +152,9 @@ std::set<std::int64_t> readOnlyScenes(Parameters root) {
   return scenes;
 }
 
-std::vector<writers::WriterOptions> readWriters(Parameters root,
+std::vector<output::WriterOptions> readWriters(Parameters root,
                                                 const std::string& output_folder) {
-  std::vector<writers::WriterOptions> writers;
+  std::vector<output::WriterOptions> writers;
   std::set<std::string> seen;
   for (const auto& [name, type] : readWriterNames(root)) {
     if (!seen.insert(name).second) {
@@ -177,10 +177,10 @@ std::vector<writers::WriterOptions> readWriters(Parameters root,
   return writers;
 }
 
-std::string commonFolder(const std::vector<writers::WriterOptions>& writers) {
+std::string commonFolder(const std::vector<output::WriterOptions>& writers) {
   if (writers.empty()) return "";
   std::filesystem::path common = writers.front().output_folder;
-  for (const writers::WriterOptions& writer : writers) {
+  for (const output::WriterOptions& writer : writers) {
     std::filesystem::path shared;
     const std::filesystem::path other = writer.output_folder;
     for (auto a = common.begin(), b = other.begin();

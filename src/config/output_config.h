@@ -7,7 +7,7 @@
 
 #include "output/output_options.h"
 #include "synthetic_dataset/parameters.h"
-#include "writers/writer_options.h"
+#include "output/writers/writer_options.h"
 
 namespace synthetic_dataset::config {
 
@@ -22,10 +22,10 @@ namespace synthetic_dataset::config {
 
 /// Reads `writers`, left out the original's three, and where each puts its files.
 /// @param output_folder  of the run; empty when it has none
-[[nodiscard]] std::vector<writers::WriterOptions> readWriters(Parameters root,
+[[nodiscard]] std::vector<output::WriterOptions> readWriters(Parameters root,
                                                               const std::string& output_folder);
 
 /// The deepest folder that all the writers' folders share, for the manifest.
-[[nodiscard]] std::string commonFolder(const std::vector<writers::WriterOptions>& writers);
+[[nodiscard]] std::string commonFolder(const std::vector<output::WriterOptions>& writers);
 
 }  // namespace synthetic_dataset::config

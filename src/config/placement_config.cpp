@@ -12,15 +12,15 @@
 namespace synthetic_dataset::config {
 namespace {
 
-placement::PlacementMode readMode(Parameters& group) {
+randomize::PlacementMode readMode(Parameters& group) {
   const auto mode = group.optional<std::string>("mode", "map");
-  if (mode == "volume") return placement::PlacementMode::kVolume;
-  if (mode == "drop") return placement::PlacementMode::kDrop;
+  if (mode == "volume") return randomize::PlacementMode::kVolume;
+  if (mode == "drop") return randomize::PlacementMode::kDrop;
   if (mode != "map") {
     group.addError("mode", "found '" + mode + "'; it should be map, volume or drop" +
                                didYouMean(mode, {"map", "volume", "drop"}));
   }
-  return placement::PlacementMode::kMap;
+  return randomize::PlacementMode::kMap;
 }
 
 /// One of two words. @return whether it is the first
@@ -34,8 +34,8 @@ bool readWord(Parameters& group, const std::string& name, const std::string& fir
 }
 
 /// Settings of another mode would do nothing, which nobody expects.
-void refuseOthers(Parameters& group, placement::PlacementMode mode) {
-  const bool is_map = mode == placement::PlacementMode::kMap;
+void refuseOthers(Parameters& group, randomize::PlacementMode mode) {
+  const bool is_map = mode == randomize::PlacementMode::kMap;
   const auto refuse = [&](const char* name, const char* needed) {
     if (!group.has(name)) return;
     group.addError(name, std::string("has a meaning with mode: ") + needed + " alone");
@@ -48,7 +48,7 @@ void refuseOthers(Parameters& group, placement::PlacementMode mode) {
   for (const char* name : {"volume", "orientation"}) {
     if (is_map) refuse(name, "volume or drop");
   }
-  if (mode != placement::PlacementMode::kDrop) refuse("fall_time", "drop");
+  if (mode != randomize::PlacementMode::kDrop) refuse("fall_time", "drop");
 }
 
 double numberFromZero(Parameters& group, const std::string& name, double fallback, double most) {
@@ -66,20 +66,20 @@ double heightOf(Parameters& group, const std::string& name, double fallback) {
   return fallback;
 }
 
-void readSurface(Parameters& group, placement::PlacementOptions& placement) {
+void readSurface(Parameters& group, randomize::PlacementOptions& placement) {
   constexpr double kSteepest = 1.5;  // [rad] nearly a wall
   placement.on_surface = readWord(group, "surface", "below", "none");
   if (!placement.on_surface) {
     placement.height = heightOf(group, "height", placement.height);
     return;
   }
-  placement::SurfaceOptions& surface = placement.surface;
+  randomize::SurfaceOptions& surface = placement.surface;
   surface.highest = heightOf(group, "highest_surface", surface.highest);
   surface.steepest = numberFromZero(group, "steepest", surface.steepest, kSteepest);
   surface.unevenness = numberFromZero(group, "unevenness", surface.unevenness, 1e3);
 }
 
-void readMap(Parameters& group, placement::PlacementOptions& placement) {
+void readMap(Parameters& group, randomize::PlacementOptions& placement) {
   placement.map_file = group.maybe<std::string>("map");
   placement.map_topic = group.maybe<std::string>("map_topic");
   placement.received_map = group.maybe<Value>("received_map");
@@ -114,7 +114,7 @@ std::optional<Eigen::Vector3d> readCorner(Parameters& volume, const std::string&
 
 }  // namespace
 
-placement::Volume readVolume(Parameters group) {
+randomize::Volume readVolume(Parameters group) {
   if (!group.has("volume")) {
     group.addError("volume",
                    "missing; it should be {min: [x, y, z], max: [x, y, z]}, a box in global_frame");
@@ -129,19 +129,19 @@ placement::Volume readVolume(Parameters group) {
   return {};
 }
 
-placement::PlacementOptions readPlacement(Parameters root) {
-  placement::PlacementOptions placement;
+randomize::PlacementOptions readPlacement(Parameters root) {
+  randomize::PlacementOptions placement;
   Parameters group = root.group("placement");
   placement.mode = readMode(group);
-  if (placement.mode == placement::PlacementMode::kMap) {
+  if (placement.mode == randomize::PlacementMode::kMap) {
     readMap(group, placement);
   } else {
     placement.volume = readVolume(group);
     placement.upright = !readWord(group, "orientation", "random", "upright");
   }
-  if (placement.mode == placement::PlacementMode::kDrop) {
+  if (placement.mode == randomize::PlacementMode::kDrop) {
     placement.fall_time =
-        numberAbove(group, "fall_time", placement.fall_time, placement::kShortestFall);
+        numberAbove(group, "fall_time", placement.fall_time, randomize::kShortestFall);
   }
   refuseOthers(group, placement.mode);
   constexpr int kMostTries = 1000000;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kBrightest = 1e6;
 
-appearance::LightRandomization readLight(Parameters group) {
-  appearance::LightRandomization light;
+randomize::LightRandomization readLight(Parameters group) {
+  randomize::LightRandomization light;
   light.present = maybeProbability(group, "present");
   light.intensity = maybeDistribution(group, "intensity", {1, 0.0, kBrightest});
   light.colour = maybeDistribution(group, "colour", {3, 0.0, kBrightest});
@@ -22,8 +22,8 @@ appearance::LightRandomization readLight(Parameters group) {
 }
 
 /// How many lights are on; nothing where each light goes its own way.
-std::optional<random::Distribution> readLightCount(
-    Parameters& group, const std::map<std::string, appearance::LightRandomization>& lights) {
+std::optional<base::Distribution> readLightCount(
+    Parameters& group, const std::map<std::string, randomize::LightRandomization>& lights) {
   constexpr double kMost = 1000.0;  // the world's own number is known later
   const std::string name = "light_count";
   auto count = maybeDistribution(group, name, {1, 0.0, kMost});
@@ -44,8 +44,8 @@ bool readForEachVisual(Parameters& group) {
   return each != "model";
 }
 
-appearance::MaterialRandomization readMaterial(Parameters group) {
-  appearance::MaterialRandomization material;
+randomize::MaterialRandomization readMaterial(Parameters group) {
+  randomize::MaterialRandomization material;
   material.for_each_visual = readForEachVisual(group);
   material.colour = maybeDistribution(group, "colour", {3, 0.0, 1.0});
   material.tint = maybeDistribution(group, "tint", {3, 0.0, 1.0});
@@ -58,7 +58,7 @@ appearance::MaterialRandomization readMaterial(Parameters group) {
   return material;
 }
 
-std::optional<random::TextChoice> readModels(Parameters& group) {
+std::optional<base::TextChoice> readModels(Parameters& group) {
   auto models = maybeChoice(group, "model");
   if (!models) return std::nullopt;
   for (std::string& model : models->texts) {
@@ -73,11 +73,11 @@ std::optional<random::TextChoice> readModels(Parameters& group) {
   return models;
 }
 
-appearance::ObjectRandomization readObject(Parameters group) {
+randomize::ObjectRandomization readObject(Parameters group) {
   constexpr double kSmallest = 1e-3;
   constexpr double kLargest = 1e3;
   constexpr int kMostSizes = 100;
-  appearance::ObjectRandomization object;
+  randomize::ObjectRandomization object;
   object.present = maybeProbability(group, "present");
   object.model = readModels(group);
   object.scale = maybeDistribution(group, "scale", {1, kSmallest, kLargest});
@@ -92,10 +92,10 @@ appearance::ObjectRandomization readObject(Parameters group) {
   return object;
 }
 
-appearance::SensorRandomization readSensor(Parameters group) {
+randomize::SensorRandomization readSensor(Parameters group) {
   constexpr double kMostStops = 10.0;
   constexpr double kWidestBlur = 50.0;  // [px]
-  appearance::SensorRandomization sensor;
+  randomize::SensorRandomization sensor;
   sensor.exposure = maybeDistribution(group, "exposure", {1, -kMostStops, kMostStops});
   sensor.blur = maybeDistribution(group, "blur", {1, 0.0, kWidestBlur});
   sensor.noise_stddev = maybeDistribution(group, "noise_stddev", {1, 0.0, 1.0});
@@ -108,8 +108,8 @@ appearance::SensorRandomization readSensor(Parameters group) {
 
 }  // namespace
 
-appearance::Randomization readRandomization(Parameters root) {
-  appearance::Randomization randomization;
+randomize::Randomization readRandomization(Parameters root) {
+  randomize::Randomization randomization;
   if (!root.has("randomize")) return randomization;
   Parameters group = root.group("randomize");
   Parameters lights = group.group("lights");

@@ -9,7 +9,7 @@
 #include "output/files/digest.h"
 #include "output/files/file_name_rules.h"
 #include "output/files/pending_file.h"
-#include "output/image/image_encoder.h"
+#include "base/image/image_encoder.h"
 #include "output/scene_contents.h"
 #include "synthetic_dataset/errors.h"
 
@@ -188,7 +188,7 @@ void DatasetStore::commitScene(const SceneFacts& scene, const SceneFiles& files)
   try {
     Manifest& manifest = *impl_->manifest;
     impl_->requireManifest();
-    const ImageQuality quality{impl_->options.png_compression, impl_->options.jpeg_quality};
+    const base::ImageQuality quality{impl_->options.png_compression, impl_->options.jpeg_quality};
     const std::vector<SceneContent> contents = encodeScene(files.files, quality);
     manifest.announceScene(scene, manifestFiles(files.files, contents));
     try {

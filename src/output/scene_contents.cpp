@@ -10,7 +10,7 @@
 
 #include <libdeflate.h>
 
-#include "output/image/png_encoder.h"
+#include "base/image/png_encoder.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -55,12 +55,12 @@ bool haveSamePixels(const cv::Mat& a, const cv::Mat& b) {
 /// same.
 class GivenImages {
  public:
-  void add(const OutputFile& file, ImageFormat format, std::size_t content) {
+  void add(const OutputFile& file, base::ImageFormat format, std::size_t content) {
     given_.push_back({&file, format, content});
   }
 
   /// The content of the same image.
-  [[nodiscard]] std::optional<std::size_t> find(const OutputFile& file, ImageFormat format) const {
+  [[nodiscard]] std::optional<std::size_t> find(const OutputFile& file, base::ImageFormat format) const {
     const auto found = std::find_if(given_.begin(), given_.end(), [&](const Given& other) {
       return other.format == format && areSame(other.file->pixels, file.pixels) &&
              areSame(other.file->mask, file.mask) && other.file->palette == file.palette;
@@ -72,7 +72,7 @@ class GivenImages {
  private:
   struct Given {
     const OutputFile* file;
-    ImageFormat format;
+    base::ImageFormat format;
     std::size_t content;
   };
   std::vector<Given> given_;
@@ -82,7 +82,7 @@ class GivenImages {
 class EqualImages {
  public:
   /// The content of an equal image; where there is none, the image has this content from now on.
-  std::optional<std::size_t> find(const OutputFile& file, ImageFormat format, std::size_t content) {
+  std::optional<std::size_t> find(const OutputFile& file, base::ImageFormat format, std::size_t content) {
     const cv::Mat& pixels = file.pixels;
     std::vector<uchar> colours;
     for (const cv::Vec3b& colour : file.palette) {
@@ -112,18 +112,18 @@ class EqualImages {
       return *checksum;
     }
   };
-  using Key = std::tuple<int, int, int, ImageFormat, std::vector<uchar>>;
+  using Key = std::tuple<int, int, int, base::ImageFormat, std::vector<uchar>>;
 
   std::map<Key, std::vector<Image>> images_;
 };
 
-SceneContent encoded(const OutputFile& file, const ImageQuality& quality) {
+SceneContent encoded(const OutputFile& file, const base::ImageQuality& quality) {
   try {
     if (!file.palette.empty()) {
-      return {encodePng(file.pixels, file.palette, quality.png_compression), {}, {}};
+      return {base::encodePng(file.pixels, file.palette, quality.png_compression), {}, {}};
     }
-    if (const auto problem = imageProblem(file.path, file.pixels)) throw Error(*problem);
-    return {encodeImage(file.pixels, *imageFormat(file.path), quality), {}, {}};
+    if (const auto problem = base::imageProblem(file.path, file.pixels)) throw Error(*problem);
+    return {base::encodeImage(file.pixels, *base::imageFormat(file.path), quality), {}, {}};
   } catch (const Error& error) {
     throw Error("cannot write '" + file.path + "': " + error.what());
   }
@@ -132,16 +132,16 @@ SceneContent encoded(const OutputFile& file, const ImageQuality& quality) {
 /// Collects what files hold.
 class SceneEncoder {
  public:
-  explicit SceneEncoder(const ImageQuality& quality) : quality_(quality) {}
+  explicit SceneEncoder(const base::ImageQuality& quality) : quality_(quality) {}
 
   void addText(const OutputFile& file, std::size_t index) {
     contents_.push_back({{}, file.text, {index}});
   }
 
   void addImage(const OutputFile& file, std::size_t index) {
-    const std::optional<ImageFormat> format = imageFormat(file.path);
+    const std::optional<base::ImageFormat> format = base::imageFormat(file.path);
     if (!format) {
-      throw Error("cannot write '" + file.path + "': " + *imageProblem(file.path, file.pixels));
+      throw Error("cannot write '" + file.path + "': " + *base::imageProblem(file.path, file.pixels));
     }
     std::optional<std::size_t> content = given_.find(file, *format);
     if (!content) {
@@ -155,8 +155,8 @@ class SceneEncoder {
 
  private:
   /// Of masks; looking through their pixels for equal ones takes longer than compressing them.
-  [[nodiscard]] static bool isSoonEncoded(const OutputFile& file, ImageFormat format) {
-    return file.pixels.type() == CV_8UC1 && format == ImageFormat::kPng && file.palette.empty();
+  [[nodiscard]] static bool isSoonEncoded(const OutputFile& file, base::ImageFormat format) {
+    return file.pixels.type() == CV_8UC1 && format == base::ImageFormat::kPng && file.palette.empty();
   }
 
   /// The mask as pixels, which are kept no longer than it takes to encode them.
@@ -167,7 +167,7 @@ class SceneEncoder {
     return whole;
   }
 
-  std::size_t addPixels(const OutputFile& file, ImageFormat format) {
+  std::size_t addPixels(const OutputFile& file, base::ImageFormat format) {
     return isSoonEncoded(file, format) ? addMask(file) : addPicture(file, format);
   }
 
@@ -182,14 +182,14 @@ class SceneEncoder {
     return masks_.back();
   }
 
-  std::size_t addPicture(const OutputFile& file, ImageFormat format) {
+  std::size_t addPicture(const OutputFile& file, base::ImageFormat format) {
     const std::size_t next = contents_.size();
     if (const auto equal = equal_.find(file, format, next)) return *equal;
     contents_.push_back(encoded(file, quality_));
     return next;
   }
 
-  ImageQuality quality_;
+  base::ImageQuality quality_;
   GivenImages given_;
   EqualImages equal_;
   std::vector<SceneContent> contents_;
@@ -206,7 +206,7 @@ std::string_view SceneContent::bytes() const {
 }
 
 std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
-                                      const ImageQuality& quality) {
+                                      const base::ImageQuality& quality) {
   SceneEncoder encoder(quality);
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].pixels.empty() && !isMask(files[i])) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "output/dataset_store.h"
-#include "output/image/image_encoder.h"
+#include "base/image/image_encoder.h"
 
 namespace synthetic_dataset::output {
 
@@ -21,6 +21,6 @@ struct SceneContent {
 /// image in the same format, once.
 /// @throws Error naming the file whose image cannot be encoded
 [[nodiscard]] std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
-                                                    const ImageQuality& quality);
+                                                    const base::ImageQuality& quality);
 
 }  // namespace synthetic_dataset::output

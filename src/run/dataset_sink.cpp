@@ -2,7 +2,7 @@
 
 #include "run/open_output.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 Requirements DatasetSink::requirements() const { return setup_.writers->requirements(); }
 
@@ -32,7 +32,7 @@ std::int64_t DatasetSink::cameraCount() const {
 }
 
 std::vector<output::Warning> DatasetSink::add(const FinishedScene& finished) {
-  const writers::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
+  const output::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
   std::vector<output::Warning> warnings;
   for (const std::string& warning : written.warnings) warnings.push_back({warning});
   output::SceneFacts facts = finished.facts;
@@ -52,4 +52,4 @@ void DatasetSink::finish(RunEnd end) {
   store_->complete();
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

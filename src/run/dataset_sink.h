@@ -7,9 +7,9 @@
 
 #include "output/dataset_store.h"
 #include "run/scene_sink.h"
-#include "setup/run_setup.h"
+#include "run/setup/run_setup.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// A dataset on disk, in every format whose writer the run has. Wants what its shard and
 /// `only_scenes` ask for, and is not there yet.
@@ -44,4 +44,4 @@ class DatasetSink : public SceneSink {
   std::unique_ptr<output::DatasetStore> store_;
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -7,9 +7,9 @@
 #include "run/label_counts.h"
 #include "run/plan_report.h"
 #include "run/scene_loop.h"
-#include "setup/run_setup.h"
+#include "run/setup/run_setup.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 struct Generator::Impl {
   Impl(const Value& parameters, Reporter& user, const std::vector<std::string>& plugin_xml_files)
@@ -62,4 +62,4 @@ RunSummary Generator::run() {
   return summary;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -8,7 +8,7 @@
 #include "run/run_summary.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// Makes a dataset: sets a run up and gives its scenes to a DatasetSink.
 ///
@@ -36,4 +36,4 @@ class Generator {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

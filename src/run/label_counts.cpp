@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 namespace {
 
 bool hasLabel(const RunSummary::Object& object) {
@@ -18,7 +18,7 @@ std::string whyNot(const RunSummary::Object& object) {
 }  // namespace
 
 std::vector<RunSummary::Object> labelCounts(const output::DatasetStore& store,
-                                            const std::vector<ObjectOptions>& objects) {
+                                            const std::vector<scene::ObjectOptions>& objects) {
   std::vector<RunSummary::Object> result;
   const std::vector<output::ObjectCounts> counts = store.objectCounts();
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -47,4 +47,4 @@ std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& co
   return messages;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -8,15 +8,15 @@
 #include "run/run_summary.h"
 #include "scene/object_options.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// In how many of a dataset's scenes each object is in view, seen and labelled.
 [[nodiscard]] std::vector<RunSummary::Object> labelCounts(
-    const output::DatasetStore& store, const std::vector<ObjectOptions>& objects);
+    const output::DatasetStore& store, const std::vector<scene::ObjectOptions>& objects);
 
 /// What the user should know where an object, or all of them, has no label in any scene.
 /// @param scenes  of the dataset
 [[nodiscard]] std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& counts,
                                                      std::int64_t scenes);
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

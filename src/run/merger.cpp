@@ -13,10 +13,10 @@
 #include "output/manifest/manifest_content.h"
 #include "run/label_counts.h"
 #include "run/open_output.h"
-#include "setup/run_setup.h"
+#include "run/setup/run_setup.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -181,4 +181,4 @@ void mergeShards(const std::string& output_folder, const std::vector<std::string
   reporter.info("manifest: " + store->manifestPath());
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

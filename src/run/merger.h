@@ -5,7 +5,7 @@
 
 #include "run/reporter.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// Makes one dataset of the shards of a run, byte for byte that of a single run.
 ///
@@ -21,4 +21,4 @@ namespace synthetic_dataset {
 void mergeShards(const std::string& output_folder, const std::vector<std::string>& shard_folders,
                  Reporter& reporter, const std::vector<std::string>& plugin_xml_files = {});
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

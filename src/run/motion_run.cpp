@@ -6,15 +6,15 @@
 
 #include "base/json_text.h"
 #include "base/seconds.h"
-#include "random/random_seed.h"
+#include "base/random/random_seed.h"
 #include "synthetic_dataset/label_text.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 namespace {
 
-PixelLabelOptions labelOptions(const config::Config& config) {
-  PixelLabelOptions options{config.masks, config.labels, {}};
-  for (const ObjectOptions& object : config.objects) {
+label::PixelLabelOptions labelOptions(const config::Config& config) {
+  label::PixelLabelOptions options{config.masks, config.labels, {}};
+  for (const scene::ObjectOptions& object : config.objects) {
     const auto found =
         std::find_if(config.classes.begin(), config.classes.end(),
                      [&](const config::ClassConfig& each) { return each.id == object.class_id; });
@@ -166,18 +166,18 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
   drawn.seen.X_GL.clear();
   drawn.seen.pixels.surface = {};
   // What labels and image are made of is not needed any more.
-  const MaskAgreement agreement = std::exchange(drawn.seen.pixels.labels, {})(scene);
+  const label::MaskAgreement agreement = std::exchange(drawn.seen.pixels.labels, {})(scene);
   scene.image = std::exchange(drawn.image, {})();
   output::SceneFacts facts = factsOf(drawn, agreement);
   return {std::move(scene), std::move(facts)};
 }
 
 output::SceneFacts MotionRun::factsOf(const DrawnScene& drawn,
-                                      const MaskAgreement& agreement) const {
+                                      const label::MaskAgreement& agreement) const {
   const Scene& scene = drawn.seen.scene;
   output::SceneFacts facts = output::sceneFacts(scene);
   facts.seed =
-      random::randomSeed(static_cast<std::uint64_t>(motion_.config.seed), scene.index, "scene");
+      base::randomSeed(static_cast<std::uint64_t>(motion_.config.seed), scene.index, "scene");
   facts.objects = scene_maker_.objectFacts(scene, agreement);
   facts.contacts = drawn.contacts;
   facts.warnings = drawn.warnings;
@@ -185,4 +185,4 @@ output::SceneFacts MotionRun::factsOf(const DrawnScene& drawn,
   return facts;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -13,11 +13,11 @@
 #include "scene/object_motion.h"
 #include "scene/picture_taker.h"
 #include "scene/scene_maker.h"
-#include "setup/motion_setup.h"
-#include "setup/split_plan.h"
+#include "run/setup/motion_setup.h"
+#include "run/setup/split_plan.h"
 #include "synthetic_dataset/label_writer.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// Makes the scenes of one of a run's motions, one instant after another. Only one may exist at a
 /// time, for each draws.
@@ -41,7 +41,7 @@ class MotionRun {
  private:
   /// A scene that was drawn, and may wait for what its optical flow needs.
   struct DrawnScene {
-    SeenScene seen;
+    scene::SeenScene seen;
     render::PendingPicture image;
     std::vector<output::ContactFacts> contacts;
     std::vector<output::Warning> warnings;
@@ -60,17 +60,17 @@ class MotionRun {
   void passOn(std::optional<Stamp> now, ScenePipeline& pipeline);
   [[nodiscard]] FinishedScene finish(DrawnScene& drawn) const;
   [[nodiscard]] output::SceneFacts factsOf(const DrawnScene& drawn,
-                                           const MaskAgreement& agreement) const;
+                                           const label::MaskAgreement& agreement) const;
 
   MotionSetup& motion_;
   const SplitPlan& splits_;
   render::Renderer renderer_;
-  SceneMaker scene_maker_;
-  PictureTaker picture_taker_;
-  ObjectMotion object_motion_;
+  scene::SceneMaker scene_maker_;
+  scene::PictureTaker picture_taker_;
+  scene::ObjectMotion object_motion_;
   Stamp motion_start_{0};                          ///< when the first shutter opens
   std::vector<output::Warning> pending_warnings_;  ///< since the last instant
   std::vector<DrawnScene> drawn_;                  ///< at the last instant; not yet passed on
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

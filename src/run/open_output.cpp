@@ -2,7 +2,7 @@
 
 #include "output/earlier_dataset.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 namespace {
 
@@ -29,4 +29,4 @@ std::unique_ptr<output::DatasetStore> openMerged(const RunSetup& setup) {
   return open(setup, output::Source::kShards);
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

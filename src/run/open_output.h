@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "output/dataset_store.h"
-#include "setup/run_setup.h"
+#include "run/setup/run_setup.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// Opens the output, which may remove an earlier dataset or go on with it: the last thing before
 /// the first scene.
@@ -22,4 +22,4 @@ void clearOutput(const Value& parameters, const std::vector<std::string>& plugin
 /// The same for a dataset that is made of shards.
 [[nodiscard]] std::unique_ptr<output::DatasetStore> openMerged(const RunSetup& setup);
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

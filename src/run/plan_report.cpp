@@ -6,7 +6,7 @@
 #include "scene/seconds.h"
 #include "synthetic_dataset/label_text.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 namespace {
 
 /// Its first time [s].
@@ -86,4 +86,4 @@ void reportPlan(const RunSetup& setup, const DatasetSink& dataset, std::int64_t 
   }
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

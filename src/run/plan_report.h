@@ -4,9 +4,9 @@
 
 #include "run/dataset_sink.h"
 #include "run/reporter.h"
-#include "setup/run_setup.h"
+#include "run/setup/run_setup.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// Reports what a run will make, before its first scene.
 /// @param dataset  has begun
@@ -14,4 +14,4 @@ namespace synthetic_dataset {
 void reportPlan(const RunSetup& setup, const DatasetSink& dataset, std::int64_t missing_count,
                 Reporter& reporter);
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -7,7 +7,7 @@
 
 #include "output/manifest/run_description.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// Where a run reports what happens: rosconsole and a terminal in the node, nothing in tests.
 /// Called in the thread that runs alone.
@@ -39,4 +39,4 @@ class Reporter {
   std::set<std::string> reported_kinds_;
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

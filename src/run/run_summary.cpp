@@ -2,7 +2,7 @@
 
 #include "synthetic_dataset/label_text.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 std::vector<std::string> summaryLines(const RunSummary& summary) {
   std::vector<std::string> lines;
@@ -38,4 +38,4 @@ std::vector<std::string> summaryLines(const RunSummary& summary) {
   return lines;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// What a run made, for the report at its end.
 struct RunSummary {
@@ -40,4 +40,4 @@ struct RunSummary {
 /// The summary as lines of text.
 [[nodiscard]] std::vector<std::string> summaryLines(const RunSummary& summary);
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

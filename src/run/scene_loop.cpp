@@ -1,9 +1,9 @@
 #include "run/scene_loop.h"
 
 #include "run/scene_pipeline.h"
-#include "setup/dataset_description.h"
+#include "run/setup/dataset_description.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 SceneLoop::SceneLoop(RunSetup& setup, SceneSink& sink, Reporter& reporter)
     : setup_(setup),
@@ -47,4 +47,4 @@ RunEnd SceneLoop::makeScenes(ScenePipeline& pipeline) {
   return reporter_.stopRequested() ? RunEnd::kStopped : RunEnd::kAllMade;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -7,9 +7,9 @@
 #include "run/reporter.h"
 #include "run/scene_sink.h"
 #include "run/work_plan.h"
-#include "setup/run_setup.h"
+#include "run/setup/run_setup.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// The loop over a run's motions: makes the scenes that a sink wants.
 ///
@@ -46,4 +46,4 @@ class SceneLoop {
   WorkPlan work_;
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

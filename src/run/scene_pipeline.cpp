@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 namespace {
 
 /// How many scenes may wait while one is finished, and as many while one is added.
@@ -65,4 +65,4 @@ void ScenePipeline::report() {
   }
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -9,7 +9,7 @@
 #include "run/reporter.h"
 #include "run/scene_sink.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// Finishes a scene from what was drawn for it, once, in any thread, as long as what drew it lives.
 using PendingScene = std::function<FinishedScene()>;
@@ -49,4 +49,4 @@ class ScenePipeline {
   output::BackgroundWorker finisher_;  ///< last: its jobs use all of the above
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -8,7 +8,7 @@
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// A scene with its image and all labels, and what is known of it besides.
 struct FinishedScene {
@@ -53,4 +53,4 @@ class SceneSink {
   virtual void finish(RunEnd end) = 0;
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

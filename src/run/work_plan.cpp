@@ -1,6 +1,6 @@
 #include "run/work_plan.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 WorkPlan::WorkPlan(std::int64_t instant_count, std::int64_t camera_count,
                    const std::function<bool(std::int64_t scene)>& is_wanted)
@@ -24,4 +24,4 @@ std::int64_t WorkPlan::endOfWork(std::int64_t end) const {
   return end;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::run {
 
 /// Which scenes of a run are to be made.
 class WorkPlan {
@@ -33,4 +33,4 @@ class WorkPlan {
   std::int64_t scene_count_ = 0;
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::run

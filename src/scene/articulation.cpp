@@ -7,7 +7,7 @@
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 /// Of each link; nothing for one that has none of its own.
@@ -135,4 +135,4 @@ Articulation articulate(world::Model model, const ObjectOptions& object,
   return result;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -9,7 +9,7 @@
 #include "scene/object_options.h"
 #include "world/description.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// A link that follows a frame of its own.
 struct DrivenLink {
@@ -33,4 +33,4 @@ struct Articulation {
 [[nodiscard]] Articulation articulate(world::Model model, const ObjectOptions& object,
                                       const motion::FrameSource& source);
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -8,7 +8,7 @@
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/parameters.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 using Errors = std::vector<std::string>;
@@ -233,4 +233,4 @@ CameraModel readCameraInfo(const std::string& file, bool rectified, double near,
   return cameraModelOf(base::loadYamlFile(file), file, rectified, near, far);
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -8,7 +8,7 @@
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// A calibration's numbers, by the names of sensor_msgs/CameraInfo.
 struct CameraInfoNumbers {
@@ -45,4 +45,4 @@ struct CameraInfoNumbers {
 [[nodiscard]] CameraModel readCameraInfo(const std::string& file, bool rectified, double near,
                                          double far);
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -3,11 +3,11 @@
 #include <optional>
 #include <string>
 
-#include "placement/sampling_options.h"
-#include "sensor/sensor_options.h"
+#include "randomize/placement/sampling_options.h"
+#include "render/sensor/sensor_options.h"
 #include "synthetic_dataset/pose.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// When a camera's sensor gathers light. A picture's stamp is the middle of its exposure: of the
 /// whole picture's, and with a rolling shutter of its middle row's.
@@ -27,14 +27,14 @@ struct CameraOptions {
   std::optional<std::string> sensor;                ///< "model::link::sensor"
   std::optional<Pose> X_GC;                         ///< with `mounted_on`, in that object's frame
   std::optional<std::string> on;                    ///< the object that it is mounted on
-  std::optional<placement::CameraSampling> sample;  ///< drawn for each scene instead
+  std::optional<randomize::CameraSampling> sample;  ///< drawn for each scene instead
   bool rectified = false;
   std::optional<double> near;  ///< [m]; none: as the world has it of its `sensor`
   std::optional<double> far;   ///< [m]; none: as the world has it of its `sensor`
   Shutter shutter;
-  sensor::SensorEffects effects;       ///< but for the noise
+  render::SensorEffects effects;       ///< but for the noise
   std::optional<double> noise_mean;    ///< of the full scale; none: as the world's sensor says
   std::optional<double> noise_stddev;  ///< of the full scale; none: as the world's sensor says
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -10,7 +10,7 @@
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 const world::CameraSensor* findSensor(const CameraOptions& config,
@@ -134,9 +134,9 @@ void findPose(const CameraOptions& config, const world::CameraSensor* sensor,
 }
 
 /// The noise that is not set is that of the world's sensor.
-sensor::SensorEffects effectsOf(const CameraOptions& config, const world::CameraSensor* sensor) {
+render::SensorEffects effectsOf(const CameraOptions& config, const world::CameraSensor* sensor) {
   const world::PixelNoise own = sensor != nullptr ? sensor->noise : world::PixelNoise();
-  sensor::SensorEffects effects = config.effects;
+  render::SensorEffects effects = config.effects;
   effects.noise_mean = config.noise_mean.value_or(own.mean);
   effects.noise_stddev = config.noise_stddev.value_or(own.stddev);
   return effects;
@@ -189,4 +189,4 @@ Pose cameraPose(const CameraRig& camera, const world::World& world,
   return camera.is_carried ? Pose(X_GF * camera.X_LC) : X_GF;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -8,12 +8,12 @@
 #include "scene/camera_options.h"
 #include "scene/object_options.h"
 #include "scene/shutter.h"
-#include "sensor/sensor_effects.h"
+#include "render/sensor/sensor_effects.h"
 #include "synthetic_dataset/camera_model.h"
 #include "world/description.h"
 #include "world/world.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// A camera of the run: what it sees with, and where it is at a time.
 struct CameraRig {
@@ -28,7 +28,7 @@ struct CameraRig {
   bool is_carried = false;  ///< it rides at X_LC on an object, whose frame it follows
   bool sampled = false;     ///< its frame is placed for each scene
   Shutter shutter = {};
-  sensor::SensorEffects effects = {};
+  render::SensorEffects effects = {};
 
   /// Whether its pose is that of its own frame, which the source of motion has.
   [[nodiscard]] bool followsFrame() const { return !X_GC && !link && !is_carried && !sampled; }
@@ -56,4 +56,4 @@ struct CameraRig {
                               const motion::FrameSource& frames, Stamp instant,
                               Duration offset = Duration{0});
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

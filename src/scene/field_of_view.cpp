@@ -7,7 +7,7 @@
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 /// Next to pi, nearly all of a plane's image lies in its middle.
@@ -48,7 +48,7 @@ CameraModel withFieldOfView(const CameraModel& camera, double field_of_view) {
           camera.near(),  camera.far(),    camera.distortion()};
 }
 
-void checkFieldOfView(const random::Distribution& field_of_view, const std::string& parameter,
+void checkFieldOfView(const base::Distribution& field_of_view, const std::string& parameter,
                       const std::vector<CameraRig>& cameras) {
   base::Diagnostics errors;
   for (const CameraRig& camera : cameras) {
@@ -63,7 +63,7 @@ void checkFieldOfView(const random::Distribution& field_of_view, const std::stri
   errors.throwIfAny();
 }
 
-void warnOfBlackEdges(const random::Distribution& field_of_view, const std::string& parameter,
+void warnOfBlackEdges(const base::Distribution& field_of_view, const std::string& parameter,
                       const std::vector<CameraRig>& cameras, base::Diagnostics& found) {
   constexpr double kLittle = 0.5;
   for (const CameraRig& camera : cameras) {
@@ -76,4 +76,4 @@ void warnOfBlackEdges(const random::Distribution& field_of_view, const std::stri
   }
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "random/distribution.h"
+#include "base/random/distribution.h"
 #include "scene/camera_rig.h"
 #include "synthetic_dataset/camera_model.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// How wide a camera sees [rad]: the horizontal angle of an image in whose middle the lens's axis
 /// is, of the lens without its distortion's coefficients. 2 atan(width / (2 fx)), in (0, pi); of an
@@ -25,12 +25,12 @@ namespace synthetic_dataset {
 
 /// Checks that each camera can have what may be drawn.
 /// @throws ErrorList naming `parameter`, the cameras that cannot, and what they can have
-void checkFieldOfView(const random::Distribution& field_of_view, const std::string& parameter,
+void checkFieldOfView(const base::Distribution& field_of_view, const std::string& parameter,
                       const std::vector<CameraRig>& cameras);
 
 /// Warns of cameras whose lenses would see next to nothing in most of the image at the widest that
 /// may be drawn.
-void warnOfBlackEdges(const random::Distribution& field_of_view, const std::string& parameter,
+void warnOfBlackEdges(const base::Distribution& field_of_view, const std::string& parameter,
                       const std::vector<CameraRig>& cameras, base::Diagnostics& found);
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

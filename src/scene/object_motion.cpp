@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/object_links.h"
+#include "label/object_links.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 /// The model's links, parents before children.
@@ -32,7 +32,7 @@ ObjectMotion::ObjectMotion(const motion::FrameSource& frames, const std::vector<
     const ObjectOptions& object = objects[i];
     objects_.push_back({object.name, frames.find(object.frame).value_or(motion::kNoFrame)});
     for (std::size_t variant = 0; variant < driven[i].size(); ++variant) {
-      const auto own = linksAt(linksOfVariant(i, variant, links), links);
+      const auto own = label::linksAt(label::linksOfVariant(i, variant, links), links);
       variants_.push_back(makeVariant(i, own, driven[i][variant]));
     }
   }
@@ -95,4 +95,4 @@ std::vector<Pose> ObjectMotion::objectPoses(Stamp time) {
 
 std::vector<std::string> ObjectMotion::takeGaps() { return std::exchange(gaps_, {}); }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

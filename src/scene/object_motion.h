@@ -10,7 +10,7 @@
 #include "scene/object_options.h"
 #include "world/world.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// Where objects and their links are, between scenes too: where their frames are, or, over a gap,
 /// where they were; a link whose frame is not known keeps its last pose relative to the link that
@@ -66,4 +66,4 @@ class ObjectMotion {
   std::set<std::string> reported_gaps_;  ///< variants have the same ones
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// Which TF frame each link of an object has.
 struct LinkFrames {
@@ -37,4 +37,4 @@ struct ObjectOptions {
   std::optional<double> safety_radius;  ///< kept free round it when it is placed [m]; none: its own
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "scene/object_links.h"
+#include "label/object_links.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 void needVisuals(const ObjectOptions& object, const std::string& parameter, const std::string& what,
@@ -17,8 +17,8 @@ void needVisuals(const ObjectOptions& object, const std::string& parameter, cons
 }
 
 /// What the parameters say, in a size.
-annotate::ObjectShape givenShape(const ObjectOptions& config, int instance, double scale) {
-  annotate::ObjectShape shape{config.name,        config.class_text,       config.class_name,
+label::ObjectShape givenShape(const ObjectOptions& config, int instance, double scale) {
+  label::ObjectShape shape{config.name,        config.class_text,       config.class_name,
                               config.id,          config.class_id,         instance,
                               config.keypoints_O, config.bounding_shape_O, {}};
   for (Eigen::Vector3d& point : shape.keypoints_O) point *= scale;
@@ -27,7 +27,7 @@ annotate::ObjectShape givenShape(const ObjectOptions& config, int instance, doub
 }
 
 /// Of what is not there, and so has no label, but as many keypoints as elsewhere.
-void leaveOutShape(annotate::ObjectShape& shape, const ObjectOptions& config) {
+void leaveOutShape(label::ObjectShape& shape, const ObjectOptions& config) {
   shape.bounding_shape_O = {Eigen::Vector3d::Zero()};
   const std::size_t count = config.farthest_points > 0
                                 ? static_cast<std::size_t>(config.farthest_points)
@@ -56,7 +56,7 @@ ObjectShapes::ObjectShapes(const std::vector<ObjectOptions>& objects,
     Object& object = objects_.emplace_back(all.size());
     for (std::size_t k = 0; k < object.size(); ++k) {
       object[k].given = givenShape(config, static_cast<int>(i) + 1, all[k].scale);
-      object[k].links = linksOfVariant(i, k, world.links());
+      object[k].links = label::linksOfVariant(i, k, world.links());
       if (!config.takes_part && !config.is_distractor) {
         leaveOutShape(object[k].given, config);
       } else if (!errors.attempt([&] { object[k] = measure(object[k], config); })) {
@@ -70,7 +70,7 @@ ObjectShapes::ObjectShapes(const std::vector<ObjectOptions>& objects,
 /// @throws ErrorList where the parameters need what the model does not have
 ObjectShapes::Variant ObjectShapes::measure(Variant variant, const ObjectOptions& config) const {
   base::Diagnostics errors;
-  const std::vector<const world::Link*> own = linksAt(variant.links, world_.links());
+  const std::vector<const world::Link*> own = label::linksAt(variant.links, world_.links());
   variant.geometry = world::ModelGeometry(own);
   const bool is_seen = !variant.geometry.isEmpty();
   if (config.bounding_shape_O.empty() && !is_seen) {
@@ -99,16 +99,16 @@ std::vector<Cuboid> ObjectShapes::boxesAtRest(std::size_t object) const {
   return boxes;
 }
 
-std::vector<annotate::ObjectShape> ObjectShapes::at(const std::vector<Pose>& X_WO) const {
-  std::vector<annotate::ObjectShape> shapes;
+std::vector<label::ObjectShape> ObjectShapes::at(const std::vector<Pose>& X_WO) const {
+  std::vector<label::ObjectShape> shapes;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     shapes.push_back(shapeOf(objects_[i][world_.variant(i)], X_WO[i]));
   }
   return shapes;
 }
 
-annotate::ObjectShape ObjectShapes::shapeOf(const Variant& variant, const Pose& X_WO) const {
-  annotate::ObjectShape shape = variant.given;
+label::ObjectShape ObjectShapes::shapeOf(const Variant& variant, const Pose& X_WO) const {
+  label::ObjectShape shape = variant.given;
   std::vector<Pose> X_OL;
   for (const std::size_t link : variant.links) {
     X_OL.push_back(X_WO.inverse() * world_.linkPoses()[link]);
@@ -124,4 +124,4 @@ annotate::ObjectShape ObjectShapes::shapeOf(const Variant& variant, const Pose& 
   return shape;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -3,14 +3,14 @@
 #include <optional>
 #include <vector>
 
-#include "annotate/object_labels.h"
+#include "label/object_labels.h"
 #include "scene/object_options.h"
 #include "scene/object_variants.h"
 #include "world/mesh/model_geometry.h"
 #include "world/mesh/surface_points.h"
 #include "world/world.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// The smallest box along the axes round points, of which there is one at least.
 [[nodiscard]] Cuboid boxRound(const std::vector<Eigen::Vector3d>& points);
@@ -31,11 +31,11 @@ class ObjectShapes {
   [[nodiscard]] std::vector<Cuboid> boxesAtRest(std::size_t object) const;
 
   /// The shapes of all objects as the world stands.
-  [[nodiscard]] std::vector<annotate::ObjectShape> at(const std::vector<Pose>& X_WO) const;
+  [[nodiscard]] std::vector<label::ObjectShape> at(const std::vector<Pose>& X_WO) const;
 
  private:
   struct Variant {
-    annotate::ObjectShape given;
+    label::ObjectShape given;
     std::vector<std::size_t> links;  ///< indices in the world's
     world::ModelGeometry geometry{{}};
     Cuboid box_at_rest_O;
@@ -44,10 +44,10 @@ class ObjectShapes {
   using Object = std::vector<Variant>;
 
   [[nodiscard]] Variant measure(Variant variant, const ObjectOptions& config) const;
-  [[nodiscard]] annotate::ObjectShape shapeOf(const Variant& variant, const Pose& X_WO) const;
+  [[nodiscard]] label::ObjectShape shapeOf(const Variant& variant, const Pose& X_WO) const;
 
   const world::World& world_;
   std::vector<Object> objects_;
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -3,22 +3,22 @@
 #include <algorithm>
 
 #include "base/diagnostics.h"
-#include "random/random_source.h"
+#include "base/random/random_source.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/model_folders.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 /// The values of a choice; else the middles of parts of the distribution that are as likely as each
 /// other.
-std::vector<ObjectVariants::Size> ObjectVariants::sizesOf(const random::Distribution& scale,
+std::vector<ObjectVariants::Size> ObjectVariants::sizesOf(const base::Distribution& scale,
                                                           int count) {
   std::vector<Size> sizes;
-  for (const random::Distribution::Numbers& value : scale.values()) {
+  for (const base::Distribution::Numbers& value : scale.values()) {
     sizes.push_back({value.front(), value.front()});
   }
   if (sizes.empty()) {
     // The same sizes for all seeds: datasets of several runs have the same ones.
-    random::RandomSource source(0);
+    base::RandomSource source(0);
     constexpr std::size_t kDrawsOfEach = 1001;  // odd: there is a middle one
     std::vector<double> drawn(kDrawsOfEach * static_cast<std::size_t>(count));
     std::generate(drawn.begin(), drawn.end(), [&] { return scale.drawNumber(source); });
@@ -41,7 +41,7 @@ std::vector<ObjectVariants::Size> ObjectVariants::sizesOf(const random::Distribu
 }
 
 ObjectVariants::ObjectVariants(const ObjectOptions& object,
-                               const appearance::Randomization& randomization)
+                               const randomize::Randomization& randomization)
     : entry_("objects/" + object.name) {
   // Nothing of what is not there is made; distractors have models and sizes of their own.
   if (object.takes_part && !object.is_distractor) config_ = randomization.ofObject(object.name);
@@ -72,14 +72,14 @@ void ObjectVariants::findModels() {
   }
 }
 
-std::size_t ObjectVariants::draw(appearance::EntryDraws& draws) const {
+std::size_t ObjectVariants::draw(randomize::EntryDraws& draws) const {
   const std::size_t model = drawModel(draws);
   return model * std::max<std::size_t>(sizes_.size(), 1) + drawSize(draws);
 }
 
-std::size_t ObjectVariants::drawModel(appearance::EntryDraws& draws) const {
+std::size_t ObjectVariants::drawModel(randomize::EntryDraws& draws) const {
   if (models_.empty()) return 0;
-  random::RandomSource source = draws.source(entry_ + "/model");
+  base::RandomSource source = draws.source(entry_ + "/model");
   const std::vector<std::string>& models = models_of_.at(config_.model->draw(source));
   const std::string& drawn =
       models.size() == 1 ? models.front() : models[source.index(models.size())];
@@ -89,9 +89,9 @@ std::size_t ObjectVariants::drawModel(appearance::EntryDraws& draws) const {
 }
 
 /// The size that stands for what is drawn; that one is noted.
-std::size_t ObjectVariants::drawSize(appearance::EntryDraws& draws) const {
+std::size_t ObjectVariants::drawSize(randomize::EntryDraws& draws) const {
   if (sizes_.empty()) return 0;
-  random::RandomSource source = draws.source(entry_ + "/scale");
+  base::RandomSource source = draws.source(entry_ + "/scale");
   const double drawn = config_.scale->drawNumber(source);
   auto size = std::find_if(sizes_.begin(), sizes_.end(),
                            [&](const Size& each) { return drawn <= each.up_to; });
@@ -100,4 +100,4 @@ std::size_t ObjectVariants::drawSize(appearance::EntryDraws& draws) const {
   return static_cast<std::size_t>(size - sizes_.begin());
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "appearance/entry_draws.h"
-#include "appearance/randomize_options.h"
+#include "randomize/appearance/entry_draws.h"
+#include "randomize/appearance/randomize_options.h"
 #include "scene/object_options.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// What an object may look like in a scene.
 struct ObjectVariant {
@@ -24,7 +24,7 @@ struct ObjectVariant {
 class ObjectVariants {
  public:
   /// @throws Error naming a folder without models, or more variants than can be made
-  ObjectVariants(const ObjectOptions& object, const appearance::Randomization& randomization);
+  ObjectVariants(const ObjectOptions& object, const randomize::Randomization& randomization);
 
   /// All of them: at least one.
   [[nodiscard]] const std::vector<ObjectVariant>& all() const { return all_; }
@@ -32,7 +32,7 @@ class ObjectVariants {
   [[nodiscard]] bool hasSeveralModels() const { return models_.size() > 1; }
 
   /// Which one is active: an index in all of them.
-  [[nodiscard]] std::size_t draw(appearance::EntryDraws& draws) const;
+  [[nodiscard]] std::size_t draw(randomize::EntryDraws& draws) const;
 
  private:
   /// A size, and the greatest number for which it stands.
@@ -41,13 +41,13 @@ class ObjectVariants {
     double up_to;
   };
 
-  [[nodiscard]] static std::vector<Size> sizesOf(const random::Distribution& scale, int count);
+  [[nodiscard]] static std::vector<Size> sizesOf(const base::Distribution& scale, int count);
   void findModels();
-  [[nodiscard]] std::size_t drawModel(appearance::EntryDraws& draws) const;
-  [[nodiscard]] std::size_t drawSize(appearance::EntryDraws& draws) const;
+  [[nodiscard]] std::size_t drawModel(randomize::EntryDraws& draws) const;
+  [[nodiscard]] std::size_t drawSize(randomize::EntryDraws& draws) const;
 
   std::string entry_;  ///< "objects/NAME"
-  appearance::ObjectRandomization config_;
+  randomize::ObjectRandomization config_;
   std::map<std::string, std::vector<std::string>> models_of_;  ///< by what is drawn: it, or the
                                                                ///< models in the folder that it is
   std::vector<std::string> models_;  ///< of all of these, each once; empty: its own alone
@@ -55,4 +55,4 @@ class ObjectVariants {
   std::vector<ObjectVariant> all_;   ///< model by model, of each its sizes
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "random/random_seed.h"
+#include "base/random/random_seed.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer,
                            const motion::FrameSource& frames, const std::vector<CameraRig>& cameras,
@@ -49,7 +49,7 @@ render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant
                                           std::vector<cv::Rect> regions) {
   render::ColourPass pass{world_.presentLinks(), world_.presentLinks()};
   pass.regions = std::move(regions);
-  pass.exposure = static_cast<float>(sensor::gainOf(camera.effects));
+  pass.exposure = static_cast<float>(render::gainOf(camera.effects));
   const Pose X_GC = cameraPose(camera, world_, frames_, instant, offset);
   return renderer_.draw({camera.model, X_GC}, world_.linkPoses(), pass);
 }
@@ -61,9 +61,9 @@ render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t sc
     sensor.light->clear();
   }
   return [picture = std::exchange(sensor.picture, {}), effects = cameras_[camera].effects,
-          seed = random::randomSeed(seed_, scene_index, "sensor noise")] {
-    return sensor::applyEffects(picture(), effects, seed);
+          seed = base::randomSeed(seed_, scene_index, "sensor noise")] {
+    return render::applyEffects(picture(), effects, seed);
   };
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

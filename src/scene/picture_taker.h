@@ -9,10 +9,10 @@
 #include "render/renderer.h"
 #include "scene/camera_rig.h"
 #include "scene/shutter.h"
-#include "sensor/linear_accumulator.h"
+#include "render/sensor/linear_accumulator.h"
 #include "world/world.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// Takes the cameras' pictures as their sensors would: over the time that their shutters are open,
 /// with the effects of lens and sensor.
@@ -41,7 +41,7 @@ class PictureTaker {
   /// A camera's plan, and what has fallen on its sensor so far.
   struct Sensor {
     std::vector<Shot> shots;
-    std::optional<sensor::LinearAccumulator> light;  ///< where a picture takes several shots
+    std::optional<render::LinearAccumulator> light;  ///< where a picture takes several shots
     render::PendingPicture picture;                  ///< where it takes one
   };
 
@@ -57,4 +57,4 @@ class PictureTaker {
   std::vector<Duration> offsets_;
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -6,13 +6,13 @@
 
 #include "base/seconds.h"
 #include "motion/frame_names.h"
-#include "placement/map_reader.h"
-#include "placement/received_map.h"
+#include "randomize/placement/map_reader.h"
+#include "randomize/placement/received_map.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "world/mesh/model_geometry.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 /// How far a box reaches from its frame's origin, as seen from above [m].
@@ -42,8 +42,8 @@ std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
 
 /// What came on the topic, from a running system or in the bags.
 motion::RecordedMap topicsMap(const SceneOptions& config) {
-  const placement::PlacementOptions& placement = config.placement;
-  if (placement.received_map) return placement::receivedMap(*placement.received_map);
+  const randomize::PlacementOptions& placement = config.placement;
+  if (placement.received_map) return randomize::receivedMap(*placement.received_map);
   if (!config.motion.bag_files.empty()) {
     return motion::readMap(config.motion.bag_files, *placement.map_topic);
   }
@@ -54,11 +54,11 @@ motion::RecordedMap topicsMap(const SceneOptions& config) {
               "YAML file");
 }
 
-placement::OccupancyMap readMap(const SceneOptions& config) {
-  const placement::PlacementOptions& placement = config.placement;
+randomize::OccupancyMap readMap(const SceneOptions& config) {
+  const randomize::PlacementOptions& placement = config.placement;
   if (placement.map_file) {
     try {
-      return placement::readMapFile(*placement.map_file);
+      return randomize::readMapFile(*placement.map_file);
     } catch (const ErrorList&) {
       throw;
     } catch (const Error& error) {
@@ -68,7 +68,7 @@ placement::OccupancyMap readMap(const SceneOptions& config) {
   try {
     const motion::RecordedMap map = topicsMap(config);
     const std::string global_frame = motion::withoutLeadingSlashes(config.global_frame);
-    if (map.frame == global_frame) return placement::mapOf(map);
+    if (map.frame == global_frame) return randomize::mapOf(map);
     throw Error("found '" + *placement.map_topic + "', a map in the frame '" + map.frame +
                 "'; it should be in global_frame, '" + global_frame + "'");
   } catch (const ErrorList&) {
@@ -111,10 +111,10 @@ SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<Camer
   errors.throwIfAny();
 }
 
-placement::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
+randomize::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
                                                 bool on_map, base::Diagnostics& found) {
   const ObjectOptions& config = objects_[object];
-  placement::PlacedObject placed{config.name, {}};
+  randomize::PlacedObject placed{config.name, {}};
   if (!config.takes_part) placed.X_GO_kept = frames_.knownPose(object_frames_[object], Stamp{0});
   std::vector<double> reaches;
   for (std::size_t i = 0; i < variants.all().size(); ++i) {
@@ -136,11 +136,11 @@ placement::PlacedObject SceneArranger::describe(std::size_t object, const Object
 void SceneArranger::setUpPlacer(const SceneOptions& config,
                                 const std::vector<ObjectVariants>& variants,
                                 base::Diagnostics& found) {
-  const bool on_map = config.placement.mode == placement::PlacementMode::kMap;
+  const bool on_map = config.placement.mode == randomize::PlacementMode::kMap;
   if (on_map && !config.placement.map_file && !config.placement.map_topic) return;  // told already
-  std::optional<placement::OccupancyMap> map;
+  std::optional<randomize::OccupancyMap> map;
   if (on_map) map = readMap(config);
-  std::vector<placement::PlacedObject> placed;
+  std::vector<randomize::PlacedObject> placed;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     placed.push_back(describe(i, variants[i], on_map, found));
   }
@@ -196,7 +196,7 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
 
 void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
   if (cameras_.empty()) return;
-  std::vector<placement::CameraTarget> targets;
+  std::vector<randomize::CameraTarget> targets;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!objects_[i].takes_part) continue;
     const Cuboid& box_O = boxes_O_[i][world_.variant(i)];
@@ -209,4 +209,4 @@ void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
   }
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -7,17 +7,17 @@
 
 #include "base/diagnostics.h"
 #include "motion/placed_frames.h"
-#include "placement/camera_sampler.h"
-#include "placement/distractor_placer.h"
-#include "placement/scene_placer.h"
-#include "placement/surroundings.h"
+#include "randomize/placement/camera_sampler.h"
+#include "randomize/placement/distractor_placer.h"
+#include "randomize/placement/scene_placer.h"
+#include "randomize/placement/surroundings.h"
 #include "scene/camera_rig.h"
 #include "scene/object_shapes.h"
 #include "scene/object_variants.h"
 #include "scene/scene_options.h"
 #include "world/world.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// Puts what is put somewhere at random, scene by scene: objects, where there is no recording to
 /// follow, and cameras.
@@ -52,13 +52,13 @@ class SceneArranger {
  private:
   struct SampledCamera {
     motion::FrameId frame;
-    placement::CameraSampler sampler;
+    randomize::CameraSampler sampler;
   };
 
   void setUpPlacer(const SceneOptions& config, const std::vector<ObjectVariants>& variants,
                    base::Diagnostics& found);
   void setUpCameras(const SceneOptions& config, const std::vector<CameraRig>& cameras);
-  [[nodiscard]] placement::PlacedObject describe(std::size_t object, const ObjectVariants& variants,
+  [[nodiscard]] randomize::PlacedObject describe(std::size_t object, const ObjectVariants& variants,
                                                  bool on_map, base::Diagnostics& found);
 
   std::vector<CameraRig> rigs_;
@@ -68,11 +68,11 @@ class SceneArranger {
   std::vector<motion::FrameId> object_frames_;
   std::vector<motion::FrameId> distractor_frames_;  ///< of those with labels, in the world's order
   std::vector<std::vector<Cuboid>> boxes_O_;  ///< of the objects' variants, their links at rest
-  std::optional<placement::Surroundings> surroundings_;
-  std::optional<placement::ScenePlacer> placer_;
-  std::optional<placement::DistractorPlacer> distractor_placer_;
+  std::optional<randomize::Surroundings> surroundings_;
+  std::optional<randomize::ScenePlacer> placer_;
+  std::optional<randomize::DistractorPlacer> distractor_placer_;
   std::optional<std::vector<int>> distractors_there_;
   std::vector<SampledCamera> cameras_;
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -3,11 +3,11 @@
 #include <limits>
 #include <utility>
 
-#include "annotate/optical_flow.h"
+#include "label/optical_flow.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 /// An object that is not there has a pose, and no label.
@@ -22,7 +22,7 @@ void leaveOut(SceneObject& object) {
 SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
                        const motion::PlacedFrames& frames, const std::vector<CameraRig>& cameras,
                        const ObjectShapes& shapes, const Requirements& requirements,
-                       const PixelLabelOptions& options)
+                       const label::PixelLabelOptions& options)
     : world_(world),
       frames_(frames),
       cameras_(cameras),
@@ -46,9 +46,9 @@ SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp
   scene.camera_index = camera;
   scene.stamp = stamp;
   scene.X_GC = view.X_WC;
-  const std::vector<annotate::ObjectShape> shapes = shapes_.at(X_GO);
+  const std::vector<label::ObjectShape> shapes = shapes_.at(X_GO);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    scene.objects.push_back(annotate::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
+    scene.objects.push_back(label::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
     if (!world_.isPresent(i)) leaveOut(scene.objects.back());
   }
   // Writers ask in their own thread, when the next scene may have been placed already.
@@ -63,7 +63,7 @@ SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp
     };
     return Pose(inGlobal(target).inverse() * inGlobal(source));
   });
-  SeenPixels pixels = labellers_[camera].look(view, scene);
+  label::SeenPixels pixels = labellers_[camera].look(view, scene);
   return {std::move(scene), std::move(pixels),
           needs_optical_flow_ ? world_.linkPoses() : std::vector<Pose>{}};
 }
@@ -75,16 +75,16 @@ void SceneMaker::addOpticalFlow(SeenScene& seen, std::optional<Stamp> next) cons
                                  cv::Scalar::all(std::numeric_limits<double>::quiet_NaN()));
     return;
   }
-  const SeenSurface& surface = seen.pixels.surface;
+  const label::SeenSurface& surface = seen.pixels.surface;
   const CameraRig& rig = cameras_[scene.camera_index];
   const Pose X_GC_next = cameraPose(rig, world_, frames_, *next);
   scene.optical_flow =
-      annotate::opticalFlow(scene.camera, surface.depth, surface.range, surface.links, scene.X_GC,
+      label::opticalFlow(scene.camera, surface.depth, surface.range, surface.links, scene.X_GC,
                             seen.X_GL, rig.model, X_GC_next, world_.linkPoses());
 }
 
 std::vector<output::ObjectFacts> SceneMaker::objectFacts(const Scene& scene,
-                                                         const MaskAgreement& agreement) const {
+                                                         const label::MaskAgreement& agreement) const {
   std::vector<output::ObjectFacts> all;
   for (const SceneObject& object : scene.objects) {
     output::ObjectFacts facts = output::objectFacts(object);
@@ -102,4 +102,4 @@ std::map<std::string, Pose> SceneMaker::cameraPoses(Stamp stamp) const {
   return poses;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

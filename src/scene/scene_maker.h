@@ -9,17 +9,17 @@
 #include "render/renderer.h"
 #include "scene/camera_rig.h"
 #include "scene/object_shapes.h"
-#include "scene/pixel_labeller.h"
+#include "label/pixel_labeller.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
 #include "world/world.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// A scene that has been seen, and is still to be labelled from what was seen.
 struct SeenScene {
   Scene scene;
-  SeenPixels pixels;
+  label::SeenPixels pixels;
   std::vector<Pose> X_GL;  ///< of the world's links, for its optical flow
 };
 
@@ -32,7 +32,7 @@ class SceneMaker {
   SceneMaker(const world::World& world, render::Renderer& renderer,
              const motion::PlacedFrames& frames, const std::vector<CameraRig>& cameras,
              const ObjectShapes& shapes, const Requirements& requirements,
-             const PixelLabelOptions& options);
+             const label::PixelLabelOptions& options);
 
   /// What a camera sees of the world as it stands now; what follows from pixels is left to
   /// PendingLabels, the picture itself to the PictureTaker, the optical flow to addOpticalFlow, the
@@ -52,7 +52,7 @@ class SceneMaker {
   /// What a labelled scene's manifest is told of its objects: what was measured, and nothing else.
   /// @param agreement  of its masks
   [[nodiscard]] std::vector<output::ObjectFacts> objectFacts(const Scene& scene,
-                                                             const MaskAgreement& agreement) const;
+                                                             const label::MaskAgreement& agreement) const;
 
  private:
   /// X_GC of all cameras, by their frames.
@@ -63,7 +63,7 @@ class SceneMaker {
   const std::vector<CameraRig>& cameras_;
   const ObjectShapes& shapes_;
   bool needs_optical_flow_;
-  std::vector<PixelLabeller> labellers_;  ///< of cameras_
+  std::vector<label::PixelLabeller> labellers_;  ///< of cameras_
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "appearance/randomize_options.h"
+#include "randomize/appearance/randomize_options.h"
 #include "motion/motion_options.h"
-#include "placement/placement_options.h"
+#include "randomize/placement/placement_options.h"
 #include "scene/camera_options.h"
-#include "scene/label_options.h"
+#include "label/label_options.h"
 #include "scene/object_options.h"
 #include "synthetic_dataset/pose.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// What a motion's scenes are made of: what is where, how it looks, who sees it.
 struct SceneOptions {
@@ -29,14 +29,14 @@ struct SceneOptions {
 
   std::string global_frame = "map";
   motion::MotionOptions motion;
-  placement::PlacementOptions placement;  ///< of MotionSource::kPlacement
-  appearance::Randomization randomization;
+  randomize::PlacementOptions placement;  ///< of MotionSource::kPlacement
+  randomize::Randomization randomization;
   std::vector<CameraOptions> cameras;  ///< at least one
   std::vector<ObjectOptions> objects;
-  MaskOptions masks;
-  LabelOptions labels;
+  label::MaskOptions masks;
+  label::LabelOptions labels;
   Duration settling{0};   ///< simulated before the first scene
   std::int64_t seed = 0;  ///< of all that is random
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

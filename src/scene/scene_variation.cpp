@@ -11,12 +11,12 @@
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 const char* const kFieldOfView = "randomize/sensor/field_of_view";
 
-Value valueOf(const appearance::DrawnValue& drawn) {
+Value valueOf(const randomize::DrawnValue& drawn) {
   if (const auto* text = std::get_if<std::string>(&drawn.value)) return Value(*text);
   const auto& numbers = std::get<std::vector<double>>(drawn.value);
   if (numbers.size() == 1) return Value(numbers.front());
@@ -51,7 +51,7 @@ SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<Cam
   std::vector<std::string> names;
   for (const ObjectOptions& object : objects_) names.push_back(object.name);
   for (const auto& [name, entry] : config_.objects) {
-    if (name == appearance::kOthers || std::count(names.begin(), names.end(), name) > 0) continue;
+    if (name == randomize::kOthers || std::count(names.begin(), names.end(), name) > 0) continue;
     errors.error("randomize/objects/" + name,
                  "robot_list has no object of this name" + didYouMean(name, names));
   }
@@ -59,7 +59,7 @@ SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<Cam
 }
 
 void SceneVariation::choose(std::int64_t instant, world::World& world) {
-  appearance::EntryDraws draws(seed_, instant);
+  randomize::EntryDraws draws(seed_, instant);
   std::vector<bool> present;
   std::vector<std::size_t> variants;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
@@ -79,12 +79,12 @@ void SceneVariation::choose(std::int64_t instant, world::World& world) {
 void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,
                           std::vector<CameraRig>& cameras) {
   if (looks_) {
-    appearance::EntryDraws draws(seed_, instant);
+    randomize::EntryDraws draws(seed_, instant);
     renderer.setLook(looks_->sample(draws));
     shared_ = draws.values();
   }
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    appearance::EntryDraws draws(seed_, instant, cameras[i].name);
+    randomize::EntryDraws draws(seed_, instant, cameras[i].name);
     cameras[i].effects = varied(effects_[i], draws);
     const auto angle = draws.number("sensor/field_of_view", config_.sensor.field_of_view);
     if (angle) cameras[i].model = withFieldOfView(models_[i], *angle);
@@ -92,10 +92,10 @@ void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,
   }
 }
 
-sensor::SensorEffects SceneVariation::varied(const sensor::SensorEffects& effects,
-                                             appearance::EntryDraws& draws) const {
-  const appearance::SensorRandomization& sensor = config_.sensor;
-  sensor::SensorEffects result = effects;
+render::SensorEffects SceneVariation::varied(const render::SensorEffects& effects,
+                                             randomize::EntryDraws& draws) const {
+  const randomize::SensorRandomization& sensor = config_.sensor;
+  render::SensorEffects result = effects;
   result.exposure = draws.number("sensor/exposure", sensor.exposure).value_or(effects.exposure);
   result.blur = draws.number("sensor/blur", sensor.blur).value_or(effects.blur);
   result.noise_stddev =
@@ -106,11 +106,11 @@ sensor::SensorEffects SceneVariation::varied(const sensor::SensorEffects& effect
 std::vector<output::DrawFacts> SceneVariation::draws(std::size_t camera) const {
   std::vector<output::DrawFacts> facts;
   for (const auto* values : {&chosen_, &shared_, &cameras_[camera]}) {
-    for (const appearance::DrawnValue& drawn : *values) {
+    for (const randomize::DrawnValue& drawn : *values) {
       facts.push_back({drawn.name, base::jsonText(valueOf(drawn))});
     }
   }
   return facts;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -5,18 +5,18 @@
 #include <optional>
 #include <vector>
 
-#include "appearance/entry_draws.h"
-#include "appearance/look_sampler.h"
+#include "randomize/appearance/entry_draws.h"
+#include "randomize/appearance/look_sampler.h"
 #include "base/diagnostics.h"
 #include "output/manifest/scene_facts.h"
 #include "render/renderer.h"
 #include "scene/camera_rig.h"
 #include "scene/object_variants.h"
 #include "scene/scene_options.h"
-#include "sensor/sensor_effects.h"
+#include "render/sensor/sensor_effects.h"
 #include "world/world.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// Makes each scene look different: light, paint, sensors, lenses, as `randomize` says.
 class SceneVariation {
@@ -42,19 +42,19 @@ class SceneVariation {
   [[nodiscard]] std::vector<output::DrawFacts> draws(std::size_t camera) const;
 
  private:
-  [[nodiscard]] sensor::SensorEffects varied(const sensor::SensorEffects& effects,
-                                             appearance::EntryDraws& draws) const;
+  [[nodiscard]] render::SensorEffects varied(const render::SensorEffects& effects,
+                                             randomize::EntryDraws& draws) const;
 
-  appearance::Randomization config_;
+  randomize::Randomization config_;
   std::uint64_t seed_;
-  std::vector<sensor::SensorEffects> effects_;  ///< of the cameras, as they are set
+  std::vector<render::SensorEffects> effects_;  ///< of the cameras, as they are set
   std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
-  std::optional<appearance::LookSampler> looks_;
+  std::optional<randomize::LookSampler> looks_;
   std::vector<ObjectOptions> objects_;                        ///< that are followed or placed
   std::vector<ObjectVariants> variants_;                      ///< of each object
-  std::vector<appearance::DrawnValue> chosen_;                ///< of the time: what is there
-  std::vector<appearance::DrawnValue> shared_;                ///< of the time: its look
-  std::vector<std::vector<appearance::DrawnValue>> cameras_;  ///< of each camera
+  std::vector<randomize::DrawnValue> chosen_;                ///< of the time: what is there
+  std::vector<randomize::DrawnValue> shared_;                ///< of the time: its look
+  std::vector<std::vector<randomize::DrawnValue>> cameras_;  ///< of each camera
 };
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 namespace {
 
 /// The middle of part `i` of `count` equal parts of a span of time round 0.
@@ -31,4 +31,4 @@ std::vector<Shot> shotsOf(const Shutter& shutter, int height) {
   return shots;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -5,7 +5,7 @@
 #include "scene/camera_options.h"
 #include "synthetic_dataset/pose.h"
 
-namespace synthetic_dataset {
+namespace synthetic_dataset::scene {
 
 /// One look at some rows of the picture.
 struct Shot {
@@ -24,4 +24,4 @@ struct Shot {
   return shutter.exposure_time + shutter.readout_time;
 }
 
-}  // namespace synthetic_dataset
+}  // namespace synthetic_dataset::scene

@@ -5,7 +5,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace box_choice_test {
 
 BoxChoice choiceIn(const Value::Map& settings) {
   Parameters parameters{settings};
@@ -48,5 +48,5 @@ TEST(BoxChoice, CutsBoxesToTheImage) {
   EXPECT_FALSE(boxOf(object, BoxChoice::kSilhouette, camera).has_value());
 }
 
-}  // namespace
+}  // namespace box_choice_test
 }  // namespace synthetic_dataset

@@ -9,7 +9,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace camera_model_test {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -103,5 +103,5 @@ TEST(CameraModel, RefusesWhatIsNoCamera) {
   EXPECT_THAT(make(640, kIntrinsics, 10, 1), ThrowsMessage<Error>(HasSubstr("near")));
 }
 
-}  // namespace
+}  // namespace camera_model_test
 }  // namespace synthetic_dataset

@@ -4,7 +4,7 @@
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace dataset_info_test {
 
 using testing::ElementsAre;
 
@@ -58,5 +58,5 @@ TEST(DatasetInfo, MakesModelsWhereItKnowsHow) {
   EXPECT_EQ(dataset.model(3).diameter, 3.0);
 }
 
-}  // namespace
+}  // namespace dataset_info_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset {
-namespace {
+namespace fingerprint_test {
 
 // Expected values: the test vectors of the authors' own program (isthe.com/chongo/tech/comp/fnv).
 
@@ -16,5 +16,5 @@ TEST(Fingerprint, IsFnv1aOfTheBytesSoFar) {
   EXPECT_EQ(fingerprint.text(), "85944171f73967e8");
 }
 
-}  // namespace
+}  // namespace fingerprint_test
 }  // namespace synthetic_dataset

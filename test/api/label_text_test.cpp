@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset {
-namespace {
+namespace label_text_test {
 
 TEST(LabelText, FixedHasSoManyDecimalsWhateverTheSize) {
   EXPECT_EQ(fixed(2.5, 5), "2.50000");
@@ -51,5 +51,5 @@ TEST(LabelText, SafeFileNamesAreShortAndWholeUtf8) {
   EXPECT_EQ((name.size() - std::string("x_00000000").size()) % 2, 0U);
 }
 
-}  // namespace
+}  // namespace label_text_test
 }  // namespace synthetic_dataset

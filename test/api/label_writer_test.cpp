@@ -5,7 +5,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace label_writer_test {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -88,5 +88,5 @@ TEST(WriterParameters, RefuseAFileWithAControlCharacter) {
   EXPECT_TRUE(writer.files().empty());
 }
 
-}  // namespace
+}  // namespace label_writer_test
 }  // namespace synthetic_dataset

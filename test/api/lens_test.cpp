@@ -10,7 +10,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace lens_test {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -247,5 +247,5 @@ TEST(CameraModel, RefusesADistortionThatIsNoNumber) {
   EXPECT_THAT([] { cameraWith(equidistant(4.0)); }, ThrowsMessage<Error>(HasSubstr("cutoff")));
 }
 
-}  // namespace
+}  // namespace lens_test
 }  // namespace synthetic_dataset

@@ -8,7 +8,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace mask_test {
 
 /// Pixel by pixel.
 cv::Rect slowBounds(const cv::Mat& mask) {
@@ -103,5 +103,5 @@ TEST(Mask, RefusesPixelsOutsideOfItsImageAndOfOtherTypes) {
   EXPECT_THROW(Mask(cv::Mat::ones(6, 8, CV_16UC1)), Error);
 }
 
-}  // namespace
+}  // namespace mask_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset {
-namespace {
+namespace nearest_name_test {
 
 TEST(NearestName, FindsWhatATypingMistakeMeant) {
   EXPECT_EQ(nearestName("simulated_rte", {"bag_file", "simulated_rate"}), "simulated_rate");
@@ -21,5 +21,5 @@ TEST(NearestName, AsksTheQuestion) {
   EXPECT_EQ(didYouMean("zebra", {"world"}), "");
 }
 
-}  // namespace
+}  // namespace nearest_name_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset {
-namespace {
+namespace parameters_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -109,5 +109,5 @@ TEST(Parameters, NumbersAndTextsMayBeBounded) {
                                    "third: required, but missing"));
 }
 
-}  // namespace
+}  // namespace parameters_test
 }  // namespace synthetic_dataset

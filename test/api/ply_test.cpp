@@ -6,7 +6,7 @@
 #include "synthetic_dataset/object_model.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace ply_test {
 
 using testing::HasSubstr;
 
@@ -79,5 +79,5 @@ TEST(Ply, IsTheSameInEveryLocale) {
   EXPECT_EQ(found, expected);
 }
 
-}  // namespace
+}  // namespace ply_test
 }  // namespace synthetic_dataset

@@ -6,7 +6,7 @@
 #include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace required_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -49,5 +49,5 @@ TEST(SceneObject, AsksForPixelsWhenAskedForALabel) {
   EXPECT_FALSE(object.labelled());
 }
 
-}  // namespace
+}  // namespace required_test
 }  // namespace synthetic_dataset

@@ -5,7 +5,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace scene_test {
 
 Scene emptyScene() { return Scene(CameraModel(4, 4, {1, 1, 2, 2}, 0.1, 10)); }
 
@@ -31,5 +31,5 @@ TEST(Scene, KnowsTheTransformsThatItWasGiven) {
   EXPECT_EQ(scene.transform("map", "sensor").translation().x(), 1.0);
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset {
-namespace {
+namespace value_test {
 
 TEST(Value, ScalarsReadAsPythonPrintsThem) {
   EXPECT_EQ(Value(3).text(), "3");
@@ -32,5 +32,5 @@ TEST(Value, TellsItsKind) {
   EXPECT_EQ(Value().kind(), "nothing");
 }
 
-}  // namespace
+}  // namespace value_test
 }  // namespace synthetic_dataset

@@ -7,7 +7,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::base {
-namespace {
+namespace angle_expression_test {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -52,5 +52,5 @@ TEST(Degrees, AreOneNumber) {
   EXPECT_THROW((void)degrees(" "), Error);
 }
 
-}  // namespace
+}  // namespace angle_expression_test
 }  // namespace synthetic_dataset::base

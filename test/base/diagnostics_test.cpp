@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 namespace synthetic_dataset::base {
-namespace {
+namespace diagnostics_test {
 
 using ::testing::ElementsAre;
 
@@ -76,5 +76,5 @@ TEST(NamingPlace, PutsThePlaceBeforeEachError) {
               ElementsAre("model: not there", "model: one", "model: two"));
 }
 
-}  // namespace
+}  // namespace diagnostics_test
 }  // namespace synthetic_dataset::base

@@ -9,7 +9,7 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::base {
-namespace {
+namespace json_text_test {
 
 Value roundTrip(const Value& value) { return parseYaml(jsonText(value), "test"); }
 
@@ -35,5 +35,5 @@ TEST(JsonText, ReadsBackAsTheSameValue) {
   EXPECT_TRUE(std::isnan(*roundTrip(Value(std::nan(""))).as<double>()));
 }
 
-}  // namespace
+}  // namespace json_text_test
 }  // namespace synthetic_dataset::base

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset::base {
-namespace {
+namespace yaml_scalar_test {
 
 // What yaml.safe_load of PyYAML 6.0 answers for each.
 
@@ -68,5 +68,5 @@ TEST(DecimalNumber, IsNothingElse) {
   EXPECT_EQ(decimalNumber("1 2"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace yaml_scalar_test
 }  // namespace synthetic_dataset::base

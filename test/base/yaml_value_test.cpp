@@ -10,7 +10,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::base {
-namespace {
+namespace yaml_value_test {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -159,5 +159,5 @@ TEST(LoadYamlFile, NamesAFileThatIsMissing) {
               ThrowsMessage<Error>(HasSubstr("/nowhere/params.yaml: no such file")));
 }
 
-}  // namespace
+}  // namespace yaml_value_test
 }  // namespace synthetic_dataset::base

@@ -8,7 +8,7 @@
 #include "config/config.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace background_config_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -19,9 +19,9 @@ Parameters settings(const std::string& background) {
 }
 
 /// What is read where nothing is wrong or unknown.
-appearance::BackgroundRandomization read(const std::string& background) {
+randomize::BackgroundRandomization read(const std::string& background) {
   Parameters group = settings(background);
-  appearance::BackgroundRandomization given = readBackground(group);
+  randomize::BackgroundRandomization given = readBackground(group);
   EXPECT_THAT(group.errors(), IsEmpty()) << background;
   EXPECT_THAT(group.unknownNames(), IsEmpty()) << background;
   return given;
@@ -34,18 +34,18 @@ std::vector<std::string> errorsOf(const std::string& background) {
 }
 
 TEST(BackgroundConfig, IsNothingWhereNothingIsGiven) {
-  const appearance::BackgroundRandomization none = readBackground(Parameters(Value(Value::Map{})));
+  const randomize::BackgroundRandomization none = readBackground(Parameters(Value(Value::Map{})));
   EXPECT_FALSE(none.colour || none.pictures);
 }
 
 TEST(BackgroundConfig, ReadsAColourAloneOrInAGroup) {
   for (const char* text : {"[0.1, 0.2, 0.3]", "0.5", "{uniform: [0, 1]}",
                            "{normal: [0.5, 0.1], min: 0, max: 1}", "{choice: [0.1, 0.2]}"}) {
-    const appearance::BackgroundRandomization alone = read(text);
+    const randomize::BackgroundRandomization alone = read(text);
     ASSERT_TRUE(alone.colour) << text;
     EXPECT_EQ(alone.colour->dimension(), 3U);
     EXPECT_EQ(alone.colour_name, "background");
-    const appearance::BackgroundRandomization grouped = read(std::string("{colour: ") + text + "}");
+    const randomize::BackgroundRandomization grouped = read(std::string("{colour: ") + text + "}");
     ASSERT_TRUE(grouped.colour) << text;
     EXPECT_EQ(grouped.colour->highest(), alone.colour->highest());
     EXPECT_EQ(grouped.colour_name, "background/colour");
@@ -57,17 +57,17 @@ TEST(BackgroundConfig, ReadsAFolderOfBackdrops) {
   const auto pictures = read("{pictures: /data/x/../photographs}").pictures;
   ASSERT_TRUE(pictures);
   EXPECT_EQ(pictures->folder, "/data/photographs");
-  EXPECT_EQ(pictures->projection, appearance::BackgroundProjection::kBackdrop);
+  EXPECT_EQ(pictures->projection, randomize::BackgroundProjection::kBackdrop);
   EXPECT_FALSE(pictures->present || pictures->yaw || pictures->brightness);
 }
 
 TEST(BackgroundConfig, ReadsAllOfPanoramas) {
-  const appearance::BackgroundRandomization given = read(
+  const randomize::BackgroundRandomization given = read(
       "{colour: 0.5, pictures: skies, present: 0.75, projection: panorama, yaw: {uniform: [-3, "
       "3]}, brightness: {uniform: [0.5, 2]}}");
   ASSERT_TRUE(given.pictures);
   EXPECT_EQ(given.pictures->folder, (std::filesystem::current_path() / "skies").string());
-  EXPECT_EQ(given.pictures->projection, appearance::BackgroundProjection::kPanorama);
+  EXPECT_EQ(given.pictures->projection, randomize::BackgroundProjection::kPanorama);
   EXPECT_EQ(given.pictures->present, 0.75);
   EXPECT_EQ(given.pictures->yaw->lowest(), -3.0);
   EXPECT_EQ(given.pictures->brightness->highest(), 2.0);
@@ -115,5 +115,5 @@ TEST(BackgroundConfig, TellsAMisspeltDistributionFromAGroup) {
                                     "uniform, log_uniform, normal or choice")));
 }
 
-}  // namespace
+}  // namespace background_config_test
 }  // namespace synthetic_dataset::config

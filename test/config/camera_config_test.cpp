@@ -7,7 +7,7 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace camera_config_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -19,7 +19,7 @@ struct Reading {
     cameras = readCameras(root);
   }
   Parameters root;
-  std::vector<CameraOptions> cameras;
+  std::vector<scene::CameraOptions> cameras;
 };
 
 TEST(ReadCameras, OneCameraIsCalledCamera) {
@@ -55,7 +55,7 @@ TEST(ReadCameras, ARecordedCalibrationBringsItsFrame) {
 }
 
 TEST(ReadCameras, EffectsAreOffUnlessSet) {
-  const CameraOptions camera = Reading("camera: {info_file: /a.yaml}").cameras[0];
+  const scene::CameraOptions camera = Reading("camera: {info_file: /a.yaml}").cameras[0];
   EXPECT_EQ(camera.shutter.exposure_time.count(), 0);
   EXPECT_EQ(camera.effects.full_well, 0.0);
   EXPECT_EQ(camera.noise_stddev, std::nullopt);
@@ -66,7 +66,7 @@ TEST(ReadCameras, EffectsAreRead) {
       "camera: {info_file: /a.yaml, effects: {exposure_time: 0.02, motion_samples: 5, "
       "noise_stddev: 0.01, vignetting: 0.3}}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  const CameraOptions& camera = reading.cameras[0];
+  const scene::CameraOptions& camera = reading.cameras[0];
   EXPECT_EQ(camera.shutter.exposure_time, std::chrono::milliseconds(20));
   EXPECT_EQ(camera.shutter.motion_samples, 5);
   EXPECT_EQ(camera.noise_stddev, 0.01);
@@ -124,5 +124,5 @@ INSTANTIATE_TEST_SUITE_P(
         BadCamera{"camera: {info_file: /a.yaml, effects: {motion_samples: 1}}",
                   "camera/effects/motion_samples: found 1; it should be 2 to 256"}));
 
-}  // namespace
+}  // namespace camera_config_test
 }  // namespace synthetic_dataset::config

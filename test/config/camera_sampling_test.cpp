@@ -5,9 +5,9 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace camera_sampling_test {
 
-using random::Distribution;
+using base::Distribution;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -19,7 +19,7 @@ struct Reading {
     sampling = readCameraSampling(root.group("camera")).value();
   }
   Parameters root;
-  placement::CameraSampling sampling;
+  randomize::CameraSampling sampling;
 };
 
 std::pair<double, double> rangeOf(const Distribution& distribution) {
@@ -27,7 +27,7 @@ std::pair<double, double> rangeOf(const Distribution& distribution) {
 }
 
 std::vector<double> drawn(const Distribution& distribution) {
-  random::RandomSource source(1);
+  base::RandomSource source(1);
   return distribution.draw(source);
 }
 
@@ -39,7 +39,7 @@ TEST(ReadCameraSampling, IsNothingWithoutItsGroup) {
 TEST(ReadCameraSampling, LooksAtAnyObjectFromAShellByDefault) {
   const Reading reading("");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  const placement::CameraSampling& sampling = reading.sampling;
+  const randomize::CameraSampling& sampling = reading.sampling;
   EXPECT_EQ(sampling.look_at, "any");
   EXPECT_FALSE(sampling.look_at_point_G);
   EXPECT_THAT(drawn(sampling.aim_offset), ElementsAre(0, 0, 0));
@@ -60,7 +60,7 @@ TEST(ReadCameraSampling, ReadsAShell) {
       "clearance: 0.25, tries: 20");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
   EXPECT_THAT(reading.root.unknownNames(), IsEmpty());
-  const placement::CameraSampling& sampling = reading.sampling;
+  const randomize::CameraSampling& sampling = reading.sampling;
   EXPECT_EQ(sampling.look_at, "alpha");
   EXPECT_THAT(rangeOf(sampling.distance), Pair(2.0, 4.0));
   EXPECT_THAT(rangeOf(sampling.elevation), Pair(0.5, 0.5));
@@ -137,5 +137,5 @@ TEST(ReadCameraSampling, IsOfItsOwnCameraAmongSeveral) {
   EXPECT_THAT(root.errors(), ElementsAre(HasSubstr("cameras/left/sample/clearance: found -1.0")));
 }
 
-}  // namespace
+}  // namespace camera_sampling_test
 }  // namespace synthetic_dataset::config

@@ -5,7 +5,7 @@
 #include "config/config.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace checked_values_test {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -50,5 +50,5 @@ TEST(NameProblem, IsToldOfObjectsClassesIdsAndKeypoints) {
               Contains(HasSubstr("keypoint_names: found a name that has a control")));
 }
 
-}  // namespace
+}  // namespace checked_values_test
 }  // namespace synthetic_dataset::config

@@ -6,7 +6,7 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace config_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -341,5 +341,5 @@ TEST(UnknownParameters, BlocksOfUnusedObjectsAndWritersAreLeftInPeace) {
       UnorderedElementsAre(HasSubstr("yolo: unknown"), HasSubstr("bounding_shape: unknown")));
 }
 
-}  // namespace
+}  // namespace config_test
 }  // namespace synthetic_dataset::config

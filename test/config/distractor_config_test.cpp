@@ -5,7 +5,7 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace distractor_config_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -17,7 +17,7 @@ struct Reading {
     distractors = readDistractors(root);
   }
   Parameters root;
-  std::optional<placement::DistractorOptions> distractors;
+  std::optional<randomize::DistractorOptions> distractors;
 };
 
 TEST(DistractorConfig, IsNothingWithoutItsGroup) {
@@ -29,7 +29,7 @@ TEST(DistractorConfig, NeedsNothingButAVolume) {
   EXPECT_THAT(reading.root.errors(), IsEmpty());
   ASSERT_TRUE(reading.distractors);
   EXPECT_EQ(reading.distractors->pool, 24);
-  EXPECT_EQ(reading.distractors->mode, placement::DistractorMode::kFly);
+  EXPECT_EQ(reading.distractors->mode, randomize::DistractorMode::kFly);
   EXPECT_EQ(reading.distractors->textures, "procedural");
   EXPECT_EQ(reading.distractors->volume.low, Eigen::Vector3d(-1, -2, 0));
   EXPECT_EQ(reading.distractors->volume.high, Eigen::Vector3d(1, 2, 3));
@@ -45,7 +45,7 @@ TEST(DistractorConfig, ReadsEverySetting) {
   EXPECT_EQ(reading.distractors->pool, 5);
   EXPECT_EQ(reading.distractors->count.lowest(), 3.0);
   EXPECT_EQ(reading.distractors->size.highest(), 0.2);
-  EXPECT_EQ(reading.distractors->mode, placement::DistractorMode::kStand);
+  EXPECT_EQ(reading.distractors->mode, randomize::DistractorMode::kStand);
   EXPECT_EQ(reading.distractors->textures, "none");
   EXPECT_EQ(reading.distractors->tries, 7);
 }
@@ -79,5 +79,5 @@ TEST(DistractorConfig, TellsWhatIsWrong) {
               Contains(HasSubstr("volume: found a min above the max")));
 }
 
-}  // namespace
+}  // namespace distractor_config_test
 }  // namespace synthetic_dataset::config

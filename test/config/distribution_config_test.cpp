@@ -7,7 +7,7 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace distribution_config_test {
 
 using ::testing::AllOf;
 using ::testing::Each;
@@ -37,7 +37,7 @@ std::vector<std::vector<double>> drawsOf(const std::string& x, const Distributio
   std::vector<std::vector<double>> draws;
   if (!distribution) return draws;
   EXPECT_EQ(distribution->dimension(), range.dimension) << x;
-  random::RandomSource source(1);
+  base::RandomSource source(1);
   for (int i = 0; i < count; ++i) draws.push_back(distribution->draw(source));
   return draws;
 }
@@ -322,5 +322,5 @@ TEST(MaybeChoice, RefusesWhatIsNone) {
             "found weights: [1]; it should be a list of 2 numbers, one for each choice");
 }
 
-}  // namespace
+}  // namespace distribution_config_test
 }  // namespace synthetic_dataset::config

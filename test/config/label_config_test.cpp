@@ -5,7 +5,7 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace label_config_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -14,15 +14,15 @@ using ::testing::Pair;
 
 Parameters settings(const std::string& yaml) { return Parameters(base::parseYaml(yaml, "test")); }
 
-ObjectOptions objectOf(const std::string& name, const std::string& class_name) {
-  ObjectOptions object;
+scene::ObjectOptions objectOf(const std::string& name, const std::string& class_name) {
+  scene::ObjectOptions object;
   object.name = name;
   object.class_text = object.class_name = class_name;
   return object;
 }
 
 /// "0 rover, 1 drone": what classes became of these objects.
-std::string classesOf(Parameters root, std::vector<ObjectOptions>& objects) {
+std::string classesOf(Parameters root, std::vector<scene::ObjectOptions>& objects) {
   std::string text;
   for (const ClassConfig& each : readClasses(root, objects)) {
     text += (text.empty() ? "" : ", ") + std::to_string(each.id) + " " + each.name;
@@ -31,15 +31,15 @@ std::string classesOf(Parameters root, std::vector<ObjectOptions>& objects) {
 }
 
 TEST(ReadMasks, TakesSubtractionWhereItIsSetUp) {
-  EXPECT_EQ(readMasks(settings("{}")).method, MaskMethod::kExact);
+  EXPECT_EQ(readMasks(settings("{}")).method, label::MaskMethod::kExact);
   EXPECT_EQ(readMasks(settings("background_subtractor: {history_length: 1}")).method,
-            MaskMethod::kMog2);
+            label::MaskMethod::kMog2);
 }
 
 TEST(ReadMasks, TheMethodCanBeChosen) {
-  EXPECT_EQ(readMasks(settings("masks: {method: mog2}")).method, MaskMethod::kMog2);
+  EXPECT_EQ(readMasks(settings("masks: {method: mog2}")).method, label::MaskMethod::kMog2);
   EXPECT_EQ(readMasks(settings("{masks: {method: exact}, background_subtractor: {}}")).method,
-            MaskMethod::kExact);
+            label::MaskMethod::kExact);
 }
 
 TEST(ReadMasks, RefusesAnotherMethod) {
@@ -64,7 +64,7 @@ TEST(ReadLabels, RefusesWhatIsOutOfRange) {
 }
 
 TEST(ReadClasses, NumberNamesInAlphabeticalOrder) {
-  std::vector<ObjectOptions> objects = {objectOf("a", "rover"), objectOf("b", "drone"),
+  std::vector<scene::ObjectOptions> objects = {objectOf("a", "rover"), objectOf("b", "drone"),
                                         objectOf("c", "rover")};
   EXPECT_EQ(classesOf(settings("{}"), objects), "0 drone, 1 rover");
   EXPECT_EQ(objects[0].class_id, 1);
@@ -73,25 +73,25 @@ TEST(ReadClasses, NumberNamesInAlphabeticalOrder) {
 }
 
 TEST(ReadClasses, KeepNumbersAndNumberNamesRoundThem) {
-  std::vector<ObjectOptions> objects = {objectOf("a", "0"), objectOf("b", "7"),
+  std::vector<scene::ObjectOptions> objects = {objectOf("a", "0"), objectOf("b", "7"),
                                         objectOf("c", "drone"), objectOf("d", "cat")};
   EXPECT_EQ(classesOf(settings("{}"), objects), "0 0, 1 cat, 2 drone, 7 7");
   EXPECT_EQ(objects[1].class_id, 7);
 }
 
 TEST(ReadClasses, TextsThatOnlyLookLikeNumbersAreNames) {
-  std::vector<ObjectOptions> objects = {objectOf("a", "007"), objectOf("b", "-1")};
+  std::vector<scene::ObjectOptions> objects = {objectOf("a", "007"), objectOf("b", "-1")};
   EXPECT_EQ(classesOf(settings("{}"), objects), "0 -1, 1 007");
 }
 
 TEST(ReadClasses, AListNumbersThemFromZero) {
-  std::vector<ObjectOptions> objects = {objectOf("a", "rover")};
+  std::vector<scene::ObjectOptions> objects = {objectOf("a", "rover")};
   EXPECT_EQ(classesOf(settings("classes: [person, rover]"), objects), "0 person, 1 rover");
   EXPECT_EQ(objects[0].class_id, 1);
 }
 
 TEST(ReadClasses, AMapGivesNumbersAndObjectsMayNameEither) {
-  std::vector<ObjectOptions> objects = {objectOf("a", "rover"), objectOf("b", "26")};
+  std::vector<scene::ObjectOptions> objects = {objectOf("a", "rover"), objectOf("b", "26")};
   EXPECT_EQ(classesOf(settings("classes: {rover: 3, car: 26}"), objects), "3 rover, 26 car");
   EXPECT_EQ(objects[0].class_id, 3);
   EXPECT_EQ(objects[1].class_id, 26);
@@ -100,7 +100,7 @@ TEST(ReadClasses, AMapGivesNumbersAndObjectsMayNameEither) {
 }
 
 TEST(ReadClasses, RefuseAnObjectOfNoClass) {
-  std::vector<ObjectOptions> objects = {objectOf("a", "rovr")};
+  std::vector<scene::ObjectOptions> objects = {objectOf("a", "rovr")};
   Parameters root = settings("classes: [person, rover]");
   (void)readClasses(root, objects);
   EXPECT_THAT(root.errors(),
@@ -109,7 +109,7 @@ TEST(ReadClasses, RefuseAnObjectOfNoClass) {
 }
 
 TEST(ReadClasses, RefuseNumbersTwiceAndOutOfRange) {
-  std::vector<ObjectOptions> objects;
+  std::vector<scene::ObjectOptions> objects;
   Parameters root = settings("classes: {a: 1, b: 1, c: -2, d: 70000}");
   (void)readClasses(root, objects);
   EXPECT_THAT(root.errors(), ElementsAre(HasSubstr("its number 1 more than once"),
@@ -139,5 +139,5 @@ TEST(ReadSplit, RefusesWhatDoesNotAddUp) {
   EXPECT_THAT(by.errors(), ElementsAre(HasSubstr("split/by: found 'moon'")));
 }
 
-}  // namespace
+}  // namespace label_config_test
 }  // namespace synthetic_dataset::config

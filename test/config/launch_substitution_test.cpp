@@ -7,7 +7,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace launch_substitution_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -99,5 +99,5 @@ TEST(Substitute, NamesTheLineWhereAParenthesisIsMissing) {
       ThrowsMessage<Error>(HasSubstr("line 2: found '$(find hall/x', in which another '$'")));
 }
 
-}  // namespace
+}  // namespace launch_substitution_test
 }  // namespace synthetic_dataset::config

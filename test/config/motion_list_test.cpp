@@ -7,7 +7,7 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace motion_list_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -256,5 +256,5 @@ TEST(ReadMotions, NamesEverythingAtOnce) {
   EXPECT_THAT(errorsOf("[{weight: 0, split: dev}, 7, {seed: 1}]"), SizeIs(4));
 }
 
-}  // namespace
+}  // namespace motion_list_test
 }  // namespace synthetic_dataset::config

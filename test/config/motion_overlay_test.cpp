@@ -8,7 +8,7 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace motion_overlay_test {
 
 using ::testing::Contains;
 using ::testing::Not;
@@ -162,5 +162,5 @@ TEST(SettingsOfMotions, AreNoneOfTheWholeDataset) {
   }
 }
 
-}  // namespace
+}  // namespace motion_overlay_test
 }  // namespace synthetic_dataset::config

@@ -5,7 +5,7 @@
 #include "base/yaml_value.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace placement_config_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -16,14 +16,14 @@ struct Reading {
     placement = readPlacement(root);
   }
   Parameters root;
-  placement::PlacementOptions placement;
+  randomize::PlacementOptions placement;
 };
 
 TEST(ReadPlacement, TakesAMapForEnough) {
   const Reading reading("placement: {map: /maps/hall.yaml}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  const placement::PlacementOptions& placement = reading.placement;
-  EXPECT_EQ(placement.mode, placement::PlacementMode::kMap);
+  const randomize::PlacementOptions& placement = reading.placement;
+  EXPECT_EQ(placement.mode, randomize::PlacementMode::kMap);
   EXPECT_EQ(placement.map_file, "/maps/hall.yaml");
   EXPECT_EQ(placement.map_topic, std::nullopt);
   EXPECT_TRUE(placement.on_surface);
@@ -39,7 +39,7 @@ TEST(ReadPlacement, ReadsHowThingsStandOnAMap) {
       "0, unevenness: 0, tries: 7}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
   EXPECT_THAT(reading.root.unknownNames(), IsEmpty());
-  const placement::PlacementOptions& placement = reading.placement;
+  const randomize::PlacementOptions& placement = reading.placement;
   EXPECT_EQ(placement.map_file, std::nullopt);
   EXPECT_EQ(placement.map_topic, "/map");
   EXPECT_EQ(placement.surface.highest, -1.5);
@@ -64,7 +64,7 @@ TEST(ReadPlacement, KnowsNoHeightOnASurface) {
 TEST(ReadPlacement, ReadsAVolume) {
   const Reading reading("placement: {mode: volume, volume: {min: [-1, 2, 0.5], max: [1, 2, 3]}}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  EXPECT_EQ(reading.placement.mode, placement::PlacementMode::kVolume);
+  EXPECT_EQ(reading.placement.mode, randomize::PlacementMode::kVolume);
   EXPECT_EQ(reading.placement.volume.low, Eigen::Vector3d(-1, 2, 0.5));
   EXPECT_EQ(reading.placement.volume.high, Eigen::Vector3d(1, 2, 3));
   EXPECT_FALSE(reading.placement.upright);
@@ -80,7 +80,7 @@ TEST(ReadPlacement, ReadsADrop) {
   const std::string drop = "placement: {mode: drop, volume: {min: [0, 0, 1], max: [1, 1, 2]}";
   const Reading reading(drop + ", fall_time: 4}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  EXPECT_EQ(reading.placement.mode, placement::PlacementMode::kDrop);
+  EXPECT_EQ(reading.placement.mode, randomize::PlacementMode::kDrop);
   EXPECT_EQ(reading.placement.fall_time, 4.0);
   EXPECT_EQ(Reading(drop + "}").placement.fall_time, 10.0);
 }
@@ -158,5 +158,5 @@ INSTANTIATE_TEST_SUITE_P(
         BadPlacement{std::string(kDrop) + ", fall_time: 0",
                      "placement/fall_time: found 0.0; it should be above 2.5"}));
 
-}  // namespace
+}  // namespace placement_config_test
 }  // namespace synthetic_dataset::config

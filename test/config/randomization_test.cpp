@@ -9,7 +9,7 @@
 #include "config/config.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace randomization_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -18,14 +18,14 @@ using ::testing::IsEmpty;
 using ::testing::Key;
 using ::testing::UnorderedElementsAre;
 
-using Optional = std::optional<random::Distribution>;
+using Optional = std::optional<base::Distribution>;
 
 Parameters settings(const std::string& yaml) { return Parameters(base::parseYaml(yaml, "test")); }
 
 /// What is read of `randomize` where nothing is wrong or unknown.
-appearance::Randomization read(const std::string& randomize) {
+randomize::Randomization read(const std::string& randomize) {
   Parameters root = settings("randomize: " + randomize);
-  appearance::Randomization randomization = readRandomization(root);
+  randomize::Randomization randomization = readRandomization(root);
   EXPECT_THAT(root.errors(), IsEmpty()) << randomize;
   EXPECT_THAT(root.unknownNames(), IsEmpty()) << randomize;
   return randomization;
@@ -59,7 +59,7 @@ void expectRange(const Optional& distribution, std::size_t dimension, double low
 }
 
 TEST(Randomization, IsNothingWhereNothingIsGiven) {
-  const appearance::Randomization none = readRandomization(settings("seed: 1"));
+  const randomize::Randomization none = readRandomization(settings("seed: 1"));
   EXPECT_FALSE(none.changesLook());
   EXPECT_THAT(none.lights, IsEmpty());
   EXPECT_THAT(none.materials, IsEmpty());
@@ -67,12 +67,12 @@ TEST(Randomization, IsNothingWhereNothingIsGiven) {
 }
 
 TEST(Randomization, ReadsAllOfALight) {
-  const appearance::Randomization given = read(
+  const randomize::Randomization given = read(
       "{lights: {sun: {present: 0.75, intensity: {uniform: [0.5, 2]}, colour: {uniform: [[1, 1, 1],"
       " [1, 2, 3]]}, elevation: {uniform: [0.2, 1.5]}, azimuth: {uniform: [-3, 3]}, shift: "
       "{uniform: [-2, 1]}}}}");
   ASSERT_THAT(given.lights, ElementsAre(Key("sun")));
-  const appearance::LightRandomization& sun = given.lights.at("sun");
+  const randomize::LightRandomization& sun = given.lights.at("sun");
   EXPECT_EQ(sun.present, 0.75);
   expectRange(sun.intensity, 1, 0.5, 2.0);
   expectRange(sun.colour, 3, 1.0, 3.0);
@@ -82,21 +82,21 @@ TEST(Randomization, ReadsAllOfALight) {
 }
 
 TEST(Randomization, LeavesOutWhatALightDoesNotHave) {
-  const appearance::Randomization given =
+  const randomize::Randomization given =
       read("{lights: {sun: {intensity: 2}, every: {azimuth: 1}}}");
   EXPECT_THAT(given.lights, UnorderedElementsAre(Key("sun"), Key("every")));
-  const appearance::LightRandomization& sun = given.lights.at("sun");
+  const randomize::LightRandomization& sun = given.lights.at("sun");
   EXPECT_FALSE(sun.present || sun.colour || sun.elevation || sun.azimuth || sun.shift);
   EXPECT_FALSE(given.lights.at("every").intensity);
 }
 
 TEST(Randomization, ReadsAllOfAMaterial) {
-  const appearance::Randomization given = read(
+  const randomize::Randomization given = read(
       "{materials: {'rover::base_link': {for_each: model, colour: {uniform: [0, 1]}, tint: "
       "{uniform: [0.5, 1]}, roughness: "
       "{uniform: [0.25, 0.75]}, metalness: {choice: [0, 1]}, textures: procedural}}}");
   ASSERT_THAT(given.materials, ElementsAre(Key("rover::base_link")));
-  const appearance::MaterialRandomization& material = given.materials.at("rover::base_link");
+  const randomize::MaterialRandomization& material = given.materials.at("rover::base_link");
   EXPECT_FALSE(material.for_each_visual);
   expectRange(material.colour, 3, 0.0, 1.0);
   expectRange(material.tint, 3, 0.5, 1.0);
@@ -106,7 +106,7 @@ TEST(Randomization, ReadsAllOfAMaterial) {
 }
 
 TEST(Randomization, DrawsForEachVisualUnlessItIsToldOtherwise) {
-  const appearance::Randomization given =
+  const randomize::Randomization given =
       read("{materials: {objects: {colour: 0.5}, world: {for_each: visual}}}");
   EXPECT_TRUE(given.materials.at("objects").for_each_visual);
   EXPECT_TRUE(given.materials.at("world").for_each_visual);
@@ -124,7 +124,7 @@ TEST(Randomization, MakesAFolderOfTexturesAbsolute) {
 }
 
 TEST(Randomization, ReadsHowLikelyObjectsAreThere) {
-  const appearance::Randomization given =
+  const randomize::Randomization given =
       read("{objects: {every: {present: 0.5}, rover_1: {present: 1}}}");
   EXPECT_EQ(given.ofObject("rover_1").present, 1.0);
   EXPECT_EQ(given.ofObject("rover_2").present, 0.5);
@@ -136,14 +136,14 @@ TEST(Randomization, ReadsHowLikelyObjectsAreThere) {
 }
 
 TEST(Randomization, ReadsWhatObjectsWear) {
-  const appearance::Randomization given = read(
+  const randomize::Randomization given = read(
       "{objects: {every: {scale: {uniform: [0.5, 2]}, sizes: 3}, rover_1: {model: {choice: "
       "['model://a', /data/b.sdf], weights: [1, 3]}, scale: {choice: [1, 2]}}}}");
-  const appearance::ObjectRandomization rover = given.ofObject("rover_1");
+  const randomize::ObjectRandomization rover = given.ofObject("rover_1");
   EXPECT_THAT(rover.model->texts, ElementsAre("model://a", "/data/b.sdf"));
   EXPECT_THAT(rover.model->weights, ElementsAre(1.0, 3.0));
   expectRange(rover.scale, 1, 1.0, 2.0);
-  const appearance::ObjectRandomization other = given.ofObject("rover_2");
+  const randomize::ObjectRandomization other = given.ofObject("rover_2");
   EXPECT_FALSE(other.model);
   expectRange(other.scale, 1, 0.5, 2.0);
   EXPECT_EQ(other.sizes, 3);
@@ -165,7 +165,7 @@ TEST(Randomization, NamesWhatObjectsCannotWear) {
 }
 
 TEST(Randomization, ReadsAmbientLightAndBackground) {
-  const appearance::Randomization given =
+  const randomize::Randomization given =
       read("{ambient: {uniform: [0.25, 0.5]}, background: [0, 0.5, 1]}");
   expectRange(given.ambient, 3, 0.25, 0.5);
   expectRange(given.background.colour, 3, 0.0, 1.0);
@@ -176,7 +176,7 @@ TEST(Randomization, ReadsAmbientLightAndBackground) {
 TEST(Randomization, ReadsHowManyLightsAreOn) {
   EXPECT_FALSE(read("{lights: {sun: {present: 0.5}}}").light_count);
   expectRange(read("{light_count: {choice: [1, 2, 4]}}").light_count, 1, 1.0, 4.0);
-  const appearance::Randomization given = read("{lights: {light_count: {present: 0.5}}}");
+  const randomize::Randomization given = read("{lights: {light_count: {present: 0.5}}}");
   EXPECT_THAT(given.lights, ElementsAre(Key("light_count"))) << "a light may be called so";
   EXPECT_FALSE(given.light_count);
 }
@@ -190,7 +190,7 @@ TEST(Randomization, RefusesACountOfLightsBesideLightsThatAreOnByChance) {
 }
 
 TEST(Randomization, ReadsAllOfASensor) {
-  const appearance::Randomization given = read(
+  const randomize::Randomization given = read(
       "{sensor: {exposure: {normal: [0, 1]}, blur: {uniform: [0, 1.5]}, noise_stddev: {uniform: "
       "[0.01, 0.02]}}}");
   expectRange(given.sensor.exposure, 1, -10.0, 10.0);
@@ -209,9 +209,9 @@ TEST(Randomization, ChangesTheLookUnlessItIsOfSensorsAlone) {
 }
 
 TEST(Randomization, ShiftsEachAxisByItselfAndTintsAllChannelsAlike) {
-  const appearance::Randomization given =
+  const randomize::Randomization given =
       read("{lights: {lamp: {shift: {uniform: [-1, 1]}, colour: {uniform: [0, 1]}}}}");
-  random::RandomSource source(1);
+  base::RandomSource source(1);
   const auto shift = given.lights.at("lamp").shift->draw(source);
   EXPECT_NE(shift[0], shift[1]);
   EXPECT_NE(shift[1], shift[2]);
@@ -318,5 +318,5 @@ TEST(Randomization, OfTheFieldOfViewIsAnAngle) {
   EXPECT_THAT(errorOf("sensor", "field_of_view: {uniform: [1, 7]}"), HasSubstr("0.01 to 6.28"));
 }
 
-}  // namespace
+}  // namespace randomization_test
 }  // namespace synthetic_dataset::config

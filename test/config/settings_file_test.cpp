@@ -10,7 +10,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::config {
-namespace {
+namespace settings_file_test {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -229,5 +229,5 @@ TEST_F(IncludedSettings, ThatAreWrongAreNamedByTheirOwnFile) {
   EXPECT_THAT(errorOf("my.yaml"), HasSubstr(path("broken.yaml") + ": line "));
 }
 
-}  // namespace
+}  // namespace settings_file_test
 }  // namespace synthetic_dataset::config

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset::config {
-namespace {
+namespace settings_text_test {
 
 using testing::ElementsAre;
 using testing::Pair;
@@ -18,5 +18,5 @@ TEST(SettingsText, TakesGroupsApartAndPutsThemTogether) {
   EXPECT_EQ(settingsTree(flat), tree);
 }
 
-}  // namespace
+}  // namespace settings_text_test
 }  // namespace synthetic_dataset::config

@@ -10,7 +10,7 @@
 
 #include "base/json_text.h"
 #include "config/settings_file.h"
-#include "setup/ros_packages.h"
+#include "run/setup/ros_packages.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {
@@ -47,7 +47,7 @@ std::string json(const Value& value) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto packages = rosPackageFinder();
+  const auto packages = run::rosPackageFinder();
   for (int i = 1; i < argc; ++i) {
     try {
       std::cout << json(Value(config::loadSettings(argv[i], packages))) << '\n';

@@ -7,7 +7,7 @@
 #include "run/generator.h"
 #include "support/bag_builder.h"
 #include "synthetic_dataset/label_text.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::test {
 namespace {
@@ -167,8 +167,8 @@ void LoaderDataset::generate(const std::filesystem::path& folder) const {
   parameters["output_folder"] = folder.string();
   parameters["if_exists"] = "overwrite";
   addWriters(parameters);
-  Reporter reporter;
-  Generator generator(Value(parameters), reporter,
+  run::Reporter reporter;
+  run::Generator generator(Value(parameters), reporter,
                       {pluginXml(), kFolder + "/plugin_package/plugins.xml"});
   (void)generator.run();
 }

@@ -8,7 +8,7 @@
 
 #include "loaders/hard_cases.h"
 #include "synthetic_dataset/errors.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
 namespace {
 

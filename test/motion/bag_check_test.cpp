@@ -12,7 +12,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace bag_check_test {
 
 using test::BagBuilder;
 using test::Compression;
@@ -188,5 +188,5 @@ TEST_F(BagCheck, RefusesAnOldBagsMessageThatIsSaidToBeLong) {
   EXPECT_THAT(errorOf(with(content, nanoseconds, 0x7FFFFFFF)), HasSubstr("beyond the end"));
 }
 
-}  // namespace
+}  // namespace bag_check_test
 }  // namespace synthetic_dataset::motion

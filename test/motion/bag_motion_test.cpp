@@ -11,7 +11,7 @@
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace bag_motion_test {
 
 using test::BagBuilder;
 using test::milliseconds;
@@ -218,5 +218,5 @@ TEST(BagMotion, RefusesARecordingWithoutAUsableTransform) {
                           HasSubstr("the frame is its own parent")));
 }
 
-}  // namespace
+}  // namespace bag_motion_test
 }  // namespace synthetic_dataset::motion

@@ -10,7 +10,7 @@
 #include "motion/recorded.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace bag_motion_tf2_test {
 
 using test::BagBuilder;
 
@@ -166,5 +166,5 @@ TEST_P(BagMotionTf2Test, FindsTheTimelineThatAScanWithTf2Finds) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, BagMotionTf2Test, ::testing::Range(0U, 12U));
 
-}  // namespace
+}  // namespace bag_motion_tf2_test
 }  // namespace synthetic_dataset::motion

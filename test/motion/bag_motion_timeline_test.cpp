@@ -6,7 +6,7 @@
 #include "motion/recorded.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace bag_motion_timeline_test {
 
 using test::BagBuilder;
 using test::milliseconds;
@@ -209,5 +209,5 @@ TEST(Timeline, RefusesMoreScenesThanFileNamesCanNumber) {
               AllOf(HasSubstr("1000000000 scenes"), HasSubstr("lower the rate")));
 }
 
-}  // namespace
+}  // namespace bag_motion_timeline_test
 }  // namespace synthetic_dataset::motion

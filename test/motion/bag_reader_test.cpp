@@ -10,7 +10,7 @@
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace bag_reader_test {
 
 using test::BagBuilder;
 using test::Compression;
@@ -166,5 +166,5 @@ TEST_F(BagReaderTest, AllowsABagWithoutTfBesideOneThatHasSome) {
   EXPECT_THAT(read({talk, silent, smallBag("a.bag")}), ElementsAre("alpha/tf"));
 }
 
-}  // namespace
+}  // namespace bag_reader_test
 }  // namespace synthetic_dataset::motion

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace frame_names_test {
 
 const std::vector<std::string> kFrames = {"map", "alpha/odom", "alpha/base_link",
                                           "bravo/base_link"};
@@ -42,5 +42,5 @@ TEST(DidYouMeanFrame, SaysNothingWhenNothingIsAlike) {
   EXPECT_EQ(didYouMeanFrame("", kFrames), "");
 }
 
-}  // namespace
+}  // namespace frame_names_test
 }  // namespace synthetic_dataset::motion

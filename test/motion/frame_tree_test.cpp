@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace frame_tree_test {
 
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -110,5 +110,5 @@ TEST_F(FrameTreeTest, SurvivesALoop) {
   EXPECT_TRUE(tree.connection(map, base, Stamp(30)).known);
 }
 
-}  // namespace
+}  // namespace frame_tree_test
 }  // namespace synthetic_dataset::motion

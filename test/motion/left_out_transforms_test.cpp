@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace left_out_transforms_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -83,5 +83,5 @@ TEST(LeftOutTransforms, CountsByBagFramesAndReason) {
                   "1 transform of map -> bravo was left out: a reason (first at 12.600000000 s)"));
 }
 
-}  // namespace
+}  // namespace left_out_transforms_test
 }  // namespace synthetic_dataset::motion

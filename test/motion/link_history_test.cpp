@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace link_history_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -68,5 +68,5 @@ TEST(LinkHistory, ListsItsParentsInOrderOfTime) {
   EXPECT_THAT(LinkHistory().parents(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace link_history_test
 }  // namespace synthetic_dataset::motion

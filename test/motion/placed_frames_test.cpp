@@ -8,7 +8,7 @@
 #include "support/fake_frame_source.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace placed_frames_test {
 
 using test::FakeFrameSource;
 using test::milliseconds;
@@ -86,5 +86,5 @@ TEST(PlacedFrames, DoNotLimitTheTimesOfScenes) {
   EXPECT_THAT(frames.timeline({"alpha", "bravo"}, everyMilliseconds(500)).stamps, SizeIs(2));
 }
 
-}  // namespace
+}  // namespace placed_frames_test
 }  // namespace synthetic_dataset::motion

@@ -6,7 +6,7 @@
 #include "support/error_messages.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace placement_motion_test {
 
 using test::milliseconds;
 using ::testing::ElementsAre;
@@ -38,5 +38,5 @@ TEST(PlacementMotion, NamesFramesThatItDoesNotHaveAndTimesBeyondAllClocks) {
                           HasSubstr("scenes: found 100000000, one every 1000000.000000000 s")));
 }
 
-}  // namespace
+}  // namespace placement_motion_test
 }  // namespace synthetic_dataset::motion

@@ -7,7 +7,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace recorded_camera_info_test {
 
 using test::milliseconds;
 using ::testing::AllOf;
@@ -66,5 +66,5 @@ TEST_F(RecordedCameraInfoTest, NamesTheTypeOfATopicThatIsNoCalibration) {
               AllOf(HasSubstr("std_msgs/String"), HasSubstr("sensor_msgs/CameraInfo")));
 }
 
-}  // namespace
+}  // namespace recorded_camera_info_test
 }  // namespace synthetic_dataset::motion

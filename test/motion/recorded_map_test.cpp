@@ -10,7 +10,7 @@
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace recorded_map_test {
 
 using test::BagBuilder;
 using test::milliseconds;
@@ -155,5 +155,5 @@ TEST_F(RecordedMapTest, RefusesCellsThatTheMessageHasNoBytesFor) {
                     HasSubstr("its list of cells is said to have 268435455 entries")));
 }
 
-}  // namespace
+}  // namespace recorded_map_test
 }  // namespace synthetic_dataset::motion

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace time_text_test {
 
 TEST(SecondsText, KeepsEveryNanosecondOfUnixTimes) {
   EXPECT_EQ(secondsText(Stamp(1650000002623456789)), "1650000002.623456789 s");
@@ -19,5 +19,5 @@ TEST(SecondsText, KeepsTheSignOfTimesShorterThanASecond) {
   EXPECT_EQ(secondsText(Duration(-500000000)), "-0.500000000 s");
 }
 
-}  // namespace
+}  // namespace time_text_test
 }  // namespace synthetic_dataset::motion

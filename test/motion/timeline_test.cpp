@@ -10,7 +10,7 @@
 #include "motion/recorded.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace timeline_test {
 
 using ::testing::HasSubstr;
 
@@ -63,5 +63,5 @@ TEST(PeriodOf, RefusesRatesThatHaveNoPeriod) {
   }
 }
 
-}  // namespace
+}  // namespace timeline_test
 }  // namespace synthetic_dataset::motion

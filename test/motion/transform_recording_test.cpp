@@ -7,7 +7,7 @@
 #include "motion/ros_time.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace transform_recording_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -111,5 +111,5 @@ TEST(TransformRecording, DoesNotKnowFramesOfTransformsThatWereLeftOut) {
   EXPECT_EQ(recording.finish().names().find("alpha"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace transform_recording_test
 }  // namespace synthetic_dataset::motion

@@ -6,7 +6,7 @@
 #include "support/error_messages.h"
 
 namespace synthetic_dataset::motion {
-namespace {
+namespace window_report_test {
 
 using test::BagBuilder;
 using test::milliseconds;
@@ -125,5 +125,5 @@ TEST(WindowReport, NamesOptionsThatLeaveNothing) {
                           HasSubstr("the duration is 0.000000000 s")));
 }
 
-}  // namespace
+}  // namespace window_report_test
 }  // namespace synthetic_dataset::motion

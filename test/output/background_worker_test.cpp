@@ -10,7 +10,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace background_worker_test {
 
 TEST(BackgroundWorker, DoesJobsInTheirOrder) {
   std::vector<int> done;
@@ -79,5 +79,5 @@ TEST(BackgroundWorker, TellsThatTheSystemStartsNoThread) {
   }
 }
 
-}  // namespace
+}  // namespace background_worker_test
 }  // namespace synthetic_dataset::output

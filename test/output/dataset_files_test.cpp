@@ -8,7 +8,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace dataset_files_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -169,5 +169,5 @@ TEST_F(DatasetFiles, AreReadAndLinkedWhileOneIsWritten) {
   EXPECT_EQ(test::readFile(path("a/link")), " and more");
 }
 
-}  // namespace
+}  // namespace dataset_files_test
 }  // namespace synthetic_dataset::output

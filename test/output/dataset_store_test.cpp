@@ -13,7 +13,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace dataset_store_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -340,5 +340,5 @@ TEST(DatasetStore, LeavesASingleManifestFile) {
   EXPECT_THAT(names, UnorderedElementsAre("a", "manifest.sqlite"));
 }
 
-}  // namespace
+}  // namespace dataset_store_test
 }  // namespace synthetic_dataset::output

@@ -11,7 +11,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace earlier_dataset_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -223,5 +223,5 @@ TEST_F(EarlierDatasetTest, OfARunKilledAmidASceneListsThatScenesFilesButNotTheSc
   EXPECT_THAT(tree(), ElementsAre("a", "b"));
 }
 
-}  // namespace
+}  // namespace earlier_dataset_test
 }  // namespace synthetic_dataset::output

@@ -8,7 +8,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace preflight_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -86,5 +86,5 @@ TEST_F(PreflightTest, RefusesTheManifestAsAUserFile) {
               ElementsAre(HasSubstr("place of the dataset's manifest")));
 }
 
-}  // namespace
+}  // namespace preflight_test
 }  // namespace synthetic_dataset::output

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset::output {
-namespace {
+namespace progress_test {
 
 using testing::ElementsAre;
 using testing::EndsWith;
@@ -88,5 +88,5 @@ TEST_F(ProgressTest, ShowsTheOnlySceneOnce) {
   EXPECT_THAT(shown_, ElementsAre("scene 1 of 1 (100 %), 1.0 scenes/s"));
 }
 
-}  // namespace
+}  // namespace progress_test
 }  // namespace synthetic_dataset::output

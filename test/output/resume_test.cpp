@@ -12,7 +12,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace resume_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -222,5 +222,5 @@ TEST_F(ResumeTest, LeavesNoFileOfItsOwn) {
   EXPECT_THAT(names, testing::UnorderedElementsAre("a", "b", "list.txt", "manifest.sqlite"));
 }
 
-}  // namespace
+}  // namespace resume_test
 }  // namespace synthetic_dataset::output

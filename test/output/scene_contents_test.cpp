@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset::output {
-namespace {
+namespace scene_contents_test {
 
 using testing::ElementsAre;
 
@@ -68,5 +68,5 @@ TEST(SceneContents, AMaskIsItsWholeImageEncodedOnce) {
               ElementsAre(ElementsAre(0, 1, 2), ElementsAre(3)));
 }
 
-}  // namespace
+}  // namespace scene_contents_test
 }  // namespace synthetic_dataset::output

@@ -9,7 +9,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace shards_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -172,5 +172,5 @@ TEST_F(ShardsTest, AMissingFileStopsAMerge) {
   }
 }
 
-}  // namespace
+}  // namespace shards_test
 }  // namespace synthetic_dataset::output

@@ -8,7 +8,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace written_dataset_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -103,5 +103,5 @@ TEST(WrittenDataset, IsNotMadeWhereThereIsNone) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-}  // namespace
+}  // namespace written_dataset_test
 }  // namespace synthetic_dataset::output

@@ -9,10 +9,10 @@
 #include "plugins/plugin_harness.h"
 #include "plugins/readback/format.h"
 #include "support/temporary_folder.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace every_format_test {
 
 namespace fs = std::filesystem;
 
@@ -108,5 +108,5 @@ TEST(Formats, HaveAReaderAndATestEach) {
   EXPECT_EQ(formats::formatOf("synthetic_dataset/Yol"), nullptr);
 }
 
-}  // namespace
+}  // namespace every_format_test
 }  // namespace synthetic_dataset

@@ -2,7 +2,7 @@
 
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -13,10 +13,10 @@ const cv::Size kImageSize(640, 480);
 
 void PluginTest::SetUpTestSuite() { test::preparePluginEnvironment(); }
 
-writers::WriterHost& PluginTest::load(const Value::Map& parameters) {
+output::WriterHost& PluginTest::load(const Value::Map& parameters) {
   parameters_ = Parameters(parameters, "w");
-  host_ = std::make_unique<writers::WriterHost>(
-      std::vector<writers::WriterOptions>{{"w", type_, folder(), parameters_}}, dataset_,
+  host_ = std::make_unique<output::WriterHost>(
+      std::vector<output::WriterOptions>{{"w", type_, folder(), parameters_}}, dataset_,
       std::vector<std::string>{test::pluginXml()});
   return *host_;
 }

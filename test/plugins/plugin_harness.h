@@ -11,7 +11,7 @@
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/parameters.h"
 #include "synthetic_dataset/scene.h"
-#include "writers/writer_host.h"
+#include "output/writers/writer_host.h"
 
 namespace synthetic_dataset {
 
@@ -26,7 +26,7 @@ class PluginTest : public testing::Test {
   static void SetUpTestSuite();
 
   /// Loads the writer with these parameters, under the name `w`.
-  writers::WriterHost& load(const Value::Map& parameters);
+  output::WriterHost& load(const Value::Map& parameters);
 
   [[nodiscard]] static Scene scene(std::int64_t index, std::vector<SceneObject> objects);
 
@@ -76,7 +76,7 @@ class PluginTest : public testing::Test {
   test::TemporaryFolder folder_;
   DatasetInfo dataset_;  ///< that the writer is told of; with the camera alone unless a test adds
   Parameters parameters_{Value::Map{}};
-  std::unique_ptr<writers::WriterHost> host_;
+  std::unique_ptr<output::WriterHost> host_;
 
  private:
   std::string type_;

@@ -5,13 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "gallery/model_gallery.h"
+#include "programs/gallery/model_gallery.h"
 #include "reference/golden_case.h"
-#include "setup/ros_packages.h"
+#include "run/setup/ros_packages.h"
 #include "world/files/model_folders.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace gazebo_models_test {
 
 struct Expected {
   std::size_t visuals;
@@ -52,11 +52,11 @@ const std::map<std::string, Expected> kExpected = {
 TEST(GazeboModels, LoadWithAllTheirPartsAndTextures) {
   const std::filesystem::path folder = test::referenceFolder() / "models";
   const auto models = world::findModels(folder);
-  const world::ResourceFinder finder(modelFolders(folder, models), rosPackageFinder());
+  const world::ResourceFinder finder(programs::modelFolders(folder, models), run::rosPackageFinder());
   std::size_t loaded = 0;
   for (const auto& model : models) {
     const std::string name = std::filesystem::relative(model, folder).string();
-    const GalleryEntry entry = portrayModel(model, name, finder, {64, 48});
+    const programs::GalleryEntry entry = programs::portrayModel(model, name, finder, {64, 48});
     const auto expected = kExpected.find(name);
     EXPECT_EQ(entry.error.empty(), expected != kExpected.end()) << name << ": " << entry.error;
     if (!entry.error.empty() || expected == kExpected.end()) continue;
@@ -69,5 +69,5 @@ TEST(GazeboModels, LoadWithAllTheirPartsAndTextures) {
   EXPECT_EQ(loaded, kExpected.size()) << "of " << models.size();
 }
 
-}  // namespace
+}  // namespace gazebo_models_test
 }  // namespace synthetic_dataset

@@ -12,10 +12,10 @@
 #include "run/generator.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/label_text.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace golden_labels_test {
 
 namespace fs = std::filesystem;
 using test::GoldenCase;
@@ -108,8 +108,8 @@ class GoldenLabels : public ::testing::TestWithParam<Expected> {
   void SetUp() override {
     test::preparePluginEnvironment();
     const Value parameters = golden.parameters(folder / "out", folder / "boxes.world");
-    Reporter silent;
-    Generator generator(parameters, silent, {test::pluginXml()});
+    run::Reporter silent;
+    run::Generator generator(parameters, silent, {test::pluginXml()});
     summary = generator.run();
   }
 
@@ -123,7 +123,7 @@ class GoldenLabels : public ::testing::TestWithParam<Expected> {
 
   GoldenCase golden{GetParam().name};
   test::TemporaryFolder folder;
-  RunSummary summary;
+  run::RunSummary summary;
 };
 
 TEST_P(GoldenLabels, HaveTheSameScenes) {
@@ -183,5 +183,5 @@ INSTANTIATE_TEST_SUITE_P(
                       Expected{"simtime_trunc", {"solo"}, 37, 1}),
     [](const auto& golden) { return golden.param.name; });
 
-}  // namespace
+}  // namespace golden_labels_test
 }  // namespace synthetic_dataset

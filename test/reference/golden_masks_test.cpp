@@ -7,12 +7,12 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "annotate/mask.h"
-#include "annotate/mog2_segmenter.h"
+#include "label/mask.h"
+#include "label/mog2_segmenter.h"
 #include "reference/golden_case.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace golden_masks_test {
 
 namespace fs = std::filesystem;
 
@@ -35,7 +35,7 @@ TEST_P(GoldenMasks, AreTheOriginalsPixelByPixel) {
   const fs::path inputs = golden.folder() / "mask_inputs";
   // The case's own settings; simtime_trunc takes the defaults.
   const bool defaults = GetParam() == "simtime_trunc";
-  annotate::Mog2Segmenter segmenter({defaults ? 100 : 1, 500.0, false});
+  label::Mog2Segmenter segmenter({defaults ? 100 : 1, 500.0, false});
   segmenter.train(cv::imread((inputs / "background.png").string()));
   int compared = 0;
   for (const auto& object : fs::directory_iterator(inputs)) {
@@ -73,5 +73,5 @@ INSTANTIATE_TEST_SUITE_P(Cases, GoldenMasks,
                          ::testing::Values("example", "nested_late_early", "simtime_trunc"),
                          [](const auto& golden) { return golden.param; });
 
-}  // namespace
+}  // namespace golden_masks_test
 }  // namespace synthetic_dataset

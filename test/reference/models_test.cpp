@@ -17,7 +17,7 @@
 #include "world/world_loader.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace models_test {
 
 namespace fs = std::filesystem;
 
@@ -110,5 +110,5 @@ TEST(ReferenceModels, LoadWithoutWhatIsMissing) {
   }
 }
 
-}  // namespace
+}  // namespace models_test
 }  // namespace synthetic_dataset

@@ -6,7 +6,7 @@
 #include "reference/golden_case.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace recorded_bags_test {
 
 TEST(RecordedBags, AJackalsRunIsReplayed) {
   const motion::BagMotion recording({(test::referenceFolder() / "bags/jackal.bag").string()},
@@ -29,5 +29,5 @@ TEST(RecordedBags, AJackalsRunIsReplayed) {
   EXPECT_GT(length, 5.0);
 }
 
-}  // namespace
+}  // namespace recorded_bags_test
 }  // namespace synthetic_dataset

@@ -11,10 +11,10 @@
 #include "run/generator.h"
 #include "support/temporary_folder.h"
 #include "world/world_loader.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace robots_test {
 
 std::string modelFile(const std::string& name) {
   return (test::referenceFolder() / "models/urdf" / name).string();
@@ -67,7 +67,7 @@ distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}
 )";
 
 /// Scenes of the Jackal's recording with another robot in its place, seen from beside its start.
-RunSummary replay(const test::TemporaryFolder& folder, const std::string& model,
+run::RunSummary replay(const test::TemporaryFolder& folder, const std::string& model,
                   const std::string& output) {
   const std::string text =
       "bag_file: " + (test::referenceFolder() / "bags/jackal.bag").string() +
@@ -78,8 +78,8 @@ RunSummary replay(const test::TemporaryFolder& folder, const std::string& model,
       modelFile(model) + "}\noutput_folder: " + output +
       "\nbackground_subtractor: {history_length: 1, var_threshold: 16.0}\nyolo: {main_list: "
       "list.txt}\nbounding_shape: {output_frame: map}\n";
-  Reporter reporter;
-  Generator generator(base::parseYaml(text, "test"), reporter, {test::pluginXml()});
+  run::Reporter reporter;
+  run::Generator generator(base::parseYaml(text, "test"), reporter, {test::pluginXml()});
   return generator.run();
 }
 
@@ -89,11 +89,11 @@ TEST(Robots, ReplayAJackalsRun) {
   const char* kept = std::getenv("SYNTHETIC_DATASET_KEEP");
   const std::filesystem::path out = kept != nullptr ? std::filesystem::path(kept) : folder / "out";
   for (const std::string model : {"husky/husky.urdf", "racecar/racecar.urdf"}) {
-    const RunSummary summary = replay(folder, model, (out / model).string());
+    const run::RunSummary summary = replay(folder, model, (out / model).string());
     EXPECT_GE(summary.scenes, 19) << model;
     EXPECT_GT(summary.objects.at(0).scenes_in_view, 0) << model;
   }
 }
 
-}  // namespace
+}  // namespace robots_test
 }  // namespace synthetic_dataset

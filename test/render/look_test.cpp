@@ -10,7 +10,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace look_test {
 
 using test::halvedTexture;
 using test::Stage;
@@ -411,5 +411,5 @@ TEST_F(Looks, LetGoOfTexturesThatAreWornNoMore) {
   EXPECT_TRUE(worn.expired());
 }
 
-}  // namespace
+}  // namespace look_test
 }  // namespace synthetic_dataset::render

@@ -8,7 +8,7 @@
 #include "render/renderer.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace material_test {
 
 using test::halvedTexture;
 using test::kSmallCamera;
@@ -293,5 +293,5 @@ TEST(Material, DoubleSidedSurfacesAreLitOnTheSideThatIsSeen) {
   EXPECT_EQ(green(takePicture(litAlong({0, 0, -1}), stage)), 0) << "light from behind";
 }
 
-}  // namespace
+}  // namespace material_test
 }  // namespace synthetic_dataset::render

@@ -15,7 +15,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace ray_casting_test {
 
 using synthetic_dataset::test::randomOrientation;
 using synthetic_dataset::test::randomPoint;
@@ -294,5 +294,5 @@ TEST(RayCasting, FindsTheSilhouettesBoxes) {
   EXPECT_GT(exact, 8) << "of " << world.stage.links().size();
 }
 
-}  // namespace
+}  // namespace ray_casting_test
 }  // namespace synthetic_dataset::render

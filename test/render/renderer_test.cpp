@@ -13,7 +13,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace renderer_test {
 
 using test::Stage;
 
@@ -427,5 +427,5 @@ TEST(Renderer, RefusesMoreLightsThanItHas) {
   EXPECT_THROW(Renderer(description, stage.links(), {}), Error);
 }
 
-}  // namespace
+}  // namespace renderer_test
 }  // namespace synthetic_dataset::render

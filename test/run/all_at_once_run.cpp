@@ -7,9 +7,9 @@
 #include "config/settings_text.h"
 #include "run/generator.h"
 #include "support/error_messages.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset::test {
+namespace synthetic_dataset::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ void AllAtOnceRun::expectFiles(const std::map<std::string, std::string>& expecte
   }
 }
 
-}  // namespace synthetic_dataset::test
+}  // namespace synthetic_dataset::run

@@ -9,7 +9,7 @@
 #include "support/tiny_run.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset::test {
+namespace synthetic_dataset::run {
 
 /// Stops a run after so many scenes.
 class StoppingReporter : public Reporter {
@@ -63,4 +63,4 @@ class AllAtOnceRun {
   TinyRun tiny_;
 };
 
-}  // namespace synthetic_dataset::test
+}  // namespace synthetic_dataset::run

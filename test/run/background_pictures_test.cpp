@@ -11,8 +11,8 @@
 #include "output/manifest/sqlite.h"
 #include "run_fixture.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace background_pictures_test {
 
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
@@ -145,5 +145,5 @@ TEST(BackgroundPicturesKept, ChangeNoByte) {
   }
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace background_pictures_test
+}  // namespace synthetic_dataset::run

@@ -9,8 +9,8 @@
 #include "run_fixture.h"
 #include "support/bag_builder.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace cameras_test {
 
 namespace fs = std::filesystem;
 using test::milliseconds;
@@ -223,5 +223,5 @@ TEST_F(CamerasTest, AnExposureLongerThanThePeriodIsRefused) {
                                        HasSubstr("0.2500 s"))));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace cameras_test
+}  // namespace synthetic_dataset::run

@@ -4,10 +4,10 @@
 
 #include "run/scene_loop.h"
 #include "support/tiny_run.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace dataset_sink_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -53,5 +53,5 @@ TEST_F(DatasetSinkTest, WantsTheChosenScenesUntilTheyAreThere) {
   EXPECT_EQ(sink.store().counts().scenes, 2);
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace dataset_sink_test
+}  // namespace synthetic_dataset::run

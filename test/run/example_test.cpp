@@ -9,12 +9,12 @@
 #include "render/renderer.h"
 #include "scene/object_motion.h"
 #include "scene/scene_maker.h"
-#include "setup/run_setup.h"
+#include "run/setup/run_setup.h"
 #include "support/temporary_folder.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace example_test {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
@@ -47,20 +47,20 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   const RunSetup run = setUpRun(exampleParameters(folder / "out"), {test::pluginXml()});
   const MotionSetup& setup = run.motions.front();
   render::Renderer renderer(setup.world->description(), setup.world->links(), {});
-  const std::vector<ObjectOptions>& objects = setup.config.objects;
+  const std::vector<scene::ObjectOptions>& objects = setup.config.objects;
   Requirements masks;
   masks.silhouettes = true;
-  MaskOptions subtraction = setup.config.masks;
-  subtraction.method = MaskMethod::kMog2;
-  SceneMaker maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes, masks,
+  label::MaskOptions subtraction = setup.config.masks;
+  subtraction.method = label::MaskMethod::kMog2;
+  scene::SceneMaker maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes, masks,
                    {subtraction, {}, {}});
-  ObjectMotion motion(*setup.frames, objects, setup.world->links(), setup.driven_links);
+  scene::ObjectMotion motion(*setup.frames, objects, setup.world->links(), setup.driven_links);
   std::vector<double> worst(objects.size(), 1.0);
   std::vector<double> sum(objects.size(), 0.0);
   for (std::size_t s = 0; s < setup.timeline.stamps.size(); ++s) {
     const Stamp stamp = setup.timeline.stamps[s];
     setup.world->advanceTo(stamp, [&](int object, Stamp time) { return motion.at(object, time); });
-    SeenScene seen = maker.look(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp));
+    scene::SeenScene seen = maker.look(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp));
     (void)seen.pixels.labels(seen.scene);
     const Scene& scene = seen.scene;
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -95,5 +95,5 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   }
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace example_test
+}  // namespace synthetic_dataset::run

@@ -14,10 +14,10 @@
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "synthetic_dataset/errors.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace field_of_view_test {
 
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
@@ -39,15 +39,15 @@ const CameraModel kFisheye(640, 480, {200.0, 202.0, 319.5, 239.5}, 0.05, 100.0,
                            {DistortionModel::kEquidistant, {0.02, -0.008}});
 
 TEST(FieldOfView, IsTheAngleOfAnImageRoundTheAxis) {
-  EXPECT_DOUBLE_EQ(fieldOfView(kPinhole), 2.0 * std::atan(320.0 / 500.0));
-  EXPECT_DOUBLE_EQ(fieldOfView(kLens), fieldOfView(kPinhole)) << "without its distortion";
-  EXPECT_DOUBLE_EQ(fieldOfView(kFisheye), 640.0 / 200.0);
+  EXPECT_DOUBLE_EQ(scene::fieldOfView(kPinhole), 2.0 * std::atan(320.0 / 500.0));
+  EXPECT_DOUBLE_EQ(scene::fieldOfView(kLens), scene::fieldOfView(kPinhole)) << "without its distortion";
+  EXPECT_DOUBLE_EQ(scene::fieldOfView(kFisheye), 640.0 / 200.0);
 }
 
 TEST(FieldOfView, ScalesTheFocalLengthsAlone) {
   for (const CameraModel& camera : {kPinhole, kLens, kFisheye}) {
-    const CameraModel wide = withFieldOfView(camera, 1.9);
-    EXPECT_DOUBLE_EQ(fieldOfView(wide), 1.9);
+    const CameraModel wide = scene::withFieldOfView(camera, 1.9);
+    EXPECT_DOUBLE_EQ(scene::fieldOfView(wide), 1.9);
     const Intrinsics& k = camera.intrinsics();
     EXPECT_DOUBLE_EQ(wide.intrinsics().fy / wide.intrinsics().fx, k.fy / k.fx);
     EXPECT_EQ(wide.intrinsics().cx, k.cx);
@@ -58,32 +58,32 @@ TEST(FieldOfView, ScalesTheFocalLengthsAlone) {
 }
 
 TEST(FieldOfView, OfAPinholeEndsBeforeHalfATurn) {
-  EXPECT_FALSE(canHaveFieldOfView(kPinhole, kPi));
-  EXPECT_FALSE(canHaveFieldOfView(kLens, 3.2));
-  EXPECT_TRUE(canHaveFieldOfView(kFisheye, 2.0 * kPi));
-  EXPECT_THROW((void)withFieldOfView(kPinhole, 3.2), Error);
-  EXPECT_THROW((void)withFieldOfView(kFisheye, 0.0), Error);
+  EXPECT_FALSE(scene::canHaveFieldOfView(kPinhole, kPi));
+  EXPECT_FALSE(scene::canHaveFieldOfView(kLens, 3.2));
+  EXPECT_TRUE(scene::canHaveFieldOfView(kFisheye, 2.0 * kPi));
+  EXPECT_THROW((void)scene::withFieldOfView(kPinhole, 3.2), Error);
+  EXPECT_THROW((void)scene::withFieldOfView(kFisheye, 0.0), Error);
 }
 
 TEST(FieldOfView, ThatALensCannotHaveIsAnErrorOfItsCamera) {
-  const auto wide = random::Distribution::uniform({1.0}, {4.0});
-  const std::vector<CameraRig> cameras = {{"front", kFisheye, "f"}, {"rear", kLens, "r"}};
+  const auto wide = base::Distribution::uniform({1.0}, {4.0});
+  const std::vector<scene::CameraRig> cameras = {{"front", kFisheye, "f"}, {"rear", kLens, "r"}};
   try {
-    checkFieldOfView(wide, "angle", cameras);
+    scene::checkFieldOfView(wide, "angle", cameras);
     FAIL();
   } catch (const ErrorList& list) {
     EXPECT_THAT(list.messages(), ElementsAre(AllOf(HasSubstr("angle: found up to 4.000 rad"),
                                                    HasSubstr("3.1"), HasSubstr("'rear'"))));
   }
-  EXPECT_NO_THROW(checkFieldOfView(wide, "angle", {cameras[0]}));
+  EXPECT_NO_THROW(scene::checkFieldOfView(wide, "angle", {cameras[0]}));
 }
 
 TEST(FieldOfView, AtWhichALensSeesNextToNothingIsTold) {
-  const std::vector<CameraRig> cameras = {{"front", kLens, "f"}, {"rear", kPinhole, "r"}};
+  const std::vector<scene::CameraRig> cameras = {{"front", kLens, "f"}, {"rear", kPinhole, "r"}};
   base::Diagnostics found;
-  warnOfBlackEdges(random::Distribution::constant({1.2}), "angle", cameras, found);
+  scene::warnOfBlackEdges(base::Distribution::constant({1.2}), "angle", cameras, found);
   EXPECT_THAT(found.all(), IsEmpty());
-  warnOfBlackEdges(random::Distribution::uniform({1.0}, {2.9}), "angle", cameras, found);
+  scene::warnOfBlackEdges(base::Distribution::uniform({1.0}, {2.9}), "angle", cameras, found);
   EXPECT_THAT(found.messages(base::Severity::kWarning),
               ElementsAre(AllOf(HasSubstr("at 2.900 rad"), HasSubstr("'front'"))));
 }
@@ -335,5 +335,5 @@ TEST_F(ZoomingRun, RefusesAFormatWithOneCalibrationAndAnAngleThatNoLensHas) {
                                            HasSubstr("'left'"), HasSubstr("`max`"))));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace field_of_view_test
+}  // namespace synthetic_dataset::run

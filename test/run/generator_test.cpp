@@ -12,10 +12,10 @@
 #include "run_fixture.h"
 #include "support/bag_builder.h"
 #include "support/tiny_run.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace generator_test {
 
 namespace fs = std::filesystem;
 using test::StoppingReporter;
@@ -292,5 +292,5 @@ TEST_F(GeneratorTest, FindsAllErrorsAtOnceAndLeavesTheDiskAlone) {
   EXPECT_FALSE(fs::exists(run.folder() / "out"));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace generator_test
+}  // namespace synthetic_dataset::run

@@ -4,8 +4,8 @@
 
 #include "run_fixture.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace label_counts_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -49,5 +49,5 @@ TEST_F(LabelCountsTest, AreToldAtTheEndOfARun) {
                                      HasSubstr("object bravo")}));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace label_counts_test
+}  // namespace synthetic_dataset::run

@@ -9,10 +9,10 @@
 #include "output/manifest/manifest_schema.h"
 #include "output/manifest/sqlite.h"
 #include "support/error_messages.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace merger_test {
 
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
@@ -128,5 +128,5 @@ TEST_F(MergerTest, HasNothingToDoTwice) {
   EXPECT_TRUE(run.runShard(0, 1, run.folder()).was_complete);
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace merger_test
+}  // namespace synthetic_dataset::run

@@ -4,8 +4,8 @@
 
 #include "motions_run.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace motions_errors_test {
 
 using test::MotionsRun;
 using ::testing::AllOf;
@@ -158,5 +158,5 @@ TEST_F(MotionsErrors, OfAPlacementNameIt) {
                                   Contains(StartsWith("motions/1: placement"))));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace motions_errors_test
+}  // namespace synthetic_dataset::run

@@ -9,10 +9,10 @@
 #include "run/merger.h"
 #include "support/bag_builder.h"
 #include "support/temporary_folder.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace motions_resumed_test {
 
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
@@ -154,5 +154,5 @@ TEST_F(PartsOfMotions, CannotGoOnWithOthers) {
   EXPECT_ANY_THROW((void)run.run());
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace motions_resumed_test
+}  // namespace synthetic_dataset::run

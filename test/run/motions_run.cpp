@@ -9,9 +9,9 @@
 #include "run/generator.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset::test {
+namespace synthetic_dataset::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ std::string MotionsRun::number(std::int64_t scene) {
   return std::string(8 - digits.size(), '0') + digits;
 }
 
-}  // namespace synthetic_dataset::test
+}  // namespace synthetic_dataset::run

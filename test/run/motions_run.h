@@ -10,7 +10,7 @@
 #include "support/tiny_run.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset::test {
+namespace synthetic_dataset::run {
 
 /// A scene as the manifest has it.
 struct ListedScene {
@@ -73,4 +73,4 @@ class MotionsRun {
   TinyRun tiny_;
 };
 
-}  // namespace synthetic_dataset::test
+}  // namespace synthetic_dataset::run

@@ -8,10 +8,10 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "motions_run.h"
-#include "verification/dataset_verifier.h"
+#include "output/verify/dataset_verifier.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace motions_test {
 
 using test::ListedScene;
 using test::MotionsRun;
@@ -38,13 +38,13 @@ class MotionsTest : public ::testing::Test {
   }
 
   [[nodiscard]] std::vector<std::string> problems() const {
-    struct Listener : VerificationListener {
+    struct Listener : output::VerificationListener {
       void problem(const std::string& line) override { problems.push_back(line); }
       void remark(const std::string& /*line*/) override {}
       void progress(std::int64_t /*scene_count*/, std::int64_t /*of*/) override {}
       std::vector<std::string> problems;
     } listener;
-    (void)verifyDataset(run.folder(), VerificationDepth::kLabels, listener);
+    (void)output::verifyDataset(run.folder(), output::VerificationDepth::kLabels, listener);
     return listener.problems;
   }
 
@@ -399,5 +399,5 @@ TEST_F(MotionsTest, HaveTheModelOfAnObjectThatTakesPartLater) {
   EXPECT_THAT(problems(), IsEmpty());
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace motions_test
+}  // namespace synthetic_dataset::run

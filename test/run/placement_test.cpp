@@ -16,10 +16,10 @@
 #include "run_fixture.h"
 #include "support/bag_builder.h"
 #include "synthetic_dataset/errors.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace placement_test {
 
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
@@ -578,5 +578,5 @@ TEST_F(PlacementTest, TellsOfASceneWithoutAPlace) {
   }
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace placement_test
+}  // namespace synthetic_dataset::run

@@ -1,4 +1,4 @@
-#include "placement/received_map.h"
+#include "randomize/placement/received_map.h"
 
 #include <filesystem>
 
@@ -9,10 +9,10 @@
 #include "run/merger.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace received_map_test {
 
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
@@ -41,24 +41,24 @@ motion::RecordedMap hall() {
 
 /// What is wrong with the settings of the hall where one is another.
 std::vector<std::string> errorsWith(const std::string& name, const Value& value) {
-  Value settings = placement::settingsOf(hall());
+  Value settings = randomize::settingsOf(hall());
   (*settings.as<Value::Map>())[name] = value;
-  return test::messagesOf([&] { (void)placement::receivedMap(settings); });
+  return test::messagesOf([&] { (void)randomize::receivedMap(settings); });
 }
 
 TEST(ReceivedMap, OfMoreCellsThanThereIsRoomForIsNamed) {
-  Value settings = placement::settingsOf(hall());
+  Value settings = randomize::settingsOf(hall());
   for (const char* side : {"width", "height"}) {
     (*settings.as<Value::Map>())[side] = Value(1000000);
   }
-  EXPECT_THAT(test::messagesOf([&] { (void)placement::receivedMap(settings); }),
+  EXPECT_THAT(test::messagesOf([&] { (void)randomize::receivedMap(settings); }),
               ElementsAre(HasSubstr("width: found 1000000 x 1000000 cells")));
 }
 
 TEST(ReceivedMap, IsTheSameAfterItsSettings) {
-  const Value settings = placement::settingsOf(hall());
+  const Value settings = randomize::settingsOf(hall());
   EXPECT_EQ(*settings.as<Value::Map>()->at("cells").as<std::string>(), "100x7 0x23 -1x1 0x449");
-  const motion::RecordedMap map = placement::receivedMap(settings);
+  const motion::RecordedMap map = randomize::receivedMap(settings);
   EXPECT_EQ(map.width, 24U);
   EXPECT_EQ(map.height, 20U);
   EXPECT_EQ(map.resolution, 0.125);
@@ -90,7 +90,7 @@ class RunOnReceivedMap : public ::testing::Test {
 
   void receive(const motion::RecordedMap& map) {
     run.parameters["placement"] =
-        Value::Map{{"map_topic", Value("/map")}, {"received_map", placement::settingsOf(map)}};
+        Value::Map{{"map_topic", Value("/map")}, {"received_map", randomize::settingsOf(map)}};
   }
 
   AllAtOnceRun run;
@@ -154,5 +154,5 @@ TEST_F(RunOnReceivedMap, TellsWhereAMapMayComeFrom) {
                                               HasSubstr("placement/map should"))));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace received_map_test
+}  // namespace synthetic_dataset::run

@@ -8,8 +8,8 @@
 #include "all_at_once_run.h"
 #include "support/bag_builder.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace resumed_run_test {
 
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
@@ -112,5 +112,5 @@ TEST_F(ResumedRunTest, ReplacesTheDatasetWhenAskedTo) {
   EXPECT_EQ(run.run().scenes, 16);
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace resumed_run_test
+}  // namespace synthetic_dataset::run

@@ -6,8 +6,8 @@
 
 #include "all_at_once_run.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace reuse_test {
 
 using test::AllAtOnceRun;
 
@@ -54,5 +54,5 @@ INSTANTIATE_TEST_SUITE_P(Datasets, Reuse,
                                                {"readout_bands", Value(6)}}}),
                          [](const auto& each) { return std::string(each.param.name); });
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace reuse_test
+}  // namespace synthetic_dataset::run

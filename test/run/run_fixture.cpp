@@ -5,9 +5,9 @@
 #include "all_at_once_run.h"
 #include "run/generator.h"
 #include "support/error_messages.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset::test {
+namespace synthetic_dataset::run {
 
 RunFixture::RunFixture() { preparePluginEnvironment(); }
 
@@ -36,4 +36,4 @@ std::vector<std::string> RunFixture::errors() const {
   });
 }
 
-}  // namespace synthetic_dataset::test
+}  // namespace synthetic_dataset::run

@@ -11,7 +11,7 @@
 #include "support/tiny_run.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset::test {
+namespace synthetic_dataset::run {
 
 /// What a run of some parameters writes, or says when it may not begin.
 class RunFixture : public ::testing::Test {
@@ -36,4 +36,4 @@ class RunFixture : public ::testing::Test {
   const std::string folder = (run.folder() / "out").string();  ///< where the dataset goes
 };
 
-}  // namespace synthetic_dataset::test
+}  // namespace synthetic_dataset::run

@@ -6,8 +6,8 @@
 #include "support/fake_scene_sink.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace scene_loop_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -33,7 +33,7 @@ class SceneLoopTest : public testing::Test {
   }
 
   void addMotion() {
-    ObjectOptions box;
+    scene::ObjectOptions box;
     box.name = box.frame = "box";
     box.bounding_shape_O = test::boxCorners({1.0, 1.0, 1.0});
     setup.config.objects = {box};
@@ -54,11 +54,11 @@ class SceneLoopTest : public testing::Test {
                               "optical", lookingAlongX()});
     motion.driven_links = {{{}}};
     motion.shapes =
-        std::make_unique<ObjectShapes>(motion.config.objects, motion.variants, *motion.world);
-    motion.arranger = std::make_unique<SceneArranger>(motion.config, motion.cameras,
+        std::make_unique<scene::ObjectShapes>(motion.config.objects, motion.variants, *motion.world);
+    motion.arranger = std::make_unique<scene::SceneArranger>(motion.config, motion.cameras,
                                                       motion.variants, *motion.shapes,
                                                       *motion.world, *motion.frames, motion.found);
-    motion.variation = std::make_unique<SceneVariation>(
+    motion.variation = std::make_unique<scene::SceneVariation>(
         motion.config, motion.cameras, motion.variants, *motion.world, motion.found);
   }
 
@@ -174,5 +174,5 @@ TEST_F(SceneLoopTest, EndsWithTheErrorOfTheSink) {
   EXPECT_FALSE(sink.end);
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace scene_loop_test
+}  // namespace synthetic_dataset::run

@@ -5,8 +5,8 @@
 #include "support/fake_scene_sink.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace scene_pipeline_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -95,5 +95,5 @@ TEST_F(ScenePipelineTest, ThrowsTheFirstErrorFirst) {
   EXPECT_THAT(indicesInSink(), ElementsAre(0));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace scene_pipeline_test
+}  // namespace synthetic_dataset::run

@@ -10,10 +10,10 @@
 #include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace time_jitter_test {
 
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
@@ -173,5 +173,5 @@ TEST_F(TimeJitter, MeansNothingWithoutARecording) {
                                     "bag alone")));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace time_jitter_test
+}  // namespace synthetic_dataset::run

@@ -13,10 +13,10 @@
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "run_fixture.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace variation_test {
 
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
@@ -483,5 +483,5 @@ TEST_F(VariedRun, NamesWhatIsNoSceneNumber) {
       ElementsAre("only_scenes: found an empty list; it should name scenes, or be left out"));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace variation_test
+}  // namespace synthetic_dataset::run

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace work_plan_test {
 
 TEST(WorkPlan, OfAFreshRunIsAllOfIt) {
   const WorkPlan plan(5, 2, [](std::int64_t) { return true; });
@@ -31,5 +31,5 @@ TEST(WorkPlan, OfACompleteRunIsEmpty) {
   EXPECT_EQ(plan.endOfWork(3), 0);
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace work_plan_test
+}  // namespace synthetic_dataset::run

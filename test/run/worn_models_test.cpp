@@ -11,10 +11,10 @@
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "run_fixture.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::run {
+namespace worn_models_test {
 
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
@@ -260,5 +260,5 @@ TEST_F(WornModelsRun, MakesOneSceneOfThoseThatAreDroppedByItself) {
   }
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace worn_models_test
+}  // namespace synthetic_dataset::run

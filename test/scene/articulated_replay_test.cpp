@@ -8,15 +8,15 @@
 
 #include "run/generator.h"
 #include "scene/object_motion.h"
-#include "setup/run_setup.h"
+#include "run/setup/run_setup.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
 #include "support/robot_arm.h"
 #include "support/tiny_run.h"
-#include "writers/plugin_environment.h"
+#include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::scene {
+namespace articulated_replay_test {
 
 using test::milliseconds;
 using test::poseAt;
@@ -59,9 +59,9 @@ class ArticulatedReplay : public testing::Test {
                                                Value((run.folder() / "links.bag").string())});
   }
 
-  MotionSetup setUp() {
+  run::MotionSetup setUp() {
     parameters["alpha"] = Value(alpha);
-    return std::move(setUpRun(Value(parameters), {test::pluginXml()}).motions.front());
+    return std::move(run::setUpRun(Value(parameters), {test::pluginXml()}).motions.front());
   }
 
   std::vector<std::string> errors() {
@@ -71,7 +71,7 @@ class ArticulatedReplay : public testing::Test {
   using LinkPoses = std::map<std::string, Pose>;
 
   /// X_WL of alpha's links in the scene at 1000 + 50 i ms, reached by way of all scenes before.
-  LinkPoses linksAt(const MotionSetup& setup, ObjectMotion& motion, int i) {
+  LinkPoses linksAt(const run::MotionSetup& setup, ObjectMotion& motion, int i) {
     for (const Stamp stamp : setup.timeline.stamps) {
       if (stamp <= reached) continue;
       if (stamp > milliseconds(1000 + 50 * i)) break;
@@ -89,7 +89,7 @@ class ArticulatedReplay : public testing::Test {
 
   LinkPoses linksAt(int i) {
     reached = Stamp(0);
-    const MotionSetup setup = setUp();
+    const run::MotionSetup setup = setUp();
     ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
     return linksAt(setup, motion, i);
   }
@@ -125,7 +125,7 @@ TEST_F(ArticulatedReplay, LinksWithoutTfRideOnTheirParents) {
 }
 
 TEST_F(ArticulatedReplay, WithoutTfForLinksTheModelMovesAsOnePiece) {
-  const MotionSetup setup = setUp();
+  const run::MotionSetup setup = setUp();
   EXPECT_THAT(setup.driven_links, ElementsAre(ElementsAre(IsEmpty())));
   EXPECT_THAT(setup.found.messages(base::Severity::kNote),
               ElementsAre("alpha: no TF moves its joints 'shoulder', 'elbow', "
@@ -189,7 +189,7 @@ TEST_F(ArticulatedReplay, ALinkOfTheObjectsFrameStandsThereWhereLinksFollowTf) {
 
 TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
   recordLinks("alpha/", 8);
-  const MotionSetup setup = setUp();
+  const run::MotionSetup setup = setUp();
   EXPECT_THAT(setup.timeline.stamps, SizeIs(4));
   ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses early = linksAt(setup, motion, 5);
@@ -204,7 +204,7 @@ TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
 
 TEST_F(ArticulatedReplay, TheModelBoxFollowsTheLinks) {
   recordLinks();
-  const MotionSetup setup = setUp();
+  const run::MotionSetup setup = setUp();
   ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape = setup.shapes->at(motion.objectPoses(milliseconds(1750)))[0];
@@ -221,7 +221,7 @@ TEST_F(ArticulatedReplay, TheModelBoxFollowsTheLinks) {
 TEST_F(ArticulatedReplay, KeypointsMoveWithTheirLinks) {
   recordLinks();
   alpha["keypoints"] = Value(Value::Map{{"farthest_points", Value(9)}});
-  const MotionSetup setup = setUp();
+  const run::MotionSetup setup = setUp();
   ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape = setup.shapes->at(motion.objectPoses(milliseconds(1750)))[0];
@@ -237,8 +237,8 @@ TEST_F(ArticulatedReplay, MasksFollowTheLinks) {
   recordLinks();
   alpha["keypoints"] = Value(Value::List{});
   parameters["alpha"] = Value(alpha);
-  Reporter reporter;
-  Generator generator(Value(parameters), reporter, {test::pluginXml()});
+  run::Reporter reporter;
+  run::Generator generator(Value(parameters), reporter, {test::pluginXml()});
   EXPECT_EQ(generator.run().scenes, 4);
   const CameraModel camera(160, 120, {140, 140, 79.5, 59.5}, 0.05, 100.0);
   Eigen::Matrix3d R_GC;
@@ -273,5 +273,5 @@ TEST_F(ArticulatedReplay, TheModelsBoxNeedsAModelThatCanBeSeen) {
                   AllOf(HasSubstr("alpha/keypoints: farthest_points"), HasSubstr("visuals"))));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace articulated_replay_test
+}  // namespace synthetic_dataset::scene

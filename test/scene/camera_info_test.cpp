@@ -5,8 +5,8 @@
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::scene {
+namespace camera_info_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -186,5 +186,5 @@ TEST_F(CameraInfo, NamesTheFileOfAnImpossibleCamera) {
               ThrowsMessage<Error>(AllOf(HasSubstr("camera.yaml"), HasSubstr("fx"))));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace camera_info_test
+}  // namespace synthetic_dataset::scene

@@ -5,8 +5,8 @@
 #include "support/error_messages.h"
 #include "support/fake_frame_source.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::scene {
+namespace camera_rig_test {
 
 using ::testing::ElementsAre;
 using ::testing::StartsWith;
@@ -50,5 +50,5 @@ TEST(CameraRig, OfTheWorldIsRefusedWhereNothingWouldBeLeftToSee) {
                                      "'mast::link::eye' sees from 0.2 to 30.0 m")));
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace camera_rig_test
+}  // namespace synthetic_dataset::scene

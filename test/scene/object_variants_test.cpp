@@ -8,8 +8,8 @@
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::scene {
+namespace object_variants_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -22,7 +22,7 @@ class ObjectVariantsTest : public ::testing::Test {
   }
 
   [[nodiscard]] ObjectVariants make() const {
-    appearance::Randomization randomization;
+    randomize::Randomization randomization;
     randomization.objects["rover"] = entry;
     return {object, randomization};
   }
@@ -32,14 +32,14 @@ class ObjectVariantsTest : public ::testing::Test {
     const ObjectVariants variants = make();
     std::map<std::size_t, int> worn;
     for (int scene = 0; scene < scenes; ++scene) {
-      appearance::EntryDraws draws(7, scene);
+      randomize::EntryDraws draws(7, scene);
       ++worn[variants.draw(draws)];
     }
     return worn;
   }
 
   ObjectOptions object;
-  appearance::ObjectRandomization entry;
+  randomize::ObjectRandomization entry;
 };
 
 std::vector<double> sizesOf(const ObjectVariants& variants) {
@@ -53,14 +53,14 @@ TEST_F(ObjectVariantsTest, WithoutDrawsThereIsTheModelAsItIs) {
   ASSERT_EQ(variants.all().size(), 1U);
   EXPECT_EQ(variants.all()[0].model, "own.sdf");
   EXPECT_EQ(variants.all()[0].scale, 1.0);
-  appearance::EntryDraws draws(1, 2);
+  randomize::EntryDraws draws(1, 2);
   EXPECT_EQ(variants.draw(draws), 0U);
   EXPECT_THAT(draws.values(), IsEmpty());
 }
 
 TEST_F(ObjectVariantsTest, AreAllModelsInAllSizes) {
-  entry.model = random::TextChoice{{"a", "b", "a"}, {}};
-  entry.scale = random::Distribution::choice({{2.0}, {0.5}});
+  entry.model = base::TextChoice{{"a", "b", "a"}, {}};
+  entry.scale = base::Distribution::choice({{2.0}, {0.5}});
   std::vector<std::pair<std::string, double>> all;
   const ObjectVariants variants = make();
   for (const ObjectVariant& variant : variants.all())
@@ -71,18 +71,18 @@ TEST_F(ObjectVariantsTest, AreAllModelsInAllSizes) {
 
 TEST_F(ObjectVariantsTest, OfOneThatIsNotThereThereIsNothingToDraw) {
   object.takes_part = false;
-  entry.model = random::TextChoice{{"a", "b"}, {}};
+  entry.model = base::TextChoice{{"a", "b"}, {}};
   EXPECT_EQ(make().all().size(), 1U);
 }
 
 /// Of equal parts of the range, the middles.
 TEST_F(ObjectVariantsTest, SizesOfARangeAreAllOverIt) {
-  entry.scale = random::Distribution::uniform({1.0}, {2.0});
+  entry.scale = base::Distribution::uniform({1.0}, {2.0});
   entry.sizes = 4;
   const std::vector<double> sizes = sizesOf(make());
   ASSERT_EQ(sizes.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(sizes[i], 1.125 + 0.25 * double(i), 0.03);
-  entry.scale = random::Distribution::logUniform({0.25}, {4.0});
+  entry.scale = base::Distribution::logUniform({0.25}, {4.0});
   const std::vector<double> logarithmic = sizesOf(make());
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(std::log2(logarithmic[i]), -1.5 + double(i), 0.1);
@@ -92,9 +92,9 @@ TEST_F(ObjectVariantsTest, SizesOfARangeAreAllOverIt) {
 TEST_F(ObjectVariantsTest, OfARangeEachSizeIsAsLikelyAsTheOthers) {
   entry.sizes = 5;
   constexpr int kScenes = 5000;
-  for (const auto& scale : {random::Distribution::uniform({0.5}, {1.5}),
-                            random::Distribution::logUniform({0.1}, {10.0}),
-                            random::Distribution::normalBetween({1.0}, {0.2}, {0.5}, {3.0})}) {
+  for (const auto& scale : {base::Distribution::uniform({0.5}, {1.5}),
+                            base::Distribution::logUniform({0.1}, {10.0}),
+                            base::Distribution::normalBetween({1.0}, {0.2}, {0.5}, {3.0})}) {
     entry.scale = scale;
     const std::map<std::size_t, int> worn = wornIn(kScenes);
     EXPECT_EQ(worn.size(), 5U);
@@ -105,7 +105,7 @@ TEST_F(ObjectVariantsTest, OfARangeEachSizeIsAsLikelyAsTheOthers) {
 }
 
 TEST_F(ObjectVariantsTest, AreWornAsOftenAsTheirWeightsSay) {
-  entry.model = random::TextChoice{{"a", "b", "c"}, {1.0, 0.0, 3.0}};
+  entry.model = base::TextChoice{{"a", "b", "c"}, {1.0, 0.0, 3.0}};
   const std::map<std::size_t, int> worn = wornIn(4000);
   EXPECT_NEAR(worn.at(0), 1000, 150);
   EXPECT_EQ(worn.count(1), 0U);
@@ -118,7 +118,7 @@ TEST_F(ObjectVariantsTest, OfAFolderEachModelIsAsLikely) {
   for (const char* name : {"a", "b", "c", "d"}) {
     folder.write(std::string(name) + "/model.config", "");
   }
-  entry.model = random::TextChoice{{"own.sdf", folder.path().string()}, {}};
+  entry.model = base::TextChoice{{"own.sdf", folder.path().string()}, {}};
   ASSERT_EQ(make().all().size(), 5U);
   EXPECT_EQ(make().all()[4].model, (folder / "d").string());
   const std::map<std::size_t, int> worn = wornIn(4000);
@@ -128,23 +128,23 @@ TEST_F(ObjectVariantsTest, OfAFolderEachModelIsAsLikely) {
 
 TEST_F(ObjectVariantsTest, TellsWhatCannotBeMade) {
   const test::TemporaryFolder folder;
-  entry.model = random::TextChoice{{folder.path().string()}, {}};
+  entry.model = base::TextChoice{{folder.path().string()}, {}};
   EXPECT_THAT([&] { (void)make(); },
               testing::ThrowsMessage<Error>(testing::HasSubstr("randomize/objects/rover/model: ")));
-  entry.model = random::TextChoice{{}, {}};
+  entry.model = base::TextChoice{{}, {}};
   for (int i = 0; i < 11; ++i) entry.model->texts.push_back(std::to_string(i) + ".sdf");
-  entry.scale = random::Distribution::uniform({1.0}, {2.0});
+  entry.scale = base::Distribution::uniform({1.0}, {2.0});
   entry.sizes = 100;
   EXPECT_THAT([&] { (void)make(); }, testing::ThrowsMessage<Error>(testing::HasSubstr(
                                          "randomize/objects/rover: found 11 models in 100 sizes")));
 }
 
 TEST_F(ObjectVariantsTest, TellsWhatIsWorn) {
-  entry.model = random::TextChoice{{"a", "b"}, {}};
-  entry.scale = random::Distribution::uniform({1.0}, {2.0});
+  entry.model = base::TextChoice{{"a", "b"}, {}};
+  entry.scale = base::Distribution::uniform({1.0}, {2.0});
   const ObjectVariants variants = make();
   for (int scene = 0; scene < 20; ++scene) {
-    appearance::EntryDraws draws(3, scene);
+    randomize::EntryDraws draws(3, scene);
     const ObjectVariant& worn = variants.all().at(variants.draw(draws));
     ASSERT_EQ(draws.values().size(), 2U);
     EXPECT_EQ(draws.values()[0].name, "objects/rover/model");
@@ -156,13 +156,13 @@ TEST_F(ObjectVariantsTest, TellsWhatIsWorn) {
 }
 
 TEST_F(ObjectVariantsTest, OfOneEntryLeavesTheOthersDraws) {
-  entry.model = random::TextChoice{{"a", "b", "c"}, {}};
+  entry.model = base::TextChoice{{"a", "b", "c"}, {}};
   const std::map<std::size_t, int> models = wornIn(300);
-  entry.scale = random::Distribution::choice({{1.0}, {2.0}});
+  entry.scale = base::Distribution::choice({{1.0}, {2.0}});
   std::map<std::size_t, int> of_models;
   for (const auto& [variant, count] : wornIn(300)) of_models[variant / 2] += count;
   EXPECT_EQ(of_models, models);
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace object_variants_test
+}  // namespace synthetic_dataset::scene

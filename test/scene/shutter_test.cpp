@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-namespace synthetic_dataset {
-namespace {
+namespace synthetic_dataset::scene {
+namespace shutter_test {
 
 using std::chrono::milliseconds;
 
@@ -51,5 +51,5 @@ TEST(Shutter, HasNoMoreBandsThanRows) {
   EXPECT_EQ(shotsOf({{}, 1, milliseconds(30), 1000}, 90).size(), 90U);
 }
 
-}  // namespace
-}  // namespace synthetic_dataset
+}  // namespace shutter_test
+}  // namespace synthetic_dataset::scene

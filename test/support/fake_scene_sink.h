@@ -10,27 +10,27 @@
 namespace synthetic_dataset::test {
 
 /// Keeps the scenes that it gets.
-struct FakeSceneSink : SceneSink {
+struct FakeSceneSink : run::SceneSink {
   [[nodiscard]] Requirements requirements() const override { return required; }
   void begin(const DatasetInfo& info) override { dataset = info; }
   [[nodiscard]] bool wants(std::int64_t scene) const override { return is_wanted(scene); }
-  [[nodiscard]] std::vector<output::Warning> add(const FinishedScene& finished) override {
+  [[nodiscard]] std::vector<output::Warning> add(const run::FinishedScene& finished) override {
     on_add(finished);
     scenes.push_back(finished);
     return warnings;
   }
-  void finish(RunEnd how) override { end = how; }
+  void finish(run::RunEnd how) override { end = how; }
 
   // What it is asked.
   Requirements required;
   std::function<bool(std::int64_t scene)> is_wanted = [](std::int64_t) { return true; };
-  std::function<void(const FinishedScene&)> on_add = [](const FinishedScene&) {};  ///< may throw
+  std::function<void(const run::FinishedScene&)> on_add = [](const run::FinishedScene&) {};  ///< may throw
   std::vector<output::Warning> warnings;  ///< about each scene
 
   // What it got.
   std::optional<DatasetInfo> dataset;
-  std::vector<FinishedScene> scenes;
-  std::optional<RunEnd> end;
+  std::vector<run::FinishedScene> scenes;
+  std::optional<run::RunEnd> end;
 };
 
 }  // namespace synthetic_dataset::test

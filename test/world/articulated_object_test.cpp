@@ -8,7 +8,7 @@
 #include "world/world.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace articulated_object_test {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -79,5 +79,5 @@ TEST(ArticulatedObject, CannotDriveLinksThatAreNotThere) {
   fine.advanceTo(milliseconds(1), held);
 }
 
-}  // namespace
+}  // namespace articulated_object_test
 }  // namespace synthetic_dataset::world

@@ -10,7 +10,7 @@
 #include "world/world.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace world_placing_test {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -381,5 +381,5 @@ TEST(AbsentObject, DoesNotFall) {
   EXPECT_NEAR((*lying)[1].translation().z(), 0.25, 0.01);
 }
 
-}  // namespace
+}  // namespace world_placing_test
 }  // namespace synthetic_dataset::world

@@ -9,7 +9,7 @@
 #include "world/physics/simple_models.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace world_test {
 
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
@@ -314,5 +314,5 @@ TEST(World, ObjectWithoutCollisionsFollowsItsMotion) {
   EXPECT_THAT(world.interpenetrations(), testing::IsEmpty());
 }
 
-}  // namespace
+}  // namespace world_test
 }  // namespace synthetic_dataset::world

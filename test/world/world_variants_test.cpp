@@ -7,7 +7,7 @@
 #include "world/world.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace world_variants_test {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -131,5 +131,5 @@ TEST(WorldVariants, FallInTheActiveOne) {
   }
 }
 
-}  // namespace
+}  // namespace world_variants_test
 }  // namespace synthetic_dataset::world

@@ -8,7 +8,7 @@
 #include "render/edges/edge_pixels.h"
 #include "render/edges/sample_raster.h"
 #include "render/pixels/half.h"
-#include "sensor/srgb.h"
+#include "render/sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -167,9 +167,9 @@ void EdgeSmoother::smooth(const EdgeScene& scene, const SeenPixels& seen,
   for (std::size_t i = 0; i < edges.pixels().size(); ++i) {
     const cv::Point& pixel = edges.pixels()[i];
     const Eigen::Vector3f light = resolver.light(pixel, i);
-    picture.at<cv::Vec3b>(pixel) = {sensor::srgbFromLinear(light.z()),
-                                    sensor::srgbFromLinear(light.y()),
-                                    sensor::srgbFromLinear(light.x())};
+    picture.at<cv::Vec3b>(pixel) = {render::srgbFromLinear(light.z()),
+                                    render::srgbFromLinear(light.y()),
+                                    render::srgbFromLinear(light.x())};
   }
 }
 

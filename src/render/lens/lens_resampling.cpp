@@ -6,7 +6,7 @@
 
 #include <opencv2/core/utility.hpp>
 
-#include "sensor/srgb.h"
+#include "render/sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -37,7 +37,7 @@ cv::Point2f stepOf(const LensMap& map, const LensFace& face, int u, int v, int d
 
 /// Light between pixels, mixed of the four round the place.
 cv::Vec3f lightAt(const cv::Mat& drawn, cv::Point2f place) {
-  const auto& linear = sensor::linearFromSrgb();
+  const auto& linear = render::linearFromSrgb();
   const float x = std::clamp(place.x, 0.0F, static_cast<float>(drawn.cols - 1));
   const float y = std::clamp(place.y, 0.0F, static_cast<float>(drawn.rows - 1));
   const int u = std::min(static_cast<int>(x), std::max(drawn.cols - 2, 0));
@@ -120,7 +120,7 @@ void resampleSmooth(const LensMap& map, std::size_t face, const cv::Mat& drawn,
     }
     const float share = 1.0F / static_cast<float>(across * along);
     for (int i = 0; i < 3; ++i) {
-      picture.at<cv::Vec3b>(v, u)[i] = sensor::srgbFromLinear(share * light[i]);
+      picture.at<cv::Vec3b>(v, u)[i] = render::srgbFromLinear(share * light[i]);
     }
   });
 }

@@ -4,7 +4,7 @@
 
 #include "render/gl/picture_upload.h"
 #include "synthetic_dataset/errors.h"
-#include "world/material/picture_channels.h"
+#include "base/image/picture_channels.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -14,7 +14,7 @@ UploadedTexture upload(const GlFunctions& gl, const world::Texture& texture, Pix
   if (pixels.empty() || pixels.type() != CV_8UC4) {
     throw Error(texture.file + ": a texture should have pixels of four channels");
   }
-  return {uploadPicture(gl, pixels, meaning, Mipmaps::kAll), world::isOpaque(pixels)};
+  return {uploadPicture(gl, pixels, meaning, Mipmaps::kAll), base::isOpaque(pixels)};
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "render/light/light_setup.h"
 #include "render/pixels/lane_images.h"
 #include "render/pixels/srgb.h"
-#include "sensor/srgb.h"
+#include "render/sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -102,7 +102,7 @@ Surroundings LightPainter::surroundings(const ColourScene& scene,
 
 cv::Scalar LightPainter::backgroundPixel(float exposure) const {
   const auto encoded = [&](Eigen::Index channel) {
-    return sensor::srgbFromLinear(exposure * background_[channel]);
+    return render::srgbFromLinear(exposure * background_[channel]);
   };
   return {static_cast<double>(encoded(2)), static_cast<double>(encoded(1)),
           static_cast<double>(encoded(0))};

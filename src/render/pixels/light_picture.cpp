@@ -6,7 +6,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "sensor/srgb.h"
+#include "render/sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -23,7 +23,7 @@ bool isLight(PixelMeaning meaning, int channel) {
 cv::Mat makeTable(PixelMeaning meaning) {
   cv::Mat table(1, 256, CV_16UC4);
   for (int i = 0; i < table.cols; ++i) {
-    const float light = sensor::linearFromSrgb()[static_cast<std::size_t>(i)];
+    const float light = render::linearFromSrgb()[static_cast<std::size_t>(i)];
     for (int c = 0; c < table.channels(); ++c) {
       table.at<cv::Vec4w>(i)[c] =
           static_cast<std::uint16_t>(isLight(meaning, c) ? std::lround(kWhite * light) : kStep * i);
@@ -50,7 +50,7 @@ cv::Mat fromLight(const cv::Mat& light, PixelMeaning meaning) {
     for (int u = 0; u < light.cols; ++u) {
       for (int c = 0; c < light.channels(); ++c) {
         to[u][c] = isLight(meaning, c)
-                       ? sensor::srgbFromLinear(static_cast<float>(from[u][c]) / kWhite)
+                       ? render::srgbFromLinear(static_cast<float>(from[u][c]) / kWhite)
                        : static_cast<std::uint8_t>((from[u][c] + kStep / 2) / kStep);
       }
     }

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "render/pixels/half.h"
-#include "sensor/srgb.h"
+#include "render/sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -15,7 +15,7 @@ class HalfEncoder {
  public:
   HalfEncoder() {
     for (std::size_t bits = 0; bits < table_.size(); ++bits) {
-      table_[bits] = sensor::srgbFromLinear(fromHalf(static_cast<std::uint16_t>(bits)));
+      table_[bits] = render::srgbFromLinear(fromHalf(static_cast<std::uint16_t>(bits)));
     }
   }
 
@@ -32,7 +32,7 @@ class HalfEncoder {
 }  // namespace
 
 Eigen::Vector3f linearFromSrgb(const Eigen::Vector3f& encoded) {
-  return encoded.unaryExpr([](float channel) { return sensor::linearFromSrgb(channel); });
+  return encoded.unaryExpr([](float channel) { return render::linearFromSrgb(channel); });
 }
 
 Eigen::Vector4f linearFromSrgb(const Eigen::Vector4f& encoded) {

@@ -9,8 +9,8 @@
 
 #include "synthetic_dataset/errors.h"
 #include "world/files/text.h"
-#include "world/material/picture_channels.h"
-#include "world/material/picture_decoder.h"
+#include "base/image/picture_channels.h"
+#include "base/image/picture_decoder.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -30,13 +30,13 @@ std::string embeddedKey(const EmbeddedPicture& picture) {
 cv::Mat contentOf(const cv::Mat& pixels, PictureContent content) {
   switch (content) {
     case PictureContent::kRed:
-      return redAsGrey(pixels);
+      return base::redAsGrey(pixels);
     case PictureContent::kInvertedRed:
-      return invertedRedAsGrey(pixels);
+      return base::invertedRedAsGrey(pixels);
     case PictureContent::kNormalsOrHeights:
-      return isGrey(pixels) ? normalsOfHeights(pixels) : pixels;
+      return base::isGrey(pixels) ? base::normalsOfHeights(pixels) : pixels;
     case PictureContent::kAlphaFromGrey:
-      return greyAsAlpha(pixels);
+      return base::greyAsAlpha(pixels);
     case PictureContent::kColour:
       break;
   }
@@ -76,7 +76,7 @@ const cv::Mat& TextureLoader::pixels(const std::string& key,
   if (found == pixels_.end()) {
     std::variant<cv::Mat, std::string> result;
     try {
-      result = decodePicture(read(), key);
+      result = base::decodePicture(read(), key);
     } catch (const Error& error) {
       result = std::string(error.what());
     }
@@ -101,7 +101,7 @@ void TextureLoader::decodeAhead(const std::vector<TextureReference>& references)
       continue;  // told when it is loaded
     }
   }
-  for (auto& [key, pixels] : decodePictures(files)) pixels_.emplace(key, std::move(pixels));
+  for (auto& [key, pixels] : base::decodePictures(files)) pixels_.emplace(key, std::move(pixels));
 }
 
 void TextureLoader::takeFrom(TextureLoader&& other) {
@@ -123,7 +123,7 @@ std::shared_ptr<const Texture> TextureLoader::load(const TextureReference& refer
   } catch (const Error& error) {
     throw Error("texture '" + file + "': " + error.what());
   }
-  if (reference.alpha == AlphaMeaning::kIgnored) content = withoutAlpha(content);
+  if (reference.alpha == AlphaMeaning::kIgnored) content = base::withoutAlpha(content);
   texture = std::make_shared<Texture>(Texture{file, content});
   return texture;
 }
@@ -135,7 +135,7 @@ std::shared_ptr<const Texture> TextureLoader::loadWithOpacity(const TextureRefer
   auto& texture = with_opacity_[{base.get(), alpha.get()}];
   if (!texture) {
     texture =
-        std::make_shared<Texture>(Texture{base->file, withAlphaOf(base->pixels, alpha->pixels)});
+        std::make_shared<Texture>(Texture{base->file, base::withAlphaOf(base->pixels, alpha->pixels)});
   }
   return texture;
 }

@@ -21,7 +21,7 @@
 #include <assimp/Importer.hpp>
 
 #include "synthetic_dataset/errors.h"
-#include "world/files/trial_process.h"
+#include "base/sandbox/sandboxed_process.h"
 #include "world/material/colour_encoding.h"
 #include "world/mesh/collada_repair.h"
 #include "world/mesh/mesh_file_bytes.h"
@@ -232,8 +232,8 @@ void whitenMadeUp(const aiScene& scene, const std::filesystem::path& file, MeshF
 
 }  // namespace
 
-TrialLimits meshTrialLimits(const std::filesystem::path& file) {
-  TrialLimits limits;
+base::SandboxLimits meshSandboxLimits(const std::filesystem::path& file) {
+  base::SandboxLimits limits;
   // A glTF file's size says nothing: its numbers are in others.
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(file, unknown);
@@ -265,9 +265,9 @@ MeshFile importMeshFile(const std::filesystem::path& file) {
 
 MeshFile readMeshFile(const std::filesystem::path& file) {
   const auto work = [&] { return toBytes(importMeshFile(file)); };
-  const std::variant<std::string, Breakdown> answer = tryWork(work, meshTrialLimits(file));
-  if (const auto* breakdown = std::get_if<Breakdown>(&answer)) {
-    throw Error("cannot be read (assimp, which reads it, " + breakdown->how + ")");
+  const std::variant<std::string, base::Crash> answer = base::runSandboxed(work, meshSandboxLimits(file));
+  if (const auto* crash = std::get_if<base::Crash>(&answer)) {
+    throw Error("cannot be read (assimp, which reads it, " + crash->how + ")");
   }
   return meshFileOf(std::get<std::string>(answer));
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "world/description.h"
-#include "world/files/trial_process.h"
+#include "base/sandbox/sandboxed_process.h"
 #include "world/material/material_source.h"
 
 namespace synthetic_dataset::world {
@@ -35,6 +35,6 @@ struct MeshFile {
 [[nodiscard]] MeshFile importMeshFile(const std::filesystem::path& file);
 
 /// Long enough for any real file of this size, and an end soon for one that assimp hangs on.
-[[nodiscard]] TrialLimits meshTrialLimits(const std::filesystem::path& file);
+[[nodiscard]] base::SandboxLimits meshSandboxLimits(const std::filesystem::path& file);
 
 }  // namespace synthetic_dataset::world

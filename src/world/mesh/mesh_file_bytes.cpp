@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "synthetic_dataset/errors.h"
-#include "world/files/byte_stream.h"
+#include "base/sandbox/byte_stream.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -39,7 +39,7 @@ std::uint64_t placeOf(const Embedded& picture, const EmbeddedPictures& pictures)
   return static_cast<std::uint64_t>(found - pictures.begin()) + 1;
 }
 
-void write(const Reference& reference, const EmbeddedPictures& pictures, ByteWriter& writer) {
+void write(const Reference& reference, const EmbeddedPictures& pictures, base::ByteWriter& writer) {
   writer.number(reference.has_value());
   if (!reference) return;
   writer.text(reference->uri);
@@ -49,7 +49,7 @@ void write(const Reference& reference, const EmbeddedPictures& pictures, ByteWri
   writer.number(reference->content);
 }
 
-Reference readReference(const EmbeddedPictures& pictures, ByteReader& reader) {
+Reference readReference(const EmbeddedPictures& pictures, base::ByteReader& reader) {
   if (!reader.number<bool>()) return std::nullopt;
   TextureReference reference;
   reference.uri = reader.text();
@@ -63,16 +63,16 @@ Reference readReference(const EmbeddedPictures& pictures, ByteReader& reader) {
 }
 
 template <class Vector>
-void writeVector(const Vector& vector, ByteWriter& writer) {
+void writeVector(const Vector& vector, base::ByteWriter& writer) {
   for (int i = 0; i < vector.size(); ++i) writer.number(vector[i]);
 }
 
 template <class Vector>
-void readVector(ByteReader& reader, Vector& vector) {
+void readVector(base::ByteReader& reader, Vector& vector) {
   for (int i = 0; i < vector.size(); ++i) vector[i] = reader.number<float>();
 }
 
-void write(const Material& material, ByteWriter& writer) {
+void write(const Material& material, base::ByteWriter& writer) {
   writeVector(material.diffuse, writer);
   writeVector(material.specular, writer);
   writeVector(material.emissive, writer);
@@ -86,7 +86,7 @@ void write(const Material& material, ByteWriter& writer) {
   writer.number(material.lit);
 }
 
-Material readMaterial(ByteReader& reader) {
+Material readMaterial(base::ByteReader& reader) {
   Material material;
   readVector(reader, material.diffuse);
   readVector(reader, material.specular);
@@ -102,7 +102,7 @@ Material readMaterial(ByteReader& reader) {
   return material;
 }
 
-void write(const MeshPart& part, ByteWriter& writer) {
+void write(const MeshPart& part, base::ByteWriter& writer) {
   writer.number<std::uint64_t>(part.names.size());
   for (const std::string& name : part.names) writer.text(name);
   writer.list(part.mesh.positions);
@@ -113,7 +113,7 @@ void write(const MeshPart& part, ByteWriter& writer) {
   writer.number<std::uint64_t>(part.material);
 }
 
-MeshPart readPart(ByteReader& reader) {
+MeshPart readPart(base::ByteReader& reader) {
   MeshPart part;
   const std::size_t names = reader.entries();
   for (std::size_t i = 0; i < names; ++i) part.names.push_back(reader.text());
@@ -129,7 +129,7 @@ MeshPart readPart(ByteReader& reader) {
 }  // namespace
 
 std::string toBytes(const MeshFile& file) {
-  ByteWriter writer;
+  base::ByteWriter writer;
   const EmbeddedPictures pictures = gather(file);
   writer.number<std::uint64_t>(pictures.size());
   for (const Embedded& picture : pictures) {
@@ -148,7 +148,7 @@ std::string toBytes(const MeshFile& file) {
 }
 
 MeshFile meshFileOf(std::string_view bytes) {
-  ByteReader reader(bytes);
+  base::ByteReader reader(bytes);
   EmbeddedPictures pictures(reader.entries());
   for (Embedded& picture : pictures) {
     EmbeddedPicture content;

@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "synthetic_dataset/errors.h"
-#include "world/material/picture_decoder.h"
+#include "base/image/picture_decoder.h"
 
 namespace synthetic_dataset::world {
 
@@ -21,7 +21,7 @@ cv::Mat readNumbers(const std::filesystem::path& file) {
   if (bytes.empty()) throw Error(name + "is empty or cannot be opened");
   cv::Mat picture;
   try {
-    picture = decodePixels(bytes, file.string());
+    picture = base::decodePixels(bytes, file.string());
   } catch (const Error& error) {
     throw Error(name + error.what());
   }

@@ -6,7 +6,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace digest_test {
 
 // The examples of FIPS 180-4 and of the empty message.
 constexpr const char* kOfNothing =
@@ -44,5 +44,5 @@ TEST(Digest, NamesAFileThatCannotBeRead) {
   }
 }
 
-}  // namespace
+}  // namespace digest_test
 }  // namespace synthetic_dataset::output

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset::output {
-namespace {
+namespace file_name_rules_test {
 
 using testing::HasSubstr;
 using testing::Optional;
@@ -60,5 +60,5 @@ TEST(LiesWithin, ComparesWholeParts) {
   EXPECT_FALSE(liesWithin("/a", "/a/b"));
 }
 
-}  // namespace
+}  // namespace file_name_rules_test
 }  // namespace synthetic_dataset::output

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace synthetic_dataset::output {
-namespace {
+namespace file_system_test {
 
 TEST(FileSystem, OfUnknownKindsIsNotLocal) {
   EXPECT_FALSE(isOnLocalDisk("/proc"));  // no disk at all
@@ -12,5 +12,5 @@ TEST(FileSystem, OfUnknownKindsIsNotLocal) {
 
 TEST(FileSystem, InMemoryIsLocal) { EXPECT_TRUE(isOnLocalDisk("/dev/shm")); }
 
-}  // namespace
+}  // namespace file_system_test
 }  // namespace synthetic_dataset::output

@@ -15,7 +15,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace pending_file_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -234,5 +234,5 @@ TEST(TemporaryPath, FitsAFileSystemHoweverLongTheName) {
   EXPECT_NE(one, two);
 }
 
-}  // namespace
+}  // namespace pending_file_test
 }  // namespace synthetic_dataset::output

@@ -16,7 +16,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace run_lock_test {
 
 using testing::HasSubstr;
 
@@ -86,5 +86,5 @@ TEST_F(RunLockTest, IsNeverHeldByTwoThatRaceForIt) {
   EXPECT_GT(taken, 0);
 }
 
-}  // namespace
+}  // namespace run_lock_test
 }  // namespace synthetic_dataset::output

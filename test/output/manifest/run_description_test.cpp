@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset::output {
-namespace {
+namespace run_description_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -50,5 +50,5 @@ TEST(RunDescription, DigestFollowsTheGivenSettingsAndInputs) {
   EXPECT_NE(settingsDigest(other), settingsDigest(someRun()));
 }
 
-}  // namespace
+}  // namespace run_description_test
 }  // namespace synthetic_dataset::output

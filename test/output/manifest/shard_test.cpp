@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset::output {
-namespace {
+namespace shard_test {
 
 class Shards : public testing::TestWithParam<std::pair<std::int64_t, std::int64_t>> {};
 
@@ -32,5 +32,5 @@ INSTANTIATE_TEST_SUITE_P(OfManySizes, Shards,
                                          std::pair{4, 100}, std::pair{7, 10000},
                                          std::pair{100, 50}));
 
-}  // namespace
+}  // namespace shard_test
 }  // namespace synthetic_dataset::output

@@ -6,7 +6,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
-namespace {
+namespace sqlite_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -46,5 +46,5 @@ TEST_F(Sqlite, NamesAFileThatIsNone) {
               ThrowsMessage<Error>(HasSubstr("a.sqlite': file is not a database")));
 }
 
-}  // namespace
+}  // namespace sqlite_test
 }  // namespace synthetic_dataset::output

@@ -5,7 +5,7 @@
 #include "plugins/bop/bop_fixture.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace bop_models_test {
 
 using nlohmann::json;
 using testing::DoubleNear;
@@ -81,5 +81,5 @@ TEST_F(BopModels, HasNoModelOfAnObjectWithoutSurface) {
   EXPECT_FALSE(jsonOf("models/models_info.json").contains("2"));
 }
 
-}  // namespace
+}  // namespace bop_models_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include "plugins/reader_harness.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace bop_reader_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -40,5 +40,5 @@ TEST_F(BopReader, NamesAFileThatLacksTheImage) {
               ThrowsMessage<Error>(HasSubstr("scene_camera.json'")));
 }
 
-}  // namespace
+}  // namespace bop_reader_test
 }  // namespace synthetic_dataset::formats

@@ -7,7 +7,7 @@
 #include "plugins/bop/bop_fixture.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace bop_writer_test {
 
 using nlohmann::json;
 using testing::Contains;
@@ -358,7 +358,7 @@ TEST_F(Bop, LeavesCocoOutWhenAsked) {
 }
 
 TEST_F(Bop, WarnsOfALensThatTheFormatCannotExpress) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   Distortion fisheye;
   fisheye.model = DistortionModel::kEquidistant;
   Scene distorted = scene(0, {});
@@ -381,5 +381,5 @@ TEST_F(Bop, LabelsThreeHundredObjects) {
   EXPECT_EQ(files.size(), 602U);
 }
 
-}  // namespace
+}  // namespace bop_writer_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include "plugins/reader_harness.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace bounding_shape_reader_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -36,5 +36,5 @@ TEST_F(BoundingShapeReader, NamesAFileWithWhatIsNoNumber) {
               ThrowsMessage<Error>(HasSubstr("found '-1.5.000'; it should be a number")));
 }
 
-}  // namespace
+}  // namespace bounding_shape_reader_test
 }  // namespace synthetic_dataset::formats

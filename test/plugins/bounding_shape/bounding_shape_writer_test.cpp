@@ -3,7 +3,7 @@
 #include "plugins/plugin_harness.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace bounding_shape_writer_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -66,5 +66,5 @@ TEST_F(BoundingShape, IgnoresTheOriginalsTimeout) {
   EXPECT_THAT(parameters_.unknownNames(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace bounding_shape_writer_test
 }  // namespace synthetic_dataset

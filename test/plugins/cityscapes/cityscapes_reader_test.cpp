@@ -3,7 +3,7 @@
 #include "plugins/reader_harness.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace cityscapes_reader_test {
 
 class CityscapesReader : public ReaderTest {
  protected:
@@ -40,5 +40,5 @@ TEST_F(CityscapesReader, RefusesPicturesOfAnotherKind) {
   EXPECT_THROW((void)read(cv::Mat(10, 20, CV_8UC1, cv::Scalar(1))), Error);
 }
 
-}  // namespace
+}  // namespace cityscapes_reader_test
 }  // namespace synthetic_dataset::formats

@@ -7,7 +7,7 @@
 #include "plugins/plugin_harness.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace cityscapes_writer_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -103,7 +103,7 @@ TEST_F(Cityscapes, TellsOfMisspeltClasses) {
 }
 
 TEST_F(Cityscapes, WritesObjectsAfterThe1000thAsAGroup) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   std::vector<SceneObject> many(1001, of(5, {0, 0, 1, 1}));
   many[999] = of(5, {10, 0, 1, 1});
   many[1000] = of(5, {20, 0, 1, 1});
@@ -162,7 +162,7 @@ TEST_F(Cityscapes, WritesTheCamera) {
 }
 
 TEST_F(Cityscapes, WarnsOfALensThatTheCameraFileCannotHold) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   Scene bent = scene(0, {});
   bent.camera = CameraModel(640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0,
                             {DistortionModel::kPlumbBob, {-0.01}});
@@ -185,5 +185,5 @@ TEST_F(Cityscapes, WritesTheTableOfLabels) {
   EXPECT_EQ(table[3]["hasInstances"], true);
 }
 
-}  // namespace
+}  // namespace cityscapes_writer_test
 }  // namespace synthetic_dataset

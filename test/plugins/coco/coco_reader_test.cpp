@@ -3,7 +3,7 @@
 #include "plugins/reader_harness.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace coco_reader_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -69,5 +69,5 @@ TEST_F(CocoReader, NamesTheFileThatLacksAKey) {
   }
 }
 
-}  // namespace
+}  // namespace coco_reader_test
 }  // namespace synthetic_dataset::formats

@@ -6,7 +6,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::coco {
-namespace {
+namespace coco_rle_test {
 
 // What pycocotools 2.0.11 packs these masks into.
 
@@ -38,5 +38,5 @@ TEST(CocoRle, RefusesWhatIsNoPacking) {
   EXPECT_THROW((void)maskOfCocoCounts("0oooooooooooooooooooo0", {5, 4}), Error);
 }
 
-}  // namespace
+}  // namespace coco_rle_test
 }  // namespace synthetic_dataset::formats::coco

@@ -9,7 +9,7 @@
 #include "plugins/written_files.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace coco_writer_test {
 
 using nlohmann::json;
 using testing::ElementsAre;
@@ -347,5 +347,5 @@ TEST_F(Coco, NeedsKeypointStatesWhereThereAreKeypoints) {
   EXPECT_TRUE(load({}).requirements().visible_masks);
 }
 
-}  // namespace
+}  // namespace coco_writer_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include "plugins/reader_harness.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace dope_reader_test {
 
 class DopeReader : public ReaderTest {
  protected:
@@ -33,5 +33,5 @@ TEST_F(DopeReader, ReadsCuboidsInBothStyles) {
   }
 }
 
-}  // namespace
+}  // namespace dope_reader_test
 }  // namespace synthetic_dataset::formats

@@ -10,7 +10,7 @@
 #include "plugins/plugin_harness.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace dope_writer_test {
 
 using nlohmann::json;
 using testing::DoubleNear;
@@ -150,7 +150,7 @@ TEST_F(Dope, HasAnEmptyListForASceneWithoutLabels) {
 }
 
 TEST_F(Dope, LeavesOutWhatIsPartlyBehindTheCameraAndWarns) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   SceneObject round = rover();
   round.X_CO.translation().setZero();
   EXPECT_EQ(labelsOf(scene(0, {round})).at("objects"), json::array());
@@ -223,7 +223,7 @@ TEST_F(Dope, HasFoldersForSplitsAndCameras) {
 }
 
 TEST_F(Dope, WarnsOfALensThatTheFormatCannotExpress) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   Distortion lens;
   lens.model = DistortionModel::kPlumbBob;
   lens.coefficients[0] = -0.2;
@@ -244,5 +244,5 @@ TEST_F(Dope, LabelsThreeHundredObjects) {
   EXPECT_EQ(objects.at(299).at("segmentation_id"), 300);
 }
 
-}  // namespace
+}  // namespace dope_writer_test
 }  // namespace synthetic_dataset

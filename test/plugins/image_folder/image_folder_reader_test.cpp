@@ -3,7 +3,7 @@
 #include "plugins/reader_harness.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace image_folder_reader_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -65,5 +65,5 @@ TEST_F(ImageFolderReader, NamesTheFileWithoutALineOfTheImage) {
   }
 }
 
-}  // namespace
+}  // namespace image_folder_reader_test
 }  // namespace synthetic_dataset::formats

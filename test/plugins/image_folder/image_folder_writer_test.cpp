@@ -11,7 +11,7 @@
 #include "plugins/written_files.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace image_folder_writer_test {
 
 using nlohmann::json;
 using testing::AllOf;
@@ -235,5 +235,5 @@ TEST_F(ImageFolder, AsksForWhatItWrites) {
   EXPECT_TRUE(all.depth && all.normals && all.optical_flow);
 }
 
-}  // namespace
+}  // namespace image_folder_writer_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include "plugins/reader_harness.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace kitti_reader_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -40,5 +40,5 @@ TEST_F(KittiReader, NamesAFileThatIsNotAsItShouldBe) {
               ThrowsMessage<Error>(HasSubstr("000000.txt': found no line of 'P2:'")));
 }
 
-}  // namespace
+}  // namespace kitti_reader_test
 }  // namespace synthetic_dataset::formats

@@ -10,7 +10,7 @@
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace kitti_writer_test {
 
 using testing::DoubleNear;
 using testing::ElementsAre;
@@ -194,7 +194,7 @@ TEST_F(Kitti, WritesTheCameraOfEachImage) {
 }
 
 TEST_F(Kitti, WarnsOfObjectsTiltedByMoreThanADegree) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   SceneObject object = upright({0.0, 0.0, 5.0}, 0.3);
   const auto tilt = [&](double degrees) {
     SceneObject tilted = object;
@@ -207,7 +207,7 @@ TEST_F(Kitti, WarnsOfObjectsTiltedByMoreThanADegree) {
 }
 
 TEST_F(Kitti, WarnsOfALensThatTheFormatCannotExpress) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   Distortion distortion;
   distortion.model = DistortionModel::kPlumbBob;
   const auto warningsWith = [&](const Distortion& lens) {
@@ -275,5 +275,5 @@ TEST_F(Kitti, AsksForMasksAndMeasures) {
   EXPECT_FALSE(requirements.silhouettes);
 }
 
-}  // namespace
+}  // namespace kitti_writer_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include "plugins/reader_harness.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace pascal_voc_reader_test {
 
 class PascalVocReader : public ReaderTest {
  protected:
@@ -57,5 +57,5 @@ TEST_F(PascalVocReader, NamesTheFileThatLacksAnElement) {
   EXPECT_THROW((void)read("<object><name>a</name></object>"), Error);
 }
 
-}  // namespace
+}  // namespace pascal_voc_reader_test
 }  // namespace synthetic_dataset::formats

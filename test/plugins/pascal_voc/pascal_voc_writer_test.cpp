@@ -4,7 +4,7 @@
 #include "plugins/plugin_harness.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace pascal_voc_writer_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -183,7 +183,7 @@ TEST_F(PascalVoc, WritesPicturesInVocsColours) {
 }
 
 TEST_F(PascalVoc, WarnsOfMoreObjectsThanAPictureCanTellApart) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   std::vector<SceneObject> many(300, robot({0, 0, 1, 1}));
   many[253] = robot({10, 0, 1, 1});
   many[254] = robot({20, 0, 1, 1});
@@ -247,5 +247,5 @@ TEST_F(PascalVoc, RefusesSharesAndBordersOutOfRange) {
                           HasSubstr("w/void_border: found -1; it should be 0 to 100")));
 }
 
-}  // namespace
+}  // namespace pascal_voc_writer_test
 }  // namespace synthetic_dataset

@@ -6,7 +6,7 @@
 #include "synthetic_dataset/cuboid.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace pvnet_reader_test {
 
 class PvNetReader : public ReaderTest {
  protected:
@@ -35,5 +35,5 @@ TEST_F(PvNetReader, ReadsPointsAndPose) {
   EXPECT_EQ(read.labels[0].keypoints.at(0), cv::Point2d(70.0, 40.0));
 }
 
-}  // namespace
+}  // namespace pvnet_reader_test
 }  // namespace synthetic_dataset::formats

@@ -14,7 +14,7 @@
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace pvnet_writer_test {
 
 using nlohmann::json;
 using testing::AllOf;
@@ -201,7 +201,7 @@ TEST_F(PvNet, PutsSplitsIntoFilesOfTheirOwn) {
 }
 
 TEST_F(PvNet, LeavesOutWhatIsPartlyBehindTheCamera) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   for (const Eigen::Vector3d& p_C : {Eigen::Vector3d(0.0, 0.0, 0.5), Eigen::Vector3d(0, 0, 0)}) {
     SceneObject object = rover();
     object.X_CO.translation() = p_C;
@@ -281,7 +281,7 @@ TEST_F(PvNet, RefusesAnObjectWhoseModelVaries) {
 }
 
 TEST_F(PvNet, WarnsOfALensThatTheFormatCannotExpress) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   Distortion lens;
   lens.model = DistortionModel::kRationalPolynomial;
   lens.coefficients[5] = 0.01;
@@ -304,5 +304,5 @@ TEST_F(PvNet, TellsThreeHundredObjectsApart) {
   EXPECT_EQ(files.count("o299/scenes/rgb/00000000.jpg"), 0U);
 }
 
-}  // namespace
+}  // namespace pvnet_writer_test
 }  // namespace synthetic_dataset

@@ -6,7 +6,7 @@
 #include "synthetic_dataset/cuboid.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace camera_drawing_test {
 
 const Intrinsics kCamera{100.0, 100.0, 50.0, 40.0};
 
@@ -34,5 +34,5 @@ TEST_F(CameraDrawing, CutsLinesAtTheCamera) {
   EXPECT_EQ(label.lines.size(), 1U);
 }
 
-}  // namespace
+}  // namespace camera_drawing_test
 }  // namespace synthetic_dataset::formats

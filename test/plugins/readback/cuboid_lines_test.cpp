@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace cuboid_lines_test {
 
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -38,5 +38,5 @@ TEST(CuboidLines, LeaveOutWhatIsBehindTheCamera) {
   EXPECT_THAT(cuboidLines(kCube, ahead(-5.0), kCamera), IsEmpty());
 }
 
-}  // namespace
+}  // namespace cuboid_lines_test
 }  // namespace synthetic_dataset::formats

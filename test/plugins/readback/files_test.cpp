@@ -7,7 +7,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace files_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -72,5 +72,5 @@ TEST_F(ReadPicture, RefusesDevices) {
               ThrowsMessage<Error>(HasSubstr("'/dev/zero': cannot be read")));
 }
 
-}  // namespace
+}  // namespace files_test
 }  // namespace synthetic_dataset::formats

@@ -7,7 +7,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace label_overlay_test {
 
 using testing::HasSubstr;
 
@@ -45,5 +45,5 @@ TEST(DrawLabels, WritesOnAPictureThatIsSmallerThanTheWords) {
   EXPECT_EQ(drawLabels(pictureWith(label, {3, 3})).size(), cv::Size(3, 3));
 }
 
-}  // namespace
+}  // namespace label_overlay_test
 }  // namespace synthetic_dataset::formats

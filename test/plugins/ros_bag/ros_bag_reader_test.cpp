@@ -9,7 +9,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace ros_bag_reader_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -79,5 +79,5 @@ TEST_F(RosBagReader, NamesAFileThatIsNoBag) {
   EXPECT_THAT([&] { (void)read(scenes_[0]); }, ThrowsMessage<Error>(HasSubstr("w/a.bag': ")));
 }
 
-}  // namespace
+}  // namespace ros_bag_reader_test
 }  // namespace synthetic_dataset

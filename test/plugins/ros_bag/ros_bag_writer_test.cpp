@@ -20,7 +20,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace ros_bag_writer_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -370,7 +370,7 @@ TEST_F(RosBag, NamesNobodyThatPublished) {
 }
 
 TEST_F(RosBag, RefusesATimeThatRosDoesNotHave) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   Scene early = timed(0, {});
   early.stamp = Stamp{0};
   EXPECT_THROW((void)host.writeScene(early), Error);
@@ -412,5 +412,5 @@ TEST_F(RosBag, TellsOfAFullDiskAndLeavesNoBag) {
   }
 }
 
-}  // namespace
+}  // namespace ros_bag_writer_test
 }  // namespace synthetic_dataset

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset {
-namespace {
+namespace mask_outlines_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -188,5 +188,5 @@ TEST(CentreRing, FilledHoldsAllOfANoisyMask) {
   }
 }
 
-}  // namespace
+}  // namespace mask_outlines_test
 }  // namespace synthetic_dataset

@@ -6,7 +6,7 @@
 #include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace mask_rle_test {
 
 using testing::ElementsAre;
 
@@ -81,5 +81,5 @@ TEST(MaskRle, PacksNegativeDifferencesWithTheirSign) {
   EXPECT_EQ(masks::cocoCounts({1, 100, 1, 3}), "1T31oL");
 }
 
-}  // namespace
+}  // namespace mask_rle_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include "plugins/plugin_harness.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace stvnet_writer_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -76,7 +76,7 @@ TEST_F(StvNet, WritesNothingForAnObjectOutOfView) {
 }
 
 TEST_F(StvNet, LeavesOutAnObjectWithAKeypointBehindTheCameraAndWarns) {
-  const writers::WriterHost& host = load({});
+  const output::WriterHost& host = load({});
   const Scene half_behind = scene(0, {keyed("a", {{0.0, 0.0, 0.0}, {0.0, 0.0, -10.5}})});
   EXPECT_THAT(filesOf(half_behind), IsEmpty());
   EXPECT_THAT(host.writeScene(half_behind).warnings,
@@ -104,5 +104,5 @@ TEST_F(StvNet, IgnoresTheOriginalsTimeout) {
   EXPECT_THAT(parameters_.unknownNames(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace stvnet_writer_test
 }  // namespace synthetic_dataset

@@ -6,7 +6,7 @@
 #include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace oriented_box_test {
 
 using testing::UnorderedElementsAre;
 
@@ -133,5 +133,5 @@ TEST(OrientedBox, NeverLeavesTheImageAndFitsAtLeastAsWellAsTheUprightBox) {
   }
 }
 
-}  // namespace
+}  // namespace oriented_box_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include "plugins/reader_harness.h"
 
 namespace synthetic_dataset::formats {
-namespace {
+namespace ultralytics_reader_test {
 
 using testing::ElementsAre;
 
@@ -65,5 +65,5 @@ TEST_F(UltralyticsReader, RefusesLinesThatAreNoLabels) {
   EXPECT_THROW((void)read("0 0.5 0.5 0.5 nothing\n"), Error);
 }
 
-}  // namespace
+}  // namespace ultralytics_reader_test
 }  // namespace synthetic_dataset::formats

@@ -8,7 +8,7 @@
 #include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace ultralytics_writer_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -295,5 +295,5 @@ TEST_F(Ultralytics, KnowsOnlyTheSettingsOfItsTask) {
   EXPECT_THAT(parameters_.unknownNames(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace ultralytics_writer_test
 }  // namespace synthetic_dataset

@@ -3,7 +3,7 @@
 #include "plugins/plugin_harness.h"
 
 namespace synthetic_dataset {
-namespace {
+namespace yolo_writer_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -118,5 +118,5 @@ TEST_F(Yolo, IgnoresTheOriginalsTimeout) {
   EXPECT_THAT(parameters_.unknownNames(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace yolo_writer_test
 }  // namespace synthetic_dataset

@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 
 namespace synthetic_dataset::render {
-namespace {
+namespace edge_pixels_test {
 
 const Intrinsics kIntrinsics = {100.0, 100.0, 75.0, 20.0};
 
@@ -83,5 +83,5 @@ TEST_P(EdgePixelsOfWidth, AreVisitedInAnyRectangle) {
 INSTANTIATE_TEST_SUITE_P(EdgePixels, EdgePixelsOfWidth,
                          testing::Values(2, 3, 8, 63, 64, 65, 128, 150));
 
-}  // namespace
+}  // namespace edge_pixels_test
 }  // namespace synthetic_dataset::render

@@ -9,13 +9,13 @@
 #include <opencv2/imgproc.hpp>
 
 #include "render/renderer.h"
-#include "sensor/srgb.h"
+#include "render/sensor/srgb.h"
 #include "support/box_world.h"
 #include "support/random_poses.h"
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace edge_smoother_test {
 
 using test::Stage;
 
@@ -38,7 +38,7 @@ cv::Mat linear(const cv::Mat& encoded) {
   cv::Mat light(encoded.size(), CV_32FC3);
   std::transform(encoded.begin<cv::Vec3b>(), encoded.end<cv::Vec3b>(), light.begin<cv::Vec3f>(),
                  [](const cv::Vec3b& pixel) {
-                   const auto& table = sensor::linearFromSrgb();
+                   const auto& table = render::linearFromSrgb();
                    return cv::Vec3f(table[pixel[0]], table[pixel[1]], table[pixel[2]]);
                  });
   return light;
@@ -114,5 +114,5 @@ TEST_F(SmoothEdges, LeaveAllOtherPixelsAlone) {
   EXPECT_EQ(cv::norm(one_sample, centres, cv::NORM_INF), 0.0);
 }
 
-}  // namespace
+}  // namespace edge_smoother_test
 }  // namespace synthetic_dataset::render

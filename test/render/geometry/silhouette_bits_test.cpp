@@ -13,7 +13,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace silhouette_bits_test {
 
 using test::Stage;
 
@@ -170,5 +170,5 @@ TEST_F(Heap, HasThemAlsoWhereOtherThingsWereDrawn) {
   expectSame(silhouettes(renderer), wanted);
 }
 
-}  // namespace
+}  // namespace silhouette_bits_test
 }  // namespace synthetic_dataset::render

@@ -10,7 +10,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace osmesa_context_test {
 
 /// From now on no thread finds room for its stack.
 void runOutOfThreads() {
@@ -38,5 +38,5 @@ TEST(OsmesaContextDeathTest, TellsThatThereAreNoThreadsRatherThanWaitForThem) {
               "starts no more threads .*: Resource temporarily unavailable; .*ulimit -u");
 }
 
-}  // namespace
+}  // namespace osmesa_context_test
 }  // namespace synthetic_dataset::render

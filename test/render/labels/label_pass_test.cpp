@@ -8,7 +8,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace label_pass_test {
 
 using synthetic_dataset::test::boxMesh;
 using synthetic_dataset::test::Stage;
@@ -204,5 +204,5 @@ TEST(LabelPass, HoldsAllRoundAFisheye) {
   EXPECT_LT(blurred, count / 200);
 }
 
-}  // namespace
+}  // namespace label_pass_test
 }  // namespace synthetic_dataset::render

@@ -7,7 +7,7 @@
 #include "support/box_world.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace silhouette_lens_test {
 
 using synthetic_dataset::test::Stage;
 
@@ -181,5 +181,5 @@ TEST(SilhouetteThroughALargeLens, CountsCellsBesideTheImageByTheirArea) {
               2.5);
 }
 
-}  // namespace
+}  // namespace silhouette_lens_test
 }  // namespace synthetic_dataset::render

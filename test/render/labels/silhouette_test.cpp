@@ -10,7 +10,7 @@
 #include "support/random_poses.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace silhouette_test {
 
 using test::Stage;
 
@@ -269,5 +269,5 @@ TEST(Silhouette, IsWhatLabelsShowOfTheObjectAlone) {
   }
 }
 
-}  // namespace
+}  // namespace silhouette_test
 }  // namespace synthetic_dataset::render

@@ -13,7 +13,7 @@
 #include "support/box_world.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace lens_library_test {
 
 using synthetic_dataset::test::Stage;
 using test::coloured;
@@ -131,5 +131,5 @@ TEST_P(ZoomingLens, ShowsWhatANewRendererShows) {
 INSTANTIATE_TEST_SUITE_P(Lenses, ZoomingLens, ::testing::Values(kPlumbBob, kFisheye190),
                          [](const auto& each) { return std::string(each.param.name); });
 
-}  // namespace
+}  // namespace lens_library_test
 }  // namespace synthetic_dataset::render

@@ -10,7 +10,7 @@
 #include "support/box_world.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace lens_map_test {
 
 using synthetic_dataset::test::Stage;
 using test::coloured;
@@ -65,5 +65,5 @@ TEST(LensMap, IsFineWhereOnlyTheLastRowLooks) {
   EXPECT_GE(below->camera.intrinsics().fx, 29.9);
 }
 
-}  // namespace
+}  // namespace lens_map_test
 }  // namespace synthetic_dataset::render

@@ -8,7 +8,7 @@
 #include "support/box_world.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace lens_room_test {
 
 using synthetic_dataset::test::Stage;
 using test::coloured;
@@ -138,5 +138,5 @@ TEST_F(Room, StaysTheSameWithoutDistortion) {
   keep(image, "room_zeros");
 }
 
-}  // namespace
+}  // namespace lens_room_test
 }  // namespace synthetic_dataset::render

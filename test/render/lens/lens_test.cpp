@@ -11,7 +11,7 @@
 #include "support/random_poses.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace lens_test {
 
 using synthetic_dataset::test::randomOrientation;
 using synthetic_dataset::test::Stage;
@@ -316,5 +316,5 @@ TEST(LensRenderer, ExposureMultipliesTheLight) {
   EXPECT_NEAR(light() / once, 4.0, 0.15);
 }
 
-}  // namespace
+}  // namespace lens_test
 }  // namespace synthetic_dataset::render

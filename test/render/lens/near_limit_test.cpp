@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "annotate/box_view.h"
+#include "label/box_view.h"
 #include "render/lens_cases.h"
 #include "render/renderer.h"
 #include "support/box_world.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace near_limit_test {
 
 using synthetic_dataset::test::distanceTo;
 using synthetic_dataset::test::SeenBox;
@@ -109,5 +109,5 @@ INSTANTIATE_TEST_SUITE_P(Lenses, LensNearLimit,
                          ::testing::Values(kWidePlumbBob, kWideFisheye, kNarrowFisheye),
                          [](const auto& lens) { return lens.param.name; });
 
-}  // namespace
+}  // namespace near_limit_test
 }  // namespace synthetic_dataset::render

@@ -13,7 +13,7 @@
 #include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace surface_shading_test {
 
 using Eigen::Vector3d;
 
@@ -232,5 +232,5 @@ TEST(ShadowLookup, IsTheMeanOfTheTexelsRoundAPlace) {
   }
 }
 
-}  // namespace
+}  // namespace surface_shading_test
 }  // namespace synthetic_dataset::render

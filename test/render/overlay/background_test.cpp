@@ -10,11 +10,11 @@
 #include "render/lens_cases.h"
 #include "render/overlay/backdrop_fitting.h"
 #include "render/picture_taking.h"
-#include "sensor/srgb.h"
+#include "render/sensor/srgb.h"
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace background_test {
 
 using synthetic_dataset::test::kSmallCamera;
 using synthetic_dataset::test::Stage;
@@ -100,7 +100,7 @@ TEST(Backdrop, ThatIsLargerIsTheMeanOfItsLight) {
   for (int v = 0; v < 98; ++v) {
     for (int u = v % 2; u < 130; u += 2) checkers.at<cv::Vec4b>(v, u) = {255, 255, 255, 255};
   }
-  const double half = sensor::srgbFromLinear(0.5F);
+  const double half = render::srgbFromLinear(0.5F);
   EXPECT_LE(worst(seenWith(lookWith(test::dark(), checkers)),
                   cv::Mat(49, 65, CV_8UC3, cv::Scalar::all(half))),
             1.0);
@@ -119,9 +119,9 @@ TEST(Backdrop, GetsBrighterWithTheExposureAndItsOwnBrightness) {
   look.background_picture->brightness = 1.5;
   const cv::Vec3b seen =
       seenWith(look, {kSmallCamera}, Sampling::kSmooth, 2.0F).at<cv::Vec3b>(20, 20);
-  const auto& linear = sensor::linearFromSrgb();
-  EXPECT_NEAR(seen[0], sensor::srgbFromLinear(3.0F * linear[30]), 1);
-  EXPECT_NEAR(seen[1], sensor::srgbFromLinear(3.0F * linear[90]), 1);
+  const auto& linear = render::linearFromSrgb();
+  EXPECT_NEAR(seen[0], render::srgbFromLinear(3.0F * linear[30]), 1);
+  EXPECT_NEAR(seen[1], render::srgbFromLinear(3.0F * linear[90]), 1);
   EXPECT_EQ(seen[2], 255) << "and is clipped";
 }
 
@@ -418,5 +418,5 @@ TEST_F(BackgroundOfThings, LetsGoOfAPictureThatIsSeenNoMore) {
   EXPECT_TRUE(seen.expired());
 }
 
-}  // namespace
+}  // namespace background_test
 }  // namespace synthetic_dataset::render

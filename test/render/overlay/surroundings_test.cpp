@@ -13,7 +13,7 @@
 #include "render/renderer.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace surroundings_test {
 
 using test::kSmallCamera;
 using test::screen;
@@ -263,5 +263,5 @@ TEST(Lights, ThatShouldCastShadowsAndDoNotAreNoted) {
   EXPECT_TRUE(shadowNotes(lights).empty());
 }
 
-}  // namespace
+}  // namespace surroundings_test
 }  // namespace synthetic_dataset::render

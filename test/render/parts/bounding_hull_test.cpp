@@ -12,7 +12,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace bounding_hull_test {
 
 constexpr double kRounding = 1e-6;  // [m]
 
@@ -106,5 +106,5 @@ TEST(BoundingHull, OfAPointIsThePoint) {
   EXPECT_TRUE(boundingHullOf(meshOf({})).corners.empty());
 }
 
-}  // namespace
+}  // namespace bounding_hull_test
 }  // namespace synthetic_dataset::render

@@ -10,7 +10,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace picture_painter_test {
 
 using test::Stage;
 
@@ -250,5 +250,5 @@ TEST_P(KeptPictures, AreNotMixedUpWithOthers) {
   expectAsDrawnAnew(pictures);
 }
 
-}  // namespace
+}  // namespace picture_painter_test
 }  // namespace synthetic_dataset::render

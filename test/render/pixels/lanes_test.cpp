@@ -10,7 +10,7 @@
 #include "render/pixels/lane_images.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace lanes_test {
 
 std::array<float, kLaneCount> stored(const Lanes& numbers) {
   std::array<float, kLaneCount> result{};
@@ -66,5 +66,5 @@ TEST(LaneImages, AreWideEnough) {
   EXPECT_EQ(firstLane(8, 10), 6);
 }
 
-}  // namespace
+}  // namespace lanes_test
 }  // namespace synthetic_dataset::render

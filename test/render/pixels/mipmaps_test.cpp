@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "sensor/srgb.h"
+#include "render/sensor/srgb.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace mipmaps_test {
 
 cv::Mat randomPicture(const cv::Size& size) {
   cv::Mat picture(size, CV_8UC4);
@@ -39,7 +39,7 @@ cv::Vec4b meanOfArea(const cv::Mat& picture, const cv::Size& size, const cv::Poi
         const float number = static_cast<float>(picture.at<cv::Vec4b>(v, u)[c]) / 255.0F;
         const bool is_light = meaning == PixelMeaning::kColour && c < 3;
         sums.at(static_cast<std::size_t>(c)) +=
-            share * (is_light ? sensor::linearFromSrgb(number) : number);
+            share * (is_light ? render::linearFromSrgb(number) : number);
       }
     }
   }
@@ -47,7 +47,7 @@ cv::Vec4b meanOfArea(const cv::Mat& picture, const cv::Size& size, const cv::Poi
   for (int c = 0; c < 4; ++c) {
     const double number = sums.at(static_cast<std::size_t>(c)) / area;
     const bool is_light = meaning == PixelMeaning::kColour && c < 3;
-    mean[c] = is_light ? sensor::srgbFromLinear(static_cast<float>(number))
+    mean[c] = is_light ? render::srgbFromLinear(static_cast<float>(number))
                        : cv::saturate_cast<std::uint8_t>(255.0 * number);
   }
   return mean;
@@ -111,5 +111,5 @@ TEST(Mipmaps, OfPartsAreThoseOfTheirPixelsAlone) {
   }
 }
 
-}  // namespace
+}  // namespace mipmaps_test
 }  // namespace synthetic_dataset::render

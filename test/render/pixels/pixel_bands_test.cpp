@@ -6,7 +6,7 @@
 #include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace pixel_bands_test {
 
 cv::Mat countsOf(const std::vector<cv::Rect>& rectangles, const cv::Size& size) {
   cv::Mat counts = cv::Mat::zeros(size, CV_8UC1);
@@ -53,5 +53,5 @@ TEST(PixelBands, LeaveWideGapsOut) {
   EXPECT_EQ(bandsOf(pixels), (std::vector<cv::Rect>{{2, 3, 5, 4}, {60, 3, 5, 4}}));
 }
 
-}  // namespace
+}  // namespace pixel_bands_test
 }  // namespace synthetic_dataset::render

@@ -11,7 +11,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace shadow_painter_test {
 
 using Meshes = std::vector<std::shared_ptr<const world::Mesh>>;
 
@@ -107,5 +107,5 @@ TEST(CastShadows, OfALeafFallWhicheverSideIsLit) {
   }
 }
 
-}  // namespace
+}  // namespace shadow_painter_test
 }  // namespace synthetic_dataset::render

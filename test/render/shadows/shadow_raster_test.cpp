@@ -9,7 +9,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
-namespace {
+namespace shadow_raster_test {
 
 constexpr int kSize = 96;
 
@@ -138,5 +138,5 @@ TEST(ShadowRaster, CountsWhatLiesBeforeTheMapAsAtItsBeginning) {
   EXPECT_EQ(piece->depths.at<float>(piece->depths.rows / 2, piece->depths.cols / 2), 0.0F);
 }
 
-}  // namespace
+}  // namespace shadow_raster_test
 }  // namespace synthetic_dataset::render

@@ -7,7 +7,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace model_folders_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -57,5 +57,5 @@ TEST_F(ModelFolders, WithoutModelsAreTold) {
                                          HasSubstr("hold folders with a model.config"))));
 }
 
-}  // namespace
+}  // namespace model_folders_test
 }  // namespace synthetic_dataset::world

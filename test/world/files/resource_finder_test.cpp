@@ -7,7 +7,7 @@
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace resource_finder_test {
 
 using synthetic_dataset::test::TemporaryFolder;
 using testing::AllOf;
@@ -116,5 +116,5 @@ TEST(ResourceFinder, FindsNothingForAnEmptyUri) {
   EXPECT_EQ(finder.find("model://", "/"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace resource_finder_test
 }  // namespace synthetic_dataset::world

@@ -12,7 +12,7 @@
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace scratch_folder_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -83,5 +83,5 @@ TEST_F(ScratchFolderTest, NamesAFolderThatIsNotThere) {
               ElementsAre(HasSubstr("TMPDIR")));
 }
 
-}  // namespace
+}  // namespace scratch_folder_test
 }  // namespace synthetic_dataset::world

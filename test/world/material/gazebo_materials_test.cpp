@@ -11,7 +11,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace gazebo_materials_test {
 
 using test::TemporaryFolder;
 using testing::HasSubstr;
@@ -74,5 +74,5 @@ TEST(GazeboPicture, FitsItselfAtItsEdges) {
   }
 }
 
-}  // namespace
+}  // namespace gazebo_materials_test
 }  // namespace synthetic_dataset::world

@@ -6,7 +6,7 @@
 #include "world/material/shininess.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace ogre_material_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -163,5 +163,5 @@ TEST(OgreMaterial, TellsOfNumbersThatAreNone) {
               message("scale: neither may be 0"));
 }
 
-}  // namespace
+}  // namespace ogre_material_test
 }  // namespace synthetic_dataset::world

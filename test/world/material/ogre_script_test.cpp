@@ -7,7 +7,7 @@
 #include "world/material/ogre_properties.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace ogre_script_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -170,5 +170,5 @@ TEST(OgreInheritance, RefusesChainsThatAreTooLong) {
                                                   HasSubstr("a chain of more than 100"))));
 }
 
-}  // namespace
+}  // namespace ogre_script_test
 }  // namespace synthetic_dataset::world

@@ -7,7 +7,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace texture_loader_test {
 
 using test::TemporaryFolder;
 using testing::AllOf;
@@ -164,5 +164,5 @@ TEST_F(TextureLoaderTest, TakesWhatAnotherHasDecodedAhead) {
               ThrowsMessage<Error>(HasSubstr("texture 'gone.png': no such file")));
 }
 
-}  // namespace
+}  // namespace texture_loader_test
 }  // namespace synthetic_dataset::world

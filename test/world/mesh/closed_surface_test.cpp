@@ -9,7 +9,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace closed_surface_test {
 
 /// A mesh and another one.
 Mesh together(Mesh mesh, const Mesh& other, const Eigen::Vector3f& shift) {
@@ -96,5 +96,5 @@ TEST(ClosedSurface, IsNotOneThatReachesInfinity) {
   EXPECT_FALSE(isSurfaceOfBodies(box));
 }
 
-}  // namespace
+}  // namespace closed_surface_test
 }  // namespace synthetic_dataset::world

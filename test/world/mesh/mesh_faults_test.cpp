@@ -4,7 +4,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace mesh_faults_test {
 
 using test::kTriangleObj;
 using test::TemporaryFolder;
@@ -104,5 +104,5 @@ TEST_F(MeshFaultTest, ReadsAMillionTriangles) {
   EXPECT_EQ(loader_.whole(request)->indices.size(), std::size_t{3} * 2 * 708 * 708);
 }
 
-}  // namespace
+}  // namespace mesh_faults_test
 }  // namespace synthetic_dataset::world

@@ -3,14 +3,14 @@
 #include <gmock/gmock.h>
 
 #include "synthetic_dataset/errors.h"
-#include "world/files/byte_stream.h"
+#include "base/sandbox/byte_stream.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace mesh_file_bytes_test {
 
 TEST(MeshFileBytes, RefuseCountsBeyondTheirEnd) {
   for (int counts_before = 0; counts_before < 3; ++counts_before) {  // pictures, materials, parts
-    ByteWriter writer;
+    base::ByteWriter writer;
     for (int i = 0; i < counts_before; ++i) writer.number<std::uint64_t>(0);
     writer.number<std::uint64_t>(std::uint64_t{1} << 60U);
     const std::string bytes = writer.take();
@@ -38,5 +38,5 @@ TEST(MeshFileBytes, TakeAnyByteForATruth) {
   }
 }
 
-}  // namespace
+}  // namespace mesh_file_bytes_test
 }  // namespace synthetic_dataset::world

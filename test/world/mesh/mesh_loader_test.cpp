@@ -9,7 +9,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace mesh_loader_test {
 
 using test::kTriangleObj;
 using test::TemporaryFolder;
@@ -292,5 +292,5 @@ TEST_F(MeshLoaderTest, TakesWhatAnotherHasReadAhead) {
   EXPECT_THAT(errorOf(torn), HasSubstr("torn.dae"));
 }
 
-}  // namespace
+}  // namespace mesh_loader_test
 }  // namespace synthetic_dataset::world

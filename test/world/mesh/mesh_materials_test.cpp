@@ -7,7 +7,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace mesh_materials_test {
 
 using test::kTriangleObj;
 using test::TemporaryFolder;
@@ -209,5 +209,5 @@ TEST_F(MeshMaterialTest, ReadsVisCamsColoursOfBinaryStlFiles) {
   EXPECT_THAT(meshOf(write("b.stl", binaryStl(0))).colours, IsEmpty());
 }
 
-}  // namespace
+}  // namespace mesh_materials_test
 }  // namespace synthetic_dataset::world

@@ -7,7 +7,7 @@
 #include "world/physics/simple_models.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace model_geometry_test {
 
 Visual visualOf(std::shared_ptr<const Mesh> mesh, const Pose& X_LV = Pose::Identity()) {
   Visual visual;
@@ -69,5 +69,5 @@ TEST(ModelGeometry, IsEmptyWithoutVisuals) {
   EXPECT_FALSE(ModelGeometry(pointersTo(visible)).isEmpty());
 }
 
-}  // namespace
+}  // namespace model_geometry_test
 }  // namespace synthetic_dataset::world

@@ -12,7 +12,7 @@
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace object_mesh_test {
 
 Pose at(double x, double y, double z) {
   return makePose({x, y, z}, Eigen::Quaterniond::Identity());
@@ -224,5 +224,5 @@ TEST(LargestDistance, OfEqualPointsIsNothing) {
   EXPECT_EQ(largestDistance({}), 0.0);
 }
 
-}  // namespace
+}  // namespace object_mesh_test
 }  // namespace synthetic_dataset::world

@@ -6,7 +6,7 @@
 #include "world/physics/simple_models.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace scaled_model_test {
 
 template <class Wanted>
 const Wanted& shapeOf(const Model& model, std::size_t collision) {
@@ -75,5 +75,5 @@ TEST(ScaledModel, IsOfTheSameDensity) {
   EXPECT_TRUE(made.centre_of_mass_L.isApprox(expected.centre_of_mass_L));
 }
 
-}  // namespace
+}  // namespace scaled_model_test
 }  // namespace synthetic_dataset::world

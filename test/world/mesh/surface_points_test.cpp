@@ -9,7 +9,7 @@
 #include "world/physics/simple_models.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace surface_points_test {
 
 Link linkWith(std::shared_ptr<const Mesh> mesh, const Pose& X_ML = Pose::Identity()) {
   Link link;
@@ -104,5 +104,5 @@ TEST(FarthestPoints, CannotBeMoreThanThereAre) {
               testing::ThrowsMessage<Error>(testing::HasSubstr("only 1 different points")));
 }
 
-}  // namespace
+}  // namespace surface_points_test
 }  // namespace synthetic_dataset::world

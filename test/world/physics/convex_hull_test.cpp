@@ -5,7 +5,7 @@
 #include "world/physics/simple_models.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace convex_hull_test {
 
 std::vector<Eigen::Vector3d> pointsOf(const Mesh& mesh) {
   std::vector<Eigen::Vector3d> points;
@@ -50,5 +50,5 @@ TEST(SupportPoints, KeepTheShapeOfARoundCloud) {
   }
 }
 
-}  // namespace
+}  // namespace convex_hull_test
 }  // namespace synthetic_dataset::world

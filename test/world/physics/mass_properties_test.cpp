@@ -5,7 +5,7 @@
 #include "world/physics/simple_models.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace mass_properties_test {
 
 Link heavyLink(double mass, const Eigen::Vector3d& centre_L, const Eigen::Vector3d& moments,
                const Pose& X_ML) {
@@ -92,5 +92,5 @@ TEST(MassProperties, CylinderHasItsTextbookMoments) {
   EXPECT_NEAR(body.moments_F(0, 0), (3 * 0.09 + 1.44) / 12, 1e-12);
 }
 
-}  // namespace
+}  // namespace mass_properties_test
 }  // namespace synthetic_dataset::world

@@ -6,7 +6,7 @@
 #include "world/physics/simple_models.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace overlap_finder_test {
 
 /// Two objects, and perhaps static models, in a world that stands.
 std::vector<Interpenetration> overlaps(const std::vector<Model>& objects,
@@ -114,5 +114,5 @@ TEST(Interpenetration, IsExactFarFromTheOrigin) {
   EXPECT_NEAR(found[1].depth, 0.02, 5e-4);
 }
 
-}  // namespace
+}  // namespace overlap_finder_test
 }  // namespace synthetic_dataset::world

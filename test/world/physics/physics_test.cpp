@@ -13,7 +13,7 @@
 /// How props move, seen through World.
 
 namespace synthetic_dataset::world {
-namespace {
+namespace physics_test {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -343,5 +343,5 @@ TEST(Physics, RestingContactIsGoodFarFromTheOrigin) {
   EXPECT_NEAR(box.translation().x(), far + 0.3, 1e-3);
 }
 
-}  // namespace
+}  // namespace physics_test
 }  // namespace synthetic_dataset::world

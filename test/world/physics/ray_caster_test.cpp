@@ -5,7 +5,7 @@
 #include "world/physics/simple_models.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace ray_caster_test {
 
 Link visualLink(std::shared_ptr<const Mesh> mesh, const Pose& X_LV = Pose::Identity()) {
   Link link;
@@ -107,5 +107,5 @@ TEST(RayCaster, SkipsLinksWithoutTriangles) {
   EXPECT_EQ(caster.cast({0, 0, 0}, {1, 0, 0}, 100.0)->link, 1U);
 }
 
-}  // namespace
+}  // namespace ray_caster_test
 }  // namespace synthetic_dataset::world

@@ -8,7 +8,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace joined_models_test {
 
 using synthetic_dataset::test::textOf;
 using test::errorsOf;
@@ -152,5 +152,5 @@ TEST(JoinedModels, LeaveErrorsTheirFilesAndLines) {
               testing::Contains(HasSubstr(file.string() + ":L3]: Msg: Required attribute[name]")));
 }
 
-}  // namespace
+}  // namespace joined_models_test
 }  // namespace synthetic_dataset::world

@@ -6,7 +6,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace mentioned_meshes_test {
 
 using test::includeElement;
 using test::linkElement;
@@ -62,5 +62,5 @@ TEST(MentionedMeshes, AreNoneOfWorldsThatAreNotRead) {
               ElementsAre(isMesh("a.dae", true)));
 }
 
-}  // namespace
+}  // namespace mentioned_meshes_test
 }  // namespace synthetic_dataset::world

@@ -6,7 +6,7 @@
 #include "world/world_loader.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_lenses_test {
 
 using namespace test;
 
@@ -129,5 +129,5 @@ TEST(SdfLens, WithAnOffsetLeavesTheCameraOutWithANote) {
   EXPECT_THAT(world.notes, ElementsAre(HasSubstr("lens/custom_function/c3")));
 }
 
-}  // namespace
+}  // namespace sdf_lenses_test
 }  // namespace synthetic_dataset::world

@@ -6,7 +6,7 @@
 #include "world/world_loader.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_loader_assets_test {
 
 using namespace test;
 
@@ -347,5 +347,5 @@ TEST(SdfLoader, SaysWhereTemporaryFilesCannotBeWritten) {
   unsetenv("TMPDIR");
 }
 
-}  // namespace
+}  // namespace sdf_loader_assets_test
 }  // namespace synthetic_dataset::world

@@ -4,7 +4,7 @@
 #include "world/world_loader.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_loader_camera_test {
 
 using namespace test;
 
@@ -139,5 +139,5 @@ TEST(SdfLight, CastsNoShadowsWhereTheSceneHasNone) {
   EXPECT_FALSE(world.lights.at(0).casts_shadow);
 }
 
-}  // namespace
+}  // namespace sdf_loader_camera_test
 }  // namespace synthetic_dataset::world

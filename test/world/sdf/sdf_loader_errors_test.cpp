@@ -4,7 +4,7 @@
 #include "world/world_loader.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_loader_errors_test {
 
 using namespace test;
 
@@ -184,5 +184,5 @@ TEST(SdfLoaderErrors, NameAFileWithoutAModel) {
       testing::ThrowsMessage<ErrorList>(AllOf(HasSubstr("has 0 models"), HasSubstr("'alpha'"))));
 }
 
-}  // namespace
+}  // namespace sdf_loader_errors_test
 }  // namespace synthetic_dataset::world

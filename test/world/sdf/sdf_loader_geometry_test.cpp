@@ -6,7 +6,7 @@
 #include "world/world_loader.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_loader_geometry_test {
 
 using namespace test;
 
@@ -95,5 +95,5 @@ TEST(SdfGeometry, DrawsAVastPlaneAsFarAsAnybodySees) {
   EXPECT_EQ(boxOf(*visual.surfaces.at(0).mesh).sizes().x(), 1e5F);
 }
 
-}  // namespace
+}  // namespace sdf_loader_geometry_test
 }  // namespace synthetic_dataset::world

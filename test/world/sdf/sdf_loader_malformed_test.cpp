@@ -6,7 +6,7 @@
 #include "world/world_loader.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_loader_malformed_test {
 
 namespace fs = std::filesystem;
 
@@ -177,5 +177,5 @@ TEST(MalformedSdf, HasAHeightmapWithoutAPicture) {
               ElementsAre(HasSubstr("(left out)")));
 }
 
-}  // namespace
+}  // namespace sdf_loader_malformed_test
 }  // namespace synthetic_dataset::world

@@ -4,7 +4,7 @@
 #include "world/world_loader.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_loader_scene_test {
 
 using namespace test;
 
@@ -92,5 +92,5 @@ TEST(SdfScene, NamesNumbersThatAreNone) {
               Contains(HasSubstr("density")));
 }
 
-}  // namespace
+}  // namespace sdf_loader_scene_test
 }  // namespace synthetic_dataset::world

@@ -7,7 +7,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_loader_test {
 
 using namespace test;
 
@@ -256,5 +256,5 @@ TEST(SdfLoader, KeepsNotesOfModels) {
   EXPECT_THAT(loader.modelNotes(), ElementsAre(testing::HasSubstr("alpha: ")));
 }
 
-}  // namespace
+}  // namespace sdf_loader_test
 }  // namespace synthetic_dataset::world

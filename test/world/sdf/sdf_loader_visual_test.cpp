@@ -4,7 +4,7 @@
 #include "world/world_loader.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_loader_visual_test {
 
 using namespace test;
 
@@ -139,5 +139,5 @@ TEST(SdfVisual, ScalesMeshes) {
   EXPECT_EQ(visual.surfaces.at(0).mesh->positions.at(2), Eigen::Vector3f(0, 6, 0));
 }
 
-}  // namespace
+}  // namespace sdf_loader_visual_test
 }  // namespace synthetic_dataset::world

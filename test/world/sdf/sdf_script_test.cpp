@@ -3,7 +3,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace sdf_script_test {
 
 using namespace test;
 
@@ -137,5 +137,5 @@ TEST(SdfScript, TellsOfAPictureThatIsMissing) {
                                 HasSubstr((folder / "s").string()))));
 }
 
-}  // namespace
+}  // namespace sdf_script_test
 }  // namespace synthetic_dataset::world

@@ -7,7 +7,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace heightmap_test {
 
 using test::TemporaryFolder;
 using testing::AllOf;
@@ -175,5 +175,5 @@ TEST(Heightmap, RefusesAPictureTooLargeToDecode) {
               ThrowsMessage<Error>(HasSubstr("is too large: 100000 x 100000 pixels")));
 }
 
-}  // namespace
+}  // namespace heightmap_test
 }  // namespace synthetic_dataset::world

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 namespace synthetic_dataset::world {
-namespace {
+namespace shape_meshes_test {
 
 using testing::Each;
 
@@ -129,5 +129,5 @@ TEST(PlaneMesh, ShowsTheTexturesFirstRowAtTheTop) {
   }
 }
 
-}  // namespace
+}  // namespace shape_meshes_test
 }  // namespace synthetic_dataset::world

@@ -8,7 +8,7 @@
 #include "world/shape/extrusion.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace triangulation_test {
 
 using Eigen::Vector2d;
 using testing::AllOf;
@@ -140,5 +140,5 @@ TEST(Extrusion, HasNormalsThatPointOutwards) {
   }
 }
 
-}  // namespace
+}  // namespace triangulation_test
 }  // namespace synthetic_dataset::world

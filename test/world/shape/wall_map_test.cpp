@@ -8,7 +8,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace wall_map_test {
 
 using synthetic_dataset::test::TemporaryFolder;
 using testing::HasSubstr;
@@ -66,5 +66,5 @@ TEST(WallMap, NamesAPictureWithoutWalls) {
               ThrowsMessage<Error>(HasSubstr("map.png': makes 0 walls")));
 }
 
-}  // namespace
+}  // namespace wall_map_test
 }  // namespace synthetic_dataset::world

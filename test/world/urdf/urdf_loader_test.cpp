@@ -9,7 +9,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace {
+namespace urdf_loader_test {
 
 using synthetic_dataset::test::messagesOf;
 using synthetic_dataset::test::TemporaryFolder;
@@ -337,5 +337,5 @@ INSTANTIATE_TEST_SUITE_P(
                 "line 1: 'xacro:include' is xacro's"},
         BadUrdf{"<link name='a'>", "cannot be read as XML"}));
 
-}  // namespace
+}  // namespace urdf_loader_test
 }  // namespace synthetic_dataset::world

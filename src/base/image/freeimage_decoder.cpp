@@ -1,0 +1,70 @@
+#include "base/image/freeimage_decoder.h"
+
+#include <cstring>
+#include <memory>
+
+#include <FreeImage.h>
+
+namespace synthetic_dataset::base {
+namespace {
+
+struct Closer {
+  void operator()(FIMEMORY* memory) const { FreeImage_CloseMemory(memory); }
+  void operator()(FIBITMAP* bitmap) const { FreeImage_Unload(bitmap); }
+};
+using Memory = std::unique_ptr<FIMEMORY, Closer>;
+using Bitmap = std::unique_ptr<FIBITMAP, Closer>;
+
+/// The formats that are promised. Others are left alone: FreeImage's reader of icons, for one, asks
+/// for as much memory as a broken file tells it to.
+bool isRead(FREE_IMAGE_FORMAT format) {
+  switch (format) {
+    case FIF_PNG:
+    case FIF_JPEG:
+    case FIF_BMP:
+    case FIF_TIFF:
+    case FIF_WEBP:
+    case FIF_TARGA:
+    case FIF_GIF:
+    case FIF_DDS:
+    case FIF_PSD:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Bitmap load(const std::vector<std::uint8_t>& file, const std::string& name) {
+  // FreeImage only reads from it.
+  const Memory memory(
+      FreeImage_OpenMemory(const_cast<BYTE*>(file.data()), static_cast<DWORD>(file.size())));
+  FREE_IMAGE_FORMAT format = FreeImage_GetFileTypeFromMemory(memory.get(), 0);
+  if (format == FIF_UNKNOWN) format = FreeImage_GetFIFFromFilename(name.c_str());
+  if (!isRead(format) || FreeImage_FIFSupportsReading(format) == FALSE) return nullptr;
+  return Bitmap(FreeImage_LoadFromMemory(format, memory.get(), 0));
+}
+
+/// Blue, green, red, alpha of 8 bits; grey of 16 bits has no direct way there.
+Bitmap toBgra(Bitmap bitmap) {
+  if (bitmap && FreeImage_GetImageType(bitmap.get()) == FIT_UINT16) {
+    bitmap.reset(FreeImage_ConvertTo8Bits(bitmap.get()));
+  }
+  return Bitmap(bitmap ? FreeImage_ConvertTo32Bits(bitmap.get()) : nullptr);
+}
+
+}  // namespace
+
+cv::Mat decodeWithFreeImage(const std::vector<std::uint8_t>& file, const std::string& name) {
+  const Bitmap bitmap = toBgra(load(file, name));
+  if (!bitmap || FreeImage_HasPixels(bitmap.get()) == FALSE) return {};
+  const int rows = static_cast<int>(FreeImage_GetHeight(bitmap.get()));
+  const int columns = static_cast<int>(FreeImage_GetWidth(bitmap.get()));
+  cv::Mat pixels(rows, columns, CV_8UC4);
+  for (int row = 0; row < rows; ++row) {  // FreeImage's first row is the lowest
+    std::memcpy(pixels.ptr(row), FreeImage_GetScanLine(bitmap.get(), rows - 1 - row),
+                static_cast<std::size_t>(columns) * 4);
+  }
+  return pixels;
+}
+
+}  // namespace synthetic_dataset::base

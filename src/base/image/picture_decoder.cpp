@@ -1,0 +1,213 @@
+#include "base/image/picture_decoder.h"
+
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "synthetic_dataset/errors.h"
+#include "base/sandbox/byte_stream.h"
+#include "base/sandbox/sandboxed_batch.h"
+#include "base/sandbox/sandboxed_process.h"
+#include "base/image/freeimage_decoder.h"
+#include "base/image/picture_end.h"
+#include "base/image/picture_file.h"
+#include "base/image/picture_size.h"
+
+namespace synthetic_dataset::base {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr const char* kUndecodable =
+    "cannot be decoded; PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS, PSD and PGM pictures can";
+
+SandboxLimits decodingLimits() {
+  SandboxLimits limits;
+  limits.processor_time = std::chrono::seconds(60);
+  limits.memory = std::uint64_t{3} << 30U;
+  return limits;
+}
+
+void checkSize(const PictureSize& size) {
+  const bool fits = size.width <= kLongestPictureSide && size.height <= kLongestPictureSide &&
+                    size.width * size.height <= kLargestPicture;
+  if (fits) return;
+  throw Error("is too large: " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+              " pixels; at most " + std::to_string(kLongestPictureSide) + " a side and " +
+              std::to_string(kLargestPicture >> 20U) + " million in all can be read");
+}
+
+/// What of a file makes its pixels, where nothing speaks against decoding it.
+Bytes checked(const Bytes& file) {
+  if (file.empty()) throw Error("cannot be decoded: the file is empty");
+  if (const std::optional<PictureSize> size = claimedSize(file)) checkSize(*size);
+  Bytes essential = withoutColourProfile(file);
+  if (essential.empty() || !isWhole(essential)) {
+    throw Error("cannot be decoded: the file breaks off or is damaged");
+  }
+  return essential;
+}
+
+/// OpenCV sets its codecs up when somebody first asks for them. A process that is forked while
+/// another thread does that would wait for it for ever: the process has no such thread.
+void setUpCodecs() {
+  static const bool kAreSetUp = [] {
+    for (const char* kind : {".png", ".jpg"}) {
+      std::vector<std::uint8_t> file;
+      cv::imencode(kind, cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(0)), file);
+      static_cast<void>(cv::imdecode(file, cv::IMREAD_UNCHANGED));
+    }
+    return true;
+  }();
+  static_cast<void>(kAreSetUp);
+}
+
+/// Neither library's threads are used here, so that this can run in a process that was forked.
+cv::Mat decode(const Bytes& file, const std::string& name) {
+  cv::Mat pixels;
+  try {
+    pixels = cv::imdecode(file, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    pixels.release();
+  }
+  return pixels.empty() ? decodeWithFreeImage(file, name) : pixels;
+}
+
+std::string toBytes(const cv::Mat& pixels) {
+  ByteWriter writer;
+  writer.number<std::int32_t>(pixels.rows);
+  writer.number<std::int32_t>(pixels.cols);
+  writer.number<std::int32_t>(pixels.type());
+  for (int row = 0; row < pixels.rows; ++row) {
+    writer.raw(pixels.ptr(row), static_cast<std::size_t>(pixels.cols) * pixels.elemSize());
+  }
+  return writer.take();
+}
+
+cv::Mat fromBytes(const std::string& bytes) {
+  ByteReader reader(bytes);
+  const auto rows = reader.number<std::int32_t>();
+  const auto columns = reader.number<std::int32_t>();
+  const auto type = reader.number<std::int32_t>();
+  if (rows <= 0 || columns <= 0) return {};
+  checkSize({static_cast<std::uint64_t>(columns), static_cast<std::uint64_t>(rows)});
+  cv::Mat pixels(rows, columns, type);
+  reader.copy(pixels.data, pixels.total() * pixels.elemSize());
+  return pixels;
+}
+
+/// What one process may hand over at most, unless it is of one picture [pixel].
+constexpr std::uint64_t kLargestBatch = std::uint64_t{1} << 25U;
+
+/// Pictures that are decoded at the same time, by name: what makes their pixels.
+struct Batch {
+  std::map<std::string, Bytes> files;
+  std::uint64_t pixels = 0;
+};
+
+std::vector<Batch> batchesOf(const std::map<std::string, Bytes>& files) {
+  std::vector<Batch> batches(1);
+  for (const auto& [name, file] : files) {
+    try {
+      Bytes essential = checked(file);
+      const std::optional<PictureSize> size = claimedSize(file);
+      if (!size) continue;
+      const std::uint64_t pixels = size->width * size->height;
+      if (batches.back().pixels + pixels > kLargestBatch) batches.emplace_back();
+      batches.back().files.emplace(name, std::move(essential));
+      batches.back().pixels += pixels;
+    } catch (const Error&) {
+      continue;  // told when it is decoded alone
+    }
+  }
+  return batches;
+}
+
+/// Colours of any depth and count of channels as blue, green, red, alpha of 8 bits.
+cv::Mat toBgra(const cv::Mat& picture) {
+  cv::Mat bytes;
+  if (picture.empty()) return {};
+  if (picture.depth() == CV_8U) {
+    bytes = picture;
+  } else if (picture.depth() == CV_16U) {
+    picture.convertTo(bytes, CV_8U, 1.0 / 257.0);
+  } else {
+    return {};
+  }
+  cv::Mat bgra;
+  switch (bytes.channels()) {
+    case 1:
+      cv::cvtColor(bytes, bgra, cv::COLOR_GRAY2BGRA);
+      return bgra;
+    case 3:
+      cv::cvtColor(bytes, bgra, cv::COLOR_BGR2BGRA);
+      return bgra;
+    case 4:
+      return bytes;
+    default:
+      return {};
+  }
+}
+
+void decodeInto(const Batch& batch, std::map<std::string, cv::Mat>& pictures) {
+  std::vector<SandboxedWork> pieces;
+  for (const auto& entry : batch.files) {
+    pieces.push_back({[&entry] { return toBytes(decode(entry.second, entry.first)); },
+                      decodingLimits().processor_time});
+  }
+  const auto answers = runAllSandboxed(pieces, decodingLimits().memory);
+  auto answer = answers.begin();
+  for (const auto& entry : batch.files) {
+    const std::optional<std::string>& pixels = *answer++;
+    if (!pixels) continue;
+    try {
+      cv::Mat picture = toBgra(fromBytes(*pixels));
+      if (!picture.empty()) pictures.emplace(entry.first, std::move(picture));
+    } catch (const Error&) {
+      continue;  // it is decoded by itself then
+    }
+  }
+}
+
+}  // namespace
+
+cv::Mat decodePixels(const Bytes& file, const std::string& name) {
+  const Bytes essential = checked(file);
+  setUpCodecs();
+  const auto work = [&] { return toBytes(decode(essential, name)); };
+  const std::variant<std::string, Crash> answer = runSandboxed(work, decodingLimits());
+  if (const auto* crash = std::get_if<Crash>(&answer)) {
+    throw Error("cannot be decoded (its decoder " + crash->how + ")");
+  }
+  cv::Mat pixels = fromBytes(std::get<std::string>(answer));
+  const bool known_depth = pixels.depth() == CV_8U || pixels.depth() == CV_16U;
+  if (pixels.empty() || !known_depth) throw Error(kUndecodable);
+  return pixels;
+}
+
+PictureSize checkPicture(const Bytes& file, const std::string& name) {
+  static_cast<void>(checked(file));
+  const std::optional<PictureSize> size = claimedSize(file);
+  if (size && size->width > 0 && size->height > 0) return *size;
+  const cv::Mat pixels = decodePixels(file, name);
+  return {static_cast<std::uint64_t>(pixels.cols), static_cast<std::uint64_t>(pixels.rows)};
+}
+
+cv::Mat decodePicture(const Bytes& file, const std::string& name) {
+  cv::Mat pixels = toBgra(decodePixels(file, name));
+  if (pixels.empty()) throw Error(kUndecodable);
+  return pixels;
+}
+
+std::map<std::string, cv::Mat> decodePictures(const std::map<std::string, Bytes>& files) {
+  std::map<std::string, cv::Mat> pictures;
+  if (files.empty()) return pictures;  // setting up takes a while
+  setUpCodecs();
+  for (const Batch& batch : batchesOf(files)) decodeInto(batch, pictures);
+  return pictures;
+}
+
+}  // namespace synthetic_dataset::base

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "base/image/picture_size.h"
+
+namespace synthetic_dataset::base {
+
+/// What a picture may have at most, so that a file of a few bytes cannot fill the memory [pixel].
+constexpr std::uint64_t kLongestPictureSide = 16384;
+constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 27U;
+
+/// Decodes a picture file of any format that OpenCV or FreeImage knows: PNG, JPEG, BMP, TIFF, WebP,
+/// TGA, GIF (its first picture), DDS, PSD, PGM and more; of any depth; grey, with a palette, with
+/// alpha. The size is checked before anything is decoded, and a decoder that crashes takes nothing
+/// with it.
+/// @param name  the file's, whose ending tells formats without a mark of their own
+/// @return as the file has it: grey, blue green red, or blue green red alpha, of 8 or 16 bits
+/// @throws Error "cannot be decoded; ..." or "is too large: ..."
+[[nodiscard]] cv::Mat decodePixels(const std::vector<std::uint8_t>& file, const std::string& name);
+
+/// Whether decodePixels may be expected to read it, without decoding it: what its header says, and
+/// that the file does not break off, as far as its format tells. Files of formats whose headers are
+/// not known here are decoded after all.
+/// @return its size
+/// @throws Error as decodePixels does
+PictureSize checkPicture(const std::vector<std::uint8_t>& file, const std::string& name);
+
+/// decodePixels as CV_8UC4: blue, green, red, alpha.
+[[nodiscard]] cv::Mat decodePicture(const std::vector<std::uint8_t>& file, const std::string& name);
+
+/// decodePicture of many files, some of them side by side.
+/// @param files  by their names
+/// @return those that could be decoded, by their names, without such whose size no header tells; of
+///     the others decodePicture tells what is wrong
+[[nodiscard]] std::map<std::string, cv::Mat> decodePictures(
+    const std::map<std::string, std::vector<std::uint8_t>>& files);
+
+}  // namespace synthetic_dataset::base

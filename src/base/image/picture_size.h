@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace synthetic_dataset::base {
+
+struct PictureSize {
+  std::uint64_t width = 0;  ///< [pixel]
+  std::uint64_t height = 0;
+};
+
+/// What a picture file's header claims, without decoding anything: of PNG, JPEG, BMP, GIF, WebP,
+/// TIFF, DDS and PSD files, and of TGA, which has no mark of its own, last.
+/// @return nothing for a file that is none of these, or too short
+[[nodiscard]] std::optional<PictureSize> claimedSize(const std::vector<std::uint8_t>& file);
+
+}  // namespace synthetic_dataset::base

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace synthetic_dataset::base {
+
+/// Random numbers one after another, the same on every machine: those of the standard library's
+/// distributions differ from library to library. SplitMix64 (Steele, Lea and Flood 2014).
+class RandomSource {
+ public:
+  explicit RandomSource(std::uint64_t seed) : state_(seed) {}
+
+  /// That of randomSeed.
+  RandomSource(std::uint64_t run_seed, std::int64_t scene_index, std::string_view purpose);
+
+  [[nodiscard]] std::uint64_t bits();
+
+  /// 0 <= number < 1.
+  [[nodiscard]] double unit();
+
+  /// low <= number <= high; either may be the greater.
+  [[nodiscard]] double uniform(double low, double high) { return low + (high - low) * unit(); }
+
+  /// Of mean 0 and standard deviation 1.
+  [[nodiscard]] double normal();
+
+  /// 0 <= number < count, each as likely as the others. @param count  > 0
+  [[nodiscard]] std::size_t index(std::size_t count);
+
+  /// So many of the numbers 0 .. all - 1, each as likely as the others, in a random order.
+  /// @param count  <= all
+  [[nodiscard]] std::vector<std::size_t> choice(std::size_t count, std::size_t all);
+
+  /// A heading: -pi < angle <= pi.
+  [[nodiscard]] double angle();
+
+  /// Of unit length, each direction as likely as the others.
+  [[nodiscard]] Eigen::Vector3d direction();
+
+  /// Each orientation as likely as the others (Shoemake 1992).
+  [[nodiscard]] Eigen::Quaternion<double, Eigen::DontAlign> orientation();
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace synthetic_dataset::base

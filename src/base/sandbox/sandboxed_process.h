@@ -1,0 +1,70 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace synthetic_dataset::base {
+
+struct SandboxLimits {
+  std::chrono::seconds processor_time{120};
+  std::uint64_t memory = std::uint64_t{4} << 30U;  ///< [byte], beyond what is in use already
+
+  /// A process that sends nothing and waits without using the processor for one to two times this
+  /// long is started anew, three times at most: where another thread held a lock (of a heap, of a
+  /// library) when the process was forked, nobody will ever unlock it there.
+  std::chrono::milliseconds idle{1000};
+};
+
+/// How a piece of work broke down: "crashes (Segmentation fault)".
+struct Crash {
+  std::string how;
+};
+
+/// A piece of work in a process of its own, so that a library that crashes or never ends takes
+/// nothing else with it. What the work changes or prints is lost; what it returns is handed over.
+/// Where no process is to be had the work is done in this one, when it is finished.
+///
+/// Several may work at a time. The work may be started more than once (see SandboxLimits::idle). It
+/// ends with the thread that started it, at the latest.
+class SandboxedProcess {
+ public:
+  /// Starts it.
+  /// @param work  may throw Error
+  SandboxedProcess(std::function<std::string()> work, const SandboxLimits& limits);
+
+  /// Ends it at once, if it has not been finished.
+  ~SandboxedProcess();
+  SandboxedProcess(SandboxedProcess&& other) noexcept;
+  SandboxedProcess(const SandboxedProcess&) = delete;
+  SandboxedProcess& operator=(const SandboxedProcess&) = delete;
+  SandboxedProcess& operator=(SandboxedProcess&&) = delete;
+
+  /// Waits for its end; to be called once, in any thread.
+  /// @return the work's result, or how it broke down
+  /// @throws Error as the work does
+  [[nodiscard]] std::variant<std::string, Crash> finish();
+
+ private:
+  void start();
+  void stop() noexcept;
+  std::optional<std::string> receive();  ///< its answer, or nothing if there is no process
+
+  std::function<std::string()> work_;
+  SandboxLimits limits_;
+  int child_ = -1;    ///< its process, or -1 for none
+  int reading_ = -1;  ///< the end of the pipe that brings its answer, or -1 for none
+};
+
+/// In a process of SandboxedProcess's: gives what is done from now on its own time, within the whole
+/// work's. Elsewhere it does nothing.
+void limitSandboxTime(std::chrono::seconds processor_time);
+
+/// Starts and finishes a piece of work.
+[[nodiscard]] std::variant<std::string, Crash> runSandboxed(const std::function<std::string()>& work,
+                                                           const SandboxLimits& limits);
+
+}  // namespace synthetic_dataset::base

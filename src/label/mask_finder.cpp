@@ -1,0 +1,117 @@
+#include "label/mask_finder.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "label/object_links.h"
+
+namespace synthetic_dataset::label {
+namespace {
+
+/// Of one camera, whose focal lengths may have changed.
+bool isSame(const render::View& a, const render::View& b) {
+  return a.X_WC.matrix() == b.X_WC.matrix() && a.camera.intrinsics() == b.camera.intrinsics();
+}
+
+}  // namespace
+
+MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
+                       std::size_t object_count, const label::Mog2Options& options, bool clean)
+    : world_(world),
+      renderer_(renderer),
+      options_(options),
+      clean_(clean),
+      nothing_(world.links().size(), false),
+      without_objects_(linksOf(kNoObject, world.links())) {
+  for (std::size_t i = 0; i < object_count; ++i) {
+    all_object_links_.push_back(linksOf(static_cast<int>(i), world.links()));
+  }
+}
+
+PendingMasks MaskFinder::find(const render::View& view, const std::vector<SceneObject>& objects) {
+  const cv::Size size(view.camera.width(), view.camera.height());
+  without_objects_ = presentOf(linksOf(kNoObject, world_.links()), world_);
+  object_links_.clear();
+  std::vector<cv::Rect> boxes;
+  cv::Rect all;  // OpenCV's union with an empty rectangle is the other one
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    object_links_.push_back(presentOf(all_object_links_[i], world_));
+    boxes.emplace_back();
+    if (!objects[i].in_view) continue;
+    // Not its own box: the shape that the user gives may be smaller than what is seen.
+    const cv::Rect reach = renderer_.reach(view, world_.linkPoses(), object_links_[i]);
+    boxes.back() = reach & cv::Rect(cv::Point(), size);
+    all |= boxes.back();
+  }
+  takeBackground(view, all);
+  struct Group {
+    std::vector<std::size_t> objects;
+    render::PendingPicture picture;
+  };
+  std::vector<Group> groups;
+  for (const std::vector<std::size_t>& group : apart(boxes)) {
+    render::LinkSelection drawn = without_objects_;
+    std::vector<cv::Rect> regions;
+    for (const std::size_t i : group) {
+      std::transform(drawn.begin(), drawn.end(), object_links_[i].begin(), drawn.begin(),
+                     std::logical_or<>());
+      regions.push_back(boxes[i]);
+    }
+    groups.push_back({group, draw(view, drawn, regions)});
+  }
+  return [size, groups, boxes, model = background_->model] {
+    std::vector<Mask> masks(boxes.size(), Mask(size));
+    for (const Group& group : groups) {
+      const cv::Mat picture = group.picture();
+      for (const std::size_t i : group.objects) {
+        masks[i] = Mask(model->segment(picture, boxes[i]), boxes[i].tl(), size);
+      }
+    }
+    return masks;
+  };
+}
+
+/// The objects that have a box, in groups of which none can be seen in the box of another.
+std::vector<std::vector<std::size_t>> MaskFinder::apart(const std::vector<cv::Rect>& boxes) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].empty()) continue;
+    const auto disturbs = [&](std::size_t other) { return !(boxes[i] & boxes[other]).empty(); };
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return std::none_of(group.begin(), group.end(), disturbs);
+    });
+    if (found == groups.end()) {
+      groups.push_back({i});
+    } else {
+      found->push_back(i);
+    }
+  }
+  return groups;
+}
+
+void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region) {
+  // Compared exactly: a scene's masks must not depend on which scene was made before it.
+  const bool stands_still = background_ && isSame(background_->view, view) &&
+                            background_->prop_revision == world_.propRevision() &&
+                            background_->look_revision == renderer_.lookRevision();
+  if (stands_still && (background_->region & region) == region) return;
+  // MOG2 judges each pixel by itself, so pixels outside of all boxes need not be drawn. Where
+  // nothing but the objects moves, the whole picture is good for all scenes to come.
+  const cv::Rect whole(0, 0, view.camera.width(), view.camera.height());
+  const cv::Rect drawn = stands_still ? whole : region;
+  background_ = Background{
+      view, world_.propRevision(), renderer_.lookRevision(), drawn,
+      std::make_shared<BackgroundModel>(draw(view, without_objects_, {drawn}), options_, clean_)};
+}
+
+render::PendingPicture MaskFinder::draw(const render::View& view,
+                                        const render::LinkSelection& drawn,
+                                        const std::vector<cv::Rect>& regions) {
+  // Without shadows, and with pixels sampled at their centres alone, what differs from the
+  // background is the object and nothing around it.
+  return renderer_.draw(view, world_.linkPoses(),
+                        {drawn, nothing_, render::Sampling::kCentre, regions});
+}
+
+}  // namespace synthetic_dataset::label

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/renderer.h"
+#include "label/background_model.h"
+#include "synthetic_dataset/mask.h"
+#include "synthetic_dataset/scene.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::label {
+
+/// Finds the mask of each object (see SceneObject::silhouette), in their order; in any thread, as
+/// long as the renderer lives.
+using PendingMasks = std::function<std::vector<Mask>()>;
+
+/// Finds one camera's masks as the paper does: an object is what differs between a picture of the
+/// world with this object alone and one without objects. Objects that are apart in the image share
+/// a picture: around each of them it is as if it was alone.
+class MaskFinder {
+ public:
+  /// All references have to outlive the finder.
+  /// @param clean  fill holes and remove specks
+  MaskFinder(const world::World& world, render::Renderer& renderer, std::size_t object_count,
+             const label::Mog2Options& options, bool clean);
+
+  /// Draws what masks are found in, of the world as it stands now.
+  [[nodiscard]] PendingMasks find(const render::View& view,
+                                  const std::vector<SceneObject>& objects);
+
+ private:
+  struct Background {
+    render::View view;  ///< from which it was taken
+    std::int64_t prop_revision = -1;
+    std::int64_t look_revision = -1;
+    cv::Rect region;  ///< the pixels that were drawn
+    std::shared_ptr<BackgroundModel> model;
+  };
+
+  void takeBackground(const render::View& view, const cv::Rect& region);
+  [[nodiscard]] static std::vector<std::vector<std::size_t>> apart(
+      const std::vector<cv::Rect>& boxes);
+  [[nodiscard]] render::PendingPicture draw(const render::View& view,
+                                            const render::LinkSelection& drawn,
+                                            const std::vector<cv::Rect>& regions);
+
+  const world::World& world_;
+  render::Renderer& renderer_;
+  label::Mog2Options options_;
+  bool clean_;
+  std::optional<Background> background_;
+  render::LinkSelection nothing_;
+  render::LinkSelection without_objects_;
+  std::vector<render::LinkSelection> all_object_links_;  ///< by object
+  std::vector<render::LinkSelection> object_links_;      ///< those of them that are there
+};
+
+}  // namespace synthetic_dataset::label

@@ -1,0 +1,36 @@
+#include "label/object_labels.h"
+
+#include <utility>
+
+namespace synthetic_dataset::label {
+
+SceneObject labelObject(const ObjectShape& shape, const Pose& X_GO, const Pose& X_GC,
+                        const CameraModel& camera) {
+  SceneObject object;
+  object.name = shape.name;
+  object.class_text = shape.class_text;
+  object.class_name = shape.class_name;
+  object.id = shape.id;
+  object.class_id = shape.class_id;
+  object.instance = shape.instance;
+  object.keypoints_O = shape.keypoints_O;
+  object.bounding_shape_O = shape.bounding_shape_O;
+  object.cuboid_O = shape.cuboid_O;
+  object.X_GO = X_GO;
+  object.X_CO = X_GC.inverse() * X_GO;
+  for (const Eigen::Vector3d& p_O : shape.keypoints_O) {
+    const Eigen::Vector3d p_C = object.X_CO * p_O;
+    Keypoint keypoint;
+    keypoint.pixel = camera.project(p_C);
+    keypoint.depth = p_C.z();
+    object.keypoints.push_back(std::move(keypoint));
+  }
+  std::vector<Eigen::Vector3d> shape_C;
+  for (const Eigen::Vector3d& p_O : shape.bounding_shape_O) shape_C.push_back(object.X_CO * p_O);
+  object.loose_box = camera.projectedBounds(shape_C);
+  object.in_view =
+      object.loose_box && intersection(*object.loose_box, camera.imageBounds()).has_value();
+  return object;
+}
+
+}  // namespace synthetic_dataset::label

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "render/link_selection.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::label {
+
+/// LinkInstance::object of what is no object.
+inline constexpr int kNoObject = -1;
+
+/// Which links are those of an object, or of kNoObject.
+[[nodiscard]] inline render::LinkSelection linksOf(int object,
+                                                   const std::vector<world::LinkInstance>& links) {
+  render::LinkSelection selection;
+  for (const world::LinkInstance& link : links) selection.push_back(link.object == object);
+  return selection;
+}
+
+/// Where the links of an object's variant are.
+[[nodiscard]] inline std::vector<std::size_t> linksOfVariant(
+    std::size_t object, std::size_t variant, const std::vector<world::LinkInstance>& links) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const bool is_of_object = links[i].object == static_cast<int>(object);
+    if (is_of_object && links[i].variant == variant) places.push_back(i);
+  }
+  return places;
+}
+
+[[nodiscard]] inline std::vector<const world::Link*> linksAt(
+    const std::vector<std::size_t>& places, const std::vector<world::LinkInstance>& links) {
+  std::vector<const world::Link*> result;
+  for (const std::size_t place : places) result.push_back(links[place].link);
+  return result;
+}
+
+/// Those of a selection that are there.
+[[nodiscard]] inline render::LinkSelection presentOf(render::LinkSelection links,
+                                                     const world::World& world) {
+  const std::vector<bool>& present = world.presentLinks();
+  std::transform(links.begin(), links.end(), present.begin(), links.begin(), std::logical_and<>());
+  return links;
+}
+
+}  // namespace synthetic_dataset::label

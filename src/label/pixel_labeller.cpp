@@ -1,0 +1,157 @@
+#include "label/pixel_labeller.h"
+
+#include <utility>
+
+#include "label/keypoint_states.h"
+#include "render/lens/lens_map.h"
+#include "label/object_links.h"
+
+namespace synthetic_dataset::label {
+PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& renderer,
+                             std::size_t object_count, const Requirements& requirements,
+                             const PixelLabelOptions& options)
+    : world_(world),
+      renderer_(renderer),
+      requirements_(requirements),
+      options_(options),
+      pass_{render::LinkSelection(world.links().size(), true)},
+      finder_(world, renderer, object_count, options.masks.mog2, options.masks.clean) {
+  Requirements& needed = requirements_;
+  needed.visible_masks = needed.visible_masks || needed.class_map;
+  needed.visibility = needed.visibility || options_.labels.min_visibility > 0.0;
+  needs_labels_ = needed.visible_masks || needed.visibility || needed.keypoint_states ||
+                  needed.depth || needed.normals || needed.optical_flow ||
+                  options_.labels.hasThresholds() || (needed.silhouettes && usesSubtraction());
+  needs_silhouettes_ = needed.visibility || (needed.silhouettes && !usesSubtraction());
+  pass_.links = needed.optical_flow;
+  pass_.normals = needed.normals;
+  for (std::size_t i = 0; i < object_count; ++i) {
+    links_of_.push_back(linksOf(static_cast<int>(i), world.links()));
+  }
+}
+
+bool PixelLabeller::usesSubtraction() const { return options_.masks.method == MaskMethod::kMog2; }
+
+SeenPixels PixelLabeller::look(const render::View& view, Scene& scene) {
+  pass_.drawn = world_.presentLinks();
+  // Without a lens the distances that keypoints ask for follow from the depths.
+  pass_.range = requirements_.optical_flow ||
+                (requirements_.keypoint_states && render::hasDistortion(view.camera));
+  const render::LabelImages images =
+      needs_labels_ ? renderer_.labels(view, world_.linkPoses(), pass_) : render::LabelImages();
+  // After that, the renderer knows most silhouettes.
+  if (needs_silhouettes_) measureSilhouettes(view, scene);
+  if (!needs_labels_) return {{}, [](Scene&) { return MaskAgreement(); }};
+  addImages(images, scene);
+  const bool has_masks = requirements_.silhouettes || requirements_.visible_masks;
+  PendingMasks masks =
+      has_masks && usesSubtraction() ? finder_.find(view, scene.objects) : PendingMasks();
+  SeenPixels seen;
+  if (requirements_.optical_flow) seen.surface = {images.depth, images.range, images.links};
+  seen.labels = [this, images, masks = std::move(masks)](Scene& labelled) {
+    MaskAgreement agreement = addMasks(images.ids, masks, labelled);
+    if (requirements_.keypoint_states) addKeypointStates(images, labelled);
+    drop(labelled);
+    return agreement;
+  };
+  return seen;
+}
+
+void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) const {
+  if (requirements_.depth) scene.depth = images.depth;
+  if (requirements_.normals) scene.normals = images.normals;
+}
+
+void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    SceneObject& object = scene.objects[i];
+    render::Silhouette silhouette;
+    silhouette.mask = Mask(cv::Size(view.camera.width(), view.camera.height()));
+    if (world_.isPresent(i)) {
+      silhouette = renderer_.silhouette(view, world_.linkPoses(), presentOf(links_of_[i], world_));
+    }
+    object.silhouette_box = silhouette.box;
+    object.pixels.silhouette = silhouette.pixels;
+    object.pixels.silhouette_in_image = silhouette.pixels_in_image;
+    object.truncation = silhouette.pixels == 0
+                            ? 0.0
+                            : 1.0 - static_cast<double>(silhouette.pixels_in_image) /
+                                        static_cast<double>(silhouette.pixels);
+    if (requirements_.silhouettes) object.silhouette = std::move(silhouette.mask);
+  }
+}
+
+/// @param subtracted  none for exact masks
+MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const PendingMasks& subtracted,
+                                      Scene& scene) const {
+  const std::size_t count = scene.objects.size();
+  cv::Mat map = label::instanceMap(ids);
+  std::vector<label::InstancePixels> parts = label::instancePixels(map, count);
+  std::vector<double> distances;
+  MaskAgreement agreement;
+  for (std::size_t i = 0; i < count; ++i) {
+    SceneObject& object = scene.objects[i];
+    object.pixels.visible = parts[i].count;
+    if (needs_silhouettes_) {
+      const auto of_all = static_cast<double>(object.pixels.silhouette());
+      object.visibility = of_all > 0.0 ? static_cast<double>(parts[i].count) / of_all : 0.0;
+    }
+    distances.push_back(object.distance());
+  }
+  if (subtracted) {
+    std::vector<Mask> masks = subtracted();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (requirements_.silhouettes) scene.objects[i].silhouette = masks[i];
+      // Of what no pixel's centre sees, colours may yet tell a rim.
+      if (parts[i].count == 0) masks[i] = Mask();
+    }
+    const cv::Mat layered = label::layeredInstanceMap(masks, ids, distances);
+    agreement = label::intersectionOverUnion(layered, map, count);
+    map = layered;
+    parts = label::instancePixels(map, count);
+  }
+  if (requirements_.visible_masks) addVisibleParts(map, parts, scene);
+  return agreement;
+}
+
+void PixelLabeller::addVisibleParts(const cv::Mat& instance_map,
+                                    const std::vector<label::InstancePixels>& parts,
+                                    Scene& scene) const {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    SceneObject& object = scene.objects[i];
+    object.visible_box = parts[i].box();
+    object.visible_mask = label::instanceMask(instance_map, object.instance, parts[i].bounds);
+  }
+  scene.instance_map = instance_map;
+  if (requirements_.class_map) {
+    scene.class_map = label::renumbered(instance_map, options_.class_numbers);
+  }
+}
+
+void PixelLabeller::addKeypointStates(const render::LabelImages& images, Scene& scene) const {
+  const Intrinsics& k = scene.camera.intrinsics();
+  const bool has_lens = render::hasDistortion(scene.camera);
+  const label::RangeAt range = [&](const cv::Point& pixel) {
+    if (has_lens) return double{images.range.at<float>(pixel)};
+    const Eigen::Vector3d ray((pixel.x - k.cx) / k.fx, (pixel.y - k.cy) / k.fy, 1.0);
+    return images.depth.at<float>(pixel) * ray.norm();
+  };
+  for (SceneObject& object : scene.objects) {
+    std::vector<Eigen::Vector3d> keypoints_C;
+    for (const Eigen::Vector3d& p_O : object.keypoints_O) keypoints_C.push_back(object.X_CO * p_O);
+    label::findKeypointStates(object.keypoints, keypoints_C, object.instance, images.ids, range,
+                                 scene.camera, options_.labels.keypoint_tolerance);
+  }
+}
+
+void PixelLabeller::drop(Scene& scene) const {
+  const LabelOptions& labels = options_.labels;
+  if (!labels.hasThresholds()) return;
+  for (SceneObject& object : scene.objects) {
+    const std::int64_t visible = object.pixels.visible();
+    object.dropped = visible == 0 || visible < labels.min_pixels ||
+                     (labels.min_visibility > 0.0 && object.visibility() < labels.min_visibility);
+  }
+}
+
+}  // namespace synthetic_dataset::label

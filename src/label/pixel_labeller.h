@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "label/instance_map.h"
+#include "render/renderer.h"
+#include "label/label_options.h"
+#include "label/mask_finder.h"
+#include "synthetic_dataset/label_writer.h"
+#include "synthetic_dataset/scene.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::label {
+
+/// How labels are taken from pixels.
+struct PixelLabelOptions {
+  MaskOptions masks;
+  LabelOptions labels;
+  std::vector<std::uint16_t> class_numbers;  ///< of the objects: their values in Scene::class_map
+};
+
+/// What is kept of a scene's pixels until it is known where they go.
+struct SeenSurface {
+  cv::Mat depth;
+  cv::Mat range;
+  cv::Mat links;
+};
+
+/// How well each object's visible mask of background subtraction agrees with the exact one:
+/// intersection over union, nothing where there is neither. Empty where nothing was subtracted.
+using MaskAgreement = std::vector<std::optional<double>>;
+
+/// Adds the labels that follow from what has been seen, and tells of their masks; in any thread, as
+/// long as the labeller and the renderer live.
+using PendingLabels = std::function<MaskAgreement(Scene&)>;
+
+/// What was seen for a scene.
+struct SeenPixels {
+  SeenSurface surface;  ///< what its optical flow needs; empty unless that is required
+  PendingLabels labels;
+};
+
+/// Labels that follow from one camera's pixels: masks, measures, what hides what, maps. Computes
+/// what the requirements ask for, and nothing else.
+class PixelLabeller {
+ public:
+  /// All references have to outlive this.
+  PixelLabeller(const world::World& world, render::Renderer& renderer, std::size_t object_count,
+                const Requirements& requirements, const PixelLabelOptions& options);
+
+  /// Draws what labels are taken from, of the world as it stands now, and adds the first of them.
+  /// @param scene  whose objects have all labels that follow from their poses
+  [[nodiscard]] SeenPixels look(const render::View& view, Scene& scene);
+
+ private:
+  void addImages(const render::LabelImages& images, Scene& scene) const;
+  void measureSilhouettes(const render::View& view, Scene& scene);
+  [[nodiscard]] MaskAgreement addMasks(const cv::Mat& ids, const PendingMasks& subtracted,
+                                       Scene& scene) const;
+  void addVisibleParts(const cv::Mat& instance_map,
+                       const std::vector<label::InstancePixels>& parts, Scene& scene) const;
+  void addKeypointStates(const render::LabelImages& images, Scene& scene) const;
+  void drop(Scene& scene) const;
+  [[nodiscard]] bool usesSubtraction() const;
+
+  const world::World& world_;
+  render::Renderer& renderer_;
+  Requirements requirements_;
+  PixelLabelOptions options_;
+  bool needs_labels_ = false;       ///< the renderer's identifiers and depths
+  bool needs_silhouettes_ = false;  ///< drawn object by object
+  render::LabelPass pass_;
+  std::vector<render::LinkSelection> links_of_;  ///< of each object
+  MaskFinder finder_;
+};
+
+}  // namespace synthetic_dataset::label

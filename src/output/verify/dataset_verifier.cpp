@@ -1,0 +1,174 @@
+#include "output/verify/dataset_verifier.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "output/file_checks.h"
+#include "output/files/file_name_rules.h"
+#include "output/files/run_lock.h"
+#include "output/listed_dataset.h"
+#include "output/manifest/manifest_checks.h"
+#include "output/verify/scene_verifier.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The manifests in a folder: of a whole run, and of shards.
+std::vector<std::string> manifestsIn(const std::string& folder) {
+  std::vector<std::string> manifests;
+  std::error_code error;
+  const std::string whole = output::manifestFile(folder);
+  if (fs::exists(fs::symlink_status(whole, error))) manifests.push_back(whole);
+  for (std::string& shard : output::shardManifests(folder)) manifests.push_back(std::move(shard));
+  return manifests;
+}
+
+std::string stateProblem(const output::ManifestContent& content) {
+  if (content.complete) return "";
+  return "its state is 'running': " + std::to_string(content.scene_count) +
+         " scenes are there, of " + std::to_string(content.run.scene_count) + " that the " +
+         (content.shard ? "run has in all its shards" : "run has") +
+         "; the same command that began it goes on with it";
+}
+
+/// Verifies one folder with all its manifests.
+class Verification {
+ public:
+  Verification(const std::string& folder, VerificationDepth depth, VerificationListener& listener)
+      : folder_(folder), depth_(depth), listener_(listener) {}
+
+  VerificationCounts run() {
+    const std::vector<std::string> manifests = manifestsIn(folder_);
+    if (manifests.empty()) {
+      listener_.problem("'" + folder_ + "': no dataset is there (a run leaves its " +
+                        "manifest.sqlite in its output_folder)");
+    }
+    for (const std::string& manifest : manifests) {
+      if (!output::RunLock::isHeld(manifest)) continue;
+      listener_.problem("'" + manifest + "': a run is writing it just now; verify the dataset " +
+                        "when that has come to its end");
+      return counts_;
+    }
+    for (const std::string& manifest : manifests) guarded(manifest, [&] { open(manifest); });
+    for (const auto& dataset : datasets_) {
+      guarded(dataset->manifest(), [&] { verifyScenes(*dataset); });
+    }
+    // Where a manifest cannot be read, its files would be taken for nobody's.
+    if (datasets_.size() == manifests.size()) findStrayFiles();
+    checkShards();
+    return counts_;
+  }
+
+ private:
+  /// Does what may find the manifest unreadable.
+  template <class Work>
+  void guarded(const std::string& manifest, const Work& work) {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      listener_.problem("'" + manifest + "': " + error.what());
+    }
+  }
+
+  void open(const std::string& manifest) {
+    const std::vector<std::string> damage = output::structureProblems(manifest);
+    for (const std::string& problem : damage) listener_.problem("'" + manifest + "': " + problem);
+    if (!damage.empty()) return;
+    auto dataset = std::make_unique<ListedDataset>(manifest);
+    const output::ManifestContent& content = dataset->content();
+    const std::string state = stateProblem(content);
+    if (!state.empty()) listener_.problem("'" + manifest + "': " + state);
+    for (const std::string& problem : output::contentProblems(manifest, content)) {
+      listener_.problem("'" + manifest + "': " + problem);
+    }
+    datasets_.push_back(std::move(dataset));
+  }
+
+  void verifyScenes(const ListedDataset& dataset) {
+    SceneVerifier verifier(dataset, depth_, listener_, counts_);
+    verifier.verifyDatasetFiles();
+    const std::int64_t count = dataset.content().scene_count;
+    std::int64_t done = 0;
+    dataset.forEachScene([&](const output::SceneFacts& scene) {
+      verifier.verifyScene(scene);
+      listener_.progress(++done, count);
+    });
+  }
+
+  void findStrayFiles() {
+    std::vector<const ListedDataset*> datasets;
+    std::set<std::string> folders;
+    bool is_running = false;
+    for (const auto& dataset : datasets_) {
+      datasets.push_back(dataset.get());
+      is_running = is_running || !dataset->content().complete;
+      for (const output::StoreWriter& writer : dataset->content().writers) {
+        folders.insert(writer.output_folder);
+      }
+    }
+    for (const std::string& folder : folders) {
+      const output::StrayFiles stray = output::strayFiles(folder, datasets);
+      tellStray(folder, stray.unlisted, "files that no manifest lists");
+      if (is_running && stray.half_written.count > 0) {
+        listener_.remark("'" + folder + "': " + std::to_string(stray.half_written.count) +
+                         " files are half written; the run that goes on replaces them");
+      } else {
+        tellStray(folder, stray.half_written, "half-written files of a run that was cut short");
+      }
+    }
+  }
+
+  void tellStray(const std::string& folder, const output::FewFiles& files,
+                 const std::string& what) {
+    if (files.count == 0) return;
+    std::string named;
+    for (const std::string& file : files.named) named += (named.empty() ? "'" : ", '") + file + "'";
+    if (files.count > static_cast<std::int64_t>(files.named.size())) named += " and more";
+    listener_.problem("'" + folder + "': found " + std::to_string(files.count) + " " + what + " (" +
+                      named + "); it should have none");
+  }
+
+  /// Whether what is in the folder is of one run.
+  void checkShards() {
+    const ListedDataset* first = nullptr;
+    std::int64_t count = 0;
+    for (const auto& dataset : datasets_) {
+      if (!dataset->content().shard) continue;
+      ++count;
+      if (first == nullptr) first = dataset.get();
+      const output::ManifestContent& content = dataset->content();
+      if (content.shard->count != first->content().shard->count ||
+          settingsDigest(content.run) != settingsDigest(first->content().run)) {
+        listener_.problem("'" + dataset->manifest() + "': it is no shard of the run of '" +
+                          first->manifest() + "': the settings, or the number of shards, differ");
+      }
+    }
+    if (first == nullptr) return;
+    const std::int64_t of = first->content().shard->count;
+    if (count < of) {
+      listener_.remark("'" + folder_ + "': " + std::to_string(count) + " of " + std::to_string(of) +
+                       " shards are here");
+    }
+  }
+
+  std::string folder_;
+  VerificationDepth depth_;
+  VerificationListener& listener_;
+  std::vector<std::unique_ptr<ListedDataset>> datasets_;
+  VerificationCounts counts_;
+};
+
+}  // namespace
+
+VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
+                                 VerificationListener& listener) {
+  std::string absolute = output::absolutePath(folder);
+  if (absolute.size() > 1 && absolute.back() == '/') absolute.pop_back();
+  return Verification(absolute, depth, listener).run();
+}
+
+}  // namespace synthetic_dataset::output

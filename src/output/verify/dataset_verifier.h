@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace synthetic_dataset::output {
+
+/// Hears what is found while a dataset is verified, line by line.
+class VerificationListener {
+ public:
+  virtual ~VerificationListener() = default;
+
+  /// Something is not as it should be: where, what was found and what would be right.
+  virtual void problem(const std::string& line) = 0;
+
+  /// Something that the user may want to know, and that is right.
+  virtual void remark(const std::string& line) = 0;
+
+  /// So many of a manifest's scenes have been looked at.
+  virtual void progress(std::int64_t scene_count, std::int64_t of) = 0;
+};
+
+/// How much of a dataset is verified.
+enum class VerificationDepth {
+  kSizes,   ///< the manifest; that its files are there and have their sizes
+  kLabels,  ///< all that the files hold, too
+};
+
+struct VerificationCounts {
+  std::int64_t scenes = 0;
+  std::int64_t files = 0;
+  std::int64_t labels = 0;
+};
+
+/// Checks a dataset against its manifest, or those of its shards: the manifest itself, every file,
+/// and every label that the package's formats have. Only one scene is held at a time.
+/// @param folder  of the manifest
+[[nodiscard]] VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
+                                               VerificationListener& listener);
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,118 @@
+#include "output/writers/writer_loader.h"
+
+#include <filesystem>
+
+#include <console_bridge/console.h>
+#include <pluginlib/class_loader.hpp>
+
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/nearest_name.h"
+#include "output/writers/package_path.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+/// Keeps class_loader from printing what it throws as well.
+class QuietConsole {
+ public:
+  QuietConsole() : level_(console_bridge::getLogLevel()) {
+    console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE);
+  }
+  ~QuietConsole() { console_bridge::setLogLevel(level_); }
+  QuietConsole(const QuietConsole&) = delete;
+  QuietConsole& operator=(const QuietConsole&) = delete;
+
+ private:
+  console_bridge::LogLevel level_;
+};
+
+std::string trimmed(const std::string& text) {
+  constexpr const char* kSpace = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(kSpace);
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+void refuseMissingFiles(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+      throw Error("there is no plugin description '" + file + "'");
+    }
+  }
+}
+
+std::string unknownType(const std::string& type, const std::vector<std::string>& types) {
+  const bool has_package = type.find('/') != std::string::npos;
+  return "there is no writer type '" + type + "'" +
+         didYouMean(has_package ? type : "synthetic_dataset/" + type, types) +
+         " (types that there are: " + joined(types) + ")";
+}
+
+using PluginLoader = pluginlib::ClassLoader<LabelWriter>;
+
+std::unique_ptr<PluginLoader> makeLoader(const std::vector<std::string>& files) {
+  refuseMissingFiles(files);
+  shortenPackageSearch();
+  const QuietConsole quiet;
+  try {
+    return std::make_unique<PluginLoader>("synthetic_dataset", "synthetic_dataset::LabelWriter",
+                                          "plugin", files);
+  } catch (const pluginlib::PluginlibException& exception) {
+    throw Error(std::string("writers cannot be looked for: ") + exception.what() +
+                "; is the workspace's setup file sourced?");
+  }
+}
+
+}  // namespace
+
+struct WriterLoader::Impl {
+  explicit Impl(const std::vector<std::string>& files) : loader(makeLoader(files)) {}
+
+  std::unique_ptr<PluginLoader> loader;
+};
+
+WriterLoader::WriterLoader(const std::vector<std::string>& plugin_xml_files)
+    : impl_(std::make_unique<Impl>(plugin_xml_files)) {}
+
+WriterLoader::~WriterLoader() {
+  const QuietConsole quiet;
+  impl_.reset();
+}
+
+WriterLoader::Instance WriterLoader::create(const std::string& type) {
+  PluginLoader& loader = *impl_->loader;
+  if (!loader.isClassAvailable(type)) throw Error(unknownType(type, loader.getDeclaredClasses()));
+  const QuietConsole quiet;
+  try {
+    return loader.createUniqueInstance(type);
+  } catch (const pluginlib::PluginlibException& exception) {
+    throw Error("the writer type '" + type + "' of package '" + loader.getClassPackage(type) +
+                "' cannot be loaded: " + exception.what());
+  }
+}
+
+std::vector<WriterType> WriterLoader::types() {
+  const QuietConsole quiet;
+  PluginLoader& loader = *impl_->loader;
+  std::vector<WriterType> types;
+  for (const std::string& name : loader.getDeclaredClasses()) {
+    WriterType type{name, trimmed(loader.getClassDescription(name)), loader.getClassPackage(name),
+                    ""};
+    try {
+      (void)create(name);
+    } catch (const Error& error) {
+      type.problem = error.what();
+    }
+    types.push_back(std::move(type));
+  }
+  return types;
+}
+
+}  // namespace synthetic_dataset::output

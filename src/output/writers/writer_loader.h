@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset::output {
+
+/// A writer type that some package declares.
+struct WriterType {
+  std::string name;  ///< pluginlib's lookup name: "synthetic_dataset/Yolo"
+  std::string description;
+  std::string package;  ///< that declares it
+  std::string problem;  ///< why it cannot be loaded; empty when it can
+};
+
+/// Loads writers from plugin libraries. Must outlive what it made.
+class WriterLoader {
+ public:
+  using Instance = std::unique_ptr<LabelWriter, std::function<void(LabelWriter*)>>;
+
+  /// @param plugin_xml_files  where to look; empty: what the packages that ROS knows export
+  /// @throws Error when a file is missing, or ROS does not know this package
+  explicit WriterLoader(const std::vector<std::string>& plugin_xml_files);
+  ~WriterLoader();
+  WriterLoader(const WriterLoader&) = delete;
+  WriterLoader& operator=(const WriterLoader&) = delete;
+
+  /// @throws Error: there is no such type (with the nearest and all types that there are), or it
+  ///     cannot be loaded (why)
+  [[nodiscard]] Instance create(const std::string& type);
+
+  /// All declared types, in alphabetical order, each loaded to see whether it can be.
+  [[nodiscard]] std::vector<WriterType> types();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace synthetic_dataset::output

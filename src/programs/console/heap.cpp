@@ -1,0 +1,60 @@
+#include "programs/console/heap.h"
+
+#include <malloc.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+namespace synthetic_dataset::heap {
+namespace {
+
+constexpr int kMegabyte = 1 << 20;
+
+/// Otherwise the C library would get memory from the system for each image, which fills it with
+/// zeros, and give it back.
+void keepImages() {
+  mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the most that all versions take
+  mallopt(M_TRIM_THRESHOLD, 512 * kMegabyte);
+}
+
+/// Whether addresses may be reserved that may never be used.
+bool hasRoom() {
+  const auto isFree = [](auto resource) {
+    rlimit limit{};
+    return getrlimit(resource, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
+  };
+  return isFree(RLIMIT_AS) && isFree(RLIMIT_DATA);
+}
+
+/// A shadow map's neighbouring rows lie on different pages; the processor finds few large pages
+/// faster. Addresses for some hundred megabytes are reserved, which take memory once they are used.
+void useLargePages() {
+  constexpr int kHeap = 256 * kMegabyte;
+  constexpr int kUsualPad = 128 << 10;
+  constexpr std::uintptr_t kPage = 2 * kMegabyte;
+  if (!hasRoom()) return;
+  mallopt(M_TOP_PAD, kHeap);
+  void* const first = std::malloc(kMegabyte);
+  mallopt(M_TOP_PAD, kUsualPad);
+  const auto address = reinterpret_cast<std::uintptr_t>(first);
+  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
+  const std::uintptr_t begin = (address + kPage - 1) / kPage * kPage;
+  // A sanitizer has a heap elsewhere.
+  if (first != nullptr && begin < end && end - begin <= 2 * std::uintptr_t{kHeap}) {
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  }
+  std::free(first);
+}
+
+}  // namespace
+
+void prepare() {
+  keepImages();
+  useLargePages();
+}
+
+}  // namespace synthetic_dataset::heap

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "config/config.h"
+#include "run/reporter.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::programs {
+
+/// A run whose scenes several processes make, a shard each, which are merged into one dataset: byte
+/// for byte that of one process. Make it before there are other threads.
+class ParallelRun {
+ public:
+  /// @param settings  all of the run's; errors in them are thrown by make(), or where this is not
+  ///     possible by the generator that makes the run instead
+  explicit ParallelRun(const Value& settings);
+
+  /// Whether `processes` asks for it, and the dataset that is there is not one that a single
+  /// process has to go on with.
+  [[nodiscard]] bool isPossible() const;
+
+  /// @return whether the dataset is complete; else it was stopped
+  /// @throws ErrorList with all that is wrong
+  [[nodiscard]] bool make(run::Reporter& reporter) const;
+
+ private:
+  [[nodiscard]] Value::Map settingsOf(int shard) const;
+  [[nodiscard]] bool removeEarlier(run::Reporter& reporter) const;
+
+  Value::Map settings_;
+  config::Config config_;  ///< of the first motion
+};
+
+}  // namespace synthetic_dataset::programs

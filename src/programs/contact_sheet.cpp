@@ -1,0 +1,62 @@
+/// The tool `contact_sheet`: a picture of every model below a folder, and a table of what was
+/// found in each.
+///
+///   rosrun synthetic_dataset contact_sheet FOLDER SHEET.png
+///
+/// Exit code 0 if every model could be loaded, 3 if some could not, 1 or 2 for other errors.
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "programs/gallery/model_gallery.h"
+#include "run/setup/ros_packages.h"
+#include "synthetic_dataset/errors.h"
+#include "world/files/model_folders.h"
+
+namespace {
+
+using namespace synthetic_dataset;
+namespace fs = std::filesystem;
+
+int makeContactSheet(const fs::path& given_folder, const std::string& picture) {
+  const cv::Size cell(256, 192);
+  const fs::path folder = fs::weakly_canonical(given_folder);
+  const std::vector<fs::path> models = world::findModels(folder);
+  if (models.empty()) {
+    throw Error(folder.string() + ": found no model: no model.config, .sdf or .urdf file");
+  }
+  const world::ResourceFinder finder(programs::modelFolders(folder, models), run::rosPackageFinder());
+  std::vector<programs::GalleryEntry> entries;
+  for (const fs::path& model : models) {
+    const fs::path name = model == folder ? model.filename() : fs::relative(model, folder);
+    entries.push_back(programs::portrayModel(model, name.string(), finder, cell));
+  }
+  if (!cv::imwrite(picture, programs::contactSheet(entries, cell))) {
+    throw Error(picture + ": cannot be written");
+  }
+  std::cout << programs::galleryTable(entries);
+  const bool all_loaded = std::all_of(entries.begin(), entries.end(),
+                                      [](const programs::GalleryEntry& e) { return e.error.empty(); });
+  return all_loaded ? 0 : 3;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: contact_sheet FOLDER SHEET.png\n";
+    return 2;
+  }
+  try {
+    return makeContactSheet(argv[1], argv[2]);
+  } catch (const std::exception& error) {
+    std::cerr << "contact_sheet: " << error.what() << '\n';
+    return 1;
+  }
+}

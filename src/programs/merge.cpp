@@ -1,0 +1,45 @@
+/// The program `merge`: shards of a run in, one dataset out, the result as exit code. Needs no ROS
+/// master.
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "programs/console/console_reporter.h"
+#include "programs/console/stop_signals.h"
+#include "run/merger.h"
+#include "synthetic_dataset/errors.h"
+
+namespace {
+
+constexpr const char* kUsage =
+    "usage: merge OUTPUT_FOLDER [SHARD_FOLDER...]\n"
+    "Makes one dataset of the shards of a run. Without SHARD_FOLDER the shards lie in "
+    "OUTPUT_FOLDER\n"
+    "itself. Killed, the same command goes on.\n";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using programs::ConsoleReporter;
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool wants_help = std::count(arguments.begin(), arguments.end(), "--help") != 0;
+  if (wants_help || arguments.empty() || arguments.front().rfind("--", 0) == 0) {
+    (wants_help ? std::cout : std::cerr) << kUsage;
+    return wants_help ? 0 : 1;
+  }
+  synthetic_dataset::stop_signals::ignoreFailedWriting();
+  programs::ConsoleReporter reporter;
+  try {
+    run::mergeShards(arguments.front(), {arguments.begin() + 1, arguments.end()},
+                                   reporter);
+    reporter.info("done");
+    return 0;
+  } catch (const synthetic_dataset::ErrorList& errors) {
+    for (const std::string& message : errors.messages()) programs::ConsoleReporter::fatal(message);
+  } catch (const std::exception& error) {
+    programs::ConsoleReporter::fatal(error.what());
+  }
+  return 1;
+}

@@ -1,0 +1,100 @@
+/// The tool `verify`: checks datasets against their manifests, file by file and label by label.
+///
+///   rosrun synthetic_dataset verify [--quick] DATASET...
+///
+/// DATASET is the folder of a run's manifest, or of those of its shards. A line on the standard
+/// output for each problem; exit code 0 without any, 1 with some, 2 for a wrong usage. With
+/// --quick, only that the files are there and have their sizes, beside the manifest itself.
+
+#include <unistd.h>
+
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "output/verify/dataset_verifier.h"
+
+namespace {
+
+using namespace synthetic_dataset;
+
+/// Lines on the standard output; how far it is, on a terminal.
+class Console : public output::VerificationListener {
+ public:
+  void problem(const std::string& line) override {
+    ++problems_;
+    say(line);
+  }
+
+  void remark(const std::string& line) override { say("note: " + line); }
+
+  void progress(std::int64_t scene_count, std::int64_t of) override {
+    constexpr std::chrono::milliseconds kPeriod(200);
+    const auto now = std::chrono::steady_clock::now();
+    if (!is_terminal_ || now - last_shown_ < kPeriod) return;
+    last_shown_ = now;
+    std::cerr << "\rscene " << scene_count << " of " << of << kEraseRest << std::flush;
+    is_shown_ = true;
+  }
+
+  void clearProgress() {
+    if (is_shown_) std::cerr << '\r' << kEraseRest << std::flush;
+    is_shown_ = false;
+  }
+
+  [[nodiscard]] std::int64_t problems() const { return problems_; }
+
+ private:
+  void say(const std::string& line) {
+    clearProgress();
+    std::cout << line << std::endl;
+  }
+
+  static constexpr const char* kEraseRest = "\033[K";  // of the line: ECMA-48, EL
+
+  bool is_terminal_ = ::isatty(STDERR_FILENO) == 1;
+  bool is_shown_ = false;
+  std::chrono::steady_clock::time_point last_shown_{};
+  std::int64_t problems_ = 0;
+};
+
+int usage() {
+  std::cerr << "usage: verify [--quick] DATASET...\n";
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  output::VerificationDepth depth = output::VerificationDepth::kLabels;
+  std::vector<std::string> folders;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--quick") {
+      depth = output::VerificationDepth::kSizes;
+    } else if (argument.empty() || argument.front() == '-') {
+      return usage();
+    } else {
+      folders.push_back(argument);
+    }
+  }
+  if (folders.empty()) return usage();
+  Console console;
+  output::VerificationCounts counts;
+  for (const std::string& folder : folders) {
+    try {
+      const output::VerificationCounts of_one = output::verifyDataset(folder, depth, console);
+      counts.scenes += of_one.scenes;
+      counts.files += of_one.files;
+      counts.labels += of_one.labels;
+    } catch (const std::exception& error) {
+      console.problem("'" + folder + "': " + error.what());
+    }
+  }
+  console.clearProgress();
+  std::cout << counts.scenes << " scenes, " << counts.files << " files, " << counts.labels
+            << " labels checked, " << console.problems() << " problems\n";
+  return console.problems() == 0 ? 0 : 1;
+}

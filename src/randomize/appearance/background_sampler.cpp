@@ -1,0 +1,70 @@
+#include "randomize/appearance/background_sampler.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "base/diagnostics.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::randomize {
+namespace {
+
+const char* const kEntry = "background/pictures";
+
+std::string entryName() { return std::string("randomize/") + kEntry; }
+
+bool isPanorama(const BackgroundPictures& pictures) {
+  return pictures.projection == BackgroundProjection::kPanorama;
+}
+
+}  // namespace
+
+BackgroundSampler::BackgroundSampler(const BackgroundRandomization& config) : config_(config) {
+  if (!config_.pictures) return;
+  base::namingPlace(entryName(), [&] {
+    pictures_.emplace(config_.pictures->folder);
+    if (isPanorama(*config_.pictures)) checkProportions();
+  });
+}
+
+/// A photograph that is taken for a panorama is a mistake: it would be drawn out round the world.
+void BackgroundSampler::checkProportions() const {
+  constexpr double kSlack = 0.05;
+  for (std::size_t i = 0; i < pictures_->files().size(); ++i) {
+    const base::PictureSize& size = pictures_->sizes()[i];
+    const double ratio = static_cast<double>(size.width) / static_cast<double>(size.height);
+    if (std::abs(ratio - 2.0) <= kSlack) continue;
+    throw Error("found '" + pictures_->files()[i] + "' of " + std::to_string(size.width) + " x " +
+                std::to_string(size.height) +
+                " pixels; a panorama goes all round, so it should be twice as wide as high "
+                "(photographs are for `projection: backdrop`)");
+  }
+}
+
+void BackgroundSampler::sample(EntryDraws& draws, world::Look& look) {
+  if (const auto colour = draws.vector(config_.colour_name, config_.colour)) {
+    look.background = colour->cast<float>();
+  }
+  if (!pictures_) return;
+  const std::optional<double>& present = config_.pictures->present;
+  if (present && !draws.happens("background/present", *present)) return;
+  look.background_picture = drawPicture(draws);
+}
+
+world::BackgroundPicture BackgroundSampler::drawPicture(EntryDraws& draws) {
+  using Projection = world::BackgroundPicture::Projection;
+  const BackgroundPictures& config = *config_.pictures;
+  base::RandomSource random = draws.source(kEntry);
+  const std::size_t index = random.index(pictures_->files().size());
+  draws.note(kEntry, pictures_->files()[index]);
+  world::BackgroundPicture drawn;
+  drawn.picture = base::namingPlace(entryName(), [&] { return pictures_->read(index); });
+  drawn.projection = isPanorama(config) ? Projection::kPanorama : Projection::kBackdrop;
+  drawn.yaw = draws.number("background/yaw", config.yaw).value_or(0.0);
+  drawn.brightness = draws.number("background/brightness", config.brightness).value_or(1.0);
+  return drawn;
+}
+
+}  // namespace synthetic_dataset::randomize

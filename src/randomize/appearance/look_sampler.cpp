@@ -1,0 +1,247 @@
+#include "randomize/appearance/look_sampler.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "base/diagnostics.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/nearest_name.h"
+#include "synthetic_dataset/value.h"
+#include "base/image/picture_channels.h"
+
+namespace synthetic_dataset::randomize {
+namespace {
+
+const char* const kObjects = "objects";
+const char* const kWorld = "world";
+const char* const kDistractors = "distractors";
+
+/// Where a visual is found: its model's name, its link's below that, its own below that.
+std::array<std::string, 3> namesOf(const world::LinkInstance& link, const world::Visual& visual) {
+  const std::string link_name = link.model + "::" + link.link->name;
+  return {link.model, link_name, link_name + "::" + visual.name};
+}
+
+bool isMeant(const std::string& target, const world::LinkInstance& link,
+             const world::Visual& visual) {
+  const bool is_object = link.role == world::Role::kObject;
+  const bool is_distractor = link.role == world::Role::kDistractor;
+  if (target == kObjects) return is_object;
+  if (target == kDistractors) return is_distractor;
+  if (target == kWorld) return !is_object && !is_distractor;
+  const auto names = namesOf(link, visual);
+  return std::find(names.begin(), names.end(), target) != names.end();
+}
+
+/// How much of the world a target is: what is more special counts over the rest.
+std::ptrdiff_t rankOf(const std::string& target) {
+  if (target == kObjects || target == kWorld || target == kDistractors) return 0;
+  return 1 + std::count(target.begin(), target.end(), ':');
+}
+
+std::vector<std::string> modelNames(const world::World& world) {
+  std::set<std::string> names{kObjects, kWorld, kDistractors};
+  for (const world::LinkInstance& link : world.links()) names.insert(link.model);
+  return {names.begin(), names.end()};
+}
+
+/// A picture with holes, or of glass, is a part of the thing's shape; without texture coordinates
+/// none can be seen.
+bool takesTexture(const world::Surface& surface) {
+  const std::shared_ptr<const world::Texture>& texture = surface.material.texture;
+  return !surface.mesh->texture_coordinates.empty() &&
+         (!texture || base::isOpaque(texture->pixels));
+}
+
+/// A lamp has a place, sunlight a direction. For `every`, each has its own.
+void checkMeaning(const world::Light& light, const LightRandomization& config,
+                  base::Diagnostics& errors) {
+  const std::string parameter = "randomize/lights/" + light.name;
+  const bool is_sun = light.type == world::LightType::kDirectional;
+  if (is_sun && config.shift) {
+    errors.error(parameter + "/shift",
+                 "a directional light has no place; elevation and azimuth "
+                 "turn it");
+  }
+  if (!is_sun && (config.elevation || config.azimuth)) {
+    errors.error(parameter + "/elevation, azimuth",
+                 "only directional lights are turned; shift "
+                 "moves a lamp");
+  }
+}
+
+/// The direction in which light shines that comes from an elevation and an azimuth [rad].
+Eigen::Vector3d shiningFrom(double elevation, double azimuth) {
+  return -Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                          std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+}
+
+}  // namespace
+
+LookSampler::LookSampler(const Randomization& config, const world::World& world)
+    : world_(world), config_(config) {
+  base::Diagnostics errors;
+  findLights(config, errors);
+  checkLightCount(errors);
+  errors.attempt([&] { background_.emplace(config.background); });
+  std::vector<std::pair<std::ptrdiff_t, std::string>> targets;
+  for (const auto& [target, material] : config.materials) {
+    targets.emplace_back(rankOf(target), target);
+  }
+  std::sort(targets.begin(), targets.end());
+  for (const auto& [rank, target] : targets) {
+    findSurfaces(target, config.materials.at(target), errors);
+  }
+  errors.throwIfAny();
+}
+
+void LookSampler::findLights(const Randomization& config, base::Diagnostics& errors) {
+  std::set<std::string> names;
+  const std::vector<world::Light>& lights = world_.description().lights;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    names.insert(lights[i].name);
+    auto entry = config.lights.find(lights[i].name);
+    if (entry == config.lights.end()) entry = config.lights.find(kOthers);
+    if (entry == config.lights.end()) continue;
+    if (entry->first != kOthers) checkMeaning(lights[i], entry->second, errors);
+    lights_.push_back({i, "lights/" + lights[i].name, entry->second});
+  }
+  for (const auto& [name, light] : config.lights) {
+    if (name == kOthers || names.count(name) != 0) continue;
+    errors.error("randomize/lights/" + name, "the world has no light of this name" +
+                                                 didYouMean(name, {names.begin(), names.end()}));
+  }
+}
+
+/// A number half above the lights' own is rounded to it, at its range's end alone.
+void LookSampler::checkLightCount(base::Diagnostics& errors) const {
+  const std::size_t count = world_.description().lights.size();
+  if (!config_.light_count) return;
+  const double highest = config_.light_count->highest();
+  if (highest <= static_cast<double>(count) + 0.5) return;
+  errors.error("randomize/light_count",
+               "found up to " + Value(highest).text() + "; the world has " + std::to_string(count) +
+                   (count == 1 ? " light" : " lights") +
+                   ", and it should be no more (where a normal distribution ends, its `max` says)");
+}
+
+void LookSampler::findSurfaces(const std::string& target, const MaterialRandomization& config,
+                               base::Diagnostics& errors) {
+  const std::string parameter = "randomize/materials/" + target;
+  TextureSource* textures = nullptr;
+  if (config.textures) {
+    const auto make = [&] {
+      base::namingPlace(parameter + "/textures", [&] {
+        textures = &textures_.try_emplace(*config.textures, *config.textures).first->second;
+      });
+    };
+    if (!errors.attempt(make)) return;
+  }
+  std::map<std::string, std::size_t> places;  // in materials_, by name
+  for (const world::LinkInstance& link : world_.links()) {
+    for (const world::Visual& visual : link.link->visuals) {
+      if (!isMeant(target, link, visual)) continue;
+      const std::string what = config.for_each_visual ? namesOf(link, visual).back() : link.model;
+      const std::string name = "materials/" + target + (what == target ? "" : "/" + what);
+      const auto [place, is_new] = places.try_emplace(name, materials_.size());
+      if (is_new) {
+        materials_.push_back({name, config, {}, {}, textures, parameter + "/textures"});
+      }
+      for (const world::Surface& surface : visual.surfaces) {
+        materials_[place->second].surfaces.push_back(&surface);
+        materials_[place->second].takes_texture.push_back(takesTexture(surface));
+      }
+    }
+  }
+  if (!places.empty()) return;
+  errors.error(parameter,
+               "the world has nothing of this name that can be seen; it should be objects, "
+               "distractors, world, a model, model::link or model::link::visual" +
+                   didYouMean(target, modelNames(world_)));
+}
+
+world::Look LookSampler::sample(EntryDraws& draws) {
+  world::Look look(world_.description());
+  for (const LightEntry& entry : lights_) relight(entry, draws, look.lights[entry.light]);
+  chooseLights(draws, look);
+  if (const auto ambient = draws.vector("ambient", config_.ambient)) {
+    look.ambient = ambient->cast<float>();
+  }
+  background_->sample(draws, look);
+  for (const MaterialEntry& entry : materials_) repaint(entry, draws, look);
+  return look;
+}
+
+void LookSampler::relight(const LightEntry& entry, EntryDraws& draws, world::Light& light) const {
+  const LightRandomization& config = entry.config;
+  if (const auto colour = draws.vector(entry.name + "/colour", config.colour)) {
+    light.diffuse = colour->cast<float>();
+  }
+  if (const auto intensity = draws.number(entry.name + "/intensity", config.intensity)) {
+    light.diffuse *= static_cast<float>(*intensity);
+  }
+  if (config.present && !draws.happens(entry.name + "/present", *config.present)) {
+    light.diffuse.setZero();
+  }
+  if (light.type != world::LightType::kDirectional) {
+    const auto shift = draws.vector(entry.name + "/shift", config.shift);
+    if (shift) light.X_WL.translation() += *shift;
+    return;
+  }
+  const auto elevation = draws.number(entry.name + "/elevation", config.elevation);
+  const auto azimuth = draws.number(entry.name + "/azimuth", config.azimuth);
+  if (!elevation && !azimuth) return;
+  const Eigen::Vector3d from = -(light.X_WL.linear() * light.direction_L).normalized();
+  const Eigen::Vector3d direction =
+      shiningFrom(elevation.value_or(std::asin(std::clamp(from.z(), -1.0, 1.0))),
+                  azimuth.value_or(std::atan2(from.y(), from.x())));
+  light.direction_L = light.X_WL.linear().transpose() * direction;
+}
+
+/// Turns the lights off that are too many, whichever they are.
+void LookSampler::chooseLights(EntryDraws& draws, world::Look& look) const {
+  if (!config_.light_count) return;
+  const std::string entry = "light_count";
+  base::RandomSource random = draws.source(entry);
+  const auto wanted =
+      static_cast<std::size_t>(std::lround(config_.light_count->drawNumber(random)));
+  const std::size_t on = std::min(wanted, look.lights.size());
+  draws.note(entry, static_cast<double>(on));
+  base::RandomSource shuffling = draws.source(entry + "/lights");
+  const std::vector<std::size_t> order = shuffling.choice(look.lights.size(), look.lights.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    world::Light& light = look.lights[order[i]];
+    draws.note("lights/" + light.name + "/present", i < on ? 1.0 : 0.0);
+    if (i >= on) light.diffuse.setZero();
+  }
+}
+
+void LookSampler::repaint(const MaterialEntry& entry, EntryDraws& draws, world::Look& look) {
+  const MaterialRandomization& config = entry.config;
+  const auto colour = draws.vector(entry.name + "/colour", config.colour);
+  const auto tint = draws.vector(entry.name + "/tint", config.tint);
+  const auto roughness = draws.number(entry.name + "/roughness", config.roughness);
+  const auto metalness = draws.number(entry.name + "/metalness", config.metalness);
+  std::shared_ptr<const world::Texture> texture;
+  if (config.textures) {
+    base::RandomSource random = draws.source(entry.name + "/textures");
+    auto [name, drawn] =
+        base::namingPlace(entry.textures_entry, [&] { return entry.textures->draw(random); });
+    draws.note(entry.name + "/textures", name);
+    texture = std::move(drawn);
+  }
+  for (std::size_t i = 0; i < entry.surfaces.size(); ++i) {
+    const world::Material& given = entry.surfaces[i]->material;
+    world::Material& worn = look.materials.try_emplace(&given, given).first->second;
+    if (colour) worn.diffuse.head<3>() = colour->cast<float>();
+    if (tint) worn.diffuse.head<3>().array() *= tint->cast<float>().array();
+    if (roughness) worn.roughness = static_cast<float>(*roughness);
+    if (metalness) worn.metalness = static_cast<float>(*metalness);
+    if (texture && entry.takes_texture[i]) worn.texture = texture;
+  }
+}
+
+}  // namespace synthetic_dataset::randomize

@@ -1,0 +1,128 @@
+#include "randomize/appearance/picture_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include <opencv2/core.hpp>
+
+#include "synthetic_dataset/errors.h"
+#include "base/image/picture_decoder.h"
+
+namespace synthetic_dataset::randomize {
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::uint8_t>;
+
+bool isPicture(const fs::path& file) {
+  static constexpr std::array<const char*, 7> kEndings = {".png", ".jpg",  ".jpeg", ".bmp",
+                                                          ".tif", ".tiff", ".webp"};
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+Bytes bytesOf(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) throw Error("cannot be opened");
+  Bytes bytes(static_cast<std::size_t>(stream.tellg()));
+  stream.seekg(0);
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!stream) throw Error("cannot be read");
+  return bytes;
+}
+
+/// Does something with a picture's file; what it throws names the file.
+template <class Work>
+auto withFile(const std::string& file, const Work& work) {
+  try {
+    return work(bytesOf(file));
+  } catch (const Error& error) {
+    throw Error("picture '" + file + "' " + error.what());
+  }
+}
+
+/// A folder of ten thousand broken pictures is told in a few lines.
+std::vector<std::string> shortened(std::vector<std::string> problems) {
+  constexpr std::size_t kTold = 4;
+  if (problems.size() <= kTold) return problems;
+  const std::size_t others = problems.size() - kTold;
+  problems.resize(kTold);
+  problems.push_back("found " + std::to_string(others) + " more that cannot be decoded");
+  return problems;
+}
+
+std::size_t memoryOf(const world::Texture& texture) {
+  return texture.pixels.total() * texture.pixels.elemSize();
+}
+
+}  // namespace
+
+std::vector<std::string> picturesIn(const std::string& folder) {
+  std::error_code problem;
+  std::vector<std::string> files;
+  for (fs::recursive_directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    std::error_code unknown;
+    if (isPicture(entry->path()) && entry->is_regular_file(unknown)) {
+      files.push_back(entry->path().string());
+    }
+  }
+  if (problem) throw Error("found '" + folder + "': " + problem.message());
+  if (files.empty()) {
+    throw Error("found '" + folder + "', a folder without pictures (png, jpg, bmp, tif, webp)");
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+PictureFolder::PictureFolder(const std::string& folder) : files_(picturesIn(folder)) {
+  std::vector<std::string> problems;
+  for (const std::string& file : files_) {
+    try {
+      sizes_.push_back(
+          withFile(file, [&](const Bytes& bytes) { return base::checkPicture(bytes, file); }));
+    } catch (const Error& error) {
+      problems.emplace_back(error.what());
+    }
+  }
+  if (!problems.empty()) throw ErrorList(shortened(std::move(problems)));
+}
+
+std::shared_ptr<const world::Texture> PictureFolder::read(std::size_t index) {
+  const std::string& file = files_.at(index);
+  auto found = std::find_if(recent_.begin(), recent_.end(),
+                            [&](const auto& texture) { return texture->file == file; });
+  if (found == recent_.end()) {
+    world::Texture texture{file, withFile(file, [&](const Bytes& bytes) {
+                             return base::decodePicture(bytes, file);
+                           })};
+    cv::bitwise_or(texture.pixels, cv::Scalar(0, 0, 0, 255), texture.pixels);  // without holes
+    found = recent_.insert(recent_.begin(), std::make_shared<world::Texture>(std::move(texture)));
+  }
+  std::rotate(recent_.begin(), found, found + 1);
+  forgetOldest();
+  return recent_.front();
+}
+
+void PictureFolder::forgetOldest() {
+  constexpr std::size_t kMost = 32;
+  constexpr std::size_t kMemory = 256U << 20U;  // [byte]
+  std::size_t memory = 0;
+  std::size_t kept = 0;
+  for (const auto& texture : recent_) {
+    memory += memoryOf(*texture);
+    if (kept > 0 && (kept == kMost || memory > kMemory)) break;
+    ++kept;
+  }
+  recent_.resize(kept);
+}
+
+}  // namespace synthetic_dataset::randomize

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "world/description.h"
+#include "base/image/picture_size.h"
+
+namespace synthetic_dataset::randomize {
+
+/// The pictures in a folder and in those below it, in alphabetical order: files that end in png,
+/// jpg, jpeg, bmp, tif, tiff or webp.
+/// @throws Error for a folder that is not there or has no picture
+[[nodiscard]] std::vector<std::string> picturesIn(const std::string& folder);
+
+/// A folder's pictures, whose files are looked at once, before any is needed: their headers, and
+/// whether they break off. A damage that only decoding brings to light is found when it is decoded.
+class PictureFolder {
+ public:
+  /// @throws Error for a folder that is not there or has no picture
+  /// @throws ErrorList naming pictures that cannot be decoded
+  explicit PictureFolder(const std::string& folder);
+
+  [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+
+  /// Of each of files() [px].
+  [[nodiscard]] const std::vector<base::PictureSize>& sizes() const { return sizes_; }
+
+  /// A picture, opaque.
+  /// @param index  in files()
+  /// @throws Error for one that cannot be decoded
+  [[nodiscard]] std::shared_ptr<const world::Texture> read(std::size_t index);
+
+ private:
+  void forgetOldest();
+
+  std::vector<std::string> files_;
+  std::vector<base::PictureSize> sizes_;
+
+  /// Those that were asked for last, so that a few pictures are not decoded again and again.
+  std::vector<std::shared_ptr<const world::Texture>> recent_;
+};
+
+}  // namespace synthetic_dataset::randomize

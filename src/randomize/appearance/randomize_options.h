@@ -1,0 +1,115 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "randomize/placement/distractor_options.h"
+#include "base/random/distribution.h"
+#include "base/random/text_choice.h"
+
+namespace synthetic_dataset::randomize {
+
+/// How a picture lies behind the world.
+enum class BackgroundProjection {
+  kBackdrop,  ///< it fills every image, whatever the camera looks at
+  kPanorama,  ///< it lies round the world: equirectangular, all of the sky and the ground
+};
+
+/// Pictures of which one is seen where nothing is.
+struct BackgroundPictures {
+  std::string folder;             ///< absolute
+  std::optional<double> present;  ///< how likely there is one, 0 .. 1; nothing: always
+  BackgroundProjection projection = BackgroundProjection::kBackdrop;
+  std::optional<base::Distribution> yaw;  ///< of a panorama: where its middle lies, from x to y
+                                            ///< of the global frame [rad]; nothing: along x
+  std::optional<base::Distribution> brightness;  ///< times the picture's light, >= 0
+};
+
+/// What is drawn anew of what is seen where nothing is; nothing: as the world has it.
+struct BackgroundRandomization {
+  /// sRGB-encoded red, green, blue, 0 .. 1; beside pictures, of the scenes without one.
+  std::optional<base::Distribution> colour;
+  std::string colour_name = "background";  ///< of its entry, below `randomize`
+  std::optional<BackgroundPictures> pictures;
+};
+
+/// What is drawn anew of a light; nothing: as the world has it.
+struct LightRandomization {
+  std::optional<double> present;                  ///< how likely it is on, 0 .. 1
+  std::optional<base::Distribution> intensity;  ///< times that of the world, >= 0
+  std::optional<base::Distribution> colour;     ///< linear red, green, blue, >= 0, instead
+  std::optional<base::Distribution> elevation;  ///< sunlight comes from there, above the horizon
+                                                  ///< [rad]
+  std::optional<base::Distribution> azimuth;    ///< sunlight comes from there, from x to y [rad]
+  std::optional<base::Distribution> shift;      ///< of a lamp, in the global frame [m]
+};
+
+/// What is drawn anew of materials; nothing: as the models have it.
+struct MaterialRandomization {
+  bool for_each_visual = true;                    ///< else one draw serves the whole model
+  std::optional<base::Distribution> colour;     ///< sRGB-encoded red, green, blue, 0 .. 1
+  std::optional<base::Distribution> tint;       ///< times the colour that it has; 0 .. 1
+  std::optional<base::Distribution> roughness;  ///< 0 .. 1
+  std::optional<base::Distribution> metalness;  ///< 0 .. 1
+  std::optional<std::string> textures;  ///< `procedural`, or an absolute folder of pictures
+};
+
+/// What is drawn anew of an object; nothing: as `robot_list` and its group have it.
+struct ObjectRandomization {
+  std::optional<double> present;              ///< how likely it is there, 0 .. 1
+  std::optional<base::TextChoice> model;    ///< absolute paths or URIs, instead of its own; of a
+                                              ///< folder that holds models, one of them
+  std::optional<base::Distribution> scale;  ///< times the model's size, > 0
+  int sizes = 8;  ///< so many are made of what `scale` draws, unless that is a few values
+};
+
+/// What is drawn anew of a camera's sensor and lens; nothing: as `effects` and the calibration have
+/// it.
+struct SensorRandomization {
+  std::optional<base::Distribution> exposure;      ///< [stops]
+  std::optional<base::Distribution> blur;          ///< [px], >= 0
+  std::optional<base::Distribution> noise_stddev;  ///< of the full scale, 0 .. 1
+
+  /// Horizontal, of the lens without its distortion's coefficients [rad]; instead of that of the
+  /// calibration.
+  std::optional<base::Distribution> field_of_view;
+};
+
+/// In the groups of lights and objects: those that have no group of their own.
+inline const char* const kOthers = "every";
+
+/// Everything that differs from scene to scene so that a network does not learn it. Each entry's
+/// draws follow from the seed, the scene and the entry's name alone.
+struct Randomization {
+  std::map<std::string, LightRandomization> lights;  ///< by the world's names; `every`: others
+  std::optional<base::Distribution> light_count;   ///< how many of the lights are on, rounded;
+                                                     ///< nothing: as each one's `present` says
+  std::optional<base::Distribution> ambient;       ///< sRGB-encoded red, green, blue
+  BackgroundRandomization background;
+  std::map<std::string, MaterialRandomization> materials;  ///< by model, model::link or
+                                                           ///< model::link::visual; `objects`,
+                                                           ///< `world`: all of these
+  std::map<std::string, ObjectRandomization> objects;      ///< by their names; `every`: others
+  std::optional<randomize::DistractorOptions> distractors;
+  SensorRandomization sensor;  ///< of each camera
+
+  /// How much later than the regular timeline has it a scene of a recording is [s]; below 0
+  /// earlier.
+  std::optional<base::Distribution> time_jitter;
+
+  /// What is drawn of an object.
+  [[nodiscard]] const ObjectRandomization& ofObject(const std::string& name) const {
+    static const ObjectRandomization kNothing;
+    auto entry = objects.find(name);
+    if (entry == objects.end()) entry = objects.find(kOthers);
+    return entry == objects.end() ? kNothing : entry->second;
+  }
+
+  [[nodiscard]] bool changesLook() const {
+    return !lights.empty() || light_count || !materials.empty() || ambient || background.colour ||
+           background.pictures;
+  }
+};
+
+}  // namespace synthetic_dataset::randomize

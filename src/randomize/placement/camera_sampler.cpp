@@ -1,0 +1,130 @@
+#include "randomize/placement/camera_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "randomize/placement/miss_reasons.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::randomize {
+namespace {
+
+/// A surface this near to what is looked at does not hide it: it may be looked at itself.
+constexpr double kNearTarget = 0.01;  // [m]
+
+/// A line of sight nearer to the vertical than this [rad] has no horizontal to go by.
+constexpr double kVertical = 1e-9;
+
+/// From nearer there is no telling where ahead is [m].
+constexpr double kNoDirection = 1e-9;
+
+/// Of all targets, where none is present.
+std::vector<Eigen::Vector3d> centresOfPresent(const std::vector<CameraTarget>& targets) {
+  const bool some = std::any_of(targets.begin(), targets.end(),
+                                [](const CameraTarget& target) { return target.is_present; });
+  std::vector<Eigen::Vector3d> centres;
+  for (const CameraTarget& target : targets) {
+    if (target.is_present || !some) centres.push_back(target.centre_G);
+  }
+  return centres;
+}
+
+}  // namespace
+
+Pose lookingAt(const Eigen::Vector3d& position_G, const Eigen::Vector3d& aim_G, double roll) {
+  const Eigen::Vector3d ahead = (aim_G - position_G).normalized();
+  Eigen::Vector3d right = ahead.cross(Eigen::Vector3d::UnitZ());
+  if (right.norm() < kVertical) right = -Eigen::Vector3d::UnitY();
+  right.normalize();
+  Eigen::Matrix3d axes;  // the optical frame's: x right, y down, z ahead
+  axes << right, ahead.cross(right), ahead;
+  const Eigen::AngleAxisd turn(roll, Eigen::Vector3d::UnitZ());
+  return makePose(position_G, Eigen::Quaterniond(axes) * turn);
+}
+
+CameraSampler::CameraSampler(CameraSampling config, std::string group, const world::World& world,
+                             Surroundings& surroundings, std::uint64_t seed)
+    : config_(std::move(config)),
+      group_(std::move(group)),
+      world_(world),
+      surroundings_(surroundings),
+      seed_(seed) {}
+
+Eigen::Vector3d CameraSampler::target(base::RandomSource& source,
+                                      const std::vector<CameraTarget>& targets) const {
+  if (config_.look_at_point_G) return *config_.look_at_point_G;
+  if (config_.look_at == "any") {
+    const std::vector<Eigen::Vector3d> there = centresOfPresent(targets);
+    return there[source.index(there.size())];
+  }
+  if (config_.look_at == "all") {
+    const std::vector<Eigen::Vector3d> there = centresOfPresent(targets);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& centre : there) sum += centre;
+    return sum / static_cast<double>(there.size());
+  }
+  const auto named = std::find_if(targets.begin(), targets.end(), [&](const CameraTarget& target) {
+    return target.name == config_.look_at;
+  });
+  return named->centre_G;
+}
+
+Eigen::Vector3d CameraSampler::position(base::RandomSource& source,
+                                        const Eigen::Vector3d& target_G) const {
+  if (config_.position_G) {
+    const std::vector<double> place = config_.position_G->draw(source);
+    return {place[0], place[1], place[2]};
+  }
+  const double distance = config_.distance.drawNumber(source);
+  const double elevation = config_.elevation.drawNumber(source);
+  const double azimuth = config_.azimuth.drawNumber(source);
+  return target_G + distance * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                                               std::cos(elevation) * std::sin(azimuth),
+                                               std::sin(elevation));
+}
+
+CameraSampler::Look CameraSampler::draw(base::RandomSource& source,
+                                        const std::vector<CameraTarget>& targets) const {
+  const Eigen::Vector3d target_G = target(source, targets);
+  const std::vector<double> offset = config_.aim_offset.draw(source);
+  const Eigen::Vector3d aim_G = target_G + Eigen::Vector3d(offset[0], offset[1], offset[2]);
+  const Eigen::Vector3d position_G = position(source, target_G);
+  return {target_G, aim_G, position_G,
+          lookingAt(position_G, aim_G, config_.roll.drawNumber(source))};
+}
+
+std::optional<std::string> CameraSampler::whyNot(const Look& look) const {
+  if ((look.aim_G - look.position_G).norm() < kNoDirection) {
+    return "would have stood where they look";
+  }
+  if (config_.clearance > 0.0) {
+    const auto obstacle = world_.obstacleNear(look.position_G, config_.clearance);
+    if (obstacle) return "were too near '" + *obstacle + "'";
+  }
+  const Eigen::Vector3d ahead = look.target_G - look.position_G;
+  const double free = ahead.norm() - kNearTarget;
+  if (free > 0.0 && surroundings_.cast(look.position_G, ahead, free)) {
+    return "would not have seen what they look at";
+  }
+  return std::nullopt;
+}
+
+Pose CameraSampler::sample(std::int64_t scene, const std::vector<CameraTarget>& targets) const {
+  base::RandomSource source(seed_, scene, group_ + "/sample");
+  std::map<std::string, int> misses;
+  for (int i = 0; i < config_.tries; ++i) {
+    const Look look = draw(source, targets);
+    const auto reason = whyNot(look);
+    if (!reason) return look.X_GC;
+    ++misses[*reason];
+  }
+  throw Error(group_ + "/sample: scene " + std::to_string(scene) + ": none of " +
+              std::to_string(config_.tries) + " places was free: " + reasonsText(misses) +
+              "; a larger shell or box, or a smaller clearance would help");
+}
+
+}  // namespace synthetic_dataset::randomize

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "randomize/placement/distractor_options.h"
+#include "randomize/placement/standing_place.h"
+#include "randomize/placement/surroundings.h"
+#include "base/random/random_source.h"
+#include "synthetic_dataset/cuboid.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::randomize {
+
+/// Puts some of a world's distractors somewhere, scene by scene, clear of everything else.
+class DistractorPlacer {
+ public:
+  /// @param world  has to outlive this, and so have its surroundings
+  /// @param boxes_M  round each distractor, in its own frame
+  DistractorPlacer(const DistractorOptions& config, std::vector<Cuboid> boxes_M,
+                   world::World& world, Surroundings& surroundings, std::uint64_t seed);
+
+  /// Puts a scene's distractors into the world, whose objects are where they will be.
+  /// @param cameras_G  which they do not come near to
+  /// @return the numbers of those that are there, from 1
+  std::vector<int> place(std::int64_t scene, const std::vector<Eigen::Vector3d>& cameras_G = {});
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> choose(std::int64_t scene) const;
+  [[nodiscard]] PoseOrReason draw(std::size_t distractor, base::RandomSource& source) const;
+  [[nodiscard]] std::optional<Pose> findPlace(std::size_t distractor, std::int64_t scene,
+                                              const std::vector<std::optional<Pose>>& placed,
+                                              const std::vector<Eigen::Vector3d>& cameras_G) const;
+  void drop(std::vector<std::optional<Pose>>& X_GM,
+            const std::vector<Eigen::Vector3d>& cameras_G) const;
+  [[nodiscard]] bool isNearAny(const std::vector<Eigen::Vector3d>& cameras_G,
+                               std::size_t distractor, const Pose& X_GM) const;
+
+  DistractorOptions config_;
+  std::vector<Cuboid> boxes_M_;
+  world::World& world_;
+  std::uint64_t seed_;
+  StandingPlace stand_;
+};
+
+}  // namespace synthetic_dataset::randomize

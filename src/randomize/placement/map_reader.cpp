@@ -1,0 +1,116 @@
+#include "randomize/placement/map_reader.h"
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "randomize/placement/map_file.h"
+#include "synthetic_dataset/errors.h"
+#include "base/image/picture_decoder.h"
+
+namespace synthetic_dataset::randomize {
+namespace {
+
+/// @param number  a percentage, as nav_msgs/OccupancyGrid has it
+Cell cellOf(std::int8_t number, const Thresholds& thresholds) {
+  if (number < 0 || number > 100) return Cell::kUnknown;
+  const double probability = number / 100.0;
+  if (probability <= thresholds.free) return Cell::kFree;
+  return probability > thresholds.occupied ? Cell::kOccupied : Cell::kUnknown;
+}
+
+/// @param shade  0 (black) to 255 (white)
+Cell cellOf(double shade, const MapFile& file) {
+  if (file.negate) shade = 255.0 - shade;
+  if (file.mode == MapMode::kRaw) {
+    const auto number = static_cast<std::int8_t>(static_cast<std::uint8_t>(shade));
+    return cellOf(number, {file.free_threshold, file.occupied_threshold});
+  }
+  const double probability = (255.0 - shade) / 255.0;
+  if (probability > file.occupied_threshold) return Cell::kOccupied;
+  return probability < file.free_threshold ? Cell::kFree : Cell::kUnknown;
+}
+
+/// The mean of a pixel's channels, each as a byte: of 16 bits the upper ones count.
+template <class Number>
+double shadeOf(const Number* channels, int count) {
+  constexpr unsigned kBelowByte = 8 * (sizeof(Number) - 1);
+  int sum = 0;
+  for (int i = 0; i < count; ++i) sum += channels[i] >> kBelowByte;
+  return static_cast<double>(sum) / count;
+}
+
+double shadeAt(const cv::Mat& picture, int row, int column, int channel_count) {
+  const int first = column * picture.channels();
+  return picture.depth() == CV_8U ? shadeOf(picture.ptr<std::uint8_t>(row) + first, channel_count)
+                                  : shadeOf(picture.ptr<std::uint16_t>(row) + first, channel_count);
+}
+
+std::vector<Cell> cellsOf(const cv::Mat& picture, const MapFile& file) {
+  // "Alpha will be averaged in with color channels when using trinary mode", says map_server.
+  const bool has_alpha = picture.channels() == 4;
+  const bool averages_alpha = file.mode == MapMode::kTrinary;
+  const int channel_count = picture.channels() - (has_alpha && !averages_alpha ? 1 : 0);
+  std::vector<Cell> cells;
+  cells.reserve(picture.total());
+  for (int row = picture.rows - 1; row >= 0; --row) {
+    for (int column = 0; column < picture.cols; ++column) {
+      cells.push_back(cellOf(shadeAt(picture, row, column, channel_count), file));
+    }
+  }
+  return cells;
+}
+
+cv::Mat readPicture(const std::string& file) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(file, unknown)) {
+    throw Error("is no file; a relative path starts at the folder of the YAML file");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw Error("cannot be opened");
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream),
+                                        std::istreambuf_iterator<char>()};
+  return base::decodePixels(bytes, file);
+}
+
+}  // namespace
+
+OccupancyMap readMapFile(const std::string& file) {
+  const MapFile map = readMapYaml(file);
+  try {
+    const cv::Mat picture = readPicture(map.image);
+    return {static_cast<std::size_t>(picture.cols),
+            static_cast<std::size_t>(picture.rows),
+            map.resolution,
+            {map.x, map.y, 0.0, map.yaw},
+            cellsOf(picture, map)};
+  } catch (const Error& error) {
+    throw Error(file + ": image: picture '" + map.image + "' " + error.what());
+  }
+}
+
+OccupancyMap mapOf(const motion::RecordedMap& recorded, const Thresholds& thresholds) {
+  constexpr double kTilt = 1e-6;
+  const auto R_FM = recorded.X_FM.linear();
+  if (R_FM(2, 2) < 1.0 - kTilt) {
+    throw Error("found a map that is tilted in '" + recorded.frame +
+                "'; it should be turned about z alone");
+  }
+  const Eigen::Vector3d p_FM = recorded.X_FM.translation();
+  std::vector<Cell> cells;
+  cells.reserve(recorded.cells.size());
+  for (const std::int8_t number : recorded.cells) cells.push_back(cellOf(number, thresholds));
+  return {recorded.width,
+          recorded.height,
+          recorded.resolution,
+          {p_FM.x(), p_FM.y(), p_FM.z(), std::atan2(R_FM(1, 0), R_FM(0, 0))},
+          std::move(cells)};
+}
+
+}  // namespace synthetic_dataset::randomize

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "randomize/placement/free_places.h"
+#include "randomize/placement/occupancy_map.h"
+#include "randomize/placement/placement_options.h"
+#include "randomize/placement/standing_place.h"
+#include "base/random/random_source.h"
+#include "synthetic_dataset/cuboid.h"
+#include "synthetic_dataset/pose.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::randomize {
+
+/// How much room something needs.
+struct NeededRoom {
+  double safety_radius = 0.0;  ///< about its frame's origin: nothing else is nearer [m]
+  Cuboid box_O;                ///< round it
+};
+
+/// Something to be put somewhere.
+struct PlacedObject {
+  std::string name;
+  std::vector<NeededRoom> rooms;  ///< of each of its variants
+
+  /// Where it is if it is not to be put anywhere; it is out of the way of all others there.
+  std::optional<Pose> X_GO_kept = std::nullopt;
+};
+
+/// Puts objects somewhere at random, scene by scene: on the free places of a map as the paper's
+/// first version did (Hart, Goodman, O'Shea), anywhere in a box, or dropped from there. Nothing is
+/// ever inside anything else.
+///
+/// What comes out is a function of the seed, the scene and each object's name alone.
+class ScenePlacer {
+ public:
+  /// @param map  where the mode needs one
+  /// @param objects  in the world's order
+  /// @param world  has to outlive this, and so have its surroundings
+  /// @throws ErrorList naming each object for which the map has no place
+  ScenePlacer(const PlacementOptions& config, const std::optional<OccupancyMap>& map,
+              std::vector<PlacedObject> objects, world::World& world, Surroundings& surroundings,
+              std::uint64_t seed);
+
+  /// X_GO of all objects in a scene, in their active variants; the world starts anew.
+  /// @throws Error naming an object for which no place was found, and why
+  [[nodiscard]] std::vector<Pose> place(std::int64_t scene);
+
+ private:
+  using Misses = std::map<std::string, int>;  ///< how often, by what happened
+
+  [[nodiscard]] const NeededRoom& roomOf(std::size_t object) const;
+  [[nodiscard]] PoseOrReason draw(std::size_t object, base::RandomSource& source) const;
+  [[nodiscard]] PoseOrReason drawOnMap(std::size_t object, base::RandomSource& source) const;
+  [[nodiscard]] Pose drawInVolume(base::RandomSource& source) const;
+  [[nodiscard]] std::optional<std::string> whyNot(std::size_t object, const Pose& X_GO,
+                                                  const std::vector<Pose>& placed) const;
+  [[nodiscard]] std::optional<Pose> findPlace(std::size_t object, base::RandomSource& source,
+                                              const std::vector<Pose>& placed,
+                                              Misses& misses) const;
+  [[nodiscard]] std::optional<std::vector<Pose>> placeAll(
+      std::vector<base::RandomSource>& sources, std::string& problem) const;
+
+  PlacementOptions config_;
+  std::vector<PlacedObject> objects_;
+  world::World& world_;
+  std::uint64_t seed_;
+  std::map<double, FreePlaces> free_;   ///< by safety radius, with a map
+  std::optional<StandingPlace> stand_;  ///< where objects stand on what is below
+};
+
+}  // namespace synthetic_dataset::randomize

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include <Eigen/Core>
+
+#include "randomize/placement/placement_options.h"
+#include "randomize/placement/surroundings.h"
+#include "synthetic_dataset/cuboid.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::randomize {
+
+/// A pose, or why there is none.
+using PoseOrReason = std::variant<Pose, std::string>;
+
+/// Finds how things stand on what is there: floors, tables, ramps.
+class StandingPlace {
+ public:
+  /// @param surroundings  have to outlive this
+  StandingPlace(Surroundings& surroundings, const SurfaceOptions& options)
+      : surroundings_(surroundings), options_(options) {}
+
+  /// X_GO with which the thing stands on the highest surface at a place, its z axis along the
+  /// surface's normal.
+  /// @param place_G  of the thing's frame, as seen from above [m]
+  /// @param heading  about the normal [rad]
+  /// @param box_O  round the thing: its bottom is what stands
+  [[nodiscard]] PoseOrReason at(const Eigen::Vector2d& place_G, double heading,
+                                const Cuboid& box_O) const;
+
+ private:
+  [[nodiscard]] bool liesEven(const Pose& X_GO, const Cuboid& box_O) const;
+
+  Surroundings& surroundings_;
+  SurfaceOptions options_;
+};
+
+}  // namespace synthetic_dataset::randomize

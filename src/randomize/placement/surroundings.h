@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "world/physics/ray_caster.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::randomize {
+
+/// What a camera would see of a world without its objects and distractors: the surfaces of static
+/// models, and of props where they stand now.
+class Surroundings {
+ public:
+  /// @param world  has to outlive this
+  explicit Surroundings(const world::World& world);
+
+  /// The nearest surface within `range` [m] of a point, in a direction.
+  [[nodiscard]] std::optional<world::RayHit> cast(const Eigen::Vector3d& p_G,
+                                                  const Eigen::Vector3d& direction_G, double range);
+
+ private:
+  const world::World& world_;
+  std::vector<std::size_t> links_;  ///< of the world's
+  std::int64_t prop_revision_;      ///< for which the rays are right
+  world::RayCaster rays_;
+};
+
+}  // namespace synthetic_dataset::randomize

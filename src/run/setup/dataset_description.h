@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "config/config.h"
+#include "run/setup/motion_setup.h"
+#include "run/setup/split_plan.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset::run {
+
+/// What writers are told before the first scene.
+/// @param config  what holds for the whole dataset
+/// @param motions  at least one; the description holds on to the links of their worlds
+[[nodiscard]] DatasetInfo describeDataset(const config::Config& config,
+                                          const std::vector<MotionSetup>& motions,
+                                          const SplitPlan& splits);
+
+}  // namespace synthetic_dataset::run

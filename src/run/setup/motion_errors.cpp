@@ -1,0 +1,77 @@
+#include "run/setup/motion_errors.h"
+
+#include <algorithm>
+#include <set>
+
+#include "config/config.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+bool holds(const std::vector<std::string>& messages, const std::string& message) {
+  return std::find(messages.begin(), messages.end(), message) != messages.end();
+}
+
+std::string inGroup(const std::string& group, const std::string& message) {
+  return group.empty() ? message : group + ": " + message;
+}
+
+/// Those of the first that are among those of all others, too.
+std::vector<std::string> commonTo(const std::vector<std::vector<std::string>>& lists) {
+  std::vector<std::string> common;
+  for (const std::string& each : lists.front()) {
+    const bool is_everywhere = std::all_of(lists.begin(), lists.end(),
+                                           [&](const auto& list) { return holds(list, each); });
+    if (is_everywhere && !holds(common, each)) common.push_back(each);
+  }
+  return common;
+}
+
+}  // namespace
+
+std::vector<std::string> mergedErrors(const std::vector<MotionErrors>& motions) {
+  std::vector<std::vector<std::string>> lists;
+  for (const MotionErrors& motion : motions) lists.push_back(motion.messages);
+  std::vector<std::string> errors = commonTo(lists);
+  const std::size_t common = errors.size();
+  for (const MotionErrors& motion : motions) {
+    for (const std::string& message : motion.messages) {
+      const auto end = errors.begin() + static_cast<std::ptrdiff_t>(common);
+      if (std::find(errors.begin(), end, message) != end) continue;
+      errors.push_back(inGroup(motion.group, message));
+    }
+  }
+  return errors;
+}
+
+std::vector<std::string> unusedSettings(const std::vector<config::MotionEntry>& entries,
+                                        const std::vector<Parameters>& roots) {
+  std::vector<std::vector<std::string>> unused;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    unused.emplace_back();
+    for (const std::string& name : roots[i].unknownNames()) {
+      if (!entries[i].says(name)) unused.back().push_back(name);
+    }
+  }
+  return commonTo(unused);
+}
+
+std::vector<std::string> unknownParameters(const std::vector<config::MotionEntry>& entries,
+                                           const std::vector<Parameters>& roots) {
+  const std::vector<std::string> of_all = unusedSettings(entries, roots);
+  std::vector<std::string> errors;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    std::vector<std::string> own;
+    for (const std::string& name : roots[i].unknownNames()) {
+      if (entries[i].says(name)) own.push_back(name);
+    }
+    for (const std::string& message : config::unknownParameterErrors(roots[i], own)) {
+      errors.push_back(inGroup(entries[i].group, message));
+    }
+  }
+  const auto common = config::unknownParameterErrors(roots.front(), of_all);
+  errors.insert(errors.begin(), common.begin(), common.end());
+  return errors;
+}
+
+}  // namespace synthetic_dataset::run

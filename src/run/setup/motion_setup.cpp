@@ -1,0 +1,272 @@
+#include "run/setup/motion_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/seconds.h"
+#include "motion/bag_motion.h"
+#include "motion/placement_motion.h"
+#include "run/setup/scene_plan.h"
+#include "run/setup/size_checks.h"
+#include "run/setup/world_setup.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+/// Nothing where the settings name none, which is an error already.
+std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& config) {
+  switch (config.motion.source) {
+    case config::MotionSource::kPlacement:
+      return std::make_shared<motion::PlacementMotion>(config.global_frame);
+    case config::MotionSource::kBag:
+      if (config.motion.bag_files.empty()) return nullptr;
+      return std::make_shared<motion::BagMotion>(config.motion.bag_files, config.global_frame);
+  }
+  return nullptr;
+}
+
+/// Sets a motion up part by part; what fails is noted, and the parts that need it are passed over.
+class MotionBuilder {
+ public:
+  MotionBuilder(config::MotionEntry entry, config::Config config, WorldShelf& worlds)
+      : worlds_(worlds) {
+    setup_.entry = std::move(entry);
+    setup_.config = std::move(config);
+    leaveOutOthers();
+  }
+
+  MotionSetup build() {
+    openSource();
+    loadWorld();
+    setUpCameras();
+    arrangeScenes();
+    planScenes();
+    if (found().hasErrors()) reportSource();
+    return std::move(setup_);
+  }
+
+ private:
+  [[nodiscard]] const config::Config& config() const { return setup_.config; }
+  [[nodiscard]] base::Diagnostics& found() { return setup_.found; }
+
+  /// Objects that do not take part have a frame that no other one has.
+  void leaveOutOthers() {
+    const std::set<std::string>& named = setup_.entry.objects;
+    if (named.empty()) return;
+    for (scene::ObjectOptions& object : setup_.config.objects) {
+      if (object.is_distractor) continue;
+      object.takes_part = named.count(object.name) != 0;
+      if (!object.takes_part) object.frame = "not in this motion: " + object.name;
+    }
+  }
+
+  /// Runs a step that makes a part; none when it failed, with the errors noted.
+  template <class Make>
+  auto attempt(Make make) -> decltype(make()) {
+    auto made = found().attempt(make);
+    return made ? std::move(*made) : nullptr;
+  }
+
+  void openSource() {
+    auto source = attempt([&] { return makeSource(config()); });
+    if (!source) return;
+    source_notes_ = source->notes();
+    found().add(base::Severity::kWarning, source_notes_);
+    setup_.frames = std::make_unique<motion::PlacedFrames>(std::move(source));
+    if (config().isPlaced()) placeObjects();
+    for (const scene::ObjectOptions& each : config().objects) {
+      if (!each.takes_part) setup_.frames->place(each.frame, motion::nowhere());
+    }
+  }
+
+  void placeObjects() {
+    for (const scene::ObjectOptions& each : config().objects) {
+      if (!each.takes_part) continue;
+      if (setup_.frames->isPlaced(each.frame) || each.frame == config().global_frame) {
+        found().error(
+            each.name + "/frame",
+            "found '" + each.frame +
+                "', which is not its own; each object that is placed needs a frame of its "
+                "own");
+      }
+      placeSomewhere(each.frame);
+    }
+  }
+
+  /// What was left out of the recording may be what is missing.
+  void reportSource() {
+    for (const std::string& note : source_notes_) found().error("bag_file", note);
+  }
+
+  /// Frames that are placed scene by scene are known from the start.
+  motion::FrameId placeSomewhere(const std::string& frame) {
+    return setup_.frames->place(frame, Pose::Identity());
+  }
+
+  void loadWorld() {
+    if (config().world.file.empty()) return;
+    for (const scene::ObjectOptions& object : config().objects) {
+      if (!found().attempt([&] { setup_.variants.emplace_back(object, config().randomization); })) {
+        setup_.variants.emplace_back(object, randomize::Randomization{});
+      }
+    }
+    WorldSetup world = setUpWorld(config(), setup_.variants, setup_.frames.get(),
+                                  worlds_.filesFor(config().world), found());
+    sensors_ = std::move(world.sensors);
+    setup_.driven_links = std::move(world.driven_links);
+    setup_.inputs = std::move(world.inputs);
+    setup_.world = std::move(world.world);
+    if (!setup_.world) return;
+    noteSharedShapes();
+    setup_.shapes = attempt([&] {
+      return std::make_unique<scene::ObjectShapes>(config().objects, setup_.variants, *setup_.world);
+    });
+    noteStrangeSizes();
+  }
+
+  /// Millimetres, for one.
+  void noteStrangeSizes() {
+    if (!setup_.shapes) return;
+    for (std::size_t i = 0; i < config().objects.size(); ++i) {
+      const scene::ObjectOptions& object = config().objects[i];
+      const bool varies = setup_.variants[i].all().size() > 1;  // and what is given with it
+      if (object.takes_part && !object.is_distractor && !varies) {
+        checkSizes(object, setup_.shapes->boxesAtRest(i).front(), found());
+      }
+    }
+  }
+
+  /// Points that are given are those of one model.
+  void noteSharedShapes() {
+    for (std::size_t i = 0; i < config().objects.size(); ++i) {
+      const scene::ObjectOptions& object = config().objects[i];
+      const auto note = [&](const std::string& parameter, const std::string& instead) {
+        found().warning(object.name + "/" + parameter,
+                        "the same points are taken for all models of randomize/objects; " +
+                            instead + " would find them on each");
+      };
+      if (!setup_.variants[i].hasSeveralModels()) continue;
+      if (!object.bounding_shape_O.empty()) note("bounding_shape", "model_box");
+      if (!object.keypoints_O.empty()) note("keypoints", "farthest_points");
+    }
+  }
+
+  void setUpCameras() {
+    static const std::vector<world::LinkInstance> kNoLinks;
+    if (!setup_.frames || !sensors_) return;
+    for (const scene::CameraOptions& camera : config().cameras) {
+      const bool two_sources = camera.info_file && camera.info_topic;
+      const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
+      if (two_sources || no_source) continue;  // told already
+      auto rig = found().attempt([&] {
+        return scene::makeCameraRig(camera, config().motion.bag_files, *sensors_,
+                             setup_.world ? setup_.world->links() : kNoLinks, config().objects,
+                             *setup_.frames);
+      });
+      if (!rig) continue;
+      if (rig->sampled && isTaken(rig->frame, camera)) continue;
+      if (rig->sampled) rig->followed = placeSomewhere(rig->frame);
+      checkShutter(camera, *rig);
+      noteBlindLens(camera, *rig);
+      noteFarAxis(camera, *rig);
+      setup_.cameras.push_back(std::move(*rig));
+    }
+  }
+
+  /// What is placed has a frame of its own: else one would be where the other is.
+  bool isTaken(const std::string& frame, const scene::CameraOptions& camera) {
+    std::string owner = frame == config().global_frame ? "global_frame" : "";
+    for (const scene::ObjectOptions& object : config().objects) {
+      if (object.frame == frame) owner = object.name;
+    }
+    for (const scene::CameraRig& other : setup_.cameras) {
+      if (other.frame == frame) owner = "the camera " + other.name;
+    }
+    if (owner.empty()) return false;
+    found().error(camera.group + "/frame_id",
+                  "found '" + frame + "', which is also the frame of " + owner +
+                      "; a camera that is put somewhere needs a frame of its own");
+    return true;
+  }
+
+  /// Physics goes forward only, so a picture has to be exposed before the next one begins.
+  void checkShutter(const scene::CameraOptions& camera, const scene::CameraRig& rig) {
+    const Duration period = shortestPeriod(config());
+    if (scene::openTime(rig.shutter) <= period) return;
+    found().error(
+        camera.group + "/effects",
+        "found exposure_time + readout_time of " + fixed(toSeconds(scene::openTime(rig.shutter)), 4) +
+            " s; it should be at most the " + fixed(toSeconds(period), 4) +
+            " s from one scene to the next (simulated_rate" +
+            (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)"
+                                                : ")"));
+  }
+
+  /// Intrinsics of another resolution have their principal point elsewhere. Only what is cut out of
+  /// a sensor's picture may have it far from the middle.
+  void noteFarAxis(const scene::CameraOptions& camera, const scene::CameraRig& rig) {
+    constexpr double kFar = 0.2;  // of the image's size
+    const CameraModel& model = rig.model;
+    const double across = model.intrinsics().cx + 0.5 - 0.5 * model.width();
+    const double down = model.intrinsics().cy + 0.5 - 0.5 * model.height();
+    if (std::abs(across) <= kFar * model.width() && std::abs(down) <= kFar * model.height()) return;
+    found().warning(camera.group, "the principal point (" + fixed(model.intrinsics().cx, 1) + ", " +
+                                      fixed(model.intrinsics().cy, 1) +
+                                      ") is far from the middle of an image of " +
+                                      std::to_string(model.width()) + " x " +
+                                      std::to_string(model.height()) +
+                                      " (is the calibration that of another resolution?)");
+  }
+
+  void noteBlindLens(const scene::CameraOptions& camera, const scene::CameraRig& rig) {
+    constexpr double kLittle = 0.25;  // a fisheye's circle in a wide image fills more than this
+    const double share = scene::seenShare(rig.model);
+    if (share >= kLittle) return;
+    found().warning(camera.group,
+                    "its lens sees something in only " + fixed(100.0 * share, 0) +
+                        " % of the image; the rest is black (are the distortion's numbers "
+                        "right?)");
+  }
+
+  void arrangeScenes() {
+    if (!setup_.frames || !setup_.shapes || setup_.cameras.empty()) return;
+    setup_.variation = attempt([&] {
+      return std::make_unique<scene::SceneVariation>(config(), setup_.cameras, setup_.variants,
+                                              *setup_.world, found());
+    });
+    setup_.arranger = attempt([&] {
+      return std::make_unique<scene::SceneArranger>(config(), setup_.cameras, setup_.variants,
+                                             *setup_.shapes, *setup_.world, *setup_.frames,
+                                             found());
+    });
+  }
+
+  void planScenes() {
+    if (!setup_.frames || config().objects.empty()) return;
+    auto timeline = found().attempt([&] {
+      return run::planScenes(*setup_.frames, config(), setup_.cameras,
+                                           setup_.driven_links);
+    });
+    if (timeline) setup_.timeline = std::move(*timeline);
+  }
+
+  WorldShelf& worlds_;
+  MotionSetup setup_;
+  std::vector<std::string> source_notes_;
+  std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
+};
+
+}  // namespace
+
+bool MotionSetup::isCameraFrame(const std::string& frame) const {
+  return std::any_of(cameras.begin(), cameras.end(),
+                     [&](const scene::CameraRig& camera) { return camera.frame == frame; });
+}
+
+MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, WorldShelf& worlds) {
+  return MotionBuilder(std::move(entry), std::move(config), worlds).build();
+}
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,112 @@
+#include "run/setup/run_record.h"
+
+#include <algorithm>
+
+#include <libdeflate.h>
+
+#include "randomize/appearance/picture_folder.h"
+#include "base/json_text.h"
+#include "config/settings_text.h"
+#include "output/files/digest.h"
+#include "randomize/placement/map_file.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+/// Whether a setting, or a group that it is in, is among these.
+bool isIn(const std::set<std::string>& names, const std::string& setting) {
+  for (std::size_t end = 0; end != std::string::npos;) {
+    end = setting.find('/', end + 1);
+    if (names.count(setting.substr(0, end)) != 0) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> pictureFolders(const randomize::Randomization& randomization) {
+  std::vector<std::string> sources;
+  for (const auto& [name, material] : randomization.materials) {
+    if (material.textures) sources.push_back(*material.textures);
+  }
+  if (randomization.distractors) sources.push_back(randomization.distractors->textures);
+  if (randomization.background.pictures) {
+    sources.push_back(randomization.background.pictures->folder);
+  }
+  std::vector<std::string> folders;
+  for (const std::string& source : sources) {
+    if (source != "procedural" && source != "none") folders.push_back(source);
+  }
+  return folders;
+}
+
+}  // namespace
+
+std::map<std::string, output::RunDescription::Setting> usedSettings(
+    const Value& parameters, const config::Config& config, const std::vector<std::string>& unused,
+    const std::map<std::string, Value>& defaults) {
+  // None of these changes what is made.
+  std::set<std::string> left_out = {"output_folder", "if_exists",   "sync",           "shard",
+                                    "processes",     "only_scenes", "rendering/reuse"};
+  left_out.insert(unused.begin(), unused.end());
+  for (const output::WriterOptions& writer : config.writers) {
+    left_out.insert(writer.name + "/output_folder");
+  }
+  std::map<std::string, output::RunDescription::Setting> settings;
+  for (const auto& [name, text] : config::flatSettings(parameters)) {
+    if (!isIn(left_out, name)) settings[name] = {text, false};
+  }
+  for (const auto& [name, value] : defaults) {
+    if (!isIn(left_out, name)) settings.insert({name, {base::jsonText(value), true}});
+  }
+  return settings;
+}
+
+std::map<std::string, std::string> softwareVersions() {
+  return {{"synthetic_dataset", SYNTHETIC_DATASET_VERSION},
+          {"assimp", ASSIMP_VERSION},
+          {"bullet", BULLET_VERSION},
+          {"opencv", OPENCV_VERSION},
+          {"isa-l", ISAL_VERSION},
+          {"libdeflate", LIBDEFLATE_VERSION_STRING},
+          {"sdformat", SDFORMAT_VERSION}};
+}
+
+std::set<std::string> inputsNamedBy(const config::Config& config) {
+  std::set<std::string> inputs(config.motion.bag_files.begin(), config.motion.bag_files.end());
+  for (const scene::CameraOptions& camera : config.cameras) {
+    if (camera.info_file) inputs.insert(*camera.info_file);
+  }
+  if (config.placement.map_file) {
+    inputs.insert(*config.placement.map_file);
+    inputs.insert(randomize::readMapYaml(*config.placement.map_file).image);
+  }
+  for (const std::string& folder : pictureFolders(config.randomization)) {
+    for (const std::string& file : randomize::picturesIn(folder)) inputs.insert(file);
+  }
+  return inputs;
+}
+
+std::map<std::string, output::RunDescription::Input> describeInputs(
+    const std::set<std::string>& files) {
+  std::map<std::string, output::RunDescription::Input> inputs;
+  for (const std::string& file : files) {
+    const output::FileDigest found = output::digestOfInput(file);
+    inputs[file] = {found.bytes, found.digest};
+  }
+  return inputs;
+}
+
+void describeContents(const DatasetInfo& dataset, output::RunDescription& run) {
+  for (const ClassInfo& each : dataset.classes) run.classes.push_back({each.id, each.name});
+  for (const MotionInfo& each : dataset.motions) {
+    run.motions.push_back({each.name, each.first_instant, each.instant_count});
+  }
+  for (const CameraDescription& each : dataset.cameras) {
+    run.cameras.push_back({each.name, each.frame, each.model.width(), each.model.height()});
+  }
+  for (const ObjectInfo& each : dataset.objects) {
+    run.objects.push_back({each.name, each.class_id, each.id});
+  }
+  run.scene_count = dataset.scene_count;
+}
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "output/manifest/run_description.h"
+#include "synthetic_dataset/label_writer.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::run {
+
+/// The settings that decide what a dataset holds, for its manifest: as given, without those that
+/// only say where and how files are written, and without blocks that this run does not use.
+/// @param unused  full names of parameters and groups that nobody read
+/// @param defaults  the defaults taken, by full name
+[[nodiscard]] std::map<std::string, output::RunDescription::Setting> usedSettings(
+    const Value& parameters, const config::Config& config, const std::vector<std::string>& unused,
+    const std::map<std::string, Value>& defaults);
+
+/// Names and versions of what shapes a dataset's bytes, but for OpenGL's: who draws knows it.
+[[nodiscard]] std::map<std::string, std::string> softwareVersions();
+
+/// The files that settings name, but for the world's and its models': recordings, calibrations,
+/// maps, and the pictures that surfaces may wear or that lie behind the world.
+[[nodiscard]] std::set<std::string> inputsNamedBy(const config::Config& config);
+
+/// Sizes and digests of the files that a dataset is made from.
+/// @throws Error naming a file that cannot be read
+[[nodiscard]] std::map<std::string, output::RunDescription::Input> describeInputs(
+    const std::set<std::string>& files);
+
+/// Classes, motions, cameras, objects, and how many scenes there are.
+void describeContents(const DatasetInfo& dataset, output::RunDescription& run);
+
+}  // namespace synthetic_dataset::run

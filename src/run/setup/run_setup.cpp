@@ -1,0 +1,276 @@
+#include "run/setup/run_setup.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "config/motion_list.h"
+#include "run/setup/dataset_description.h"
+#include "run/setup/motion_errors.h"
+#include "run/setup/run_record.h"
+#include "run/setup/scene_plan.h"
+#include "run/setup/scene_shares.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+/// Builds a run part by part; what fails is noted, and the parts that need it are passed over.
+class Builder {
+ public:
+  Builder(const Value& parameters, const std::vector<std::string>& plugin_xml_files)
+      : parameters_(parameters),
+        plugin_xml_files_(plugin_xml_files),
+        list_(config::readMotions(parameters)) {}
+
+  RunSetup build() {
+    for (config::MotionEntry& entry : list_.entries) addMotion(entry);
+    setup_.config = setup_.motions.front().config;
+    found().add(base::Severity::kError, list_.errors);
+    checkSameCameras();
+    checkSameDistractors();
+    const std::int64_t told_count = countInstants();
+    planSplits();
+    const std::size_t errors_before = roots_.front().errors().size();
+    loadWriters();
+    const std::vector<std::string>& of_first = roots_.front().errors();
+    writer_errors_.assign(of_first.begin() + static_cast<std::ptrdiff_t>(errors_before),
+                          of_first.end());
+    for (MotionSetup& motion : setup_.motions) checkFrames(motion);
+    if (list_.errors.empty()) shareScenes();
+    if (countInstants() < told_count) replan();
+    checkOnlyScenes();
+    if (setup_.splits) noteEmptySplits();
+    noteSubtraction();
+    const std::vector<std::string> unused = unusedSettings(list_.entries, roots_);
+    throwErrors();
+    describe(unused);
+    return std::move(setup_);
+  }
+
+ private:
+  [[nodiscard]] const config::Config& config() const { return setup_.config; }
+  [[nodiscard]] base::Diagnostics& found() { return setup_.found; }
+
+  void addMotion(const config::MotionEntry& entry) {
+    roots_.emplace_back(entry.settings);
+    config::Config config = config::readConfig(roots_.back());
+    setting_errors_.push_back(roots_.back().errors());
+    setup_.motions.push_back(setUpMotion(entry, std::move(config), worlds_));
+  }
+
+  /// In proportion to the motions' weights, if there are any.
+  void shareScenes() {
+    if (!list_.is_weighted) return;
+    std::vector<SharingMotion> sharing;
+    for (const MotionSetup& motion : setup_.motions) {
+      if (motion.timeline.stamps.empty()) return;  // told already
+      sharing.push_back({motion.entry.group, motion.entry.weight, motion.instantCount()});
+    }
+    const auto counts = found().attempt([&] { return sharesOf(sharing, list_.scenes); });
+    if (!counts) return;
+    for (std::size_t i = 0; i < counts->size(); ++i) {
+      MotionSetup& motion = setup_.motions[i];
+      thinOut(motion.timeline, (*counts)[i]);
+    }
+  }
+
+  /// Numbers the times of all motions, and returns how many there are.
+  std::int64_t countInstants() {
+    std::int64_t count = 0;
+    for (MotionSetup& motion : setup_.motions) {
+      motion.first_instant = count;
+      count += motion.instantCount();
+    }
+    return count;
+  }
+
+  /// Scenes are numbered through all cameras.
+  void checkSameCameras() {
+    const auto namesOf = [](const MotionSetup& motion) {
+      std::string names;
+      for (const scene::CameraOptions& camera : motion.config.cameras) {
+        names += (names.empty() ? "'" : ", '") + camera.name + "'";
+      }
+      return names;
+    };
+    const MotionSetup& first = setup_.motions.front();
+    for (const MotionSetup& motion : setup_.motions) {
+      if (namesOf(motion) == namesOf(first)) continue;
+      found().error(motion.entry.group + "/cameras",
+                    "found " + namesOf(motion) + "; " + first.entry.group + " has " +
+                        namesOf(first) + ", and all motions should have cameras of the same names");
+    }
+  }
+
+  /// Labelled distractors are objects of the dataset, which all motions share.
+  void checkSameDistractors() {
+    const auto hasSome = [](const MotionSetup& motion) {
+      return motion.config.robotCount() < motion.config.objects.size();
+    };
+    if (std::none_of(setup_.motions.begin(), setup_.motions.end(), hasSome)) return;
+    for (const MotionSetup& motion : setup_.motions) {
+      if (!motion.entry.says("randomize/distractors")) continue;
+      found().error(motion.entry.group + "/randomize/distractors",
+                    "distractors with a class are objects of the whole "
+                    "dataset; their settings should stand beside motions");
+    }
+  }
+
+  void checkOnlyScenes() {
+    const std::set<std::int64_t>& only = config().only_scenes;
+    const std::int64_t count = setup_.instantCount();
+    if (count == 0 || only.empty() || *only.rbegin() < count) return;
+    found().error("only_scenes", "found " + std::to_string(*only.rbegin()) +
+                                     "; this run's scenes are 0 to " + std::to_string(count - 1));
+  }
+
+  void planSplits() {
+    std::vector<SplitPart> parts;
+    for (const MotionSetup& motion : setup_.motions) {
+      parts.push_back({motion.instantCount(), motion.entry.split});
+    }
+    const auto plan = found().attempt([&] {
+      return SplitPlan(config().split, static_cast<std::uint64_t>(config().seed), parts);
+    });
+    if (plan) setup_.splits = std::make_unique<SplitPlan>(*plan);
+  }
+
+  [[nodiscard]] DatasetInfo dataset() const {
+    return describeDataset(config(), setup_.motions, *setup_.splits);
+  }
+
+  void loadWriters() {
+    if (config().writers.empty() || !setup_.splits) return;
+    auto made = found().attempt([&] {
+      return std::make_unique<output::WriterHost>(config().writers, dataset(), plugin_xml_files_);
+    });
+    if (made) setup_.writers = std::move(*made);
+  }
+
+  /// The frames that writers ask for: unknown ones are errors, scenes without them are left out.
+  void checkFrames(MotionSetup& motion) {
+    if (!setup_.writers || !motion.frames) return;
+    for (const std::string& frame : setup_.writers->requirements().frames) {
+      if (motion.isCameraFrame(frame)) continue;
+      if (motion.frames->find(frame)) {
+        motion.found.attempt(
+            [&] { leaveOutScenesWithout(frame, *motion.frames, motion.timeline); });
+      } else {
+        motion.found.error(
+            "", "a writer asks for the frame '" + frame + "': " + motion.frames->lacks(frame));
+      }
+    }
+  }
+
+  /// Writers that have been told of more scenes than there are, as only they know which frames they
+  /// need, are loaded anew.
+  void replan() {
+    if (!setup_.splits) return;  // told already
+    planSplits();
+    if (setup_.writers && writer_errors_.empty()) loadWriters();
+  }
+
+  /// When it is known how many scenes there are.
+  void noteEmptySplits() {
+    if (setup_.instantCount() == 0) return;
+    for (const SplitInfo& split : setup_.splits->splits(config().cameras.size())) {
+      if (split.scene_count == 0) found().warning("split/" + split.name, "no scene falls into it");
+    }
+  }
+
+  /// Users of nn_data_collection's settings may not know that there are exact masks.
+  void noteSubtraction() {
+    const label::MaskOptions& masks = config().masks;
+    if (masks.method == label::MaskMethod::kExact || masks.method_is_given) return;
+    if (!setup_.writers || !setup_.writers->requirements().visible_masks) return;
+    found().warning("",
+                    "masks are found by background subtraction since background_subtractor is set; "
+                    "masks/method: exact gives exact ones");
+  }
+
+  void throwErrors() {
+    base::Diagnostics all;
+    const auto addErrors = [&](const std::vector<std::string>& errors) {
+      all.add(base::Severity::kError, errors);
+    };
+    std::vector<MotionErrors> of_motions;
+    for (std::size_t i = 0; i < roots_.size(); ++i) {
+      of_motions.push_back({setup_.motions[i].entry.group, setting_errors_[i]});
+    }
+    addErrors(mergedErrors(of_motions));
+    addErrors(writer_errors_);
+    // Writers that could not be loaded have not read theirs: nothing can be said to be unknown.
+    if (setup_.writers) addErrors(unknownParameters(list_.entries, roots_));
+    for (std::size_t i = 0; i < roots_.size(); ++i) {
+      of_motions[i].messages = setup_.motions[i].found.messages(base::Severity::kError);
+    }
+    addErrors(mergedErrors(of_motions));
+    all.merge(found());
+    all.throwIfAny();
+  }
+
+  /// What the manifest tells of the run, and the user at its start.
+  /// @param unused  settings that nobody reads
+  void describe(const std::vector<std::string>& unused) {
+    output::RunDescription& run = setup_.description;
+    std::map<std::string, Value> defaults;
+    for (Parameters& root : roots_) {
+      defaults.insert(root.defaultValues().begin(), root.defaultValues().end());
+      for (const std::string& taken : root.defaultsTaken()) addOnce(setup_.defaults_taken, taken);
+    }
+    run.settings = usedSettings(parameters_, config(), unused, defaults);
+    run.software = softwareVersions();
+    std::set<std::string> inputs;
+    for (const MotionSetup& motion : setup_.motions) {
+      const std::set<std::string> named = inputsNamedBy(motion.config);
+      inputs.insert(named.begin(), named.end());
+      inputs.insert(motion.inputs.begin(), motion.inputs.end());
+      found().merge(motion.found);
+    }
+    run.inputs = describeInputs(inputs);
+    describeContents(dataset(), run);
+    std::int64_t in_gaps = 0;
+    std::int64_t unknown = 0;
+    for (const MotionSetup& motion : setup_.motions) {
+      in_gaps += motion.timeline.left_out_gap;
+      unknown += motion.timeline.left_out_unknown;
+    }
+    countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap", in_gaps);
+    countLeftOut("scene left out: a transform is not known at its time", unknown);
+    for (const base::Diagnostic& each : found().all()) {
+      if (each.severity == base::Severity::kWarning)
+        run.warnings.push_back({each.message(), "", each.count});
+    }
+  }
+
+  void countLeftOut(const std::string& kind, std::int64_t count) {
+    if (count > 0) found().warning("", kind, count);
+  }
+
+  static void addOnce(std::vector<std::string>& texts, const std::string& text) {
+    if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
+  }
+
+  const Value& parameters_;
+  const std::vector<std::string>& plugin_xml_files_;
+  config::MotionList list_;
+  std::vector<Parameters> roots_;                         ///< of the entries
+  std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
+  std::vector<std::string> writer_errors_;                ///< of the writers' settings
+  WorldShelf worlds_;
+  RunSetup setup_;
+};
+
+}  // namespace
+
+std::int64_t RunSetup::instantCount() const {
+  return motions.back().first_instant + motions.back().instantCount();
+}
+
+RunSetup setUpRun(const Value& parameters, const std::vector<std::string>& plugin_xml_files) {
+  return Builder(parameters, plugin_xml_files).build();
+}
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "config/config.h"
+#include "output/manifest/run_description.h"
+#include "run/setup/motion_setup.h"
+#include "run/setup/split_plan.h"
+#include "synthetic_dataset/value.h"
+#include "output/writers/writer_host.h"
+
+namespace synthetic_dataset::run {
+
+/// Everything that a run is made of, checked and ready for the first scene.
+struct RunSetup {
+  config::Config config;             ///< what holds for the whole dataset is that of every motion
+  std::vector<MotionSetup> motions;  ///< at least one, in the order of their scenes
+  std::unique_ptr<SplitPlan> splits;
+  std::unique_ptr<output::WriterHost> writers;
+  output::RunDescription description;       ///< for the manifest; with the warnings
+  base::Diagnostics found;                  ///< warnings and notes
+  std::vector<std::string> defaults_taken;  ///< "parameter: value"
+
+  /// The times of all motions together.
+  [[nodiscard]] std::int64_t instantCount() const;
+};
+
+/// Reads parameters, recordings, worlds, cameras and writers. Writes nothing.
+/// @throws ErrorList with all that is wrong
+[[nodiscard]] RunSetup setUpRun(const Value& parameters,
+                                const std::vector<std::string>& plugin_xml_files);
+
+}  // namespace synthetic_dataset::run

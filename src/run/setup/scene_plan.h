@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "motion/frame_source.h"
+#include "scene/articulation.h"
+#include "scene/camera_rig.h"
+
+namespace synthetic_dataset::run {
+
+/// The times at which scenes are made: those of the timeline at which all objects and cameras are
+/// known, over the whole exposure of each picture.
+/// @throws ErrorList when there is none, saying why
+[[nodiscard]] motion::Timeline planScenes(
+    const motion::FrameSource& frames, const config::Config& config,
+    const std::vector<scene::CameraRig>& cameras,
+    const std::vector<std::vector<scene::DrivenLinks>>& driven_links);
+
+/// The least time that there may be from one scene to the next.
+[[nodiscard]] Duration shortestPeriod(const config::Config& config);
+
+/// Keeps so many of the scenes, evenly spread over a recording, else the first ones.
+/// @param count  at most as many as there are
+void thinOut(motion::Timeline& timeline, std::int64_t count);
+
+/// Takes the scenes out at which a frame that a writer asks for is not known.
+/// @throws Error when none is left
+void leaveOutScenesWithout(const std::string& frame, const motion::FrameSource& frames,
+                           motion::Timeline& timeline);
+
+}  // namespace synthetic_dataset::run

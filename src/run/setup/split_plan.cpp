@@ -1,0 +1,92 @@
+#include "run/setup/split_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "base/random/random_seed.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+/// Fisher and Yates; std::shuffle differs from library to library. The numbers are so much larger
+/// than the counts that the remainder is as good as uniform.
+/// @param drawn  how many numbers others have drawn before
+void shuffle(std::vector<std::uint8_t>& splits, std::uint64_t seed, std::uint64_t drawn) {
+  for (std::size_t i = splits.size(); i > 1; --i) {
+    const auto place = static_cast<std::int64_t>(drawn + i);
+    const std::uint64_t draw = base::randomSeed(seed, place, "split");
+    std::swap(splits[i - 1], splits[draw % i]);
+  }
+}
+
+}  // namespace
+
+SplitPlan::SplitPlan(const config::SplitConfig& config, std::uint64_t seed,
+                     const std::vector<SplitPart>& parts) {
+  nameSplits(config, parts);
+  if (names_.empty()) return;
+  std::uint64_t drawn = 0;  // so far: each part's draws are others
+  for (const SplitPart& part : parts) {
+    const auto count = static_cast<std::size_t>(part.instant_count);
+    std::vector<std::uint8_t> splits = part.split
+                                           ? std::vector<std::uint8_t>(count, numberOf(*part.split))
+                                           : blocks(config, part.instant_count);
+    if (!part.split && config.by == config::SplitBy::kScenes) shuffle(splits, seed, drawn);
+    drawn += count;
+    split_of_.insert(split_of_.end(), splits.begin(), splits.end());
+  }
+}
+
+void SplitPlan::nameSplits(const config::SplitConfig& config, const std::vector<SplitPart>& parts) {
+  std::set<std::string> named;
+  bool all_have_one = true;
+  for (const auto& [name, share] : config.shares) named.insert(name);
+  for (const SplitPart& part : parts) {
+    if (part.split) named.insert(*part.split);
+    all_have_one = all_have_one && part.split;
+  }
+  if (!named.empty() && config.shares.empty() && !all_have_one) {
+    throw Error(
+        "split: missing; some of the motions have a split of their own, and it should say in "
+        "which the scenes of the others are");
+  }
+  for (const char* name : {"train", "val", "test"}) {
+    if (named.count(name) != 0) names_.emplace_back(name);
+  }
+}
+
+std::uint8_t SplitPlan::numberOf(const std::string& name) const {
+  return static_cast<std::uint8_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
+}
+
+std::vector<std::uint8_t> SplitPlan::blocks(const config::SplitConfig& config,
+                                            std::int64_t instant_count) const {
+  std::vector<std::uint8_t> splits;
+  double share_so_far = 0.0;
+  for (const auto& [name, share] : config.shares) {
+    share_so_far += share;
+    const double end = std::round(share_so_far * static_cast<double>(instant_count));
+    splits.resize(static_cast<std::size_t>(end), numberOf(name));
+  }
+  splits.resize(static_cast<std::size_t>(instant_count), numberOf(config.shares.back().first));
+  return splits;
+}
+
+const std::string& SplitPlan::at(std::int64_t instant) const {
+  static const std::string kNone;
+  return split_of_.empty() ? kNone : names_[split_of_[static_cast<std::size_t>(instant)]];
+}
+
+std::vector<SplitInfo> SplitPlan::splits(std::size_t camera_count) const {
+  std::vector<SplitInfo> splits;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const auto count = std::count(split_of_.begin(), split_of_.end(), static_cast<std::uint8_t>(i));
+    splits.push_back({names_[i], count * static_cast<std::int64_t>(camera_count)});
+  }
+  return splits;
+}
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset::run {
+
+/// Some of a run's times, one after another, that are divided as a whole.
+struct SplitPart {
+  std::int64_t instant_count = 0;
+  std::optional<std::string> split = std::nullopt;  ///< of all of them; nothing: as drawn
+};
+
+/// Which split each of a run's times belongs to: a function of the settings, the seed and the
+/// numbers of times alone.
+class SplitPlan {
+ public:
+  /// @param parts  the run's times; blocks are taken from each part on its own
+  /// @throws Error where some parts have a split of their own, and nothing says which the others
+  ///     have
+  SplitPlan(const config::SplitConfig& config, std::uint64_t seed,
+            const std::vector<SplitPart>& parts);
+
+  /// The name of a time's split; empty where there are none.
+  [[nodiscard]] const std::string& at(std::int64_t instant) const;
+
+  /// The splits with their numbers of scenes.
+  /// @param camera_count  scenes at each time
+  [[nodiscard]] std::vector<SplitInfo> splits(std::size_t camera_count) const;
+
+ private:
+  void nameSplits(const config::SplitConfig& config, const std::vector<SplitPart>& parts);
+  [[nodiscard]] std::uint8_t numberOf(const std::string& name) const;
+
+  /// The splits of so many times, block by block.
+  [[nodiscard]] std::vector<std::uint8_t> blocks(const config::SplitConfig& config,
+                                                 std::int64_t instant_count) const;
+
+  std::vector<std::string> names_;
+  std::vector<std::uint8_t> split_of_;  ///< of each time, a place in names_; empty without splits
+};
+
+}  // namespace synthetic_dataset::run

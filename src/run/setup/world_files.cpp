@@ -1,0 +1,33 @@
+#include "run/setup/world_files.h"
+
+#include "base/json_text.h"
+#include "run/setup/ros_packages.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::run {
+WorldFiles::WorldFiles(const config::WorldConfig& config)
+    : world_file_(config.file),
+      finder_(config.model_folders, rosPackageFinder()),
+      loader_(finder_, config.loading) {}
+
+const world::Description& WorldFiles::world() {
+  if (!world_) world_ = loader_.loadWorld(world_file_);
+  return *world_;
+}
+
+const world::Model& WorldFiles::model(const std::string& model_or_uri, const std::string& name) {
+  const auto key = std::make_pair(model_or_uri, name);
+  const auto found = models_.find(key);
+  if (found != models_.end()) return found->second;
+  return models_.emplace(key, loader_.loadModel(model_or_uri, name)).first->second;
+}
+
+WorldFiles& WorldShelf::filesFor(const config::WorldConfig& config) {
+  Value::List key{config.file, config.loading.on_missing_asset == world::OnMissingAsset::kWarn};
+  for (const std::string& folder : config.model_folders) key.emplace_back(folder);
+  std::unique_ptr<WorldFiles>& files = files_[base::jsonText(Value(key))];
+  if (!files) files = std::make_unique<WorldFiles>(config);
+  return *files;
+}
+
+}  // namespace synthetic_dataset::run

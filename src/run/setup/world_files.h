@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/config.h"
+#include "world/files/resource_finder.h"
+#include "world/world_loader.h"
+
+namespace synthetic_dataset::run {
+
+/// A world's file and those of the models in it, each read once: motions in the same world share
+/// what was read, meshes and pictures too.
+class WorldFiles {
+ public:
+  /// @param config  of a motion
+  explicit WorldFiles(const config::WorldConfig& config);
+  WorldFiles(const WorldFiles&) = delete;  // the loader refers to the finder
+  WorldFiles& operator=(const WorldFiles&) = delete;
+
+  /// @throws ErrorList as WorldLoader::loadWorld
+  [[nodiscard]] const world::Description& world();
+
+  /// @throws ErrorList as WorldLoader::loadModel
+  [[nodiscard]] const world::Model& model(const std::string& model_or_uri, const std::string& name);
+
+  /// What was left out or replaced so far of the models.
+  [[nodiscard]] const std::vector<std::string>& modelNotes() const { return loader_.modelNotes(); }
+
+  /// The cameras of the models that were read so far.
+  [[nodiscard]] const std::vector<world::CameraSensor>& modelCameras() const {
+    return loader_.modelCameras();
+  }
+
+  /// The files that were read so far.
+  [[nodiscard]] const std::set<std::filesystem::path>& found() const { return finder_.found(); }
+
+ private:
+  std::string world_file_;
+  world::ResourceFinder finder_;
+  world::WorldLoader loader_;
+  std::optional<world::Description> world_;
+  std::map<std::pair<std::string, std::string>, world::Model> models_;  ///< by URI and name
+};
+
+/// The worlds of a run's motions.
+class WorldShelf {
+ public:
+  /// The files of a motion's world, the same for all motions that read them alike.
+  [[nodiscard]] WorldFiles& filesFor(const config::WorldConfig& config);
+
+ private:
+  std::map<std::string, std::unique_ptr<WorldFiles>> files_;  ///< by all that decides what is read
+};
+
+}  // namespace synthetic_dataset::run

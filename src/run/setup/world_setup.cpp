@@ -1,0 +1,173 @@
+#include "run/setup/world_setup.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "randomize/appearance/distractor_models.h"
+#include "base/diagnostics.h"
+#include "base/seconds.h"
+#include "render/light/light_setup.h"
+#include "render/shadows/shadow_projection.h"
+#include "world/mesh/scaled_model.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+std::string modelNames(const world::Description& description) {
+  std::string names;
+  for (const world::Model& model : description.models) {
+    names += (names.empty() ? "" : ", ") + model.name;
+  }
+  return names.empty() ? "none" : names;
+}
+
+/// Takes the model of this name out of the world.
+std::optional<world::Model> takeModel(world::Description& description, const std::string& name) {
+  auto& models = description.models;
+  const auto found = std::find_if(models.begin(), models.end(),
+                                  [&](const world::Model& model) { return model.name == name; });
+  if (found == models.end()) return std::nullopt;
+  world::Model model = std::move(*found);
+  models.erase(found);
+  return model;
+}
+
+/// An object that does not take part.
+world::MovingObject nothingCalled(const std::string& name) {
+  world::Model model;
+  model.name = name;
+  return model;
+}
+
+std::vector<world::Model> loadDistractors(const config::Config& config, WorldFiles& files) {
+  const auto& distractors = config.randomization.distractors;
+  if (!distractors) return {};
+  const auto load = [&](const std::string& uri, const std::string& name) {
+    return files.model(uri, name);
+  };
+  const std::string entry =
+      std::string("randomize/distractors/") + (distractors->models.empty() ? "textures" : "models");
+  return base::namingPlace(entry, [&] {
+    return randomize::makeDistractors(*distractors, static_cast<std::uint64_t>(config.seed), load);
+  });
+}
+
+/// Loads the parts of a world one by one; what fails is noted.
+class WorldBuilder {
+ public:
+  WorldBuilder(const config::Config& config, const std::vector<scene::ObjectVariants>& variants,
+               const motion::FrameSource* frames, WorldFiles& files, base::Diagnostics& found)
+      : config_(config), variants_(variants), frames_(frames), files_(files), found_(found) {}
+
+  WorldSetup build() {
+    auto description = found_.attempt([&] { return files_.world(); });
+    if (!description) return std::move(setup_);
+    model_names_ = modelNames(*description);
+    setup_.sensors = description->cameras;
+    for (std::size_t i = 0; i < config_.objects.size(); ++i) {
+      setup_.driven_links.emplace_back();
+      const scene::ObjectOptions& object = config_.objects[i];
+      if (!object.is_distractor) addObject(object, variants_[i].all(), *description);
+    }
+    auto distractors = found_.attempt([&] { return loadDistractors(config_, files_); });
+    found_.add(base::Severity::kWarning, files_.modelNotes());
+    for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
+    const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
+    setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
+    if (!distractors || lacks_objects_) return std::move(setup_);
+    auto world = found_.attempt([&] {
+      return std::make_unique<world::World>(std::move(*description), std::move(objects_),
+                                            config_.physics, std::move(*distractors));
+    });
+    if (!world) return std::move(setup_);
+    setup_.world = std::move(*world);
+    const world::Description& loaded = setup_.world->description();
+    found_.add(base::Severity::kWarning, loaded.notes);
+    found_.add(base::Severity::kWarning, render::shadowNotes(loaded.lights));
+    return std::move(setup_);
+  }
+
+ private:
+  void addObject(const scene::ObjectOptions& object, const std::vector<scene::ObjectVariant>& variants,
+                 world::Description& surroundings) {
+    const auto in_world = takeModel(surroundings, object.name);
+    if (!object.takes_part) {
+      objects_.push_back(nothingCalled(object.name));
+      setup_.driven_links.back().emplace_back();
+      return;
+    }
+    if (!in_world && !variants.front().model) {
+      lacks_objects_ = true;
+      found_.error("robot_list", "the world '" + config_.world.file + "' has no model '" +
+                                     object.name + "' (it has " + model_names_ +
+                                     "); add one to the world, or name a model file in " +
+                                     object.name + "/model");
+      return;
+    }
+    std::vector<world::MovingModel> moving;
+    std::optional<std::string> broken;  // all sizes of a model would have the same errors
+    for (const scene::ObjectVariant& variant : variants) {
+      if (broken && variant.model == broken) continue;
+      if (found_.attempt([&] { moving.push_back(makeVariant(variant, object, in_world)); })) {
+        continue;
+      }
+      lacks_objects_ = true;
+      broken = variant.model;
+      if (!broken) return;
+    }
+    objects_.emplace_back(std::move(moving));
+  }
+
+  const world::Model& modelOf(const scene::ObjectVariant& variant, const scene::ObjectOptions& object) {
+    if (variant.model == object.model) return files_.model(*variant.model, object.name);
+    return base::namingPlace(
+        "randomize/objects/" + object.name + "/model",
+        [&]() -> const world::Model& { return files_.model(*variant.model, object.name); });
+  }
+
+  world::MovingModel makeVariant(const scene::ObjectVariant& variant, const scene::ObjectOptions& object,
+                                 const std::optional<world::Model>& in_world) {
+    world::Model model =
+        world::scaled(variant.model ? modelOf(variant, object) : *in_world, variant.scale);
+    scene::Articulation articulation;
+    if (frames_ != nullptr) {
+      articulation = scene::articulate(std::move(model), object, *frames_);
+    } else {
+      articulation.model = std::move(model);
+    }
+    if (variant.scale != 1.0 && !articulation.driven.empty()) {
+      throw Error(
+          "randomize/objects/" + object.name +
+          "/scale: links of this object follow TF, which leaves them as far apart as they "
+          "are in any size; it should be without scale, or have link_frames that TF does not "
+          "know, such as 'rigid/{link}'");
+    }
+    scene::DrivenLinks& driven = setup_.driven_links.back().emplace_back(std::move(articulation.driven));
+    std::vector<std::size_t> links;
+    for (const scene::DrivenLink& each : driven) links.push_back(each.link);
+    const bool is_first = setup_.driven_links.back().size() == 1;
+    if (is_first) found_.merge(articulation.found);
+    return {std::move(articulation.model), std::move(links)};
+  }
+
+  const config::Config& config_;
+  const std::vector<scene::ObjectVariants>& variants_;
+  const motion::FrameSource* frames_;
+  WorldFiles& files_;
+  base::Diagnostics& found_;
+  std::string model_names_;  ///< of the world, objects included
+  std::vector<world::MovingObject> objects_;
+  bool lacks_objects_ = false;
+  WorldSetup setup_;
+};
+
+}  // namespace
+
+WorldSetup setUpWorld(const config::Config& config, const std::vector<scene::ObjectVariants>& variants,
+                      const motion::FrameSource* frames, WorldFiles& files,
+                      base::Diagnostics& found) {
+  return WorldBuilder(config, variants, frames, files, found).build();
+}
+
+}  // namespace synthetic_dataset::run

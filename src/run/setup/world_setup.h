@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "config/config.h"
+#include "motion/frame_source.h"
+#include "scene/articulation.h"
+#include "scene/object_variants.h"
+#include "run/setup/world_files.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::run {
+
+/// A motion's world, and what was learnt from its files.
+struct WorldSetup {
+  std::unique_ptr<world::World> world;                 ///< nothing where something is wrong
+  std::vector<std::vector<scene::DrivenLinks>> driven_links;  ///< of each object's variants
+
+  /// Of the world and of the objects' models; nothing where the world cannot be read.
+  std::optional<std::vector<world::CameraSensor>> sensors;
+
+  std::set<std::string> inputs;  ///< the files that were read
+};
+
+/// Loads the world, the objects' models and the distractors. An object's model is that of its
+/// variant, else the world's of its name, which leaves the world in any case; one that does not
+/// take part is there as nothing that could be seen or touched.
+/// @param variants  of each object
+/// @param frames  which links follow frames of their own; none, which is an error already: no link
+///     is driven
+/// @param files  of the world that config names
+/// @param found  takes all that is wrong, was left out or replaced, or may be good to know
+[[nodiscard]] WorldSetup setUpWorld(const config::Config& config,
+                                    const std::vector<scene::ObjectVariants>& variants,
+                                    const motion::FrameSource* frames, WorldFiles& files,
+                                    base::Diagnostics& found);
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,111 @@
+#include <gmock/gmock.h>
+
+#include "plugins/format_cases.h"
+#include "output/verify/verification_fixture.h"
+
+namespace synthetic_dataset::output {
+namespace every_format_test {
+
+using testing::IsEmpty;
+
+/// What has to hold for a dataset of each format that nobody has touched.
+class VerifyEveryFormat : public VerificationTest, public testing::WithParamInterface<FormatCase> {
+ protected:
+  VerifyEveryFormat() : VerificationTest(GetParam().type) {}
+};
+
+TEST_P(VerifyEveryFormat, FindsNothingWrong) {
+  write({sceneOfBoth(0), sceneOfBoth(1)}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+  EXPECT_THAT(remarks_, IsEmpty());
+  EXPECT_EQ(counts_.scenes, 2);
+  EXPECT_GT(counts_.files, 0);
+  EXPECT_EQ(counts_.labels, 2 * GetParam().labels_of_a_scene);
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithoutObjectsInView) {
+  Scene empty = sceneOfBoth(0);
+  for (SceneObject& each : empty.objects) {
+    each = object(each.name);
+    each.id = each.name;
+    each.in_view = false;
+    each.keypoints.resize(1);
+  }
+  cv::Mat(empty.instance_map()).setTo(0);
+  write({empty}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithHiddenAndDroppedObjects) {
+  Scene scene = sceneOfBoth(0);
+  scene.objects[0] = hidden(scene.objects[0]);
+  scene.objects[1].dropped = true;
+  cv::Mat(scene.instance_map()).setTo(0, scene.instance_map() == 1);
+  write({scene}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongAtTheImagesEdge) {
+  Scene scene = sceneOfBoth(0);
+  SceneObject cut = seen("a", {-20, 440, 50, 100});
+  const SceneObject& whole = scene.objects[0];
+  cut.id = cut.name;
+  cut.class_name = cut.class_text = whole.class_name;
+  cut.X_GO = cut.X_CO = whole.X_CO;
+  cut.keypoints_O = whole.keypoints_O;
+  cut.keypoints = whole.keypoints;
+  cut.instance = 1;
+  cv::Mat(scene.instance_map()).setTo(0, scene.instance_map() == 1);
+  cv::Mat(scene.instance_map()).setTo(1, cut.visible_mask().whole());
+  scene.objects[0] = cut;
+  write({scene}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithAHugeLooseBox) {
+  Scene scene = sceneOfBoth(0);
+  // Of an object by the near plane, seen through a lens.
+  scene.objects[0].loose_box = Box{-3.3e21, -7.1e15, 410.5, 300.25};
+  write({scene}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoCamerasAndSplits) {
+  const std::vector<Scene> scenes =
+      ofTwoCamerasAndSplits([this](std::int64_t index) { return sceneOfBoth(index); });
+  write(scenes, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+  EXPECT_EQ(counts_.labels, 4 * GetParam().labels_of_a_scene);
+}
+
+TEST_P(VerifyEveryFormat, SeesALabelOfAnObjectThatIsNotThere) {
+  write({sceneOfBoth(0), sceneOfBoth(1)}, GetParam().parameters);
+  // The second object is nowhere in scene 1, as the manifest has it now.
+  change(
+      "UPDATE scene_object SET in_view = 0, dropped = 1, visible_pixels = 0, silhouette_pixels = "
+      "0, visibility "
+      "= 0, loose_left = NULL, loose_top = NULL, loose_right = NULL, loose_bottom = NULL, "
+      "visible_left = NULL, visible_top = NULL, visible_right = NULL, visible_bottom = NULL, "
+      "silhouette_left = NULL, silhouette_top = NULL, silhouette_right = NULL, "
+      "silhouette_bottom = NULL WHERE scene = 1 AND object = 1");
+  const std::vector<std::string> found = problems();
+  ASSERT_THAT(found, testing::Not(IsEmpty()));
+  for (const std::string& each : found) {
+    EXPECT_THAT(each, testing::StartsWith("scene 1, writer 'w': found a label"));
+    EXPECT_THAT(each, testing::EndsWith("that no object should have"));
+  }
+}
+
+TEST_P(VerifyEveryFormat, SeesAPictureOfAnotherSize) {
+  write({sceneOfBoth(0)}, GetParam().parameters);
+  change("UPDATE scene SET width = 641");
+  EXPECT_THAT(problems(), testing::Contains(testing::HasSubstr(
+                              "is a picture of 640 x 480 pixels; it should be of its camera's "
+                              "641 x 480")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, VerifyEveryFormat, testing::ValuesIn(formatCases()),
+                         [](const auto& format) { return format.param.name; });
+
+}  // namespace every_format_test
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,169 @@
+#include "output/verify/verification_fixture.h"
+
+#include <filesystem>
+
+#include <sqlite3.h>
+
+#include "config/settings_text.h"
+#include "output/files/digest.h"
+#include "plugins/model_shapes.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+class Listener : public VerificationListener {
+ public:
+  void problem(const std::string& line) override { problems.push_back(line); }
+  void remark(const std::string& line) override { remarks.push_back(line); }
+  void progress(std::int64_t /*scene_count*/, std::int64_t /*of*/) override {}
+
+  std::vector<std::string> problems;
+  std::vector<std::string> remarks;
+};
+
+}  // namespace
+
+VerificationTest::VerificationTest(const std::string& format)
+    : PluginTest("synthetic_dataset/" + format) {
+  dataset_.classes = {{0, "cup"}, {1, "jug"}};
+  for (const std::string name : {"a", "b"}) {
+    ObjectInfo info;
+    info.name = info.id = name;
+    info.class_id = name == "a" ? 0 : 1;
+    info.class_name = dataset_.classes[static_cast<std::size_t>(info.class_id)].name;
+    info.keypoint_count = 1;
+    info.keypoint_names = {"0"};
+    dataset_.objects.push_back(info);
+  }
+  dataset_.setModels([](std::size_t /*object*/) {
+    return cuboidModel({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}});
+  });
+}
+
+Scene VerificationTest::sceneOfBoth(std::int64_t index) const {
+  Scene scene =
+      PluginTest::scene(index, {seen("a", {100, 100, 50, 40}), seen("b", {300, 120, 30, 60})});
+  scene.stamp = Stamp(std::chrono::seconds(1 + index));
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    SceneObject& object = scene.objects[i];
+    object.id = object.name;
+    object.class_id = dataset_.objects[i].class_id;
+    object.class_name = object.class_text = dataset_.objects[i].class_name;
+    object.X_GO = object.X_CO =
+        makePose({0.1 * static_cast<double>(index), 0.2, 10.0},
+                 Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Eigen::Vector3d(1.0, 2.0, 2.0) / 3.0)));
+    object.keypoints_O = {Eigen::Vector3d::Zero()};
+    Keypoint keypoint;
+    keypoint.pixel = Eigen::Vector2d(320.0, 240.0);
+    keypoint.depth = 10.0;
+    keypoint.state = KeypointState::kVisible;
+    object.keypoints = {keypoint};
+  }
+  return scene;
+}
+
+output::RunDescription VerificationTest::description(const Value::Map& parameters,
+                                                     std::size_t scenes) const {
+  output::RunDescription run;
+  for (const auto& [name, text] : config::flatSettings(Value(Value::Map{{"w", parameters}}))) {
+    run.settings[name] = {text, false};
+  }
+  for (const ClassInfo& each : dataset_.classes) run.classes.push_back({each.id, each.name});
+  for (const CameraDescription& each : dataset_.cameras) {
+    run.cameras.push_back({each.name, each.frame, each.model.width(), each.model.height()});
+  }
+  for (const ObjectInfo& each : dataset_.objects) {
+    run.objects.push_back({each.name, each.class_id, each.id});
+  }
+  run.scene_count = static_cast<std::int64_t>(scenes);
+  run.motions = {{"walk", 0, run.scene_count / static_cast<std::int64_t>(run.cameras.size())}};
+  return run;
+}
+
+output::SceneFacts VerificationTest::factsOf(const Scene& scene) const {
+  output::SceneFacts facts = output::sceneFacts(scene);
+  facts.draws = {{"floor", R"("dark \"oak\"")"}, {"sun/colour", "[1, 0.5, 1e-05]"}, {"x", "-2.5"}};
+  facts.warnings = warnings_;
+  for (const SceneObject& object : scene.objects) {
+    output::ObjectFacts of_object = output::objectFacts(object);
+    of_object.silhouette_pixels = object.pixels.silhouette();
+    of_object.visible_pixels = object.pixels.visible();
+    of_object.visibility = object.visibility();
+    of_object.truncation = object.truncation();
+    facts.objects.push_back(of_object);
+  }
+  return facts;
+}
+
+void VerificationTest::commit(output::DatasetStore& store, const std::vector<Scene>& scenes) const {
+  for (const Scene& each : scenes) {
+    store.commitScene(factsOf(each), host_->writeScene(each).files);
+  }
+}
+
+void VerificationTest::write(const std::vector<Scene>& scenes, const Value::Map& parameters,
+                             const std::optional<output::Shard>& shard) {
+  load(parameters);
+  output::StoreOptions options;
+  options.folder = folder_.path().string();
+  options.shard = shard;
+  const std::size_t count = shard ? 2 * scenes.size() : scenes.size();
+  output::DatasetStore store(options, host_->storeWriters(), description(parameters, count));
+  commit(store, scenes);
+  if (!shard) host_->finalize(store);
+  store.complete();
+}
+
+void VerificationTest::writeUnfinished(const std::vector<Scene>& scenes) {
+  load({});
+  output::StoreOptions options;
+  options.folder = folder_.path().string();
+  output::DatasetStore store(options, host_->storeWriters(), description({}, scenes.size() + 1));
+  commit(store, scenes);
+}
+
+std::vector<std::string> VerificationTest::problems(VerificationDepth depth) {
+  Listener listener;
+  counts_ = verifyDataset(folder_.path().string(), depth, listener);
+  remarks_ = listener.remarks;
+  return listener.problems;
+}
+
+void VerificationTest::change(const std::string& sql, const std::string& manifest) const {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open((folder_ / manifest).c_str(), &database), SQLITE_OK);
+  char* message = nullptr;
+  // As somebody can who means to do damage.
+  sqlite3_exec(database, "PRAGMA ignore_check_constraints = ON", nullptr, nullptr, nullptr);
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, &message), SQLITE_OK)
+      << (message != nullptr ? message : "");
+  sqlite3_free(message);
+  sqlite3_close(database);
+}
+
+std::string VerificationTest::read(const std::string& name) const {
+  return test::readFile(path(name));
+}
+
+void VerificationTest::replace(const std::string& path, const std::string& content) const {
+  const std::string file = folder() + path;
+  ASSERT_TRUE(std::filesystem::remove(file)) << file;  // it may be a link to another
+  (void)folder_.write("w/" + path, content);
+  change("UPDATE file SET linked_to = NULL, bytes = " + std::to_string(content.size()) +
+         ", digest = '" + output::digestOf(content) + "' WHERE path = 'w/" + path + "'");
+}
+
+void VerificationTest::edit(const std::string& path,
+                            const std::function<std::string(std::string)>& edit) const {
+  replace(path, edit(read(path)));
+}
+
+void VerificationTest::edit(const std::string& path, const std::string& what,
+                            const std::string& instead) const {
+  std::string content = read(path);
+  const std::size_t at = content.find(what);
+  ASSERT_NE(at, std::string::npos) << path << ": " << content;
+  replace(path, content.replace(at, what.size(), instead));
+}
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/dataset_store.h"
+#include "plugins/plugin_harness.h"
+#include "output/verify/dataset_verifier.h"
+
+namespace synthetic_dataset::output {
+
+/// A dataset of one writer, with a manifest as a run writes it, and what `verify` says of it.
+///
+/// There are the objects `a` of class `cup` and `b` of class `jug`, seen at 100, 100 and 300, 120
+/// in pictures of 640 x 480.
+class VerificationTest : public PluginTest {
+ protected:
+  explicit VerificationTest(const std::string& format);
+
+  /// A scene in which both objects are seen.
+  [[nodiscard]] Scene sceneOfBoth(std::int64_t index) const;
+
+  /// Writes scenes and, unless it is to stay unfinished, completes the dataset.
+  void write(const std::vector<Scene>& scenes, const Value::Map& parameters = {},
+             const std::optional<output::Shard>& shard = std::nullopt);
+  void writeUnfinished(const std::vector<Scene>& scenes);
+
+  /// What `verify` finds.
+  [[nodiscard]] std::vector<std::string> problems(
+      VerificationDepth depth = VerificationDepth::kLabels);
+
+  /// Changes the manifest, past our own code for it.
+  void change(const std::string& sql, const std::string& manifest = "manifest.sqlite") const;
+
+  /// Writes a file anew, as if the run had written it so: with its manifest's row.
+  /// @param path  below the writer's folder
+  void replace(const std::string& path, const std::string& content) const;
+  void edit(const std::string& path, const std::function<std::string(std::string)>& edit) const;
+
+  /// The same in place of the first `what` in it.
+  void edit(const std::string& path, const std::string& what, const std::string& instead) const;
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder() + name; }
+  [[nodiscard]] std::string read(const std::string& name) const;
+
+  std::vector<std::string> remarks_;       ///< of the last problems()
+  VerificationCounts counts_;              ///< of the last problems()
+  std::vector<output::Warning> warnings_;  ///< that each scene written gets
+
+ private:
+  [[nodiscard]] output::RunDescription description(const Value::Map& parameters,
+                                                   std::size_t scenes) const;
+  [[nodiscard]] output::SceneFacts factsOf(const Scene& scene) const;
+  void commit(output::DatasetStore& store, const std::vector<Scene>& scenes) const;
+};
+
+}  // namespace synthetic_dataset::output
