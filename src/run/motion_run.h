@@ -53,7 +53,8 @@ class MotionRun {
   void makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& work,
                    ScenePipeline& pipeline);
   void arrange(std::int64_t instant, Stamp stamp, bool is_wanted);
-  [[nodiscard]] std::vector<DrawnScene> lookAtInstant(std::int64_t instant, Stamp stamp);
+  [[nodiscard]] DrawnScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
+                                const std::vector<Pose>& X_GO);
   [[nodiscard]] std::vector<output::DrawFacts> drawsOf(std::size_t camera,
                                                        std::int64_t instant) const;
   [[nodiscard]] std::vector<output::ContactFacts> findContacts(Stamp stamp);

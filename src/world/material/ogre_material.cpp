@@ -75,11 +75,11 @@ bool contains(std::string text, std::initializer_list<const char*> words) {
                      [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
-std::string nameOf(const OgreObject& unit) {
+std::string unitName(const OgreObject& unit) {
   return unit.name + " " + wordOf(unit, "texture_alias");
 }
 
-bool isNormalMap(const OgreObject& unit) { return contains(nameOf(unit), {"normal", "bump"}); }
+bool isNormalMap(const OgreObject& unit) { return contains(unitName(unit), {"normal", "bump"}); }
 
 bool isForAnotherUse(const OgreObject& unit) {
   const std::string reflection = wordOf(unit, "env_map");
@@ -88,7 +88,7 @@ bool isForAnotherUse(const OgreObject& unit) {
     return true;
   }
   return isNormalMap(unit) ||
-         contains(nameOf(unit), {"spec", "gloss", "light", "shadow", "env", "noise", "ambient"});
+         contains(unitName(unit), {"spec", "gloss", "light", "shadow", "env", "noise", "ambient"});
 }
 
 class Reader {

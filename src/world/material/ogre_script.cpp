@@ -12,7 +12,7 @@ namespace synthetic_dataset::world {
 namespace {
 
 /// Sections within sections; real scripts have four levels.
-constexpr int kDeepest = 32;
+constexpr int kDeepestBraces = 32;
 
 [[noreturn]] void fail(int line, const std::string& what) {
   throw Error("line " + std::to_string(line) + ": " + what);
@@ -40,7 +40,7 @@ class Parser {
 
   /// Up to the section's '}' or the text's end.
   void readContent(OgreObject& into, int depth) {
-    if (depth > kDeepest) fail(into.line, "its sections go deeper than any material's");
+    if (depth > kDeepestBraces) fail(into.line, "its sections go deeper than any material's");
     while (at_ < tokens_.size() && !is(Kind::kClose)) {
       if (is(Kind::kLineEnd)) {
         ++at_;

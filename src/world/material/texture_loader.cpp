@@ -43,7 +43,7 @@ cv::Mat contentOf(const cv::Mat& pixels, PictureContent content) {
   return pixels;
 }
 
-bool isFile(const fs::path& path) {
+bool isTextureFile(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
 }
@@ -55,12 +55,12 @@ fs::path TextureLoader::find(const TextureReference& reference) const {
   const std::string name = fs::path(uri).filename().string();
   for (const std::string& place : {uri, name, "../materials/textures/" + name}) {
     const std::optional<fs::path> file = finder_.find(place, reference.folder);
-    if (file && isFile(*file)) return *file;
+    if (file && isTextureFile(*file)) return *file;
   }
   std::string more;
   for (const fs::path& folder : reference.more_folders) {
     for (const fs::path& path : {folder / fs::path(uri).relative_path(), folder / name}) {
-      if (isFile(path)) return path.lexically_normal();
+      if (isTextureFile(path)) return path.lexically_normal();
     }
     more += ", " + folder.lexically_normal().string();
   }

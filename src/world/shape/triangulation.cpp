@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 
 /// Points nearer than this are one, as in Gazebo [m].
 constexpr double kSamePoint = 1e-4;
-constexpr std::size_t kMostPoints = 5000;
+constexpr std::size_t kMostCorners = 5000;
 
 /// Twice the area of the triangle, positive where it runs counter-clockwise.
 double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
@@ -288,9 +288,9 @@ Triangulation triangulate(const std::vector<Outline>& outlines) {
   Triangulation result;
   std::size_t count = 0;
   for (const Outline& outline : outlines) count += outline.size();
-  if (count > kMostPoints) {
+  if (count > kMostCorners) {
     throw Error("the polyline has " + std::to_string(count) + " points; at most " +
-                std::to_string(kMostPoints) + " can be filled");
+                std::to_string(kMostCorners) + " can be filled");
   }
   for (const Outline& outline : outlines) result.outlines.push_back(cleaned(outline));
   requireNoCrossings(segmentsOf(result.outlines));
