@@ -1,56 +1,50 @@
 #!/usr/bin/env python3
 """Holds the includes of include/, src/ and plugins/ against the table of docs/architecture.md.
 
-    ./scripts/check_layers.py [REPOSITORY]
+    ./scripts/check_layers.py [--arrows] [REPOSITORY]
 
-Exit code 1 when a folder includes what it may not, with a line for each such include.
+Prints how many rooms there are, and how many arrows between them; with --arrows, each of them with
+its number of includes. Exit code 1 when a room includes what it may not, with a line for each such
+include.
 """
+import collections
 import pathlib
 import re
 import sys
 
 API = 'synthetic_dataset'
 
-# What a folder may include of this repository, by the first part of the path between the quotes.
+# What a room may include of this repository, by the first part of the path between the quotes. The
+# order is that of the figure in docs/architecture.md: a room knows only rooms above it.
 MAY_INCLUDE = {
     'include': {API},
     'src/api': {API, 'api'},
     'src/base': {API, 'base'},
-    'src/random': {API, 'random'},
-    'src/config': {API, 'base', 'config', 'random'},  # and the options of all folders
-    'src/motion': {API, 'motion'},
-    'src/world': {API, 'world'},
-    'src/appearance': {API, 'base', 'appearance', 'placement', 'random', 'world'},
-    'src/placement': {API, 'base', 'placement', 'random', 'motion', 'world'},
-    'src/sensor': {API, 'sensor', 'random'},
-    'src/render': {API, 'render', 'sensor', 'world'},
-    'src/annotate': {API, 'annotate'},
-    'src/output': {API, 'output'},
-    'src/ros_messages': {API, 'ros_messages'},
-    'src/writers': {API, 'writers', 'output'},
-    'src/verification': {API, 'base', 'verification', 'output', 'plugins'},
-    'src/scene': {API, 'base', 'scene', 'random', 'motion', 'placement', 'appearance', 'world',
-                  'sensor', 'render', 'annotate', 'output'},
-    'src/setup': {API, 'base', 'setup', 'scene', 'config', 'motion', 'placement', 'appearance',
-                  'world', 'render', 'random', 'output', 'writers'},
-    'src/run': {API, 'base', 'run', 'setup', 'scene', 'config', 'random', 'render', 'output',
-                'writers'},
-    'src/gallery': {API, 'gallery', 'world', 'render'},
-    'src/console': {API, 'console', 'config', 'motion', 'placement', 'output', 'run'},
-    'src': {API, 'config', 'console', 'gallery', 'output', 'plugins', 'run', 'setup',
-            'verification', 'world'},
-    'plugins': {API, 'plugins', 'ros_messages'},
+    'plugins': {API, 'plugins', 'base'},  # of base, the conversion to ROS messages
+    'src/motion': {API, 'motion', 'base'},
+    'src/world': {API, 'world', 'base'},
+    'src/randomize': {API, 'randomize', 'base', 'motion', 'world'},
+    'src/render': {API, 'render', 'base', 'world'},
+    'src/label': {API, 'label', 'base', 'world', 'render'},
+    'src/output': {API, 'output', 'base', 'plugins'},  # of plugins, what verify reads
+    'src/scene': {API, 'scene', 'base', 'motion', 'world', 'randomize', 'render', 'label', 'output'},
+    'src/config': {API, 'config', 'base'},  # and the options of all rooms
+    'src/run': {API, 'run', 'base', 'motion', 'world', 'randomize', 'render', 'label', 'scene',
+                'output', 'config'},
+    'src/programs': {API, 'programs', 'base', 'motion', 'world', 'randomize', 'render', 'output',
+                     'config', 'run', 'plugins'},
 }
 
-# Folders within a folder, each of which may include those before it, and what lies beside them all.
+# Folders within a room, each of which may include those before it, and what lies beside them all.
 INNER_ORDER = {
     'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'sdf', 'urdf'),
-    'src/render': ('pixels', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay', 'edges',
-                   'lens', 'labels', 'picture'),
-    'src/output': ('files', 'image', 'manifest'),
+    'src/render': ('sensor', 'pixels', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay',
+                   'edges', 'lens', 'labels', 'picture'),
+    'src/output': ('files', 'manifest', 'writers', 'verify'),
+    'src/randomize': ('placement', 'appearance'),
 }
 
-# Libraries that only some folders may know, by how the path of the include begins.
+# Libraries that only some rooms may know, by how the path of the include begins.
 CONFINED = [
     ('OpenGL', re.compile(r'GL/'), {'src/render'}),
     ('Bullet', re.compile(r'(bullet/)?(bt[A-Z]|LinearMath/|BulletCollision/|BulletDynamics/)'),
@@ -58,23 +52,23 @@ CONFINED = [
     ('libsdformat', re.compile(r'sdf/'), {'src/world'}),
     ('urdfdom', re.compile(r'urdf_(model|parser|world)/'), {'src/world'}),
     ('assimp', re.compile(r'assimp/'), {'src/world'}),
-    ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/world'}),
+    ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/base'}),
     ('rosbag', re.compile(r'rosbag/'), {'src/motion', 'plugins'}),
-    ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion', 'src/ros_messages', 'plugins'}),
+    ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion', 'src/base', 'plugins'}),
     ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/base'}),
     ('JSON for Modern C++', re.compile(r'nlohmann/'), {'plugins'}),
     ('OpenSSL', re.compile(r'openssl/'), {'src/output'}),
     ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),
-    ('pluginlib', re.compile(r'pluginlib/'), {'src/writers', 'plugins'}),
+    ('pluginlib', re.compile(r'pluginlib/'), {'src/output', 'plugins'}),
     ("ROS's time", re.compile(r'ros/(time|duration)\.h$'),
-     {'src/motion', 'src/console', 'src/ros_messages', 'plugins'}),
+     {'src/motion', 'src/programs', 'src/base', 'plugins'}),
     ("ROS's serialization", re.compile(r'ros/(serialization|message_traits)\.h$'),
      {'src/motion', 'plugins'}),
     ('roscpp', re.compile(r'ros/(?!(time|duration|serialization|message_traits)\.h$)'),
-     {'src/console', 'src'}),
+     {'src/programs'}),
 ]
 
-# Each folder defines its options beside the code that they configure, in headers that `config` fills
+# Each room defines its options beside the code that they configure, in headers that `config` fills
 # and that are light: they include API, distributions and other options.
 OPTIONS = re.compile(r'_options\.h$')
 
@@ -86,7 +80,7 @@ def folder_of(file):
     """The row of the table that a file, relative to the repository, belongs to."""
     if file.parts[0] != 'src':
         return file.parts[0]
-    return 'src' if len(file.parts) == 2 else f'src/{file.parts[1]}'
+    return f'src/{file.parts[1]}'
 
 
 def inner_arrow(file, included):
@@ -119,10 +113,10 @@ def forbidden(file, included, quoted):
         if beginning.match(included):
             return None if folder in folders else library
     first, slash, _ = included.partition('/')
-    if not quoted and first not in MAY_INCLUDE['src']:
+    if not quoted:
         return None  # somebody else's
-    target = first if slash else 'src'  # without a folder: a file at the top of src/
-    if OPTIONS.search(file.name) and target not in {API, 'random'}:
+    target = first if slash else '(no folder)'
+    if folder != 'plugins' and OPTIONS.search(file.name) and target not in {API, 'base'}:
         return None if OPTIONS.search(included) else f'{target} (from options)'
     if folder == 'src/config' and OPTIONS.search(included):
         return None
@@ -130,26 +124,38 @@ def forbidden(file, included, quoted):
 
 
 def main():
-    if len(sys.argv) > 2:
+    arguments = [each for each in sys.argv[1:] if each != '--arrows']
+    if len(arguments) > 1:
         sys.exit(__doc__.strip())
     default = pathlib.Path(__file__).resolve().parent.parent
-    repository = pathlib.Path(sys.argv[1]) if len(sys.argv) == 2 else default
+    repository = pathlib.Path(arguments[0]) if arguments else default
     files = sorted(path for top in ('include', 'src', 'plugins')
                    for path in (repository / top).rglob('*') if path.suffix in SOURCES)
+    rooms = {API: 'include', 'plugins': 'plugins'}
+    rooms.update({room[4:]: room[4:] for room in MAY_INCLUDE if room.startswith('src/') and room != 'src/api'})
+    arrows = collections.Counter()
     include_count = 0
-    arrows = []
+    problems = []
     for path in files:
         file = path.relative_to(repository)
-        folder = folder_of(file)
+        room = folder_of(file)
         for number, included, quoted in includes_of(path):
             include_count += 1
             target = forbidden(file, included, quoted) or inner_arrow(file, included)
             if target is not None:
-                arrows.append(f'{file}:{number}: {folder} -> {target} ({included})')
-    for arrow in arrows:
-        print(arrow)
-    print(f'layers: {len(files)} files, {include_count} includes, {len(arrows)} forbidden')
-    return 1 if arrows or not files else 0
+                problems.append(f'{file}:{number}: {room} -> {target} ({included})')
+            known = rooms.get(included.partition('/')[0]) if quoted else None
+            own = rooms[API] if room == 'src/api' else room.replace('src/', '')
+            if known and known != own:
+                arrows[own, known] += 1
+    if '--arrows' in sys.argv:
+        for (room, target), count in sorted(arrows.items()):
+            print(f'{room} -> {target}: {count}')
+    for problem in problems:
+        print(problem)
+    print(f'layers: {len(rooms)} rooms, {len(arrows)} arrows, {len(files)} files, '
+          f'{include_count} includes, {len(problems)} forbidden')
+    return 1 if problems or not files else 0
 
 
 if __name__ == '__main__':

@@ -195,7 +195,7 @@ Config readConfig(Parameters root) {
   config.labels = readLabels(root);
   config.split = readSplit(root);
   checkJitter(root, config.motion, config.randomization);
-  const Parameters physics = root.group("physics");
+  Parameters physics = root.group("physics");
   config.physics = readPhysics(physics, config);
   config.settling = readSettling(physics, config.isPlaced());
   config.rendering = readRendering(root);

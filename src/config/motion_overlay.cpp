@@ -9,7 +9,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool has(const Value::Map& map, const std::string& name) { return map.count(name) != 0; }
+bool hasKey(const Value::Map& map, const std::string& name) { return map.count(name) != 0; }
 
 Value::Map* groupIn(Value::Map& settings, const std::string& name) {
   const auto entry = settings.find(name);
@@ -24,9 +24,9 @@ const Value::Map* groupIn(const Value::Map& settings, const std::string& name) {
 /// Settings of which one is enough: where there is an own one, those below it are gone.
 void makeWay(Value::Map& below, const Value::Map& own, const Names& alternatives) {
   bool is_there = false;
-  for (const std::string& name : alternatives) is_there = is_there || has(own, name);
+  for (const std::string& name : alternatives) is_there = is_there || hasKey(own, name);
   for (const std::string& name : alternatives) {
-    if (is_there && !has(own, name)) below.erase(name);
+    if (is_there && !hasKey(own, name)) below.erase(name);
   }
 }
 
@@ -37,8 +37,8 @@ void makeWayForCamera(Value::Map& below, const Value::Map& own) {
 
 void makeWayForCameras(Value::Map& settings, const Value::Map& own) {
   makeWay(settings, own, {"camera", "cameras"});
-  if (has(own, "cameras")) settings.erase("camera_frame_id");
-  if (has(own, "camera") || has(own, "camera_frame_id")) settings.erase("cameras");
+  if (hasKey(own, "cameras")) settings.erase("camera_frame_id");
+  if (hasKey(own, "camera") || hasKey(own, "camera_frame_id")) settings.erase("cameras");
   Value::Map* camera = groupIn(settings, "camera");
   const Value::Map* own_camera = groupIn(own, "camera");
   if (camera != nullptr && own_camera != nullptr) makeWayForCamera(*camera, *own_camera);
@@ -71,7 +71,7 @@ void makeWayForPlacement(Value::Map& settings, const Value::Map& own) {
   const Value::Map* over = groupIn(own, "placement");
   if (below == nullptr || over == nullptr) return;
   makeWay(*below, *over, {"map", "map_topic", "received_map"});
-  if (has(*over, "mode")) settings.erase("placement");
+  if (hasKey(*over, "mode")) settings.erase("placement");
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ void overlayMotion(Value::Map& settings, const Value::Map& own,
     const Value::Map* own_object = groupIn(own, name);
     if (object == nullptr || own_object == nullptr) continue;
     makeWay(*object, *own_object, {"frame", "frame_id"});
-    if (has(*own_object, "link_frames")) object->erase("link_frames");
+    if (hasKey(*own_object, "link_frames")) object->erase("link_frames");
   }
   overlay(settings, over);
 }

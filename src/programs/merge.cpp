@@ -13,6 +13,8 @@
 
 namespace {
 
+using namespace synthetic_dataset;
+
 constexpr const char* kUsage =
     "usage: merge OUTPUT_FOLDER [SHARD_FOLDER...]\n"
     "Makes one dataset of the shards of a run. Without SHARD_FOLDER the shards lie in "
@@ -29,14 +31,14 @@ int main(int argc, char** argv) {
     (wants_help ? std::cout : std::cerr) << kUsage;
     return wants_help ? 0 : 1;
   }
-  synthetic_dataset::stop_signals::ignoreFailedWriting();
+  stop_signals::ignoreFailedWriting();
   programs::ConsoleReporter reporter;
   try {
     run::mergeShards(arguments.front(), {arguments.begin() + 1, arguments.end()},
                                    reporter);
     reporter.info("done");
     return 0;
-  } catch (const synthetic_dataset::ErrorList& errors) {
+  } catch (const ErrorList& errors) {
     for (const std::string& message : errors.messages()) programs::ConsoleReporter::fatal(message);
   } catch (const std::exception& error) {
     programs::ConsoleReporter::fatal(error.what());

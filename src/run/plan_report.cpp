@@ -3,7 +3,6 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "scene/seconds.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {

@@ -144,8 +144,8 @@ TEST(BagMotion, SaysAtWhichTimeAFrameIsNotKnown) {
       recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
   EXPECT_EQ(messageOf([&] { static_cast<void>(poseOf(motion, "alpha", milliseconds(2500))); }),
             "the frame 'alpha' is not known in 'map' at 2.500000000 s");
-  EXPECT_EQ(motion.lacks("alhpa"), "the recording has no frame 'alhpa'; did you mean 'alpha'?");
-  EXPECT_EQ(motion.find("alhpa"), std::nullopt);
+  EXPECT_EQ(motion.lacks("alpa"), "the recording has no frame 'alpa'; did you mean 'alpha'?");
+  EXPECT_EQ(motion.find("alpa"), std::nullopt);
   EXPECT_EQ(motion.pose(kNoFrame, milliseconds(1500)), std::nullopt);
 }
 

@@ -50,5 +50,15 @@ TEST(CameraRig, OfTheWorldIsRefusedWhereNothingWouldBeLeftToSee) {
                                      "'mast::link::eye' sees from 0.2 to 30.0 m")));
 }
 
+TEST(CameraRig, FollowsItsFrameWhereThereIsOne) {
+  CameraOptions config = ofEye();
+  config.frame = "/mast/eye";
+  const test::FakeFrameSource frames(
+      {{"mast/eye", test::FakeFrameSource::fixed(Pose::Identity())}});
+  const CameraRig rig = makeCameraRig(config, {}, {eye()}, {}, {}, frames);
+  EXPECT_TRUE(rig.followsFrame());
+  EXPECT_EQ(rig.followed, frames.find("mast/eye"));
+}
+
 }  // namespace camera_rig_test
 }  // namespace synthetic_dataset::scene

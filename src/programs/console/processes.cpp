@@ -179,10 +179,10 @@ class Processes {
 
   /// Waits for messages, but not longer than a request to stop may wait.
   void receive() {
-    constexpr int kTimeout = 200;  // [ms]
+    constexpr int kPollTimeout = 200;  // [ms]
     std::vector<pollfd> pipes;
     for (const Process& process : processes_) pipes.push_back({process.pipe, POLLIN, 0});
-    if (poll(pipes.data(), pipes.size(), kTimeout) <= 0) return;
+    if (poll(pipes.data(), pipes.size(), kPollTimeout) <= 0) return;
     for (std::size_t i = 0; i < pipes.size(); ++i) {
       if (pipes[i].revents != 0) readFrom(i);
     }

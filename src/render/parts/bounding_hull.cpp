@@ -44,7 +44,7 @@ std::vector<HalfSpace> halfSpacesRound(const world::Mesh& mesh) {
 
 /// Corners are where three of the planes meet, within all others.
 /// @param tolerance  [m]
-std::vector<Eigen::Vector3d> cornersOf(const std::vector<HalfSpace>& spaces, double tolerance) {
+std::vector<Eigen::Vector3d> meetingPoints(const std::vector<HalfSpace>& spaces, double tolerance) {
   constexpr double kParallel = 1e-9;
   std::vector<Eigen::Vector3d> corners;
   const auto add = [&](const Eigen::Vector3d& corner) {
@@ -87,7 +87,7 @@ std::vector<Eigen::Vector3d> BoundingHull::cornersWith(double margin) const {
   Bounds box;
   for (const Eigen::Vector3d& corner : corners) box.extend(corner);
   const Eigen::Vector3d beside = Eigen::Vector3d::Constant(margin);
-  return render::cornersOf(Bounds(box.min() - beside, box.max() + beside));
+  return cornersOf(Bounds(box.min() - beside, box.max() + beside));
 }
 
 BoundingHull boundingHullOf(const world::Mesh& mesh) {
@@ -99,7 +99,7 @@ BoundingHull boundingHullOf(const world::Mesh& mesh) {
       kRelativeTolerance * (box.sizes().maxCoeff() + box.center().cwiseAbs().maxCoeff());
   const std::vector<HalfSpace> spaces = halfSpacesRound(mesh);
   BoundingHull hull;
-  hull.corners = cornersOf(spaces, tolerance);
+  hull.corners = meetingPoints(spaces, tolerance);
   hull.centre = box.center();
   hull.radius = std::numeric_limits<double>::infinity();
   for (const HalfSpace& space : spaces) {

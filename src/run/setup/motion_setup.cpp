@@ -18,9 +18,9 @@ namespace {
 /// Nothing where the settings name none, which is an error already.
 std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& config) {
   switch (config.motion.source) {
-    case config::MotionSource::kPlacement:
+    case motion::MotionSource::kPlacement:
       return std::make_shared<motion::PlacementMotion>(config.global_frame);
-    case config::MotionSource::kBag:
+    case motion::MotionSource::kBag:
       if (config.motion.bag_files.empty()) return nullptr;
       return std::make_shared<motion::BagMotion>(config.motion.bag_files, config.global_frame);
   }
