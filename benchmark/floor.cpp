@@ -24,10 +24,10 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "base/image/png_encoder.h"
 #include "floor_picture.h"
 #include "floor_shaders.h"
 #include "output/background_worker.h"
-#include "base/image/png_encoder.h"
 #include "render/gl/gl_planes.h"
 #include "render/gl/osmesa_context.h"
 #include "render/gl/shader_program.h"

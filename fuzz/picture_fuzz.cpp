@@ -1,10 +1,10 @@
 // Pictures of all formats. Their decoders run in a process of their own, which costs time: only
 // what passes our own checks gets as far.
-#include "fuzzing.h"
 #include "base/image/picture_decoder.h"
 #include "base/image/picture_end.h"
 #include "base/image/picture_file.h"
 #include "base/image/picture_size.h"
+#include "fuzzing.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;

@@ -6,9 +6,9 @@
 #include <sensor_msgs/image_encodings.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "base/ros_messages/scene_messages.h"
 #include "plugins/ros_bag/bag_recording.h"
 #include "plugins/ros_bag/bag_scene.h"
-#include "base/ros_messages/scene_messages.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -122,8 +122,8 @@ class RosBagWriter : public LabelWriter {
     output.addImage(imageFile(scene.name), scene.image);
     output.addImage(instancesFile(scene.name), scene.instance_map());
     if (depth_) output.addImage(depthFile(scene.name), scene.depth());
-    output.addRecord(
-        kScenes, recordOf(makeBagScene(scene, cameras_.at(scene.camera_index).frame, frames_)));
+    output.addRecord(kScenes,
+                     recordOf(makeBagScene(scene, cameras_.at(scene.camera_index).frame, frames_)));
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {

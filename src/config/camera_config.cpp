@@ -56,7 +56,8 @@ void readEffects(Parameters group, scene::CameraOptions& camera) {
   shutter.exposure_time = base::fromSeconds(read("exposure_time", 0.0, kLongestExposure));
   shutter.readout_time = base::fromSeconds(read("readout_time", 0.0, kLongestExposure));
   if (shutter.exposure_time.count() > 0 || group.has("motion_samples")) {
-    shutter.motion_samples = group.optionalBetween("motion_samples", shutter.motion_samples, 2, 256);
+    shutter.motion_samples =
+        group.optionalBetween("motion_samples", shutter.motion_samples, 2, 256);
   }
   if (shutter.readout_time.count() > 0 || group.has("readout_bands")) {
     shutter.readout_bands = group.optionalBetween("readout_bands", shutter.readout_bands, 2, 4096);
@@ -81,7 +82,7 @@ void readRange(Parameters& group, scene::CameraOptions& camera) {
 
 /// The members that a camera has whether it is the only one or not.
 scene::CameraOptions readCamera(Parameters group, const std::string& name,
-                         std::optional<std::string> frame) {
+                                std::optional<std::string> frame) {
   scene::CameraOptions camera;
   camera.name = name;
   camera.group = group.fullName("");

@@ -8,7 +8,6 @@
 namespace synthetic_dataset::config {
 
 /// Reads the group `distractors` of `randomize`, or nothing where there is none.
-[[nodiscard]] std::optional<randomize::DistractorOptions> readDistractors(
-    Parameters randomize);
+[[nodiscard]] std::optional<randomize::DistractorOptions> readDistractors(Parameters randomize);
 
 }  // namespace synthetic_dataset::config

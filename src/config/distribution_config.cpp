@@ -196,7 +196,7 @@ std::vector<std::string> textsIn(const Value& value) {
 }
 
 std::optional<base::TextChoice> choiceOfTexts(const DistributionEntry& entry,
-                                                const Value::Map& given) {
+                                              const Value::Map& given) {
   const auto kind = entry.kindOf(given, {{"choice", {"weights"}}});
   if (!kind) return std::nullopt;
   const Value& value = given.at(kind->name);

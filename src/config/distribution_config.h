@@ -48,6 +48,6 @@ inline constexpr DistributionRange kTurnRange{1, -2.0 * kHalfTurn, 2.0 * kHalfTu
 
 /// The same of a text: one alone, or a group with `choice` and perhaps `weights`.
 [[nodiscard]] std::optional<base::TextChoice> maybeChoice(Parameters group,
-                                                            const std::string& name);
+                                                          const std::string& name);
 
 }  // namespace synthetic_dataset::config

@@ -120,8 +120,8 @@ label::MaskOptions readMasks(Parameters root) {
   Parameters group = root.group("masks");
   masks.clean = group.optional("clean", masks.clean);
   masks.method_is_given = group.has("method");
-  masks.method =
-      readMethod(group, root.has("background_subtractor") ? label::MaskMethod::kMog2 : label::MaskMethod::kExact);
+  masks.method = readMethod(group, root.has("background_subtractor") ? label::MaskMethod::kMog2
+                                                                     : label::MaskMethod::kExact);
   return masks;
 }
 

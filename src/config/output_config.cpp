@@ -152,8 +152,7 @@ std::set<std::int64_t> readOnlyScenes(Parameters root) {
   return scenes;
 }
 
-std::vector<output::WriterOptions> readWriters(Parameters root,
-                                                const std::string& output_folder) {
+std::vector<output::WriterOptions> readWriters(Parameters root, const std::string& output_folder) {
   std::vector<output::WriterOptions> writers;
   std::set<std::string> seen;
   for (const auto& [name, type] : readWriterNames(root)) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "output/output_options.h"
-#include "synthetic_dataset/parameters.h"
 #include "output/writers/writer_options.h"
+#include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {
 
@@ -23,7 +23,7 @@ namespace synthetic_dataset::config {
 /// Reads `writers`, left out the original's three, and where each puts its files.
 /// @param output_folder  of the run; empty when it has none
 [[nodiscard]] std::vector<output::WriterOptions> readWriters(Parameters root,
-                                                              const std::string& output_folder);
+                                                             const std::string& output_folder);
 
 /// The deepest folder that all the writers' folders share, for the manifest.
 [[nodiscard]] std::string commonFolder(const std::vector<output::WriterOptions>& writers);

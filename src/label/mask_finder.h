@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "render/renderer.h"
 #include "label/background_model.h"
+#include "render/renderer.h"
 #include "synthetic_dataset/mask.h"
 #include "synthetic_dataset/scene.h"
 #include "world/world.h"

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "label/keypoint_states.h"
-#include "render/lens/lens_map.h"
 #include "label/object_links.h"
+#include "render/lens/lens_map.h"
 
 namespace synthetic_dataset::label {
 PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& renderer,
@@ -140,7 +140,7 @@ void PixelLabeller::addKeypointStates(const render::LabelImages& images, Scene& 
     std::vector<Eigen::Vector3d> keypoints_C;
     for (const Eigen::Vector3d& p_O : object.keypoints_O) keypoints_C.push_back(object.X_CO * p_O);
     label::findKeypointStates(object.keypoints, keypoints_C, object.instance, images.ids, range,
-                                 scene.camera, options_.labels.keypoint_tolerance);
+                              scene.camera, options_.labels.keypoint_tolerance);
   }
 }
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "label/instance_map.h"
-#include "render/renderer.h"
 #include "label/label_options.h"
 #include "label/mask_finder.h"
+#include "render/renderer.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
 #include "world/world.h"
@@ -60,8 +60,8 @@ class PixelLabeller {
   void measureSilhouettes(const render::View& view, Scene& scene);
   [[nodiscard]] MaskAgreement addMasks(const cv::Mat& ids, const PendingMasks& subtracted,
                                        Scene& scene) const;
-  void addVisibleParts(const cv::Mat& instance_map,
-                       const std::vector<label::InstancePixels>& parts, Scene& scene) const;
+  void addVisibleParts(const cv::Mat& instance_map, const std::vector<label::InstancePixels>& parts,
+                       Scene& scene) const;
   void addKeypointStates(const render::LabelImages& images, Scene& scene) const;
   void drop(Scene& scene) const;
   [[nodiscard]] bool usesSubtraction() const;

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/image/image_encoder.h"
 #include "output/dataset_opening.h"
 #include "output/files/digest.h"
 #include "output/files/file_name_rules.h"
 #include "output/files/pending_file.h"
-#include "base/image/image_encoder.h"
 #include "output/scene_contents.h"
 #include "synthetic_dataset/errors.h"
 

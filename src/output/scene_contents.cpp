@@ -60,7 +60,8 @@ class GivenImages {
   }
 
   /// The content of the same image.
-  [[nodiscard]] std::optional<std::size_t> find(const OutputFile& file, base::ImageFormat format) const {
+  [[nodiscard]] std::optional<std::size_t> find(const OutputFile& file,
+                                                base::ImageFormat format) const {
     const auto found = std::find_if(given_.begin(), given_.end(), [&](const Given& other) {
       return other.format == format && areSame(other.file->pixels, file.pixels) &&
              areSame(other.file->mask, file.mask) && other.file->palette == file.palette;
@@ -82,7 +83,8 @@ class GivenImages {
 class EqualImages {
  public:
   /// The content of an equal image; where there is none, the image has this content from now on.
-  std::optional<std::size_t> find(const OutputFile& file, base::ImageFormat format, std::size_t content) {
+  std::optional<std::size_t> find(const OutputFile& file, base::ImageFormat format,
+                                  std::size_t content) {
     const cv::Mat& pixels = file.pixels;
     std::vector<uchar> colours;
     for (const cv::Vec3b& colour : file.palette) {
@@ -141,7 +143,8 @@ class SceneEncoder {
   void addImage(const OutputFile& file, std::size_t index) {
     const std::optional<base::ImageFormat> format = base::imageFormat(file.path);
     if (!format) {
-      throw Error("cannot write '" + file.path + "': " + *base::imageProblem(file.path, file.pixels));
+      throw Error("cannot write '" + file.path +
+                  "': " + *base::imageProblem(file.path, file.pixels));
     }
     std::optional<std::size_t> content = given_.find(file, *format);
     if (!content) {
@@ -156,7 +159,8 @@ class SceneEncoder {
  private:
   /// Of masks; looking through their pixels for equal ones takes longer than compressing them.
   [[nodiscard]] static bool isSoonEncoded(const OutputFile& file, base::ImageFormat format) {
-    return file.pixels.type() == CV_8UC1 && format == base::ImageFormat::kPng && file.palette.empty();
+    return file.pixels.type() == CV_8UC1 && format == base::ImageFormat::kPng &&
+           file.palette.empty();
   }
 
   /// The mask as pixels, which are kept no longer than it takes to encode them.

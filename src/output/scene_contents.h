@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "output/dataset_store.h"
 #include "base/image/image_encoder.h"
+#include "output/dataset_store.h"
 
 namespace synthetic_dataset::output {
 

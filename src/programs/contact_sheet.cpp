@@ -31,7 +31,8 @@ int makeContactSheet(const fs::path& given_folder, const std::string& picture) {
   if (models.empty()) {
     throw Error(folder.string() + ": found no model: no model.config, .sdf or .urdf file");
   }
-  const world::ResourceFinder finder(programs::modelFolders(folder, models), run::rosPackageFinder());
+  const world::ResourceFinder finder(programs::modelFolders(folder, models),
+                                     run::rosPackageFinder());
   std::vector<programs::GalleryEntry> entries;
   for (const fs::path& model : models) {
     const fs::path name = model == folder ? model.filename() : fs::relative(model, folder);
@@ -41,8 +42,9 @@ int makeContactSheet(const fs::path& given_folder, const std::string& picture) {
     throw Error(picture + ": cannot be written");
   }
   std::cout << programs::galleryTable(entries);
-  const bool all_loaded = std::all_of(entries.begin(), entries.end(),
-                                      [](const programs::GalleryEntry& e) { return e.error.empty(); });
+  const bool all_loaded =
+      std::all_of(entries.begin(), entries.end(),
+                  [](const programs::GalleryEntry& e) { return e.error.empty(); });
   return all_loaded ? 0 : 3;
 }
 

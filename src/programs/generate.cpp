@@ -89,7 +89,7 @@ int generateOrReport(ReadSettings read_settings) {
     for (const std::string& message : errors.messages()) programs::ConsoleReporter::fatal(message);
     const std::size_t count = errors.messages().size();
     programs::ConsoleReporter::fatal("failed: " + std::to_string(count) +
-                           (count == 1 ? " error" : " errors"));
+                                     (count == 1 ? " error" : " errors"));
   } catch (const std::exception& error) {
     programs::ConsoleReporter::fatal(error.what());
     programs::ConsoleReporter::fatal("failed: 1 error");

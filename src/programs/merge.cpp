@@ -34,8 +34,7 @@ int main(int argc, char** argv) {
   stop_signals::ignoreFailedWriting();
   programs::ConsoleReporter reporter;
   try {
-    run::mergeShards(arguments.front(), {arguments.begin() + 1, arguments.end()},
-                                   reporter);
+    run::mergeShards(arguments.front(), {arguments.begin() + 1, arguments.end()}, reporter);
     reporter.info("done");
     return 0;
   } catch (const ErrorList& errors) {

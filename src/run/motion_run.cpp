@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/json_text.h"
-#include "base/seconds.h"
 #include "base/random/random_seed.h"
+#include "base/seconds.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {

@@ -9,12 +9,12 @@
 #include "render/renderer.h"
 #include "run/reporter.h"
 #include "run/scene_pipeline.h"
+#include "run/setup/motion_setup.h"
+#include "run/setup/split_plan.h"
 #include "run/work_plan.h"
 #include "scene/object_motion.h"
 #include "scene/picture_taker.h"
 #include "scene/scene_maker.h"
-#include "run/setup/motion_setup.h"
-#include "run/setup/split_plan.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset::run {

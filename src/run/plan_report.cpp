@@ -23,7 +23,8 @@ std::string rangeOf(const MotionSetup& motion) {
   const std::int64_t last = motion.first_instant + motion.instantCount() - 1;
   return "motion '" + motion.entry.name + "': numbers " + std::to_string(motion.first_instant) +
          " to " + std::to_string(last) +
-         (motion.timeline.is_recorded ? ", recorded from " + startOf(motion) + " s on" : ", placed");
+         (motion.timeline.is_recorded ? ", recorded from " + startOf(motion) + " s on"
+                                      : ", placed");
 }
 
 std::string scenesOf(const RunSetup& setup) {

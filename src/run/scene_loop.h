@@ -6,8 +6,8 @@
 #include "run/motion_run.h"
 #include "run/reporter.h"
 #include "run/scene_sink.h"
-#include "run/work_plan.h"
 #include "run/setup/run_setup.h"
+#include "run/work_plan.h"
 
 namespace synthetic_dataset::run {
 

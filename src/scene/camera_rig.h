@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "motion/frame_source.h"
+#include "render/sensor/sensor_effects.h"
 #include "scene/camera_options.h"
 #include "scene/object_options.h"
 #include "scene/shutter.h"
-#include "render/sensor/sensor_effects.h"
 #include "synthetic_dataset/camera_model.h"
 #include "world/description.h"
 #include "world/world.h"

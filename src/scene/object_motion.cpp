@@ -24,7 +24,8 @@ std::vector<std::size_t> parentsFirst(const std::vector<const world::Link*>& lin
 
 }  // namespace
 
-ObjectMotion::ObjectMotion(const motion::FrameSource& frames, const std::vector<ObjectOptions>& objects,
+ObjectMotion::ObjectMotion(const motion::FrameSource& frames,
+                           const std::vector<ObjectOptions>& objects,
                            const std::vector<world::LinkInstance>& links,
                            const std::vector<std::vector<DrivenLinks>>& driven)
     : frames_(frames) {

@@ -19,8 +19,8 @@ void needVisuals(const ObjectOptions& object, const std::string& parameter, cons
 /// What the parameters say, in a size.
 label::ObjectShape givenShape(const ObjectOptions& config, int instance, double scale) {
   label::ObjectShape shape{config.name,        config.class_text,       config.class_name,
-                              config.id,          config.class_id,         instance,
-                              config.keypoints_O, config.bounding_shape_O, {}};
+                           config.id,          config.class_id,         instance,
+                           config.keypoints_O, config.bounding_shape_O, {}};
   for (Eigen::Vector3d& point : shape.keypoints_O) point *= scale;
   for (Eigen::Vector3d& point : shape.bounding_shape_O) point *= scale;
   return shape;

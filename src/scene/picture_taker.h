@@ -7,9 +7,9 @@
 
 #include "motion/frame_source.h"
 #include "render/renderer.h"
+#include "render/sensor/linear_accumulator.h"
 #include "scene/camera_rig.h"
 #include "scene/shutter.h"
-#include "render/sensor/linear_accumulator.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::scene {

@@ -80,11 +80,11 @@ void SceneMaker::addOpticalFlow(SeenScene& seen, std::optional<Stamp> next) cons
   const Pose X_GC_next = cameraPose(rig, world_, frames_, *next);
   scene.optical_flow =
       label::opticalFlow(scene.camera, surface.depth, surface.range, surface.links, scene.X_GC,
-                            seen.X_GL, rig.model, X_GC_next, world_.linkPoses());
+                         seen.X_GL, rig.model, X_GC_next, world_.linkPoses());
 }
 
-std::vector<output::ObjectFacts> SceneMaker::objectFacts(const Scene& scene,
-                                                         const label::MaskAgreement& agreement) const {
+std::vector<output::ObjectFacts> SceneMaker::objectFacts(
+    const Scene& scene, const label::MaskAgreement& agreement) const {
   std::vector<output::ObjectFacts> all;
   for (const SceneObject& object : scene.objects) {
     output::ObjectFacts facts = output::objectFacts(object);

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "label/pixel_labeller.h"
 #include "motion/placed_frames.h"
 #include "output/manifest/scene_facts.h"
 #include "render/renderer.h"
 #include "scene/camera_rig.h"
 #include "scene/object_shapes.h"
-#include "label/pixel_labeller.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
 #include "world/world.h"
@@ -51,8 +51,8 @@ class SceneMaker {
 
   /// What a labelled scene's manifest is told of its objects: what was measured, and nothing else.
   /// @param agreement  of its masks
-  [[nodiscard]] std::vector<output::ObjectFacts> objectFacts(const Scene& scene,
-                                                             const label::MaskAgreement& agreement) const;
+  [[nodiscard]] std::vector<output::ObjectFacts> objectFacts(
+      const Scene& scene, const label::MaskAgreement& agreement) const;
 
  private:
   /// X_GC of all cameras, by their frames.

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "randomize/appearance/randomize_options.h"
+#include "label/label_options.h"
 #include "motion/motion_options.h"
+#include "randomize/appearance/randomize_options.h"
 #include "randomize/placement/placement_options.h"
 #include "scene/camera_options.h"
-#include "label/label_options.h"
 #include "scene/object_options.h"
 #include "synthetic_dataset/pose.h"
 

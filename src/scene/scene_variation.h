@@ -5,15 +5,15 @@
 #include <optional>
 #include <vector>
 
-#include "randomize/appearance/entry_draws.h"
-#include "randomize/appearance/look_sampler.h"
 #include "base/diagnostics.h"
 #include "output/manifest/scene_facts.h"
+#include "randomize/appearance/entry_draws.h"
+#include "randomize/appearance/look_sampler.h"
 #include "render/renderer.h"
+#include "render/sensor/sensor_effects.h"
 #include "scene/camera_rig.h"
 #include "scene/object_variants.h"
 #include "scene/scene_options.h"
-#include "render/sensor/sensor_effects.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::scene {
@@ -50,8 +50,8 @@ class SceneVariation {
   std::vector<render::SensorEffects> effects_;  ///< of the cameras, as they are set
   std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
   std::optional<randomize::LookSampler> looks_;
-  std::vector<ObjectOptions> objects_;                        ///< that are followed or placed
-  std::vector<ObjectVariants> variants_;                      ///< of each object
+  std::vector<ObjectOptions> objects_;                       ///< that are followed or placed
+  std::vector<ObjectVariants> variants_;                     ///< of each object
   std::vector<randomize::DrawnValue> chosen_;                ///< of the time: what is there
   std::vector<randomize::DrawnValue> shared_;                ///< of the time: its look
   std::vector<std::vector<randomize::DrawnValue>> cameras_;  ///< of each camera

@@ -65,7 +65,7 @@ TEST(ReadLabels, RefusesWhatIsOutOfRange) {
 
 TEST(ReadClasses, NumberNamesInAlphabeticalOrder) {
   std::vector<scene::ObjectOptions> objects = {objectOf("a", "rover"), objectOf("b", "drone"),
-                                        objectOf("c", "rover")};
+                                               objectOf("c", "rover")};
   EXPECT_EQ(classesOf(settings("{}"), objects), "0 drone, 1 rover");
   EXPECT_EQ(objects[0].class_id, 1);
   EXPECT_EQ(objects[1].class_id, 0);
@@ -74,7 +74,7 @@ TEST(ReadClasses, NumberNamesInAlphabeticalOrder) {
 
 TEST(ReadClasses, KeepNumbersAndNumberNamesRoundThem) {
   std::vector<scene::ObjectOptions> objects = {objectOf("a", "0"), objectOf("b", "7"),
-                                        objectOf("c", "drone"), objectOf("d", "cat")};
+                                               objectOf("c", "drone"), objectOf("d", "cat")};
   EXPECT_EQ(classesOf(settings("{}"), objects), "0 0, 1 cat, 2 drone, 7 7");
   EXPECT_EQ(objects[1].class_id, 7);
 }

@@ -9,7 +9,7 @@
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/pose.h"
 
-namespace synthetic_dataset::label {
+namespace synthetic_dataset::test {
 
 /// A box that a camera looks at.
 struct SeenBox {
@@ -65,4 +65,4 @@ struct BoxView {
   return view;
 }
 
-}  // namespace synthetic_dataset::label
+}  // namespace synthetic_dataset::test

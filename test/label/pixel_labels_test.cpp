@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 
+#include "run/setup/run_setup.h"
 #include "scene/object_motion.h"
 #include "scene/scene_maker.h"
-#include "run/setup/run_setup.h"
 #include "support/bag_builder.h"
 #include "support/tiny_run.h"
 #include "support/writers/plugin_environment.h"
@@ -43,8 +43,8 @@ class PixelLabels : public testing::Test {
     renderer_.reset();
     renderer_ = std::make_unique<render::Renderer>(setup_->world->description(),
                                                    setup_->world->links(), render::RenderOptions{});
-    motion_ = std::make_unique<scene::ObjectMotion>(*setup_->frames, setup_->config,
-                                             setup_->world->links(), setup_->driven_links);
+    motion_ = std::make_unique<scene::ObjectMotion>(*setup_->frames, setup_->config.objects,
+                                                    setup_->world->links(), setup_->driven_links);
     maker_ = std::make_unique<scene::SceneMaker>(
         *setup_->world, *renderer_, *setup_->frames, setup_->cameras, *setup_->shapes, requirements,
         PixelLabelOptions{setup_->config.masks, setup_->config.labels, {1, 1}});

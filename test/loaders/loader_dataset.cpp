@@ -6,8 +6,8 @@
 #include "base/yaml_value.h"
 #include "run/generator.h"
 #include "support/bag_builder.h"
-#include "synthetic_dataset/label_text.h"
 #include "support/writers/plugin_environment.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::test {
 namespace {
@@ -169,7 +169,7 @@ void LoaderDataset::generate(const std::filesystem::path& folder) const {
   addWriters(parameters);
   run::Reporter reporter;
   run::Generator generator(Value(parameters), reporter,
-                      {pluginXml(), kFolder + "/plugin_package/plugins.xml"});
+                           {pluginXml(), kFolder + "/plugin_package/plugins.xml"});
   (void)generator.run();
 }
 

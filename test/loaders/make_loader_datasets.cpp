@@ -7,8 +7,8 @@
 #include <string>
 
 #include "loaders/hard_cases.h"
-#include "synthetic_dataset/errors.h"
 #include "support/writers/plugin_environment.h"
+#include "synthetic_dataset/errors.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 #include "plugins/plugin_harness.h"
 
+#include "support/writers/plugin_environment.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
-#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset {
 namespace {

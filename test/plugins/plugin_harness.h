@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "output/writers/writer_host.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/parameters.h"
 #include "synthetic_dataset/scene.h"
-#include "output/writers/writer_host.h"
 
 namespace synthetic_dataset {
 

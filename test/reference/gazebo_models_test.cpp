@@ -52,7 +52,8 @@ const std::map<std::string, Expected> kExpected = {
 TEST(GazeboModels, LoadWithAllTheirPartsAndTextures) {
   const std::filesystem::path folder = test::referenceFolder() / "models";
   const auto models = world::findModels(folder);
-  const world::ResourceFinder finder(programs::modelFolders(folder, models), run::rosPackageFinder());
+  const world::ResourceFinder finder(programs::modelFolders(folder, models),
+                                     run::rosPackageFinder());
   std::size_t loaded = 0;
   for (const auto& model : models) {
     const std::string name = std::filesystem::relative(model, folder).string();

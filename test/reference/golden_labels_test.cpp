@@ -11,8 +11,8 @@
 #include "reference/golden_case.h"
 #include "run/generator.h"
 #include "support/temporary_folder.h"
-#include "synthetic_dataset/label_text.h"
 #include "support/writers/plugin_environment.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
 namespace golden_labels_test {

@@ -10,8 +10,8 @@
 #include "reference/golden_case.h"
 #include "run/generator.h"
 #include "support/temporary_folder.h"
-#include "world/world_loader.h"
 #include "support/writers/plugin_environment.h"
+#include "world/world_loader.h"
 
 namespace synthetic_dataset {
 namespace robots_test {
@@ -68,7 +68,7 @@ distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}
 
 /// Scenes of the Jackal's recording with another robot in its place, seen from beside its start.
 run::RunSummary replay(const test::TemporaryFolder& folder, const std::string& model,
-                  const std::string& output) {
+                       const std::string& output) {
   const std::string text =
       "bag_file: " + (test::referenceFolder() / "bags/jackal.bag").string() +
       "\nsimulated_rate: 1\nduration: 20\nworld: " + folder.write("yard.world", kWorld).string() +

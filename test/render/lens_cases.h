@@ -11,7 +11,7 @@
 #include "synthetic_dataset/camera_model.h"
 #include "world/description.h"
 
-namespace synthetic_dataset::render::test {
+namespace synthetic_dataset::test {
 
 [[nodiscard]] inline world::Material coloured(float red, float green, float blue) {
   world::Material material;
@@ -71,4 +71,4 @@ inline void keep(const cv::Mat& picture, const std::string& name) {
   if (folder != nullptr) cv::imwrite(std::string(folder) + "/" + name + ".png", picture);
 }
 
-}  // namespace synthetic_dataset::render::test
+}  // namespace synthetic_dataset::test

@@ -368,7 +368,7 @@ TEST_F(Looks, ChangeNeitherLabelsNorDepthNorSilhouettes) {
   const LabelImages before = renderer->labels(view, stage.poses(), pass);
   LinkSelection cup(stage.links().size(), false);
   cup[kCup] = true;
-  const cv::Mat outline = renderer->silhouette(view, stage.poses(), cup).mask.clone();
+  const cv::Mat outline = renderer->silhouette(view, stage.poses(), cup).mask.whole();
   const cv::Rect reach = renderer->reach(view, stage.poses(), cup);
   ASSERT_GT(cv::countNonZero(before.ids == 1), 50) << "the ball is seen";
   Yard yard = repainted();
@@ -380,8 +380,9 @@ TEST_F(Looks, ChangeNeitherLabelsNorDepthNorSilhouettes) {
   const LabelImages after = renderer->labels(view, stage.poses(), pass);
   EXPECT_EQ(cv::norm(before.ids, after.ids, cv::NORM_INF), 0.0);
   EXPECT_EQ(cv::norm(before.depth, after.depth, cv::NORM_INF), 0.0);
-  EXPECT_EQ(cv::norm(outline, renderer->silhouette(view, stage.poses(), cup).mask, cv::NORM_INF),
-            0.0);
+  EXPECT_EQ(
+      cv::norm(outline, renderer->silhouette(view, stage.poses(), cup).mask.whole(), cv::NORM_INF),
+      0.0);
   EXPECT_EQ(reach, renderer->reach(view, stage.poses(), cup));
 }
 

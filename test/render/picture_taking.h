@@ -5,7 +5,7 @@
 #include "render/renderer.h"
 #include "support/box_world.h"
 
-namespace synthetic_dataset::render {
+namespace synthetic_dataset::test {
 
 /// A small camera at the origin of the world that looks along +z; the pixel (32, 24) is its middle.
 inline const CameraModel kSmallCamera(65, 49, {60.0, 60.0, 32.0, 24.0}, 0.05, 100.0);
@@ -49,4 +49,4 @@ inline const CameraModel kSmallCamera(65, 49, {60.0, 60.0, 32.0, 24.0}, 0.05, 10
                          {stage.all(), stage.all(), render::Sampling::kCentre});
 }
 
-}  // namespace synthetic_dataset::render
+}  // namespace synthetic_dataset::test

@@ -4,12 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "base/json_text.h"
 #include "config/settings_text.h"
 #include "run/generator.h"
 #include "support/error_messages.h"
 #include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset::run {
+namespace synthetic_dataset::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,22 +55,22 @@ AllAtOnceRun::AllAtOnceRun() : tiny_(emptyFolder()) {
   parameters["writers"] = Value(writers);
 }
 
-RunSummary AllAtOnceRun::run(Reporter& reporter, const std::string& folder) const {
+run::RunSummary AllAtOnceRun::run(run::Reporter& reporter, const std::string& folder) const {
   Value::Map settings = parameters;
   settings["output_folder"] = Value(folder);
-  Generator generator(Value(settings), reporter, {pluginXml()});
+  run::Generator generator(Value(settings), reporter, {pluginXml()});
   return generator.run();
 }
 
-RunSummary AllAtOnceRun::run() const {
-  Reporter silent;
+run::RunSummary AllAtOnceRun::run() const {
+  run::Reporter silent;
   return run(silent, folder());
 }
 
 const std::map<std::string, std::string>& AllAtOnceRun::unbroken() const {
   static std::map<std::string, std::map<std::string, std::string>> made;
   fs::remove_all(folder());
-  std::string key = config::jsonText(Value(parameters));
+  std::string key = base::jsonText(Value(parameters));
   for (const auto& [name, bytes] : files(tiny_.folder().path().string())) key += name + bytes;
   const auto [entry, is_new] = made.try_emplace(key);
   if (is_new) {
@@ -84,12 +85,12 @@ std::vector<std::string> AllAtOnceRun::errors() const {
   return messagesOf([&] { (void)run(); });
 }
 
-RunSummary AllAtOnceRun::runShard(int index, int count, const std::string& folder) const {
+run::RunSummary AllAtOnceRun::runShard(int index, int count, const std::string& folder) const {
   Value::Map settings = parameters;
   settings["output_folder"] = Value(folder);
   settings["shard"] = Value(Value::Map{{"index", Value(index)}, {"count", Value(count)}});
-  Reporter silent;
-  Generator generator(Value(settings), silent, {pluginXml()});
+  run::Reporter silent;
+  run::Generator generator(Value(settings), silent, {pluginXml()});
   return generator.run();
 }
 
@@ -111,4 +112,4 @@ void AllAtOnceRun::expectFiles(const std::map<std::string, std::string>& expecte
   }
 }
 
-}  // namespace synthetic_dataset::run
+}  // namespace synthetic_dataset::test

@@ -9,10 +9,10 @@
 #include "support/tiny_run.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset::run {
+namespace synthetic_dataset::test {
 
 /// Stops a run after so many scenes.
-class StoppingReporter : public Reporter {
+class StoppingReporter : public run::Reporter {
  public:
   explicit StoppingReporter(std::int64_t scenes) : scenes_(scenes) {}
 
@@ -38,8 +38,8 @@ class AllAtOnceRun {
   }
 
   /// Runs with these parameters; the dataset goes to `folder`.
-  RunSummary run(Reporter& reporter, const std::string& folder) const;
-  RunSummary run() const;
+  run::RunSummary run(run::Reporter& reporter, const std::string& folder) const;
+  run::RunSummary run() const;
 
   /// The files of a run of all scenes with these parameters, which leaves nothing behind. They are
   /// made once for all tests that have the same parameters and inputs.
@@ -49,7 +49,7 @@ class AllAtOnceRun {
   [[nodiscard]] std::vector<std::string> errors() const;
 
   /// Makes a shard.
-  RunSummary runShard(int index, int count, const std::string& folder) const;
+  run::RunSummary runShard(int index, int count, const std::string& folder) const;
 
   /// Every file below a dataset's folder, by its relative path.
   [[nodiscard]] static std::map<std::string, std::string> files(const std::string& folder);
@@ -63,4 +63,4 @@ class AllAtOnceRun {
   TinyRun tiny_;
 };
 
-}  // namespace synthetic_dataset::run
+}  // namespace synthetic_dataset::test

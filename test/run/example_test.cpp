@@ -7,9 +7,9 @@
 
 #include "base/yaml_value.h"
 #include "render/renderer.h"
+#include "run/setup/run_setup.h"
 #include "scene/object_motion.h"
 #include "scene/scene_maker.h"
-#include "run/setup/run_setup.h"
 #include "support/temporary_folder.h"
 #include "support/writers/plugin_environment.h"
 
@@ -52,15 +52,16 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   masks.silhouettes = true;
   label::MaskOptions subtraction = setup.config.masks;
   subtraction.method = label::MaskMethod::kMog2;
-  scene::SceneMaker maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes, masks,
-                   {subtraction, {}, {}});
+  scene::SceneMaker maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes,
+                          masks, {subtraction, {}, {}});
   scene::ObjectMotion motion(*setup.frames, objects, setup.world->links(), setup.driven_links);
   std::vector<double> worst(objects.size(), 1.0);
   std::vector<double> sum(objects.size(), 0.0);
   for (std::size_t s = 0; s < setup.timeline.stamps.size(); ++s) {
     const Stamp stamp = setup.timeline.stamps[s];
     setup.world->advanceTo(stamp, [&](int object, Stamp time) { return motion.at(object, time); });
-    scene::SeenScene seen = maker.look(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp));
+    scene::SeenScene seen =
+        maker.look(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp));
     (void)seen.pixels.labels(seen.scene);
     const Scene& scene = seen.scene;
     for (std::size_t i = 0; i < objects.size(); ++i) {

@@ -13,8 +13,8 @@
 #include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
 #include "run/merger.h"
-#include "synthetic_dataset/errors.h"
 #include "support/writers/plugin_environment.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::run {
 namespace field_of_view_test {
@@ -40,7 +40,8 @@ const CameraModel kFisheye(640, 480, {200.0, 202.0, 319.5, 239.5}, 0.05, 100.0,
 
 TEST(FieldOfView, IsTheAngleOfAnImageRoundTheAxis) {
   EXPECT_DOUBLE_EQ(scene::fieldOfView(kPinhole), 2.0 * std::atan(320.0 / 500.0));
-  EXPECT_DOUBLE_EQ(scene::fieldOfView(kLens), scene::fieldOfView(kPinhole)) << "without its distortion";
+  EXPECT_DOUBLE_EQ(scene::fieldOfView(kLens), scene::fieldOfView(kPinhole))
+      << "without its distortion";
   EXPECT_DOUBLE_EQ(scene::fieldOfView(kFisheye), 640.0 / 200.0);
 }
 

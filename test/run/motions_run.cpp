@@ -11,7 +11,7 @@
 #include "support/error_messages.h"
 #include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset::run {
+namespace synthetic_dataset::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,14 +78,14 @@ void MotionsRun::set(const std::string& name, const std::string& text) {
   parameters[name] = base::parseYaml(replaced(text, "DIR", folder), "test");
 }
 
-RunSummary MotionsRun::run(Reporter& reporter) const {
+run::RunSummary MotionsRun::run(run::Reporter& reporter) const {
   fs::remove_all(folder());
-  Generator generator(Value(parameters), reporter, {pluginXml()});
+  run::Generator generator(Value(parameters), reporter, {pluginXml()});
   return generator.run();
 }
 
-RunSummary MotionsRun::run() const {
-  Reporter silent;
+run::RunSummary MotionsRun::run() const {
+  run::Reporter silent;
   return run(silent);
 }
 
@@ -98,8 +98,8 @@ std::map<std::string, std::string> MotionsRun::files() const {
 
 std::vector<std::string> MotionsRun::errors() const {
   return messagesOf([&] {
-    Reporter silent;
-    const Generator generator(Value(parameters), silent, {pluginXml()});
+    run::Reporter silent;
+    const run::Generator generator(Value(parameters), silent, {pluginXml()});
   });
 }
 
@@ -129,4 +129,4 @@ std::string MotionsRun::number(std::int64_t scene) {
   return std::string(8 - digits.size(), '0') + digits;
 }
 
-}  // namespace synthetic_dataset::run
+}  // namespace synthetic_dataset::test

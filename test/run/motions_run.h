@@ -10,7 +10,7 @@
 #include "support/tiny_run.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset::run {
+namespace synthetic_dataset::test {
 
 /// A scene as the manifest has it.
 struct ListedScene {
@@ -52,8 +52,8 @@ class MotionsRun {
   void list(const std::string& entries) { set("motions", entries); }
 
   /// Runs with what is set; an older dataset makes way.
-  RunSummary run(Reporter& reporter) const;
-  RunSummary run() const;
+  run::RunSummary run(run::Reporter& reporter) const;
+  run::RunSummary run() const;
 
   /// Runs, and reads all files of the dataset but its manifest.
   [[nodiscard]] std::map<std::string, std::string> files() const;
@@ -73,4 +73,4 @@ class MotionsRun {
   TinyRun tiny_;
 };
 
-}  // namespace synthetic_dataset::run
+}  // namespace synthetic_dataset::test

@@ -15,8 +15,8 @@
 #include "run/merger.h"
 #include "run_fixture.h"
 #include "support/bag_builder.h"
-#include "synthetic_dataset/errors.h"
 #include "support/writers/plugin_environment.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::run {
 namespace placement_test {

@@ -7,17 +7,17 @@
 #include "support/error_messages.h"
 #include "support/writers/plugin_environment.h"
 
-namespace synthetic_dataset::run {
+namespace synthetic_dataset::test {
 
 RunFixture::RunFixture() { preparePluginEnvironment(); }
 
-RunSummary RunFixture::generate() const {
-  Reporter silent;
+run::RunSummary RunFixture::generate() const {
+  run::Reporter silent;
   return generate(silent);
 }
 
-RunSummary RunFixture::generate(Reporter& reporter) const {
-  Generator generator(Value(parameters), reporter, {pluginXml()});
+run::RunSummary RunFixture::generate(run::Reporter& reporter) const {
+  run::Generator generator(Value(parameters), reporter, {pluginXml()});
   return generator.run();
 }
 
@@ -31,9 +31,9 @@ std::map<std::string, std::string> RunFixture::filesAnew() const {
 
 std::vector<std::string> RunFixture::errors() const {
   return messagesOf([&] {
-    Reporter silent;
-    const Generator generator(Value(parameters), silent, {pluginXml()});
+    run::Reporter silent;
+    const run::Generator generator(Value(parameters), silent, {pluginXml()});
   });
 }
 
-}  // namespace synthetic_dataset::run
+}  // namespace synthetic_dataset::test

@@ -11,7 +11,7 @@
 #include "support/tiny_run.h"
 #include "synthetic_dataset/value.h"
 
-namespace synthetic_dataset::run {
+namespace synthetic_dataset::test {
 
 /// What a run of some parameters writes, or says when it may not begin.
 class RunFixture : public ::testing::Test {
@@ -19,8 +19,8 @@ class RunFixture : public ::testing::Test {
   RunFixture();
 
   /// Runs with the parameters.
-  RunSummary generate() const;
-  RunSummary generate(Reporter& reporter) const;
+  run::RunSummary generate() const;
+  run::RunSummary generate(run::Reporter& reporter) const;
 
   /// Every file of the dataset that is there, by its relative path.
   [[nodiscard]] std::map<std::string, std::string> files() const;
@@ -36,4 +36,4 @@ class RunFixture : public ::testing::Test {
   const std::string folder = (run.folder() / "out").string();  ///< where the dataset goes
 };
 
-}  // namespace synthetic_dataset::run
+}  // namespace synthetic_dataset::test

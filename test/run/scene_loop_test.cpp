@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "support/box_world.h"
+#include "support/fake_frame_source.h"
 #include "support/fake_scene_sink.h"
 #include "synthetic_dataset/errors.h"
 
@@ -43,21 +44,22 @@ class SceneLoopTest : public testing::Test {
     for (int i = 1; i <= kInstants; ++i) {
       motion.timeline.stamps.push_back(std::chrono::milliseconds(100 * i));
     }
-    motion.frames = std::make_unique<motion::FrameMotion>("map", nullptr);
     Pose X_GO = Pose::Identity();
     X_GO.translation().x() = 5.5;
-    motion.frames->place("box", X_GO);
-    motion.variants.emplace_back(box, config::Randomization{});
+    motion.frames = std::make_unique<motion::PlacedFrames>(std::make_shared<test::FakeFrameSource>(
+        std::map<std::string, test::FakeFrameSource::PoseAt>{
+            {"box", test::FakeFrameSource::fixed(X_GO)}}));
+    motion.variants.emplace_back(box, randomize::Randomization{});
     motion.world = makeWorld();
     motion.cameras.push_back({"camera",
                               CameraModel(160, 120, {100.0, 100.0, 79.5, 59.5}, 0.05, 100.0),
                               "optical", lookingAlongX()});
     motion.driven_links = {{{}}};
-    motion.shapes =
-        std::make_unique<scene::ObjectShapes>(motion.config.objects, motion.variants, *motion.world);
-    motion.arranger = std::make_unique<scene::SceneArranger>(motion.config, motion.cameras,
-                                                      motion.variants, *motion.shapes,
-                                                      *motion.world, *motion.frames, motion.found);
+    motion.shapes = std::make_unique<scene::ObjectShapes>(motion.config.objects, motion.variants,
+                                                          *motion.world);
+    motion.arranger = std::make_unique<scene::SceneArranger>(
+        motion.config, motion.cameras, motion.variants, *motion.shapes, *motion.world,
+        *motion.frames, motion.found);
     motion.variation = std::make_unique<scene::SceneVariation>(
         motion.config, motion.cameras, motion.variants, *motion.world, motion.found);
   }

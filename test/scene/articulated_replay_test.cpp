@@ -7,8 +7,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "run/generator.h"
-#include "scene/object_motion.h"
 #include "run/setup/run_setup.h"
+#include "scene/object_motion.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
 #include "support/robot_arm.h"
@@ -90,7 +90,8 @@ class ArticulatedReplay : public testing::Test {
   LinkPoses linksAt(int i) {
     reached = Stamp(0);
     const run::MotionSetup setup = setUp();
-    ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
+    ObjectMotion motion(*setup.frames, setup.config.objects, setup.world->links(),
+                        setup.driven_links);
     return linksAt(setup, motion, i);
   }
 
@@ -191,7 +192,8 @@ TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
   recordLinks("alpha/", 8);
   const run::MotionSetup setup = setUp();
   EXPECT_THAT(setup.timeline.stamps, SizeIs(4));
-  ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
+  ObjectMotion motion(*setup.frames, setup.config.objects, setup.world->links(),
+                      setup.driven_links);
   LinkPoses early = linksAt(setup, motion, 5);
   expectAt(early["fore"], base(5) * shoulder(5) * poseAt(0, 0, 0.5));
   expectAt(early["gripper"], base(5) * shoulder(5) * poseAt(0, 0, 0.92));
@@ -205,7 +207,8 @@ TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
 TEST_F(ArticulatedReplay, TheModelBoxFollowsTheLinks) {
   recordLinks();
   const run::MotionSetup setup = setUp();
-  ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
+  ObjectMotion motion(*setup.frames, setup.config.objects, setup.world->links(),
+                      setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape = setup.shapes->at(motion.objectPoses(milliseconds(1750)))[0];
 
@@ -222,7 +225,8 @@ TEST_F(ArticulatedReplay, KeypointsMoveWithTheirLinks) {
   recordLinks();
   alpha["keypoints"] = Value(Value::Map{{"farthest_points", Value(9)}});
   const run::MotionSetup setup = setUp();
-  ObjectMotion motion(*setup.frames, setup.config, setup.world->links(), setup.driven_links);
+  ObjectMotion motion(*setup.frames, setup.config.objects, setup.world->links(),
+                      setup.driven_links);
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape = setup.shapes->at(motion.objectPoses(milliseconds(1750)))[0];
   ASSERT_THAT(shape.keypoints_O, SizeIs(9));

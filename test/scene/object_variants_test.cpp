@@ -92,9 +92,9 @@ TEST_F(ObjectVariantsTest, SizesOfARangeAreAllOverIt) {
 TEST_F(ObjectVariantsTest, OfARangeEachSizeIsAsLikelyAsTheOthers) {
   entry.sizes = 5;
   constexpr int kScenes = 5000;
-  for (const auto& scale : {base::Distribution::uniform({0.5}, {1.5}),
-                            base::Distribution::logUniform({0.1}, {10.0}),
-                            base::Distribution::normalBetween({1.0}, {0.2}, {0.5}, {3.0})}) {
+  for (const auto& scale :
+       {base::Distribution::uniform({0.5}, {1.5}), base::Distribution::logUniform({0.1}, {10.0}),
+        base::Distribution::normalBetween({1.0}, {0.2}, {0.5}, {3.0})}) {
     entry.scale = scale;
     const std::map<std::size_t, int> worn = wornIn(kScenes);
     EXPECT_EQ(worn.size(), 5U);

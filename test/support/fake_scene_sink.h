@@ -24,7 +24,8 @@ struct FakeSceneSink : run::SceneSink {
   // What it is asked.
   Requirements required;
   std::function<bool(std::int64_t scene)> is_wanted = [](std::int64_t) { return true; };
-  std::function<void(const run::FinishedScene&)> on_add = [](const run::FinishedScene&) {};  ///< may throw
+  std::function<void(const run::FinishedScene&)> on_add = [](const run::FinishedScene&) {
+  };                                      ///< may throw
   std::vector<output::Warning> warnings;  ///< about each scene
 
   // What it got.

@@ -7,14 +7,14 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "synthetic_dataset/errors.h"
-#include "base/sandbox/byte_stream.h"
-#include "base/sandbox/sandboxed_batch.h"
-#include "base/sandbox/sandboxed_process.h"
 #include "base/image/freeimage_decoder.h"
 #include "base/image/picture_end.h"
 #include "base/image/picture_file.h"
 #include "base/image/picture_size.h"
+#include "base/sandbox/byte_stream.h"
+#include "base/sandbox/sandboxed_batch.h"
+#include "base/sandbox/sandboxed_process.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::base {
 namespace {

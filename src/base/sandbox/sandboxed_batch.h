@@ -20,7 +20,7 @@ struct SandboxedWork {
 /// @param memory  [byte] of each process, beyond what is in use already
 /// @return what each piece returns; nothing for those that fail or whose process breaks down:
 ///     runSandboxed tells what is wrong with them
-[[nodiscard]] std::vector<std::optional<std::string>> runAllSandboxed(const std::vector<SandboxedWork>& pieces,
-                                                             std::uint64_t memory);
+[[nodiscard]] std::vector<std::optional<std::string>> runAllSandboxed(
+    const std::vector<SandboxedWork>& pieces, std::uint64_t memory);
 
 }  // namespace synthetic_dataset::base

@@ -245,7 +245,7 @@ void limitSandboxTime(std::chrono::seconds processor_time) {
 }
 
 std::variant<std::string, Crash> runSandboxed(const std::function<std::string()>& work,
-                                             const SandboxLimits& limits) {
+                                              const SandboxLimits& limits) {
   return SandboxedProcess(work, limits).finish();
 }
 

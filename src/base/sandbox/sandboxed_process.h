@@ -59,12 +59,12 @@ class SandboxedProcess {
   int reading_ = -1;  ///< the end of the pipe that brings its answer, or -1 for none
 };
 
-/// In a process of SandboxedProcess's: gives what is done from now on its own time, within the whole
-/// work's. Elsewhere it does nothing.
+/// In a process of SandboxedProcess's: gives what is done from now on its own time, within the
+/// whole work's. Elsewhere it does nothing.
 void limitSandboxTime(std::chrono::seconds processor_time);
 
 /// Starts and finishes a piece of work.
-[[nodiscard]] std::variant<std::string, Crash> runSandboxed(const std::function<std::string()>& work,
-                                                           const SandboxLimits& limits);
+[[nodiscard]] std::variant<std::string, Crash> runSandboxed(
+    const std::function<std::string()>& work, const SandboxLimits& limits);
 
 }  // namespace synthetic_dataset::base

@@ -6,9 +6,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "output/manifest/manifest_paths.h"
+#include "output/verify/label_checks.h"
 #include "plugins/readback/files.h"
 #include "synthetic_dataset/label_text.h"
-#include "output/verify/label_checks.h"
 
 namespace synthetic_dataset::output {
 namespace {

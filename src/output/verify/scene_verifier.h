@@ -10,9 +10,9 @@
 
 #include "output/file_checks.h"
 #include "output/listed_dataset.h"
-#include "plugins/readback/format.h"
 #include "output/verify/dataset_verifier.h"
 #include "output/verify/measured_scenes.h"
+#include "plugins/readback/format.h"
 
 namespace synthetic_dataset::output {
 

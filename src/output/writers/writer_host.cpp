@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "output/files/file_name_rules.h"
-#include "synthetic_dataset/errors.h"
 #include "output/writers/writer_loader.h"
 #include "output/writers/writer_outputs.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "output/dataset_store.h"
-#include "synthetic_dataset/label_writer.h"
 #include "output/writers/writer_options.h"
+#include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset::output {
 

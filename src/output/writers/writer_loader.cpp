@@ -5,9 +5,9 @@
 #include <console_bridge/console.h>
 #include <pluginlib/class_loader.hpp>
 
+#include "output/writers/package_path.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
-#include "output/writers/package_path.h"
 
 namespace synthetic_dataset::output {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "output/files/file_name_rules.h"
 #include "base/image/image_encoder.h"
 #include "base/image/png_encoder.h"
+#include "output/files/file_name_rules.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {

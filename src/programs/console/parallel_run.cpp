@@ -7,9 +7,9 @@
 
 #include "config/motion_list.h"
 #include "config/settings_file.h"
-#include "programs/console/processes.h"
 #include "output/files/file_name_rules.h"
 #include "output/manifest/manifest_content.h"
+#include "programs/console/processes.h"
 #include "run/generator.h"
 #include "run/merger.h"
 #include "run/open_output.h"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "randomize/appearance/texture_source.h"
 #include "base/random/random_source.h"
+#include "randomize/appearance/texture_source.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/model_folders.h"
 #include "world/shape/shape_meshes.h"

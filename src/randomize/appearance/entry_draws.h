@@ -8,9 +8,9 @@
 
 #include <Eigen/Core>
 
-#include "randomize/appearance/drawn_value.h"
 #include "base/random/distribution.h"
 #include "base/random/random_source.h"
+#include "randomize/appearance/drawn_value.h"
 
 namespace synthetic_dataset::randomize {
 
@@ -23,8 +23,8 @@ class EntryDraws {
       : seed_(seed), scene_(scene), owner_(std::move(owner)) {}
 
   /// Nothing where there is no such entry.
-  [[nodiscard]] std::optional<double> number(
-      const std::string& name, const std::optional<base::Distribution>& distribution);
+  [[nodiscard]] std::optional<double> number(const std::string& name,
+                                             const std::optional<base::Distribution>& distribution);
   [[nodiscard]] std::optional<Eigen::Vector3d> vector(
       const std::string& name, const std::optional<base::Distribution>& distribution);
 

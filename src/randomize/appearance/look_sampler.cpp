@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/diagnostics.h"
+#include "base/image/picture_channels.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
-#include "base/image/picture_channels.h"
 
 namespace synthetic_dataset::randomize {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "randomize/appearance/background_sampler.h"
 #include "randomize/appearance/entry_draws.h"
 #include "randomize/appearance/randomize_options.h"
 #include "randomize/appearance/texture_source.h"
-#include "base/diagnostics.h"
 #include "world/look.h"
 #include "world/world.h"
 

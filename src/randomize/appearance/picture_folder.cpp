@@ -11,8 +11,8 @@
 
 #include <opencv2/core.hpp>
 
-#include "synthetic_dataset/errors.h"
 #include "base/image/picture_decoder.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::randomize {
 namespace {
@@ -101,9 +101,8 @@ std::shared_ptr<const world::Texture> PictureFolder::read(std::size_t index) {
   auto found = std::find_if(recent_.begin(), recent_.end(),
                             [&](const auto& texture) { return texture->file == file; });
   if (found == recent_.end()) {
-    world::Texture texture{file, withFile(file, [&](const Bytes& bytes) {
-                             return base::decodePicture(bytes, file);
-                           })};
+    world::Texture texture{
+        file, withFile(file, [&](const Bytes& bytes) { return base::decodePicture(bytes, file); })};
     cv::bitwise_or(texture.pixels, cv::Scalar(0, 0, 0, 255), texture.pixels);  // without holes
     found = recent_.insert(recent_.begin(), std::make_shared<world::Texture>(std::move(texture)));
   }

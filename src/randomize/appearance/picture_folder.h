@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "world/description.h"
 #include "base/image/picture_size.h"
+#include "world/description.h"
 
 namespace synthetic_dataset::randomize {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "randomize/placement/distractor_options.h"
 #include "base/random/distribution.h"
 #include "base/random/text_choice.h"
+#include "randomize/placement/distractor_options.h"
 
 namespace synthetic_dataset::randomize {
 
@@ -22,7 +22,7 @@ struct BackgroundPictures {
   std::optional<double> present;  ///< how likely there is one, 0 .. 1; nothing: always
   BackgroundProjection projection = BackgroundProjection::kBackdrop;
   std::optional<base::Distribution> yaw;  ///< of a panorama: where its middle lies, from x to y
-                                            ///< of the global frame [rad]; nothing: along x
+                                          ///< of the global frame [rad]; nothing: along x
   std::optional<base::Distribution> brightness;  ///< times the picture's light, >= 0
 };
 
@@ -36,30 +36,30 @@ struct BackgroundRandomization {
 
 /// What is drawn anew of a light; nothing: as the world has it.
 struct LightRandomization {
-  std::optional<double> present;                  ///< how likely it is on, 0 .. 1
+  std::optional<double> present;                ///< how likely it is on, 0 .. 1
   std::optional<base::Distribution> intensity;  ///< times that of the world, >= 0
   std::optional<base::Distribution> colour;     ///< linear red, green, blue, >= 0, instead
   std::optional<base::Distribution> elevation;  ///< sunlight comes from there, above the horizon
-                                                  ///< [rad]
+                                                ///< [rad]
   std::optional<base::Distribution> azimuth;    ///< sunlight comes from there, from x to y [rad]
   std::optional<base::Distribution> shift;      ///< of a lamp, in the global frame [m]
 };
 
 /// What is drawn anew of materials; nothing: as the models have it.
 struct MaterialRandomization {
-  bool for_each_visual = true;                    ///< else one draw serves the whole model
+  bool for_each_visual = true;                  ///< else one draw serves the whole model
   std::optional<base::Distribution> colour;     ///< sRGB-encoded red, green, blue, 0 .. 1
   std::optional<base::Distribution> tint;       ///< times the colour that it has; 0 .. 1
   std::optional<base::Distribution> roughness;  ///< 0 .. 1
   std::optional<base::Distribution> metalness;  ///< 0 .. 1
-  std::optional<std::string> textures;  ///< `procedural`, or an absolute folder of pictures
+  std::optional<std::string> textures;          ///< `procedural`, or an absolute folder of pictures
 };
 
 /// What is drawn anew of an object; nothing: as `robot_list` and its group have it.
 struct ObjectRandomization {
-  std::optional<double> present;              ///< how likely it is there, 0 .. 1
+  std::optional<double> present;            ///< how likely it is there, 0 .. 1
   std::optional<base::TextChoice> model;    ///< absolute paths or URIs, instead of its own; of a
-                                              ///< folder that holds models, one of them
+                                            ///< folder that holds models, one of them
   std::optional<base::Distribution> scale;  ///< times the model's size, > 0
   int sizes = 8;  ///< so many are made of what `scale` draws, unless that is a few values
 };
@@ -83,9 +83,9 @@ inline const char* const kOthers = "every";
 /// draws follow from the seed, the scene and the entry's name alone.
 struct Randomization {
   std::map<std::string, LightRandomization> lights;  ///< by the world's names; `every`: others
-  std::optional<base::Distribution> light_count;   ///< how many of the lights are on, rounded;
+  std::optional<base::Distribution> light_count;     ///< how many of the lights are on, rounded;
                                                      ///< nothing: as each one's `present` says
-  std::optional<base::Distribution> ambient;       ///< sRGB-encoded red, green, blue
+  std::optional<base::Distribution> ambient;         ///< sRGB-encoded red, green, blue
   BackgroundRandomization background;
   std::map<std::string, MaterialRandomization> materials;  ///< by model, model::link or
                                                            ///< model::link::visual; `objects`,

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "randomize/appearance/picture_folder.h"
 #include "base/random/random_source.h"
+#include "randomize/appearance/picture_folder.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::randomize {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/random/random_source.h"
 #include "randomize/placement/sampling_options.h"
 #include "randomize/placement/surroundings.h"
-#include "base/random/random_source.h"
 #include "synthetic_dataset/pose.h"
 #include "world/world.h"
 

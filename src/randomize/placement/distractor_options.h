@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "randomize/placement/placement_options.h"
 #include "base/random/distribution.h"
+#include "randomize/placement/placement_options.h"
 
 namespace synthetic_dataset::randomize {
 

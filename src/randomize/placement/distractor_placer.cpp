@@ -83,7 +83,7 @@ std::optional<Pose> DistractorPlacer::findPlace(
     std::size_t distractor, std::int64_t scene, const std::vector<std::optional<Pose>>& placed,
     const std::vector<Eigen::Vector3d>& cameras_G) const {
   base::RandomSource source(seed_, scene,
-                              "randomize/distractors/" + std::to_string(distractor + 1));
+                            "randomize/distractors/" + std::to_string(distractor + 1));
   for (int i = 0; i < config_.tries; ++i) {
     const PoseOrReason drawn = draw(distractor, source);
     const auto* X_GM = std::get_if<Pose>(&drawn);

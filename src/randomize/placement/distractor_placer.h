@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "base/random/random_source.h"
 #include "randomize/placement/distractor_options.h"
 #include "randomize/placement/standing_place.h"
 #include "randomize/placement/surroundings.h"
-#include "base/random/random_source.h"
 #include "synthetic_dataset/cuboid.h"
 #include "world/world.h"
 

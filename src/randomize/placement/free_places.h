@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "randomize/placement/occupancy_map.h"
 #include "base/random/random_source.h"
+#include "randomize/placement/occupancy_map.h"
 
 namespace synthetic_dataset::randomize {
 

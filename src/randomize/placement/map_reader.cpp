@@ -10,9 +10,9 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "base/image/picture_decoder.h"
 #include "randomize/placement/map_file.h"
 #include "synthetic_dataset/errors.h"
-#include "base/image/picture_decoder.h"
 
 namespace synthetic_dataset::randomize {
 namespace {

@@ -29,7 +29,7 @@ struct CameraSampling {
   std::optional<base::Distribution> position_G;
 
   base::Distribution roll = base::Distribution::constant({0.0});  ///< [rad]
-  double clearance = 0.1;  ///< from all that is there [m]
+  double clearance = 0.1;                                         ///< from all that is there [m]
   int tries = 1000;
 };
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "base/random/random_source.h"
 #include "randomize/placement/free_places.h"
 #include "randomize/placement/occupancy_map.h"
 #include "randomize/placement/placement_options.h"
 #include "randomize/placement/standing_place.h"
-#include "base/random/random_source.h"
 #include "synthetic_dataset/cuboid.h"
 #include "synthetic_dataset/pose.h"
 #include "world/world.h"
@@ -63,8 +63,8 @@ class ScenePlacer {
   [[nodiscard]] std::optional<Pose> findPlace(std::size_t object, base::RandomSource& source,
                                               const std::vector<Pose>& placed,
                                               Misses& misses) const;
-  [[nodiscard]] std::optional<std::vector<Pose>> placeAll(
-      std::vector<base::RandomSource>& sources, std::string& problem) const;
+  [[nodiscard]] std::optional<std::vector<Pose>> placeAll(std::vector<base::RandomSource>& sources,
+                                                          std::string& problem) const;
 
   PlacementOptions config_;
   std::vector<PlacedObject> objects_;

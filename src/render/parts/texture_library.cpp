@@ -2,9 +2,9 @@
 
 #include <iterator>
 
+#include "base/image/picture_channels.h"
 #include "render/gl/picture_upload.h"
 #include "synthetic_dataset/errors.h"
-#include "base/image/picture_channels.h"
 
 namespace synthetic_dataset::render {
 namespace {

@@ -36,7 +36,8 @@ CameraDescription describeCamera(const scene::CameraRig& camera,
   if (!field_of_view) return description;
   // What is always the same is not drawn.
   description.intrinsics_vary = field_of_view->lowest() < field_of_view->highest();
-  if (!description.intrinsics_vary && scene::canHaveFieldOfView(camera.model, field_of_view->highest())) {
+  if (!description.intrinsics_vary &&
+      scene::canHaveFieldOfView(camera.model, field_of_view->highest())) {
     description.model = scene::withFieldOfView(camera.model, field_of_view->highest());
   }
   return description;

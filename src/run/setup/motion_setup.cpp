@@ -121,7 +121,8 @@ class MotionBuilder {
     if (!setup_.world) return;
     noteSharedShapes();
     setup_.shapes = attempt([&] {
-      return std::make_unique<scene::ObjectShapes>(config().objects, setup_.variants, *setup_.world);
+      return std::make_unique<scene::ObjectShapes>(config().objects, setup_.variants,
+                                                   *setup_.world);
     });
     noteStrangeSizes();
   }
@@ -162,8 +163,8 @@ class MotionBuilder {
       if (two_sources || no_source) continue;  // told already
       auto rig = found().attempt([&] {
         return scene::makeCameraRig(camera, config().motion.bag_files, *sensors_,
-                             setup_.world ? setup_.world->links() : kNoLinks, config().objects,
-                             *setup_.frames);
+                                    setup_.world ? setup_.world->links() : kNoLinks,
+                                    config().objects, *setup_.frames);
       });
       if (!rig) continue;
       if (rig->sampled && isTaken(rig->frame, camera)) continue;
@@ -197,9 +198,9 @@ class MotionBuilder {
     if (scene::openTime(rig.shutter) <= period) return;
     found().error(
         camera.group + "/effects",
-        "found exposure_time + readout_time of " + fixed(toSeconds(scene::openTime(rig.shutter)), 4) +
-            " s; it should be at most the " + fixed(toSeconds(period), 4) +
-            " s from one scene to the next (simulated_rate" +
+        "found exposure_time + readout_time of " +
+            fixed(toSeconds(scene::openTime(rig.shutter)), 4) + " s; it should be at most the " +
+            fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate" +
             (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)"
                                                 : ")"));
   }
@@ -234,20 +235,19 @@ class MotionBuilder {
     if (!setup_.frames || !setup_.shapes || setup_.cameras.empty()) return;
     setup_.variation = attempt([&] {
       return std::make_unique<scene::SceneVariation>(config(), setup_.cameras, setup_.variants,
-                                              *setup_.world, found());
+                                                     *setup_.world, found());
     });
     setup_.arranger = attempt([&] {
       return std::make_unique<scene::SceneArranger>(config(), setup_.cameras, setup_.variants,
-                                             *setup_.shapes, *setup_.world, *setup_.frames,
-                                             found());
+                                                    *setup_.shapes, *setup_.world, *setup_.frames,
+                                                    found());
     });
   }
 
   void planScenes() {
     if (!setup_.frames || config().objects.empty()) return;
     auto timeline = found().attempt([&] {
-      return run::planScenes(*setup_.frames, config(), setup_.cameras,
-                                           setup_.driven_links);
+      return run::planScenes(*setup_.frames, config(), setup_.cameras, setup_.driven_links);
     });
     if (timeline) setup_.timeline = std::move(*timeline);
   }

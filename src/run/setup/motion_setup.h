@@ -10,13 +10,13 @@
 #include "config/config.h"
 #include "config/motion_list.h"
 #include "motion/placed_frames.h"
+#include "run/setup/world_files.h"
 #include "scene/articulation.h"
 #include "scene/camera_rig.h"
 #include "scene/object_shapes.h"
 #include "scene/object_variants.h"
 #include "scene/scene_arranger.h"
 #include "scene/scene_variation.h"
-#include "run/setup/world_files.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::run {
@@ -28,7 +28,7 @@ struct MotionSetup {
   config::Config config;  ///< all settings that hold for it
   std::unique_ptr<motion::PlacedFrames> frames;
   motion::Timeline timeline;
-  std::int64_t first_instant = 0;        ///< in the run, of its timeline's first time
+  std::int64_t first_instant = 0;               ///< in the run, of its timeline's first time
   std::vector<scene::ObjectVariants> variants;  ///< of each object
   std::unique_ptr<world::World> world;
   std::vector<scene::CameraRig> cameras;

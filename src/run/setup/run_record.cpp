@@ -4,10 +4,10 @@
 
 #include <libdeflate.h>
 
-#include "randomize/appearance/picture_folder.h"
 #include "base/json_text.h"
 #include "config/settings_text.h"
 #include "output/files/digest.h"
+#include "randomize/appearance/picture_folder.h"
 #include "randomize/placement/map_file.h"
 
 namespace synthetic_dataset::run {

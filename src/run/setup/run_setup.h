@@ -8,10 +8,10 @@
 #include "base/diagnostics.h"
 #include "config/config.h"
 #include "output/manifest/run_description.h"
+#include "output/writers/writer_host.h"
 #include "run/setup/motion_setup.h"
 #include "run/setup/split_plan.h"
 #include "synthetic_dataset/value.h"
-#include "output/writers/writer_host.h"
 
 namespace synthetic_dataset::run {
 

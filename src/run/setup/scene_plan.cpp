@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "randomize/appearance/entry_draws.h"
 #include "base/seconds.h"
+#include "randomize/appearance/entry_draws.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 

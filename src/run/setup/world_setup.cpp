@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "randomize/appearance/distractor_models.h"
 #include "base/diagnostics.h"
 #include "base/seconds.h"
+#include "randomize/appearance/distractor_models.h"
 #include "render/light/light_setup.h"
 #include "render/shadows/shadow_projection.h"
 #include "world/mesh/scaled_model.h"
@@ -89,7 +89,8 @@ class WorldBuilder {
   }
 
  private:
-  void addObject(const scene::ObjectOptions& object, const std::vector<scene::ObjectVariant>& variants,
+  void addObject(const scene::ObjectOptions& object,
+                 const std::vector<scene::ObjectVariant>& variants,
                  world::Description& surroundings) {
     const auto in_world = takeModel(surroundings, object.name);
     if (!object.takes_part) {
@@ -119,14 +120,16 @@ class WorldBuilder {
     objects_.emplace_back(std::move(moving));
   }
 
-  const world::Model& modelOf(const scene::ObjectVariant& variant, const scene::ObjectOptions& object) {
+  const world::Model& modelOf(const scene::ObjectVariant& variant,
+                              const scene::ObjectOptions& object) {
     if (variant.model == object.model) return files_.model(*variant.model, object.name);
     return base::namingPlace(
         "randomize/objects/" + object.name + "/model",
         [&]() -> const world::Model& { return files_.model(*variant.model, object.name); });
   }
 
-  world::MovingModel makeVariant(const scene::ObjectVariant& variant, const scene::ObjectOptions& object,
+  world::MovingModel makeVariant(const scene::ObjectVariant& variant,
+                                 const scene::ObjectOptions& object,
                                  const std::optional<world::Model>& in_world) {
     world::Model model =
         world::scaled(variant.model ? modelOf(variant, object) : *in_world, variant.scale);
@@ -143,7 +146,8 @@ class WorldBuilder {
           "are in any size; it should be without scale, or have link_frames that TF does not "
           "know, such as 'rigid/{link}'");
     }
-    scene::DrivenLinks& driven = setup_.driven_links.back().emplace_back(std::move(articulation.driven));
+    scene::DrivenLinks& driven =
+        setup_.driven_links.back().emplace_back(std::move(articulation.driven));
     std::vector<std::size_t> links;
     for (const scene::DrivenLink& each : driven) links.push_back(each.link);
     const bool is_first = setup_.driven_links.back().size() == 1;
@@ -164,7 +168,8 @@ class WorldBuilder {
 
 }  // namespace
 
-WorldSetup setUpWorld(const config::Config& config, const std::vector<scene::ObjectVariants>& variants,
+WorldSetup setUpWorld(const config::Config& config,
+                      const std::vector<scene::ObjectVariants>& variants,
                       const motion::FrameSource* frames, WorldFiles& files,
                       base::Diagnostics& found) {
   return WorldBuilder(config, variants, frames, files, found).build();

@@ -9,16 +9,16 @@
 #include "base/diagnostics.h"
 #include "config/config.h"
 #include "motion/frame_source.h"
+#include "run/setup/world_files.h"
 #include "scene/articulation.h"
 #include "scene/object_variants.h"
-#include "run/setup/world_files.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::run {
 
 /// A motion's world, and what was learnt from its files.
 struct WorldSetup {
-  std::unique_ptr<world::World> world;                 ///< nothing where something is wrong
+  std::unique_ptr<world::World> world;                        ///< nothing where something is wrong
   std::vector<std::vector<scene::DrivenLinks>> driven_links;  ///< of each object's variants
 
   /// Of the world and of the objects' models; nothing where the world cannot be read.

@@ -7,10 +7,10 @@
 #include <system_error>
 #include <utility>
 
-#include "synthetic_dataset/errors.h"
-#include "world/files/text.h"
 #include "base/image/picture_channels.h"
 #include "base/image/picture_decoder.h"
+#include "synthetic_dataset/errors.h"
+#include "world/files/text.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -134,8 +134,8 @@ std::shared_ptr<const Texture> TextureLoader::loadWithOpacity(const TextureRefer
   const std::shared_ptr<const Texture> alpha = load(opacity);
   auto& texture = with_opacity_[{base.get(), alpha.get()}];
   if (!texture) {
-    texture =
-        std::make_shared<Texture>(Texture{base->file, base::withAlphaOf(base->pixels, alpha->pixels)});
+    texture = std::make_shared<Texture>(
+        Texture{base->file, base::withAlphaOf(base->pixels, alpha->pixels)});
   }
   return texture;
 }

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "synthetic_dataset/errors.h"
 #include "base/sandbox/sandboxed_batch.h"
+#include "synthetic_dataset/errors.h"
 #include "world/mesh/mesh_file_bytes.h"
 
 namespace synthetic_dataset::world {
@@ -12,10 +12,11 @@ namespace synthetic_dataset::world {
 std::map<std::string, MeshFile> readMeshFiles(const std::vector<std::filesystem::path>& files) {
   std::vector<base::SandboxedWork> pieces;
   for (const auto& file : files) {
-    pieces.push_back(
-        {[&file] { return toBytes(importMeshFile(file)); }, meshSandboxLimits(file).processor_time});
+    pieces.push_back({[&file] { return toBytes(importMeshFile(file)); },
+                      meshSandboxLimits(file).processor_time});
   }
-  const std::vector<std::optional<std::string>> contents = base::runAllSandboxed(pieces, base::SandboxLimits().memory);
+  const std::vector<std::optional<std::string>> contents =
+      base::runAllSandboxed(pieces, base::SandboxLimits().memory);
   std::map<std::string, MeshFile> result;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (!contents[i]) continue;

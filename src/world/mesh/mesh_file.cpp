@@ -20,8 +20,8 @@
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
-#include "synthetic_dataset/errors.h"
 #include "base/sandbox/sandboxed_process.h"
+#include "synthetic_dataset/errors.h"
 #include "world/material/colour_encoding.h"
 #include "world/mesh/collada_repair.h"
 #include "world/mesh/mesh_file_bytes.h"
@@ -265,7 +265,8 @@ MeshFile importMeshFile(const std::filesystem::path& file) {
 
 MeshFile readMeshFile(const std::filesystem::path& file) {
   const auto work = [&] { return toBytes(importMeshFile(file)); };
-  const std::variant<std::string, base::Crash> answer = base::runSandboxed(work, meshSandboxLimits(file));
+  const std::variant<std::string, base::Crash> answer =
+      base::runSandboxed(work, meshSandboxLimits(file));
   if (const auto* crash = std::get_if<base::Crash>(&answer)) {
     throw Error("cannot be read (assimp, which reads it, " + crash->how + ")");
   }

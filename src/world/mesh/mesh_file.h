@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "world/description.h"
 #include "base/sandbox/sandboxed_process.h"
+#include "world/description.h"
 #include "world/material/material_source.h"
 
 namespace synthetic_dataset::world {

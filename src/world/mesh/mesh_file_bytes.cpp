@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "synthetic_dataset/errors.h"
 #include "base/sandbox/byte_stream.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::world {
 namespace {

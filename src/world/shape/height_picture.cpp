@@ -8,8 +8,8 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "synthetic_dataset/errors.h"
 #include "base/image/picture_decoder.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::world {
 

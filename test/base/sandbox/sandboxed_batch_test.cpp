@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 
-#include "synthetic_dataset/errors.h"
 #include "base/sandbox/sandboxed_process.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::base {
 namespace sandboxed_batch_test {
@@ -27,7 +27,9 @@ TEST(TryAll, GivesEachPieceItsResult) {
   }
 }
 
-TEST(TryAll, OfNothingIsNothing) { EXPECT_THAT(runAllSandboxed({}, SandboxLimits().memory), IsEmpty()); }
+TEST(TryAll, OfNothingIsNothing) {
+  EXPECT_THAT(runAllSandboxed({}, SandboxLimits().memory), IsEmpty());
+}
 
 TEST(TryAll, LeavesOutWhatFailsAlone) {
   const std::vector<SandboxedWork> pieces = {

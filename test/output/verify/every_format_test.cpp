@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "plugins/format_cases.h"
 #include "output/verify/verification_fixture.h"
+#include "plugins/format_cases.h"
 
 namespace synthetic_dataset::output {
 namespace every_format_test {

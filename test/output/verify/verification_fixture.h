@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "output/dataset_store.h"
-#include "plugins/plugin_harness.h"
 #include "output/verify/dataset_verifier.h"
+#include "plugins/plugin_harness.h"
 
 namespace synthetic_dataset::output {
 

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 
 #include "support/temporary_folder.h"
-#include "synthetic_dataset/errors.h"
 #include "support/writers/plugin_environment.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
 namespace writer_host_test {

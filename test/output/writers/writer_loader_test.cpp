@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "synthetic_dataset/errors.h"
 #include "support/writers/plugin_environment.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
 namespace writer_loader_test {

@@ -12,8 +12,8 @@
 namespace synthetic_dataset::randomize {
 namespace camera_sampler_test {
 
-using Eigen::Vector3d;
 using base::Distribution;
+using Eigen::Vector3d;
 using test::SolidBox;
 using ::testing::AllOf;
 using ::testing::HasSubstr;

@@ -10,8 +10,8 @@
 namespace synthetic_dataset::randomize {
 namespace free_places_test {
 
-using Eigen::Vector2d;
 using base::RandomSource;
+using Eigen::Vector2d;
 
 constexpr int kTries = 1000;
 

@@ -12,7 +12,7 @@
 #include "world/physics/simple_models.h"
 #include "world/world.h"
 
-namespace synthetic_dataset::randomize {
+namespace synthetic_dataset::test {
 
 /// A box about its model's origin.
 struct SolidBox {
@@ -107,4 +107,4 @@ struct SolidBox {
   return squares;
 }
 
-}  // namespace synthetic_dataset::randomize
+}  // namespace synthetic_dataset::test

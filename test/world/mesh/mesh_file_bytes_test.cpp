@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "synthetic_dataset/errors.h"
 #include "base/sandbox/byte_stream.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::world {
 namespace mesh_file_bytes_test {

@@ -12,9 +12,8 @@
 #include "synthetic_dataset/errors.h"
 #include "world/world_loader.h"
 
-namespace synthetic_dataset::world::test {
+namespace synthetic_dataset::test {
 
-using synthetic_dataset::test::TemporaryFolder;
 using testing::AllOf;
 using testing::Contains;
 using testing::Each;
@@ -63,21 +62,22 @@ constexpr const char* kTriangleObj =
     "v 0 0 0\nv 1 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
 
 /// A finder that knows the folder's models and no packages.
-[[nodiscard]] inline ResourceFinder finderIn(const TemporaryFolder& folder) {
-  return ResourceFinder({folder.path().string()}, nullptr);
+[[nodiscard]] inline world::ResourceFinder finderIn(const TemporaryFolder& folder) {
+  return world::ResourceFinder({folder.path().string()}, nullptr);
 }
 
 /// The world that a world file's text describes.
-[[nodiscard]] inline Description loadText(const TemporaryFolder& folder, const std::string& text) {
-  return loadWorld(folder.write("world.sdf", text).string(), finderIn(folder));
+[[nodiscard]] inline world::Description loadText(const TemporaryFolder& folder,
+                                                 const std::string& text) {
+  return world::loadWorld(folder.write("world.sdf", text).string(), finderIn(folder));
 }
 
 /// The same, without what is missing.
-[[nodiscard]] inline Description loadWithoutMissing(const TemporaryFolder& folder,
-                                                    const std::string& text) {
-  LoadOptions options;
-  options.on_missing_asset = OnMissingAsset::kWarn;
-  return loadWorld(folder.write("world.sdf", text).string(), finderIn(folder), options);
+[[nodiscard]] inline world::Description loadWithoutMissing(const TemporaryFolder& folder,
+                                                           const std::string& text) {
+  world::LoadOptions options;
+  options.on_missing_asset = world::OnMissingAsset::kWarn;
+  return world::loadWorld(folder.write("world.sdf", text).string(), finderIn(folder), options);
 }
 
 [[nodiscard]] inline std::string includeElement(const std::string& uri,
@@ -86,7 +86,8 @@ constexpr const char* kTriangleObj =
 }
 
 /// The one visual of a world with nothing else.
-[[nodiscard]] inline Visual loadVisual(const TemporaryFolder& folder, const std::string& visual) {
+[[nodiscard]] inline world::Visual loadVisual(const TemporaryFolder& folder,
+                                              const std::string& visual) {
   return loadText(folder, worldFile(modelElement("m", linkElement(visual))))
       .models.at(0)
       .links.at(0)
@@ -97,7 +98,7 @@ constexpr const char* kTriangleObj =
 [[nodiscard]] inline std::vector<std::string> errorsOfFile(const TemporaryFolder& folder,
                                                            const std::string& uri) {
   try {
-    static_cast<void>(loadWorld(uri, finderIn(folder)));
+    static_cast<void>(world::loadWorld(uri, finderIn(folder)));
   } catch (const ErrorList& errors) {
     return errors.messages();
   }
@@ -109,4 +110,4 @@ constexpr const char* kTriangleObj =
   return errorsOfFile(folder, folder.write("world.sdf", text).string());
 }
 
-}  // namespace synthetic_dataset::world::test
+}  // namespace synthetic_dataset::test

@@ -16,7 +16,8 @@ Material materialOf(const TemporaryFolder& folder, const std::string& material,
   return test::loadVisual(folder, visualElement(geometry, material)).surfaces.at(0).material;
 }
 
-std::vector<std::string> errorsOf(const TemporaryFolder& folder, const std::string& material) {
+std::vector<std::string> errorsOfMaterial(const TemporaryFolder& folder,
+                                          const std::string& material) {
   return test::errorsOf(folder,
                         worldFile(modelElement("m", linkElement(visualElement(kBox, material)))));
 }
@@ -110,13 +111,13 @@ TEST(SdfScript, IsNotLookedForWhereGazeboSavedAWorld) {
 TEST(SdfScript, TellsWhereAnUnknownMaterialWasLookedFor) {
   const TemporaryFolder folder;
   writeShelf(folder, "materials/textures");
-  EXPECT_THAT(errorsOf(folder, script("Shelf/Blue",
-                                      "<uri>model://shelf/materials/scripts</uri>"
-                                      "<uri>model://shelf/elsewhere</uri>")),
+  EXPECT_THAT(errorsOfMaterial(folder, script("Shelf/Blue",
+                                              "<uri>model://shelf/materials/scripts</uri>"
+                                              "<uri>model://shelf/elsewhere</uri>")),
               ElementsAre(AllOf(HasSubstr("visual 'v': material 'Shelf/Blue' is in no script"),
                                 HasSubstr("shelf.material"), HasSubstr("'model://shelf/elsewhere'"),
                                 HasSubstr("and Gazebo ships none of that name"))));
-  EXPECT_THAT(errorsOf(folder, script("Gazebo/Gray", "")),
+  EXPECT_THAT(errorsOfMaterial(folder, script("Gazebo/Gray", "")),
               ElementsAre(HasSubstr("material 'Gazebo/Gray' is in no script (no <uri> names a "
                                     "script or a folder with scripts), and Gazebo ships none of "
                                     "that name; did you mean 'Gazebo/Grey'?")));
@@ -125,14 +126,14 @@ TEST(SdfScript, TellsWhereAnUnknownMaterialWasLookedFor) {
 TEST(SdfScript, TellsFileAndLineOfAMalformedScript) {
   const TemporaryFolder folder;
   folder.write("bad.material", "material A\n{\n technique\n {\n");
-  EXPECT_THAT(errorsOf(folder, script("A", "<uri>bad.material</uri>")),
+  EXPECT_THAT(errorsOfMaterial(folder, script("A", "<uri>bad.material</uri>")),
               ElementsAre(HasSubstr("bad.material: line 3: the section 'technique' has no '}'")));
 }
 
 TEST(SdfScript, TellsOfAPictureThatIsMissing) {
   const TemporaryFolder folder;
   folder.write("s/a.material", kScript);
-  EXPECT_THAT(errorsOf(folder, script("Shelf/Red", "<uri>s</uri>")),
+  EXPECT_THAT(errorsOfMaterial(folder, script("Shelf/Red", "<uri>s</uri>")),
               ElementsAre(AllOf(HasSubstr("material 'Shelf/Red': texture 'red.png': no such file"),
                                 HasSubstr((folder / "s").string()))));
 }
