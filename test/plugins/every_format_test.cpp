@@ -44,6 +44,8 @@ class EveryFormat : public PluginTest, public testing::WithParamInterface<Format
     scene.stamp = Stamp(std::chrono::seconds(1 + index));  // a bag has no time 0
     for (SceneObject& object : scene.objects) {
       object.class_name = object.class_text = dataset_.classes[0].name;
+      object.keypoints_O = {Eigen::Vector3d::Zero()};
+      object.keypoints = {keypoint(Eigen::Vector2d(120.0, 110.0), 10.0, KeypointState::kVisible)};
     }
     return scene;
   }

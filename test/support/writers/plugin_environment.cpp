@@ -6,7 +6,7 @@ namespace synthetic_dataset::test {
 namespace {
 
 const std::string kSourceFolder = SYNTHETIC_DATASET_SOURCE_DIR;
-const std::string kTestPackage = kSourceFolder + "/test/writers/plugin_package";
+const std::string kTestPackage = kSourceFolder + "/test/support/writers/plugin_package";
 
 }  // namespace
 
