@@ -82,24 +82,36 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   const bool stands_alone = motion_.arranger->standsAlone();
   const bool is_wanted = work.wants(instant);
   if (stands_alone && !is_wanted) return;
+  // Scenes that wait for nothing are passed on one by one, as their pictures take much memory.
+  const bool waits_for_next = scene_maker_.needsOpticalFlow() && !stands_alone;
+  const bool waits = waits_for_next || picture_taker_.offsets().size() > 1;
   std::vector<UnwrittenScene> scenes;
+  const auto develop = [&] {
+    for (UnwrittenScene& each : scenes) {
+      const Scene& scene = each.seen.scene;
+      each.image = picture_taker_.develop(scene.camera_index, scene.index);
+    }
+    // Warnings go to the instant's first scene.
+    if (!scenes.empty()) scenes.front().warnings = std::exchange(news_, {});
+    unwritten_ = std::exchange(scenes, {});
+    if (!waits_for_next) write(std::nullopt, work);
+  };
   arrange(instant, stamp, is_wanted);
   for (const Duration offset : picture_taker_.offsets()) {
     moveWorld(stamp + offset);
-    if (is_wanted) picture_taker_.expose(stamp, offset);
-    if (offset != Duration{0}) continue;
-    write(stamp, work);
-    if (is_wanted) scenes = lookAtInstant(instant, stamp);
+    std::vector<Pose> X_GO;
+    if (offset == Duration{0}) {
+      write(stamp, work);
+      if (is_wanted) X_GO = object_motion_.objectPoses(stamp);
+    }
+    for (std::size_t camera = 0; is_wanted && camera < motion_.cameras.size(); ++camera) {
+      picture_taker_.expose(camera, stamp, offset);
+      if (offset == Duration{0}) scenes.push_back(look(camera, instant, stamp, X_GO));
+      if (!waits) develop();
+    }
   }
-  for (UnwrittenScene& each : scenes) {
-    const Scene& scene = each.seen.scene;
-    each.image = picture_taker_.develop(scene.camera_index, scene.index);
-  }
-  // What a time brought to light is told with its first scene.
-  if (!scenes.empty()) scenes.front().warnings = std::move(news_);
+  if (waits) develop();
   news_.clear();
-  unwritten_ = std::move(scenes);
-  if (stands_alone || !scene_maker_.needsOpticalFlow()) write(std::nullopt, work);
 }
 
 /// Puts everything that is put somewhere for each scene, at the time when the first shutter opens.
@@ -114,16 +126,13 @@ void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
   motion_.variation->vary(instant, renderer_, motion_.cameras);
 }
 
-std::vector<MotionRun::UnwrittenScene> MotionRun::lookAtInstant(std::int64_t instant, Stamp stamp) {
-  std::vector<UnwrittenScene> scenes;
-  const std::vector<Pose> X_GO = object_motion_.objectPoses(stamp);
-  for (std::size_t camera = 0; camera < motion_.cameras.size(); ++camera) {
-    scenes.push_back(
-        {scene_maker_.look(camera, instant, stamp, X_GO), {}, {}, {}, drawsOf(camera, instant)});
-    scenes.back().seen.scene.split = splits_.at(instant);
-  }
-  scenes.front().contacts = findContacts(stamp);
-  return scenes;
+MotionRun::UnwrittenScene MotionRun::look(std::size_t camera, std::int64_t instant, Stamp stamp,
+                                          const std::vector<Pose>& X_GO) {
+  UnwrittenScene scene{
+      scene_maker_.look(camera, instant, stamp, X_GO), {}, {}, {}, drawsOf(camera, instant)};
+  scene.seen.scene.split = splits_.at(instant);
+  if (camera == 0) scene.contacts = findContacts(stamp);
+  return scene;
 }
 
 /// All that was drawn for a camera's scene.

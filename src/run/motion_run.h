@@ -54,7 +54,8 @@ class MotionRun {
   void moveWorld(Stamp stamp);
   void makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& work);
   void arrange(std::int64_t instant, Stamp stamp, bool is_wanted);
-  [[nodiscard]] std::vector<UnwrittenScene> lookAtInstant(std::int64_t instant, Stamp stamp);
+  [[nodiscard]] UnwrittenScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
+                                    const std::vector<Pose>& X_GO);
   [[nodiscard]] std::vector<output::DrawFacts> drawsOf(std::size_t camera,
                                                        std::int64_t instant) const;
   [[nodiscard]] std::vector<output::ContactFacts> findContacts(Stamp stamp);

@@ -29,19 +29,17 @@ PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer
   offsets_.erase(std::unique(offsets_.begin(), offsets_.end()), offsets_.end());
 }
 
-void PictureTaker::expose(Stamp instant, Duration offset) {
-  for (std::size_t i = 0; i < cameras_.size(); ++i) {
-    const CameraRig& camera = cameras_[i];
-    Sensor& sensor = sensors_[i];
-    for (const Shot& shot : sensor.shots) {
-      if (shot.offset != offset) continue;
-      if (!sensor.light) {
-        sensor.picture = draw(camera, instant, offset, {});
-        continue;
-      }
-      const cv::Rect rows(0, shot.first_row, camera.model.width(), shot.row_count);
-      sensor.light->add(draw(camera, instant, offset, {rows})()(rows), rows, shot.weight);
+void PictureTaker::expose(std::size_t camera, Stamp instant, Duration offset) {
+  const CameraRig& rig = cameras_[camera];
+  Sensor& sensor = sensors_[camera];
+  for (const Shot& shot : sensor.shots) {
+    if (shot.offset != offset) continue;
+    if (!sensor.light) {
+      sensor.picture = draw(rig, instant, offset, {});
+      continue;
     }
+    const cv::Rect rows(0, shot.first_row, rig.model.width(), shot.row_count);
+    sensor.light->add(draw(rig, instant, offset, {rows})()(rows), rows, shot.weight);
   }
 }
 

@@ -17,8 +17,8 @@ namespace synthetic_dataset {
 /// Takes the cameras' pictures as their sensors would: over the time that their shutters are open,
 /// with the effects of lens and sensor.
 ///
-/// For each instant: move the world to each of `offsets` from the instant and `expose`, then
-/// `develop` each camera's picture.
+/// For each instant: move the world to each of `offsets` from the instant and `expose` each camera,
+/// then `develop` each camera's picture.
 class PictureTaker {
  public:
   /// All references have to outlive this.
@@ -26,11 +26,11 @@ class PictureTaker {
                const motion::FrameMotion& frames, const std::vector<CameraRig>& cameras,
                std::int64_t seed);
 
-  /// The times round an instant at which a shutter lets light in, ascending; 0 is among them.
+  /// The times around an instant at which a shutter lets light in, ascending; 0 is among them.
   [[nodiscard]] const std::vector<Duration>& offsets() const { return offsets_; }
 
-  /// Lets the world as it stands at `instant + offset` fall on the sensors.
-  void expose(Stamp instant, Duration offset);
+  /// Lets the world as it stands at `instant + offset` fall on a camera's sensor.
+  void expose(std::size_t camera, Stamp instant, Duration offset);
 
   /// What a camera has seen, to be made in any thread as long as the renderer lives: CV_8UC3, blue
   /// green red. Its sensor is dark again then.

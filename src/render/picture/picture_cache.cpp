@@ -42,10 +42,10 @@ void PictureCache::forget() {
 }
 
 /// A painter for a place from which none of them drew last: one for all places that do not come
-/// back, and one for each that does, as long as there is room.
+/// back, and one for each that does, as long as there is room; of large pictures, one for all.
 std::vector<PictureCache::Entry>::iterator PictureCache::freeFor(const View& view) {
   const cv::Size size(view.camera.width(), view.camera.height());
-  const bool comes_back = comesBack(view);
+  const bool comes_back = mostOf(size) > 1 && comesBack(view);
   std::size_t count = 0;
   auto last = entries_.end();
   for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
