@@ -154,7 +154,7 @@ const Change kNumbers[] = {
     {"MotionsSum", "UPDATE motion SET instant_count = 5",
      "motion: instants in all that are not those of the run: 4"},
     {"NoMotion", "DELETE FROM motion", "motion: instants in all that are not those of the run: 4"},
-    {"RecordsSequences", "UPDATE record SET sequence = 1 WHERE scene = 2",
+    {"RecordsSequences", "UPDATE record SET sequence = sequence + 2 WHERE scene = 2",
      "record: sequences that do not count from 0: writer 0 scene 2"},
     {"ContactsSequences", "INSERT INTO contact VALUES (1, 1, 'a', 'b', 0.1)",
      "contact: sequences that do not count from 0: scene 1"},
