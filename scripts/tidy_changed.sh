@@ -31,7 +31,7 @@ echo "clang-tidy: ${#files[@]} sources differ from $(git log -1 --format='%h, %s
 command -v clang-tidy >/dev/null || "$here/install_dependencies.sh" clang-tidy
 # Configured by itself: clang reads neither GCC's precompiled headers nor files that a unity build makes.
 mkdir -p "$workspace-tidy"
-cmake -S "$repository" -B "$workspace-tidy" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_UNITY_BUILD=OFF \
+cmake -S "$repository" -B "$workspace-tidy" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DSYNTHETIC_DATASET_UNITY=OFF \
   -DSYNTHETIC_DATASET_PRECOMPILE=OFF -DPYTHON_EXECUTABLE=/usr/bin/python3 \
   -DPython3_EXECUTABLE=/usr/bin/python3 >"$workspace-tidy/configure.log" 2>&1 ||
   { tail -20 "$workspace-tidy/configure.log"; exit 1; }
