@@ -24,7 +24,7 @@ void readToGoOn(const std::string& folder) {
   static_cast<void>(manifest.counts());
   static_cast<void>(manifest.warningCounts());
   static_cast<void>(manifest.objectCounts());
-  manifest.forEachRecord(0, [](std::int64_t, const std::string&) {});
+  manifest.forEachRecord(0, "a", [](std::int64_t, const std::string&) {});
 }
 
 }  // namespace
