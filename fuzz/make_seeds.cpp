@@ -101,8 +101,8 @@ void writeManifest(const fs::path& file) {
       INSERT INTO camera VALUES (0, 'camera', 'lens', 64, 48);
       INSERT INTO object VALUES (0, 'robot', 0, 'robot');
       INSERT INTO scene VALUES (0, 0, 5, 'camera', 64, 48, '', 1, 0, 0, 0, 0, 0, 0, 1, 'complete');
-      INSERT INTO file VALUES ('yolo/00000000.png', 0, 0, 9, 'abc', NULL);
-      INSERT INTO record VALUES (0, 0, 0, '00000000.png');
+      INSERT INTO file VALUES ('yolo/00000000.png', 0, 0, 9, '', NULL);
+      INSERT INTO record VALUES (0, 0, 0, 'a' || char(10) || '00000000.png');
       INSERT INTO warning VALUES (0, 0, 1, 'kind', 'detail');)");
 }
 
