@@ -165,8 +165,11 @@ std::vector<output::ContactFacts> MotionRun::findContacts(Stamp stamp) {
 void MotionRun::passOn(std::optional<Stamp> now, ScenePipeline& pipeline) {
   for (DrawnScene& each : drawn_) {
     if (scene_maker_.needsOpticalFlow()) scene_maker_.addOpticalFlow(each.seen, now);
+    const CameraModel& camera = each.seen.scene.camera;
+    const std::int64_t pixel_count = std::int64_t{camera.width()} * camera.height();
     pipeline.add(
-        [this, drawn = std::make_shared<DrawnScene>(std::move(each))] { return finish(*drawn); });
+        [this, drawn = std::make_shared<DrawnScene>(std::move(each))] { return finish(*drawn); },
+        pixel_count);
   }
   drawn_.clear();
 }

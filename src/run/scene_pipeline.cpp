@@ -9,6 +9,9 @@ namespace {
 /// How many scenes may wait while one is finished, and as many while one is added.
 constexpr std::size_t kMostWaiting = 1;
 
+/// What was drawn for a scene takes some 40 bytes a pixel.
+constexpr std::int64_t kLargeImage = 4'000'000;  // [px]
+
 }  // namespace
 
 ScenePipeline::ScenePipeline(SceneSink& sink, Reporter& reporter, std::int64_t scene_count)
@@ -20,13 +23,14 @@ ScenePipeline::ScenePipeline(SceneSink& sink, Reporter& reporter, std::int64_t s
   reporter_.progress(0, scene_count_);
 }
 
-void ScenePipeline::add(PendingScene scene) {
+void ScenePipeline::add(PendingScene scene, std::int64_t pixel_count) {
   try {
     finisher_.add([this, scene = std::move(scene)] {
       adder_.add([this, finished = std::make_shared<const FinishedScene>(scene())] {
         addToSink(*finished);
       });
     });
+    if (pixel_count >= kLargeImage) finisher_.finish();
   } catch (...) {
     adder_.finish();  // the scenes before are added, or one of them has failed first
     throw;

@@ -26,8 +26,10 @@ class ScenePipeline {
   /// @param scene_count  how many scenes will come
   ScenePipeline(SceneSink& sink, Reporter& reporter, std::int64_t scene_count);
 
-  /// Waits while too many scenes wait already.
-  void add(PendingScene scene);
+  /// Waits while too many scenes wait already. Of a large image, what was drawn takes much memory:
+  /// such a scene is finished before this returns.
+  /// @param pixel_count  of the scene's image
+  void add(PendingScene scene, std::int64_t pixel_count);
 
   /// Waits until the sink has all scenes.
   void finish();

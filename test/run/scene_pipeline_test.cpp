@@ -1,5 +1,7 @@
 #include "run/scene_pipeline.h"
 
+#include <atomic>
+
 #include <gmock/gmock.h>
 
 #include "support/fake_scene_sink.h"
@@ -11,6 +13,9 @@ namespace scene_pipeline_test {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
+
+constexpr std::int64_t kSmall = 640 * 480;    // [px]
+constexpr std::int64_t kLarge = 3840 * 2160;  // [px]
 
 /// Keeps what is reported.
 struct KeepingReporter : Reporter {
@@ -50,7 +55,7 @@ class ScenePipelineTest : public testing::Test {
 
 TEST_F(ScenePipelineTest, AddsAllScenesInTheirOrder) {
   ScenePipeline pipeline(sink, reporter, 4);
-  for (const std::int64_t index : {0, 1, 2, 5}) pipeline.add(pending(index));
+  for (const std::int64_t index : {0, 1, 2, 5}) pipeline.add(pending(index), kSmall);
   pipeline.finish();
   EXPECT_THAT(indicesInSink(), ElementsAre(0, 1, 2, 5));
   EXPECT_EQ(pipeline.addedCount(), 4);
@@ -58,22 +63,36 @@ TEST_F(ScenePipelineTest, AddsAllScenesInTheirOrder) {
               ElementsAre(Pair(0, 4), Pair(1, 4), Pair(2, 4), Pair(3, 4), Pair(4, 4)));
 }
 
+TEST_F(ScenePipelineTest, HasFinishedALargeSceneBeforeTheNextOneIsDrawn) {
+  ScenePipeline pipeline(sink, reporter, 1);
+  std::atomic<bool> is_finished = false;
+  pipeline.add(
+      [&] {
+        is_finished = true;
+        return pending(0)();
+      },
+      kLarge);
+  EXPECT_TRUE(is_finished);
+  pipeline.finish();
+  EXPECT_THAT(indicesInSink(), ElementsAre(0));
+}
+
 TEST_F(ScenePipelineTest, ReportsEachKindOfWarningOnceWhetherOfTheSceneOrOfTheSink) {
   sink.warnings = {{"a keypoint is behind the camera"}};
   ScenePipeline pipeline(sink, reporter, 2);
-  pipeline.add(pending(0, {{"a gap", "at 1 s"}}));
-  pipeline.add(pending(1, {{"a gap", "at 2 s"}}));
+  pipeline.add(pending(0, {{"a gap", "at 1 s"}}), kSmall);
+  pipeline.add(pending(1, {{"a gap", "at 2 s"}}), kSmall);
   pipeline.finish();
   EXPECT_THAT(reporter.warnings, ElementsAre("a gap (at 1 s)", "a keypoint is behind the camera"));
 }
 
 TEST_F(ScenePipelineTest, AddsTheScenesBeforeOneThatCannotBeFinished) {
   ScenePipeline pipeline(sink, reporter, 4);
-  pipeline.add(pending(0));
-  pipeline.add(pending(1));
+  pipeline.add(pending(0), kSmall);
+  pipeline.add(pending(1), kSmall);
   const auto goOn = [&] {
-    pipeline.add(failing());
-    pipeline.add(pending(2));
+    pipeline.add(failing(), kSmall);
+    pipeline.add(pending(2), kSmall);
     pipeline.finish();
   };
   EXPECT_THAT(goOn, testing::ThrowsMessage<Error>(HasSubstr("no light")));
@@ -86,9 +105,9 @@ TEST_F(ScenePipelineTest, ThrowsTheFirstErrorFirst) {
   };
   ScenePipeline pipeline(sink, reporter, 3);
   const auto goOn = [&] {
-    pipeline.add(pending(0));
-    pipeline.add(pending(1));
-    pipeline.add(failing());
+    pipeline.add(pending(0), kSmall);
+    pipeline.add(pending(1), kSmall);
+    pipeline.add(failing(), kSmall);
     pipeline.finish();
   };
   EXPECT_THAT(goOn, testing::ThrowsMessage<Error>(HasSubstr("the disk is full")));
