@@ -9,9 +9,9 @@ inline namespace v2 {
 
 /// Which 2D box a label has: the parameter `box` of most formats.
 enum class BoxChoice {
-  kVisible,     ///< round the visible pixels
-  kSilhouette,  ///< round the silhouette's pixels, cut to the image
-  kLoose,       ///< round the projected bounding shape, cut to the image
+  kVisible,     ///< around the visible pixels
+  kSilhouette,  ///< around the silhouette's pixels, cut to the image
+  kLoose,       ///< around the projected bounding shape, cut to the image
 };
 
 /// `visible` (the default), `silhouette` or `loose`.

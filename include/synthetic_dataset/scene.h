@@ -70,11 +70,11 @@ struct SceneObject {
 
   std::vector<Keypoint> keypoints;  ///< of keypoints_O, in their order
 
-  /// The smallest box along the object's axes round its visuals as its links stand; round the
+  /// The smallest box along the object's axes around its visuals as its links stand; around the
   /// bounding shape where the model has none.
   Cuboid cuboid_O;
 
-  /// The projected box [px]: round the projected bounding shape, clipped at the near plane but not
+  /// The projected box [px]: around the projected bounding shape, clipped at the near plane but not
   /// cut to the image. Nothing when the whole shape is behind the camera.
   std::optional<Box> loose_box;
 
@@ -88,7 +88,7 @@ struct SceneObject {
   /// The visible (modal) mask: where the camera sees the object.
   Required<Mask> visible_mask{"SceneObject::visible_mask", "visible_masks"};
 
-  /// Tight boxes [px] round all pixels, from the first one's edge to the last one's; nothing where
+  /// Tight boxes [px] around all pixels, from the first one's edge to the last one's; nothing where
   /// there is no pixel. That of the silhouette reaches past the image's edge.
   Required<std::optional<Box>> silhouette_box{"SceneObject::silhouette_box", "visibility"};
   Required<std::optional<Box>> visible_box{"SceneObject::visible_box", "visible_masks"};

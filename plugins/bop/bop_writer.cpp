@@ -247,7 +247,7 @@ class BopWriter : public LabelWriter {
             {"visib_fract", object.visibility()}};
   }
 
-  /// Of an object with a visible pixel: its visible mask, in the box round the part of its
+  /// Of an object with a visible pixel: its visible mask, in the box around the part of its
   /// silhouette in the image (calc_gt_coco.py looks at the files in `mask`).
   void addAnnotation(const SceneObject& object, std::size_t place, const CameraModel& camera,
                      BopImage& image) const {

@@ -11,7 +11,7 @@ namespace synthetic_dataset {
 /// What PVNet knows of an object's model, in the object's frame [m].
 struct PvNetModel {
   double diameter = 0.0;
-  std::vector<Eigen::Vector3d> corners;  ///< of the box round it
+  std::vector<Eigen::Vector3d> corners;  ///< of the box around it
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> farthest_points;  ///< eight of its vertices
 
@@ -27,7 +27,7 @@ struct PvNetModel {
 };
 
 /// As many vertices as asked for, each the farthest from those before it and from the centre of the
-/// box round all: clean-pvnet's sample_farthest_points_init_center
+/// box around all: clean-pvnet's sample_farthest_points_init_center
 /// (lib/csrc/fps/src/farthest_point_sampling.cpp), in single precision as there, so that symmetric
 /// models have the same points. Of equally far ones, the first; the first of all once there are no
 /// more.

@@ -70,7 +70,7 @@ struct ExpectedLabel {
   std::optional<Box> box = {};
   double box_tolerance = 0.0;  ///< what the format's decimals leave of an edge [px]
 
-  std::optional<Box> mask_bounds = {};           ///< tight box round the mask
+  std::optional<Box> mask_bounds = {};           ///< tight box around the mask
   std::optional<std::int64_t> mask_pixels = {};  ///< how many pixels the mask has
   std::optional<Box> polygon_bounds = {};        ///< of all polygons' points
   double polygon_tolerance = 0.0;                ///< [px]

@@ -54,7 +54,7 @@ BorderRing fromCeiling(BorderRing ring) {
 }
 
 /// Follows the edges between the mask's pixels and others, the mask at the right side: clockwise
-/// round parts, counter-clockwise round holes.
+/// around parts, counter-clockwise round holes.
 class BorderTracer {
  public:
   /// @param mask  with a margin of a pixel that is 0

@@ -22,7 +22,7 @@ using BorderRing = std::vector<BorderStep>;  ///< closed: the last step leads to
 
 /// The border of each part of a mask, in the order of their topmost, leftmost pixels. Pixels that
 /// share a corner belong to the same part. Holes are cut: the ring leaves its way at a pixel above
-/// the hole, goes straight down to it, round it and back the same way.
+/// the hole, goes straight down to it, around it and back the same way.
 [[nodiscard]] std::vector<BorderRing> partBorders(const Mask& mask);
 
 /// Where a walk along one ring turns into another.

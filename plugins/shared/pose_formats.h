@@ -26,7 +26,7 @@ void warnOfDistortion(const CameraModel& camera, SceneOutput& output);
 /// A pose's rotation matrix, row by row.
 [[nodiscard]] std::array<double, 9> rotationMatrix(const Pose& pose);
 
-/// The smallest box round a model that has vertices.
+/// The smallest box around a model that has vertices.
 [[nodiscard]] Cuboid boundsOf(const ObjectModel& model);
 
 }  // namespace synthetic_dataset

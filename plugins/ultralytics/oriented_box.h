@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset {
 
-/// The turned box round a mask's pixels: the rectangle of least area that holds them (one of its
+/// The turned box around a mask's pixels: the rectangle of least area that holds them (one of its
 /// sides lies along an edge of their convex hull: Freeman and Shapira, "Determining the
 /// minimum-area encasing rectangle for an arbitrary closed curve", CACM 18(7), 1975).
 ///

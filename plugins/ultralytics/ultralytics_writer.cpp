@@ -55,7 +55,7 @@ std::string orientedBoxColumns(const Mask& mask, const CameraModel& camera) {
 
 /// A mask as one polygon through its outermost pixels' centres: the loader cuts decimals off and
 /// fills the polygon with its rim (cv::fillPoly), so this gives the mask again. It also takes the
-/// box round the points for the object's, hence the polygon touches each side of that box on a
+/// box around the points for the object's, hence the polygon touches each side of that box on a
 /// line to the edge of one of its pixels and back.
 std::string ringColumns(const Mask& mask, const CameraModel& camera) {
   constexpr double kToEdge = 0.5 - kOutlineMargin;

@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset::lens {
 
-/// The box round what a lens with distortion shows of the points' convex hull.
+/// The box around what a lens with distortion shows of the points' convex hull.
 /// @param points_C  with a lens that has a near plane: the corners of the clipped hull
 [[nodiscard]] std::optional<Box> curvedBounds(const CameraModel& camera,
                                               const std::vector<Eigen::Vector3d>& points_C);

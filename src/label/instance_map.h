@@ -39,7 +39,7 @@ struct InstancePixels {
                                                          std::size_t object_count);
 
 /// One object's part of the map: where the map has `instance`.
-/// @param bounds  round its pixels
+/// @param bounds  around its pixels
 [[nodiscard]] Mask instanceMask(const cv::Mat& instance_map, int instance, const cv::Rect& bounds);
 
 /// The map with each instance's number replaced: CV_16UC1.

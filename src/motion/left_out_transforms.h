@@ -23,7 +23,8 @@ enum class TransformKind { kMoving, kStatic };
 [[nodiscard]] std::optional<std::string> reasonToLeaveOut(
     const geometry_msgs::TransformStamped& transform, TransformKind kind);
 
-/// Counts what was left out, so that a bag with thousands of bad transforms is told in a few lines.
+/// Counts what was left out, so that a bag with thousands of bad transforms is reported in a few
+/// lines.
 class LeftOutTransforms {
  public:
   /// @param bag_file  empty where several bags have to do with it

@@ -64,7 +64,7 @@ void withdrawAfterFailure(const Manifest& manifest, const Withdraw& withdraw) {
   try {
     withdraw();
   } catch (const std::exception&) {
-    // The first failure is the one to be told. Rows of files that are not there do no harm.
+    // The first failure is the one to be reported. Rows of files that are not there do no harm.
   }
 }
 

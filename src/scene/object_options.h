@@ -34,7 +34,8 @@ struct ObjectOptions {
   std::vector<std::array<std::size_t, 2>> skeleton;  ///< pairs of keypoints, from 0
   int farthest_points = 0;  ///< so many keypoints are chosen on the model instead; 0: as given
   std::vector<Eigen::Vector3d> bounding_shape_O;  ///< none: the model's own box
-  std::optional<double> safety_radius;  ///< kept free round it when it is placed [m]; none: its own
+  std::optional<double>
+      safety_radius;  ///< kept free around it when it is placed [m]; none: its own
 };
 
 }  // namespace synthetic_dataset::scene

@@ -27,7 +27,7 @@ class ObjectShapes {
 
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
 
-  /// A box round each variant of an object in the object's frame, its links as the model has them.
+  /// A box around each variant of an object in the object's frame, its links as the model has them.
   [[nodiscard]] std::vector<Cuboid> boxesAtRest(std::size_t object) const;
 
   /// The shapes of all objects as the world stands.

@@ -137,7 +137,8 @@ void SceneArranger::setUpPlacer(const SceneOptions& config,
                                 const std::vector<ObjectVariants>& variants,
                                 base::Diagnostics& found) {
   const bool on_map = config.placement.mode == randomize::PlacementMode::kMap;
-  if (on_map && !config.placement.map_file && !config.placement.map_topic) return;  // told already
+  if (on_map && !config.placement.map_file && !config.placement.map_topic)
+    return;  // reported already
   std::optional<randomize::OccupancyMap> map;
   if (on_map) map = readMap(config);
   std::vector<randomize::PlacedObject> placed;

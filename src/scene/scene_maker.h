@@ -49,7 +49,7 @@ class SceneMaker {
   /// @param next  nothing after the last scene
   void addOpticalFlow(SeenScene& seen, std::optional<Stamp> next) const;
 
-  /// What a labelled scene's manifest is told of its objects: what was measured, and nothing else.
+  /// What a labelled scene's manifest gets of its objects: what was measured, and nothing else.
   /// @param agreement  of its masks
   [[nodiscard]] std::vector<output::ObjectFacts> objectFacts(
       const Scene& scene, const label::MaskAgreement& agreement) const;

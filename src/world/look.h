@@ -13,8 +13,8 @@ namespace synthetic_dataset::world {
 
 /// A picture that is seen where nothing is.
 struct BackgroundPicture {
-  /// A picture fills the image, or lies round the world: then it is equirectangular, its upper edge
-  /// at +z and its middle along x, from which the columns to its right turn towards -y.
+  /// A picture fills the image, or lies around the world: then it is equirectangular, its upper
+  /// edge at +z and its middle along x, from which the columns to its right turn towards -y.
   enum class Projection { kBackdrop, kPanorama };
 
   std::shared_ptr<const Texture> picture;

@@ -17,7 +17,8 @@ class ReadingAhead {
   ReadingAhead(const std::vector<MentionedMesh>& meshes, const ResourceFinder& finder,
                MeshLoader& known);
 
-  /// Waits, and hands over; to be called once. What could not be read is told when it is asked for.
+  /// Waits, and hands over; to be called once. What could not be read is reported when it is asked
+  /// for.
   void finish();
 
  private:

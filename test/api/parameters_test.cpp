@@ -9,7 +9,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 /// Of a list that holds one list alone, compilers disagree on whether it is that list (CWG 2137):
-/// hence Value(...) round it.
+/// hence Value(...) around it.
 Parameters example() {
   return Parameters(Value::Map{
       {"rate", Value(4)},

@@ -32,7 +32,7 @@ LoaderObject rover(const std::string& name, const std::string& colour) {
           ""};
 }
 
-/// Four bars round a hole of 0.6 m.
+/// Four bars around a hole of 0.6 m.
 LoaderObject frame() {
   return {"frame",
           "frame",

@@ -53,7 +53,7 @@ Value::Map volumeOf(const std::vector<double>& low, const std::vector<double>& h
           {"volume", Value(Value::Map{{"min", listOf(low)}, {"max", listOf(high)}})}};
 }
 
-/// What the manifest tells of an object in a scene.
+/// What the manifest has of an object in a scene.
 struct ManifestObject {
   Pose X_GO;
   std::int64_t visible_pixels;

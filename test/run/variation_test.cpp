@@ -250,7 +250,7 @@ TEST_F(Variation, DistractorsAreSeenAndHaveNoLabel) {
   EXPECT_GT(choices.size(), 4U);
 }
 
-/// What the manifest tells of an object in a scene.
+/// What the manifest has of an object in a scene.
 struct ObjectRow {
   bool in_view;
   bool dropped;

@@ -15,7 +15,7 @@ namespace synthetic_dataset::test {
   return {q[3], q[0], q[1], q[2]};
 }
 
-/// Uniform in a cube of half side `reach` round the origin.
+/// Uniform in a cube of half side `reach` around the origin.
 [[nodiscard]] inline Eigen::Vector3d randomPoint(std::mt19937& random, double reach) {
   std::uniform_real_distribution<double> uniform(-reach, reach);
   Eigen::Vector3d point;

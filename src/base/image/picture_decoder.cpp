@@ -120,7 +120,7 @@ std::vector<Batch> batchesOf(const std::map<std::string, Bytes>& files) {
       batches.back().files.emplace(name, std::move(essential));
       batches.back().pixels += pixels;
     } catch (const Error&) {
-      continue;  // told when it is decoded alone
+      continue;  // reported when it is decoded alone
     }
   }
   return batches;

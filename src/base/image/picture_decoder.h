@@ -37,7 +37,7 @@ PictureSize checkPicture(const std::vector<std::uint8_t>& file, const std::strin
 /// decodePicture of many files, some of them side by side.
 /// @param files  by their names
 /// @return those that could be decoded, by their names, without such whose size no header tells; of
-///     the others decodePicture tells what is wrong
+///     the others decodePicture says what is wrong
 [[nodiscard]] std::map<std::string, cv::Mat> decodePictures(
     const std::map<std::string, std::vector<std::uint8_t>>& files);
 

@@ -19,7 +19,7 @@ struct SandboxedWork {
 /// costs more than a small piece does; here some pieces share one, each with its own time.
 /// @param memory  [byte] of each process, beyond what is in use already
 /// @return what each piece returns; nothing for those that fail or whose process breaks down:
-///     runSandboxed tells what is wrong with them
+///     runSandboxed says what is wrong with them
 [[nodiscard]] std::vector<std::optional<std::string>> runAllSandboxed(
     const std::vector<SandboxedWork>& pieces, std::uint64_t memory);
 

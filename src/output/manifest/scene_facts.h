@@ -44,7 +44,7 @@ struct DrawFacts {
   std::string value;  ///< JSON: a number, a list of numbers or a text in quotes
 };
 
-/// What the manifest tells of a scene beside its files.
+/// What the manifest has of a scene beside its files.
 struct SceneFacts {
   std::int64_t index = 0;
   Stamp stamp{0};

@@ -45,7 +45,7 @@ void SqliteDatabase::readWhereNobodyCanWrite() {
   const int result =
       sqlite3_exec(handle(), "SELECT 1 FROM sqlite_master", nullptr, nullptr, nullptr);
   const bool has_log = access((file_ + "-wal").c_str(), F_OK) == 0;
-  if (result != SQLITE_CANTOPEN || has_log) return;  // any other fault is told where it matters
+  if (result != SQLITE_CANTOPEN || has_log) return;  // any other fault is reported where it matters
   open(uriOf(file_) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 

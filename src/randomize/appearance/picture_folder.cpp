@@ -49,7 +49,7 @@ auto withFile(const std::string& file, const Work& work) {
   }
 }
 
-/// A folder of ten thousand broken pictures is told in a few lines.
+/// A folder of ten thousand broken pictures is reported in a few lines.
 std::vector<std::string> shortened(std::vector<std::string> problems) {
   constexpr std::size_t kTold = 4;
   if (problems.size() <= kTold) return problems;

@@ -13,7 +13,7 @@ namespace synthetic_dataset::randomize {
 /// How a picture lies behind the world.
 enum class BackgroundProjection {
   kBackdrop,  ///< it fills every image, whatever the camera looks at
-  kPanorama,  ///< it lies round the world: equirectangular, all of the sky and the ground
+  kPanorama,  ///< it lies around the world: equirectangular, all of the sky and the ground
 };
 
 /// Pictures of which one is seen where nothing is.

@@ -18,7 +18,7 @@ namespace synthetic_dataset::randomize {
 class DistractorPlacer {
  public:
   /// @param world  has to outlive this, and so have its surroundings
-  /// @param boxes_M  round each distractor, in its own frame
+  /// @param boxes_M  around each distractor, in its own frame
   DistractorPlacer(const DistractorOptions& config, std::vector<Cuboid> boxes_M,
                    world::World& world, Surroundings& surroundings, std::uint64_t seed);
 

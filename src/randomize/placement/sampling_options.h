@@ -19,7 +19,7 @@ struct CameraSampling {
   /// Past what it looks at, along the global frame's axes [m].
   base::Distribution aim_offset = base::Distribution::constant({0, 0, 0});
 
-  /// Where it is, seen from what it looks at, on a shell round it; or
+  /// Where it is, seen from what it looks at, on a shell around it; or
   base::Distribution distance = base::Distribution::uniform({1.0}, {3.0});   ///< [m]
   base::Distribution elevation = base::Distribution::uniform({0.2}, {1.0});  ///< [rad]
   base::Distribution azimuth =

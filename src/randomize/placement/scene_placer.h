@@ -20,7 +20,7 @@ namespace synthetic_dataset::randomize {
 /// How much room something needs.
 struct NeededRoom {
   double safety_radius = 0.0;  ///< about its frame's origin: nothing else is nearer [m]
-  Cuboid box_O;                ///< round it
+  Cuboid box_O;                ///< around it
 };
 
 /// Something to be put somewhere.

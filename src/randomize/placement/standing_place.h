@@ -26,7 +26,7 @@ class StandingPlace {
   /// surface's normal.
   /// @param place_G  of the thing's frame, as seen from above [m]
   /// @param heading  about the normal [rad]
-  /// @param box_O  round the thing: its bottom is what stands
+  /// @param box_O  around the thing: its bottom is what stands
   [[nodiscard]] PoseOrReason at(const Eigen::Vector2d& place_G, double heading,
                                 const Cuboid& box_O) const;
 

@@ -104,7 +104,7 @@ void mark(const SurfaceRow& row, const SurfaceRow& other, int shift, float focal
   }
 }
 
-/// Marks the pixels of a region that are by an edge, and some of those round it.
+/// Marks the pixels of a region that are by an edge, and some of those around it.
 /// @param region  in the coordinates of `place`
 /// @param rows  for as many pixels as `place` is wide
 void markEdges(const GeometryImages& images, const cv::Rect& place, const cv::Rect& region,

@@ -16,7 +16,7 @@ namespace synthetic_dataset::render {
 class EdgePixels {
  public:
   /// @param images  of the pixels of `place`
-  /// @param regions  within `place`, round the pixels that are wanted
+  /// @param regions  within `place`, around the pixels that are wanted
   /// @param wanted  CV_8UC1 of the picture: 255 for these, else 0
   EdgePixels(const GeometryImages& images, const cv::Rect& place,
              const std::vector<cv::Rect>& regions, const cv::Mat& wanted,

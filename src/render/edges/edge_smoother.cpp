@@ -13,17 +13,17 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr int kSide = 3;  ///< [px] of the square round a pixel that is looked at
+constexpr int kSide = 3;  ///< [px] of the square around a pixel that is looked at
 constexpr std::size_t kMiddle = kSide / 2;
 constexpr float kAlike = 0.01F;   ///< then its own centre is the nearest there is
 constexpr float kAway = 0.02F;    ///< what a pixel away counts, against a turn of a radian
 constexpr float kDepth = 10.0F;   ///< what depth counts: a share of it
 constexpr float kUnlike = 1e30F;  ///< another surface
 
-/// Numbers of the pixels round one: a row of the square in each, with a lane to spare.
+/// Numbers of the pixels around one: a row of the square in each, with a lane to spare.
 using Square = std::array<Lanes, kSide>;
 
-/// What the centres of the pixels round one see.
+/// What the centres of the pixels around one see.
 class Neighbourhood {
  public:
   Neighbourhood(const SeenPixels& seen, const cv::Point& pixel) {
@@ -80,7 +80,7 @@ class Neighbourhood {
   Square rows_;
 };
 
-/// How far a sample is from the pixels round its own, as it counts against likeness.
+/// How far a sample is from the pixels around its own, as it counts against likeness.
 std::array<float, kLaneCount> distancesFrom(std::size_t sample, int row) {
   std::array<float, kLaneCount> distances{};
   for (int column = 0; column < kLaneCount; ++column) {

@@ -36,7 +36,7 @@ class EdgeSmoother {
   /// @param parts  has to outlive this
   explicit EdgeSmoother(const DrawList& parts) : parts_(parts) {}
 
-  /// @param regions  round the pixels to smooth
+  /// @param regions  around the pixels to smooth
   /// @param wanted  CV_8UC1 of the picture: 255 for these; `seen` should hold those around them too
   /// @param picture  CV_8UC3, blue green red, sRGB-encoded, whole
   void smooth(const EdgeScene& scene, const SeenPixels& seen, const std::vector<cv::Rect>& regions,

@@ -186,7 +186,7 @@ void SampleRaster::see(const Lanes& covered, const Lanes& u, const Lanes& v, int
                            cv::v_load(samples.face.data())));
 }
 
-/// Pixels reach half a pixel round their centres.
+/// Pixels reach half a pixel around their centres.
 cv::Rect SampleRaster::pixelsRound(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                                    const Eigen::Vector3f& c) const {
   const auto whole = [](float at, int low, int size) {

@@ -19,7 +19,7 @@ namespace synthetic_dataset::render {
 /// What links cover as if nothing stood in front of them. Pixels are sampled at their centres.
 struct Silhouette {
   Mask mask;                         ///< of the image
-  std::optional<Box> box;            ///< round all pixels' edges [px], past the image's edge too
+  std::optional<Box> box;            ///< around all pixels' edges [px], past the image's edge too
   std::int64_t pixels = 0;           ///< all of them, past the image's edge too
   std::int64_t pixels_in_image = 0;  ///< those of the mask
 };

@@ -35,7 +35,7 @@ cv::Point2f stepOf(const LensMap& map, const LensFace& face, int u, int v, int d
   return static_cast<float>(side) * (there - here);
 }
 
-/// Light between pixels, mixed of the four round the place.
+/// Light between pixels, mixed of the four around the place.
 cv::Vec3f lightAt(const cv::Mat& drawn, cv::Point2f place) {
   const auto& linear = render::linearFromSrgb();
   const float x = std::clamp(place.x, 0.0F, static_cast<float>(drawn.cols - 1));

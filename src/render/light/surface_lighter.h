@@ -31,7 +31,7 @@ class SurfaceLighter {
                  const Intrinsics& intrinsics, const Eigen::Vector3f& nothing);
 
   /// @param place  of the images in the picture
-  /// @param regions  of the picture, within `place`, round the pixels that are wanted
+  /// @param regions  of the picture, within `place`, around the pixels that are wanted
   /// @param wanted  CV_8UC1 of `place`: not 0 for these; what others hold is not sure
   /// @return CV_16UC4 of `place`: red, green, blue, 1, linear, numbers of 16 bits
   [[nodiscard]] cv::Mat light(const GeometryImages& geometry, const SurfaceImages& surfaces,

@@ -8,13 +8,13 @@
 
 namespace synthetic_dataset::render {
 
-/// A convex body round a mesh, closer to it than a box, that has few corners.
+/// A convex body around a mesh, closer to it than a box, that has few corners.
 struct BoundingHull {
   std::vector<Eigen::Vector3d> corners;              ///< of which it is the convex hull
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of a ball within
   double radius = 0.0;                               ///< [m] of the ball; 0 where there is none
 
-  /// The corners of a body round all places that are at most `margin` [m] away from this one.
+  /// The corners of a body around all places that are at most `margin` [m] away from this one.
   [[nodiscard]] std::vector<Eigen::Vector3d> cornersWith(double margin) const;
 };
 

@@ -8,7 +8,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Beyond so many parts, one box round all of them has to do: what is made of hulls takes longer
+/// Beyond so many parts, one box around all of them has to do: what is made of hulls takes longer
 /// with their corners.
 constexpr std::size_t kMostHulls = 4;
 
@@ -17,7 +17,7 @@ Bounds grown(const Bounds& bounds, double margin) {
   return {bounds.min() - beside, bounds.max() + beside};
 }
 
-/// Of parts and what is round them by a margin.
+/// Of parts and what is around them by a margin.
 std::vector<Eigen::Vector3d> cornersWith(const std::vector<const Part*>& parts,
                                          const std::vector<Pose>& X_WL, double margin) {
   if (parts.size() > kMostHulls) {

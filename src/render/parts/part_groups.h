@@ -12,7 +12,7 @@ namespace synthetic_dataset::render {
 
 /// Points in the world whose convex hulls hold parts that belong together: of objects all that is
 /// theirs, else one link.
-/// @param margin  [m] round the parts that the hulls hold as well
+/// @param margin  [m] around the parts that the hulls hold as well
 /// @param is_chosen  says which parts count
 [[nodiscard]] std::vector<std::vector<Eigen::Vector3d>> hullsOfGroups(
     const std::vector<Part>& parts, const std::vector<Pose>& X_WL, double margin,

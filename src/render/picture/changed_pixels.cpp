@@ -53,7 +53,7 @@ cv::Mat ChangedPixels::find(const PossibleChanges& regions, const SeenGeometry& 
   markMoving(seen, pixels);
   for (const ChangedTexels& each : texels) markShaded(regions.shadows, seen, each, pixels);
   if (edges.empty()) return pixels;
-  // Pixels by an edge take light from those round them,
+  // Pixels by an edge take light from those around them,
   cv::Mat grown;
   cv::dilate(pixels, grown, cv::Mat());  // by one
   // and what moves may cover a part of one whose centre it does not cover.

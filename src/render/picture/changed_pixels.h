@@ -21,7 +21,7 @@ struct SeenGeometry {
 /// Finds which pixels of a picture differ from those of a picture of what never moves.
 ///
 /// Light is what pictures cost most, so that it pays to look at each pixel within the bounds: does
-/// it see something that moves, and if not, has the shadow map changed round its place?
+/// it see something that moves, and if not, has the shadow map changed around its place?
 class ChangedPixels {
  public:
   /// The references have to outlive it.
@@ -30,7 +30,8 @@ class ChangedPixels {
   /// @param regions  outside of which there is nothing to be found
   /// @param seen  the pixels of these regions at least
   /// @param texels  of each shadow map
-  /// @param edges  CV_8UC1, not 0 where pixels show what is round their centre in a picture of what
+  /// @param edges  CV_8UC1, not 0 where pixels show what is around their centre in a picture of
+  /// what
   ///               never moves; empty where all pixels show what is at their centre
   /// @return CV_8UC1, 255 for such pixels, else 0
   [[nodiscard]] cv::Mat find(const PossibleChanges& regions, const SeenGeometry& seen,

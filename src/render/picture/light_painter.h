@@ -50,7 +50,7 @@ class LightPainter {
   /// behind them, and what one can see through before them, if that is selected and `see_through`.
   /// @param shadows  as they were drawn for the scene
   /// @param target  with the depth of what is seen
-  /// @param regions  of the picture, none of them over another, round the pixels that are wanted
+  /// @param regions  of the picture, none of them over another, around the pixels that are wanted
   /// @param wanted  CV_8UC1 of the picture: not 0 for these; of others nothing is sure
   [[nodiscard]] UnlitPixels paint(const ColourScene& scene, const SeenSurfaces& seen,
                                   const ShadowPainter& shadows, const OverlayTarget& target,

@@ -15,7 +15,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Pixels and those round them.
+/// Pixels and those around them.
 cv::Mat grown(const cv::Mat& pixels) {
   cv::Mat result;
   cv::dilate(pixels, result, cv::Mat());  // by one
@@ -287,7 +287,7 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   picture.regions = bandsOf(pixels);
   if (picture.regions.empty()) return picture;
   smooth = smooth && crew_.smooths;
-  // Edges take their light from the pixels round them.
+  // Edges take their light from the pixels around them.
   const cv::Mat wanted = smooth ? grown(pixels) : pixels;
   const std::vector<cv::Rect> lit = smooth ? bandsOf(wanted) : picture.regions;
   const cv::Rect place = boundsOf(lit);

@@ -78,7 +78,7 @@ double blurOf(const world::Light& light, const ShadowProjection& shadow) {
 }
 
 /// Marks the pixels on which the shadow of a caster may be seen, and a few more.
-/// @param caster  a hull round it and its shadow's blur
+/// @param caster  a hull around it and its shadow's blur
 void markShadow(const Points& caster, const world::Light& light, const Bounds& receivers,
                 const View& view, cv::Mat& pixels) {
   const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();

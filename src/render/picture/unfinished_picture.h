@@ -14,7 +14,7 @@ namespace synthetic_dataset::render {
 struct UnfinishedPicture {
   cv::Mat elsewhere;               ///< CV_8UC3, of the whole picture: what is not in `pixels`
   cv::Mat pixels;                  ///< CV_8UC1, of the whole picture: 255 for the other pixels
-  std::vector<cv::Rect> regions;   ///< round these
+  std::vector<cv::Rect> regions;   ///< around these
   UnlitPixels unlit;               ///< them, and those by them where edges are smooth
   std::optional<EdgeScene> edges;  ///< none where they are not smoothed
 };

@@ -27,7 +27,7 @@ cv::Rect pixelsOfHull(const std::vector<Eigen::Vector3d>& points_W, const View& 
 }
 
 void markHull(const std::vector<Eigen::Vector3d>& points_W, const View& view, cv::Mat& pixels) {
-  constexpr int kSlack = 5;     // [px] of lines round the outline, so half of it outside
+  constexpr int kSlack = 5;     // [px] of lines around the outline, so half of it outside
   constexpr int kBits = 4;      // of places within a pixel
   constexpr double kFar = 1e6;  // [px]; OpenCV counts in 32 bits
   const Pose X_CW = view.X_WC.inverse();

@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::render {
 
-/// Where a shadow map differs from that of what never moves alone, and the texels round it, as far
+/// Where a shadow map differs from that of what never moves alone, and the texels around it, as far
 /// as a surface's light asks for them. In cells of several texels, for what is looked at in any
 /// order should be small.
 struct ChangedTexels {

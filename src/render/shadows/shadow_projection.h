@@ -26,7 +26,7 @@ struct ShadowProjection {
 
 /// The lights that cast shadows, each with a projection that holds what the views may see shaded.
 /// @param views  those that are put together to one picture, so that they share its shadows
-/// @param casters  in the world, round all that casts shadows; nothing casts where it is empty
+/// @param casters  in the world, around all that casts shadows; nothing casts where it is empty
 /// @param shadow_distance  from the camera up to which directional shadows are drawn [m]
 /// @param size  of a map's side [texel]
 [[nodiscard]] std::vector<ShadowProjection> shadowProjections(

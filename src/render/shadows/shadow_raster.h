@@ -17,7 +17,7 @@ namespace synthetic_dataset::render {
 /// @param map_from_mesh  to column, row [texel] and depth
 /// @param size  of the map's side [texel]
 /// @param fronts_alone  leaves out triangles that turn away from the light
-/// @return the texels round it, with depth 1 where it is not; nothing where all of it lies beside
+/// @return the texels around it, with depth 1 where it is not; nothing where all of it lies beside
 ///         the map. What lies before depth 0 counts as there
 [[nodiscard]] std::optional<MapPiece> castPiece(const world::Mesh& mesh,
                                                 const Eigen::Affine3f& map_from_mesh, int size,

@@ -160,7 +160,7 @@ class MotionBuilder {
     for (const scene::CameraOptions& camera : config().cameras) {
       const bool two_sources = camera.info_file && camera.info_topic;
       const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
-      if (two_sources || no_source) continue;  // told already
+      if (two_sources || no_source) continue;  // reported already
       auto rig = found().attempt([&] {
         return scene::makeCameraRig(camera, config().motion.bag_files, *sensors_,
                                     setup_.world ? setup_.world->links() : kNoLinks,

@@ -65,7 +65,7 @@ class Builder {
     if (!list_.is_weighted) return;
     std::vector<SharingMotion> sharing;
     for (const MotionSetup& motion : setup_.motions) {
-      if (motion.timeline.stamps.empty()) return;  // told already
+      if (motion.timeline.stamps.empty()) return;  // reported already
       sharing.push_back({motion.entry.group, motion.entry.weight, motion.instantCount()});
     }
     const auto counts = found().attempt([&] { return sharesOf(sharing, list_.scenes); });
@@ -167,7 +167,7 @@ class Builder {
   /// Writers that have been told of more scenes than there are, as only they know which frames they
   /// need, are loaded anew.
   void replan() {
-    if (!setup_.splits) return;  // told already
+    if (!setup_.splits) return;  // reported already
     planSplits();
     if (setup_.writers && writer_errors_.empty()) loadWriters();
   }
@@ -211,7 +211,7 @@ class Builder {
     all.throwIfAny();
   }
 
-  /// What the manifest tells of the run, and the user at its start.
+  /// What the manifest has of the run, and the user at its start.
   /// @param unused  settings that nobody reads
   void describe(const std::vector<std::string>& unused) {
     output::RunDescription& run = setup_.description;

@@ -98,7 +98,7 @@ void TextureLoader::decodeAhead(const std::vector<TextureReference>& references)
       const std::string file = find(reference).string();
       if (files.count(file) == 0) files.emplace(file, readBytes(file));
     } catch (const Error&) {
-      continue;  // told when it is loaded
+      continue;  // reported when it is loaded
     }
   }
   for (auto& [key, pixels] : base::decodePictures(files)) pixels_.emplace(key, std::move(pixels));

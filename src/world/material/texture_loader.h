@@ -52,7 +52,7 @@ class TextureLoader {
   explicit TextureLoader(const ResourceFinder& finder) : finder_(finder) {}
   explicit TextureLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
-  /// Decodes pictures that are going to be wanted, all at once; faults are told when they are.
+  /// Decodes pictures that are going to be wanted, all at once; faults are reported when they are.
   void decodeAhead(const std::vector<TextureReference>& references);
 
   /// Takes what another has decoded ahead.

@@ -43,7 +43,7 @@ class MeshLoader {
   explicit MeshLoader(const ResourceFinder& finder) : textures_(finder), scripts_(finder) {}
   explicit MeshLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
-  /// Reads mesh files that are going to be wanted, all at once; faults are told when they are.
+  /// Reads mesh files that are going to be wanted, all at once; faults are reported when they are.
   void readAhead(const std::vector<MeshAhead>& wanted);
 
   /// Whether a file has been read, or was found to be unreadable.

@@ -19,7 +19,7 @@ class ModelGeometry {
   /// Whether nothing of the model can be seen.
   [[nodiscard]] bool isEmpty() const;
 
-  /// The corners of the smallest box along the axes of O round all visuals, x before y before z.
+  /// The corners of the smallest box along the axes of O around all visuals, x before y before z.
   /// @param X_OL  of each link
   [[nodiscard]] std::vector<Eigen::Vector3d> box(const std::vector<Pose>& X_OL) const;
 

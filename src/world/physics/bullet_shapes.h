@@ -1,7 +1,7 @@
 #pragma once
 
 /// Collision geometry as Bullet takes it. Contacts lie where the shapes are drawn: what Bullet adds
-/// round a shape to find contacts early is taken off the shape before.
+/// around a shape to find contacts early is taken off the shape before.
 
 #include <memory>
 

@@ -37,7 +37,7 @@ MassProperties solidOf(const CylinderShape& cylinder) {
 
 MassProperties solidOf(const PlaneShape&) { return {}; }
 
-/// The box round the points, at least kThinnest wide.
+/// The box around the points, at least kThinnest wide.
 MassProperties boxRound(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d lowest = points.front();
   Eigen::Vector3d highest = points.front();

@@ -11,7 +11,7 @@ namespace synthetic_dataset::world {
 
 /// @param name  scoped: "model::link::sensor"
 /// @return nothing for sensors that are no cameras, and for cameras whose lens is not drawn, which
-///     a note tells
+///     a note says
 [[nodiscard]] std::optional<CameraSensor> readCamera(const sdf::Sensor& sensor,
                                                      const std::string& name, const Pose& X_WL,
                                                      const Place& place, SdfReading& reading);

@@ -14,11 +14,11 @@
 
 namespace synthetic_dataset::world {
 
-/// Checks a length. @return 1 where it is none (told)
+/// Checks a length. @return 1 where it is none (reported)
 [[nodiscard]] double readSize(const std::string& name, double value, const Place& place,
                               SdfReading& reading);
 
-/// The file that a URI means in an element's file, or nothing where there is none (told).
+/// The file that a URI means in an element's file, or nothing where there is none (reported).
 /// @param kind  for the message: "mesh", "heightmap"
 [[nodiscard]] std::optional<std::filesystem::path> readFile(const std::string& kind,
                                                             const std::string& uri,

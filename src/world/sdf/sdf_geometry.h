@@ -35,7 +35,8 @@ struct Ellipsoid {
 using Geometry = std::variant<BoxShape, SphereShape, CylinderShape, PlanePatch, Capsule, Ellipsoid,
                               MeshRequest, Extrusion, Heightmap, WallMap>;
 
-/// @return nothing for an error (told), for a kind that is left out (noted), and for none at all
+/// @return nothing for an error (reported), for a kind that is left out (noted), and for none at
+/// all
 [[nodiscard]] std::optional<Geometry> readGeometry(const sdf::Geometry& geometry,
                                                    const Place& place, SdfReading& reading);
 

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::world {
 
 /// The material that a <material>'s <script> names, of a script or of those that Gazebo ships.
-/// @return nothing where there is no <script>, or its material is not to be had (told)
+/// @return nothing where there is no <script>, or its material is not to be had (reported)
 [[nodiscard]] std::optional<Material> readSdfScript(const sdf::ElementPtr& material,
                                                     const Place& place, SdfReading& reading);
 

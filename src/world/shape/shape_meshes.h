@@ -14,7 +14,7 @@ namespace synthetic_dataset::world {
 /// @param size  whole lengths along x, y, z [m]; each face shows the whole texture
 [[nodiscard]] std::shared_ptr<const Mesh> boxMesh(const Eigen::Vector3d& size);
 
-/// The texture is wrapped round the z axis.
+/// The texture is wrapped around the z axis.
 [[nodiscard]] std::shared_ptr<const Mesh> sphereMesh(double radius);
 
 /// @param radii  along x, y, z [m]
@@ -26,7 +26,7 @@ namespace synthetic_dataset::world {
 /// A cylinder about z with half spheres as caps. @param length  of the cylinder alone [m]
 [[nodiscard]] std::shared_ptr<const Mesh> capsuleMesh(double radius, double length);
 
-/// A rectangle round the origin, seen from the side that its normal points to. With the normal
+/// A rectangle around the origin, seen from the side that its normal points to. With the normal
 /// along z, `size` is along x and y; other planes are this one, turned the shortest way.
 [[nodiscard]] std::shared_ptr<const Mesh> planeMesh(const Eigen::Vector3d& normal,
                                                     const Eigen::Vector2d& size);

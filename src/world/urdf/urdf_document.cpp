@@ -41,7 +41,7 @@ void tellLosses(const std::vector<std::string>& reasons, const std::string& name
   tell();
 }
 
-/// Null, with the error told, where urdfdom refuses the text.
+/// Null, with the error reported, where urdfdom refuses the text.
 urdf::ModelInterfaceSharedPtr parse(const std::string& text, const std::string& name,
                                     Findings& findings) {
   const SdfConsole console;
@@ -61,7 +61,7 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& text, const std::string& 
   return nullptr;
 }
 
-/// Whether every link has at most one parent; links that hang on two are told.
+/// Whether every link has at most one parent; links that hang on two are reported.
 bool hasOneParentEach(const urdf::ModelInterface& robot, const std::string& name,
                       Findings& findings) {
   bool sound = true;
@@ -82,7 +82,7 @@ void gatherBelow(const urdf::Link& link, std::set<std::string>& names) {
   for (const urdf::LinkSharedPtr& child : link.child_links) gatherBelow(*child, names);
 }
 
-/// Whether all links hang on the root; those in a loop of their own are told.
+/// Whether all links hang on the root; those in a loop of their own are reported.
 bool isTree(const urdf::ModelInterface& robot, const std::string& name, Findings& findings) {
   std::set<std::string> reached;
   gatherBelow(*robot.getRoot(), reached);

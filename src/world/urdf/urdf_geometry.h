@@ -31,14 +31,14 @@ struct UrdfReading {
 ///     place of all others. URDF's own material is for what has none, as in rviz: a mesh file's
 ///     materials stand.
 /// @param place  the link's
-/// @return nothing for an error, which is told
+/// @return nothing for an error, which is reported
 [[nodiscard]] std::optional<Visual> readUrdfVisual(const urdf::Visual& visual,
                                                    const std::string& name,
                                                    const std::optional<Material>& gazebo_material,
                                                    const Place& place, UrdfReading& reading);
 
 /// @param place  the link's
-/// @return nothing for an error, which is told
+/// @return nothing for an error, which is reported
 [[nodiscard]] std::optional<Collision> readUrdfCollision(const urdf::Collision& collision,
                                                          const std::string& name,
                                                          const Place& place, UrdfReading& reading);

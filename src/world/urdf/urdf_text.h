@@ -30,7 +30,7 @@ struct UrdfText {
 /// of the kind is left out, and noted. Blocks of other programs (<gazebo>, <transmission>, ...) go;
 /// of Gazebo's the links' materials are kept.
 /// @return nothing where the text is no URDF, has not been through xacro or names a material that
-///     is defined nowhere, with the errors told
+///     is defined nowhere, with the errors reported
 [[nodiscard]] std::optional<UrdfText> prepareUrdf(const ModelText& model, Findings& findings);
 
 }  // namespace synthetic_dataset::world

@@ -89,7 +89,7 @@ TEST(EdgeRings, AreNoneOfAnEmptyMask) {
 }
 
 TEST(EdgeRings, CutAHoleByASeamStraightAboveIt) {
-  // Down the seam from (2, 1), round the hole of 2 x 1 pixels against the clock, and up again. The
+  // Down the seam from (2, 1), around the hole of 2 x 1 pixels against the clock, and up again. The
   // seam's upper end is passed straight on the way to it.
   EXPECT_THAT(
       masks::edgeRings(Mask(kRing)),

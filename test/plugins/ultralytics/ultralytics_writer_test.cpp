@@ -97,7 +97,7 @@ TEST_F(Ultralytics, WritesBoxesThatTouchTheImagesEdges) {
   // The last pixel: centre (639.5, 479.5), 1 x 1 pixel.
   EXPECT_EQ(labelsOf({seen("a", {639, 479, 1, 1})}),
             "0 0.99921875 0.99895833 0.00156250 0.00208333\n");
-  // What is in the image of 20 x 20 pixels round its corner: 10 x 10.
+  // What is in the image of 20 x 20 pixels around its corner: 10 x 10.
   EXPECT_EQ(labelsOf({seen("a", {-10, -10, 20, 20})}),
             "0 0.00781250 0.01041667 0.01562500 0.02083333\n");
 }

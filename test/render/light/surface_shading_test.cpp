@@ -189,7 +189,7 @@ TEST_F(SurfaceLight, FadesInFog) {
   }
 }
 
-/// The mean over a square of 3 x 3 texels round a place of how much is not nearer to the light.
+/// The mean over a square of 3 x 3 texels around a place of how much is not nearer to the light.
 double passingAt(const cv::Mat& depths, double column, double row, float depth) {
   double sum = 0.0;
   for (int v = -3; v < depths.rows + 3; ++v) {
