@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset::formats {
 
-/// What readers keep from scene to scene of files that tell of many, so that each is read once and
+/// What readers keep from scene to scene of files that describe many, so that each is read once and
 /// not for every scene. The files must not change as long as it lives.
 class KeptFiles {
  public:

@@ -13,7 +13,7 @@ namespace synthetic_dataset::base {
 
 enum class Severity {
   kError,    ///< there is no run with it
-  kWarning,  ///< something that the user should know; it stands in the manifest, too
+  kWarning,  ///< something that the user should know; the manifest lists it, too
   kNote,     ///< something that the user may like to know
 };
 

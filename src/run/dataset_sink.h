@@ -21,7 +21,7 @@ class DatasetSink : public SceneSink {
   [[nodiscard]] Requirements requirements() const override;
 
   /// Opens the output, which may remove an earlier dataset or go on with it.
-  /// @throws ErrorList with all that stands in the way; the disk is as it was then
+  /// @throws ErrorList with all that prevents it; the disk is as it was then
   void begin(const DatasetInfo& dataset) override;
 
   [[nodiscard]] bool wants(std::int64_t scene) const override;

@@ -56,7 +56,7 @@ bool takesTexture(const world::Surface& surface) {
          (!texture || base::isOpaque(texture->pixels));
 }
 
-/// A lamp has a place, sunlight a direction. For `every`, each has its own.
+/// A point light has a position, sunlight a direction. For `every`, each has its own.
 void checkMeaning(const world::Light& light, const LightRandomization& config,
                   base::Diagnostics& errors) {
   const std::string parameter = "randomize/lights/" + light.name;
@@ -69,7 +69,7 @@ void checkMeaning(const world::Light& light, const LightRandomization& config,
   if (!is_sun && (config.elevation || config.azimuth)) {
     errors.error(parameter + "/elevation, azimuth",
                  "only directional lights are turned; shift "
-                 "moves a lamp");
+                 "moves a light that has a position");
   }
 }
 

@@ -42,7 +42,7 @@ struct LightRandomization {
   std::optional<base::Distribution> elevation;  ///< sunlight comes from there, above the horizon
                                                 ///< [rad]
   std::optional<base::Distribution> azimuth;    ///< sunlight comes from there, from x to y [rad]
-  std::optional<base::Distribution> shift;      ///< of a lamp, in the global frame [m]
+  std::optional<base::Distribution> shift;      ///< of a light, in the global frame [m]
 };
 
 /// What is drawn anew of materials; nothing: as the models have it.

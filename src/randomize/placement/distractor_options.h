@@ -11,7 +11,7 @@ namespace synthetic_dataset::randomize {
 
 /// How distractors are put somewhere.
 enum class DistractorMode {
-  kFly,    ///< anywhere in the volume, turned anyhow
+  kFly,    ///< anywhere in the volume, in any orientation
   kStand,  ///< upright on what is below
   kDrop,   ///< as they lie when they have fallen from there
 };

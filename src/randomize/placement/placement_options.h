@@ -15,7 +15,7 @@ constexpr double kShortestFall = 2.5;  // [s]
 /// Where objects may be put.
 enum class PlacementMode {
   kMap,     ///< on the free places of an occupancy map
-  kVolume,  ///< anywhere in a box, turned anyhow
+  kVolume,  ///< anywhere in a box, in any orientation
   kDrop,    ///< from there, until they have fallen and come to rest
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// Beyond this many times as far from a lamp, a shadow is taken to reach everywhere.
+/// Beyond this many times as far from a light, a shadow is taken to reach everywhere.
 constexpr double kFarthest = 1000.0;
 
 /// What of a thing's way along one axis lies within the receivers: the most that `factor` may be in
@@ -48,24 +48,24 @@ Points parallelShadow(const Points& corners, const Eigen::Vector3d& direction,
   return hull;
 }
 
-/// The same in a lamp's light; nothing where it may be anywhere.
-std::optional<Points> lampShadow(const Points& corners, const Eigen::Vector3d& lamp, double range,
-                                 const Bounds& receivers) {
+/// The same in the light of a point; nothing where it may be anywhere.
+std::optional<Points> pointShadow(const Points& corners, const Eigen::Vector3d& light, double range,
+                                  const Bounds& receivers) {
   const Bounds caster = boundsOf(corners);
   double times = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
-    // Rays from the lamp through the body go on along an axis by `times` at the most.
-    const double low = caster.min()[axis] - lamp[axis];
-    const double high = caster.max()[axis] - lamp[axis];
-    if (low > 0.0) times = std::min(times, (receivers.max()[axis] - lamp[axis]) / low);
-    if (high < 0.0) times = std::min(times, (receivers.min()[axis] - lamp[axis]) / high);
+    // Rays from the light through the body go on along an axis by `times` at the most.
+    const double low = caster.min()[axis] - light[axis];
+    const double high = caster.max()[axis] - light[axis];
+    if (low > 0.0) times = std::min(times, (receivers.max()[axis] - light[axis]) / low);
+    if (high < 0.0) times = std::min(times, (receivers.min()[axis] - light[axis]) / high);
   }
-  const double nearest = caster.exteriorDistance(lamp);
+  const double nearest = caster.exteriorDistance(light);
   if (nearest > 0.0) times = std::min(times, range / nearest);  // dark beyond
   if (!(times < kFarthest)) return std::nullopt;
   Points hull = corners;
   for (const Eigen::Vector3d& corner : corners) {
-    hull.push_back(lamp + std::max(times, 1.0) * (corner - lamp));
+    hull.push_back(light + std::max(times, 1.0) * (corner - light));
   }
   return hull;
 }
@@ -84,7 +84,7 @@ void markShadow(const Points& caster, const world::Light& light, const Bounds& r
   const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
   const std::optional<Points> hull =
       light.type == world::LightType::kSpot
-          ? lampShadow(caster, light.X_WL.translation(), light.range, receivers)
+          ? pointShadow(caster, light.X_WL.translation(), light.range, receivers)
           : parallelShadow(caster, direction, receivers);
   if (hull) {
     markHull(*hull, view, pixels);

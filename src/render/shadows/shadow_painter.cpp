@@ -49,7 +49,7 @@ cv::Size reachOf(const ShadowProjection& shadow, int map_size) {
     return {reach(kRaise * shadow.texel * texels_in_metre(0)),
             reach(kRaise * shadow.texel * texels_in_metre(1))};
   }
-  // In a lamp's plane of tangents, what is moved aside moves by the square of its ray's slant.
+  // In a light's plane of tangents, what is moved aside moves by the square of its ray's slant.
   const double tangent = half * shadow.texel;
   const int shift = reach(kRaise * (1.0 + tangent * tangent));
   return {shift, shift};
@@ -256,7 +256,7 @@ cv::Rect ShadowPainter::texelsOf(const std::vector<Eigen::Vector3d>& caster,
   Eigen::AlignedBox2d texels;
   for (const Eigen::Vector3d& corner : caster) {
     const Eigen::Vector4d clip = shadow.shadow_from_world * corner.homogeneous();
-    if (clip.w() < 1e-6) return whole;  // behind the lamp, where corners bound nothing
+    if (clip.w() < 1e-6) return whole;  // behind the light, where corners bound nothing
     texels.extend(Eigen::Vector2d(((clip.head<2>() / clip.w()).array() * 0.5 + 0.5) * size));
   }
   const Eigen::Vector2i low = texels.min().cwiseMax(0.0).cwiseMin(size).array().floor().cast<int>();
@@ -267,7 +267,7 @@ cv::Rect ShadowPainter::texelsOf(const std::vector<Eigen::Vector3d>& caster,
 
 void ShadowPainter::draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                          const LinkSelection& casting, Casters casters) {
-  // A lamp may be within a body.
+  // A light may be within a body.
   const bool is_parallel = isParallel(shadow);
   for (const Part& part : parts_.parts()) {
     if (!part.casts_shadow || !casting[part.link]) continue;

@@ -78,9 +78,9 @@ void fitDirectional(const world::Light& light, const std::vector<View>& views,
   projection.texel = extent.maxCoeff() / size;
 }
 
-/// A spot light's map is what the lamp sees within its outer angle.
+/// A spot light's map is what the light sees within its outer angle.
 void fitSpot(const world::Light& light, int size, ShadowProjection& projection) {
-  constexpr double kNear = 0.05;                 // [m] things nearer to the lamp cast nothing
+  constexpr double kNear = 0.05;                 // [m] things nearer to the light cast nothing
   constexpr double kWidest = 0.48 * 3.14159265;  // [rad] half angle; a plane cannot hold more
   const double half_angle = std::clamp(0.5 * light.spot_outer_angle, 0.01, kWidest);
   const double far = std::max(light.range, 2.0 * kNear);

@@ -30,7 +30,7 @@ std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& conf
 /// Sets a motion up part by part; what fails is noted, and the parts that need it are passed over.
 class MotionBuilder {
  public:
-  MotionBuilder(config::MotionEntry entry, config::Config config, WorldShelf& worlds)
+  MotionBuilder(config::MotionEntry entry, config::Config config, WorldCache& worlds)
       : worlds_(worlds) {
     setup_.entry = std::move(entry);
     setup_.config = std::move(config);
@@ -252,7 +252,7 @@ class MotionBuilder {
     if (timeline) setup_.timeline = std::move(*timeline);
   }
 
-  WorldShelf& worlds_;
+  WorldCache& worlds_;
   MotionSetup setup_;
   std::vector<std::string> source_notes_;
   std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
@@ -265,7 +265,7 @@ bool MotionSetup::isCameraFrame(const std::string& frame) const {
                      [&](const scene::CameraRig& camera) { return camera.frame == frame; });
 }
 
-MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, WorldShelf& worlds) {
+MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, WorldCache& worlds) {
   return MotionBuilder(std::move(entry), std::move(config), worlds).build();
 }
 

@@ -54,6 +54,6 @@ struct MotionSetup {
 /// @param config  of the entry's settings
 /// @param worlds  that were read for other motions of the run
 [[nodiscard]] MotionSetup setUpMotion(config::MotionEntry entry, config::Config config,
-                                      WorldShelf& worlds);
+                                      WorldCache& worlds);
 
 }  // namespace synthetic_dataset::run

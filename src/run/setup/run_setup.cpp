@@ -259,7 +259,7 @@ class Builder {
   std::vector<Parameters> roots_;                         ///< of the entries
   std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
   std::vector<std::string> writer_errors_;                ///< of the writers' settings
-  WorldShelf worlds_;
+  WorldCache worlds_;
   RunSetup setup_;
 };
 

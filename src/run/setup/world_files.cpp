@@ -22,7 +22,7 @@ const world::Model& WorldFiles::model(const std::string& model_or_uri, const std
   return models_.emplace(key, loader_.loadModel(model_or_uri, name)).first->second;
 }
 
-WorldFiles& WorldShelf::filesFor(const config::WorldConfig& config) {
+WorldFiles& WorldCache::filesFor(const config::WorldConfig& config) {
   Value::List key{config.file, config.loading.on_missing_asset == world::OnMissingAsset::kWarn};
   for (const std::string& folder : config.model_folders) key.emplace_back(folder);
   std::unique_ptr<WorldFiles>& files = files_[base::jsonText(Value(key))];

@@ -50,7 +50,7 @@ class WorldFiles {
 };
 
 /// The worlds of a run's motions.
-class WorldShelf {
+class WorldCache {
  public:
   /// The files of a motion's world, the same for all motions that read them alike.
   [[nodiscard]] WorldFiles& filesFor(const config::WorldConfig& config);

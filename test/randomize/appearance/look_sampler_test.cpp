@@ -566,7 +566,7 @@ TEST_F(LookSamplerTest, NamesWhatALightCannotDo) {
                           "and azimuth turn it"));
   EXPECT_THAT(errorsOf("lights: {stage::rig::spot: {azimuth: 1}}"),
               ElementsAre("randomize/lights/stage::rig::spot/elevation, azimuth: only directional "
-                          "lights are turned; shift moves a lamp"));
+                          "lights are turned; shift moves a light that has a position"));
 }
 
 TEST_F(LookSamplerTest, NamesAModelLinkOrVisualThatTheWorldDoesNotHave) {
