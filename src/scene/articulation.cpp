@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::scene {
@@ -75,6 +76,45 @@ Frames framesByLink(const world::Model& model, const ObjectOptions& object,
   return frames;
 }
 
+/// Whether a frame is called so, alone or below a prefix: "base_link", "rover_1/base_link".
+bool isCalled(const std::string& frame, const std::string& name) {
+  const std::string below = "/" + name;
+  return frame == name || (frame.size() > below.size() &&
+                           frame.compare(frame.size() - below.size(), below.size(), below) == 0);
+}
+
+/// The link that stands at the object's own frame: the one that follows it, else the one that it is
+/// named by. A frame that names no link carries the model's origin.
+std::optional<std::size_t> ownLink(const world::Model& model, const ObjectOptions& object,
+                                   const motion::FrameSource& source, const Frames& frames) {
+  const std::optional<motion::FrameId> object_frame = source.find(object.frame);
+  const std::string name = motion::withoutLeadingSlashes(object.frame);
+  std::optional<std::size_t> own;
+  std::size_t longest = 0;  // "arm/wrist" says more than "wrist"
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i]) {
+      if (frames[i] == object_frame) return i;
+      continue;
+    }
+    for (const std::string& each : frameNames(model, model.links[i])) {
+      if (each.size() <= longest || !isCalled(name, each)) continue;
+      longest = each.size();
+      own = i;
+    }
+  }
+  return own;
+}
+
+/// Says so where the link of the object's frame, moved to the origin, was not there before.
+void noteMovedOrigin(const ObjectOptions& object, const std::string& link, const Pose& X_ML,
+                     base::Diagnostics& found) {
+  constexpr double kSame = 1e-6;  // [m], [1]
+  if (X_ML.isApprox(Pose::Identity(), kSame)) return;
+  found.note(object.name, "its link '" + link + "' stands at the frame '" + object.frame +
+                              "'; the model's origin is " + fixed(X_ML.translation().norm(), 3) +
+                              " m from it");
+}
+
 bool hangsOnDriven(const world::Model& model, const Frames& frames, std::size_t link) {
   for (auto at = model.links[link].parent; at; at = model.links[*at].parent) {
     if (frames[*at]) return true;
@@ -104,25 +144,21 @@ Articulation articulate(world::Model model, const ObjectOptions& object,
                         const motion::FrameSource& source) {
   const Frames frames = object.link_frames.by_link.empty() ? framesByPattern(model, object, source)
                                                            : framesByLink(model, object, source);
-  const std::optional<motion::FrameId> object_frame = source.find(object.frame);
-  std::optional<std::size_t> base;
+  const std::optional<std::size_t> base = ownLink(model, object, source, frames);
   std::size_t others = 0;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (!frames[i]) continue;
-    if (frames[i] == object_frame && !base) {
-      base = i;
-    } else {
-      ++others;
-    }
-  }
+  for (std::size_t i = 0; i < frames.size(); ++i) others += frames[i] && i != base ? 1 : 0;
   Articulation result;
   const std::string joints = heldJoints(model, frames);
+  if (base) {
+    noteMovedOrigin(object, model.links[*base].name, model.links[*base].X_ML, result.found);
+    moveToOrigin(model, *base);
+  }
   if (others > 0) {
-    if (base) moveToOrigin(model, *base);
     for (std::size_t i = 0; i < frames.size(); ++i) {
       // The link of the object's own frame is part of its body, unless another one would carry it.
-      if (!frames[i] || (i == base && !hangsOnDriven(model, frames, i))) continue;
-      result.driven.push_back({i, *frames[i]});
+      const auto frame = i == base ? source.find(object.frame) : frames[i];
+      if (!frame || (i == base && !hangsOnDriven(model, frames, i))) continue;
+      result.driven.push_back({i, *frame});
     }
     result.found.note(object.name, std::to_string(others + (base ? 1 : 0)) + " of " +
                                        std::to_string(model.links.size()) + " links follow TF");

@@ -21,8 +21,8 @@ using DrivenLinks = std::vector<DrivenLink>;
 
 /// How an object follows frames.
 struct Articulation {
-  /// The object's model. Where links other than that of the object's frame follow TF, it is moved
-  /// in its frame so that this one lies at the origin: else its body would not fit to them.
+  /// The object's model. Where the object's frame is that of one of its links, or is named by it,
+  /// the model is moved in its frame so that this link lies at the origin.
   world::Model model;
   DrivenLinks driven;       ///< by index; empty: the model moves as one piece
   base::Diagnostics found;  ///< what the user may like to know

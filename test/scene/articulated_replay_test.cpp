@@ -46,6 +46,17 @@ class ArticulatedReplay : public testing::Test {
   static Pose shoulder(int i) { return poseAt(0, 0, 0.2, 0.1 * i); }
   static Pose elbow(int i) { return turnedAboutY({0, 0, 0.5}, -0.06 * i); }
 
+  /// The arm as in many URDFs: the root is a point on the ground, 0.3 m below the base.
+  static std::string armAboveTheGround() {
+    std::string model = test::kRobotArm;
+    const std::string before = "  <link name=\"nose\"/>";
+    return model.replace(
+        model.find(before), before.size(),
+        before +
+            "<link name='ground'/><joint name='lift' type='fixed'><parent "
+            "link='ground'/><child link='base_link'/><origin xyz='0 0 0.3'/></joint>");
+  }
+
   /// Records the links' frames below `prefix`, from the sample `first` on.
   void recordLinks(const std::string& prefix = "alpha/", int first = 0) {
     test::BagBuilder bag(run.folder() / "links.bag");
@@ -174,18 +185,56 @@ TEST_F(ArticulatedReplay, TheObjectsFrameMayBeNamedWhole) {
 
 TEST_F(ArticulatedReplay, ALinkOfTheObjectsFrameStandsThereWhereLinksFollowTf) {
   recordLinks();
-  // As in many URDFs, the root is a point on the ground below the base.
-  std::string model = test::kRobotArm;
-  const std::string before = "  <link name=\"nose\"/>";
-  model.replace(model.find(before), before.size(),
-                before +
-                    "<link name='ground'/><joint name='lift' type='fixed'><parent "
-                    "link='ground'/><child link='base_link'/><origin xyz='0 0 0.3'/></joint>");
-  alpha["model"] = Value(model);
+  alpha["model"] = Value(armAboveTheGround());
   LinkPoses links = linksAt(15);
   expectAt(links["base_link"], base(15));
   expectAt(links["fore"], base(15) * shoulder(15) * elbow(15));
   expectAt(links["ground"], base(15) * poseAt(0, 0, -0.3));
+}
+
+TEST_F(ArticulatedReplay, TheLinkThatTheObjectsFrameNamesStandsThereAlone) {
+  alpha["model"] = Value(armAboveTheGround());
+  LinkPoses links = linksAt(5);
+  expectAt(links["base_link"], base(5));
+  expectAt(links["ground"], base(5) * poseAt(0, 0, -0.3));
+  expectAt(links["gripper"], base(5) * poseAt(0, 0, 1.12));
+  EXPECT_THAT(setUp().found.messages(base::Severity::kNote),
+              Contains("alpha: its link 'base_link' stands at the frame 'alpha/base_link'; the "
+                       "model's origin is 0.300 m from it"));
+}
+
+TEST_F(ArticulatedReplay, SoDoesOneOfAnSdfModelWhateverThePrefix) {
+  alpha["model"] = Value(
+      "<sdf version='1.6'><model name='cart'><link name='body'><pose>0 0 0.4 0 0 0</pose>"
+      "<visual name='v'><geometry><box><size>0.4 0.4 0.4</size></box></geometry></visual></link>"
+      "<link name='base_link'><pose>0.5 0 0.1 0 0 0</pose></link><joint name='j' type='fixed'>"
+      "<parent>body</parent><child>base_link</child></joint></model></sdf>");
+  alpha["frame"] = Value("bravo/base_link");
+  alpha["link_frames"] = Value("unknown/{link}");
+  LinkPoses links = linksAt(5);
+  expectAt(links["base_link"], poseAt(0.0, 1.0, 0.0));
+  expectAt(links["body"], poseAt(-0.5, 1.0, 0.3));
+}
+
+TEST_F(ArticulatedReplay, AFrameThatNamesNoLinkCarriesTheModelsOrigin) {
+  std::string model = armAboveTheGround();
+  for (std::size_t at = model.find("base_link"); at != std::string::npos;
+       at = model.find("base_link")) {
+    model.replace(at, std::string("base_link").size(), "trunk");
+  }
+  alpha["model"] = Value(model);
+  LinkPoses links = linksAt(5);
+  expectAt(links["ground"], base(5));
+  expectAt(links["trunk"], base(5) * poseAt(0, 0, 0.3));
+}
+
+TEST_F(ArticulatedReplay, ALinkThatFollowsAnotherFrameIsNotTheOneThatItsNameNames) {
+  recordLinks("weird_");
+  alpha["model"] = Value(armAboveTheGround());
+  alpha["link_frames"] = Value(Value::Map{{"base_link", Value("weird_upper")}});
+  LinkPoses links = linksAt(15);
+  expectAt(links["ground"], base(15));
+  expectAt(links["base_link"], base(15) * shoulder(15));
 }
 
 TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
