@@ -93,7 +93,19 @@ world::OnMissingAsset readOnMissingAsset(Parameters& group) {
   return found == "warn" ? world::OnMissingAsset::kWarn : world::OnMissingAsset::kError;
 }
 
-/// `world` is a file's name, or a group with `file`, `model_folders` and `on_missing_asset`.
+/// Nothing where the world's files tell.
+std::optional<world::Simulator> readSimulator(Parameters& group) {
+  const std::string found = group.maybe<std::string>("simulator").value_or("auto");
+  if (found == "classic") return world::Simulator::kClassic;
+  if (found == "gz") return world::Simulator::kGz;
+  if (found != "auto") {
+    group.addError("simulator", "found '" + found + "'; it should be auto, classic or gz");
+  }
+  return std::nullopt;
+}
+
+/// `world` is a file's name, or a group with `file`, `model_folders`, `on_missing_asset` and
+/// `simulator`.
 WorldConfig readWorld(Parameters& root) {
   WorldConfig world;
   const auto replaced = root.maybe<std::string>("world_file");
@@ -106,6 +118,7 @@ WorldConfig readWorld(Parameters& root) {
         group.maybe<std::vector<std::string>>("model_folders").value_or(std::vector<std::string>{});
     for (std::string& folder : world.model_folders) folder = absolutePath(folder);
     world.loading.on_missing_asset = readOnMissingAsset(group);
+    world.loading.simulator = readSimulator(group);
   } else if (given || !replaced) {
     world.file = root.required<std::string>("world");
   }

@@ -18,6 +18,7 @@
 
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/pose.h"
+#include "world/load_options.h"
 
 namespace synthetic_dataset::world {
 
@@ -38,13 +39,17 @@ struct Texture {
   cv::Mat pixels;    ///< CV_8UC4, blue green red alpha, sRGB, first row on top
 };
 
-/// Colours are as files give them: sRGB-encoded red, green, blue (0..1), alpha 1 is opaque.
+/// Colours are as files give them: sRGB-encoded red, green, blue (0..1), alpha 1 is opaque. The
+/// defaults are those of a material of which a file says something, but not this.
 struct Material {
-  Eigen::Vector4f diffuse{0.7F, 0.7F, 0.7F, 1.0F};  ///< times the texture's colour
+  Eigen::Vector4f diffuse{1.0F, 1.0F, 1.0F, 1.0F};  ///< times the texture's colour
+  Eigen::Vector3f ambient{1.0F, 1.0F, 1.0F};  ///< Classic: of the scene's ambient light. gz-sim has
+                                              ///< the diffuse colour in its place
   Eigen::Vector3f specular{0.1F, 0.1F, 0.1F};
   Eigen::Vector3f emissive{0.0F, 0.0F, 0.0F};
-  float roughness = 0.6F;  ///< 0 mirror .. 1 chalk
-  float metalness = 0.0F;  ///< 0 or 1, or between
+  float shininess = 0.0F;  ///< Classic: Blinn-Phong's exponent; 0: there is no highlight
+  float roughness = 0.6F;  ///< gz-sim: 0 mirror .. 1 chalk
+  float metalness = 0.0F;  ///< gz-sim: 0 or 1, or between
 
   std::shared_ptr<const Texture> texture;        ///< none: the diffuse colour alone
   std::shared_ptr<const Texture> normal_map;     ///< linear; x right, y up the texture (OpenGL's)
@@ -58,7 +63,17 @@ struct Material {
   bool texture_is_glass = false;  ///< the texture's alpha blends (no holes), like that of `diffuse`
   bool double_sided = false;
   bool lit = true;  ///< false: shown in its own colour whatever the lights
+
+  bool is_default = false;  ///< nobody has given it: defaultMaterial()
 };
+
+/// Of what no file gives a material: World paints it as the simulator does that the world was
+/// written for, Gazebo Classic white, gz-sim grey.
+[[nodiscard]] inline Material defaultMaterial() {
+  Material material;
+  material.is_default = true;
+  return material;
+}
 
 /// A mesh in one material.
 struct Surface {
@@ -192,6 +207,7 @@ struct Description {
   std::vector<Model> models;
   std::vector<Light> lights;
   std::vector<CameraSensor> cameras;
+  Simulator simulator = Simulator::kClassic;     ///< that the world was written for
   Eigen::Vector3f ambient{0.4F, 0.4F, 0.4F};     ///< sRGB-encoded
   Eigen::Vector3f background{0.7F, 0.7F, 0.7F};  ///< sRGB-encoded
   std::optional<Fog> fog;

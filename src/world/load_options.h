@@ -1,14 +1,23 @@
 #pragma once
 
+#include <optional>
+
 namespace synthetic_dataset::world {
 
 /// What becomes of a world that names a file which is not there, or cannot be read: it is refused,
 /// or loaded without what needs the file.
 enum class OnMissingAsset { kError, kWarn };
 
+/// By whose rules a world's colours and lights are meant (docs/rendering.md).
+enum class Simulator {
+  kClassic,  ///< Gazebo Classic (OGRE 1): Blinn-Phong on the numbers that the file gives
+  kGz,       ///< gz-sim, once Ignition Gazebo (ogre2): physically based, in linear light
+};
+
 /// What files do not say.
 struct LoadOptions {
   OnMissingAsset on_missing_asset = OnMissingAsset::kError;
+  std::optional<Simulator> simulator;  ///< of worlds; none: their files tell
 };
 
 }  // namespace synthetic_dataset::world

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
+#include "world/material/default_paint.h"
 #include "world/world_impl.h"
 
 namespace synthetic_dataset::world {
@@ -66,6 +67,13 @@ World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_
                   const PhysicsOptions& options_in, std::vector<Model> distractors_in)
     : description(std::move(description_in)), options(checked(options_in)) {
   std::vector<std::string> errors;
+  for (Model& model : description.models) paintDefaults(description.simulator, model);
+  for (MovingObject& object : objects_in) {
+    for (MovingModel& variant : object.variants) {
+      paintDefaults(description.simulator, variant.model);
+    }
+  }
+  for (Model& model : distractors_in) paintDefaults(description.simulator, model);
   for (const Model& model : description.models) {
     const bool is_prop = !model.is_static && canMove(model);
     if (is_prop) {

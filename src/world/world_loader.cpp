@@ -122,6 +122,7 @@ Description WorldLoader::loadUrdf(const ModelText& source) {
   findings.on_missing_asset = options_.on_missing_asset;
   UrdfReading reading{source, finder_, caches_->meshes, caches_->shapes, findings};
   Description description;
+  description.simulator = options_.simulator.value_or(Simulator::kClassic);
   description.models.push_back(readUrdfModel(reading));
   findings.throwErrors();
   description.notes = std::move(findings.notes);
@@ -139,6 +140,9 @@ Description WorldLoader::loadSdf(const fs::path& file, const std::optional<std::
   SdfReading reading{
       file, finder_, caches_->meshes, caches_->shapes, findings, document->isSound()};
   Description description = describeFile(*document, Place(file.string()), reading);
+  const Simulator told =
+      reading.is_of_gz || includes.isOfGz() ? Simulator::kGz : Simulator::kClassic;
+  description.simulator = options_.simulator.value_or(told);
   findings.throwErrors();
   description.notes = std::move(findings.notes);
   return description;

@@ -121,6 +121,19 @@ TEST(ReadConfig, SaysWhatMissingAssetsMean) {
               ElementsAre("world/on_missing_asset: found 'ignore'; it should be error or warn"));
 }
 
+TEST(ReadConfig, SaysWhichSimulatorTheWorldIsFor) {
+  const auto reading = [](const std::string& rest) {
+    return Reading(with("world: /data/hall.world", "world: {file: /data/hall.world" + rest + "}"));
+  };
+  EXPECT_EQ(reading("").config.world.loading.simulator, std::nullopt);
+  EXPECT_EQ(reading(", simulator: auto").config.world.loading.simulator, std::nullopt);
+  EXPECT_EQ(reading(", simulator: classic").config.world.loading.simulator,
+            world::Simulator::kClassic);
+  EXPECT_EQ(reading(", simulator: gz").config.world.loading.simulator, world::Simulator::kGz);
+  EXPECT_THAT(reading(", simulator: ogre").root.errors(),
+              ElementsAre("world/simulator: found 'ogre'; it should be auto, classic or gz"));
+}
+
 TEST(ReadConfig, WorldFileReplacesTheWorldsFileAlone) {
   const Reading reading(with("world: /data/hall.world",
                              "world: {file: /data/hall.world, model_folders: [/models]}\n"

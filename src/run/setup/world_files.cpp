@@ -1,5 +1,8 @@
 #include "run/setup/world_files.h"
 
+#include <cstdint>
+#include <optional>
+
 #include "base/json_text.h"
 #include "run/setup/ros_packages.h"
 #include "synthetic_dataset/value.h"
@@ -24,6 +27,8 @@ const world::Model& WorldFiles::model(const std::string& model_or_uri, const std
 
 WorldFiles& WorldCache::filesFor(const config::WorldConfig& config) {
   Value::List key{config.file, config.loading.on_missing_asset == world::OnMissingAsset::kWarn};
+  const std::optional<world::Simulator>& simulator = config.loading.simulator;
+  key.emplace_back(simulator ? static_cast<std::int64_t>(*simulator) : -1);
   for (const std::string& folder : config.model_folders) key.emplace_back(folder);
   std::unique_ptr<WorldFiles>& files = files_[base::jsonText(Value(key))];
   if (!files) files = std::make_unique<WorldFiles>(config);

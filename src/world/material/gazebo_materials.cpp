@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "synthetic_dataset/errors.h"
@@ -120,6 +121,32 @@ const Row kRows[] = {
     {"Steps", kRoadGrey, kFaint, 2, Finish::kPlain, "steps.jpeg"},
 };
 
+/// Ambient colours that differ from the diffuse one.
+const struct {
+  const char* name;
+  std::array<float, 3> ambient;
+} kAmbients[] = {
+    {"Grey", {0.3F, 0.3F, 0.3F}},
+    {"SkyBlue", {0.13F, 0.44F, 0.7F}},
+    {"Gold", {0.4F, 0.24869F, 0.020759F}},
+    {"Pioneer2Body", {0.481193F, 0.000123F, 0.000123F}},
+    {"PioneerBody", {0, 0, 0}},
+    {"WoodFloor", {0.5F, 0.5F, 0.5F}},
+    {"WoodPallet", {0.5F, 0.5F, 0.5F}},
+    {"CeilingTiled", {0.5F, 0.5F, 0.5F}},
+    {"CoM", {0.5F, 0.5F, 0.5F}},
+    {"Grass", {0.5F, 0.5F, 0.5F}},
+    {"Runway", {0.5F, 0.5F, 0.5F}},
+};
+
+Eigen::Vector3f ambientOf(const Row& row) {
+  for (const auto& [name, ambient] : kAmbients) {
+    if (std::string(row.name) == name) return Eigen::Vector3f(ambient.data());
+  }
+  if (row.diffuse == kRoadGrey) return Eigen::Vector3f::Constant(0.1F);
+  return Eigen::Vector4f(row.diffuse.data()).head<3>();
+}
+
 const std::string kPrefix = "Gazebo/";
 
 const Row* find(const std::string& name) {
@@ -151,7 +178,9 @@ std::optional<Material> gazeboMaterial(const std::string& name, TextureLoader& t
   if (row == nullptr) return std::nullopt;
   Material material;
   material.diffuse = Eigen::Vector4f(row->diffuse.data());
+  material.ambient = ambientOf(*row);
   material.specular = Eigen::Vector3f(row->specular.data());
+  material.shininess = row->shininess;
   material.roughness = roughnessOfShininess(row->shininess);
   if (row->finish == Finish::kGlow) material.emissive = material.diffuse.head<3>();
   material.lit = row->finish != Finish::kUnlit;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -104,8 +105,7 @@ class Reader {
   }
 
   OgreMaterial read() {
-    material().specular.setZero();  // OGRE's, as white for diffuse
-    material().diffuse.setOnes();
+    material().specular.setZero();  // OGRE's, as white for diffuse and ambient
     if (passes_.empty()) return std::move(result_);
     base_ = &basePassOf(passes_);
     readColours();
@@ -140,6 +140,9 @@ class Reader {
   }
 
   void readColours() {
+    if (const auto ambient = colour("ambient")) {
+      material().ambient = Eigen::Vector3f(ambient->data());
+    }
     if (const auto diffuse = colour("diffuse")) {
       material().diffuse.head<3>() = Eigen::Vector3f(diffuse->data());
       if (diffuse->size() > 3) alpha_ = std::clamp((*diffuse)[3], 0.0F, 1.0F);
@@ -150,13 +153,18 @@ class Reader {
     // Three of colour, one of alpha where there are five, and the exponent.
     if (const auto specular = colour("specular")) {
       material().specular = Eigen::Vector3f(specular->data());
-      if (specular->size() > 3) material().roughness = roughnessOfShininess(specular->back());
+      if (specular->size() > 3) setShininess(specular->back());
     }
     material().lit = wordOf(*base_, "lighting") != "off";
     if (material().lit) return;
     material().diffuse.head<3>().setOnes();  // OGRE gives unlit surfaces their picture alone
     material().emissive.setZero();
     alpha_ = 1.0F;
+  }
+
+  void setShininess(float exponent) {
+    material().shininess = std::isfinite(exponent) ? std::max(exponent, 0.0F) : 0.0F;
+    material().roughness = roughnessOfShininess(exponent);
   }
 
   void readSides() { material().double_sided = wordOf(*base_, "cull_hardware") == "none"; }

@@ -74,8 +74,10 @@ void readVector(base::ByteReader& reader, Vector& vector) {
 
 void write(const Material& material, base::ByteWriter& writer) {
   writeVector(material.diffuse, writer);
+  writeVector(material.ambient, writer);
   writeVector(material.specular, writer);
   writeVector(material.emissive, writer);
+  writer.number(material.shininess);
   writer.number(material.roughness);
   writer.number(material.metalness);
   writeVector(material.texture_scale, writer);
@@ -84,13 +86,16 @@ void write(const Material& material, base::ByteWriter& writer) {
   writer.number(material.texture_is_glass);
   writer.number(material.double_sided);
   writer.number(material.lit);
+  writer.number(material.is_default);
 }
 
 Material readMaterial(base::ByteReader& reader) {
   Material material;
   readVector(reader, material.diffuse);
+  readVector(reader, material.ambient);
   readVector(reader, material.specular);
   readVector(reader, material.emissive);
+  material.shininess = reader.number<float>();
   material.roughness = reader.number<float>();
   material.metalness = reader.number<float>();
   readVector(reader, material.texture_scale);
@@ -99,6 +104,7 @@ Material readMaterial(base::ByteReader& reader) {
   material.texture_is_glass = reader.number<bool>();
   material.double_sided = reader.number<bool>();
   material.lit = reader.number<bool>();
+  material.is_default = reader.number<bool>();
   return material;
 }
 

@@ -100,6 +100,7 @@ class ClassicReader {
     if (diffuse) material().diffuse = withAlpha(rgb(*diffuse), 1.0F);
     // COLLADA has either a colour or a picture; assimp adds a grey to the picture.
     if (result_.texture && isCollada()) material().diffuse.setOnes();
+    if (const auto ambient = colour(from_, "$clr.ambient")) material().ambient = rgb(*ambient);
     if (const auto specular = colour(from_, "$clr.specular")) material().specular = rgb(*specular);
     // Lambert's model has no highlight; assimp gives COLLADA's a grey one.
     if (isCollada() && shadingModel(from_) == aiShadingMode_Gouraud) material().specular.setZero();
@@ -109,6 +110,7 @@ class ClassicReader {
   void readShininess() {
     const auto shininess = number(from_, {"$mat.shininess"});
     if (!shininess || !(*shininess > 0.0F)) return;  // nobody has given one
+    material().shininess = std::min(*shininess, 1e4F);
     material().roughness = roughnessOfShininess(*shininess);
   }
 
@@ -265,6 +267,7 @@ MaterialSource readMaterial(const aiMaterial& material, const std::filesystem::p
     result = ClassicReader(material, extension, pictures).read();
     if (isMadeUp(material, file) && !result.texture) {
       result = MaterialSource{};
+      result.material = defaultMaterial();
       result.made_up = true;
     }
   }

@@ -10,6 +10,7 @@
 
 #include "synthetic_dataset/errors.h"
 #include "world/files/fuel.h"
+#include "world/files/gz_plugins.h"
 #include "world/files/text.h"
 #include "world/sdf/built_in_models.h"
 #include "world/sdf/joined_models.h"
@@ -61,6 +62,11 @@ std::optional<std::string> faultOf(const tinyxml2::XMLDocument& document) {
            "the one that the file is written for is needed, as in version='1.6'";
   }
   return "its root element is <" + name + ">; <sdf> is needed, or <robot> of a URDF file";
+}
+
+std::string attributeOf(const tinyxml2::XMLElement& element, const char* name) {
+  const char* const text = element.Attribute(name);
+  return text == nullptr ? "" : text;
 }
 
 /// What has no part in a picture, and often things in it that libsdformat refuses.
@@ -197,6 +203,8 @@ void IncludeGraph::adapt(tinyxml2::XMLElement& parent, const fs::path& file, Pre
     next = child->NextSiblingElement();
     const std::string name = child->Name();
     if (isIrrelevant(name)) {
+      is_of_gz_ |= name == "plugin" &&
+                   isPluginOfGz(attributeOf(*child, "filename"), attributeOf(*child, "name"));
       parent.DeleteChild(child);
     } else if (name != "include") {
       adapt(*child, file, result);

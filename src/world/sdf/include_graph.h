@@ -46,6 +46,9 @@ class IncludeGraph {
   /// empty if there are none. What libsdformat finds wrong with it, it tells of wrong lines.
   [[nodiscard]] const std::filesystem::path& joinedFile() const { return joined_file_; }
 
+  /// Whether some file has a plugin of gz-sim's.
+  [[nodiscard]] bool isOfGz() const { return is_of_gz_; }
+
   /// The meshes of all files that were followed.
   [[nodiscard]] const std::vector<MentionedMesh>& meshes() const { return meshes_; }
 
@@ -81,6 +84,7 @@ class IncludeGraph {
   std::filesystem::path prepared_file_;
   std::unique_ptr<SdfCopies> joined_copies_;
   std::filesystem::path joined_file_;
+  bool is_of_gz_ = false;
   bool too_many_ = false;  ///< files multiply one another; then all that draw them in are refused
 };
 

@@ -1,8 +1,10 @@
 #include "world/sdf/sdf_materials.h"
 
+#include <cmath>
 #include <string>
 
 #include "world/material/material_source.h"
+#include "world/material/shininess.h"
 #include "world/sdf/sdf_pbr.h"
 #include "world/sdf/sdf_scripts.h"
 
@@ -23,14 +25,13 @@ Eigen::Vector4f unit(const Eigen::Vector4f& colour, const char* name, const Plac
   return Eigen::Vector4f::Ones();
 }
 
-/// @param with_ambient  whether an ambient colour alone gives the diffuse one
-void readColours(const sdf::Material& from, bool with_ambient, const Place& place,
-                 SdfReading& reading, Material& to) {
+void readColours(const sdf::Material& from, const Place& place, SdfReading& reading, Material& to) {
   const sdf::ElementPtr element = from.Element();
+  if (has(element, "ambient")) {
+    to.ambient = unit(toColour(from.Ambient()), "ambient", place, reading).head<3>();
+  }
   if (has(element, "diffuse")) {
     to.diffuse = unit(toColour(from.Diffuse()), "diffuse", place, reading);
-  } else if (with_ambient && has(element, "ambient")) {
-    to.diffuse = unit(toColour(from.Ambient()), "ambient", place, reading);
   }
   if (has(element, "specular")) {
     to.specular = unit(toColour(from.Specular()), "specular", place, reading).head<3>();
@@ -38,6 +39,16 @@ void readColours(const sdf::Material& from, bool with_ambient, const Place& plac
   if (has(element, "emissive")) {
     to.emissive = unit(toColour(from.Emissive()), "emissive", place, reading).head<3>();
   }
+}
+
+/// The exponent of the highlight, which has no colour where none is said (SDF specification,
+/// <shininess>, <specular>).
+void readShininess(const sdf::ElementPtr& element, Material& to) {
+  const double exponent = number(element, {"shininess"}, 0.0);
+  if (!(exponent > 0.0) || !std::isfinite(exponent)) return;
+  to.shininess = static_cast<float>(exponent);
+  to.roughness = roughnessOfShininess(to.shininess);
+  if (!has(element, "specular")) to.specular.setZero();
 }
 
 /// <shader type="normal_map_tangent_space"><normal_map>
@@ -88,8 +99,10 @@ std::optional<Material> readSdfMaterial(const sdf::Material& material, const Pla
   const std::optional<Material> script = readSdfScript(element, place, reading);
   MaterialSource source;
   if (script) source.material = *script;
-  readColours(material, !script, place, reading, source.material);
+  readColours(material, place, reading, source.material);
+  readShininess(element, source.material);
   const bool has_pbr = readPbr(material, place, reading, source);
+  reading.is_of_gz |= has_pbr;
   if (!script && !has_pbr && !hasColour(element)) return std::nullopt;
   readShader(material, reading, source);
   readSwitches(material, source.material);

@@ -29,7 +29,8 @@ struct SdfReading {
   MeshLoader& meshes;
   ShapeCache& shapes;
   Findings& findings;
-  bool sound = true;  ///< false: libsdformat has complained, and poses may be unknown for it
+  bool sound = true;      ///< false: libsdformat has complained, and poses may be unknown for it
+  bool is_of_gz = false;  ///< something was found that only gz-sim has
 
   /// A file that an element names is missing or unreadable, and the element is left out: an error,
   /// or a note where the user would rather have the rest.

@@ -40,7 +40,7 @@ std::optional<Material> find(const ScriptRequest& request, const Place& place,
     }
   } catch (const Error& error) {
     missing(error.what());
-    return Material{};
+    return defaultMaterial();
   }
   return gazeboMaterial(request.name, reading.meshes.textures());
 }
@@ -60,7 +60,7 @@ std::optional<Material> readSdfScript(const sdf::ElementPtr& material, const Pla
                                 reading.meshes.scripts().searchedPlaces(request) +
                                 "), and Gazebo ships none of that name" +
                                 nearGazeboMaterial(request.name)));
-  return Material{};
+  return defaultMaterial();
 }
 
 }  // namespace synthetic_dataset::world

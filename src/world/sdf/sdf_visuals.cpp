@@ -18,7 +18,7 @@ struct SurfaceMaker {
   SdfReading& reading;
 
   std::vector<Surface> one(std::shared_ptr<const Mesh> mesh) const {
-    return {Surface{std::move(mesh), material.value_or(Material{})}};
+    return {Surface{std::move(mesh), material.value_or(defaultMaterial())}};
   }
   std::vector<Surface> shape(ShapeKind kind, const Eigen::Vector3d& size) const {
     return one(reading.shapes.mesh(kind, size));
@@ -58,7 +58,8 @@ struct SurfaceMaker {
     return one(extrudedMesh(extrusion));
   }
   std::vector<Surface> operator()(const Heightmap& heightmap) const {
-    return heightmapSurfaces(heightmap, material.value_or(Material{}), reading.meshes.textures());
+    return heightmapSurfaces(heightmap, material.value_or(defaultMaterial()),
+                             reading.meshes.textures());
   }
   std::vector<Surface> operator()(const WallMap& map) const { return one(wallMesh(map)); }
 };

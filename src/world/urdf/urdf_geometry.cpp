@@ -88,7 +88,7 @@ struct SurfaceMaker {
 
   std::vector<Surface> shape(ShapeKind kind, const Eigen::Vector3d& size) const {
     const auto& material = gazebo_material ? gazebo_material : urdf_material;
-    return {Surface{reading.shapes.mesh(kind, size), material.value_or(Material{})}};
+    return {Surface{reading.shapes.mesh(kind, size), material.value_or(defaultMaterial())}};
   }
   std::vector<Surface> operator()(const BoxShape& box) const {
     return shape(ShapeKind::kBox, box.size);
@@ -137,8 +137,10 @@ Material toMaterial(const urdf::Material& from, UrdfReading& reading) {
       material.diffuse.maxCoeff() > 1.0F) {
     throw Error("material '" + from.name + "': its colour's numbers should be 0 to 1");
   }
+  material.ambient = material.diffuse.head<3>();
   if (from.texture_filename.empty()) return material;
   material.diffuse.head<3>().setOnes();
+  material.ambient.setOnes();
   const fs::path folder = folderFor("texture", from.texture_filename, reading.source);
   TextureReference reference;
   reference.uri = from.texture_filename;
