@@ -1,7 +1,8 @@
-/// The tool `contact_sheet`: a picture of every model below a folder, and a table of what was
-/// found in each.
+/// The tool `contact_sheet`: a picture of every model below a folder, or of a world and every model
+/// in it, and a table of what was found in each.
 ///
 ///   rosrun synthetic_dataset contact_sheet FOLDER SHEET.png
+///   rosrun synthetic_dataset contact_sheet FILE.world SHEET.png
 ///
 /// Exit code 0 if every model could be loaded, 3 if some could not, 1 or 2 for other errors.
 
@@ -24,24 +25,40 @@ namespace {
 using namespace synthetic_dataset;
 namespace fs = std::filesystem;
 
-int makeContactSheet(const fs::path& given_folder, const std::string& picture) {
-  const cv::Size cell(256, 192);
-  const fs::path folder = fs::weakly_canonical(given_folder);
+const cv::Size kCell(256, 192);
+
+std::vector<programs::GalleryEntry> portrayFolder(const fs::path& folder,
+                                                  const run::RosPackageIndex& packages) {
   const std::vector<fs::path> models = world::findModels(folder);
   if (models.empty()) {
     throw Error(folder.string() + ": found no model: no model.config, .sdf or .urdf file");
   }
-  const world::ResourceFinder finder(programs::modelFolders(folder, models),
-                                     run::rosPackageFinder());
+  const world::ResourceFinder finder(programs::modelFolders(folder, models), packages.finder(),
+                                     packages.exports());
   std::vector<programs::GalleryEntry> entries;
   for (const fs::path& model : models) {
-    const fs::path name = model == folder ? model.filename() : fs::relative(model, folder);
-    entries.push_back(programs::portrayModel(model, name.string(), finder, cell));
+    const fs::path name = model == folder ? model.filename() : model.lexically_relative(folder);
+    entries.push_back(programs::portrayModel(model, name.string(), finder, kCell));
   }
-  if (!cv::imwrite(picture, programs::contactSheet(entries, cell))) {
+  return entries;
+}
+
+int makeContactSheet(const fs::path& given, const std::string& picture) {
+  const fs::path path = fs::weakly_canonical(given);
+  const run::RosPackageIndex packages;
+  std::vector<programs::GalleryEntry> entries;
+  if (fs::is_regular_file(path)) {
+    const world::ResourceFinder finder({path.parent_path().string()}, packages.finder(),
+                                       packages.exports());
+    entries = programs::portrayWorld(path, finder, kCell);
+  } else {
+    entries = portrayFolder(path, packages);
+  }
+  if (!cv::imwrite(picture, programs::contactSheet(entries, kCell))) {
     throw Error(picture + ": cannot be written");
   }
   std::cout << programs::galleryTable(entries);
+  for (const std::string& note : packages.notes()) std::cout << note << '\n';
   const bool all_loaded =
       std::all_of(entries.begin(), entries.end(),
                   [](const programs::GalleryEntry& e) { return e.error.empty(); });
@@ -52,7 +69,7 @@ int makeContactSheet(const fs::path& given_folder, const std::string& picture) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::cerr << "usage: contact_sheet FOLDER SHEET.png\n";
+    std::cerr << "usage: contact_sheet FOLDER|WORLD SHEET.png\n";
     return 2;
   }
   try {

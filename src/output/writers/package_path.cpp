@@ -2,43 +2,28 @@
 
 #include <stdlib.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <system_error>
 #include <vector>
 
+#include "base/ros_packages.h"
+
 namespace synthetic_dataset::output {
-namespace {
 
-namespace fs = std::filesystem;
-
-/// The folders of packages in a `share` folder, sorted; none if it cannot be read.
-std::vector<std::string> packagesIn(const fs::path& share) {
-  std::vector<std::string> packages;
-  std::error_code error;
-  for (auto entry = fs::directory_iterator(share, error); !error && entry != end(entry);
-       entry.increment(error)) {
-    std::error_code unknown;
-    if (fs::exists(entry->path() / "package.xml", unknown)) packages.push_back(entry->path());
-  }
-  std::sort(packages.begin(), packages.end());
-  return packages;
-}
-
-}  // namespace
-
-std::string withSharedPackages(const std::string& package_path) {
+std::string soundPackagePath(const std::string& package_path) {
+  const bool all_sound = base::findRosPackages(package_path).broken.empty();
   std::string result;
   const auto add = [&](const std::string& entry) { result += (result.empty() ? "" : ":") + entry; };
   std::istringstream entries(package_path);
   for (std::string entry; std::getline(entries, entry, ':');) {
-    const std::vector<std::string> packages =
-        fs::path(entry).filename() == "share" ? packagesIn(entry) : std::vector<std::string>();
-    if (packages.empty()) {
-      add(entry);
+    const base::RosPackages inside = all_sound ? base::RosPackages() : base::findRosPackages(entry);
+    const std::vector<std::filesystem::path> installed = base::installedPackages(entry);
+    if (!inside.broken.empty()) {
+      for (const base::RosPackage& package : inside.sound) add(package.folder.string());
+    } else if (!installed.empty()) {
+      for (const std::filesystem::path& package : installed) add(package.string());
     } else {
-      std::for_each(packages.begin(), packages.end(), add);
+      add(entry);
     }
   }
   return result;
@@ -46,7 +31,7 @@ std::string withSharedPackages(const std::string& package_path) {
 
 void shortenPackageSearch() {
   const char* path = getenv("ROS_PACKAGE_PATH");
-  if (path != nullptr) setenv("ROS_PACKAGE_PATH", withSharedPackages(path).c_str(), 1);
+  if (path != nullptr) setenv("ROS_PACKAGE_PATH", soundPackagePath(path).c_str(), 1);
 }
 
 }  // namespace synthetic_dataset::output

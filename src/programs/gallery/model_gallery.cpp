@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <set>
 #include <sstream>
 
 #include <opencv2/imgproc.hpp>
@@ -49,17 +50,49 @@ std::vector<std::string> wrapped(const std::string& text, int width) {
   return lines;
 }
 
+/// What is missing, in few words: the file's name where the note says one.
+std::string shortened(const std::string& note) {
+  const std::size_t end = note.find("': no such file");
+  const std::size_t begin = end == std::string::npos ? end : note.rfind('\'', end - 1);
+  if (begin == std::string::npos) return note;
+  const std::string name = note.substr(begin + 1, end - begin - 1);
+  return "lacks " + name.substr(name.find_last_of('/') + 1);
+}
+
+std::string remarkOf(const GalleryEntry& entry) {
+  if (!entry.error.empty()) return entry.error;
+  std::string text = entry.picture.empty() ? "nothing to see\n" : "";
+  for (const std::string& note : std::set<std::string>(entry.notes.begin(), entry.notes.end())) {
+    if (note.find("(left out)") != std::string::npos) text += shortened(note) + "\n";
+  }
+  return text;
+}
+
+/// Whether a note is about the model or what is in it.
+bool isAbout(const std::string& note, const std::string& model) {
+  return note.find("model '" + model + "'") != std::string::npos;
+}
+
+/// One model of a world, or all of it.
+GalleryEntry entryOf(const world::Description& description, const std::string& name,
+                     const cv::Size& size) {
+  GalleryEntry entry;
+  entry.name = name;
+  entry.counts = countModels(description);
+  entry.picture = portray(description, size);
+  return entry;
+}
+
 void drawCell(cv::Mat& sheet, const cv::Rect& cell, const GalleryEntry& entry) {
   constexpr int kMargin = 6;
   constexpr int kLine = 16;
   const cv::Rect place(cell.x, cell.y, cell.width, cell.height - kCaptionHeight);
   if (entry.picture.size() == place.size()) entry.picture.copyTo(sheet(place));
-  const std::string remark =
-      entry.error.empty() && entry.picture.empty() ? "nothing to see" : entry.error;
   int y = cell.y + kLine;
-  for (const std::string& line : wrapped(remark, cell.width - 2 * kMargin)) {
+  for (const std::string& line : wrapped(remarkOf(entry), cell.width - 2 * kMargin)) {
     if (y > place.br().y - kMargin) break;
-    write(sheet, line, {cell.x + kMargin, y}, entry.error.empty() ? kInk : kErrorInk);
+    write(sheet, line, {cell.x + kMargin, y},
+          entry.picture.empty() && entry.error.empty() ? kInk : kErrorInk);
     y += kLine;
   }
   write(sheet, fitted(entry.name, cell.width - 2 * kMargin),
@@ -99,6 +132,37 @@ GalleryEntry portrayModel(const fs::path& model, const std::string& name,
     entry.error = error.what();
   }
   return entry;
+}
+
+std::vector<GalleryEntry> portrayWorld(const fs::path& file, const world::ResourceFinder& finder,
+                                       const cv::Size& size) {
+  world::LoadOptions options;
+  options.on_missing_asset = world::OnMissingAsset::kWarn;
+  world::Description whole;
+  try {
+    whole = world::loadWorld(file.string(), finder, options);
+  } catch (const std::exception& error) {
+    GalleryEntry entry;
+    entry.name = file.filename().string();
+    entry.error = error.what();
+    return {entry};
+  }
+  std::vector<GalleryEntry> entries = {entryOf(whole, file.filename().string(), size)};
+  std::set<std::string> of_models;
+  for (const world::Model& model : whole.models) {
+    world::Description alone;
+    alone.models.push_back(model);
+    entries.push_back(entryOf(alone, model.name, size));
+    for (const std::string& note : whole.notes) {
+      if (!isAbout(note, model.name)) continue;
+      entries.back().notes.push_back(note);
+      of_models.insert(note);
+    }
+  }
+  for (const std::string& note : whole.notes) {
+    if (of_models.count(note) == 0) entries.front().notes.push_back(note);
+  }
+  return entries;
 }
 
 cv::Mat contactSheet(const std::vector<GalleryEntry>& entries, const cv::Size& cell) {

@@ -29,7 +29,15 @@ struct GalleryEntry {
 [[nodiscard]] GalleryEntry portrayModel(const std::filesystem::path& model, const std::string& name,
                                         const world::ResourceFinder& finder, const cv::Size& size);
 
-/// All pictures side by side, each with its name beneath, and with the error where there is one.
+/// Loads a world (or the file of one model), without what is missing of it, and takes a picture of
+/// all of it, then one of each model alone. What was left out is with the model that lacks it, else
+/// with the world.
+[[nodiscard]] std::vector<GalleryEntry> portrayWorld(const std::filesystem::path& file,
+                                                     const world::ResourceFinder& finder,
+                                                     const cv::Size& size);
+
+/// All pictures side by side, each with its name beneath, and with the error where there is one, or
+/// with what the model lacks.
 [[nodiscard]] cv::Mat contactSheet(const std::vector<GalleryEntry>& entries, const cv::Size& cell);
 
 /// A line a model with its numbers, then what was left out or replaced, each remark once a model.

@@ -1,63 +1,63 @@
 #include "run/setup/ros_packages.h"
 
-#include <map>
-#include <memory>
+#include <algorithm>
+#include <cstdlib>
+#include <mutex>
 #include <optional>
-#include <set>
-#include <string>
 #include <utility>
-#include <vector>
 
-#include <rospack/rospack.h>
-
-#include "output/writers/package_path.h"
+#include "base/ros_packages.h"
 
 namespace synthetic_dataset::run {
-namespace {
 
-/// The folders of packages, by their names. Looking through all takes a while: it is done when the
-/// first one is asked for, and once more when one is missing, for rospack remembers for a minute
-/// what it found. (rospack itself looks through all again for each name that it does not know.)
-class PackageFolders {
- public:
-  [[nodiscard]] std::optional<std::string> find(const std::string& package) {
-    for (; looks_ < 2; look()) {
-      if (const auto folder = known(package)) return folder;
-    }
-    return known(package);
+struct RosPackageIndex::Found {
+  std::mutex mutex;
+  std::optional<base::RosPackages> packages;
+
+  const base::RosPackages& get() {
+    const std::lock_guard<std::mutex> lock(mutex);
+    const char* path = std::getenv("ROS_PACKAGE_PATH");
+    if (!packages) packages = base::findRosPackages(path != nullptr ? path : "");
+    return *packages;  // not changed any more
   }
-
- private:
-  [[nodiscard]] std::optional<std::string> known(const std::string& package) const {
-    const auto found = folders_.find(package);
-    if (found == folders_.end() || found->second.empty()) return std::nullopt;
-    return found->second;
-  }
-
-  void look() {
-    rospack::Rospack packages;
-    packages.setQuiet(true);
-    std::vector<std::string> search_path;
-    std::set<std::pair<std::string, std::string>> found;
-    if (packages.getSearchPathFromEnv(search_path)) {
-      packages.crawl(search_path, looks_ > 0);
-      packages.list(found);
-    }
-    folders_ = {found.begin(), found.end()};
-    ++looks_;
-  }
-
-  std::map<std::string, std::string> folders_;
-  int looks_ = 0;
 };
 
-}  // namespace
+RosPackageIndex::RosPackageIndex() : found_(std::make_shared<Found>()) {}
 
-world::ResourceFinder::PackageFinder rosPackageFinder() {
-  output::shortenPackageSearch();
-  return [folders = std::make_shared<PackageFolders>()](const std::string& package) {
-    return folders->find(package);
+world::ResourceFinder::PackageFinder RosPackageIndex::finder() const {
+  return [found = found_](const std::string& package) -> std::optional<std::string> {
+    const std::vector<base::RosPackage>& all = found->get().sound;
+    const auto match = std::find_if(
+        all.begin(), all.end(), [&](const base::RosPackage& each) { return each.name == package; });
+    if (match == all.end()) return std::nullopt;
+    return match->folder.string();
   };
 }
+
+world::ResourceFinder::ExportFinder RosPackageIndex::exports() const {
+  return [found = found_] {
+    world::ExportedFolders folders;
+    for (const base::RosPackage& package : found->get().sound) {
+      const auto append = [](const auto& from, auto& to) {
+        to.insert(to.end(), from.begin(), from.end());
+      };
+      append(package.gazebo_models, folders.models);
+      append(package.gazebo_media, folders.media);
+    }
+    return folders;
+  };
+}
+
+std::vector<std::string> RosPackageIndex::notes() const {
+  const std::lock_guard<std::mutex> lock(found_->mutex);
+  std::vector<std::string> notes;
+  if (!found_->packages) return notes;
+  for (const auto& [folder, reason] : found_->packages->broken) {
+    notes.push_back(reason + "; the package is passed over");
+  }
+  return notes;
+}
+
+world::ResourceFinder::PackageFinder rosPackageFinder() { return RosPackageIndex().finder(); }
 
 }  // namespace synthetic_dataset::run

@@ -4,13 +4,12 @@
 #include <optional>
 
 #include "base/json_text.h"
-#include "run/setup/ros_packages.h"
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::run {
 WorldFiles::WorldFiles(const config::WorldConfig& config)
     : world_file_(config.file),
-      finder_(config.model_folders, rosPackageFinder()),
+      finder_(config.model_folders, packages_.finder(), packages_.exports()),
       loader_(finder_, config.loading) {}
 
 const world::Description& WorldFiles::world() {

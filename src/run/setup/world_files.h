@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/config.h"
+#include "run/setup/ros_packages.h"
 #include "world/files/resource_finder.h"
 #include "world/world_loader.h"
 
@@ -38,11 +39,20 @@ class WorldFiles {
     return loader_.modelCameras();
   }
 
+  /// Files that were named so far and may not be: there is no dataset of such a world.
+  [[nodiscard]] std::vector<std::string> refusals() const {
+    return {finder_.refusals().begin(), finder_.refusals().end()};
+  }
+
+  /// A line for each ROS package that cannot be read.
+  [[nodiscard]] std::vector<std::string> packageNotes() const { return packages_.notes(); }
+
   /// The files that were read so far.
   [[nodiscard]] const std::set<std::filesystem::path>& found() const { return finder_.found(); }
 
  private:
   std::string world_file_;
+  RosPackageIndex packages_;
   world::ResourceFinder finder_;
   world::WorldLoader loader_;
   std::optional<world::Description> world_;

@@ -62,6 +62,7 @@ class WorldBuilder {
 
   WorldSetup build() {
     auto description = found_.attempt([&] { return files_.world(); });
+    found_.add(base::Severity::kError, files_.refusals());
     if (!description) return std::move(setup_);
     model_names_ = modelNames(*description);
     setup_.sensors = description->cameras;
@@ -71,7 +72,9 @@ class WorldBuilder {
       if (!object.is_distractor) addObject(object, variants_[i].all(), *description);
     }
     auto distractors = found_.attempt([&] { return loadDistractors(config_, files_); });
+    found_.add(base::Severity::kError, files_.refusals());
     found_.add(base::Severity::kWarning, files_.modelNotes());
+    found_.add(base::Severity::kWarning, files_.packageNotes());
     for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
     const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
     setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());

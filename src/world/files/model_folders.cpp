@@ -2,6 +2,7 @@
 
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "synthetic_dataset/errors.h"
 
@@ -19,30 +20,44 @@ bool isModelFolder(const fs::path& folder) {
   return fs::exists(folder / "model.config") || fs::exists(folder / "manifest.xml");
 }
 
-/// Depth first and sorted; what lies in a model's folder belongs to that model.
-void collect(const fs::path& folder, std::vector<fs::path>& models) {
-  if (fs::exists(folder / "model.config")) {
-    models.push_back(folder);
-    return;
-  }
-  std::set<fs::path> entries;
-  for (const auto& entry : fs::directory_iterator(folder)) entries.insert(entry.path());
-  for (const fs::path& entry : entries) {
-    if (fs::is_directory(entry) && !fs::is_symlink(entry)) {
-      collect(entry, models);
-    } else if (isModelFile(entry)) {
-      models.push_back(entry);
+/// Depth first and sorted; what lies in a model's folder belongs to that model. Links are followed,
+/// but each folder is looked into once: they may lead in circles.
+class ModelSearch {
+ public:
+  void look(const fs::path& folder) {
+    std::error_code error;
+    if (!seen_.insert(fs::canonical(folder, error)).second) return;
+    if (fs::exists(folder / "model.config", error)) {
+      models.push_back(folder);
+      return;
+    }
+    std::set<fs::path> entries;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+      entries.insert(entry->path());
+    }
+    for (const fs::path& entry : entries) {
+      if (fs::is_directory(entry, error)) {
+        look(entry);
+      } else if (isModelFile(entry)) {
+        models.push_back(entry);
+      }
     }
   }
-}
+
+  std::vector<fs::path> models;
+
+ private:
+  std::set<fs::path> seen_;
+};
 
 }  // namespace
 
 std::vector<fs::path> findModels(const fs::path& folder) {
   if (!fs::is_directory(folder)) throw Error(folder.string() + ": no such folder");
-  std::vector<fs::path> models;
-  collect(folder, models);
-  return models;
+  ModelSearch search;
+  search.look(folder);
+  return std::move(search.models);
 }
 
 std::vector<std::string> modelsAt(const std::string& path_or_uri) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "world/files/fuel.h"
+#include "world/files/gazebo_folders.h"
 #include "world/files/text.h"
 
 namespace synthetic_dataset::world {
@@ -15,8 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFolderVariables[] = {"GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH",
-                                            "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH"};
+constexpr const char* kModelVariables[] = {"GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH",
+                                           "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH"};
+
+/// Below a resource folder, as in Gazebo's SystemPaths (gazebo/common/SystemPaths.cc).
+constexpr const char* kMediaSuffixes[] = {"", "models", "media/models", "Media/models"};
 
 /// A URI in its two parts; a plain path has no scheme.
 struct Uri {
@@ -28,19 +31,6 @@ Uri parse(const std::string& text) {
   const std::size_t end = text.find("://");
   if (end == std::string::npos) return {"", text};
   return {text.substr(0, end), text.substr(end + 3)};
-}
-
-void appendFoldersOf(const char* variable, std::vector<std::string>& folders) {
-  const char* value = std::getenv(variable);
-  if (value == nullptr) return;
-  std::istringstream list(value);
-  for (std::string folder; std::getline(list, folder, ':');) {
-    if (!folder.empty()) folders.push_back(folder);
-  }
-}
-
-void append(std::vector<fs::path>& to, std::vector<fs::path> from) {
-  to.insert(to.end(), from.begin(), from.end());
 }
 
 /// Absolute, and without `.`, `..` or a slash at the end, so that messages read well.
@@ -57,110 +47,225 @@ std::string folderName(std::string name) {
   return name;
 }
 
-/// In the model that `folder` is part of, if that has the name: files of a model in Fuel's cache,
+/// "name/rest" as the name and "/rest".
+std::pair<std::string, std::string> splitName(const std::string& text) {
+  const std::size_t end = text.find('/');
+  if (end == std::string::npos) return {text, ""};
+  return {text.substr(0, end), text.substr(end)};
+}
+
+/// The model that `folder` is part of, if that has the name: files of a model in Fuel's cache,
 /// whose folder is called by its version, name their meshes `model://name/...`.
-std::vector<fs::path> inOwnModel(const std::string& rest, const fs::path& folder) {
-  const std::size_t end = rest.find('/');
-  const std::string name = folderName(rest.substr(0, end));
+std::optional<fs::path> ownModel(const std::string& wanted, const fs::path& folder) {
+  const std::string name = folderName(wanted);
   for (fs::path model = folder; model.has_relative_path(); model = model.parent_path()) {
     std::error_code ignored;
     if (!fs::exists(model / "model.config", ignored)) continue;
     const bool same = folderName(model.filename().string()) == name ||
                       folderName(model.parent_path().filename().string()) == name;
-    if (!same) return {};
-    return {end == std::string::npos ? model : tidy(fs::path(model.string() + rest.substr(end)))};
+    return same ? std::optional(model) : std::nullopt;
   }
-  return {};
+  return std::nullopt;
+}
+
+std::vector<std::string> spellings(const std::string& uri) {
+  std::vector<std::string> all = {uri};
+  const std::string decoded = percentDecoded(uri);
+  for (const std::string& other : {decoded, withSlashes(uri), withSlashes(decoded)}) {
+    if (std::find(all.begin(), all.end(), other) == all.end()) all.push_back(other);
+  }
+  return all;
+}
+
+bool isOf(const std::string& uri, std::initializer_list<const char*> schemes) {
+  const std::string scheme = parse(uri).scheme;
+  return std::find(schemes.begin(), schemes.end(), scheme) != schemes.end();
 }
 
 }  // namespace
 
-ResourceFinder::ResourceFinder(std::vector<std::string> model_folders, PackageFinder package_finder)
+bool isWithin(const fs::path& path, const fs::path& folder) {
+  const fs::path inner = tidy(path);
+  const fs::path outer = tidy(folder);
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
+/// Paths that a URI may mean, the first to be tried first.
+struct ResourceFinder::Candidates {
+  std::vector<fs::path> paths;
+  std::vector<std::string> shown;  ///< where they are, for messages: each folder once
+  bool lead_out = false;           ///< one would, and was left out
+
+  void add(const fs::path& path, const fs::path& place) {
+    paths.push_back(tidy(path));
+    const std::string text = tidy(place).string();
+    if (std::find(shown.begin(), shown.end(), text) == shown.end()) shown.push_back(text);
+  }
+
+  /// A path below a folder that is searched.
+  void addBelow(const fs::path& folder, const std::string& rest) {
+    const fs::path path = folder / fs::path(rest).relative_path();
+    if (isWithin(path, folder)) add(path, folder);
+  }
+
+  /// A path in a folder that has a name of its own; it may name the folder's neighbours.
+  void addIn(const fs::path& named_folder, const std::string& rest) {
+    const fs::path path(named_folder.string() + rest);
+    lead_out = lead_out || !isWithin(path, tidy(named_folder).parent_path());
+    if (isWithin(path, tidy(named_folder).parent_path())) add(path, path);
+  }
+};
+
+ResourceFinder::ResourceFinder(std::vector<std::string> model_folders, PackageFinder package_finder,
+                               ExportFinder export_finder)
     : model_folders_(std::move(model_folders)),
+      media_folders_(foldersOf("GAZEBO_RESOURCE_PATH")),
       fuel_caches_(fuelCaches()),
-      package_finder_(std::move(package_finder)) {
-  for (const char* variable : kFolderVariables) appendFoldersOf(variable, model_folders_);
+      package_finder_(std::move(package_finder)),
+      export_finder_(std::move(export_finder)) {
+  const auto append = [](const std::string& folder, std::vector<std::string>& to) {
+    if (std::find(to.begin(), to.end(), folder) == to.end()) to.push_back(folder);
+  };
+  for (const char* variable : kModelVariables) {
+    for (const std::string& folder : foldersOf(variable)) append(folder, model_folders_);
+  }
   if (const char* home = std::getenv("HOME")) {
-    model_folders_.push_back(std::string(home) + "/.gazebo/models");
+    append(std::string(home) + "/.gazebo/models", model_folders_);
+  }
+  for (const fs::path& gazebo : installedGazebos()) {
+    append((gazebo / "models").string(), model_folders_);
+    append(gazebo.string(), media_folders_);
   }
 }
 
-std::vector<fs::path> ResourceFinder::inModelFolders(const std::string& rest) const {
-  std::vector<fs::path> places;
-  for (const std::string& folder : model_folders_) {
-    places.push_back(tidy(fs::path(folder) / fs::path(rest).relative_path()));
-  }
-  return places;
+void ResourceFinder::addModel(const std::string& rest, const std::vector<std::string>& folders,
+                              Candidates& to) {
+  if (!isWithin(fs::path("/any") / fs::path(rest).relative_path(), "/any")) to.lead_out = true;
+  for (const std::string& folder : folders) to.addBelow(folder, rest);
 }
 
-std::vector<fs::path> ResourceFinder::inPackage(const std::string& rest) const {
-  const std::size_t end = rest.find('/');
-  const std::string package = rest.substr(0, end);
-  if (!package_finder_ || package.empty()) return {};
-  const std::optional<std::string> folder = package_finder_(package);
-  if (!folder) return {};
-  return {end == std::string::npos ? tidy(*folder) : tidy(fs::path(*folder + rest.substr(end)))};
+void ResourceFinder::addPackage(const std::string& rest, Candidates& to) const {
+  const auto [package, inner] = splitName(rest);
+  if (!package_finder_ || package.empty()) return;
+  if (const auto folder = package_finder_(package)) to.addIn(*folder, inner);
+}
+
+void ResourceFinder::addPlain(const std::string& rest, const std::vector<std::string>& media,
+                              const std::vector<std::string>& models, Candidates& to) {
+  if (fs::path(rest).is_absolute()) return;
+  for (const std::string& folder : media) {
+    for (const char* suffix : kMediaSuffixes)
+      to.addBelow(folder, (suffix / fs::path(rest)).string());
+  }
+  for (const std::string& folder : models) to.addBelow(folder, rest);
+}
+
+ResourceFinder::Candidates ResourceFinder::candidates(const std::string& uri,
+                                                      const fs::path& folder) const {
+  Candidates result;
+  const Uri parts = parse(uri);
+  if (parts.rest.empty() || uri.find('\0') != std::string::npos) return result;
+  if (parts.scheme == "model") {
+    addModel(parts.rest, model_folders_, result);
+    addPackage(parts.rest, result);
+    const auto [name, inner] = splitName(parts.rest);
+    if (const auto model = ownModel(name, folder)) result.addIn(*model, inner);
+  } else if (parts.scheme == "package") {
+    addPackage(parts.rest, result);
+    addModel(parts.rest, model_folders_, result);
+  } else if (parts.scheme.empty() || parts.scheme == "file") {
+    const fs::path path = folder / parts.rest;  // an absolute `rest` replaces the folder
+    result.add(path, path);
+    addPlain(parts.rest, media_folders_, model_folders_, result);
+  } else if (const auto fuel = parseFuelUri(uri)) {
+    for (const fs::path& path : fuelPlaces(*fuel, fuel_caches_)) {
+      const auto holds = [&](const fs::path& cache) { return isWithin(path, cache); };
+      if (std::any_of(fuel_caches_.begin(), fuel_caches_.end(), holds)) {
+        result.add(path, path);
+      } else {
+        result.lead_out = true;
+      }
+    }
+  }
+  return result;
+}
+
+ResourceFinder::Candidates ResourceFinder::exportedCandidates(const std::string& uri) const {
+  Candidates result;
+  const Uri parts = parse(uri);
+  if (!export_finder_ || parts.rest.empty() || uri.find('\0') != std::string::npos) return result;
+  if (isOf(uri, {"model", "package"})) {
+    addModel(parts.rest, export_finder_().models, result);
+  } else if (isOf(uri, {"", "file"}) && !fs::path(parts.rest).is_absolute()) {
+    const ExportedFolders exported = export_finder_();
+    addPlain(parts.rest, exported.media, exported.models, result);
+  }
+  return result;
+}
+
+std::optional<fs::path> ResourceFinder::at(const fs::path& path) const {
+  std::error_code ignored;  // neither of what is not there nor of a device, which may never end
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_regular_file(status)) found_.insert(path);
+  if (fs::is_regular_file(status) || fs::is_directory(status)) return path;
+  return std::nullopt;
+}
+
+std::optional<fs::path> ResourceFinder::find(const std::string& uri, const fs::path& folder) const {
+  const auto firstOf = [&](const Candidates& candidates) -> std::optional<fs::path> {
+    for (const fs::path& path : candidates.paths) {
+      if (auto found = at(path)) return found;
+    }
+    return std::nullopt;
+  };
+  const std::vector<std::string> all = spellings(uri);
+  for (const std::string& spelling : all) {
+    if (auto found = firstOf(candidates(spelling, folder))) return found;
+  }
+  for (const std::string& spelling : all) {
+    if (auto found = firstOf(exportedCandidates(spelling))) return found;
+  }
+  if (leadsOut(uri, folder)) {
+    refuse("'" + uri + "' in a file of " + folder.string() +
+           " leads out of the folders that it may name, and is not read");
+  }
+  return std::nullopt;
+}
+
+bool ResourceFinder::leadsOut(const std::string& uri, const fs::path& folder) const {
+  const std::vector<std::string> all = spellings(uri);
+  return std::any_of(all.begin(), all.end(), [&](const std::string& spelling) {
+    return candidates(spelling, folder).lead_out;
+  });
 }
 
 std::optional<std::string> ResourceFinder::unknownPackage(const std::string& uri) const {
   const Uri parts = parse(uri);
-  const std::string package = parts.rest.substr(0, parts.rest.find('/'));
+  const std::string package = splitName(parts.rest).first;
   const bool is_asked_for = parts.scheme == "package" && package_finder_ && !package.empty();
   if (!is_asked_for || package_finder_(package)) return std::nullopt;
   return package;
 }
 
-std::vector<fs::path> ResourceFinder::literalCandidates(const std::string& uri,
-                                                        const fs::path& folder) const {
-  const Uri parts = parse(uri);
-  if (parts.rest.empty() || uri.find('\0') != std::string::npos) return {};
-  std::vector<fs::path> places;
-  if (parts.scheme == "model") {
-    append(places, inModelFolders(parts.rest));
-    append(places, inPackage(parts.rest));
-    append(places, inOwnModel(parts.rest, folder));
-  } else if (parts.scheme == "package") {
-    append(places, inPackage(parts.rest));
-    append(places, inModelFolders(parts.rest));
-  } else if (parts.scheme.empty() || parts.scheme == "file") {
-    places.push_back(tidy(folder / parts.rest));  // an absolute `rest` replaces the folder
-  } else if (const auto fuel = parseFuelUri(uri)) {
-    append(places, fuelPlaces(*fuel, fuel_caches_));
-  }
-  return places;
-}
-
-std::vector<fs::path> ResourceFinder::candidates(const std::string& uri,
-                                                 const fs::path& folder) const {
-  std::vector<fs::path> places = literalCandidates(uri, folder);
-  for (const std::string& other : {percentDecoded(uri), withSlashes(uri)}) {
-    if (other != uri) append(places, literalCandidates(other, folder));
-  }
-  return places;
-}
-
-std::optional<fs::path> ResourceFinder::find(const std::string& uri, const fs::path& folder) const {
-  for (const fs::path& place : candidates(uri, folder)) {
-    std::error_code ignored;  // neither of what is not there nor of a device, which may never end
-    const fs::file_status status = fs::status(place, ignored);
-    if (fs::is_regular_file(status)) found_.insert(place);
-    if (fs::is_regular_file(status) || fs::is_directory(status)) return place;
-  }
-  return std::nullopt;
-}
-
 std::string ResourceFinder::searchedPlaces(const std::string& uri, const fs::path& folder) const {
-  const std::string scheme = parse(uri).scheme;
-  const bool remote = scheme == "http" || scheme == "https" || scheme == "fuel";
+  if (leadsOut(uri, folder)) {
+    return "it leads out of the folders that it may name, and nothing outside of them is read";
+  }
+  std::vector<std::string> places;
+  for (const std::string& spelling : spellings(uri)) {
+    for (const Candidates& each : {candidates(spelling, folder), exportedCandidates(spelling)}) {
+      for (const std::string& place : each.shown) {
+        if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+      }
+    }
+  }
   std::string text;
-  for (const fs::path& place : candidates(uri, folder)) {
-    text += (text.empty() ? "looked in " : ", ") + place.string();
-  }
+  for (const std::string& place : places) text += (text.empty() ? "looked in " : ", ") + place;
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
   if (const auto package = unknownPackage(uri)) {
-    text += (text.empty() ? "" : "; ") + ("ROS knows no package '" + *package) +
-            "' (is the setup.bash of its workspace sourced?)";
+    add("ROS knows no package '" + *package + "' (is the setup.bash of its workspace sourced?)");
   }
-  if (remote) text += std::string(text.empty() ? "" : "; ") + "nothing is fetched from the network";
+  if (isOf(uri, {"http", "https", "fuel"})) add("nothing is fetched from the network");
   if (!text.empty()) return text;
   return "known are model://, package://, file://, https:// of Gazebo's model server, absolute and "
          "relative paths";

@@ -7,8 +7,6 @@
 
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
-#include "world/material/gazebo_media.h"
-#include "world/material/gazebo_pictures.h"
 #include "world/material/shininess.h"
 
 namespace synthetic_dataset::world {
@@ -159,16 +157,14 @@ const Row* find(const std::string& name) {
 
 /// A stand-in serves as well where Gazebo's own picture cannot be read.
 std::shared_ptr<const Texture> pictureOf(const Row& row, TextureLoader& textures) {
-  const std::string file = row.picture;
-  if (const auto found = findGazeboResource("media/materials/textures/" + file)) {
-    TextureReference reference;
-    reference.uri = found->string();
-    try {
-      return textures.load(reference);
-    } catch (const Error&) {
-    }
+  TextureReference reference;
+  reference.uri = std::string("file://media/materials/textures/") + row.picture;
+  reference.folder = "/";
+  try {
+    return textures.load(reference);
+  } catch (const Error&) {
+    return textures.standIn(row.picture);
   }
-  return textures.made("Gazebo/" + file, [&] { return paintGazeboPicture(file); });
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace synthetic_dataset::world {
 
 /// A material that Gazebo Classic ships under a name such as "Gazebo/Grey". Pictures
-/// ("Gazebo/Wood") come from Gazebo's own media where it is installed (findGazeboResource), and are
-/// painted here where it is not.
+/// ("Gazebo/Wood") come from Gazebo's own media where it is installed, and are painted here where
+/// it is not.
 /// @return nothing for a name that Gazebo does not ship
 [[nodiscard]] std::optional<Material> gazeboMaterial(const std::string& name,
                                                      TextureLoader& textures);

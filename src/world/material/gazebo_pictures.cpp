@@ -81,11 +81,11 @@ Colour woodFloor(float u, float v) { return boards(u, v, 8, {188, 128, 76}, 0.02
 Colour woodPallet(float u, float v) { return boards(u, v, 5, {196, 160, 116}, 0.08F); }
 
 Colour bricks(float u, float v) {
-  constexpr int kRows = 12;
+  constexpr int kCourses = 12;
   constexpr int kColumns = 4;
   static const PeriodicNoise kStain(31, 8, 8, 4);
   static const PeriodicNoise kGrain(32, 128, 128, 2);
-  const float y = v * kRows;
+  const float y = v * kCourses;
   const int row = static_cast<int>(y);
   const float x = u * kColumns + (row % 2 == 0 ? 0.0F : 0.5F);
   const int column = static_cast<int>(x) % kColumns;
@@ -173,9 +173,24 @@ Colour windowFrame(float u, float v) {
 
 Colour plain(float, float) { return {216, 216, 216}; }
 
-}  // namespace
+/// Bare earth with stones.
+Colour dirt(float u, float v) {
+  static const PeriodicNoise kPatches(101, 5, 5, 4);
+  static const PeriodicNoise kGrains(102, 128, 128, 2);
+  const Colour colour = blend({104, 82, 60}, {150, 124, 94}, kPatches(u, v));
+  return colour * (0.66F + 0.6F * kGrains(u, v));
+}
 
-cv::Mat paintGazeboPicture(const std::string& file) {
+Colour mossyRock(float u, float v) {
+  static const PeriodicNoise kMoss(111, 8, 8, 4);
+  static const PeriodicNoise kGrains(112, 96, 96, 2);
+  const Colour colour = blend({112, 108, 98}, {84, 94, 48}, kMoss(u, v));
+  return colour * (0.66F + 0.6F * kGrains(u, v));
+}
+
+Colour flatNormals(float, float) { return {128, 128, 255}; }
+
+const std::map<std::string, Painter>& painters() {
   static const std::map<std::string, Painter> kPainters{
       {"wood.jpg", wood},
       {"hardwood_floor.jpg", woodFloor},
@@ -198,9 +213,22 @@ cv::Mat paintGazeboPicture(const std::string& file) {
       {"trunk.jpg", road(4, true)},
       {"primary.jpg", road(2, true)},
       {"secondary.jpg", road(1, true)},
+      {"dirt_diffusespecular.png", dirt},
+      {"fungus_diffusespecular.png", mossyRock},
+      {"grass_diffusespecular.png", grass},
+      {"terrain_detail.jpg", dirt},
+      {"flat_normal.png", flatNormals},
   };
-  const auto painter = kPainters.find(file);
-  return paint(painter == kPainters.end() ? Painter(plain) : painter->second);
+  return kPainters;
+}
+
+}  // namespace
+
+bool isGazeboPicture(const std::string& file) { return painters().count(file) > 0; }
+
+cv::Mat paintGazeboPicture(const std::string& file) {
+  const auto painter = painters().find(file);
+  return paint(painter == painters().end() ? Painter(plain) : painter->second);
 }
 
 }  // namespace synthetic_dataset::world

@@ -12,4 +12,7 @@ namespace synthetic_dataset::world {
 /// @return CV_8UC4, opaque; its edges fit each other
 [[nodiscard]] cv::Mat paintGazeboPicture(const std::string& file);
 
+/// Whether Gazebo ships a picture of this name for which a stand-in is painted.
+[[nodiscard]] bool isGazeboPicture(const std::string& file);
+
 }  // namespace synthetic_dataset::world

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
-#include "world/material/gazebo_media.h"
 #include "world/material/ogre_inheritance.h"
 
 namespace synthetic_dataset::world {
@@ -23,14 +22,6 @@ bool isFolder(const fs::path& path) {
 bool isFile(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
-}
-
-/// A path of Gazebo's own: "file://media/materials/scripts/gazebo.material".
-std::optional<fs::path> inGazebosMedia(const std::string& uri) {
-  const std::string scheme = "file://";
-  if (uri.find("://") == std::string::npos) return findGazeboResource(uri);
-  if (uri.rfind(scheme, 0) != 0) return std::nullopt;
-  return findGazeboResource(uri.substr(scheme.size()));
 }
 
 void addOnce(std::vector<fs::path>& paths, const fs::path& path) {
@@ -64,8 +55,7 @@ void place(std::optional<TextureReference>& reference, const fs::path& script,
 MaterialScripts::Places MaterialScripts::placesOf(const ScriptRequest& request) const {
   Places places;
   for (const std::string& uri : request.uris) {
-    std::optional<fs::path> found = finder_.find(uri, request.folder);
-    if (!found) found = inGazebosMedia(uri);
+    const std::optional<fs::path> found = finder_.find(uri, request.folder);
     if (!found) {
       places.missing.push_back(uri);
     } else if (isFolder(*found)) {
@@ -83,9 +73,6 @@ MaterialScripts::Places MaterialScripts::placesOf(const ScriptRequest& request) 
     addOnce(places.folders, script.parent_path());
   }
   addOnce(places.folders, request.folder / "materials/textures");
-  if (const auto media = findGazeboResource("media/materials/textures")) {
-    addOnce(places.folders, *media);
-  }
   return places;
 }
 

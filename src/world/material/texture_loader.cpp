@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "base/image/picture_decoder.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/text.h"
+#include "world/material/gazebo_pictures.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -43,29 +45,52 @@ cv::Mat contentOf(const cv::Mat& pixels, PictureContent content) {
   return pixels;
 }
 
-bool isTextureFile(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
+constexpr const char* kGazeboTextures = "media/materials/textures/";
+
+/// Normals of a flat surface: a picture without which nothing looks different.
+constexpr const char* kFlatNormals = "flat_normal.png";
+
+/// The name of one of Gazebo's own pictures, as URIs name them; nothing for other URIs.
+std::optional<std::string> gazeboPicture(const std::string& uri) {
+  const std::size_t at = uri.rfind(kGazeboTextures);
+  if (at == std::string::npos) return std::nullopt;
+  return uri.substr(at + std::string_view(kGazeboTextures).size());
 }
 
 }  // namespace
 
-fs::path TextureLoader::find(const TextureReference& reference) const {
+std::optional<fs::path> TextureLoader::lookUp(const TextureReference& reference) const {
   const std::string uri = withSlashes(reference.uri);
-  const std::string name = fs::path(uri).filename().string();
-  for (const std::string& place : {uri, name, "../materials/textures/" + name}) {
-    const std::optional<fs::path> file = finder_.find(place, reference.folder);
-    if (file && isTextureFile(*file)) return *file;
+  if (finder_.leadsOut(uri, reference.folder)) return finder_.find(uri, reference.folder);
+  const fs::path name = fs::path(uri).filename();
+  const auto fileAt = [&](const std::optional<fs::path>& path) {
+    std::error_code ignored;
+    return path && fs::is_regular_file(*path, ignored) ? path : std::nullopt;
+  };
+  if (auto file = fileAt(finder_.find(uri, reference.folder))) return file;
+  std::vector<fs::path> paths = {reference.folder / name,
+                                 reference.folder / "../materials/textures" / name};
+  for (const fs::path& folder : reference.more_folders) {
+    paths.push_back(folder / fs::path(uri).relative_path());
+    paths.push_back(folder / name);
   }
+  for (const fs::path& path : paths) {
+    if (auto file = fileAt(finder_.at(path.lexically_normal()))) return file;
+  }
+  return fileAt(finder_.find(kGazeboTextures + name.string(), reference.folder));
+}
+
+fs::path TextureLoader::find(const TextureReference& reference) const {
+  if (const auto file = lookUp(reference)) return *file;
+  const std::string uri = withSlashes(reference.uri);
+  const std::string reason = "texture '" + reference.uri + "': no such file; " +
+                             finder_.searchedPlaces(uri, reference.folder);
+  if (finder_.leadsOut(uri, reference.folder)) throw Error(reason);
   std::string more;
   for (const fs::path& folder : reference.more_folders) {
-    for (const fs::path& path : {folder / fs::path(uri).relative_path(), folder / name}) {
-      if (isTextureFile(path)) return path.lexically_normal();
-    }
     more += ", " + folder.lexically_normal().string();
   }
-  throw Error("texture '" + reference.uri + "': no such file; " +
-              finder_.searchedPlaces(uri, reference.folder) + ", and for '" + name + "' in " +
+  throw Error(reason + ", and for '" + fs::path(uri).filename().string() + "' in " +
               reference.folder.string() + ", " +
               (reference.folder / "../materials/textures").lexically_normal().string() + more);
 }
@@ -109,8 +134,18 @@ void TextureLoader::takeFrom(TextureLoader&& other) {
   embedded_.insert(embedded_.end(), other.embedded_.begin(), other.embedded_.end());
 }
 
+std::shared_ptr<const Texture> TextureLoader::standIn(const std::string& picture) {
+  if (picture == kFlatNormals) return nullptr;
+  stand_ins_.insert(picture);
+  return made("Gazebo/" + picture, [&] { return paintGazeboPicture(picture); });
+}
+
 std::shared_ptr<const Texture> TextureLoader::load(const TextureReference& reference) {
   const EmbeddedPicture* embedded = reference.embedded.get();
+  const auto of_gazebo = gazeboPicture(withSlashes(reference.uri));
+  if (embedded == nullptr && of_gazebo && isGazeboPicture(*of_gazebo) && !lookUp(reference)) {
+    return standIn(*of_gazebo);
+  }
   const std::string file = embedded != nullptr ? embedded->name : find(reference).string();
   const std::string key = embedded != nullptr ? embeddedKey(*embedded) : file;
   auto& texture = textures_[{key, reference.alpha, reference.content}];
@@ -132,6 +167,7 @@ std::shared_ptr<const Texture> TextureLoader::loadWithOpacity(const TextureRefer
                                                               const TextureReference& opacity) {
   const std::shared_ptr<const Texture> base = load(colour);
   const std::shared_ptr<const Texture> alpha = load(opacity);
+  if (!base || !alpha) return base ? base : alpha;
   auto& texture = with_opacity_[{base.get(), alpha.get()}];
   if (!texture) {
     texture = std::make_shared<Texture>(

@@ -5,6 +5,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -59,9 +61,18 @@ class TextureLoader {
   void takeFrom(TextureLoader&& other);
 
   /// A picture is looked for where the URI says, then by its file name alone beside the file that
-  /// names it and in the model's materials/textures, as Gazebo's resource system does.
+  /// names it, in the model's materials/textures and in media/materials/textures of resource
+  /// folders, as Gazebo's resource system does. For one of Gazebo's own that is not there, a
+  /// stand-in is painted.
+  /// @return null for Gazebo's normals of a flat surface where they are not there
   /// @throws Error if it is missing or cannot be decoded ("texture 'x.png': no such file; ...")
   [[nodiscard]] std::shared_ptr<const Texture> load(const TextureReference& reference);
+
+  /// The picture that is painted in place of one of Gazebo's ("wood.jpg").
+  [[nodiscard]] std::shared_ptr<const Texture> standIn(const std::string& picture);
+
+  /// Gazebo's pictures that stand-ins were painted for so far.
+  [[nodiscard]] const std::set<std::string>& standIns() const { return stand_ins_; }
 
   /// A picture with another's alpha channel, brought to its size.
   /// @throws Error as `load`
@@ -74,6 +85,8 @@ class TextureLoader {
                                                     const std::function<cv::Mat()>& make);
 
  private:
+  [[nodiscard]] std::optional<std::filesystem::path> lookUp(
+      const TextureReference& reference) const;
   [[nodiscard]] std::filesystem::path find(const TextureReference& reference) const;
   [[nodiscard]] const cv::Mat& pixels(const std::string& key,
                                       const std::function<std::vector<std::uint8_t>()>& read);
@@ -84,6 +97,7 @@ class TextureLoader {
   std::map<std::string, std::variant<cv::Mat, std::string>> pixels_;  ///< or why there are none
   std::map<Key, std::shared_ptr<const Texture>> textures_;
   std::map<std::pair<const Texture*, const Texture*>, std::shared_ptr<const Texture>> with_opacity_;
+  std::set<std::string> stand_ins_;
   std::vector<std::shared_ptr<const EmbeddedPicture>> embedded_;  ///< keeps their addresses unique
 };
 

@@ -83,6 +83,33 @@ TEST_F(ModelGallery, ShowsAModelWithoutWhatIsMissing) {
   EXPECT_THAT(entry.notes, testing::ElementsAre(HasSubstr("gone.dae")));
 }
 
+TEST_F(ModelGallery, ShowsAWorldAndEachOfItsModelsWithWhatTheyLack) {
+  const std::string link = "<link name='body'>" + std::string(kBox) + "</link>";
+  const std::string poor =
+      "<link name='body'><visual name='w'><geometry><mesh><uri>gone.dae</uri></mesh></geometry>"
+      "</visual></link>";
+  folder.write("shop.world", "<sdf version='1.6'><world name='shop'><model name='box'>" + link +
+                                 "</model><model name='cart'>" + poor + "</model></world></sdf>");
+  const world::ResourceFinder finder({}, nullptr);
+  const std::vector<GalleryEntry> entries = portrayWorld(folder / "shop.world", finder, kCell);
+  ASSERT_EQ(entries.size(), 3U);
+  EXPECT_EQ(entries[0].name, "shop.world");
+  EXPECT_EQ(entries[0].counts.links, 2U);
+  EXPECT_EQ(entries[1].name, "box");
+  EXPECT_THAT(entries[1].notes, IsEmpty());
+  EXPECT_EQ(entries[2].name, "cart");
+  EXPECT_TRUE(entries[2].picture.empty());
+  EXPECT_THAT(entries[2].notes, ElementsAre(HasSubstr("gone.dae")));
+}
+
+TEST_F(ModelGallery, SaysWhyAWorldCannotBeLoaded) {
+  folder.write("torn.world", "<sdf version='1.6'><world name='torn'>");
+  const world::ResourceFinder finder({}, nullptr);
+  const std::vector<GalleryEntry> entries = portrayWorld(folder / "torn.world", finder, kCell);
+  ASSERT_EQ(entries.size(), 1U);
+  EXPECT_THAT(entries[0].error, HasSubstr("torn.world"));
+}
+
 TEST_F(ModelGallery, TheTableHasALineForEachModelAndItsRemarks) {
   GalleryEntry entry;
   entry.name = "shelf";

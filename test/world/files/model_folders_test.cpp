@@ -33,6 +33,13 @@ TEST_F(ModelFolders, AreFoundInSubfoldersSorted) {
               ElementsAre(folder / "box", folder / "shop/cart.urdf", folder / "shop/shelf"));
 }
 
+TEST_F(ModelFolders, ThatAreLinksAreFollowedOnce) {
+  const test::TemporaryFolder links;
+  std::filesystem::create_directory_symlink(folder / "box", links / "crate");
+  std::filesystem::create_directory_symlink(links.path(), links / "crate_circle");
+  EXPECT_THAT(findModels(links.path()), ElementsAre(links / "crate"));
+}
+
 TEST_F(ModelFolders, AreToldWhereTheyAreMissing) {
   EXPECT_THAT([] { (void)findModels("/nowhere/models"); },
               ThrowsMessage<Error>(HasSubstr("/nowhere/models: no such folder")));

@@ -97,8 +97,9 @@ TEST(ResourceFinder, NeverAsksTheNetwork) {
 TEST(ResourceFinder, TellsWhereItLooked) {
   const ResourceFinder finder({"/models/a", "/models/b"}, nullptr);
   EXPECT_THAT(finder.searchedPlaces("model://table/x.dae", "/"),
-              HasSubstr("looked in /models/a/table/x.dae, /models/b/table/x.dae"));
-  EXPECT_EQ(finder.searchedPlaces("x.dae", "/worlds"), "looked in /worlds/x.dae");
+              HasSubstr("looked in /models/a, /models/b"));
+  EXPECT_THAT(finder.searchedPlaces("x.dae", "/worlds"),
+              HasSubstr("looked in /worlds/x.dae, /models/a, /models/b"));
 }
 
 TEST(ResourceFinder, TellsOfAPackageThatRosDoesNotKnow) {
@@ -108,6 +109,107 @@ TEST(ResourceFinder, TellsOfAPackageThatRosDoesNotKnow) {
   EXPECT_THAT(finder.searchedPlaces("package://husky/a.dae", "/"),
               HasSubstr("; ROS knows no package 'husky'"));
   EXPECT_THAT(finder.searchedPlaces("package://known/a.dae", "/"), Not(HasSubstr("ROS knows no")));
+}
+
+TEST(ResourceFinder, LooksIntoResourceFoldersAsGazeboDoes) {
+  const TemporaryFolder folder;
+  const auto plain = folder.write("share/worlds/a.dae", "");
+  const auto model = folder.write("share/models/table/b.dae", "");
+  const auto media = folder.write("share/media/models/c.dae", "");
+  const auto old_media = folder.write("share/Media/models/d.dae", "");
+  const Variable path("GAZEBO_RESOURCE_PATH", (folder / "share").string());
+  const ResourceFinder finder({}, nullptr);
+  EXPECT_THAT(finder.find("file://worlds/a.dae", "/"), Optional(plain));
+  EXPECT_THAT(finder.find("file://models/table/b.dae", "/"), Optional(model));
+  EXPECT_THAT(finder.find("table/b.dae", "/"), Optional(model));
+  EXPECT_THAT(finder.find("file://c.dae", "/"), Optional(media));
+  EXPECT_THAT(finder.find("d.dae", "/"), Optional(old_media));
+  EXPECT_EQ(finder.find("model://table/b.dae", "/"), std::nullopt);
+}
+
+TEST(ResourceFinder, FindsNamesWithoutASchemeAmongModels) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("models/coast/model.config", "");
+  const Variable path("SDF_PATH", (folder / "models").string());
+  const ResourceFinder finder({}, nullptr);
+  EXPECT_THAT(finder.find("coast", "/"), Optional(file.parent_path()));
+}
+
+TEST(ResourceFinder, PrefersWhatIsBesideTheNamingFile) {
+  const TemporaryFolder folder;
+  (void)folder.write("share/wall.png", "");
+  const auto beside = folder.write("world/wall.png", "");
+  const Variable path("GAZEBO_RESOURCE_PATH", (folder / "share").string());
+  const ResourceFinder finder({}, nullptr);
+  EXPECT_THAT(finder.find("file://wall.png", folder / "world"), Optional(beside));
+}
+
+TEST(ResourceFinder, AsksPackagesForTheirExportsOnlyWhenSomethingIsMissing) {
+  const TemporaryFolder folder;
+  (void)folder.write("known/table/model.sdf", "");
+  const auto model = folder.write("exported/chair/model.sdf", "");
+  const auto media = folder.write("media/models/lamp.dae", "");
+  int asked = 0;
+  const ResourceFinder finder({(folder / "known").string()}, nullptr, [&] {
+    ++asked;
+    return ExportedFolders{{(folder / "exported").string()}, {(folder / "media").string()}};
+  });
+  EXPECT_NE(finder.find("model://table/model.sdf", "/"), std::nullopt);
+  EXPECT_EQ(asked, 0);
+  EXPECT_THAT(finder.find("model://chair/model.sdf", "/"), Optional(model));
+  EXPECT_THAT(finder.find("file://models/lamp.dae", "/"), Optional(media));
+  EXPECT_THAT(finder.find("chair", "/"), Optional(model.parent_path()));
+}
+
+TEST(ResourceFinder, RefusesToLeadOutOfItsFolders) {
+  const TemporaryFolder folder;
+  const auto neighbour = folder.write("models/b/x.png", "");
+  (void)folder.write("models/a/x.png", "");
+  (void)folder.write("secret.png", "");
+  const ResourceFinder finder({(folder / "models").string()}, nullptr);
+  EXPECT_THAT(finder.find("model://a/../b/x.png", "/"), Optional(neighbour));
+  EXPECT_TRUE(finder.refusals().empty());
+  for (const char* uri : {"model://a/../../secret.png", "model://a/%2e%2e/%2E./secret.png",
+                          "model://a/..\\..\\secret.png", "package://a/../../secret.png"}) {
+    EXPECT_EQ(finder.find(uri, "/"), std::nullopt) << uri;
+    EXPECT_TRUE(finder.leadsOut(uri, "/")) << uri;
+    EXPECT_THAT(finder.searchedPlaces(uri, "/"), HasSubstr("leads out of the folders")) << uri;
+  }
+  EXPECT_EQ(finder.refusals().size(), 4U);
+}
+
+TEST(ResourceFinder, LetsAPackageNameItsNeighboursAndNothingElse) {
+  const TemporaryFolder folder;
+  (void)folder.write("src/arm/package.xml", "");
+  const auto neighbour = folder.write("src/hand/hand.dae", "");
+  (void)folder.write("secret.dae", "");
+  const ResourceFinder finder({}, [&](const std::string& name) {
+    return name == "arm" ? std::optional((folder / "src/arm").string()) : std::nullopt;
+  });
+  EXPECT_THAT(finder.find("package://arm/../hand/hand.dae", "/"), Optional(neighbour));
+  EXPECT_EQ(finder.find("package://arm/../../secret.dae", "/"), std::nullopt);
+  EXPECT_THAT(finder.refusals(), testing::ElementsAre(HasSubstr("secret.dae")));
+}
+
+TEST(ResourceFinder, LetsPlainPathsLeadAnywhereButNotOutOfSearchedFolders) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("textures/x.png", "");
+  const Variable path("GAZEBO_RESOURCE_PATH", (folder / "share").string());
+  const ResourceFinder finder({}, nullptr);
+  EXPECT_THAT(finder.find("../textures/x.png", folder / "worlds"), Optional(file));
+  EXPECT_EQ(finder.find("../textures/x.png", "/a/b"), std::nullopt);
+  EXPECT_TRUE(finder.refusals().empty());
+}
+
+TEST(ResourceFinder, RefusesToLeadOutOfFuelsCache) {
+  const TemporaryFolder folder;
+  (void)folder.write("secret", "");
+  const Variable cache("GZ_FUEL_CACHE_PATH", (folder / "cache").string());
+  const ResourceFinder finder({}, nullptr);
+  const std::string uri =
+      "https://fuel.gazebosim.org/1.0/x/models/y/1/files/..%2f..%2f..%2f..%2f..%2f..%2fsecret";
+  EXPECT_EQ(finder.find(uri, "/"), std::nullopt);
+  EXPECT_TRUE(finder.leadsOut(uri, "/"));
 }
 
 TEST(ResourceFinder, FindsNothingForAnEmptyUri) {

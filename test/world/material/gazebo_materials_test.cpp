@@ -18,11 +18,15 @@ using testing::HasSubstr;
 
 class GazeboMaterialTest : public testing::Test {
  protected:
-  GazeboMaterialTest() { setenv("GAZEBO_RESOURCE_PATH", folder_.path().c_str(), 1); }
   ~GazeboMaterialTest() override { unsetenv("GAZEBO_RESOURCE_PATH"); }
 
+  ResourceFinder finderOfResources() const {
+    setenv("GAZEBO_RESOURCE_PATH", folder_.path().c_str(), 1);
+    return test::finderIn(folder_);
+  }
+
   TemporaryFolder folder_;
-  ResourceFinder finder_ = test::finderIn(folder_);
+  ResourceFinder finder_ = finderOfResources();
   TextureLoader textures_{finder_};
 };
 

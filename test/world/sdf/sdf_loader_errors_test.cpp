@@ -16,7 +16,7 @@ TEST(SdfLoaderErrors, TellWhereAMissingWorldWasLookedFor) {
   const TemporaryFolder folder;
   EXPECT_THAT(errorsOfFile(folder, "model://gone/world.sdf"),
               ElementsAre(AllOf(HasSubstr("'model://gone/world.sdf': no such file"),
-                                HasSubstr((folder / "gone/world.sdf").string()))));
+                                HasSubstr("looked in " + folder.path().string()))));
 }
 
 TEST(SdfLoaderErrors, NameAFolderWithoutModelConfig) {
@@ -69,7 +69,7 @@ TEST(SdfLoaderErrors, TellWhereAMissingMeshWasLookedFor) {
   EXPECT_THAT(errorsOf(folder, worldWith(visualElement(meshElement("model://x/y.dae")))),
               ElementsAre(AllOf(HasSubstr("world.sdf: model 'shelf': link 'body': visual 'v': mesh "
                                           "'model://x/y.dae': no such file; looked in "),
-                                HasSubstr((folder / "x/y.dae").string()))));
+                                HasSubstr(folder.path().string()))));
 }
 
 TEST(SdfLoaderErrors, NameTheIncludedFile) {
@@ -101,7 +101,7 @@ TEST(SdfLoaderErrors, NameAnIncludeThatIsNotThere) {
   EXPECT_THAT(
       errorsOf(folder, worldFile("\n" + includeElement("model://gone"))),
       ElementsAre(AllOf(HasSubstr("world.sdf: line 2: include 'model://gone': no such file"),
-                        HasSubstr((folder / "gone").string()))));
+                        HasSubstr("looked in " + folder.path().string()))));
 }
 
 TEST(SdfLoaderErrors, SayThatNothingIsFetched) {

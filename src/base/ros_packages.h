@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace synthetic_dataset::base {
+
+/// A ROS package, as its package.xml (or manifest.xml) describes it.
+struct RosPackage {
+  std::string name;
+  std::filesystem::path folder;
+
+  /// The folders that it exports for Gazebo: `<export><gazebo_ros gazebo_model_path="..."/>`, and
+  /// `gazebo_media_path`. `${prefix}` is the package's folder.
+  std::vector<std::string> gazebo_models;
+  std::vector<std::string> gazebo_media;
+};
+
+struct RosPackages {
+  std::vector<RosPackage> sound;  ///< of packages of one name the first that was found
+
+  /// Packages whose package.xml cannot be read: their folders, and what is wrong.
+  std::vector<std::pair<std::filesystem::path, std::string>> broken;
+};
+
+/// The folders of the packages in an entry of a ROS_PACKAGE_PATH that is the `share` folder of an
+/// install space, sorted; none for other entries. catkin installs every package to
+/// share/<package>, and Debian's /usr/share has thousands of folders that are no packages.
+[[nodiscard]] std::vector<std::filesystem::path> installedPackages(
+    const std::filesystem::path& entry);
+
+/// The packages in and below the folders of a ROS_PACKAGE_PATH, in their order, found as rospack
+/// finds them: not within packages, folders that begin with a dot or that have a file
+/// CATKIN_IGNORE. rospack itself gives up all of them when it cannot read one.
+[[nodiscard]] RosPackages findRosPackages(const std::string& package_path);
+
+}  // namespace synthetic_dataset::base
