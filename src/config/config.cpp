@@ -1,5 +1,8 @@
 #include "config/config.h"
 
+#include <cmath>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "base/seconds.h"
@@ -33,6 +36,14 @@ void refuse(Parameters& root, const std::vector<std::string>& names, const std::
   }
 }
 
+/// `.inf` is any gap.
+std::optional<double> readLongestGap(Parameters& root) {
+  const auto given = root.maybe<Value>("max_tf_gap");
+  const double* number = given ? given->as<double>() : nullptr;
+  if (number != nullptr && std::isinf(*number) && *number > 0.0) return *number;
+  return maybeSeconds(root, "max_tf_gap");
+}
+
 motion::MotionOptions readMotion(Parameters& root) {
   motion::MotionOptions motion;
   motion.source = readSource(root);
@@ -41,7 +52,7 @@ motion::MotionOptions readMotion(Parameters& root) {
     motion.bag_files = root.maybe<std::vector<std::string>>("bag_file").value_or(motion.bag_files);
     if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which tells so
     motion.scenes = maybeSceneCount(root, "scenes").value_or(1);
-    refuse(root, {"start_offset", "duration", "max_tf_gap"}, "bag");
+    refuse(root, {"start_offset", "duration", "max_tf_gap", "stretch"}, "bag");
   } else {
     motion.bag_files = root.required<std::vector<std::string>>("bag_file");
     refuse(root, {"scenes", "placement"}, "placement");
@@ -59,7 +70,14 @@ motion::MotionOptions readMotion(Parameters& root) {
   if (is_placed) return motion;
   motion.start_offset = maybeSeconds(root, "start_offset").value_or(0.0);
   motion.duration = maybeSeconds(root, "duration");
-  motion.max_tf_gap = maybeSeconds(root, "max_tf_gap");
+  motion.max_tf_gap = readLongestGap(root);
+  const auto stretch = root.maybe<std::int64_t>("stretch");
+  if (stretch && *stretch < 0) {
+    root.addError("stretch", "found " + std::to_string(*stretch) +
+                                 "; it should be the number of a part of the recording, from 0");
+  } else if (stretch) {
+    motion.stretch = static_cast<std::size_t>(*stretch);
+  }
   return motion;
 }
 

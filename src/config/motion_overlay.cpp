@@ -78,9 +78,9 @@ void makeWayForPlacement(Value::Map& settings, const Value::Map& own) {
 
 const std::set<std::string>& settingsOfMotions() {
   static const std::set<std::string> kNames = {
-      "bag_file",   "camera",         "camera_frame_id", "cameras",    "duration",
-      "max_tf_gap", "motion",         "physics",         "placement",  "randomize",
-      "scenes",     "simulated_rate", "world",           "world_file", "start_offset"};
+      "bag_file", "camera",     "camera_frame_id", "cameras",   "duration", "max_tf_gap",
+      "motion",   "physics",    "placement",       "randomize", "scenes",   "simulated_rate",
+      "world",    "world_file", "start_offset",    "stretch"};
   return kNames;
 }
 

@@ -71,7 +71,7 @@ class Check {
  public:
   Check(BagBytes& file, const TopicFilter& is_read) : file_(file), is_read_(is_read) {}
 
-  void run(const BagHeader& header) {
+  MessagePlaces run(const BagHeader& header) {
     if (header.has("encryptor") && !header.text("encryptor").empty() &&
         header.text("encryptor") != "rosbag/NoEncryptor") {
       throw EncryptedBag("is encrypted; `rosbag decrypt` makes a bag of it that can be read");
@@ -87,7 +87,9 @@ class Check {
     for (const ChunkInfo& info : infos_) {
       if (info.place < free) throw Error("chunks lie within one another");
       free = checkChunk(info);
+      ++chunk_;
     }
+    return sortedPlaces();
   }
 
  private:
@@ -102,6 +104,18 @@ class Check {
     std::uint64_t bytes = 0;
     std::uint64_t uncompressed_bytes = 0;
   };
+
+  /// By record time, as librosbag shows them; of equal times the one that was indexed first.
+  MessagePlaces sortedPlaces() {
+    MessagePlaces sorted;
+    for (auto& [connection, entries] : places_) {
+      std::stable_sort(entries.begin(), entries.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+      std::vector<MessagePlace>& places = sorted[connection];
+      for (const auto& [time, place] : entries) places.push_back(place);
+    }
+    return sorted;
+  }
 
   void readConnection() {
     const BagHeader header = file_.header();
@@ -147,7 +161,8 @@ class Check {
     const BagHeader header = file_.header();
     require(header, kIndexData, "an index");
     file_.skip(4);  // the data's length, which follows from the count
-    const auto topic = topics_.find(header.number("conn", 4));
+    const std::uint64_t connection = header.number("conn", 4);
+    const auto topic = topics_.find(connection);
     if (topic == topics_.end()) throw Error("an index is of a connection that is not there");
     constexpr std::uint64_t kEntry = 12;  // [byte]: seconds, nanoseconds, offset
     const std::uint64_t count = header.number("count", 4);
@@ -156,8 +171,13 @@ class Check {
       return;
     }
     const std::string entries = file_.take(kEntry * count);
+    auto& places = places_[static_cast<std::uint32_t>(connection)];
     for (std::uint64_t i = 0; i < count; ++i) {
-      offsets.push_back(littleEndian(std::string_view(entries).substr(kEntry * i + 8, 4)));
+      const std::string_view entry = std::string_view(entries).substr(kEntry * i, kEntry);
+      offsets.push_back(littleEndian(entry.substr(8)));
+      const std::uint64_t time =
+          (littleEndian(entry.substr(0, 4)) << 32U) + littleEndian(entry.substr(4, 4));
+      places.emplace_back(time, (chunk_ << 32U) + offsets.back());
     }
   }
 
@@ -200,6 +220,9 @@ class Check {
   const TopicFilter& is_read_;
   std::map<std::uint64_t, std::string> topics_;  ///< by connection
   std::vector<ChunkInfo> infos_;
+  std::uint64_t chunk_ = 0;  ///< number of the one that is read
+  /// Record times and places of messages that are going to be read, by connection.
+  std::map<std::uint32_t, std::vector<std::pair<std::uint64_t, MessagePlace>>> places_;
 };
 
 /// Version 1.2 (http://wiki.ros.org/Bags/Format/1.2): messages lie in the file itself, and an index
@@ -248,19 +271,17 @@ class OldCheck {
 
 }  // namespace
 
-void checkBag(const std::string& file, const TopicFilter& is_read) {
+MessagePlaces checkBag(const std::string& file, const TopicFilter& is_read) {
   BagFileBytes bytes(file);
   const std::string version = bytes.take(std::min<std::uint64_t>(bytes.size(), 13));
   const bool is_old = version == "#ROSBAG V1.2\n";
   if (!is_old && version != "#ROSBAG V2.0\n") throw Error("its first line is damaged");
   const BagHeader header = bytes.header();
   require(header, kFileHeader, "the file's header");
-  if (header.number("index_pos", 8) == 0) return;  // none
-  if (is_old) {
-    OldCheck(bytes).run(header);
-  } else {
-    Check(bytes, is_read).run(header);
-  }
+  if (header.number("index_pos", 8) == 0) return {};  // none
+  if (!is_old) return Check(bytes, is_read).run(header);
+  OldCheck(bytes).run(header);
+  return {};
 }
 
 }  // namespace synthetic_dataset::motion

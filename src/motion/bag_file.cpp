@@ -1,24 +1,15 @@
 #include "motion/bag_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <utility>
 
-#include "motion/bag_check.h"
-#include "motion/checked_messages.h"
 #include "motion/ros_time.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
 namespace {
-
-/// The topic as a bag may have it, with or without the slash.
-std::optional<TransformKind> transformTopic(const std::string& topic) {
-  if (topic == "/tf" || topic == "tf") return TransformKind::kMoving;
-  if (topic == "/tf_static" || topic == "tf_static") return TransformKind::kStatic;
-  return std::nullopt;
-}
 
 std::string reindexAdvice(const std::string& file) {
   return "; `rosbag reindex " + file + "` mends a bag whose recording was cut off";
@@ -53,65 +44,112 @@ void checkIsBag(const std::string& file) {
 
 }  // namespace
 
-BagFile::BagFile(const std::string& file) : file_(file) {
-  checkIsBag(file);
+template <class Read>
+auto BagFile::reading(const Read& read) const -> decltype(read()) {
   try {
-    checkBag(file, [](const std::string& topic) { return transformTopic(topic).has_value(); });
-    open();
+    return read();
   } catch (const EncryptedBag& error) {
-    throw Error("bag " + file + ": " + error.what());
+    throw Error("bag " + file_ + ": " + error.what());
   } catch (const rosbag::BagUnindexedException&) {
-    throw Error("bag " + file + ": has no index" + reindexAdvice(file));
+    throw Error("bag " + file_ + ": has no index" + reindexAdvice(file_));
   } catch (const std::exception& error) {
-    throw Error("bag " + file + ": is truncated or damaged (" + error.what() + ")" +
-                reindexAdvice(file));
+    throw Error("bag " + file_ + ": is truncated or damaged (" + error.what() + ")" +
+                reindexAdvice(file_));
   }
-  checkTypes();
+}
+
+BagFile::BagFile(const std::string& file, std::uint32_t number) : file_(file), number_(number) {
+  checkIsBag(file);
+  reading([&] {
+    static_cast<void>(checkBag(file, [](const std::string& /*topic*/) { return false; }));
+    open();
+  });
 }
 
 void BagFile::open() {
   bag_.open(file_);
   all_.addQuery(bag_);
   if (all_.size() > 0) times_ = {toStamp(all_.getBeginTime()), toStamp(all_.getEndTime())};
-  transforms_.addQuery(bag_, [](const rosbag::ConnectionInfo* connection) {
-    return transformTopic(connection->topic).has_value();
+  for (const rosbag::ConnectionInfo* connection : all_.getConnections()) {
+    const BagTopic topic{connection->topic, connection->datatype, connection->md5sum};
+    const bool is_known = std::any_of(topics_.begin(), topics_.end(), [&](const BagTopic& each) {
+      return each.name == topic.name && each.md5sum == topic.md5sum;
+    });
+    if (!is_known) topics_.push_back(topic);
+  }
+  std::sort(topics_.begin(), topics_.end(),
+            [](const BagTopic& a, const BagTopic& b) { return a.name < b.name; });
+}
+
+void BagFile::select(const TopicReaders& readers) {
+  readers_ = &readers;
+  reading([&] {
+    const MessagePlaces places =
+        checkBag(file_, [&](const std::string& topic) { return readers.count(topic) != 0; });
+    selected_.emplace(bag_, [&](const rosbag::ConnectionInfo* connection) {
+      return readers.count(connection->topic) != 0;
+    });
+    findArrivals(places);
+    message_ = selected_->begin();
+    end_ = selected_->end();
   });
-  message_ = transforms_.begin();
-  end_ = transforms_.end();
 }
 
-void BagFile::checkTypes() {
-  using Traits = ros::message_traits::MD5Sum<tf2_msgs::TFMessage>;
-  for (const rosbag::ConnectionInfo* connection : all_.getConnections()) {
-    // By its checksum, as librosbag does: tf/tfMessage of tf version 1 has the same content.
-    if (!transformTopic(connection->topic) || connection->md5sum == Traits::value()) continue;
-    throw Error("bag " + file_ + ": topic " + connection->topic + " has messages of type " +
-                connection->datatype + " (md5sum " + connection->md5sum +
-                "); tf2_msgs/TFMessage (md5sum " + Traits::value() + ") is needed");
+/// Orders the messages as they lie in the file: the record time of each is at least that of those
+/// before it.
+void BagFile::findArrivals(const MessagePlaces& places) {
+  connections_.clear();
+  struct Message {
+    Connection* connection;
+    std::size_t index;
+  };
+  std::vector<std::pair<Arrival, Message>> messages;
+  std::unordered_map<const void*, const std::vector<MessagePlace>*> places_of;
+  for (const rosbag::ConnectionInfo* connection : selected_->getConnections()) {
+    const auto found = places.find(connection->id);
+    if (found != places.end()) places_of[connection->header.get()] = &found->second;
+  }
+  MessagePlace in_view = 0;  // where a bag of version 1.2 does not say more
+  for (const rosbag::MessageInstance& message : *selected_) {
+    const void* header = message.getConnectionHeader().get();
+    Connection& connection = connections_[header];
+    const std::size_t index = connection.arrivals.size();
+    const auto known = places_of.find(header);
+    const bool is_known = known != places_of.end() && index < known->second->size();
+    const Arrival arrival{toStamp(message.getTime()), number_,
+                          is_known ? (*known->second)[index] : in_view};
+    ++in_view;
+    connection.arrivals.push_back(arrival);
+    messages.push_back({arrival, {&connection, index}});
+  }
+  std::stable_sort(messages.begin(), messages.end(),
+                   [](const auto& a, const auto& b) { return a.first.place < b.first.place; });
+  Stamp latest{0};
+  for (const auto& [arrival, message] : messages) {
+    latest = std::max(latest, arrival.not_before);
+    message.connection->arrivals[message.index].not_before = latest;
   }
 }
 
-std::string BagFile::topics() {
-  std::map<std::string, std::string> types;
-  for (const rosbag::ConnectionInfo* connection : all_.getConnections()) {
-    types[connection->topic] = connection->datatype;
-  }
-  std::string list;
-  for (const auto& [topic, type] : types) {
-    list += (list.empty() ? "" : ", ") + topic + " (" + type + ")";
-  }
-  return list;
+Arrival BagFile::nextArrival() {
+  Connection& connection = connections_[message_->getConnectionHeader().get()];
+  return connection.arrivals.at(connection.next++);
 }
 
 Stamp BagFile::messageTime() const { return toStamp(message_->getTime()); }
 
-TransformKind BagFile::messageKind() const { return *transformTopic(message_->getTopic()); }
-
-std::vector<geometry_msgs::TransformStamped> BagFile::takeMessage() {
+std::vector<RecordedTransform> BagFile::takeMessage() {
   try {
-    const auto recorded = message_->instantiate<RecordedTransforms>();
+    const TopicReader& reader = readers_->at(message_->getTopic());
+    const Arrival arrival = nextArrival();
+    const std::string publisher = message_->getCallerId();
+    std::vector<RecordedTransform> transforms;
+    for (geometry_msgs::TransformStamped& each : reader.read(*message_)) {
+      transforms.push_back(
+          {std::move(each), reader.kind, file_, messageTime(), arrival, publisher});
+    }
     ++message_;
-    return std::move(recorded->message.transforms);
+    return transforms;
   } catch (const std::exception& error) {
     throw Error("bag " + file_ + ": a message of " + message_->getTopic() +
                 " cannot be read: the file is damaged (" + error.what() + ")" +

@@ -1,22 +1,39 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
-#include <geometry_msgs/TransformStamped.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include "motion/bag_reader.h"
+#include "motion/bag_check.h"
+#include "motion/recorded_transform.h"
+#include "motion/topic_reader.h"
 
 namespace synthetic_dataset::motion {
+
+/// When a recording was made: the record times of its first and last message, of any topic.
+struct RecordedTimes {
+  Stamp start{0};
+  Stamp end{0};
+};
+
+/// A topic with messages of one type.
+struct BagTopic {
+  std::string name;
+  std::string type;
+  std::string md5sum;
+};
 
 /// One bag, read message by message.
 class BagFile {
  public:
+  /// @param number  among the bags of a recording
   /// @throws Error: the file cannot be read as a bag; says why and what to do about it
-  explicit BagFile(const std::string& file);
+  BagFile(const std::string& file, std::uint32_t number);
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
 
@@ -25,30 +42,47 @@ class BagFile {
   /// Nothing when the bag has no messages.
   [[nodiscard]] const std::optional<RecordedTimes>& times() const { return times_; }
 
-  /// "/chatter (std_msgs/String), ..." of all topics with messages.
-  [[nodiscard]] std::string topics();
+  [[nodiscard]] const std::vector<BagTopic>& topics() const { return topics_; }
 
-  /// Whether another message of `/tf` or `/tf_static` is left.
+  /// Goes to the first message of these topics. Call it before what follows.
+  /// @param readers  have to outlive the reading
+  /// @throws Error when the file is damaged there
+  void select(const TopicReaders& readers);
+
+  /// Whether another message of the selected topics is left.
   [[nodiscard]] bool hasMessage() const { return message_ != end_; }
 
   /// Its record time.
   [[nodiscard]] Stamp messageTime() const;
-  [[nodiscard]] TransformKind messageKind() const;
 
   /// Reads its transforms and goes on to the next.
   /// @throws Error when the file is damaged there
-  [[nodiscard]] std::vector<geometry_msgs::TransformStamped> takeMessage();
+  [[nodiscard]] std::vector<RecordedTransform> takeMessage();
 
  private:
   void open();
-  void checkTypes();
+  void findArrivals(const MessagePlaces& places);
+  [[nodiscard]] Arrival nextArrival();
+
+  /// @throws Error: the bag is damaged
+  template <class Read>
+  auto reading(const Read& read) const -> decltype(read());
 
   std::string file_;
+  std::uint32_t number_;
   rosbag::Bag bag_;
   rosbag::View all_;
-  rosbag::View transforms_;
-  rosbag::View::iterator message_, end_;
+  std::vector<BagTopic> topics_;
   std::optional<RecordedTimes> times_;
+
+  const TopicReaders* readers_ = nullptr;
+  std::optional<rosbag::View> selected_;
+  rosbag::View::iterator message_, end_;
+  struct Connection {
+    std::vector<Arrival> arrivals;  ///< of its messages, in the order of the view
+    std::size_t next = 0;
+  };
+  std::unordered_map<const void*, Connection> connections_;  ///< by their headers
 };
 
 }  // namespace synthetic_dataset::motion

@@ -1,5 +1,7 @@
 #include "motion/bag_motion.h"
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
 #include "motion/ros_time.h"
@@ -14,34 +16,40 @@ namespace {
 
 /// Every scene of the window was left out.
 std::string noSceneLeft(const Timeline& timeline, const TimelineOptions& options) {
-  std::string message = "no scene is left: of those in the window, " +
-                        std::to_string(timeline.left_out_unknown) +
-                        " are left out because a transform is not known";
-  if (options.max_tf_gap) {
-    message +=
-        " and " + std::to_string(timeline.left_out_gap) +
-        " because the transforms to interpolate between are further apart than max_tf_gap, " +
-        secondsText(*options.max_tf_gap);
-  }
-  return message;
+  const std::string longest = options.max_tf_gap ? secondsText(*options.max_tf_gap)
+                                                 : "by default 10 s or 20 median periods";
+  return "no scene is left: of those in the window, " + std::to_string(timeline.left_out_unknown) +
+         " are left out because a transform is not known and " +
+         std::to_string(timeline.left_out_gap) +
+         " because the transforms to interpolate between are further apart than max_tf_gap, " +
+         longest;
 }
 
 }  // namespace
 
-BagMotion::BagMotion(const std::vector<std::string>& bag_files, const std::string& global_frame)
+BagMotion::BagMotion(const std::vector<std::string>& bag_files, const std::string& global_frame,
+                     std::optional<std::size_t> stretch)
     : FrameSource(global_frame) {
   TransformRecording recording;
-  times_ = readTransforms(bag_files,
-                          [&](const geometry_msgs::TransformStamped& transform, TransformKind kind,
-                              const std::string& file) { recording.add(transform, kind, file); });
+  times_ = readTransforms(
+      bag_files, [&](RecordedTransform transform) { recording.add(std::move(transform)); });
   if (recording.empty()) {
     std::vector<std::string> errors = recording.notes();
     errors.insert(errors.begin(), "the bags hold no transform that can be used");
     throw ErrorList(errors);
   }
-  tree_ = recording.finish();
+  tree_ = recording.finish(stretch);
   global_ = find(global_frame).value_or(kNoFrame);
   notes_ = recording.notes();
+  stretches_ = recording.stretches();
+  stretch_ = recording.stretch();
+  clock_offset_ = recording.clockOffset();
+  findings_ = recording.findings();
+}
+
+bool BagMotion::hasOwnClock() const {
+  constexpr Duration kSame = std::chrono::seconds(1);
+  return stretches_.size() > 1 || clock_offset_ >= kSame || clock_offset_ <= -kSame;
 }
 
 std::optional<Pose> BagMotion::pose(FrameId frame, Stamp time) const {
@@ -51,19 +59,75 @@ std::optional<Pose> BagMotion::pose(FrameId frame, Stamp time) const {
 
 Timeline BagMotion::timeline(const std::vector<std::string>& frames,
                              const TimelineOptions& options) const {
-  std::vector<std::string> errors = optionErrors(times_, options);
-  for (std::string& error : unknownFrames(tree_, globalFrame(), frames)) {
-    errors.push_back(std::move(error));
+  std::vector<std::string> errors = unknownFrames(tree_, globalFrame(), frames);
+  if (!errors.empty()) {
+    for (std::string& error : optionErrors(times_, options)) errors.push_back(std::move(error));
+    throw ErrorList(errors);
   }
-  if (!errors.empty()) throw ErrorList(errors);
-
-  const RecordedTimes part = usedPart(times_, options);
   FramesToKnow wanted{global_, {}};
   for (const std::string& frame : frames) wanted.frames.push_back(*find(frame));
+  RecordedTimes recorded = times_;
+  if (hasOwnClock()) {
+    const RecordedTimes all{stretches_[stretch_].first, stretches_[stretch_].last};
+    const auto known = knownTimes(tree_, wanted, all);
+    if (!known) throw ErrorList(whyNoWindow(tree_, wanted, all, all, options));
+    recorded = *known;
+  }
+  errors = optionErrors(recorded, options);
+  if (!errors.empty()) throw ErrorList(errors);
+
+  const RecordedTimes part = usedPart(recorded, options);
   std::optional<Timeline> timeline = findTimeline(tree_, wanted, part, options);
-  if (!timeline) throw ErrorList(whyNoWindow(tree_, wanted, times_, part, options));
+  if (!timeline) throw ErrorList(whyNoWindow(tree_, wanted, recorded, part, options));
   if (timeline->stamps.empty()) throw ErrorList({noSceneLeft(*timeline, options)});
+  if (hasOwnClock()) noteClock(part.start, timeline->found);
   return *std::move(timeline);
+}
+
+void BagMotion::noteClock(Stamp start, base::Diagnostics& found) const {
+  if (stretches_.size() > 1) return;  // which says so itself
+  const bool is_behind = clock_offset_ > Duration{0};
+  found.warning("", "the recording's time stamps are " +
+                        secondsText(is_behind ? clock_offset_ : -clock_offset_) +
+                        (is_behind ? " behind" : " ahead of") +
+                        " its record times (median): scenes begin at the first stamp at which TF "
+                        "is known, " +
+                        secondsText(start));
+}
+
+/// All frames that have to do with where some are.
+std::vector<FrameId> BagMotion::withAncestors(std::vector<FrameId> frames) const {
+  if (global_ != kNoFrame) frames.push_back(global_);
+  std::set<FrameId> seen(frames.begin(), frames.end());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    for (const FrameId parent : tree_.link(frames[i]).parents()) {
+      if (seen.insert(parent).second) frames.push_back(parent);
+    }
+  }
+  return frames;
+}
+
+void BagMotion::report(const std::vector<FrameId>& frames, base::Diagnostics& found) const {
+  found.add(base::Severity::kWarning, notes_);
+  if (stretches_.size() > 1) {
+    found.warning("",
+                  "time goes back in the recording, as when a simulation is reset; it is cut "
+                  "there into the stretches " +
+                      stretchList(stretches_) + "; scenes come from stretch " +
+                      std::to_string(stretch_) + " (stretch: names another)");
+  }
+  const std::vector<FrameId> used = withAncestors(frames);
+  for (const FrameFinding& finding : findings_) {
+    if (std::find(used.begin(), used.end(), finding.child) == used.end()) continue;
+    found.warning("", finding.message);
+  }
+}
+
+std::string BagMotion::whenKnown(FrameId frame) const {
+  if (global_ == kNoFrame || frame == kNoFrame) return "";
+  const std::vector<Validity> times = tree_.knownTimes(global_, frame);
+  if (times.empty()) return "; it is known at no time";
+  return "; it is known " + stretchesText(times, times_.start);
 }
 
 }  // namespace synthetic_dataset::motion

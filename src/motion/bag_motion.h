@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "motion/bag_reader.h"
+#include "motion/frame_findings.h"
 #include "motion/frame_source.h"
 #include "motion/frame_tree.h"
+#include "motion/stretches.h"
 
 namespace synthetic_dataset::motion {
 
@@ -16,12 +18,18 @@ namespace synthetic_dataset::motion {
 class BagMotion : public FrameSource {
  public:
   /// Reads `/tf` and `/tf_static` of the bags, whole: interpolation may cross any length of time.
+  /// @param stretch  of a recording in which time goes back; nothing: the longest
   /// @throws ErrorList with what is wrong with each file: missing, no bag, truncated (with what to
   ///     do about it), messages of another type; or no transform in any of them
-  BagMotion(const std::vector<std::string>& bag_files, const std::string& global_frame);
+  BagMotion(const std::vector<std::string>& bag_files, const std::string& global_frame,
+            std::optional<std::size_t> stretch = std::nullopt);
 
   /// The earliest and latest record times of the bags' messages, of any topic.
   [[nodiscard]] const RecordedTimes& times() const { return times_; }
+
+  /// Whether its time stamps are of another clock than its record times, or of one stretch of it
+  /// alone: then the times of scenes do not follow from its record times.
+  [[nodiscard]] bool hasOwnClock() const;
 
   [[nodiscard]] const FrameNames& names() const override { return tree_.names(); }
 
@@ -31,7 +39,8 @@ class BagMotion : public FrameSource {
   /// Start: the first recording start + start_offset + k * period at which all can be transformed
   /// into the global frame; end: found in the same way backwards from the recording's end (or that
   /// of `duration`); scenes while time < end. In between, single scenes are left out, as the
-  /// Timeline's counts say.
+  /// Timeline's counts say. With a clock of its own, the recording's start and end are the first
+  /// and last time at which all can be transformed.
   /// @throws ErrorList when there is none: per frame from when to when it is known, or, for a frame
   ///     that does not exist, those that are spelt nearly like it; options that leave nothing of
   ///     the recording, or more scenes than file names can number
@@ -40,14 +49,23 @@ class BagMotion : public FrameSource {
 
   [[nodiscard]] std::string title() const override { return "the recording"; }
 
-  /// Transforms that were left out, and why.
-  [[nodiscard]] std::vector<std::string> notes() const override { return notes_; }
+  /// Transforms that were left out, and why; stretches; what is odd about the frames.
+  void report(const std::vector<FrameId>& frames, base::Diagnostics& found) const override;
+
+  [[nodiscard]] std::string whenKnown(FrameId frame) const override;
 
  private:
+  [[nodiscard]] std::vector<FrameId> withAncestors(std::vector<FrameId> frames) const;
+  void noteClock(Stamp start, base::Diagnostics& found) const;
+
   RecordedTimes times_;
   FrameTree tree_;
   FrameId global_ = kNoFrame;
   std::vector<std::string> notes_;
+  std::vector<Stretch> stretches_;
+  std::size_t stretch_ = 0;
+  Duration clock_offset_{0};  ///< of the stamps behind the record times
+  std::vector<FrameFinding> findings_;
 };
 
 }  // namespace synthetic_dataset::motion

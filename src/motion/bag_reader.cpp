@@ -1,46 +1,42 @@
 #include "motion/bag_reader.h"
 
 #include <algorithm>
-#include <memory>
+#include <utility>
 
-#include "motion/bag_file.h"
+#include "motion/tf_topics.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
 namespace {
 
-using Bags = std::vector<std::unique_ptr<BagFile>>;
+/// The bag whose next message was recorded first (of equal times the bag named first), if any.
+BagFile* nextOf(const std::vector<BagFile*>& bags) {
+  BagFile* next = nullptr;
+  for (BagFile* bag : bags) {
+    if (!bag->hasMessage()) continue;
+    if (next == nullptr || bag->messageTime() < next->messageTime()) next = bag;
+  }
+  return next;
+}
 
-Bags openBags(const std::vector<std::string>& files) {
-  Bags bags;
+}  // namespace
+
+BagReader::BagReader(const std::vector<std::string>& bag_files) {
+  if (bag_files.empty()) throw ErrorList({"no bag file is named; at least one is needed"});
   std::vector<std::string> errors;
-  for (const std::string& file : files) {
+  for (const std::string& file : bag_files) {
     try {
-      bags.push_back(std::make_unique<BagFile>(file));
+      bags_.push_back(std::make_unique<BagFile>(file, static_cast<std::uint32_t>(bags_.size())));
     } catch (const Error& error) {
       errors.emplace_back(error.what());
     }
   }
   if (!errors.empty()) throw ErrorList(errors);
-  return bags;
 }
 
-/// Bags without transforms are fine beside one that has some.
-void checkAnyTransforms(const Bags& bags) {
-  std::vector<std::string> errors;
-  for (const auto& bag : bags) {
-    if (bag->hasMessage()) return;
-    errors.push_back("bag " + bag->file() + ": " +
-                     (bag->times()
-                          ? "no messages of /tf or /tf_static; its topics are " + bag->topics()
-                          : std::string("has no messages")));
-  }
-  throw ErrorList(errors);
-}
-
-RecordedTimes timesOf(const Bags& bags) {
+RecordedTimes BagReader::times() const {
   RecordedTimes times{Stamp::max(), Stamp::min()};
-  for (const auto& bag : bags) {
+  for (const auto& bag : bags_) {
     if (!bag->times()) continue;
     times.start = std::min(times.start, bag->times()->start);
     times.end = std::max(times.end, bag->times()->end);
@@ -48,37 +44,47 @@ RecordedTimes timesOf(const Bags& bags) {
   return times;
 }
 
-/// The bag whose next message was recorded first (of equal times the bag named first), if any.
-BagFile* nextOf(const Bags& bags) {
-  BagFile* next = nullptr;
-  for (const auto& bag : bags) {
-    if (!bag->hasMessage()) continue;
-    if (next == nullptr || bag->messageTime() < next->messageTime()) next = bag.get();
+std::vector<BagTopic> BagReader::topics() const {
+  std::vector<BagTopic> topics;
+  for (const auto& bag : bags_) {
+    for (const BagTopic& topic : bag->topics()) {
+      const bool is_known = std::any_of(topics.begin(), topics.end(), [&](const BagTopic& each) {
+        return each.name == topic.name && each.md5sum == topic.md5sum;
+      });
+      if (!is_known) topics.push_back(topic);
+    }
   }
-  return next;
+  return topics;
 }
 
-}  // namespace
-
-RecordedTimes readTransforms(const std::vector<std::string>& bag_files,
-                             const TransformVisitor& visit) {
-  if (bag_files.empty()) throw ErrorList({"no bag file is named; at least one is needed"});
-  Bags bags = openBags(bag_files);
-  checkAnyTransforms(bags);
-  const RecordedTimes times = timesOf(bags);
+void BagReader::read(const TopicReaders& readers, const TransformVisitor& visit) {
   std::vector<std::string> errors;
-  while (BagFile* bag = nextOf(bags)) {
-    const TransformKind kind = bag->messageKind();
+  std::vector<BagFile*> bags;
+  for (const auto& bag : bags_) {
     try {
-      for (const auto& transform : bag->takeMessage()) visit(transform, kind, bag->file());
+      bag->select(readers);
+      bags.push_back(bag.get());
+    } catch (const Error& error) {
+      errors.emplace_back(error.what());
+    }
+  }
+  while (BagFile* bag = nextOf(bags)) {
+    try {
+      for (RecordedTransform& each : bag->takeMessage()) visit(std::move(each));
     } catch (const Error& error) {  // read on, to find what is wrong with the other bags
       errors.emplace_back(error.what());
-      bags.erase(std::find_if(bags.begin(), bags.end(),
-                              [bag](const auto& other) { return other.get() == bag; }));
+      bags.erase(std::find(bags.begin(), bags.end(), bag));
     }
   }
   if (!errors.empty()) throw ErrorList(errors);
-  return times;
+}
+
+RecordedTimes readTransforms(const std::vector<std::string>& bag_files,
+                             const TransformVisitor& visit) {
+  BagReader bags(bag_files);
+  const TopicReaders readers = tfReaders(bags);
+  bags.read(readers, visit);
+  return bags.times();
 }
 
 }  // namespace synthetic_dataset::motion

@@ -1,29 +1,45 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include <geometry_msgs/TransformStamped.h>
-
-#include "motion/left_out_transforms.h"
+#include "motion/bag_file.h"
+#include "motion/recorded_transform.h"
+#include "motion/topic_reader.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::motion {
 
-/// When a recording was made: the record times of its first and last message, of any topic.
-struct RecordedTimes {
-  Stamp start{0};
-  Stamp end{0};
+/// Called for each transform of each message, in the order of record times over all bags.
+using TransformVisitor = std::function<void(RecordedTransform transform)>;
+
+/// Bags that count as one recording.
+class BagReader {
+ public:
+  /// @throws ErrorList with what is wrong with each of the files: missing, no bag, truncated, ...
+  explicit BagReader(const std::vector<std::string>& bag_files);
+
+  /// The record times of the first and the last message, of any topic.
+  [[nodiscard]] RecordedTimes times() const;
+
+  /// Of all bags, each topic of a type once.
+  [[nodiscard]] std::vector<BagTopic> topics() const;
+
+  [[nodiscard]] const std::vector<std::unique_ptr<BagFile>>& bags() const { return bags_; }
+
+  /// Reads the messages of some topics.
+  /// @throws ErrorList naming the bags that are damaged
+  void read(const TopicReaders& readers, const TransformVisitor& visit);
+
+ private:
+  std::vector<std::unique_ptr<BagFile>> bags_;
 };
 
-/// Called for each transform of each message, in the order of record times over all bags.
-using TransformVisitor = std::function<void(const geometry_msgs::TransformStamped& transform,
-                                            TransformKind kind, const std::string& bag_file)>;
-
 /// Reads the topics `/tf` and `/tf_static` (or `tf` and `tf_static`) of the bags.
-/// @throws ErrorList with what is wrong with each of the files: missing, no bag, truncated,
-///     messages of another type, or, if none of them has any, no messages or no transforms
+/// @throws ErrorList as BagReader does; and messages of another type, or, if none of the bags has
+///     any, no messages or no transforms
 RecordedTimes readTransforms(const std::vector<std::string>& bag_files,
                              const TransformVisitor& visit);
 

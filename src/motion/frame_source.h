@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "motion/frame_names.h"
 #include "motion/timeline.h"
 #include "synthetic_dataset/pose.h"
@@ -47,8 +48,18 @@ class FrameSource {
   /// "the recording has no frame 'bass'; did you mean 'base'?"
   [[nodiscard]] std::string lacks(const std::string& frame) const;
 
-  /// What the user should know about it.
-  [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
+  /// Notes what the user should know about it.
+  /// @param frames  that are used; what is odd about others does not matter
+  virtual void report(const std::vector<FrameId>& frames, base::Diagnostics& found) const {
+    static_cast<void>(frames);
+    static_cast<void>(found);
+  }
+
+  /// "; it is known from 1.000000000 s to 3.000000000 s" for the end of a message, or nothing.
+  [[nodiscard]] virtual std::string whenKnown(FrameId frame) const {
+    static_cast<void>(frame);
+    return "";
+  }
 
  protected:
   FrameSource(const FrameSource&) = default;

@@ -1,6 +1,8 @@
 #include "motion/link_history.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -41,6 +43,25 @@ geometry_msgs::Transform interpolated(const LinkHistory::Sample& before,
   return X_PC;
 }
 
+/// But for the noise of a thing that stands still.
+bool isSamePose(const LinkHistory::Sample& a, const LinkHistory::Sample& b) {
+  constexpr double kDistance = 1e-3;  // [m]
+  constexpr double kAngle = 1e-3;     // [rad]
+  return a.parent == b.parent && positionOf(a).distance(positionOf(b)) <= kDistance &&
+         std::abs(rotationOf(a).angleShortestPath(rotationOf(b))) <= kAngle;
+}
+
+Duration medianPeriodOf(const std::vector<LinkHistory::Sample>& samples) {
+  if (samples.size() < 2) return Duration{0};
+  std::vector<Duration> periods;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    periods.push_back(samples[i].stamp - samples[i - 1].stamp);
+  }
+  const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
+  std::nth_element(periods.begin(), middle, periods.end());
+  return *middle;
+}
+
 }  // namespace
 
 void Validity::intersect(const Validity& other) {
@@ -49,8 +70,12 @@ void Validity::intersect(const Validity& other) {
 }
 
 LinkHistory LinkHistory::fixedTo(FrameId parent, const geometry_msgs::Transform& X_PC) {
-  LinkHistory link = sampledAt({{Stamp{0}, parent, X_PC}});
-  link.is_fixed_ = true;
+  return heldFrom({{Stamp{0}, parent, X_PC}});
+}
+
+LinkHistory LinkHistory::heldFrom(std::vector<Sample> samples) {
+  LinkHistory link = sampledAt(std::move(samples));
+  link.is_held_ = true;
   return link;
 }
 
@@ -61,22 +86,25 @@ LinkHistory LinkHistory::sampledAt(std::vector<Sample> samples) {
     if (changed) link.changes_.push_back({sample.stamp, sample.parent});
   }
   link.samples_ = std::move(samples);
+  link.median_period_ = medianPeriodOf(link.samples_);
   return link;
 }
 
 LinkHistory::Parent LinkHistory::parentAt(Stamp time) const {
   if (samples_.empty()) return {};
-  if (is_fixed_) return {samples_.front().parent, {}};
   constexpr Duration kTick{1};
   const Stamp first = samples_.front().stamp;
   const Stamp last = samples_.back().stamp;
-  if (time < first) return {kNoFrame, {Stamp::min(), first - kTick}};
-  if (time > last) return {kNoFrame, {last + kTick, Stamp::max()}};
-  const auto next =
-      std::upper_bound(changes_.begin(), changes_.end(), time,
-                       [](Stamp t, const Change& change) { return t < change.stamp; });
+  if (!is_held_ && time < first) return {kNoFrame, {Stamp::min(), first - kTick}};
+  if (!is_held_ && time > last) return {kNoFrame, {last + kTick, Stamp::max()}};
+  auto next = std::upper_bound(changes_.begin(), changes_.end(), time,
+                               [](Stamp t, const Change& change) { return t < change.stamp; });
+  if (next == changes_.begin()) ++next;  // the first holds before it, too
   const Change& current = *std::prev(next);
-  return {current.parent, {current.stamp, next == changes_.end() ? last : next->stamp - kTick}};
+  Validity validity{current.stamp, next == changes_.end() ? last : next->stamp - kTick};
+  if (is_held_ && &current == &changes_.front()) validity.from = Stamp::min();
+  if (is_held_ && next == changes_.end()) validity.until = Stamp::max();
+  return {current.parent, validity};
 }
 
 LinkHistory::Samples::const_iterator LinkHistory::firstFrom(Stamp time) const {
@@ -85,9 +113,12 @@ LinkHistory::Samples::const_iterator LinkHistory::firstFrom(Stamp time) const {
 }
 
 geometry_msgs::Transform LinkHistory::transformAt(Stamp time) const {
-  if (is_fixed_) return samples_.front().X_PC;
-  // Between two others, tf2 interpolates at a sample's own time too.
   const auto next = firstFrom(time);
+  if (is_held_) {
+    const bool is_now = next != samples_.end() && next->stamp == time;
+    return (is_now || next == samples_.begin() ? next : std::prev(next))->X_PC;
+  }
+  // Between two others, tf2 interpolates at a sample's own time too.
   const auto after = next->stamp == time ? std::next(next) : next;
   if (next == samples_.begin() || after == samples_.end()) return next->X_PC;
   const Sample& before = *std::prev(after);
@@ -95,11 +126,14 @@ geometry_msgs::Transform LinkHistory::transformAt(Stamp time) const {
   return interpolated(before, *after, time);
 }
 
-Duration LinkHistory::gapAt(Stamp time) const {
-  if (is_fixed_) return Duration{0};
+std::optional<Gap> LinkHistory::gapAt(Stamp time) const {
+  if (is_held_) return std::nullopt;
   const auto next = firstFrom(time);
-  if (next == samples_.begin() || next == samples_.end() || next->stamp == time) return Duration{0};
-  return next->stamp - std::prev(next)->stamp;
+  if (next == samples_.begin() || next == samples_.end() || next->stamp == time) {
+    return std::nullopt;
+  }
+  const Sample& before = *std::prev(next);
+  return Gap{before.stamp, next->stamp, isSamePose(before, *next)};
 }
 
 std::vector<FrameId> LinkHistory::parents() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <geometry_msgs/Transform.h>
@@ -15,6 +16,15 @@ struct Validity {
   Stamp until = Stamp::max();
 
   void intersect(const Validity& other);
+};
+
+/// A time without samples.
+struct Gap {
+  Stamp from{0};
+  Stamp until{0};
+  bool is_still = false;  ///< whether the pose is the same at both ends, but for noise
+
+  [[nodiscard]] Duration length() const { return until - from; }
 };
 
 /// To which parent a frame is linked over time and where it is in it, by tf2's rules: nothing is
@@ -39,6 +49,11 @@ class LinkHistory {
   [[nodiscard]] static LinkHistory fixedTo(FrameId parent,
                                            const geometry_msgs::Transform& X_PC = {});
 
+  /// A link of `/tf_static` that was changed: each value holds until the next one, the first also
+  /// before it.
+  /// @param samples  at least one, with ascending stamps
+  [[nodiscard]] static LinkHistory heldFrom(std::vector<Sample> samples);
+
   /// A link of `/tf`.
   /// @param samples  at least one, with ascending stamps
   [[nodiscard]] static LinkHistory sampledAt(std::vector<Sample> samples);
@@ -48,9 +63,12 @@ class LinkHistory {
   /// X_PC, to the last bit as tf2 interpolates it, at a time at which parentAt() knows a parent.
   [[nodiscard]] geometry_msgs::Transform transformAt(Stamp time) const;
 
-  /// How far apart the samples are between which tf2 interpolates; 0 where it need not: at a
-  /// sample, for a static link.
-  [[nodiscard]] Duration gapAt(Stamp time) const;
+  /// The samples between which tf2 interpolates; nothing where it need not: at a sample, for a
+  /// static link.
+  [[nodiscard]] std::optional<Gap> gapAt(Stamp time) const;
+
+  /// The median time from sample to sample; 0 where there is none.
+  [[nodiscard]] Duration medianPeriod() const { return median_period_; }
 
   /// All parents that it ever had, in order of time.
   [[nodiscard]] std::vector<FrameId> parents() const;
@@ -64,8 +82,9 @@ class LinkHistory {
   using Samples = std::vector<Sample>;
   [[nodiscard]] Samples::const_iterator firstFrom(Stamp time) const;
 
-  bool is_fixed_ = false;
-  Samples samples_;              ///< one, if it is fixed
+  bool is_held_ = false;  ///< rather than interpolated
+  Samples samples_;
+  Duration median_period_{0};
   std::vector<Change> changes_;  ///< samples whose parent is another than that of the one before
 };
 

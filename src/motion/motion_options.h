@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,7 +21,9 @@ struct MotionOptions {
   double rate = 30.0;                  ///< [Hz]
   double start_offset = 0.0;           ///< [s]
   std::optional<double> duration;      ///< [s]
-  std::optional<double> max_tf_gap;    ///< [s]
+  std::optional<double> max_tf_gap;    ///< [s], may be infinite; none: the default of each frame
+  std::optional<std::size_t>
+      stretch;  ///< of a recording in which time goes back; none: the longest
 };
 
 }  // namespace synthetic_dataset::motion

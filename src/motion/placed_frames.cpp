@@ -34,9 +34,23 @@ bool PlacedFrames::isPlaced(const std::string& frame) const {
 std::optional<Pose> PlacedFrames::pose(FrameId frame, Stamp time) const {
   const auto placed = placed_.find(frame);
   if (placed != placed_.end()) return placed->second;
-  // Names were added behind those of the others.
-  const bool is_theirs = static_cast<std::size_t>(frame) < others_->names().all().size();
-  return is_theirs ? others_->pose(frame, time) : std::nullopt;
+  return isOfOthers(frame) ? others_->pose(frame, time) : std::nullopt;
+}
+
+/// Names were added behind those of the others.
+bool PlacedFrames::isOfOthers(FrameId frame) const {
+  return static_cast<std::size_t>(frame) < others_->names().all().size();
+}
+
+void PlacedFrames::report(const std::vector<FrameId>& frames, base::Diagnostics& found) const {
+  std::vector<FrameId> theirs;
+  std::copy_if(frames.begin(), frames.end(), std::back_inserter(theirs),
+               [this](FrameId frame) { return isOfOthers(frame) && placed_.count(frame) == 0; });
+  others_->report(theirs, found);
+}
+
+std::string PlacedFrames::whenKnown(FrameId frame) const {
+  return isOfOthers(frame) ? others_->whenKnown(frame) : "";
 }
 
 Timeline PlacedFrames::timeline(const std::vector<std::string>& frames,

@@ -33,9 +33,12 @@ class PlacedFrames : public FrameSource {
   [[nodiscard]] Timeline timeline(const std::vector<std::string>& frames,
                                   const TimelineOptions& options) const override;
   [[nodiscard]] std::string title() const override { return others_->title(); }
-  [[nodiscard]] std::vector<std::string> notes() const override { return others_->notes(); }
+  void report(const std::vector<FrameId>& frames, base::Diagnostics& found) const override;
+  [[nodiscard]] std::string whenKnown(FrameId frame) const override;
 
  private:
+  [[nodiscard]] bool isOfOthers(FrameId frame) const;
+
   std::shared_ptr<const FrameSource> others_;
   std::shared_ptr<FrameNames> names_;  ///< those of the others, and those that are placed
   std::map<FrameId, Pose> placed_;     ///< X_GF

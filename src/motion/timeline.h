@@ -6,16 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::motion {
 
 /// When scenes are made: at regular times; of a recording, from its start + start_offset on.
 struct TimelineOptions {
-  Duration period{0};                  ///< between scenes, > 0
-  Duration start_offset{0};            ///< left out at the recording's start, >= 0
-  std::optional<Duration> duration;    ///< of the part that is used, counted from start_offset
-  std::optional<Duration> max_tf_gap;  ///< scenes interpolated across a longer gap are left out
+  Duration period{0};                ///< between scenes, > 0
+  Duration start_offset{0};          ///< left out at the recording's start, >= 0
+  std::optional<Duration> duration;  ///< of the part that is used, counted from start_offset
+
+  /// Scenes interpolated across a longer gap are left out, unless the pose is the same at both
+  /// ends. Nothing: of each frame the larger of 10 s and 20 median periods.
+  std::optional<Duration> max_tf_gap;
 
   std::int64_t scenes = 0;  ///< how many, where no recording has a start and an end
 
@@ -30,6 +34,7 @@ struct Timeline {
   std::vector<Duration> jitter;       ///< in each of these; empty where there is none
   std::int64_t left_out_gap = 0;      ///< scenes left out because of max_tf_gap
   std::int64_t left_out_unknown = 0;  ///< scenes left out because a transform was not known
+  base::Diagnostics found;            ///< what the user should know: holes in the recording, ...
   bool is_recorded = true;            ///< else the times only number scenes that have nothing to
                                       ///< do with one another
 };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
 
+#include "motion/holes.h"
 #include "motion/time_text.h"
 #include "synthetic_dataset/errors.h"
 
@@ -43,13 +45,13 @@ class Connections {
     return std::all_of(now.begin(), now.end(), [](const Connection& c) { return c.known; });
   }
 
-  bool gapAbove(Duration longest, Stamp time) {
+  /// The links that are crossed then.
+  std::set<FrameId> linksAt(Stamp time) {
+    std::set<FrameId> links;
     for (const Connection& connection : at(time)) {
-      for (const FrameId child : connection.links) {
-        if (tree_.link(child).gapAt(time) > longest) return true;
-      }
+      links.insert(connection.links.begin(), connection.links.end());
     }
-    return false;
+    return links;
   }
 
  private:
@@ -99,6 +101,15 @@ void checkCount(std::int64_t scenes, Duration period) {
 
 }  // namespace
 
+std::optional<RecordedTimes> knownTimes(const FrameTree& tree, const FramesToKnow& wanted,
+                                        const RecordedTimes& part) {
+  Connections connections(tree, wanted);
+  const auto first = firstKnown(connections, part.start, part.end + kTick, kTick);
+  if (!first) return std::nullopt;
+  const auto last = lastKnown(connections, part.end, *first - kTick, kTick);
+  return RecordedTimes{*first, last.value_or(*first)};
+}
+
 std::vector<std::string> optionErrors(const RecordedTimes& recorded,
                                       const TimelineOptions& options) {
   const Duration length = recorded.end - recorded.start;
@@ -128,6 +139,7 @@ std::optional<Timeline> findTimeline(const FrameTree& tree, const FramesToKnow& 
                                      const RecordedTimes& part, const TimelineOptions& options) {
   const Duration period = options.period;
   Connections connections(tree, wanted);
+  Holes holes(tree, options);
   const auto start = firstKnown(connections, part.start, part.end, period);
   if (!start) return std::nullopt;
   const auto end = lastKnown(connections, part.end, *start, period);
@@ -143,13 +155,14 @@ std::optional<Timeline> findTimeline(const FrameTree& tree, const FramesToKnow& 
     const Stamp time = *start + i * period + jitter;
     if (!connections.allKnownAt(time)) {
       ++timeline.left_out_unknown;
-    } else if (options.max_tf_gap && connections.gapAbove(*options.max_tf_gap, time)) {
+    } else if (holes.forbid(connections.linksAt(time), time)) {
       ++timeline.left_out_gap;
     } else {
       timeline.stamps.push_back(time);
       if (options.jitter) timeline.jitter.push_back(jitter);
     }
   }
+  holes.report(timeline.found);
   return timeline;
 }
 

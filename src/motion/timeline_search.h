@@ -25,6 +25,12 @@ struct FramesToKnow {
 /// @param options  without optionErrors()
 [[nodiscard]] RecordedTimes usedPart(const RecordedTimes& recorded, const TimelineOptions& options);
 
+/// From the first to the last time at which all frames are known; nothing where there is none.
+/// @param part  in which to look
+[[nodiscard]] std::optional<RecordedTimes> knownTimes(const FrameTree& tree,
+                                                      const FramesToKnow& wanted,
+                                                      const RecordedTimes& part);
+
 /// The timeline by the rules of BagMotion::timeline(), or nothing when there is no time at which
 /// all frames are known.
 /// @param part  of usedPart()

@@ -34,7 +34,8 @@ void TopicSearch::in(const std::string& file,
 void TopicSearch::show(const std::string& file,
                        const std::function<void(rosbag::View& messages)>& see) {
   const std::string name = withoutSlash(topic_);
-  checkBag(file, [&](const std::string& other) { return withoutSlash(other) == name; });
+  static_cast<void>(
+      checkBag(file, [&](const std::string& other) { return withoutSlash(other) == name; }));
   rosbag::Bag bag(file);
   rosbag::View all(bag);
   std::vector<std::string> names;

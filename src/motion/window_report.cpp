@@ -82,14 +82,7 @@ std::string whenKnown(const FrameTree& tree, FrameId global, FrameId frame,
                   topOf(tree, global) + "'";
     return names + "at no time: " + reason;
   }
-  std::string list;
-  for (std::size_t i = 0; i < std::min(times.size(), kMostTimes); ++i) {
-    list += (i == 0 ? "" : ", ") + timesText(times[i], recorded.start);
-  }
-  if (times.size() > kMostTimes) {
-    list += ", and in " + std::to_string(times.size() - kMostTimes) + " more stretches up to " +
-            secondsText(times.back().until);
-  }
+  const std::string list = stretchesText(times, recorded.start);
   const bool outside = times.back().until < recorded.start || times.front().from > recorded.end;
   return names + list +
          (outside ? ": its time stamps lie outside the recording; was it recorded with another "
@@ -109,6 +102,18 @@ std::vector<std::string> unknownFrames(const FrameTree& tree, const std::string&
     if (!tree.names().find(frame)) messages.push_back(unknownFrame(tree, "frame", frame));
   }
   return messages;
+}
+
+std::string stretchesText(const std::vector<Validity>& times, Stamp start) {
+  std::string list;
+  for (std::size_t i = 0; i < std::min(times.size(), kMostTimes); ++i) {
+    list += (i == 0 ? "" : ", ") + timesText(times[i], start);
+  }
+  if (times.size() > kMostTimes) {
+    list += ", and in " + std::to_string(times.size() - kMostTimes) + " more stretches up to " +
+            secondsText(times.back().until);
+  }
+  return list;
 }
 
 std::vector<std::string> whyNoWindow(const FrameTree& tree, const FramesToKnow& wanted,

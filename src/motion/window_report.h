@@ -16,6 +16,10 @@ namespace synthetic_dataset::motion {
                                                      const std::string& global_frame,
                                                      const std::vector<std::string>& frames);
 
+/// When a frame is known: "from 1.000000000 s to 3.000000000 s (0.000 s to 2.000 s after the
+/// recording's start)", ...
+[[nodiscard]] std::string stretchesText(const std::vector<Validity>& times, Stamp start);
+
 /// Why there is no time at which all frames are known: the times of each.
 [[nodiscard]] std::vector<std::string> whyNoWindow(const FrameTree& tree,
                                                    const FramesToKnow& wanted,

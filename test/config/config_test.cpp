@@ -1,5 +1,7 @@
 #include "config/config.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <chrono>
 
@@ -99,6 +101,13 @@ TEST(ReadConfig, AllMissingParametersAreNamedAtOnce) {
                            HasSubstr("bounding_shape/output_folder: required, but missing"),
                            HasSubstr("yolo/output_folder: required, but missing"),
                            HasSubstr("stvnet/output_folder: required, but missing")));
+}
+
+TEST(ReadConfig, AHoleMayBeOfAnyLength) {
+  const Reading reading(plus("max_tf_gap: .inf\nstretch: 2\n"));
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_TRUE(std::isinf(*reading.config.motion.max_tf_gap));
+  EXPECT_EQ(reading.config.motion.stretch, 2U);
 }
 
 TEST(ReadConfig, WorldMayBeAGroup) {
@@ -287,6 +296,12 @@ INSTANTIATE_TEST_SUITE_P(
                    "duration: has a meaning with motion: bag alone"},
         BadSetting{"world:", std::string(kPlaced) + "max_tf_gap: 1\nworld:",
                    "max_tf_gap: has a meaning with motion: bag alone"},
+        BadSetting{"world:", std::string(kPlaced) + "stretch: 1\nworld:",
+                   "stretch: has a meaning with motion: bag alone"},
+        BadSetting{"world:", "stretch: -1\nworld:",
+                   "stretch: found -1; it should be the number of a part of the recording, from 0"},
+        BadSetting{"world:", "max_tf_gap: -.inf\nworld:",
+                   "max_tf_gap: found -inf (a number); it should be a finite number"},
         BadSetting{
             "world:", "scenes: 5\nworld:", "scenes: has a meaning with motion: placement alone"},
         BadSetting{"world:", "motion: bag\nplacement: {map: /a.yaml}\nworld:",

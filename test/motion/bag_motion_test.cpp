@@ -142,8 +142,10 @@ TEST(BagMotion, CanBeMovedAndOutlivesItsFile) {
 TEST(BagMotion, SaysAtWhichTimeAFrameIsNotKnown) {
   const BagMotion motion =
       recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
-  EXPECT_EQ(messageOf([&] { static_cast<void>(poseOf(motion, "alpha", milliseconds(2500))); }),
-            "the frame 'alpha' is not known in 'map' at 2.500000000 s");
+  EXPECT_EQ(
+      messageOf([&] { static_cast<void>(poseOf(motion, "alpha", milliseconds(2500))); }),
+      "the frame 'alpha' is not known in 'map' at 2.500000000 s; it is known from 1.000000000 s to "
+      "2.000000000 s (0.000 s to 1.000 s after the recording's start)");
   EXPECT_EQ(motion.lacks("alpa"), "the recording has no frame 'alpa'; did you mean 'alpha'?");
   EXPECT_EQ(motion.find("alpa"), std::nullopt);
   EXPECT_EQ(motion.pose(kNoFrame, milliseconds(1500)), std::nullopt);
@@ -185,7 +187,7 @@ void writeBadTransforms(BagBuilder& bag) {
 TEST(BagMotion, LeavesOutWhatTf2WouldRefuseAndTellsIt) {
   const BagMotion motion = recorded(writeBadTransforms);
   EXPECT_THAT(
-      motion.notes(),
+      warningsOf(motion, {"alpha"}),
       ElementsAre(AllOf(HasSubstr("recorded.bag: 3 transforms of map -> alpha were left "
                                   "out: NaN in the translation"),
                         HasSubstr("(first at 1.250000000 s)")),

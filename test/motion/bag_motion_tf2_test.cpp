@@ -32,7 +32,11 @@ class RandomRecording {
       // Mostly upwards, so that there are long chains; sometimes downwards.
       const int parent = upTo(9) == 0 ? upTo(kFrames - 1) : std::max(0, child - 1 - upTo(1));
       if (parent == child) continue;
-      transform.topic = child == kFrames - 1 && upTo(3) == 0 ? "/tf_static" : "/tf";
+      const bool is_static = child == kFrames - 1 && upTo(3) == 0;
+      if (has_static_ && child == kFrames - 1)
+        continue;  // its later values are a matter of their own
+      has_static_ = has_static_ || is_static;
+      transform.topic = is_static ? "/tf_static" : "/tf";
       transform.parent = frameName(parent);
       transform.child = frameName(child);
       transform.stamp = randomTime();
@@ -79,6 +83,7 @@ class RandomRecording {
   double real() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
 
   std::mt19937 random_;
+  bool has_static_ = false;
   std::vector<BagBuilder::Transform> transforms_;
 };
 

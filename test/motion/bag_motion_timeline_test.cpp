@@ -145,6 +145,51 @@ TEST(Timeline, LeavesOutScenesAcrossLongGaps) {
   EXPECT_EQ(motion.timeline({"mast"}, options).left_out_gap, 0);
 }
 
+/// A second at 10 Hz, an hour of nothing, a second elsewhere.
+Timeline acrossAnHour(double x_after, const TimelineOptions& options) {
+  constexpr std::int64_t kHour = 3600000;  // [ms]
+  const BagMotion motion = recorded([&](BagBuilder& bag) {
+    for (int i = 0; i <= 10; ++i) bag.move("map", "alpha", milliseconds(1000 + 100 * i));
+    for (int i = 0; i <= 10; ++i) {
+      bag.move("map", "alpha", milliseconds(kHour + 100 * i), test::poseAt(x_after, 0, 0));
+    }
+  });
+  return motion.timeline({"alpha"}, options);
+}
+
+TEST(Timeline, LeavesOutScenesInAHoleUnlessAskedForThem) {
+  const Timeline timeline = acrossAnHour(5.0, everyMilliseconds(500));
+  EXPECT_THAT(timeline.stamps, SizeIs(5)) << "three before the hole, two after it";
+  EXPECT_THAT(timeline.found.messages(base::Severity::kWarning),
+              ElementsAre("TF has nothing of the frame 'alpha' from 2.000 s to 3600.000 s "
+                          "(3598.000 s): " +
+                          std::to_string(timeline.left_out_gap) +
+                          " scenes in between are left out (max_tf_gap: .inf makes them)"));
+  TimelineOptions all = everyMilliseconds(500);
+  all.max_tf_gap = Duration::max();
+  const Timeline whole = acrossAnHour(5.0, all);
+  EXPECT_EQ(whole.left_out_gap, 0);
+  EXPECT_EQ(whole.stamps.size(),
+            timeline.stamps.size() + static_cast<std::size_t>(timeline.left_out_gap));
+  EXPECT_THAT(whole.found.messages(base::Severity::kWarning),
+              ElementsAre(HasSubstr("made, its poses interpolated across")));
+}
+
+TEST(Timeline, MakesScenesInAHoleOverWhichNothingMoved) {
+  const Timeline timeline = acrossAnHour(0.0, everyMilliseconds(500));
+  EXPECT_EQ(timeline.left_out_gap, 0);
+  EXPECT_THAT(timeline.found.messages(base::Severity::kWarning),
+              ElementsAre(HasSubstr("made, as its pose is the same before and after")));
+}
+
+TEST(Timeline, TakesAFramesOwnSlowRateForNoHole) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 301000, 15000); });
+  const Timeline timeline = motion.timeline({"alpha"}, everyMilliseconds(1000));
+  EXPECT_THAT(timeline.stamps, SizeIs(300));
+  EXPECT_TRUE(timeline.found.all().empty());
+}
+
 TEST(Timeline, MindsGapsOnTheGlobalFramesSideToo) {
   const BagMotion motion = recorded([](BagBuilder& bag) {
     moveAlongX(bag, "earth", "map", 1000, 3000, 1000);

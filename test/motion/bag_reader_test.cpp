@@ -28,9 +28,9 @@ class BagReaderTest : public ::testing::Test {
   /// "alpha/tf" of each transform, in the order in which they are visited.
   static std::vector<std::string> read(const std::vector<std::string>& files) {
     std::vector<std::string> seen;
-    readTransforms(files, [&](const auto& transform, TransformKind kind, const std::string&) {
-      seen.push_back(transform.child_frame_id +
-                     (kind == TransformKind::kStatic ? "/tf_static" : "/tf"));
+    readTransforms(files, [&](const RecordedTransform& each) {
+      seen.push_back(each.transform.child_frame_id +
+                     (each.kind == TransformKind::kStatic ? "/tf_static" : "/tf"));
     });
     return seen;
   }

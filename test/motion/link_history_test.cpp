@@ -37,16 +37,50 @@ TEST(LinkHistory, KeepsTheEarlierSamplesParentUntilTheNextSample) {
   expectParent(Stamp(70), kA, Stamp(70), Stamp(70));
 }
 
-TEST(LinkHistory, MeasuresTheGapRoundATime) {
-  EXPECT_EQ(movingLink().gapAt(Stamp(31)), Duration(30));
-  EXPECT_EQ(movingLink().gapAt(Stamp(59)), Duration(30));
-  EXPECT_EQ(movingLink().gapAt(Stamp(61)), Duration(10));
+Duration gapLength(Stamp time) {
+  const auto gap = movingLink().gapAt(time);
+  return gap ? gap->length() : Duration(0);
+}
+
+TEST(LinkHistory, MeasuresTheGapAroundATime) {
+  EXPECT_EQ(gapLength(Stamp(31)), Duration(30));
+  EXPECT_EQ(gapLength(Stamp(59)), Duration(30));
+  EXPECT_EQ(gapLength(Stamp(61)), Duration(10));
 }
 
 TEST(LinkHistory, HasNoGapAtASample) {
-  EXPECT_EQ(movingLink().gapAt(Stamp(10)), Duration(0));
-  EXPECT_EQ(movingLink().gapAt(Stamp(30)), Duration(0));
-  EXPECT_EQ(movingLink().gapAt(Stamp(70)), Duration(0));
+  EXPECT_EQ(gapLength(Stamp(10)), Duration(0));
+  EXPECT_EQ(gapLength(Stamp(30)), Duration(0));
+  EXPECT_EQ(gapLength(Stamp(70)), Duration(0));
+}
+
+TEST(LinkHistory, SaysWhetherAThingStoodStillOverAGap) {
+  geometry_msgs::Transform here;
+  here.rotation.w = 1.0;
+  geometry_msgs::Transform nearly = here;
+  nearly.translation.x = 0.0005;
+  geometry_msgs::Transform there = here;
+  there.translation.x = 0.5;
+  const LinkHistory link = LinkHistory::sampledAt(
+      {{Stamp(10), kA, here}, {Stamp(20), kA, nearly}, {Stamp(30), kA, there}});
+  EXPECT_TRUE(link.gapAt(Stamp(15))->is_still);
+  EXPECT_FALSE(link.gapAt(Stamp(25))->is_still);
+}
+
+TEST(LinkHistory, HasAMedianPeriod) {
+  EXPECT_EQ(movingLink().medianPeriod(), Duration(10));
+  EXPECT_EQ(LinkHistory::fixedTo(kB).medianPeriod(), Duration(0));
+}
+
+TEST(LinkHistory, HoldsEachValueOfAStaticLinkUntilTheNext) {
+  const LinkHistory link =
+      LinkHistory::heldFrom({{Stamp(10), kA}, {Stamp(20), kB}, {Stamp(30), kB}});
+  EXPECT_EQ(link.parentAt(Stamp(1)).frame, kA);
+  EXPECT_EQ(link.parentAt(Stamp(1)).validity.from, Stamp::min());
+  EXPECT_EQ(link.parentAt(Stamp(19)).validity.until, Stamp(19));
+  EXPECT_EQ(link.parentAt(Stamp(20)).frame, kB);
+  EXPECT_EQ(link.parentAt(Stamp(99)).validity.until, Stamp::max());
+  EXPECT_FALSE(link.gapAt(Stamp(15)).has_value());
 }
 
 TEST(LinkHistory, HoldsAStaticLinkAtAllTimes) {
@@ -54,7 +88,7 @@ TEST(LinkHistory, HoldsAStaticLinkAtAllTimes) {
   EXPECT_EQ(link.parentAt(Stamp(5)).frame, kB);
   EXPECT_EQ(link.parentAt(Stamp(5)).validity.from, Stamp::min());
   EXPECT_EQ(link.parentAt(Stamp(5)).validity.until, Stamp::max());
-  EXPECT_EQ(link.gapAt(Stamp(5)), Duration(0));
+  EXPECT_FALSE(link.gapAt(Stamp(5)).has_value());
 }
 
 TEST(LinkHistory, HasNoParentForARoot) {

@@ -37,6 +37,15 @@ void moveAlongX(test::BagBuilder& bag, const std::string& parent, const std::str
   }
 }
 
+std::vector<std::string> warningsOf(const FrameSource& source,
+                                    const std::vector<std::string>& frames) {
+  std::vector<FrameId> ids;
+  for (const std::string& frame : frames) ids.push_back(*source.find(frame));
+  base::Diagnostics found;
+  source.report(ids, found);
+  return found.messages(base::Severity::kWarning);
+}
+
 std::string messageOf(const std::function<void()>& call) {
   try {
     call();

@@ -27,6 +27,10 @@ namespace synthetic_dataset::motion {
 void moveAlongX(test::BagBuilder& bag, const std::string& parent, const std::string& child,
                 std::int64_t first_ms, std::int64_t last_ms, std::int64_t step_ms = 100);
 
+/// What the source says when some of its frames are used.
+[[nodiscard]] std::vector<std::string> warningsOf(const FrameSource& source,
+                                                  const std::vector<std::string>& frames);
+
 /// What the call's Error says; fails the test when there is none.
 [[nodiscard]] std::string messageOf(const std::function<void()>& call);
 

@@ -1,5 +1,10 @@
 #include "motion/transform_recording.h"
 
+#include <chrono>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,6 +30,15 @@ geometry_msgs::TransformStamped transformAt(std::uint32_t seconds, double x,
   return transform;
 }
 
+/// Recorded one a second from 1000 s on.
+void add(TransformRecording& recording, const geometry_msgs::TransformStamped& transform,
+         TransformKind kind) {
+  static std::int64_t count = 0;
+  const Stamp recorded = std::chrono::seconds(1000 + ++count);
+  recording.add(
+      {transform, kind, "a.bag", recorded, {recorded, 0, static_cast<MessagePlace>(count)}, ""});
+}
+
 double xAt(TransformRecording& recording, double seconds) {
   const FrameTree tree = recording.finish();
   const Stamp time = toStamp(ros::Time(seconds));
@@ -35,16 +49,16 @@ double xAt(TransformRecording& recording, double seconds) {
 
 TEST(TransformRecording, SortsTransformsThatWereRecordedLate) {
   TransformRecording recording;
-  recording.add(transformAt(3, 30.0), TransformKind::kMoving, "a.bag");
-  recording.add(transformAt(1, 10.0), TransformKind::kMoving, "a.bag");
-  recording.add(transformAt(2, 25.0), TransformKind::kMoving, "a.bag");
+  add(recording, transformAt(3, 30.0), TransformKind::kMoving);
+  add(recording, transformAt(1, 10.0), TransformKind::kMoving);
+  add(recording, transformAt(2, 25.0), TransformKind::kMoving);
   EXPECT_DOUBLE_EQ(xAt(recording, 1.5), 17.5);
 }
 
 TEST(TransformRecording, KeepsTheFirstOfEqualStampsAndTellsOfTheOther) {
   TransformRecording recording;
-  recording.add(transformAt(1, 10.0), TransformKind::kMoving, "a.bag");
-  recording.add(transformAt(1, 99.0), TransformKind::kMoving, "a.bag");
+  add(recording, transformAt(1, 10.0), TransformKind::kMoving);
+  add(recording, transformAt(1, 99.0), TransformKind::kMoving);
   EXPECT_DOUBLE_EQ(xAt(recording, 1.0), 10.0);
   EXPECT_THAT(recording.notes(),
               ElementsAre(AllOf(HasSubstr("1 transform of map -> alpha was left out"),
@@ -53,50 +67,99 @@ TEST(TransformRecording, KeepsTheFirstOfEqualStampsAndTellsOfTheOther) {
 
 TEST(TransformRecording, SaysNothingAboutPlainRepetitions) {
   TransformRecording recording;
-  recording.add(transformAt(1, 10.0), TransformKind::kMoving, "a.bag");
-  recording.add(transformAt(1, 10.0), TransformKind::kMoving, "a.bag");
+  add(recording, transformAt(1, 10.0), TransformKind::kMoving);
+  add(recording, transformAt(1, 10.0), TransformKind::kMoving);
   static_cast<void>(recording.finish());
   EXPECT_THAT(recording.notes(), IsEmpty());
 }
 
-TEST(TransformRecording, TakesTheLastOfStaticTransforms) {
+TEST(TransformRecording, HoldsEachValueOfAStaticTransformUntilTheNext) {
   TransformRecording recording;
-  recording.add(transformAt(1, 10.0, "odom"), TransformKind::kStatic, "a.bag");
-  recording.add(transformAt(2, 20.0), TransformKind::kStatic, "a.bag");
-  EXPECT_DOUBLE_EQ(xAt(recording, 500.0), 20.0);
+  add(recording, transformAt(100, 10.0), TransformKind::kStatic);
+  add(recording, transformAt(100, 10.0), TransformKind::kStatic);
+  add(recording, transformAt(200, 20.0), TransformKind::kStatic);
+  const FrameTree tree = recording.finish();
+  const auto xAtSeconds = [&](std::int64_t seconds) {
+    return tree
+        .transform(*tree.names().find("map"), *tree.names().find("alpha"),
+                   std::chrono::seconds(seconds))
+        ->translation()
+        .x();
+  };
+  EXPECT_DOUBLE_EQ(xAtSeconds(1), 10.0) << "the first value holds before it, too";
+  EXPECT_DOUBLE_EQ(xAtSeconds(199), 10.0);
+  EXPECT_DOUBLE_EQ(xAtSeconds(200), 20.0);
+  EXPECT_DOUBLE_EQ(xAtSeconds(500), 20.0);
+  ASSERT_THAT(recording.findings(), ::testing::SizeIs(1));
+  EXPECT_THAT(recording.findings().front().message,
+              HasSubstr("the static transform 'map' -> 'alpha' changes at 200.000000000 s"));
+}
+
+TEST(TransformRecording, TakesTheRecordTimeOfAStaticTransformWithoutAStamp) {
+  TransformRecording recording;
+  const std::vector<std::pair<std::int64_t, double>> values{{100, 10.0}, {200, 20.0}, {300, 30.0}};
+  for (const auto& [seconds, x] : values) {
+    const Stamp recorded = std::chrono::seconds(seconds);
+    recording.add({transformAt(0, x),
+                   TransformKind::kStatic,
+                   "a.bag",
+                   recorded,
+                   {recorded, 0, static_cast<MessagePlace>(seconds)},
+                   ""});
+  }
+  const FrameTree tree = recording.finish();
+  const auto pose = tree.transform(*tree.names().find("map"), *tree.names().find("alpha"),
+                                   std::chrono::seconds(250));
+  EXPECT_DOUBLE_EQ(pose->translation().x(), 20.0);
+}
+
+TEST(TransformRecording, TakesRecordTimesWhereAllStampsOfAFrameAreZero) {
+  TransformRecording recording;
+  for (const std::int64_t seconds : {100, 200}) {
+    const Stamp recorded = std::chrono::seconds(seconds);
+    recording.add({transformAt(0, 0.1 * static_cast<double>(seconds)),
+                   TransformKind::kMoving,
+                   "a.bag",
+                   recorded,
+                   {recorded, 0, static_cast<MessagePlace>(seconds)},
+                   ""});
+  }
+  EXPECT_DOUBLE_EQ(xAt(recording, 150.0), 15.0);
+  ASSERT_THAT(recording.findings(), ::testing::SizeIs(1));
+  EXPECT_THAT(recording.findings().front().message, HasSubstr("have time stamps of zero"));
 }
 
 TEST(TransformRecording, DoesNotMindTheStampsOfStaticTransforms) {
   TransformRecording recording;
   auto transform = transformAt(4294967295U, 10.0);
   transform.header.stamp.nsec = 4294967295U;  // as a damaged message may have it
-  recording.add(transform, TransformKind::kStatic, "a.bag");
+  add(recording, transform, TransformKind::kStatic);
   EXPECT_DOUBLE_EQ(xAt(recording, 500.0), 10.0);
 }
 
 TEST(TransformRecording, LetsTheFirstTransformDecideWhetherAFrameIsStatic) {
   TransformRecording fixed;
-  fixed.add(transformAt(1, 10.0), TransformKind::kStatic, "a.bag");
-  fixed.add(transformAt(2, 20.0), TransformKind::kMoving, "a.bag");
+  add(fixed, transformAt(1, 10.0), TransformKind::kStatic);
+  add(fixed, transformAt(2, 20.0), TransformKind::kMoving);
   EXPECT_DOUBLE_EQ(xAt(fixed, 500.0), 20.0);
 
   TransformRecording moving;
-  moving.add(transformAt(1, 10.0), TransformKind::kMoving, "a.bag");
-  moving.add(transformAt(2, 20.0), TransformKind::kStatic, "a.bag");
+  add(moving, transformAt(1, 10.0), TransformKind::kMoving);
+  add(moving, transformAt(2, 20.0), TransformKind::kStatic);
   EXPECT_DOUBLE_EQ(xAt(moving, 1.5), 15.0);
 }
 
 TEST(TransformRecording, KeepsStampsThatAreHoursApart) {
   TransformRecording recording;
-  recording.add(transformAt(1650000000, 0.0), TransformKind::kMoving, "a.bag");
-  recording.add(transformAt(1650400000, 400.0), TransformKind::kMoving, "a.bag");
+  add(recording, transformAt(1650000000, 0.0), TransformKind::kMoving);
+  add(recording, transformAt(1650400000, 400.0), TransformKind::kMoving);
   EXPECT_DOUBLE_EQ(xAt(recording, 1650100000.0), 100.0);
 }
 
 TEST(TransformRecording, RefusesStampsThatNoRecordingHasTogether) {
   TransformRecording recording;
-  recording.add(transformAt(1, 0.0), TransformKind::kMoving, "a.bag");
-  recording.add(transformAt(4000000000, 0.0), TransformKind::kMoving, "a.bag");
+  add(recording, transformAt(1, 0.0), TransformKind::kMoving);
+  add(recording, transformAt(4000000000, 0.0), TransformKind::kMoving);
   EXPECT_THAT(messageOf([&] { static_cast<void>(recording.finish()); }),
               AllOf(HasSubstr("frame 'alpha'"), HasSubstr("from 1.000000000 s"),
                     HasSubstr("to 4000000000.000000000 s"), HasSubstr("more than ROS can hold")));
@@ -106,7 +169,7 @@ TEST(TransformRecording, DoesNotKnowFramesOfTransformsThatWereLeftOut) {
   TransformRecording recording;
   auto transform = transformAt(1, 0.0);
   transform.transform.rotation.w = 0.0;
-  recording.add(transform, TransformKind::kMoving, "a.bag");
+  add(recording, transform, TransformKind::kMoving);
   EXPECT_TRUE(recording.empty());
   EXPECT_EQ(recording.finish().names().find("alpha"), std::nullopt);
 }

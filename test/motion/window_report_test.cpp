@@ -98,6 +98,7 @@ TEST(WindowReport, TellsOfLinksThatAreNeverKnownTogether) {
 
 TEST(WindowReport, SuspectsAnotherClock) {
   const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "bravo", 1650000000000, 1650000002000);
     BagBuilder::Transform transform;
     transform.parent = "map";
     transform.child = "alpha";
@@ -110,6 +111,7 @@ TEST(WindowReport, SuspectsAnotherClock) {
   EXPECT_THAT(timelineErrors(motion, {"alpha"}).back(),
               AllOf(HasSubstr("from 12.000000000 s to 12.900000000 s"),
                     HasSubstr("outside the recording"), HasSubstr("use_sim_time")));
+  EXPECT_FALSE(motion.hasOwnClock());
 }
 
 TEST(WindowReport, NamesOptionsThatLeaveNothing) {

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include <boost/make_shared.hpp>
+
 #include <nav_msgs/OccupancyGrid.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -76,7 +78,17 @@ BagBuilder& BagBuilder::add(const Transform& transform) {
   stamped.transform.rotation.w = transform.qw;
   tf2_msgs::TFMessage message;
   message.transforms.push_back(stamped);
-  impl_->bag.write(transform.topic, toRosTime(transform.recorded), message);
+  boost::shared_ptr<ros::M_string> header;
+  if (!transform.publisher.empty()) {
+    using Traits = ros::message_traits::MD5Sum<tf2_msgs::TFMessage>;
+    header = boost::make_shared<ros::M_string>();
+    (*header)["callerid"] = transform.publisher;
+    (*header)["topic"] = transform.topic;
+    (*header)["type"] = "tf2_msgs/TFMessage";
+    (*header)["md5sum"] = Traits::value();
+    (*header)["message_definition"] = ros::message_traits::definition(message);
+  }
+  impl_->bag.write(transform.topic, toRosTime(transform.recorded), message, header);
   return *this;
 }
 

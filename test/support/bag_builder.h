@@ -46,6 +46,7 @@ class BagBuilder {
     Stamp recorded{0};
     double x = 0.0, y = 0.0, z = 0.0;
     double qx = 0.0, qy = 0.0, qz = 0.0, qw = 1.0;
+    std::string publisher = {};  ///< the node that sent it; none: the bag does not say
   };
   BagBuilder& add(const Transform& transform);
 

@@ -22,7 +22,8 @@ std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& conf
       return std::make_shared<motion::PlacementMotion>(config.global_frame);
     case motion::MotionSource::kBag:
       if (config.motion.bag_files.empty()) return nullptr;
-      return std::make_shared<motion::BagMotion>(config.motion.bag_files, config.global_frame);
+      return std::make_shared<motion::BagMotion>(config.motion.bag_files, config.global_frame,
+                                                 config.motion.stretch);
   }
   return nullptr;
 }
@@ -43,7 +44,7 @@ class MotionBuilder {
     setUpCameras();
     arrangeScenes();
     planScenes();
-    if (found().hasErrors()) reportSource();
+    reportSource();
     return std::move(setup_);
   }
 
@@ -72,8 +73,6 @@ class MotionBuilder {
   void openSource() {
     auto source = attempt([&] { return makeSource(config()); });
     if (!source) return;
-    source_notes_ = source->notes();
-    found().add(base::Severity::kWarning, source_notes_);
     setup_.frames = std::make_unique<motion::PlacedFrames>(std::move(source));
     if (config().isPlaced()) placeObjects();
     for (const scene::ObjectOptions& each : config().objects) {
@@ -97,7 +96,31 @@ class MotionBuilder {
 
   /// What was left out of the recording may be what is missing.
   void reportSource() {
-    for (const std::string& note : source_notes_) found().error("bag_file", note);
+    if (!setup_.frames) return;
+    base::Diagnostics notes;
+    setup_.frames->report(usedFrames(), notes);
+    const bool has_errors = found().hasErrors();
+    for (const base::Diagnostic& note : notes.all()) {
+      if (has_errors) found().error("bag_file", note.message());
+    }
+    found().merge(notes);
+  }
+
+  [[nodiscard]] std::vector<motion::FrameId> usedFrames() const {
+    std::vector<motion::FrameId> frames;
+    const auto add = [&](const std::string& name) {
+      if (const auto frame = setup_.frames->find(name)) frames.push_back(*frame);
+    };
+    for (const scene::ObjectOptions& object : config().objects) add(object.frame);
+    for (const scene::CameraRig& camera : setup_.cameras) {
+      if (camera.followsFrame()) add(camera.frame);
+    }
+    for (const std::vector<scene::DrivenLinks>& object : setup_.driven_links) {
+      for (const scene::DrivenLinks& variant : object) {
+        for (const scene::DrivenLink& link : variant) frames.push_back(link.frame);
+      }
+    }
+    return frames;
   }
 
   /// Frames that are placed scene by scene are known from the start.
@@ -249,12 +272,13 @@ class MotionBuilder {
     auto timeline = found().attempt([&] {
       return run::planScenes(*setup_.frames, config(), setup_.cameras, setup_.driven_links);
     });
-    if (timeline) setup_.timeline = std::move(*timeline);
+    if (!timeline) return;
+    found().merge(timeline->found);
+    setup_.timeline = std::move(*timeline);
   }
 
   WorldCache& worlds_;
   MotionSetup setup_;
-  std::vector<std::string> source_notes_;
   std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
 };
 

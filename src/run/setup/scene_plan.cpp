@@ -1,6 +1,7 @@
 #include "run/setup/scene_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -19,7 +20,10 @@ motion::TimelineOptions timelineOptions(const config::Config& config) {
   options.scenes = motion.scenes;
   options.start_offset = base::fromSeconds(motion.start_offset);
   if (motion.duration) options.duration = base::fromSeconds(*motion.duration);
-  if (motion.max_tf_gap) options.max_tf_gap = base::fromSeconds(*motion.max_tf_gap);
+  if (motion.max_tf_gap) {
+    options.max_tf_gap =
+        std::isinf(*motion.max_tf_gap) ? Duration::max() : base::fromSeconds(*motion.max_tf_gap);
+  }
   const auto& jitter = config.randomization.time_jitter;
   if (!jitter) return options;
   // By the regular time, not by the scene's number: what another frame leaves out moves no scene.
