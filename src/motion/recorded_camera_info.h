@@ -11,6 +11,7 @@ namespace synthetic_dataset::motion {
 struct RecordedCameraInfo {
   Value info;         ///< a map with the message's own names: width, height, K, D, P, ...
   std::string frame;  ///< of its optical frame, as the message's header has it
+  std::vector<std::string> notes;  ///< when later messages say something else
 };
 
 /// The first sensor_msgs/CameraInfo of a topic, of the first bag that has any.

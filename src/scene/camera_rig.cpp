@@ -1,6 +1,7 @@
 #include "scene/camera_rig.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/diagnostics.h"
 #include "base/seconds.h"
@@ -41,12 +42,14 @@ CameraModel readInfoFile(const CameraOptions& config) {
 
 /// Reads what the recording tells of a camera: its intrinsics and its frame.
 void readRecordedInfo(const CameraOptions& config, const std::vector<std::string>& bag_files,
-                      std::optional<CameraModel>& model, std::string& frame) {
+                      std::optional<CameraModel>& model, std::string& frame,
+                      std::vector<std::string>& notes) {
   const std::string parameter = config.group + "/info_topic: ";
   try {
     const motion::RecordedCameraInfo recorded =
         motion::readCameraInfo(bag_files, *config.info_topic);
     if (frame.empty()) frame = recorded.frame;
+    notes = recorded.notes;
     model = cameraModelOf(recorded.info, parameter + *config.info_topic, config.rectified,
                           config.near.value(), config.far.value());
   } catch (const ErrorList&) {
@@ -152,10 +155,11 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
   const world::CameraSensor* sensor = findSensor(config, sensors);
   std::optional<CameraModel> model;
   std::string frame = config.frame.value_or("");
+  std::vector<std::string> notes;
   if (config.info_file) {
     model = readInfoFile(config);
   } else if (config.info_topic) {
-    readRecordedInfo(config, bag_files, model, frame);
+    readRecordedInfo(config, bag_files, model, frame, notes);
   } else if (sensor != nullptr) {
     model = modelOf(*sensor, config);
   }
@@ -164,6 +168,7 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
   findPose(config, sensor, links, objects, frames, rig);
   rig.shutter = config.shutter;
   rig.effects = effectsOf(config, sensor);
+  rig.notes = std::move(notes);
   return rig;
 }
 

@@ -29,6 +29,7 @@ struct CameraRig {
   bool sampled = false;     ///< its frame is placed for each scene
   Shutter shutter = {};
   render::SensorEffects effects = {};
+  std::vector<std::string> notes = {};  ///< what the user should know of its calibration
 
   /// Whether its pose is that of its own frame, which the source of motion has.
   [[nodiscard]] bool followsFrame() const { return !X_GC && !link && !is_carried && !sampled; }

@@ -49,6 +49,26 @@ TEST_F(RecordedCameraInfoTest, TakesTheFrameWithoutItsLeadingSlash) {
   EXPECT_EQ(readCameraInfo({file}, "front/camera_info").frame, "front_optical");
 }
 
+TEST_F(RecordedCameraInfoTest, SaysWhenACalibrationChanges) {
+  EXPECT_THAT(readCameraInfo({file}, "/rear/camera_info").notes, ::testing::IsEmpty());
+  EXPECT_THAT(readCameraInfo({file}, "/front/camera_info").notes,
+              ::testing::ElementsAre("the calibration '/front/camera_info' of 160 x 120 pixels "
+                                     "changes in its numbers at 1.100000000 s; all scenes have the "
+                                     "first one"));
+}
+
+TEST_F(RecordedCameraInfoTest, SaysWhenACalibrationChangesItsSize) {
+  const std::string changing = test::BagBuilder(folder / "changing.bag")
+                                   .calibrate("/camera_info", "camera", milliseconds(1000), 140)
+                                   .resizeCamera(320, 240)
+                                   .calibrate("/camera_info", "camera", milliseconds(2000), 280)
+                                   .calibrate("/camera_info", "camera", milliseconds(3000), 280)
+                                   .close();
+  EXPECT_THAT(readCameraInfo({changing}, "/camera_info").notes,
+              ::testing::ElementsAre(HasSubstr("of 160 x 120 pixels changes to 320 x 240 pixels at "
+                                               "2.000000000 s;")));
+}
+
 TEST_F(RecordedCameraInfoTest, LooksIntoAllBags) {
   const std::string other =
       test::BagBuilder(folder / "other.bag").say("/chatter", milliseconds(1)).close();

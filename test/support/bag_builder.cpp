@@ -40,6 +40,8 @@ BagBuilder::Transform describe(const std::string& topic, const std::string& pare
 
 struct BagBuilder::Impl {
   rosbag::Bag bag;
+  std::uint32_t width = 160;  // of a camera's images [px]
+  std::uint32_t height = 120;
 };
 
 Pose poseAt(double x, double y, double z, double yaw) {
@@ -105,14 +107,20 @@ BagBuilder& BagBuilder::calibrate(const std::string& topic, const std::string& f
   sensor_msgs::CameraInfo info;
   info.header.frame_id = frame;
   info.header.stamp = toRosTime(recorded);
-  info.width = 160;
-  info.height = 120;
+  info.width = impl_->width;
+  info.height = impl_->height;
   info.distortion_model = "plumb_bob";
   info.D = distortion;
   info.K = {focal_length, 0, 79.5, 0, focal_length, 59.5, 0, 0, 1};
   info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   info.P = {focal_length, 0, 79.5, 0, 0, focal_length, 59.5, 0, 0, 0, 1, 0};
   impl_->bag.write(topic, toRosTime(recorded), info);
+  return *this;
+}
+
+BagBuilder& BagBuilder::resizeCamera(std::uint32_t width, std::uint32_t height) {
+  impl_->width = width;
+  impl_->height = height;
   return *this;
 }
 

@@ -58,6 +58,9 @@ class BagBuilder {
   BagBuilder& calibrate(const std::string& topic, const std::string& frame, Stamp recorded,
                         double focal_length, const std::vector<double>& distortion = {});
 
+  /// Calibrations from now on are of images of this size [px].
+  BagBuilder& resizeCamera(std::uint32_t width, std::uint32_t height);
+
   /// A map in cells.
   struct Map {
     std::string topic = "/map";

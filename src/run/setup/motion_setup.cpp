@@ -190,6 +190,9 @@ class MotionBuilder {
                                     config().objects, *setup_.frames);
       });
       if (!rig) continue;
+      for (const std::string& note : rig->notes) {
+        found().warning(camera.group + "/info_topic", note);
+      }
       if (rig->sampled && isTaken(rig->frame, camera)) continue;
       if (rig->sampled) rig->followed = placeSomewhere(rig->frame);
       checkShutter(camera, *rig);
