@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   }
   const auto noPackages = [](const std::string&) -> std::optional<std::string> { return {}; };
   const world::ResourceFinder finder({fuzzing::folder().string()}, noPackages);
-  // libsdformat takes a tenth of a second for any file: each input is read one way.
+  // Each input is read one way, which is twice as many inputs.
   world::LoadOptions options;
   options.on_missing_asset =
       size % 2 == 0 ? world::OnMissingAsset::kError : world::OnMissingAsset::kWarn;

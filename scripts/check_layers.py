@@ -37,7 +37,7 @@ MAY_INCLUDE = {
 
 # Folders within a room, each of which may include those before it, and what lies beside them all.
 INNER_ORDER = {
-    'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'sdf', 'urdf'),
+    'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'urdf', 'sdf'),
     'src/render': ('sensor', 'pixels', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay',
                    'edges', 'lens', 'labels', 'picture'),
     'src/output': ('files', 'manifest', 'writers', 'verify'),
@@ -49,7 +49,6 @@ CONFINED = [
     ('OpenGL', re.compile(r'GL/'), {'src/render'}),
     ('Bullet', re.compile(r'(bullet/)?(bt[A-Z]|LinearMath/|BulletCollision/|BulletDynamics/)'),
      {'src/world'}),
-    ('libsdformat', re.compile(r'sdf/'), {'src/world'}),
     ('urdfdom', re.compile(r'urdf_(model|parser|world)/'), {'src/world'}),
     ('assimp', re.compile(r'assimp/'), {'src/world'}),
     ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/base'}),

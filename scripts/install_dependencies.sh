@@ -11,7 +11,7 @@ packages=(
   librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools
   python3-geometry-msgs python3-tf2-msgs
   libopencv-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev
-  libsdformat-dev libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev
+  libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev
   libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev libssl-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev
 )

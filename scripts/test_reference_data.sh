@@ -8,6 +8,7 @@ source "$here/workspace.sh"
 SYNTHETIC_DATASET_REFERENCE=$(realpath "$1")
 export SYNTHETIC_DATASET_REFERENCE
 
-build_workspace --target test_reference_data
+build_workspace --target test_reference_data test_reference_worlds
 use_workspace
 "$workspace/devel/lib/synthetic_dataset_tests/test_reference_data"
+"$workspace/devel/lib/synthetic_dataset_tests/test_reference_worlds"

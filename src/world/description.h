@@ -128,6 +128,7 @@ struct Link {
   std::optional<std::size_t> parent;
 
   std::string moving_joint;  ///< name of the joint to the parent if it can move, else empty
+  bool has_gravity = true;   ///< false: it floats, as Gazebo's <gravity>false</gravity> says
 
   std::vector<Visual> visuals;
   std::vector<Collision> collisions;

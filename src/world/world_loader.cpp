@@ -2,8 +2,6 @@
 
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -12,12 +10,9 @@
 #include "synthetic_dataset/errors.h"
 #include "world/files/findings.h"
 #include "world/mesh/mesh_loader.h"
-#include "world/reading_ahead.h"
-#include "world/sdf/include_graph.h"
+#include "world/sdf/element.h"
 #include "world/sdf/model_config.h"
-#include "world/sdf/sdf_document.h"
-#include "world/sdf/sdf_lights.h"
-#include "world/sdf/sdf_models.h"
+#include "world/sdf/sdf_file.h"
 #include "world/sdf/sdf_reading.h"
 #include "world/sdf/sdf_worlds.h"
 #include "world/shape/shape_cache.h"
@@ -52,48 +47,28 @@ fs::path fileFor(const std::string& uri, const ResourceFinder& finder) {
   }
 }
 
-std::string contentOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-/// The pose of what stands alone in its file, which libsdformat cannot always resolve.
-Pose lonePose(const sdf::SemanticPose& pose) {
-  auto resolved = pose.RawPose();
-  const bool known = pose.Resolve(resolved).empty();
-  return toPose(known ? resolved : pose.RawPose());
-}
-
-Description describeFile(const SdfDocument& document, const Place& place, SdfReading& reading) {
-  Description description;
-  if (document.world() != nullptr) {
-    readWorld(*document.world(), place, reading, description);
-  } else if (document.model() != nullptr) {
-    const sdf::Model& model = *document.model();
-    ModelContents contents = readModel(model, lonePose(model.SemanticPose()), place, reading);
-    description.models.push_back(std::move(contents.model));
-    description.lights = std::move(contents.lights);
-    description.cameras = std::move(contents.cameras);
-  } else if (document.light() != nullptr) {
-    const sdf::Light& light = *document.light();
-    const Pose X_WL = lonePose(light.SemanticPose());
-    description.lights.push_back(readLight(light, light.Name(), X_WL, place, reading));
-  } else if (document.isSound()) {
-    reading.findings.addError(place.message("holds neither a world nor a model nor a light"));
+/// A file that cannot be parsed is all that is wrong then.
+template <class Read>
+const SdfFile& parsedFile(const Read& read) {
+  try {
+    return read();
+  } catch (const ErrorList&) {
+    throw;
+  } catch (const Error& error) {
+    throw ErrorList({error.what()});
   }
-  return description;
 }
 
-/// What the quicker way finds wrong, the other one tells in the right words.
-std::unique_ptr<SdfDocument> readDocument(const fs::path& file, const IncludeGraph& includes,
-                                          Findings& findings) {
-  const SdfCopies& copies = includes.copies();
-  if (!includes.joinedFile().empty()) {
-    Findings trial;
-    auto document = std::make_unique<SdfDocument>(file, includes.joinedFile(), copies, trial);
-    if (document->isSound()) return document;
-  }
-  return std::make_unique<SdfDocument>(file, includes.preparedFile(), copies, findings);
+Description describe(const SdfFile& file, SdfReading& reading) {
+  const Element root(&file.root(), &file);
+  const Place place(file.path.string());
+  reading.is_of_gz |= file.is_of_gz;
+  if (file.odd) reading.findings.addNote(file.path.string() + ": " + *file.odd);
+  if (const Element world = root.child("world")) return readWorld(world, reading);
+  if (root.has("model") || root.has("light") || root.has("include"))
+    return readLoneModel(root, reading);
+  reading.findings.addError(place.message("holds neither a world nor a model nor a light"));
+  return {};
 }
 
 }  // namespace
@@ -103,6 +78,7 @@ struct WorldLoader::Caches {
 
   MeshLoader meshes;
   ShapeCache shapes;
+  SdfFiles sdf_files;
 };
 
 WorldLoader::WorldLoader(const ResourceFinder& finder, const LoadOptions& options)
@@ -112,9 +88,10 @@ WorldLoader::~WorldLoader() = default;
 
 Description WorldLoader::loadWorld(const std::string& uri) {
   const fs::path file = fileFor(uri, finder_);
-  const std::string text = contentOf(file);
-  return isUrdf(text) ? loadUrdf({file.string(), file.parent_path(), text})
-                      : loadSdf(file, std::nullopt);
+  const SdfFile& parsed =
+      parsedFile([&]() -> const SdfFile& { return caches_->sdf_files.read(file); });
+  return parsed.is_urdf ? loadUrdf({file.string(), file.parent_path(), parsed.text})
+                        : loadSdf(parsed);
 }
 
 Description WorldLoader::loadUrdf(const ModelText& source) {
@@ -129,29 +106,33 @@ Description WorldLoader::loadUrdf(const ModelText& source) {
   return description;
 }
 
-Description WorldLoader::loadSdf(const fs::path& file, const std::optional<std::string>& text) {
+/// What is missing is found first, before anything large is read; then all meshes and pictures are
+/// read side by side.
+Description WorldLoader::loadSdf(const SdfFile& file) {
   Findings findings;
   findings.on_missing_asset = options_.on_missing_asset;
-  const IncludeGraph includes(file, finder_, findings, text);
-  if (!includes.isReadable()) findings.throwErrors();
-  ReadingAhead ahead(includes.meshes(), finder_, caches_->meshes);
-  const auto document = readDocument(file, includes, findings);
-  ahead.finish();
-  SdfReading reading{
-      file, finder_, caches_->meshes, caches_->shapes, findings, document->isSound()};
-  Description description = describeFile(*document, Place(file.string()), reading);
-  const Simulator told =
-      reading.is_of_gz || includes.isOfGz() ? Simulator::kGz : Simulator::kClassic;
-  description.simulator = options_.simulator.value_or(told);
+  SdfReading reading{finder_, caches_->meshes, caches_->shapes, caches_->sdf_files, findings};
+  SdfSurvey survey;
+  reading.survey = &survey;
+  static_cast<void>(describe(file, reading));
+  findings.throwErrors();
+  caches_->meshes.readAhead(survey.meshes);
+  caches_->meshes.textures().decodeAhead(survey.pictures);
+  reading.survey = nullptr;
+  Description description = describe(file, reading);
+  description.simulator =
+      options_.simulator.value_or(reading.is_of_gz ? Simulator::kGz : Simulator::kClassic);
   findings.throwErrors();
   description.notes = std::move(findings.notes);
   return description;
 }
 
 Description WorldLoader::loadText(const std::string& text, const std::string& name) {
-  if (isUrdf(text)) return loadUrdf({name, std::nullopt, text});
+  const SdfFile& parsed =
+      parsedFile([&]() -> const SdfFile& { return caches_->sdf_files.readText(name, text); });
+  if (parsed.is_urdf) return loadUrdf({name, std::nullopt, text});
   try {
-    return loadSdf(name, text);
+    return loadSdf(parsed);
   } catch (const ErrorList& errors) {
     std::vector<std::string> messages = errors.messages();
     for (std::string& message : messages) {

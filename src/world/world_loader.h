@@ -13,6 +13,8 @@
 
 namespace synthetic_dataset::world {
 
+struct SdfFile;
+
 /// Whether this is a model itself (XML) and not the URI of one.
 [[nodiscard]] bool isModelText(const std::string& text);
 
@@ -53,8 +55,7 @@ class WorldLoader {
   struct Caches;
 
   [[nodiscard]] Description loadUrdf(const ModelText& source);
-  [[nodiscard]] Description loadSdf(const std::filesystem::path& file,
-                                    const std::optional<std::string>& text);
+  [[nodiscard]] Description loadSdf(const SdfFile& file);
   [[nodiscard]] Description loadText(const std::string& text, const std::string& name);
 
   const ResourceFinder& finder_;

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "programs/gallery/model_gallery.h"
-#include "reference/golden_case.h"
+#include "reference/reference_folder.h"
 #include "run/setup/ros_packages.h"
 #include "world/files/model_folders.h"
 

@@ -40,12 +40,6 @@ std::string boxWorld(const Value::List& objects) {
 
 }  // namespace
 
-std::filesystem::path referenceFolder() {
-  const char* folder = std::getenv("SYNTHETIC_DATASET_REFERENCE");
-  if (folder == nullptr) throw std::runtime_error("SYNTHETIC_DATASET_REFERENCE is not set");
-  return folder;
-}
-
 GoldenCase::GoldenCase(const std::string& name) : folder_(referenceFolder() / "golden" / name) {
   const Value recorded = base::loadYamlFile((folder_ / "frames.json").string());
   for (const Value& frame : *entry(recorded, "frames").as<Value::List>()) {

@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "reference/reference_folder.h"
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::test {
-
-/// The folder with the reference data: the environment's SYNTHETIC_DATASET_REFERENCE.
-[[nodiscard]] std::filesystem::path referenceFolder();
 
 /// One recording, and what the original tool wrote for it.
 class GoldenCase {

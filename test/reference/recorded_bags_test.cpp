@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/bag_motion.h"
-#include "reference/golden_case.h"
+#include "reference/reference_folder.h"
 
 namespace synthetic_dataset {
 namespace recorded_bags_test {

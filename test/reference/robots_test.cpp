@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/yaml_value.h"
-#include "reference/golden_case.h"
+#include "reference/reference_folder.h"
 #include "run/generator.h"
 #include "support/temporary_folder.h"
 #include "support/writers/plugin_environment.h"

@@ -67,7 +67,7 @@ std::map<std::string, std::string> softwareVersions() {
           {"opencv", OPENCV_VERSION},
           {"isa-l", ISAL_VERSION},
           {"libdeflate", LIBDEFLATE_VERSION_STRING},
-          {"sdformat", SDFORMAT_VERSION}};
+          {"urdfdom", URDFDOM_VERSION}};
 }
 
 std::set<std::string> inputsNamedBy(const config::Config& config) {

@@ -8,7 +8,8 @@
 
 namespace synthetic_dataset::world {
 
-/// Where in which file something stands, for messages: "world.sdf: model 'shelf': link 'body'".
+/// Where in which file something stands, for messages: "world.sdf: line 12: model
+/// 'shelf': link 'body'".
 class Place {
  public:
   explicit Place(std::string file) : file_(std::move(file)) {}
@@ -35,12 +36,21 @@ class Place {
     return other;
   }
 
+  /// The same place with the line that a message names; 0 for none.
+  [[nodiscard]] Place atLine(int line) const {
+    Place other = *this;
+    other.line_ = line;
+    return other;
+  }
+
   [[nodiscard]] std::string message(const std::string& text) const {
-    return file_ + ": " + path_ + text;
+    const std::string line = line_ > 0 ? "line " + std::to_string(line_) + ": " : "";
+    return file_ + ": " + line + path_ + text;
   }
 
  private:
   std::string file_;
+  int line_ = 0;
   std::string path_;
 };
 

@@ -35,6 +35,11 @@ class MaterialScripts {
   ///     "shelf.material: line 7: ..."
   [[nodiscard]] std::optional<OgreMaterial> find(const ScriptRequest& request);
 
+  /// The URIs that lead nowhere.
+  [[nodiscard]] std::vector<std::string> missingUris(const ScriptRequest& request) const {
+    return placesOf(request).missing;
+  }
+
   /// Where `find` looks, for messages: "looked in a, b".
   [[nodiscard]] std::string searchedPlaces(const ScriptRequest& request) const;
 

@@ -16,13 +16,13 @@ namespace {
 
 using Names = std::map<std::string, std::string>;  // alias to picture
 
-enum class Blending { kNone, kAlpha, kOther };
+enum class Blending { kNothing, kAlpha, kOther };
 
 Blending blendingOf(const OgreObject& pass) {
   const std::string first = wordOf(pass, "scene_blend");
   const std::string second = wordOf(pass, "scene_blend", 1);
   if (first.empty() || first == "replace" || (first == "one" && second == "zero")) {
-    return Blending::kNone;
+    return Blending::kNothing;
   }
   const bool alpha = first == "alpha_blend" || first == "src_alpha" || first == "colour_blend";
   return alpha ? Blending::kAlpha : Blending::kOther;
@@ -40,7 +40,7 @@ const OgreObject* techniqueOf(const OgreObject& material) {
 /// Lines over a surface, and what is blended with it, do not say what it looks like.
 const OgreObject& basePassOf(const std::vector<const OgreObject*>& passes) {
   for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
-    if (blendingOf(**pass) == Blending::kNone && wordOf(**pass, "polygon_mode") != "wireframe") {
+    if (blendingOf(**pass) == Blending::kNothing && wordOf(**pass, "polygon_mode") != "wireframe") {
       return **pass;
     }
   }

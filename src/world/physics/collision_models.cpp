@@ -83,6 +83,18 @@ Pose principalFrame(const Model& model, const MassProperties& mass) {
   return X_MB;
 }
 
+/// The links of a model move as one, so those without gravity make it lighter.
+double gravityShare(const Model& model) {
+  double all = 0.0;
+  double heavy = 0.0;
+  for (const Link& link : model.links) {
+    const double mass = massOf(link).mass;
+    all += mass;
+    if (link.has_gravity) heavy += mass;
+  }
+  return all > 0.0 ? heavy / all : 1.0;
+}
+
 void requireSound(const Model& model, const PropModel& prop) {
   const bool sound = std::isfinite(prop.mass) && prop.mass > 0.0 && prop.moments_B.allFinite() &&
                      prop.moments_B.minCoeff() > 0.0 && prop.X_MB.matrix().allFinite();
@@ -152,6 +164,7 @@ PropModel makeProp(const Model& model) {
   prop.X_MB = principalFrame(model, mass);
   prop.moments_B =
       (prop.X_MB.linear().transpose() * mass.moments_F * prop.X_MB.linear()).diagonal();
+  prop.gravity_share = gravityShare(model);
   prop.collisions = movingCollisions(model, prop.X_MB);
   requireSound(model, prop);
   return prop;

@@ -57,6 +57,7 @@ struct PropModel {
   Pose X_MB = Pose::Identity();
   double mass = 0.0;                                    ///< [kg]
   Eigen::Vector3d moments_B = Eigen::Vector3d::Zero();  ///< [kg m^2]
+  double gravity_share = 1.0;                           ///< of its mass that has weight
   MovingCollisions collisions;
 };
 

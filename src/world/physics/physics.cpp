@@ -135,6 +135,9 @@ void Physics::Impl::addProp(const StartingProp& given) {
   info.m_angularSleepingThreshold = btScalar(kSleepSpin);
   Prop prop;
   prop.body = &bullet.add(info, model.collisions.surfaces);
+  if (model.gravity_share != 1.0) {
+    prop.body->setGravity(prop.body->getGravity() * static_cast<btScalar>(model.gravity_share));
+  }
   const auto swept = static_cast<btScalar>(kSweptShare * smallestHalfSize(*shape));
   prop.body->setCcdMotionThreshold(swept);
   prop.body->setCcdSweptSphereRadius(swept);

@@ -1,15 +1,13 @@
 #include "world/sdf/model_config.h"
 
-#include <cstddef>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <vector>
 
-#include <sdf/sdf_config.h>
 #include <tinyxml2.h>
 
 #include "synthetic_dataset/errors.h"
+#include "world/sdf/sdf_version.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -48,31 +46,13 @@ std::vector<Listed> listedIn(const fs::path& config) {
 
 /// Whether `a` is to be preferred to `b`.
 bool isBetter(const Listed& a, const Listed& b) {
-  const bool a_known = a.version <= newestSdfVersion();
-  const bool b_known = b.version <= newestSdfVersion();
+  const bool a_known = a.version <= kNewestSdfVersion;
+  const bool b_known = b.version <= kNewestSdfVersion;
   if (a_known != b_known) return a_known;
   return a_known ? a.version > b.version : a.version < b.version;
 }
 
 }  // namespace
-
-bool isSdfVersion(const std::string& text) {
-  const std::size_t point = text.find('.');
-  const auto isNumber = [](const std::string& digits) {
-    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos;
-  };
-  return isNumber(text.substr(0, point)) &&
-         (point == std::string::npos || isNumber(text.substr(point + 1)));
-}
-
-SdfVersion parseSdfVersion(const char* text) {
-  if (text == nullptr) return {0, 0};
-  char* end = nullptr;
-  const long major = std::strtol(text, &end, 10);
-  return {major, *end == '.' ? std::strtol(end + 1, nullptr, 10) : 0};
-}
-
-SdfVersion newestSdfVersion() { return parseSdfVersion(SDF_VERSION); }
 
 fs::path modelFileOf(const fs::path& folder) {
   const fs::path config = configOf(folder);

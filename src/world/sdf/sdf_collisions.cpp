@@ -5,6 +5,8 @@
 
 #include "synthetic_dataset/errors.h"
 #include "world/sdf/sdf_geometry.h"
+#include "world/sdf/sdf_values.h"
+#include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -31,51 +33,55 @@ struct ShapeMaker {
   Shape operator()(const WallMap& map) const { return MeshShape{wallMesh(map)}; }
 };
 
-double atLeastZero(double value, const char* name, const Place& place, SdfReading& reading) {
-  if (std::isfinite(value) && value >= 0.0) return value;
-  reading.findings.addError(place.message(std::string(name) + ": found " + std::to_string(value) +
-                                          "; it has to be 0 or more"));
-  return 0.0;
+/// Gazebo, too, takes a friction below 0 for none given.
+double atLeastZero(double value, double fallback, const char* name, const Place& place,
+                   SdfReading& reading) {
+  if (value >= 0.0) return value;
+  reading.findings.addNote(place.message(std::string(name) + ": found " + shortText(value) +
+                                         "; it has to be 0 or more; " + takenInstead(fallback)));
+  return fallback;
 }
 
-void readSurface(const sdf::ElementPtr& element, const Place& place, SdfReading& reading,
-                 Collision& to) {
-  const sdf::ElementPtr surface = descendant(element, {"surface"});
-  const double mu = number(surface, {"friction", "ode", "mu"}, to.friction);
-  to.friction = atLeastZero(mu, "friction mu", place, reading);
-  const double bounce = number(surface, {"bounce", "restitution_coefficient"}, to.restitution);
-  to.restitution = std::min(1.0, atLeastZero(bounce, "restitution_coefficient", place, reading));
+void readSurface(const Element& collision, const Place& place, SdfReading& reading, Collision& to) {
+  const Element surface = collision.child("surface");
+  const Element ode = surface.child("friction").child("ode");
+  to.friction = atLeastZero(readNumber(ode, "mu", to.friction, place, reading), to.friction,
+                            "friction mu", place, reading);
+  const double bounce = readNumber(surface.child("bounce"), "restitution_coefficient",
+                                   to.restitution, place, reading);
+  to.restitution =
+      std::min(1.0, atLeastZero(bounce, to.restitution, "restitution_coefficient", place, reading));
 }
 
 }  // namespace
 
-std::optional<Collision> readCollision(const sdf::Collision& collision, const Place& place,
-                                       SdfReading& reading) {
-  const Place here = place.in("collision", collision.Name());
+std::optional<Collision> readCollision(const Element& collision, const Eigen::Vector3d& scale,
+                                       const Place& place, SdfReading& reading) {
   Collision result;
-  result.name = collision.Name();
-  result.X_LC = resolve(collision.SemanticPose(), here, reading);
-  readSurface(collision.Element(), here, reading, result);
-  if (collision.Geom() == nullptr) return std::nullopt;
-  const std::optional<Geometry> geometry = readGeometry(*collision.Geom(), here, reading);
+  result.name = collision.attribute("name");
+  readSurface(collision, place, reading, result);
+  const std::optional<Geometry> geometry = readGeometry(collision, scale, place, reading);
   if (!geometry) return std::nullopt;
+  if (reading.survey != nullptr) {
+    const auto* mesh = std::get_if<MeshRequest>(&*geometry);
+    if (mesh != nullptr) reading.survey->meshes.push_back({mesh->file, false});
+    return std::nullopt;
+  }
   try {
     result.shape = std::visit(ShapeMaker{reading}, *geometry);
   } catch (const Error& error) {
-    reading.missing(here.message(error.what()));
+    reading.missing(place.message(error.what()));
     return std::nullopt;
   }
   return result;
 }
 
-void noteHulls(const sdf::Link& link, const Place& place, SdfReading& reading) {
-  for (std::size_t i = 0; i < link.CollisionCount(); ++i) {
-    const sdf::Collision& collision = *link.CollisionByIndex(i);
-    const sdf::ElementPtr geometry = descendant(collision.Element(), {"geometry"});
+void noteHulls(const Element& link, const Place& place, SdfReading& reading) {
+  for (const Element& collision : link.children("collision")) {
     for (const char* kind : {"polyline", "heightmap", "image"}) {
-      if (!has(geometry, kind)) continue;
+      if (!collision.child("geometry").has(kind)) continue;
       reading.findings.addNote(
-          place.in("collision", collision.Name())
+          placeOf(collision, place)
               .message(std::string("a ") + kind + "; while it moves, its convex hull collides"));
     }
   }

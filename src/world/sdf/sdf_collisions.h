@@ -2,19 +2,19 @@
 
 #include <optional>
 
-#include <sdf/Collision.hh>
-#include <sdf/Link.hh>
-
 #include "world/sdf/sdf_reading.h"
 
 namespace synthetic_dataset::world {
 
-/// @param place  the link's
-/// @return nothing where there is nothing to collide with
-[[nodiscard]] std::optional<Collision> readCollision(const sdf::Collision& collision,
+/// @param collision  its pose is read by the caller, who knows the frames
+/// @param scale  how much larger than the file says, by axis
+/// @param place  the collision's
+/// @return nothing where there is nothing to collide with, and in a survey
+[[nodiscard]] std::optional<Collision> readCollision(const Element& collision,
+                                                     const Eigen::Vector3d& scale,
                                                      const Place& place, SdfReading& reading);
 
-/// Notes which collisions of a model that moves are simplified to their convex hulls.
-void noteHulls(const sdf::Link& link, const Place& place, SdfReading& reading);
+/// Notes each collision of a moving link whose shape the simulation makes convex.
+void noteHulls(const Element& link, const Place& place, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

@@ -1,135 +1,145 @@
 #include "world/sdf/sdf_geometry.h"
 
-#include <sstream>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include <sdf/sdf_config.h>
-#include <sdf/Box.hh>
-#include <sdf/Cylinder.hh>
-#include <sdf/Mesh.hh>
-#include <sdf/Plane.hh>
-#include <sdf/Sphere.hh>
-#if SDF_MAJOR_VERSION >= 11
-#include <sdf/Capsule.hh>
-#include <sdf/Ellipsoid.hh>
-#endif
-
-#include "world/sdf/sdf_element_geometry.h"
+#include "synthetic_dataset/errors.h"
+#include "world/sdf/sdf_picture_geometry.h"
+#include "world/sdf/sdf_values.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
-/// Reads one geometry; notes what is wrong with it.
+/// Reads one geometry. What is wrong with it is thrown as an Error, and costs its owner alone.
 class GeometryReader {
  public:
-  GeometryReader(const sdf::Geometry& geometry, const Place& place, SdfReading& reading)
-      : geometry_(geometry), place_(place), reading_(reading) {}
+  GeometryReader(const Element& geometry, const Eigen::Vector3d& scale, const Place& place,
+                 SdfReading& reading)
+      : geometry_(geometry), scale_(scale), place_(place), reading_(reading) {}
 
   std::optional<Geometry> read() {
-    const std::size_t errors_before = reading_.findings.errors.size();
-    std::optional<Geometry> result = readKind();
-    if (reading_.findings.errors.size() != errors_before) return std::nullopt;
-    return result;
+    if (const Element box = geometry_.child("box")) return readBox(box);
+    if (const Element sphere = geometry_.child("sphere")) return readSphere(sphere);
+    if (const Element cylinder = geometry_.child("cylinder")) return readCylinder(cylinder);
+    if (const Element capsule = geometry_.child("capsule")) return readCapsule(capsule);
+    if (const Element ellipsoid = geometry_.child("ellipsoid")) return readEllipsoid(ellipsoid);
+    if (const Element plane = geometry_.child("plane")) return readPlane(plane);
+    if (const Element mesh = geometry_.child("mesh")) return readMesh(mesh);
+    if (geometry_.has("polyline")) return readPolylines(geometry_, scale_, place_, reading_);
+    if (const Element map = geometry_.child("heightmap")) {
+      return readHeightmap(map, scale_, place_, reading_);
+    }
+    if (const Element image = geometry_.child("image")) return readWallMap(image, place_, reading_);
+    noteUnknown();
+    return std::nullopt;
   }
 
  private:
-  std::optional<Geometry> readKind() {
-    switch (geometry_.Type()) {
-      case sdf::GeometryType::BOX:
-        return BoxShape{sizes("box size", toEigen(geometry_.BoxShape()->Size()))};
-      case sdf::GeometryType::SPHERE:
-        return SphereShape{size("sphere radius", geometry_.SphereShape()->Radius())};
-      case sdf::GeometryType::CYLINDER:
-        return CylinderShape{size("cylinder radius", geometry_.CylinderShape()->Radius()),
-                             size("cylinder length", geometry_.CylinderShape()->Length())};
-      case sdf::GeometryType::PLANE:
-        return readPlane(*geometry_.PlaneShape());
-      case sdf::GeometryType::MESH:
-        return readMesh(*geometry_.MeshShape());
-#if SDF_MAJOR_VERSION >= 11
-      case sdf::GeometryType::CAPSULE:
-        return Capsule{size("capsule radius", geometry_.CapsuleShape()->Radius()),
-                       size("capsule length", geometry_.CapsuleShape()->Length())};
-      case sdf::GeometryType::ELLIPSOID:
-        return Ellipsoid{sizes("ellipsoid radii", toEigen(geometry_.EllipsoidShape()->Radii()))};
-#endif
-      default:
-        return readElement();
-    }
+  double number(const Element& element, const char* name, double fallback) {
+    return readNumber(element, name, fallback, place_, reading_);
   }
 
-  double size(const std::string& name, double value) {
-    return readSize(name, value, place_, reading_);
+  Eigen::Vector3d scaled(const std::string& name, const Eigen::Vector3d& sizes) {
+    const Eigen::Vector3d result = sizes.cwiseProduct(scale_);
+    return {requireSize(name, result.x()), requireSize(name, result.y()),
+            requireSize(name, result.z())};
   }
 
-  Eigen::Vector3d sizes(const std::string& name, const Eigen::Vector3d& values) {
-    return {size(name, values.x()), size(name, values.y()), size(name, values.z())};
+  /// What is round takes the larger of two scales, as in Gazebo.
+  double scaledRadius(const std::string& name, double radius) {
+    return requireSize(name, radius * std::max(scale_.x(), scale_.y()));
   }
 
-  std::optional<Geometry> readPlane(const sdf::Plane& plane) {
-    const Eigen::Vector3d normal = toEigen(plane.Normal());
-    size("length of the plane's normal", normal.norm());
+  double scaledLength(const std::string& name, double length) {
+    return requireSize(name, length * scale_.z());
+  }
+
+  Geometry readBox(const Element& box) {
+    return BoxShape{scaled("box size", readVector(box, "size", {1, 1, 1}, place_, reading_))};
+  }
+
+  Geometry readSphere(const Element& sphere) {
+    return SphereShape{
+        requireSize("sphere radius", number(sphere, "radius", 1.0) * scale_.maxCoeff())};
+  }
+
+  Geometry readCylinder(const Element& cylinder) {
+    return CylinderShape{scaledRadius("cylinder radius", number(cylinder, "radius", 1.0)),
+                         scaledLength("cylinder length", number(cylinder, "length", 1.0))};
+  }
+
+  Geometry readCapsule(const Element& capsule) {
+    return Capsule{scaledRadius("capsule radius", number(capsule, "radius", 0.5)),
+                   scaledLength("capsule length", number(capsule, "length", 1.0))};
+  }
+
+  Geometry readEllipsoid(const Element& ellipsoid) {
+    return Ellipsoid{
+        scaled("ellipsoid radii", readVector(ellipsoid, "radii", {1, 1, 1}, place_, reading_))};
+  }
+
+  Geometry readPlane(const Element& plane) {
+    const Eigen::Vector3d normal = readVector(plane, "normal", {0, 0, 1}, place_, reading_);
+    requireSize("length of the plane's normal", normal.norm());
+    std::vector<double> size = numbersIn(plane.value("size").value_or("1 1"));
+    if (size.size() != 2) throw Error("plane size: two numbers are needed");
     return PlanePatch{normal.normalized(),
-                      {planeSize(plane.Size().X()), planeSize(plane.Size().Y())}};
+                      {planeSize(size[0] * scale_.x()), planeSize(size[1] * scale_.y())}};
   }
 
   /// Planes as good as endless are drawn as far as anybody sees.
   double planeSize(double value) {
     constexpr double kEndless = 1e5;  // [m]
-    if (std::isfinite(value) && value > kEndless) {
-      reading_.findings.addNote(place_.message("its plane is drawn 100 km wide"));
-      return kEndless;
-    }
-    return size("plane size", value);
+    if (!std::isfinite(value) || value <= kEndless) return requireSize("plane size", value);
+    reading_.findings.addNote(place_.message("its plane is drawn 100 km wide"));
+    return kEndless;
   }
 
-  std::optional<Geometry> readMesh(const sdf::Mesh& mesh) {
+  std::optional<Geometry> readMesh(const Element& mesh) {
     MeshRequest request;
-    request.scale = toEigen(mesh.Scale());
-    request.submesh = mesh.Submesh();
-    request.centre_submesh = mesh.CenterSubmesh();
+    const Eigen::Vector3d scale = readVector(mesh, "scale", {1, 1, 1}, place_, reading_);
+    request.scale = scale.cwiseProduct(scale_);
+    request.submesh = readText(mesh.child("submesh"), "name");
+    request.centre_submesh = readBool(mesh.child("submesh"), "center", false, place_, reading_);
     constexpr double kLargestScale = 1e6;
-    if (!request.scale.allFinite() || request.scale.prod() == 0.0 ||
-        request.scale.cwiseAbs().maxCoeff() > kLargestScale) {
-      std::ostringstream found;
-      found << std::fixed << request.scale.transpose();
-      reading_.findings.addError(place_.message("mesh scale: found " + found.str() +
-                                                "; none of the three may be 0 or beyond 1e6"));
-      return std::nullopt;
+    if (request.scale.prod() == 0.0 || request.scale.cwiseAbs().maxCoeff() > kLargestScale) {
+      throw Error("mesh scale: found " + shortText(request.scale.x()) + " " +
+                  shortText(request.scale.y()) + " " + shortText(request.scale.z()) +
+                  "; none of the three may be 0 or beyond 1e6");
     }
-    const auto file = readFile("mesh", mesh.Uri(), mesh.Element(), place_, reading_);
+    // SDF 1.0 says `filename`.
+    const char* name = mesh.value("uri") ? "uri" : "filename";
+    const auto file = findFile("mesh", readText(mesh, name), mesh, place_, reading_);
     if (!file) return std::nullopt;
     request.file = *file;
     return request;
   }
 
-  std::optional<Geometry> readElement() {
-    const sdf::ElementPtr element = geometry_.Element();
-    if (has(element, "polyline")) return readPolylines(element, place_, reading_);
-    if (has(element, "heightmap")) {
-      return readHeightmap(element->GetElement("heightmap"), place_, reading_);
-    }
-    if (has(element, "image")) {
-      return readWallMap(element->GetElement("image"), place_, reading_);
-    }
-    const sdf::ElementPtr kind = element ? element->GetFirstElement() : nullptr;
-    if (kind && kind->GetName() != "empty") {
-      reading_.findings.addNote(
-          place_.message("its geometry, a '" + kind->GetName() + "', is left out"));
-    }
-    return std::nullopt;
+  void noteUnknown() {
+    const Element kind = geometry_.firstChild();
+    if (!kind || kind.name() == "empty") return;
+    reading_.findings.addNote(place_.message("its geometry, a '" + kind.name() + "', is left out"));
   }
 
-  const sdf::Geometry& geometry_;
+  const Element& geometry_;
+  const Eigen::Vector3d& scale_;
   const Place& place_;
   SdfReading& reading_;
 };
 
 }  // namespace
 
-std::optional<Geometry> readGeometry(const sdf::Geometry& geometry, const Place& place,
-                                     SdfReading& reading) {
-  return GeometryReader(geometry, place, reading).read();
+std::optional<Geometry> readGeometry(const Element& owner, const Eigen::Vector3d& scale,
+                                     const Place& place, SdfReading& reading) {
+  const Element geometry = owner.child("geometry");
+  if (!geometry) return std::nullopt;
+  try {
+    return GeometryReader(geometry, scale, place, reading).read();
+  } catch (const Error& error) {
+    reading.findings.addNote(place.message(std::string(error.what()) + "; it is left out"));
+    return std::nullopt;
+  }
 }
 
 }  // namespace synthetic_dataset::world

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <memory>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
 
 #include <Eigen/Core>
-
-#include <sdf/Geometry.hh>
 
 #include "world/sdf/sdf_reading.h"
 #include "world/shape/extrusion.h"
@@ -35,9 +33,13 @@ struct Ellipsoid {
 using Geometry = std::variant<BoxShape, SphereShape, CylinderShape, PlanePatch, Capsule, Ellipsoid,
                               MeshRequest, Extrusion, Heightmap, WallMap>;
 
-/// @return nothing for an error (reported), for a kind that is left out (noted), and for none at
-/// all
-[[nodiscard]] std::optional<Geometry> readGeometry(const sdf::Geometry& geometry,
-                                                   const Place& place, SdfReading& reading);
+/// @param owner  of the `<geometry>`
+/// @param scale  how much larger than the file says, by axis: of a saved world's `<state>`
+/// @param place  the owner's
+/// @return nothing for one that cannot be understood, for a kind that is left out (both noted),
+///     for one whose file is missing (reported), and for none at all
+[[nodiscard]] std::optional<Geometry> readGeometry(const Element& owner,
+                                                   const Eigen::Vector3d& scale, const Place& place,
+                                                   SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

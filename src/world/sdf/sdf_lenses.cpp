@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+#include <vector>
 
 #include <Eigen/Dense>
 
-#include "world/sdf/sdf_reading.h"
+#include "world/sdf/sdf_values.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -32,27 +32,31 @@ struct Mapping {
   [[nodiscard]] double radius(double angle) const { return c2 * apply(angle / c2); }
 };
 
-Mapping customMapping(const sdf::ElementPtr& lens) {
+Mapping customMapping(const Element& lens, const Place& place, SdfReading& reading) {
+  const Element element = lens.child("custom_function");
+  const auto number = [&](const char* name, double fallback) {
+    return readNumber(element, name, fallback, place, reading);
+  };
   Mapping mapping;
-  mapping.c1 = number(lens, {"custom_function", "c1"}, 1.0);
-  mapping.c2 = number(lens, {"custom_function", "c2"}, 1.0);
-  mapping.c3 = number(lens, {"custom_function", "c3"}, 0.0);
-  mapping.f = number(lens, {"custom_function", "f"}, 1.0);
-  const sdf::ElementPtr fun = descendant(lens, {"custom_function", "fun"});
-  if (fun) mapping.fun = fun->Get<std::string>();
+  mapping.c1 = number("c1", 1.0);
+  mapping.c2 = number("c2", 1.0);
+  mapping.c3 = number("c3", 0.0);
+  mapping.f = number("f", 1.0);
+  const std::string fun = readText(element, "fun");
+  if (!fun.empty()) mapping.fun = fun;
   return mapping;
 }
 
 /// https://en.wikipedia.org/wiki/Fisheye_lens#Mapping_function
-Mapping mappingOf(const sdf::ElementPtr& lens) {
-  const sdf::ElementPtr element = descendant(lens, {"type"});
-  const std::string type = element ? element->Get<std::string>() : "stereographic";
+Mapping mappingOf(const Element& lens, const Place& place, SdfReading& reading) {
+  const std::string named = readText(lens, "type");
+  const std::string type = named.empty() ? "stereographic" : named;
   if (type == "gnomonical") return {1.0, 1.0, 0.0, 1.0, "tan"};
   if (type == "stereographic") return {2.0, 2.0, 0.0, 1.0, "tan"};
   if (type == "equidistant") return {1.0, 1.0, 0.0, 1.0, "id"};
   if (type == "equisolid_angle") return {2.0, 2.0, 0.0, 1.0, "sin"};
   if (type == "orthographic") return {1.0, 1.0, 0.0, 1.0, "sin"};
-  if (type == "custom") return customMapping(lens);
+  if (type == "custom") return customMapping(lens, place, reading);
   throw Error("lens/type: found '" + type +
               "'; it should be gnomonical, stereographic, equidistant, equisolid_angle, "
               "orthographic or custom");
@@ -73,9 +77,8 @@ void checkMapping(const Mapping& mapping) {
 }
 
 /// The radius in half widths that one unit of c1 fun() makes.
-double scaleOf(const Mapping& mapping, const sdf::ElementPtr& lens, double field_of_view) {
-  const sdf::ElementPtr scaled = descendant(lens, {"scale_to_hfov"});
-  if (scaled && !scaled->Get<bool>()) return mapping.f;
+double scaleOf(const Mapping& mapping, bool is_scaled, double field_of_view) {
+  if (!is_scaled) return mapping.f;
   const double half = 0.5 * field_of_view;
   if (!(half > 0.0 && (half < mapping.end() || (mapping.fun != "tan" && half <= mapping.end())))) {
     throw Error("horizontal_fov: found " + std::to_string(field_of_view) +
@@ -135,37 +138,35 @@ Distortion distortionOf(const Mapping& mapping, double cutoff, double focal_leng
 
 }  // namespace
 
-Distortion brownDistortion(const sdf::ElementPtr& camera) {
-  const sdf::ElementPtr element = descendant(camera, {"distortion"});
+Distortion brownDistortion(const Element& camera, const Place& place, SdfReading& reading) {
+  const Element element = camera.child("distortion");
   if (!element) return {};
-  const auto k = [&](const char* name) { return number(element, {name}, 0.0); };
+  const auto k = [&](const char* name) { return readNumber(element, name, 0.0, place, reading); };
   Distortion distortion;
   distortion.coefficients = {k("k1"), k("k2"), k("p1"), k("p2"), k("k3")};
   const auto& c = distortion.coefficients;
   if (std::all_of(c.begin(), c.end(), [](double number) { return number == 0.0; })) return {};
-  if (has(element, "center")) {
-    const std::string centre = element->GetElement("center")->GetValue()->GetAsString();
-    double u = 0.5;
-    double v = 0.5;
-    if (std::sscanf(centre.c_str(), "%lf %lf", &u, &v) != 2 || u != 0.5 || v != 0.5) {
-      throw UnsupportedLens("distortion/center: found '" + centre +
-                            "'; only distortion about the middle, 0.5 0.5, is drawn");
-    }
+  const std::string centre = readText(element, "center");
+  if (!centre.empty() && numbersIn(centre) != std::vector<double>{0.5, 0.5}) {
+    throw UnsupportedLens("distortion/center: found '" + centre +
+                          "'; only distortion about the middle, 0.5 0.5, is drawn");
   }
   distortion.model = DistortionModel::kPlumbBob;
   return distortion;
 }
 
-Lens wideAngleLens(const sdf::Camera& camera) {
+Lens wideAngleLens(const CameraImage& image, const Element& camera, const Place& place,
+                   SdfReading& reading) {
   constexpr double kDefaultCutoff = 1.5707;  // SDF's
-  const sdf::ElementPtr lens = descendant(camera.Element(), {"lens"});
-  const Mapping mapping = mappingOf(lens);
+  const Element lens = camera.child("lens");
+  const Mapping mapping = mappingOf(lens, place, reading);
   checkMapping(mapping);
-  const double width = camera.ImageWidth();
-  const double height = camera.ImageHeight();
-  const double scale = scaleOf(mapping, lens, camera.HorizontalFov().Radian());
+  const double width = image.width;
+  const double height = image.height;
+  const bool is_scaled = readBool(lens, "scale_to_hfov", true, place, reading);
+  const double scale = scaleOf(mapping, is_scaled, image.field_of_view);
   const double focal_length = 0.5 * width * mapping.c1 * scale / mapping.c2;
-  const double cutoff = number(lens, {"cutoff_angle"}, kDefaultCutoff);
+  const double cutoff = readNumber(lens, "cutoff_angle", kDefaultCutoff, place, reading);
   return {{focal_length, focal_length, 0.5 * (width - 1.0), 0.5 * (height - 1.0)},
           distortionOf(mapping, cutoff, focal_length, 0.5 * std::hypot(width, height))};
 }

@@ -1,72 +1,79 @@
 #include "world/sdf/sdf_lights.h"
 
+#include "world/sdf/sdf_values.h"
+
 namespace synthetic_dataset::world {
 namespace {
 
-LightType typeOf(const sdf::Light& light) {
-  switch (light.Type()) {
-    case sdf::LightType::POINT:
-      return LightType::kPoint;
-    case sdf::LightType::SPOT:
-      return LightType::kSpot;
-    default:
-      return LightType::kDirectional;
+LightType readType(const Element& light, const Place& place, SdfReading& reading) {
+  const std::string type = light.attribute("type");
+  if (type == "directional") return LightType::kDirectional;
+  if (type == "spot") return LightType::kSpot;
+  if (type != "point" && !type.empty()) {
+    reading.findings.addNote(place.message(
+        "type: found '" + type + "'; it should be directional, point or spot; point is taken"));
+  }
+  return LightType::kPoint;
+}
+
+float intensityOf(const Element& light, const Place& place, SdfReading& reading) {
+  if (!readBool(light, "light_on", true, place, reading)) return 0.0F;
+  return static_cast<float>(readNumber(light, "intensity", 1.0, place, reading));
+}
+
+/// Without <attenuation> Gazebo does not weaken the light.
+void readAttenuation(const Element& light, const Place& place, SdfReading& reading, Light& to) {
+  const Element attenuation = light.child("attenuation");
+  if (!attenuation) return;
+  const auto number = [&](const char* name, double fallback) {
+    return readNumber(attenuation, name, fallback, place, reading);
+  };
+  to.attenuation_constant = number("constant", 1.0);
+  to.attenuation_linear = number("linear", 1.0);
+  to.attenuation_quadratic = number("quadratic", 0.0);
+  const double range = number("range", 10.0);
+  if (range > 0.0) {
+    to.range = range;
+  } else if (to.type != LightType::kDirectional) {
+    reading.findings.addNote(place.message("attenuation range: found " + shortText(range) +
+                                           "; it has to be above 0 m; " + takenInstead(to.range)));
   }
 }
 
-float intensityOf(const sdf::Light& light) {
-  const sdf::ElementPtr on = descendant(light.Element(), {"light_on"});
-  if (on && !on->Get<bool>()) return 0.0F;
-  return static_cast<float>(number(light.Element(), {"intensity"}, 1.0));
-}
-
-bool isFinite(const Light& light) {
-  return light.direction_L.allFinite() && light.diffuse.allFinite() && light.specular.allFinite() &&
-         std::isfinite(light.range) && std::isfinite(light.attenuation_constant) &&
-         std::isfinite(light.attenuation_linear) && std::isfinite(light.attenuation_quadratic) &&
-         std::isfinite(light.spot_inner_angle) && std::isfinite(light.spot_outer_angle) &&
-         std::isfinite(light.spot_falloff);
-}
-
-void check(const Light& light, const Place& place, SdfReading& reading) {
-  if (!isFinite(light)) {
-    reading.findings.addError(place.message("has a number that is not finite"));
-  }
-  if (light.type != LightType::kPoint && light.direction_L.norm() == 0.0) {
-    reading.findings.addError(place.message("direction: found 0 0 0; it has to point somewhere"));
-  }
-  if (light.type != LightType::kDirectional && !(light.range > 0.0)) {
-    reading.findings.addError(place.message(
-        "attenuation range: found " + std::to_string(light.range) + "; it has to be above 0 m"));
+void readDirection(const Element& light, const Place& place, SdfReading& reading, Light& to) {
+  const Eigen::Vector3d direction = readVector(light, "direction", {0, 0, -1}, place, reading);
+  if (direction.norm() > 0.0) {
+    to.direction_L = direction;
+  } else if (to.type != LightType::kPoint) {
+    reading.findings.addNote(
+        place.message("direction: found 0 0 0; it has to point somewhere; 0 0 -1 is taken"));
   }
 }
 
 }  // namespace
 
-Light readLight(const sdf::Light& light, const std::string& name, const Pose& X_WL,
-                const Place& place, SdfReading& reading) {
-  const Place here = place.in("light", light.Name());
+Light readLight(const Element& light, const std::string& name, const Pose& X_WL, const Place& place,
+                SdfReading& reading) {
   Light result;
   result.name = name;
-  result.type = typeOf(light);
+  result.type = readType(light, place, reading);
   result.X_WL = X_WL;
-  result.direction_L = toEigen(light.Direction());
-  result.diffuse = toColour(light.Diffuse()).head<3>() * intensityOf(light);
-  result.specular = toColour(light.Specular()).head<3>() * intensityOf(light);
-  result.casts_shadow = light.CastShadows();
-  // Without <attenuation> Gazebo does not weaken the light.
-  if (has(light.Element(), "attenuation")) {
-    result.range = light.AttenuationRange();
-    result.attenuation_constant = light.ConstantAttenuationFactor();
-    result.attenuation_linear = light.LinearAttenuationFactor();
-    result.attenuation_quadratic = light.QuadraticAttenuationFactor();
-  }
+  readDirection(light, place, reading, result);
+  const float intensity = intensityOf(light, place, reading);
+  const auto colour = [&](const char* element, const Eigen::Vector3f& fallback) {
+    const auto found = readColour(light, element, place, reading);
+    return Eigen::Vector3f(intensity * (found ? found->head<3>() : fallback));
+  };
+  result.diffuse = colour("diffuse", result.diffuse);
+  result.specular = colour("specular", result.specular);
+  result.casts_shadow = readBool(light, "cast_shadows", false, place, reading);
+  readAttenuation(light, place, reading, result);
   if (result.type == LightType::kSpot) {
-    result.spot_inner_angle = light.SpotInnerAngle().Radian();
-    result.spot_outer_angle = light.SpotOuterAngle().Radian();
-    result.spot_falloff = light.SpotFalloff();
+    const Element spot = light.child("spot");
+    result.spot_inner_angle = readNumber(spot, "inner_angle", 0.0, place, reading);
+    result.spot_outer_angle = readNumber(spot, "outer_angle", 0.0, place, reading);
+    result.spot_falloff = readNumber(spot, "falloff", 0.0, place, reading);
   }
-  check(result, here, reading);
   return result;
 }
 

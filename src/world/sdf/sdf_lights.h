@@ -2,14 +2,14 @@
 
 #include <string>
 
-#include <sdf/Light.hh>
-
 #include "world/sdf/sdf_reading.h"
 
 namespace synthetic_dataset::world {
 
+/// @param light  a `<light>`
 /// @param name  scoped: "model::link::light"
-[[nodiscard]] Light readLight(const sdf::Light& light, const std::string& name, const Pose& X_WL,
+/// @param place  the light's
+[[nodiscard]] Light readLight(const Element& light, const std::string& name, const Pose& X_WL,
                               const Place& place, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

@@ -1,175 +1,168 @@
 #include "world/sdf/sdf_models.h"
 
-#include <optional>
+#include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
-#include <sdf/Joint.hh>
-#include <sdf/Link.hh>
-
-#include "world/sdf/include_graph.h"
 #include "world/sdf/sdf_cameras.h"
 #include "world/sdf/sdf_collisions.h"
-#include "world/sdf/sdf_document.h"
+#include "world/sdf/sdf_inertia.h"
+#include "world/sdf/sdf_joints.h"
 #include "world/sdf/sdf_lights.h"
+#include "world/sdf/sdf_values.h"
 #include "world/sdf/sdf_visuals.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
-/// The file's inertia if it is one that a body can have.
-std::optional<Inertia> readInertia(const sdf::Link& link, const Place& place, SdfReading& reading) {
-  if (!has(link.Element(), "inertial")) return std::nullopt;
-  const auto& from = link.Inertial();
-  if (!from.MassMatrix().IsValid()) {
-    reading.findings.addNote(
-        place.message("its <inertial> is not that of a solid body; its collision shapes count"));
-    return std::nullopt;
-  }
-  Inertia inertia;
-  inertia.mass = from.MassMatrix().Mass();
-  inertia.centre_of_mass_L = toEigen(from.Pose().Pos());
-  const auto moments = from.Moi();
-  for (unsigned row = 0; row < 3; ++row) {
-    for (unsigned column = 0; column < 3; ++column) {
-      inertia.moments_L(row, column) = moments(row, column);
-    }
-  }
-  return inertia;
-}
-
-/// The links that a joint connects; each may be named by way of a frame.
-std::string parentLinkOf(const sdf::Joint& joint) {
-#if SDF_MAJOR_VERSION >= 12
-  std::string name;
-  return joint.ResolveParentLink(name).empty() ? name : joint.ParentLinkName();
-#else
-  return joint.ParentLinkName();
-#endif
-}
-
-std::string childLinkOf(const sdf::Joint& joint) {
-#if SDF_MAJOR_VERSION >= 12
-  std::string name;
-  return joint.ResolveChildLink(name).empty() ? name : joint.ChildLinkName();
-#else
-  return joint.ChildLinkName();
-#endif
-}
-
 /// Gathers a model and the models nested in it.
 class ModelReader {
  public:
-  explicit ModelReader(SdfReading& reading) : reading_(reading) {}
+  ModelReader(const SavedModel* saved, SdfReading& reading) : saved_(saved), reading_(reading) {
+    if (saved != nullptr) scale_ = saved->scale;
+  }
 
   /// @param prefix  of the names of the links: "" or "child::"
-  void read(const sdf::Model& model, const Pose& X_MN, const std::string& prefix,
-            const Place& place) {
-    for (std::size_t i = 0; i < model.LinkCount(); ++i) {
-      readLink(*model.LinkByIndex(i), X_MN, prefix, place);
+  void read(ModelSource& source, const Pose& X_MN, const std::string& prefix, bool is_static) {
+    if (source.kind == ModelSource::Kind::kUrdf) {
+      addUrdf(*source.urdf, X_MN, prefix);
+      return;
     }
-    for (std::size_t i = 0; i < model.ModelCount(); ++i) {
-      const sdf::Model& nested = *model.ModelByIndex(i);
-      if (isStandIn(nested)) continue;
-      const Place there = place.inFile(fileOf(nested.Element())).in("model", nested.Name());
-      read(nested, X_MN * resolve(nested.SemanticPose(), there, reading_),
-           prefix + nested.Name() + "::", there);
+    for (const Element& link : source.element.children("link")) {
+      readLink(link, source, X_MN, prefix, is_static);
+    }
+    for (ModelSource& inner : source.models) {
+      if (inner.kind != ModelSource::Kind::kModel && inner.kind != ModelSource::Kind::kUrdf)
+        continue;
+      const Pose X_MI =
+          X_MN * source.frames.resolve(placed(inner, reading_), "", inner.place, reading_);
+      const std::string inner_prefix = inner.merges ? prefix : prefix + inner.name + "::";
+      read(inner, X_MI, inner_prefix, is_static || inner.is_static);
+      stands_ = stands_ || inner.is_static;
     }
     // Joints may hold links of nested models, so these come first.
-    for (std::size_t i = 0; i < model.JointCount(); ++i) readJoint(*model.JointByIndex(i), prefix);
+    stands_ = readJoints(source, prefix, reading_, contents.model) || stands_;
   }
+
+  /// Whether something in the model cannot move, which holds all of it: a model moves as one piece.
+  [[nodiscard]] bool stands() const { return stands_; }
 
   ModelContents contents;
 
  private:
-  void readLink(const sdf::Link& from, const Pose& X_MN, const std::string& prefix,
-                const Place& place) {
-    const Place here = place.in("link", from.Name());
+  /// What is in one link.
+  struct LinkContext {
+    const Link& link;
+    const Pose& X_NL;  ///< in its own model
+    SdfFrames& frames;
+  };
+
+  void readLink(const Element& from, ModelSource& source, const Pose& X_MN,
+                const std::string& prefix, bool is_static) {
+    const Place here = placeOf(from, source.place);
     Link link;
-    link.name = prefix + from.Name();
-    link.X_ML = X_MN * resolve(from.SemanticPose(), here, reading_);
-    link.inertia = readInertia(from, here, reading_);
-    for (std::size_t i = 0; i < from.VisualCount(); ++i) {
-      if (auto visual = readVisual(*from.VisualByIndex(i), here, reading_)) {
-        link.visuals.push_back(std::move(*visual));
-      }
+    link.name = uniqueName(prefix + from.attribute("name"), here);
+    const Pose X_NL = source.frames.resolve(readPose(from, here, reading_), "", here, reading_);
+    link.X_ML = poseOf(link.name, X_MN * X_NL);
+    link.has_gravity = readBool(from, "gravity", true, here, reading_);
+    stands_ = stands_ || readBool(from, "kinematic", false, here, reading_);
+    if (!is_static) link.inertia = readInertia(from, here, reading_);
+    const LinkContext context{link, X_NL, source.frames};
+    for (const Element& each : from.children("visual")) {
+      const Place place = placeOf(each, here);
+      auto visual = readVisual(each, scale_, place, reading_);
+      if (!visual) continue;
+      visual->X_LV = poseIn(context, each, place);
+      link.visuals.push_back(std::move(*visual));
     }
-    for (std::size_t i = 0; i < from.CollisionCount(); ++i) {
-      if (auto collision = readCollision(*from.CollisionByIndex(i), here, reading_)) {
-        link.collisions.push_back(std::move(*collision));
-      }
+    for (const Element& each : from.children("collision")) {
+      const Place place = placeOf(each, here);
+      auto collision = readCollision(each, scale_, place, reading_);
+      if (!collision) continue;
+      collision->X_LC = poseIn(context, each, place);
+      link.collisions.push_back(std::move(*collision));
     }
-    readAttached(from, link, here);
+    if (!is_static) noteHulls(from, here, reading_);
+    readAttached(from, context, here);
     contents.model.links.push_back(std::move(link));
   }
 
-  void readAttached(const sdf::Link& from, const Link& link, const Place& place) {
-    const std::string scope = contents.model.name + "::" + link.name + "::";
-    const Pose X_WL = contents.model.X_WM * link.X_ML;
-    for (std::size_t i = 0; i < from.LightCount(); ++i) {
-      const sdf::Light& light = *from.LightByIndex(i);
-      const Pose X_LQ = resolve(light.SemanticPose(), place.in("light", light.Name()), reading_);
-      contents.lights.push_back(
-          readLight(light, scope + light.Name(), X_WL * X_LQ, place, reading_));
+  void readAttached(const Element& from, const LinkContext& context, const Place& place) {
+    const std::string scope = contents.model.name + "::" + context.link.name + "::";
+    const Pose X_WL = contents.model.X_WM * context.link.X_ML;
+    for (const Element& light : from.children("light")) {
+      const Place here = placeOf(light, place);
+      contents.lights.push_back(readLight(light, scope + light.attribute("name"),
+                                          X_WL * poseIn(context, light, here), here, reading_));
     }
-    for (std::size_t i = 0; i < from.SensorCount(); ++i) {
-      const sdf::Sensor& sensor = *from.SensorByIndex(i);
-      auto camera = readCamera(sensor, scope + sensor.Name(), X_WL, place, reading_);
+    for (const Element& sensor : from.children("sensor")) {
+      const Place here = placeOf(sensor, place);
+      auto camera = readCamera(sensor, scope + sensor.attribute("name"), X_WL,
+                               poseIn(context, sensor, here), here, reading_);
       if (!camera) continue;
-      camera->link = link.name;
+      camera->link = context.link.name;
       contents.cameras.push_back(std::move(*camera));
     }
   }
 
-  /// A link has one parent; where joints close a loop, the first of them counts.
-  void readJoint(const sdf::Joint& joint, const std::string& prefix) {
-    const auto child = findLink(prefix + childLinkOf(joint));
-    const auto parent = findLink(prefix + parentLinkOf(joint));
-    if (!child || !parent || links()[*child].parent || hangsOn(*parent, *child)) return;
-    links()[*child].parent = parent;
-    if (joint.Type() != sdf::JointType::FIXED) {
-      links()[*child].moving_joint = prefix + joint.Name();
+  /// The pose of what is in a link, in that link; it may be given in any frame of the model.
+  Pose poseIn(const LinkContext& context, const Element& element, const Place& place) {
+    const RelativePose pose = readPose(element, place, reading_);
+    if (pose.frame.empty()) return pose.pose;
+    if (!context.frames.knows(pose.frame) && pose.frame != "__model__") {
+      reading_.findings.addNote(
+          place.message("its pose is relative to '" + pose.frame +
+                        "', which is not known in its model; the link's frame is taken"));
+      return pose.pose;
+    }
+    return context.X_NL.inverse() * context.frames.resolve(pose, "", place, reading_);
+  }
+
+  /// A saved world's state says where links are, too.
+  [[nodiscard]] Pose poseOf(const std::string& link, const Pose& X_ML) const {
+    if (saved_ == nullptr) return X_ML;
+    const auto saved = saved_->X_WL.find(link);
+    return saved == saved_->X_WL.end() ? X_ML : contents.model.X_WM.inverse() * saved->second;
+  }
+
+  void addUrdf(const Model& urdf, const Pose& X_MN, const std::string& prefix) {
+    const std::size_t first = contents.model.links.size();
+    for (Link link : urdf.links) {
+      link.name = prefix + link.name;
+      link.X_ML = poseOf(link.name, X_MN * link.X_ML);
+      if (link.parent) *link.parent += first;
+      if (!link.moving_joint.empty()) link.moving_joint = prefix + link.moving_joint;
+      contents.model.links.push_back(std::move(link));
     }
   }
 
-  /// Nothing for the world, to which a joint may hold a link too.
-  [[nodiscard]] std::optional<std::size_t> findLink(const std::string& name) {
-    for (std::size_t i = 0; i < links().size(); ++i) {
-      if (links()[i].name == name) return i;
+  std::string uniqueName(const std::string& name, const Place& place) {
+    std::string unique = name;
+    for (int i = 1; !names_.insert(unique).second; ++i) unique = name + "_" + std::to_string(i);
+    if (unique != name) {
+      reading_.findings.addNote(
+          place.message("a link before it has its name; it is called '" + unique + "' here"));
     }
-    return std::nullopt;
+    return unique;
   }
 
-  [[nodiscard]] bool hangsOn(std::size_t link, std::size_t ancestor) {
-    for (std::optional<std::size_t> at = link; at; at = links()[*at].parent) {
-      if (*at == ancestor) return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] std::vector<Link>& links() { return contents.model.links; }
-
+  const SavedModel* saved_;
   SdfReading& reading_;
+  Eigen::Vector3d scale_{1, 1, 1};
+  std::set<std::string> names_;  ///< of links
+  bool stands_ = false;
 };
 
 }  // namespace
 
-bool isStandIn(const sdf::Model& model) {
-  return model.LinkCount() == 1 && model.LinkByIndex(0)->Name() == kStandInLink;
-}
-
-ModelContents readModel(const sdf::Model& model, const Pose& X_WM, const Place& place,
+ModelContents readModel(ModelSource& source, const Pose& X_WM, const SavedModel* saved,
                         SdfReading& reading) {
-  const Place here = place.inFile(fileOf(model.Element())).in("model", model.Name());
-  ModelReader reader(reading);
-  reader.contents.model.name = model.Name();
+  ModelReader reader(saved, reading);
+  reader.contents.model.name = source.name;
   reader.contents.model.X_WM = X_WM;
-  reader.contents.model.is_static = model.Static();
-  reader.read(model, Pose::Identity(), "", here);
-  for (std::size_t i = 0; !model.Static() && i < model.LinkCount(); ++i) {
-    const sdf::Link& link = *model.LinkByIndex(i);
-    noteHulls(link, here.in("link", link.Name()), reading);
-  }
+  reader.read(source, Pose::Identity(), "", source.is_static);
+  reader.contents.model.is_static = source.is_static || reader.stands();
   return std::move(reader.contents);
 }
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include <sdf/Model.hh>
-
+#include "world/sdf/model_source.h"
 #include "world/sdf/sdf_reading.h"
+#include "world/sdf/sdf_state.h"
 
 namespace synthetic_dataset::world {
 
@@ -15,13 +15,10 @@ struct ModelContents {
   std::vector<CameraSensor> cameras;
 };
 
-/// Whether a model only stands in for one that is missing.
-[[nodiscard]] bool isStandIn(const sdf::Model& model);
-
-/// Reads a model; links of nested models become its own, "child::link". Lights and cameras are
-/// placed in the world by the model's pose.
-/// @param place  the file's
-[[nodiscard]] ModelContents readModel(const sdf::Model& model, const Pose& X_WM, const Place& place,
-                                      SdfReading& reading);
+/// Reads a model whose frames are filled; links of nested models become its own, "child::link".
+/// Lights and cameras are placed in the world by the model's pose.
+/// @param saved  what a saved world's state says of it, or null
+[[nodiscard]] ModelContents readModel(ModelSource& source, const Pose& X_WM,
+                                      const SavedModel* saved, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

@@ -2,28 +2,20 @@
 
 #include <string>
 
-#include <sdf/sdf_config.h>
-#include <sdf/Pbr.hh>
+#include "world/sdf/sdf_values.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
-const sdf::PbrWorkflow* workflowOf(const sdf::Material& material) {
-  const sdf::Pbr* pbr = material.PbrMaterial();
-  if (pbr == nullptr) return nullptr;
-  const sdf::PbrWorkflow* metal = pbr->Workflow(sdf::PbrWorkflowType::METAL);
-  return metal != nullptr ? metal : pbr->Workflow(sdf::PbrWorkflowType::SPECULAR);
-}
-
 class PbrReader {
  public:
-  PbrReader(const sdf::Material& material, const sdf::PbrWorkflow& pbr, const Place& place,
+  PbrReader(const Element& material, const Element& workflow, const Place& place,
             SdfReading& reading, MaterialSource& to)
-      : element_(material.Element()), pbr_(pbr), place_(place), reading_(reading), to_(to) {}
+      : material_(material), pbr_(workflow), place_(place), reading_(reading), to_(to) {}
 
   void read() {
     readColours();
-    if (pbr_.Type() == sdf::PbrWorkflowType::METAL) {
+    if (pbr_.name() == "metal") {
       readMetal();
     } else {
       readSpecular();
@@ -34,73 +26,71 @@ class PbrReader {
 
  private:
   /// Maps are named relative to the file that names them.
-  std::optional<TextureReference> picture(const std::string& uri, PictureContent content) const {
+  std::optional<TextureReference> picture(const char* name, PictureContent content) const {
+    const std::string uri = readText(pbr_, name);
     if (uri.empty()) return std::nullopt;
     TextureReference reference;
     reference.uri = uri;
-    reference.folder = reading_.folderOf(element_);
+    reference.folder = pbr_.folder();
     reference.content = content;
     return reference;
   }
 
-  float fraction(double value, const char* name) const {
+  float fraction(const char* name, double fallback) const {
+    const double value = readNumber(pbr_, name, fallback, place_, reading_);
     if (value >= 0.0 && value <= 1.0) return static_cast<float>(value);
-    reading_.findings.addError(place_.message(std::string(name) + ": found " +
-                                              std::to_string(value) + "; it should be 0 to 1"));
-    return 0.5F;
+    reading_.findings.addNote(place_.message(std::string(name) + ": found " + shortText(value) +
+                                             "; it should be 0 to 1; " + takenInstead(fallback)));
+    return static_cast<float>(fallback);
   }
 
   void readColours() {
-    to_.texture = picture(pbr_.AlbedoMap(), PictureContent::kColour);
+    to_.texture = picture("albedo_map", PictureContent::kColour);
     if (to_.texture) {
       to_.texture->alpha = AlphaMeaning::kOpacity;  // as gz-sim draws it
-      if (!has(element_, "diffuse")) to_.material.diffuse.setOnes();
+      if (!material_.has("diffuse")) to_.material.diffuse.setOnes();
     }
-    to_.emissive_map = picture(pbr_.EmissiveMap(), PictureContent::kColour);
-    if (to_.emissive_map && !has(element_, "emissive")) to_.material.emissive.setOnes();
+    to_.emissive_map = picture("emissive_map", PictureContent::kColour);
+    if (to_.emissive_map && !material_.has("emissive")) to_.material.emissive.setOnes();
   }
 
   /// A map stands for the number, and differs from place to place.
   void readMetal() {
-    to_.roughness_map = picture(pbr_.RoughnessMap(), PictureContent::kRed);
-    to_.metalness_map = picture(pbr_.MetalnessMap(), PictureContent::kRed);
-    to_.material.roughness = to_.roughness_map ? 1.0F : fraction(pbr_.Roughness(), "roughness");
-    to_.material.metalness = to_.metalness_map ? 1.0F : fraction(pbr_.Metalness(), "metalness");
+    to_.roughness_map = picture("roughness_map", PictureContent::kRed);
+    to_.metalness_map = picture("metalness_map", PictureContent::kRed);
+    to_.material.roughness = to_.roughness_map ? 1.0F : fraction("roughness", 0.5);
+    to_.material.metalness = to_.metalness_map ? 1.0F : fraction("metalness", 0.5);
   }
 
   void readSpecular() {
-    to_.roughness_map = picture(pbr_.GlossinessMap(), PictureContent::kInvertedRed);
-    to_.material.roughness =
-        to_.roughness_map ? 1.0F : 1.0F - fraction(pbr_.Glossiness(), "glossiness");
+    to_.roughness_map = picture("glossiness_map", PictureContent::kInvertedRed);
+    to_.material.roughness = to_.roughness_map ? 1.0F : 1.0F - fraction("glossiness", 0.0);
     to_.material.metalness = 0.0F;
   }
 
   void readNormalMap() {
-    if (pbr_.NormalMapType() == sdf::NormalMapSpace::OBJECT) {
+    const std::string space = pbr_.child("normal_map").attribute("type");
+    if (space == "object") {
       reading_.findings.addNote(
           "normal maps in object space are not drawn; those in tangent space are");
       return;
     }
-    to_.normal_map = picture(pbr_.NormalMap(), PictureContent::kColour);
+    to_.normal_map = picture("normal_map", PictureContent::kColour);
   }
 
   void noteTheRest() const {
     std::string left_out;
-    const auto add = [&](const std::string& uri, const char* name) {
-      if (!uri.empty()) left_out += (left_out.empty() ? "" : ", ") + std::string(name);
-    };
-    add(pbr_.AmbientOcclusionMap(), "ambient occlusion");
-    add(pbr_.EnvironmentMap(), "environment");
-    add(pbr_.SpecularMap(), "specular");
-#if SDF_MAJOR_VERSION >= 11
-    add(pbr_.LightMap(), "light");
-#endif
+    for (const char* name :
+         {"ambient_occlusion_map", "environment_map", "specular_map", "light_map"}) {
+      if (!readText(pbr_, name).empty())
+        left_out += (left_out.empty() ? "" : ", ") + std::string(name);
+    }
     if (left_out.empty()) return;
     reading_.findings.addNote("of materials' maps these kinds are not drawn: " + left_out);
   }
 
-  sdf::ElementPtr element_;
-  const sdf::PbrWorkflow& pbr_;
+  const Element& material_;
+  const Element& pbr_;
   const Place& place_;
   SdfReading& reading_;
   MaterialSource& to_;
@@ -108,11 +98,12 @@ class PbrReader {
 
 }  // namespace
 
-bool readPbr(const sdf::Material& material, const Place& place, SdfReading& reading,
-             MaterialSource& to) {
-  const sdf::PbrWorkflow* const pbr = workflowOf(material);
-  if (pbr == nullptr) return false;
-  PbrReader(material, *pbr, place, reading, to).read();
+bool readPbr(const Element& material, const Place& place, SdfReading& reading, MaterialSource& to) {
+  const Element pbr = material.child("pbr");
+  const Element metal = pbr.child("metal");
+  const Element workflow = metal ? metal : pbr.child("specular");
+  if (!workflow) return false;
+  PbrReader(material, workflow, place, reading, to).read();
   return true;
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <sdf/Material.hh>
-
 #include "world/material/material_source.h"
 #include "world/sdf/sdf_reading.h"
 
@@ -9,8 +7,9 @@ namespace synthetic_dataset::world {
 
 /// Puts the numbers and maps of a material's PBR workflow, the metal one where there are both, in
 /// the place of what `to` has.
+/// @param material  a `<material>`
+/// @param place  the visual's
 /// @return whether the material has a workflow
-bool readPbr(const sdf::Material& material, const Place& place, SdfReading& reading,
-             MaterialSource& to);
+bool readPbr(const Element& material, const Place& place, SdfReading& reading, MaterialSource& to);
 
 }  // namespace synthetic_dataset::world

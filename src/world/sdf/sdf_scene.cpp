@@ -3,35 +3,24 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "world/sdf/sdf_values.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
-/// A colour's red, green and blue, or the fallback where the file has none.
-Eigen::Vector3f readColour(const sdf::ElementPtr& parent, const char* name,
-                           const Eigen::Vector3f& fallback, const Place& place,
-                           SdfReading& reading) {
-  const sdf::ElementPtr element = descendant(parent, {name});
-  if (!element) return fallback;
-  const std::vector<double> values = numbers(element);
-  if (values.size() >= 3) {
-    const Eigen::Vector3d colour(values[0], values[1], values[2]);
-    if (colour.allFinite()) return colour.cast<float>();
-  }
-  reading.findings.addError(place.message(std::string(name) + ": found '" +
-                                          element->Get<std::string>() +
-                                          "'; it has to be finite numbers: red green blue alpha"));
-  return fallback;
+Eigen::Vector3f colourOr(const Element& parent, const char* name, const Eigen::Vector3f& fallback,
+                         const Place& place, SdfReading& reading) {
+  const auto colour = readColour(parent, name, place, reading);
+  return colour ? Eigen::Vector3f(colour->head<3>()) : fallback;
 }
 
-/// A number that has to be finite and not below `least`.
-double readNumber(const sdf::ElementPtr& parent, const char* name, double fallback, double least,
-                  const Place& place, SdfReading& reading) {
-  const double value = number(parent, {name}, fallback);
-  if (std::isfinite(value) && value >= least) return value;
-  reading.findings.addError(place.message(std::string(name) + ": found " + std::to_string(value) +
-                                          "; it has to be " + std::to_string(least) + " or more"));
+double positiveOr(const Element& parent, const char* name, double fallback, const Place& place,
+                  SdfReading& reading) {
+  const double value = readNumber(parent, name, fallback, place, reading);
+  if (value >= 0.0) return value;
+  reading.findings.addNote(place.message(std::string(name) + ": found " + shortText(value) +
+                                         "; it has to be 0 or more; " + takenInstead(fallback)));
   return fallback;
 }
 
@@ -43,13 +32,11 @@ std::optional<FogType> fogType(const std::string& name) {
   return std::nullopt;
 }
 
-std::optional<Fog> readFog(const sdf::ElementPtr& element, const Place& place,
-                           SdfReading& reading) {
-  const sdf::ElementPtr named = descendant(element, {"type"});
-  const std::string name = named ? named->Get<std::string>() : "none";
+std::optional<Fog> readFog(const Element& element, const Place& place, SdfReading& reading) {
+  const std::string name = readText(element, "type");
   const std::optional<FogType> type = fogType(name);
   if (!type) {
-    if (name != "none") {
+    if (name != "none" && !name.empty()) {
       reading.findings.addNote(
           place.message("type '" + name + "' is left out; linear, exp, exp2 and none are known"));
     }
@@ -57,51 +44,53 @@ std::optional<Fog> readFog(const sdf::ElementPtr& element, const Place& place,
   }
   Fog fog;
   fog.type = *type;
-  fog.colour = readColour(element, "color", fog.colour, place, reading);
-  fog.start = readNumber(element, "start", fog.start, 0.0, place, reading);
-  fog.end = readNumber(element, "end", fog.end, 0.0, place, reading);
-  fog.density = readNumber(element, "density", fog.density, 0.0, place, reading);
+  // SDF 1.0 says <fog rgba="...">.
+  fog.colour =
+      colourOr(element, element.has("color") ? "color" : "rgba", fog.colour, place, reading);
+  fog.start = positiveOr(element, "start", fog.start, place, reading);
+  fog.end = positiveOr(element, "end", fog.end, place, reading);
+  fog.density = positiveOr(element, "density", fog.density, place, reading);
   if (fog.type == FogType::kLinear && fog.end <= fog.start) {
-    reading.findings.addError(place.message("end: found " + std::to_string(fog.end) +
-                                            "; it has to lie beyond start, " +
-                                            std::to_string(fog.start)));
+    reading.findings.addNote(place.message("end: found " + shortText(fog.end) +
+                                           "; it has to lie beyond start, " + shortText(fog.start) +
+                                           "; there is no fog"));
+    return std::nullopt;
   }
   return fog;
 }
 
-Sky readSky(const sdf::ElementPtr& element, const Place& place, SdfReading& reading) {
+Sky readSky(const Element& element, const Place& place, SdfReading& reading) {
   Sky sky;
-  sky.time = readNumber(element, "time", sky.time, 0.0, place, reading);
-  sky.sunrise = readNumber(element, "sunrise", sky.sunrise, 0.0, place, reading);
-  sky.sunset = readNumber(element, "sunset", sky.sunset, 0.0, place, reading);
-  const sdf::ElementPtr clouds = descendant(element, {"clouds"});
+  sky.time = positiveOr(element, "time", sky.time, place, reading);
+  sky.sunrise = positiveOr(element, "sunrise", sky.sunrise, place, reading);
+  sky.sunset = positiveOr(element, "sunset", sky.sunset, place, reading);
+  const Element clouds = element.child("clouds");
   if (!clouds) return sky;
   constexpr double kUsualHumidity = 0.5;  // SDF specification, <clouds>
   sky.cloud_humidity =
-      std::min(1.0, readNumber(clouds, "humidity", kUsualHumidity, 0.0, place, reading));
+      std::min(1.0, positiveOr(clouds, "humidity", kUsualHumidity, place, reading));
   sky.cloud_mean_size =
-      std::min(1.0, readNumber(clouds, "mean_size", sky.cloud_mean_size, 0.0, place, reading));
-  sky.cloud_ambient = readColour(clouds, "ambient", sky.cloud_ambient, place, reading);
+      std::min(1.0, positiveOr(clouds, "mean_size", sky.cloud_mean_size, place, reading));
+  sky.cloud_ambient = colourOr(clouds, "ambient", sky.cloud_ambient, place, reading);
   return sky;
 }
 
 }  // namespace
 
-void readScene(const sdf::ElementPtr& scene, const Place& place, SdfReading& reading,
+void readScene(const Element& scene, const Place& place, SdfReading& reading,
                Description& description) {
-  description.ambient = readColour(scene, "ambient", description.ambient, place, reading);
-  description.background = readColour(scene, "background", description.background, place, reading);
-  if (has(scene, "sky")) {
-    description.sky = readSky(scene->GetElement("sky"), place.in("sky"), reading);
+  description.ambient = colourOr(scene, "ambient", description.ambient, place, reading);
+  description.background = colourOr(scene, "background", description.background, place, reading);
+  if (const Element sky = scene.child("sky")) {
+    description.sky = readSky(sky, placeOf(sky, place), reading);
   }
-  if (has(scene, "fog")) {
-    description.fog = readFog(scene->GetElement("fog"), place.in("fog"), reading);
+  if (const Element fog = scene.child("fog")) {
+    description.fog = readFog(fog, placeOf(fog, place), reading);
   }
 }
 
-bool hasShadows(const sdf::ElementPtr& scene) {
-  const sdf::ElementPtr shadows = descendant(scene, {"shadows"});
-  return !shadows || shadows->Get<bool>();
+bool hasShadows(const Element& scene, const Place& place, SdfReading& reading) {
+  return readBool(scene, "shadows", true, place, reading);
 }
 
 }  // namespace synthetic_dataset::world

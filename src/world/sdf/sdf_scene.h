@@ -1,19 +1,17 @@
 #pragma once
 
-#include <sdf/Element.hh>
-
 #include "world/sdf/sdf_reading.h"
 
 namespace synthetic_dataset::world {
 
 /// Reads a world's `<scene>`: ambient light, background, sky and fog. What it leaves out is as in
 /// Gazebo, whose defaults the description has.
-/// @param scene  may be null
+/// @param scene  may be none
 /// @param place  the scene's
-void readScene(const sdf::ElementPtr& scene, const Place& place, SdfReading& reading,
+void readScene(const Element& scene, const Place& place, SdfReading& reading,
                Description& description);
 
 /// Whether the scene has shadows; without a say there are.
-[[nodiscard]] bool hasShadows(const sdf::ElementPtr& scene);
+[[nodiscard]] bool hasShadows(const Element& scene, const Place& place, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

@@ -1,28 +1,45 @@
 #include "world/sdf/sdf_scripts.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "synthetic_dataset/errors.h"
+#include "world/files/text.h"
 #include "world/material/gazebo_materials.h"
 #include "world/material/material_scripts.h"
-#include "world/sdf/sdf_materials.h"
+#include "world/sdf/sdf_values.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
-/// What SDF has where a file says nothing, and what Gazebo saves for materials of its own making.
-constexpr const char* kDefault = "__default__";
-
-ScriptRequest requestOf(const sdf::ElementPtr& script, SdfReading& reading) {
+/// SDF 1.0 says <material script="Gazebo/Grey">.
+ScriptRequest requestOf(const Element& material) {
+  const Element script = material.child("script");
   ScriptRequest request;
-  request.folder = reading.folderOf(script);
-  if (has(script, "name")) request.name = script->GetElement("name")->Get<std::string>();
-  if (!has(script, "uri")) return request;
-  for (sdf::ElementPtr uri = script->GetElement("uri"); uri; uri = uri->GetNextElement("uri")) {
-    const auto text = uri->Get<std::string>();
-    if (!text.empty() && text != kDefault) request.uris.push_back(text);
+  request.folder = material.folder();
+  request.name = script ? readText(script, "name") : material.attribute("script");
+  for (const Element& uri : script.children("uri")) {
+    const std::string text = uri.text();
+    if (!text.empty() && text != "__default__") request.uris.push_back(text);
   }
   return request;
+}
+
+Material surveyed(const MaterialSource& source, SdfSurvey& survey) {
+  for (const auto* reference : referencesOf(source)) {
+    if (*reference) survey.pictures.push_back(**reference);
+  }
+  return source.material;
+}
+
+/// Whether the file of a material that is not to be had may just be absent; Gazebo's own are where
+/// Gazebo is installed.
+bool lacksFile(const ScriptRequest& request, const SdfReading& reading) {
+  const std::vector<std::string> missing = reading.meshes.scripts().missingUris(request);
+  return std::any_of(missing.begin(), missing.end(), [](const std::string& uri) {
+    return !startsWith(uri, "file://media/") && !startsWith(uri, "media/");
+  });
 }
 
 /// A script of the user's own comes before what Gazebo has under the same name.
@@ -36,6 +53,7 @@ std::optional<Material> find(const ScriptRequest& request, const Place& place,
       for (const std::string& note : found->notes) {
         reading.findings.addNote("material '" + request.name + "': " + note);
       }
+      if (reading.survey != nullptr) return surveyed(found->source, *reading.survey);
       return withPictures(found->source, reading.meshes.textures(), missing);
     }
   } catch (const Error& error) {
@@ -47,19 +65,22 @@ std::optional<Material> find(const ScriptRequest& request, const Place& place,
 
 }  // namespace
 
-std::optional<Material> readSdfScript(const sdf::ElementPtr& material, const Place& place,
+std::optional<Material> readSdfScript(const Element& material, const Place& place,
                                       SdfReading& reading) {
-  const sdf::ElementPtr script = descendant(material, {"script"});
-  if (!script) return std::nullopt;
-  const ScriptRequest request = requestOf(script, reading);
-  if (request.name.empty() || request.name == kDefault) return std::nullopt;
+  const ScriptRequest request = requestOf(material);
+  if (request.name.empty()) return std::nullopt;
   if (std::optional<Material> found = find(request, place, reading)) return found;
   // Worlds that Gazebo has saved name materials that only it knew, and say their colours as well.
-  if (request.uris.empty() && has(material, "diffuse")) return std::nullopt;
-  reading.missing(place.message("material '" + request.name + "' is in no script (" +
-                                reading.meshes.scripts().searchedPlaces(request) +
-                                "), and Gazebo ships none of that name" +
-                                nearGazeboMaterial(request.name)));
+  if (request.uris.empty() && material.has("diffuse")) return std::nullopt;
+  const std::string message =
+      place.message("material '" + request.name + "' is in no script (" +
+                    reading.meshes.scripts().searchedPlaces(request) +
+                    "), and Gazebo ships none of that name" + nearGazeboMaterial(request.name));
+  if (lacksFile(request, reading)) {
+    reading.missing(message);
+  } else {
+    reading.findings.addNote(message + "; the default material is drawn");
+  }
   return defaultMaterial();
 }
 

@@ -1,11 +1,13 @@
 #include "world/sdf/sdf_visuals.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "synthetic_dataset/errors.h"
 #include "world/sdf/sdf_geometry.h"
 #include "world/sdf/sdf_materials.h"
+#include "world/sdf/sdf_values.h"
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::world {
@@ -16,6 +18,10 @@ struct SurfaceMaker {
   const std::optional<Material>& material;
   const Place& place;
   SdfReading& reading;
+
+  [[nodiscard]] MissingPicture missingPicture() const {
+    return [this](const std::string& message) { reading.missing(place.message(message)); };
+  }
 
   std::vector<Surface> one(std::shared_ptr<const Mesh> mesh) const {
     return {Surface{std::move(mesh), material.value_or(defaultMaterial())}};
@@ -43,9 +49,7 @@ struct SurfaceMaker {
     return one(planeMesh(plane.normal, plane.size));
   }
   std::vector<Surface> operator()(const MeshRequest& request) const {
-    const auto missing = [&](const std::string& message) {
-      reading.missing(place.message(message));
-    };
+    const auto missing = missingPicture();
     std::vector<Surface> surfaces;
     for (const MeshPiece& piece : reading.meshes.pieces(request)) {
       surfaces.push_back(
@@ -59,42 +63,49 @@ struct SurfaceMaker {
   }
   std::vector<Surface> operator()(const Heightmap& heightmap) const {
     return heightmapSurfaces(heightmap, material.value_or(defaultMaterial()),
-                             reading.meshes.textures());
+                             reading.meshes.textures(), missingPicture());
   }
   std::vector<Surface> operator()(const WallMap& map) const { return one(wallMesh(map)); }
 };
 
-std::optional<Material> materialOf(const sdf::Visual& visual, const Place& place,
-                                   SdfReading& reading) {
-  if (visual.Material() == nullptr) return std::nullopt;
-  return readSdfMaterial(*visual.Material(), place, reading);
+float readTransparency(const Element& visual, const Place& place, SdfReading& reading) {
+  const double found = readNumber(visual, "transparency", 0.0, place, reading);
+  const double transparency = std::clamp(found, 0.0, 1.0);
+  if (found != transparency) {
+    reading.findings.addNote(place.message("transparency: found " + shortText(found) +
+                                           "; it should be 0 to 1; " + takenInstead(transparency)));
+  }
+  return static_cast<float>(transparency);
+}
+
+void survey(const Geometry& geometry, bool has_material, SdfSurvey& into) {
+  const auto* mesh = std::get_if<MeshRequest>(&geometry);
+  if (mesh != nullptr) into.meshes.push_back({mesh->file, !has_material});
 }
 
 }  // namespace
 
-std::optional<Visual> readVisual(const sdf::Visual& visual, const Place& place,
-                                 SdfReading& reading) {
-  const Place here = place.in("visual", visual.Name());
+std::optional<Visual> readVisual(const Element& visual, const Eigen::Vector3d& scale,
+                                 const Place& place, SdfReading& reading) {
   Visual result;
-  result.name = visual.Name();
-  result.X_LV = resolve(visual.SemanticPose(), here, reading);
-  result.casts_shadow = visual.CastShadows();
-  const float transparency = visual.Transparency();
-  if (!(transparency >= 0.0F && transparency <= 1.0F)) {
-    reading.findings.addError(here.message("transparency: found " + std::to_string(transparency) +
-                                           "; it should be 0 to 1"));
-  }
-  if (visual.Geom() == nullptr) return std::nullopt;
-  const std::optional<Geometry> geometry = readGeometry(*visual.Geom(), here, reading);
+  result.name = visual.attribute("name");
+  result.casts_shadow = readBool(visual, "cast_shadows", true, place, reading);
+  const float transparency = readTransparency(visual, place, reading);
+  if (transparency >= 1.0F) return std::nullopt;
+  const std::optional<Geometry> geometry = readGeometry(visual, scale, place, reading);
   if (!geometry) return std::nullopt;
-  const std::optional<Material> material = materialOf(visual, here, reading);
+  const std::optional<Material> material = readSdfMaterial(visual, place, reading);
+  if (reading.survey != nullptr) {
+    survey(*geometry, material.has_value(), *reading.survey);
+    return std::nullopt;
+  }
   try {
-    result.surfaces = std::visit(SurfaceMaker{material, here, reading}, *geometry);
+    result.surfaces = std::visit(SurfaceMaker{material, place, reading}, *geometry);
   } catch (const Error& error) {
-    reading.missing(here.message(error.what()));
+    reading.missing(place.message(error.what()));
   }
   for (Surface& surface : result.surfaces) surface.material.diffuse.w() *= 1.0F - transparency;
-  if (transparency >= 1.0F || result.surfaces.empty()) return std::nullopt;
+  if (result.surfaces.empty()) return std::nullopt;
   return result;
 }
 

@@ -1,103 +1,163 @@
 #include "world/sdf/sdf_worlds.h"
 
 #include <iterator>
-#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <sdf/Light.hh>
-#include <sdf/Model.hh>
-
-#include "world/sdf/sdf_document.h"
+#include "world/sdf/sdf_includes.h"
 #include "world/sdf/sdf_lights.h"
 #include "world/sdf/sdf_models.h"
+#include "world/sdf/sdf_roads.h"
 #include "world/sdf/sdf_scene.h"
+#include "world/sdf/sdf_state.h"
+#include "world/sdf/sdf_values.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
-using Poses = std::map<std::string, Pose>;
+using Kind = ModelSource::Kind;
 
-/// The pose that an element gives in plain numbers: position, roll, pitch, yaw (SDF specification,
-/// <pose>).
-Pose plainPose(const sdf::ElementPtr& element) {
-  std::vector<double> v = numbers(element);
-  v.resize(6, 0.0);
-  return makePose({v[0], v[1], v[2]}, Eigen::AngleAxisd(v[5], Eigen::Vector3d::UnitZ()) *
-                                          Eigen::AngleAxisd(v[4], Eigen::Vector3d::UnitY()) *
-                                          Eigen::AngleAxisd(v[3], Eigen::Vector3d::UnitX()));
-}
+/// Reads what stands in a world.
+class WorldReader {
+ public:
+  WorldReader(const Element& world, const Place& place, SdfReading& reading)
+      : world_(world), place_(place), reading_(reading), saved_(readState(world, place, reading)) {}
 
-/// Where a saved world's <state> puts its things of one kind ("model", "light").
-Poses statePoses(const sdf::World& world, const std::string& kind) {
-  Poses poses;
-  const sdf::ElementPtr state = descendant(world.Element(), {"state"});
-  if (!has(state, kind.c_str())) return poses;
-  for (auto element = state->GetElement(kind); element; element = element->GetNextElement(kind)) {
-    const sdf::ElementPtr pose = descendant(element, {"pose"});
-    if (pose) poses[element->Get<std::string>("name")] = plainPose(pose);
+  Description read() {
+    readGlobals();
+    gather(world_);
+    for (const Element& each : saved_.inserted) gatherOne(each);
+    for (ModelSource& source : sources_) addFrames(source);
+    for (ModelSource& source : sources_) readSource(source);
+    for (const Element& road : world_.children("road")) {
+      description_.models.push_back(readRoad(road, placeOf(road, place_), reading_));
+    }
+    noteLeftOut();
+    return std::move(description_);
   }
-  return poses;
-}
 
-void readGlobals(const sdf::World& world, const Place& place, SdfReading& reading,
-                 Description& description) {
-  description.gravity = toEigen(world.Gravity());
-  if (!description.gravity.allFinite()) {
-    reading.findings.addError(place.message("gravity has to be finite numbers"));
+ private:
+  void readGlobals() {
+    // Up to SDF 1.5, gravity was of <physics>.
+    const Element owner = world_.has("gravity") ? world_ : world_.child("physics");
+    description_.gravity = readVector(owner, "gravity", description_.gravity, place_, reading_);
+    const Element scene = world_.child("scene");
+    readScene(scene, place_.in("scene"), reading_, description_);
+    has_shadows_ = hasShadows(scene, place_.in("scene"), reading_);
+    for (const Element& frame : world_.children("frame")) {
+      const Place here = placeOf(frame, place_);
+      frames_.add(frame.attribute("name"), readPose(frame, here, reading_),
+                  frame.attribute("attached_to"), here);
+    }
   }
-  readScene(descendant(world.Element(), {"scene"}), place.in("scene"), reading, description);
-}
 
-void readModels(const sdf::World& world, const Place& place, SdfReading& reading,
-                Description& description) {
-  const Poses saved = statePoses(world, "model");
-  for (std::size_t i = 0; i < world.ModelCount(); ++i) {
-    const sdf::Model& model = *world.ModelByIndex(i);
-    if (isStandIn(model)) continue;
-    const auto found = saved.find(model.Name());
-    const Pose X_WM = found != saved.end()
-                          ? found->second
-                          : resolve(model.SemanticPose(), place.in("model", model.Name()), reading);
-    ModelContents contents = readModel(model, X_WM, place, reading);
-    description.models.push_back(std::move(contents.model));
-    std::move(contents.lights.begin(), contents.lights.end(),
-              std::back_inserter(description.lights));
+  void gather(const Element& parent) {
+    for (const Element& child : parent.children()) gatherOne(child);
+  }
+
+  void gatherOne(const Element& element) {
+    const std::string name = element.name();
+    if (name == "model") addSource(includes_.modelOf(element, place_));
+    if (name == "include") addSource(includes_.followed(element, place_));
+    if (name != "light") return;
+    ModelSource light;
+    light.kind = Kind::kLight;
+    light.element = element;
+    light.name = element.attribute("name");
+    light.place = placeOf(element, place_);
+    light.pose = readPose(element, light.place, reading_);
+    addSource(std::move(light));
+  }
+
+  void addSource(ModelSource source) {
+    if (saved_.deleted.count(source.name) > 0) return;
+    if (source.kind != Kind::kNothing) source.name = uniqueName(source);
+    sources_.push_back(std::move(source));
+  }
+
+  /// Gazebo does not mind two models of one name; labels and settings need to tell them apart.
+  std::string uniqueName(const ModelSource& source) {
+    std::set<std::string>& names = source.kind == Kind::kLight ? light_names_ : model_names_;
+    std::string unique = source.name;
+    for (int i = 1; !names.insert(unique).second; ++i) {
+      unique = source.name + "_" + std::to_string(i);
+    }
+    if (unique != source.name) {
+      reading_.findings.addNote(source.place.message(
+          "something before it has its name; it is called '" + unique + "' here"));
+    }
+    return unique;
+  }
+
+  void addFrames(ModelSource& source) {
+    fillFrames(source, reading_);
+    frames_.add(source.name, placed(source, reading_), "", source.place);
+    frames_.addInner(source.name, source.name + "::", source.frames, reading_);
+  }
+
+  void readSource(ModelSource& source) {
+    // Not by name: a model and a light may have the same.
+    const Pose X_WM = frames_.resolve(placed(source, reading_), "", source.place, reading_);
+    if (source.kind == Kind::kModel || source.kind == Kind::kUrdf) readModelSource(source, X_WM);
+    if (source.kind == Kind::kLight) {
+      const auto saved = saved_.lights.find(source.name);
+      addLight(readLight(source.element, source.name,
+                         saved == saved_.lights.end() ? X_WM : saved->second, source.place,
+                         reading_));
+    }
+    if (source.kind == Kind::kActor) has_actors_ = true;
+  }
+
+  void readModelSource(ModelSource& source, const Pose& X_WM) {
+    const auto found = saved_.models.find(source.name);
+    const SavedModel* saved = found == saved_.models.end() ? nullptr : &found->second;
+    ModelContents contents =
+        readModel(source, saved != nullptr ? saved->X_WM.value_or(X_WM) : X_WM, saved, reading_);
+    description_.models.push_back(std::move(contents.model));
+    for (Light& light : contents.lights) addLight(std::move(light));
     std::move(contents.cameras.begin(), contents.cameras.end(),
-              std::back_inserter(description.cameras));
+              std::back_inserter(description_.cameras));
   }
-}
 
-void readLights(const sdf::World& world, const Place& place, SdfReading& reading,
-                Description& description) {
-  const Poses saved = statePoses(world, "light");
-  for (std::size_t i = 0; i < world.LightCount(); ++i) {
-    const sdf::Light& light = *world.LightByIndex(i);
-    const Place here = place.inFile(fileOf(light.Element()));
-    const auto found = saved.find(light.Name());
-    const Pose X_WL = found != saved.end()
-                          ? found->second
-                          : resolve(light.SemanticPose(), here.in("light", light.Name()), reading);
-    description.lights.push_back(readLight(light, light.Name(), X_WL, here, reading));
+  void addLight(Light light) {
+    light.casts_shadow = light.casts_shadow && has_shadows_;
+    description_.lights.push_back(std::move(light));
   }
-}
+
+  void noteLeftOut() {
+    if (world_.has("actor") || has_actors_) {
+      reading_.findings.addNote(place_.message("<actor> is left out"));
+    }
+    if (world_.has("population")) {
+      reading_.findings.addNote(place_.message("<population> is left out"));
+    }
+  }
+
+  const Element& world_;
+  const Place& place_;
+  SdfReading& reading_;
+  SavedState saved_;
+  SdfIncludes includes_{reading_};
+  SdfFrames frames_;
+  std::vector<ModelSource> sources_;
+  std::set<std::string> model_names_;
+  std::set<std::string> light_names_;
+  Description description_;
+  bool has_shadows_ = true;
+  bool has_actors_ = false;
+};
 
 }  // namespace
 
-void readWorld(const sdf::World& world, const Place& place, SdfReading& reading,
-               Description& description) {
-  readGlobals(world, place, reading, description);
-  readModels(world, place, reading, description);
-  readLights(world, place, reading, description);
-  if (!hasShadows(descendant(world.Element(), {"scene"}))) {
-    for (Light& light : description.lights) light.casts_shadow = false;
-  }
-  for (const char* kind : {"actor", "road", "population"}) {
-    if (has(world.Element(), kind)) {
-      reading.findings.addNote(place.message(std::string("<") + kind + "> is left out"));
-    }
-  }
+Description readWorld(const Element& world, SdfReading& reading) {
+  const Place place(world.file().path.string());
+  return WorldReader(world, place, reading).read();
+}
+
+Description readLoneModel(const Element& root, SdfReading& reading) {
+  return WorldReader(root, Place(root.file().path.string()), reading).read();
 }
 
 }  // namespace synthetic_dataset::world

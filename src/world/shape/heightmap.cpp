@@ -112,20 +112,20 @@ void fade(Mesh& mesh, const std::vector<float>& weights) {
   mesh.indices = std::move(indices);
 }
 
+/// The ground stays where its pictures are missing.
 Material materialOf(const GroundTexture& ground, const Heightmap& heightmap,
-                    TextureLoader& textures) {
-  Material material;
-  material.diffuse.setOnes();
-  material.specular.setZero();
-  TextureReference reference;
-  reference.folder = heightmap.folder;
-  reference.uri = ground.diffuse;
-  material.texture = textures.load(reference);
+                    TextureLoader& textures, const MissingPicture& missing) {
+  MaterialSource source;
+  source.material.diffuse.setOnes();
+  source.material.specular.setZero();
+  source.texture.emplace();
+  source.texture->uri = ground.diffuse;
+  source.texture->folder = heightmap.folder;
   if (!ground.normal.empty()) {
-    reference.uri = ground.normal;
-    material.normal_map = textures.load(reference);
+    source.normal_map = source.texture;
+    source.normal_map->uri = ground.normal;
   }
-  return material;
+  return withPictures(source, textures, missing);
 }
 
 bool allAre(const std::vector<float>& weights, float value) {
@@ -165,7 +165,7 @@ std::shared_ptr<const Mesh> heightmapMesh(const Heightmap& heightmap) {
 }
 
 std::vector<Surface> heightmapSurfaces(const Heightmap& heightmap, const Material& plain,
-                                       TextureLoader& textures) {
+                                       TextureLoader& textures, const MissingPicture& missing) {
   const HeightGrid grid = readHeights(heightmap);
   if (heightmap.textures.empty()) return {{meshOf(heightmap, grid, 1.0), plain}};
   std::vector<Surface> surfaces;
@@ -181,7 +181,7 @@ std::vector<Surface> heightmapSurfaces(const Heightmap& heightmap, const Materia
         fade(*mesh, weights);
       }
     }
-    surfaces.push_back({std::move(mesh), materialOf(ground, heightmap, textures)});
+    surfaces.push_back({std::move(mesh), materialOf(ground, heightmap, textures, missing)});
   }
   return surfaces;
 }

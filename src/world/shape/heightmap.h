@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "world/description.h"
+#include "world/material/material_source.h"
 #include "world/material/texture_loader.h"
 
 namespace synthetic_dataset::world {
@@ -55,9 +56,10 @@ struct HeightGrid {
 
 /// Its triangles in its textures: the lowest one opaque, then each further one over it, with the
 /// colours' alpha as its weight at each point, where it has any. Without textures, in `plain`.
-/// @throws Error as readHeights, or if a texture is missing
+/// @param missing  is told of each picture that is missing, and left out
+/// @throws Error as readHeights
 [[nodiscard]] std::vector<Surface> heightmapSurfaces(const Heightmap& heightmap,
-                                                     const Material& plain,
-                                                     TextureLoader& textures);
+                                                     const Material& plain, TextureLoader& textures,
+                                                     const MissingPicture& missing);
 
 }  // namespace synthetic_dataset::world

@@ -6,7 +6,7 @@
 
 #include <urdf_parser/urdf_parser.h>
 
-#include "world/sdf/sdf_console.h"
+#include "world/urdf/urdf_console.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -44,18 +44,18 @@ void tellLosses(const std::vector<std::string>& reasons, const std::string& name
 /// Null, with the error reported, where urdfdom refuses the text.
 urdf::ModelInterfaceSharedPtr parse(const std::string& text, const std::string& name,
                                     Findings& findings) {
-  const SdfConsole console;
+  const UrdfConsole console;
   std::vector<std::string> reasons;
   try {
     urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(text);
     if (robot && robot->getRoot()) {
-      tellLosses(console.reasons(), name, findings);
+      tellLosses(console.errors(), name, findings);
       return robot;
     }
   } catch (const std::exception& error) {
     reasons.emplace_back(error.what());
   }
-  const std::vector<std::string> told = console.reasons();
+  const std::vector<std::string> told = console.errors();
   reasons.insert(reasons.end(), told.begin(), told.end());
   findings.addError(name + ": " + joined(reasons));
   return nullptr;

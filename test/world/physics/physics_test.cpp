@@ -58,6 +58,17 @@ TEST(Physics, GravityIsTheDescriptions) {
   EXPECT_NEAR(poseAfter(world, 0, seconds(1)).translation().x(), 0.81, 0.005);
 }
 
+TEST(Physics, LinksWithoutGravityFloat) {
+  Model balloon = modelOf("balloon", SphereShape{0.1}, at(0, 0, 5));
+  balloon.links[0].has_gravity = false;
+  Model half = modelOf("half", SphereShape{0.1}, at(3, 0, 100));
+  half.links.push_back(balloon.links[0]);
+  World world(descriptionOf({balloon, half}), {}, {});
+
+  EXPECT_EQ(poseAfter(world, 0, seconds(1)).translation().z(), 5.0);
+  EXPECT_NEAR(world.linkPoses()[1].translation().z(), 100 - 0.5 * 9.81 / 2, 0.02);
+}
+
 class PropAtRest : public testing::TestWithParam<std::pair<Shape, Shape>> {};
 
 TEST_P(PropAtRest, StandsOnTheFloorAtHalfItsHeight) {

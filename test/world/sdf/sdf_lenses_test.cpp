@@ -65,9 +65,9 @@ TEST(SdfNoise, IsReadAsAShareOfFullScale) {
   EXPECT_DOUBLE_EQ(found.noise.stddev, 0.007);
 }
 
-TEST(SdfNoise, OfMoreThanFullScaleIsAnError) {
+TEST(SdfNoise, OfMoreThanFullScaleCostsTheCamera) {
   const TemporaryFolder folder;
-  EXPECT_THAT(errorsOf(folder, camera("<noise><type>gaussian</type><stddev>7</stddev></noise>")),
+  EXPECT_THAT(notesOf(folder, camera("<noise><type>gaussian</type><stddev>7</stddev></noise>")),
               ElementsAre(HasSubstr("sensor 'eye': noise: found")));
 }
 
@@ -112,10 +112,10 @@ TEST(SdfLens, TakesACustomFunctionUnscaled) {
   EXPECT_NEAR(radiusOf(model, 0.8), 400.0 * 1.05 * 2.0 * std::tan(0.2), 0.06);
 }
 
-TEST(SdfLens, RefusesAnUnknownType) {
+TEST(SdfLens, OfAnUnknownTypeCostsTheCamera) {
   const TemporaryFolder folder;
   EXPECT_THAT(
-      errorsOf(folder, wideAngle("2.0", "<type>panoramic</type>")),
+      notesOf(folder, wideAngle("2.0", "<type>panoramic</type>")),
       ElementsAre(AllOf(HasSubstr("lens/type: found 'panoramic'"), HasSubstr("equisolid_angle"))));
 }
 

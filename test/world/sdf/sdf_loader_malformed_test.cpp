@@ -97,7 +97,7 @@ TEST(MalformedSdf, HasPathsThatAreNone) {
   const std::vector<std::string> errors = errorsOf(folder, worldWithAll(geometries));
   ASSERT_EQ(errors.size(), uris.size());
   for (std::size_t i = 0; i < uris.size(); ++i) {
-    EXPECT_THAT(errors[i], HasSubstr("world.sdf: model 'm': link 'body': visual 'v" +
+    EXPECT_THAT(errors[i], HasSubstr("world.sdf: line 1: model 'm': link 'body': visual 'v" +
                                      std::to_string(i) + "': mesh '"));
   }
 }
@@ -126,28 +126,56 @@ TEST(MalformedSdf, HasIncludesThatAreNone) {
   }
 }
 
-TEST(MalformedSdf, HasAbsurdNumbers) {
+TEST(MalformedSdf, HasAbsurdNumbersWhichCostTheirVisualAlone) {
   const TemporaryFolder folder;
   folder.write("y.obj", test::kTriangleObj);
   for (const std::string& geometry :
        {meshElement("y.obj", "<scale>1e300 1e300 1e300</scale>"),
-        meshElement("y.obj", "<scale>nan 1 1</scale>"),
+        meshElement("y.obj", "<scale>1 0 1</scale>"),
         std::string("<box><size>1e300 1 1</size></box>"),
-        std::string("<box><size>inf 1 1</size></box>"),
+        std::string("<box><size>1 0 1</size></box>"),
         std::string("<sphere><radius>-2</radius></sphere>"),
         std::string("<cylinder><radius>1e39</radius><length>1</length></cylinder>"),
+        std::string("<cylinder><radius>1</radius><length>0</length></cylinder>"),
         std::string("<plane><normal>0 0 0</normal><size>1 1</size></plane>"),
         std::string("<plane><normal>0 0 1</normal><size>-1 nan</size></plane>"),
         std::string("<heightmap><uri>y.obj</uri><size>1e300 1 1</size></heightmap>"),
         std::string("<polyline><point>1e300 0</point><point>1 0</point><point>1 1</point>"
                     "<height>1</height></polyline>")}) {
-    EXPECT_THAT(errorsOf(folder, worldWith(geometry)),
-                AllOf(Not(IsEmpty()), Each(HasSubstr("world.sdf"))))
+    const Description world = loadText(folder, worldWith(geometry));
+    EXPECT_THAT(world.models.at(0).links.at(0).visuals, IsEmpty()) << geometry;
+    EXPECT_THAT(
+        world.notes,
+        ElementsAre(AllOf(HasSubstr("world.sdf: line 1: model 'm': link 'body': visual 'v': "),
+                          HasSubstr("; it is left out"))))
         << geometry;
   }
-  EXPECT_THAT(errorsOf(folder, worldFile(modelElement("m", "<pose>1e300 0 0 0 0 0</pose>" +
-                                                               linkElement(visualElement(kBox))))),
-              Contains(HasSubstr("model 'm'")));
+}
+
+TEST(MalformedSdf, HasWhatAreNoNumbersAndTakesTheUsualOnes) {
+  const TemporaryFolder folder;
+  const Description world = loadText(folder, worldWith("<box><size>one 1 1</size></box>"));
+  EXPECT_THAT(world.models.at(0).links.at(0).visuals, SizeIs(1));
+  EXPECT_THAT(world.notes,
+              ElementsAre(HasSubstr("visual 'v': size: found 'one 1 1'; three numbers are needed; "
+                                    "1 1 1 is taken")));
+}
+
+TEST(MalformedSdf, HasPosesThatAreNone) {
+  const TemporaryFolder folder;
+  const auto load = [&](const std::string& pose) {
+    return loadText(folder,
+                    worldFile("\n" + modelElement("m", "\n<pose>" + pose + "</pose>" +
+                                                           linkElement(visualElement(kBox)))));
+  };
+  const Description far = load("1e300 0 0 0 0 0");
+  EXPECT_THAT(far.notes,
+              ElementsAre(HasSubstr("world.sdf: line 3: model 'm': pose: found '1e300 0")));
+  EXPECT_TRUE(far.models.at(0).X_WM.isApprox(Pose::Identity()));
+  const Description short_one = load("1 2 three");
+  EXPECT_THAT(short_one.notes,
+              ElementsAre(HasSubstr("6 numbers are needed; the others are taken for 0")));
+  EXPECT_TRUE(short_one.models.at(0).X_WM.translation().isApprox(Eigen::Vector3d(1, 2, 0)));
 }
 
 TEST(MalformedSdf, HasAPolylineThatIsNone) {
@@ -155,9 +183,10 @@ TEST(MalformedSdf, HasAPolylineThatIsNone) {
   const auto polyline = [](const std::string& points) {
     return worldWith("<polyline>" + points + "<height>1</height></polyline>");
   };
-  EXPECT_THAT(errorsOf(folder, polyline("<point>0 0</point><point>1 0</point>")),
-              ElementsAre(AllOf(HasSubstr("world.sdf: model 'm': link 'body': visual 'v': "),
-                                HasSubstr("2 different points"))));
+  EXPECT_THAT(
+      errorsOf(folder, polyline("<point>0 0</point><point>1 0</point>")),
+      ElementsAre(AllOf(HasSubstr("world.sdf: line 1: model 'm': link 'body': visual 'v': "),
+                        HasSubstr("2 different points"))));
   EXPECT_THAT(errorsOf(folder, polyline("<point>0 0</point><point>2 2</point><point>2 0</point>"
                                         "<point>0 3</point>")),
               ElementsAre(HasSubstr("crosses itself")));

@@ -82,13 +82,13 @@ TEST(SdfScene, TurnsShadowsOff) {
 
 TEST(SdfScene, NamesNumbersThatAreNone) {
   const TemporaryFolder folder;
-  const auto errors = [&](const std::string& scene) {
-    return errorsOf(folder, worldFile("<scene>" + scene + "</scene>"));
+  const auto notes = [&](const std::string& scene) {
+    return notesOf(folder, worldFile("<scene>" + scene + "</scene>"));
   };
-  EXPECT_THAT(
-      errors("<fog><type>linear</type><start>9</start><end>5</end></fog>"),
-      Contains(AllOf(HasSubstr("world.sdf: scene: fog: end: found 5"), HasSubstr("beyond start"))));
-  EXPECT_THAT(errors("<fog><type>exp</type><density>-1</density></fog>"),
+  EXPECT_THAT(notes("<fog><type>linear</type><start>9</start><end>5</end></fog>"),
+              Contains(AllOf(HasSubstr("world.sdf: line 1: scene: fog: end: found 5"),
+                             HasSubstr("beyond start"))));
+  EXPECT_THAT(notes("<fog><type>exp</type><density>-1</density></fog>"),
               Contains(HasSubstr("density")));
 }
 

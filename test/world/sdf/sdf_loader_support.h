@@ -94,6 +94,12 @@ constexpr const char* kTriangleObj =
       .visuals.at(0);
 }
 
+/// What is noted of a world that loads nevertheless.
+[[nodiscard]] inline std::vector<std::string> notesOf(const TemporaryFolder& folder,
+                                                      const std::string& text) {
+  return loadText(folder, text).notes;
+}
+
 /// What loading the file complains of.
 [[nodiscard]] inline std::vector<std::string> errorsOfFile(const TemporaryFolder& folder,
                                                            const std::string& uri) {

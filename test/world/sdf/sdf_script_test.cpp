@@ -117,10 +117,13 @@ TEST(SdfScript, TellsWhereAnUnknownMaterialWasLookedFor) {
               ElementsAre(AllOf(HasSubstr("visual 'v': material 'Shelf/Blue' is in no script"),
                                 HasSubstr("shelf.material"), HasSubstr("'model://shelf/elsewhere'"),
                                 HasSubstr("and Gazebo ships none of that name"))));
-  EXPECT_THAT(errorsOfMaterial(folder, script("Gazebo/Gray", "")),
-              ElementsAre(HasSubstr("material 'Gazebo/Gray' is in no script (no <uri> names a "
-                                    "script or a folder with scripts), and Gazebo ships none of "
-                                    "that name; did you mean 'Gazebo/Grey'?")));
+  EXPECT_THAT(
+      test::notesOf(folder, worldFile(modelElement(
+                                "m", linkElement(visualElement(kBox, script("Gazebo/Gray", "")))))),
+      ElementsAre(HasSubstr("material 'Gazebo/Gray' is in no script (no <uri> names a "
+                            "script or a folder with scripts), and Gazebo ships none of "
+                            "that name; did you mean 'Gazebo/Grey'?; the default "
+                            "material is drawn")));
 }
 
 TEST(SdfScript, TellsFileAndLineOfAMalformedScript) {

@@ -107,13 +107,15 @@ TEST(Heightmap, TakesPicturesOfAnySize) {
   EXPECT_EQ(grid.rows, 3);
 }
 
+void notExpected(const std::string& message) { ADD_FAILURE() << message; }
+
 TEST(Heightmap, RepeatsTexturesByTheirSize) {
   const TemporaryFolder folder;
   Heightmap heightmap = heightmapOf(writePicture(folder, cv::Mat_<uchar>({2, 2}, {0, 0, 0, 9})));
   heightmap.textures = {texture(folder, "grass.png", 0.5)};
   const ResourceFinder finder = test::finderIn(folder);
   TextureLoader textures(finder);
-  const auto surfaces = heightmapSurfaces(heightmap, Material{}, textures);
+  const auto surfaces = heightmapSurfaces(heightmap, Material{}, textures, notExpected);
   ASSERT_THAT(surfaces, SizeIs(1));
   EXPECT_EQ(surfaces[0].mesh->texture_coordinates.at(0), Eigen::Vector2f(0.0F, 0.0F));
   EXPECT_EQ(surfaces[0].mesh->texture_coordinates.at(3), Eigen::Vector2f(8.0F, 4.0F));
@@ -129,7 +131,7 @@ TEST(Heightmap, LaysTexturesOverOneAnotherByHeight) {
   heightmap.blends = {{2.5, 5.0}};
   const ResourceFinder finder = test::finderIn(folder);
   TextureLoader textures(finder);
-  const auto surfaces = heightmapSurfaces(heightmap, Material{}, textures);
+  const auto surfaces = heightmapSurfaces(heightmap, Material{}, textures, notExpected);
   ASSERT_THAT(surfaces, SizeIs(2));
   const Mesh& rock = *surfaces[1].mesh;
   EXPECT_EQ(rock.positions, surfaces[0].mesh->positions);
@@ -149,9 +151,24 @@ TEST(Heightmap, LeavesOutTexturesThatAreHidden) {
   heightmap.blends = {{5.0, 0.0}, {20.0, 1.0}};
   const ResourceFinder finder = test::finderIn(folder);
   TextureLoader textures(finder);
-  const auto surfaces = heightmapSurfaces(heightmap, Material{}, textures);
+  const auto surfaces = heightmapSurfaces(heightmap, Material{}, textures, notExpected);
   ASSERT_THAT(surfaces, SizeIs(1));
   EXPECT_THAT(surfaces[0].material.texture->file, HasSubstr("b.png"));
+}
+
+TEST(Heightmap, StaysWhereItsPicturesAreMissing) {
+  const TemporaryFolder folder;
+  Heightmap heightmap = heightmapOf(writePicture(folder, cv::Mat_<uchar>({2, 2}, {9, 9, 9, 9})));
+  heightmap.textures = {{"gone.png", "away.png", 1.0}};
+  const ResourceFinder finder = test::finderIn(folder);
+  TextureLoader textures(finder);
+  std::vector<std::string> missing;
+  const auto surfaces =
+      heightmapSurfaces(heightmap, Material{}, textures,
+                        [&](const std::string& message) { missing.push_back(message); });
+  ASSERT_THAT(surfaces, SizeIs(1));
+  EXPECT_EQ(surfaces[0].material.texture, nullptr);
+  EXPECT_THAT(missing, testing::ElementsAre(HasSubstr("gone.png"), HasSubstr("away.png")));
 }
 
 TEST(Heightmap, NamesAPictureThatWillNotDo) {

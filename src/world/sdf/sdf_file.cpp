@@ -1,0 +1,121 @@
+#include "world/sdf/sdf_file.h"
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "synthetic_dataset/errors.h"
+#include "world/files/gz_plugins.h"
+#include "world/sdf/xml_repair.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Opening anything else may wait for ever.
+void requireFile(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored)) return;
+  throw Error(file.string() + ": is " + (fs::is_directory(file, ignored) ? "a folder" : "no file") +
+              "; a file is needed");
+}
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw Error(file.string() + ": cannot be opened");
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void parseXml(const std::string& text, SdfFile& file) {
+  if (file.document.Parse(text.c_str(), text.size()) == tinyxml2::XML_SUCCESS) return;
+  const std::string reason = "line " + std::to_string(file.document.ErrorLineNum()) +
+                             ": cannot be read as XML (" + file.document.ErrorName() + ")";
+  const std::string repaired = repairedXml(text);
+  if (file.document.Parse(repaired.c_str(), repaired.size()) == tinyxml2::XML_SUCCESS) return;
+  throw Error(file.path.string() + ": " + reason);
+}
+
+/// SDF's oldest versions call their root <gazebo>.
+void readRoot(SdfFile& file) {
+  const tinyxml2::XMLElement* root = file.document.RootElement();
+  const std::string name = root != nullptr ? root->Name() : "";
+  file.is_urdf = name == "robot";
+  if (file.is_urdf) return;
+  if (name != "sdf" && name != "gazebo") {
+    throw Error(file.path.string() + ": its root element is <" + name +
+                ">; <sdf> is needed, or <robot> of a URDF file");
+  }
+  const char* version = root->Attribute("version");
+  if (version != nullptr && isSdfVersion(version)) {
+    file.version = parseSdfVersion(version);
+    return;
+  }
+  file.odd = "line " + std::to_string(root->GetLineNum()) + ": <" + name + "> has " +
+             (version == nullptr ? "no version"
+                                 : "the version '" + std::string(version) + "', which is none") +
+             "; it is read as version 1.6";
+}
+
+/// Looks for plugins of gz-sim's.
+class GzPluginSearch : public tinyxml2::XMLVisitor {
+ public:
+  bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute*) override {
+    if (std::string(element.Name()) != "plugin") return !found;
+    const auto attribute = [&](const char* name) {
+      const char* text = element.Attribute(name);
+      return std::string(text != nullptr ? text : "");
+    };
+    found = found || isPluginOfGz(attribute("filename"), attribute("name"));
+    return false;
+  }
+
+  bool found = false;
+};
+
+bool hasPluginOfGz(const tinyxml2::XMLDocument& document) {
+  GzPluginSearch search;
+  document.Accept(&search);
+  return search.found;
+}
+
+std::unique_ptr<SdfFile> parsed(const fs::path& name, std::string text) {
+  auto file = std::make_unique<SdfFile>();
+  file->path = name;
+  parseXml(text, *file);
+  readRoot(*file);
+  file->is_of_gz = !file->is_urdf && hasPluginOfGz(file->document);
+  if (file->is_urdf) file->text = std::move(text);
+  return file;
+}
+
+}  // namespace
+
+const SdfFile& SdfFiles::read(const fs::path& file) {
+  return keep(file, [&] {
+    requireFile(file);
+    return contentOf(file);
+  });
+}
+
+const SdfFile& SdfFiles::readText(const fs::path& name, const std::string& text) {
+  return keep(name, [&] { return text; });
+}
+
+const SdfFile& SdfFiles::keep(const fs::path& name, const std::function<std::string()>& text) {
+  auto known = files_.find(name.string());
+  if (known == files_.end()) {
+    std::variant<std::unique_ptr<SdfFile>, std::string> result;
+    try {
+      result = parsed(name, text());
+    } catch (const Error& error) {
+      result = std::string(error.what());
+    }
+    known = files_.emplace(name.string(), std::move(result)).first;
+  }
+  if (const auto* fault = std::get_if<std::string>(&known->second)) throw Error(*fault);
+  return *std::get<std::unique_ptr<SdfFile>>(known->second);
+}
+
+}  // namespace synthetic_dataset::world

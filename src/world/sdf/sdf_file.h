@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include <tinyxml2.h>
+
+#include "world/sdf/sdf_version.h"
+
+namespace synthetic_dataset::world {
+
+/// A parsed file of SDF or URDF.
+struct SdfFile {
+  std::filesystem::path path;  ///< or a name for messages, of what is in no file
+  std::string text;            ///< of a URDF file alone, which urdfdom parses itself
+  tinyxml2::XMLDocument document;
+  SdfVersion version{1, 6};        ///< of the root; none is taken for 1.6
+  std::optional<std::string> odd;  ///< what is odd about the root: "line 2: <sdf> has no version"
+  bool is_urdf = false;
+  bool is_of_gz = false;  ///< it names a plugin of gz-sim's
+
+  [[nodiscard]] const tinyxml2::XMLElement& root() const { return *document.RootElement(); }
+};
+
+/// Parses each file once.
+class SdfFiles {
+ public:
+  /// @throws Error if it is no regular file, no XML even when repaired, or neither SDF nor URDF:
+  ///     "world.sdf: line 2: cannot be read as XML (...)"
+  [[nodiscard]] const SdfFile& read(const std::filesystem::path& file);
+
+  /// Parses a text that is in no file.
+  /// @param name  for messages; one name has one text
+  /// @throws Error as `read`
+  [[nodiscard]] const SdfFile& readText(const std::filesystem::path& name, const std::string& text);
+
+ private:
+  [[nodiscard]] const SdfFile& keep(const std::filesystem::path& name,
+                                    const std::function<std::string()>& text);
+
+  std::map<std::string, std::variant<std::unique_ptr<SdfFile>, std::string>>
+      files_;  ///< or why not
+};
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,45 @@
+#pragma once
+
+/// The geometries that are made of outlines and pictures, and what they share with the others.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "world/sdf/sdf_reading.h"
+#include "world/shape/extrusion.h"
+#include "world/shape/heightmap.h"
+#include "world/shape/wall_map.h"
+
+namespace synthetic_dataset::world {
+
+/// @return the value
+/// @throws Error if it is no length: above 0 and at most 1e7 m
+double requireSize(const std::string& name, double value);
+
+/// The file that a URI means in an element's file, or nothing where there is none (reported).
+/// @param kind  for the message: "mesh", "heightmap"
+[[nodiscard]] std::optional<std::filesystem::path> findFile(const std::string& kind,
+                                                            const std::string& uri,
+                                                            const Element& element,
+                                                            const Place& place,
+                                                            SdfReading& reading);
+
+/// All `<polyline>` of a `<geometry>`, which make one shape of the first one's height.
+/// @throws Error for what is no polyline
+[[nodiscard]] Extrusion readPolylines(const Element& geometry, const Eigen::Vector3d& scale,
+                                      const Place& place, SdfReading& reading);
+
+/// @throws Error for sizes that are none
+[[nodiscard]] std::optional<Heightmap> readHeightmap(const Element& element,
+                                                     const Eigen::Vector3d& scale,
+                                                     const Place& place, SdfReading& reading);
+
+/// @param element  an `<image>`
+/// @throws Error for sizes that are none
+[[nodiscard]] std::optional<WallMap> readWallMap(const Element& element, const Place& place,
+                                                 SdfReading& reading);
+
+}  // namespace synthetic_dataset::world
