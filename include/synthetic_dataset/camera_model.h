@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "synthetic_dataset/box.h"
+#include "synthetic_dataset/distortion.h"
 
 namespace synthetic_dataset {
 inline namespace v2 {
@@ -23,41 +23,20 @@ struct Intrinsics {
   return a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy;
 }
 
-/// The lens's distortion, by the names of sensor_msgs/CameraInfo.
-enum class DistortionModel {
-  kNone,
-  kPlumbBob,            ///< k1, k2, p1, p2, k3
-  kRationalPolynomial,  ///< k1, k2, p1, p2, k3, k4, k5, k6
-  kEquidistant,         ///< k1, k2, k3, k4 of a fisheye lens
-};
-
-/// Coefficients in the order of CameraInfo's D, which is OpenCV's; those that a model lacks are 0.
-/// Formulas: OpenCV's documentation of calib3d and of its fisheye module.
-struct Distortion {
-  DistortionModel model = DistortionModel::kNone;
-  std::array<double, 8> coefficients{};
-
-  /// The lens shows nothing that is farther from its axis than this [rad], in (0, pi].
-  double cutoff_angle = 3.14159265358979323846;
-};
-
-[[nodiscard]] inline bool operator==(const Distortion& a, const Distortion& b) {
-  return a.model == b.model && a.coefficients == b.coefficients && a.cutoff_angle == b.cutoff_angle;
-}
-
 /// How points of the optical frame (x right, y down, z forward; metres) fall on the image.
 ///
 /// A pixel's centre has whole coordinates, as with cv::projectPoints: the image spans
 /// (-0.5, -0.5) to (width - 0.5, height - 0.5).
 ///
 /// A lens sees no farther from its axis than its distortion is one to one: points beyond have no
-/// place on the image, where the formulas alone would fold them back into it. An equidistant lens
-/// can see past 90 degrees, where z is negative.
+/// place on the image, where the formulas alone would fold them back into it. Lenses without a near
+/// plane (equidistant, omnidirectional, double sphere) can see past 90 degrees, where z is
+/// negative.
 class CameraModel {
  public:
   /// @param width, height  of the image [px], at least 1
-  /// @param near, far  the range that the camera sees [m], 0 < near < far: of z, with an
-  ///     equidistant lens of the distance
+  /// @param near, far  the range that the camera sees [m], 0 < near < far: of z, with a lens that
+  ///     has no near plane of the distance
   /// @throws Error where a value is out of its range
   CameraModel(int width, int height, const Intrinsics& intrinsics, double near, double far,
               const Distortion& distortion = {});
@@ -81,13 +60,24 @@ class CameraModel {
   /// anything.
   [[nodiscard]] bool isPinhole() const;
 
-  /// How far from its axis the lens sees [rad]: up to pi / 2, an equidistant one up to pi.
+  /// Whether `near` is a z, and nothing is seen from 90 degrees on; otherwise it is a distance.
+  [[nodiscard]] bool hasNearPlane() const;
+
+  /// How far from the principal point what is at an angle from the axis [rad] appears, in focal
+  /// lengths: for the lens's kind alone, without the polynomials that bend its picture. Nothing
+  /// where such a lens does not see.
+  [[nodiscard]] std::optional<double> radiusAt(double angle) const;
+
+  /// The angle [rad] to which radiusAt() gives this or, where it never does, the nearest to it.
+  [[nodiscard]] double angleAt(double radius) const;
+
+  /// How far from its axis the lens sees [rad]: up to pi / 2 with a near plane, up to pi without.
   [[nodiscard]] double largestAngle() const { return largest_angle_; }
 
   /// The box around the projection of the points' convex hull, which is clipped at the near plane
   /// and at the lens's largest angle but not at the image's edge. Nothing when none of it is left.
-  /// An equidistant lens has no near plane: its box is that of the hull down to the camera, unless
-  /// all of the hull is nearer than `near`. Edges bend with distortion; the box holds them to
+  /// Of a lens without a near plane the box is that of the hull down to the camera, unless all of
+  /// the hull is nearer than `near`. Edges bend with distortion; the box holds them to
   /// 0.05 px.
   [[nodiscard]] std::optional<Box> projectedBounds(
       const std::vector<Eigen::Vector3d>& points_C) const;

@@ -64,9 +64,8 @@ CameraModel cameraOf(const json& line) {
   constexpr double kFar = 1e6;
   const json& camera = line.at("camera");
   const auto k = camera.at("K").get<std::array<double, 9>>();
-  Distortion distortion;
-  distortion.model = distortionModelOf(camera.at("distortion_model").get<std::string>());
-  distortion.coefficients = camera.at("D").get<std::array<double, 8>>();
+  const Distortion distortion = makeDistortion(camera.at("distortion_model").get<std::string>(),
+                                               camera.at("D").get<std::vector<double>>());
   return {integerOf(line.at("width")),
           integerOf(line.at("height")),
           {k[0], k[4], k[2], k[5]},

@@ -2,6 +2,7 @@
 #include <array>
 #include <iterator>
 #include <ostream>
+#include <vector>
 
 #include <opencv2/core.hpp>
 #include <pluginlib/class_list_macros.hpp>
@@ -17,19 +18,12 @@
 namespace synthetic_dataset {
 namespace {
 
-/// As sensor_msgs/CameraInfo names it.
-const char* nameOf(DistortionModel model) {
-  switch (model) {
-    case DistortionModel::kPlumbBob:
-      return "plumb_bob";
-    case DistortionModel::kRationalPolynomial:
-      return "rational_polynomial";
-    case DistortionModel::kEquidistant:
-      return "equidistant";
-    case DistortionModel::kNone:
-      break;
-  }
-  return "none";
+/// Eight numbers, of which models with fewer leave the last ones 0, or more where a model has more.
+std::vector<double> numbersOf(const Distortion& distortion) {
+  constexpr std::size_t kUsual = 8;
+  std::vector<double> numbers = coefficientsOf(distortion);
+  numbers.resize(std::max(numbers.size(), kUsual));
+  return numbers;
 }
 
 /// Unit normals as colours: red, green and blue are x, y and z from -1 (0) to 1 (255); black where
@@ -80,8 +74,8 @@ Json cameraOf(const Scene& scene) {
   const Intrinsics& k = scene.camera.intrinsics();
   return {{"name", scene.camera_name},
           {"K", {k.fx, 0.0, k.cx, 0.0, k.fy, k.cy, 0.0, 0.0, 1.0}},
-          {"distortion_model", nameOf(scene.camera.distortion().model)},
-          {"D", scene.camera.distortion().coefficients},
+          {"distortion_model", distortionModelName(scene.camera.distortion().model)},
+          {"D", numbersOf(scene.camera.distortion())},
           {"X_GC", jsonMatrix(scene.X_GC)}};
 }
 

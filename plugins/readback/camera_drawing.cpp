@@ -1,9 +1,5 @@
 #include "plugins/readback/camera_drawing.h"
 
-#include <algorithm>
-
-#include "synthetic_dataset/errors.h"
-
 namespace synthetic_dataset::formats {
 namespace {
 
@@ -12,14 +8,6 @@ cv::Point2d placeOf(const Eigen::Vector3d& p_C, const Intrinsics& camera) {
 }
 
 }  // namespace
-
-DistortionModel distortionModelOf(const std::string& name) {
-  if (name == "plumb_bob") return DistortionModel::kPlumbBob;
-  if (name == "rational_polynomial") return DistortionModel::kRationalPolynomial;
-  if (name == "equidistant") return DistortionModel::kEquidistant;
-  if (name == "none") return DistortionModel::kNone;
-  throw Error("found the distortion model '" + name + "'");
-}
 
 void addLine(DrawnLabel& label, const Intrinsics& camera, const Eigen::Vector3d& a_C,
              const Eigen::Vector3d& b_C) {

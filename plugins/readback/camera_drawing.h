@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 #include "plugins/readback/drawn_label.h"
 #include "synthetic_dataset/camera_model.h"
@@ -9,10 +8,6 @@
 
 /// Lines of things in a pinhole camera's frame, of any unit of length.
 namespace synthetic_dataset::formats {
-
-/// @param name  as sensor_msgs/CameraInfo has it, or "none"
-/// @throws Error for any other
-[[nodiscard]] DistortionModel distortionModelOf(const std::string& name);
 
 /// A line between two points, or the part of it that is before the camera.
 void addLine(DrawnLabel& label, const Intrinsics& camera, const Eigen::Vector3d& a_C,

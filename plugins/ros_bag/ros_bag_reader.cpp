@@ -92,16 +92,12 @@ Pose poseOf(const Point& p, const Quaternion& q) {
 CameraModel cameraOf(const sensor_msgs::CameraInfo& info) {
   constexpr double kNear = 1e-3;  // a bag has no range of sight
   constexpr double kFar = 1e6;
-  Distortion distortion;
-  distortion.model = distortionModelOf(info.distortion_model);
-  std::copy_n(info.D.begin(), std::min(info.D.size(), distortion.coefficients.size()),
-              distortion.coefficients.begin());
   return {static_cast<int>(info.width),
           static_cast<int>(info.height),
           {info.K[0], info.K[4], info.K[2], info.K[5]},
           kNear,
           kFar,
-          distortion};
+          makeDistortion(info.distortion_model, info.D)};
 }
 
 /// @param instances  CV_16UC1: the markers' ids

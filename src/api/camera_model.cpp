@@ -6,6 +6,7 @@
 
 #include "api/curved_bounds.h"
 #include "api/lens.h"
+#include "api/lens_model.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -102,8 +103,7 @@ CameraModel::CameraModel(int width, int height, const Intrinsics& intrinsics, do
 }
 
 std::optional<Eigen::Vector2d> CameraModel::project(const Eigen::Vector3d& p_C) const {
-  const bool has_near_plane = distortion_.model != DistortionModel::kEquidistant;
-  if (!((has_near_plane ? p_C.z() : p_C.norm()) >= near_)) return std::nullopt;
+  if (!((hasNearPlane() ? p_C.z() : p_C.norm()) >= near_)) return std::nullopt;
   if (isStraight(distortion_)) {
     return Eigen::Vector2d(intrinsics_.fx * p_C.x() / p_C.z() + intrinsics_.cx,
                            intrinsics_.fy * p_C.y() / p_C.z() + intrinsics_.cy);
@@ -121,16 +121,27 @@ std::optional<Eigen::Vector3d> CameraModel::ray(const Eigen::Vector2d& pixel) co
 }
 
 bool CameraModel::isPinhole() const {
-  if (distortion_.model == DistortionModel::kNone) return true;
   // Without coefficients the polynomials are 1, but a fisheye's angle is still not its tangent.
-  return distortion_.model != DistortionModel::kEquidistant &&
+  return !lens::modelOf(distortion_.model).bends_without &&
          std::all_of(distortion_.coefficients.begin(), distortion_.coefficients.end(),
                      [](double coefficient) { return coefficient == 0.0; });
 }
 
+bool CameraModel::hasNearPlane() const {
+  return lens::modelOf(distortion_.model).functions->has_near_plane;
+}
+
+std::optional<double> CameraModel::radiusAt(double angle) const {
+  return lens::modelOf(distortion_.model).functions->radiusAt(distortion_, angle);
+}
+
+double CameraModel::angleAt(double radius) const {
+  return lens::modelOf(distortion_.model).functions->angleAt(distortion_, radius);
+}
+
 std::optional<Box> CameraModel::projectedBounds(
     const std::vector<Eigen::Vector3d>& points_C) const {
-  if (distortion_.model == DistortionModel::kEquidistant) {
+  if (!hasNearPlane()) {
     const bool too_near =
         std::all_of(points_C.begin(), points_C.end(),
                     [this](const Eigen::Vector3d& point) { return point.norm() < near_; });

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "synthetic_dataset/camera_model.h"
+#include "synthetic_dataset/distortion.h"
 
 namespace synthetic_dataset::lens {
 

@@ -11,27 +11,23 @@ namespace synthetic_dataset::scene {
 namespace {
 
 /// Next to pi, nearly all of a plane's image lies in its middle.
-constexpr double kWidestPlane = 3.1;
-
-bool isEquidistant(const CameraModel& camera) {
-  return camera.distortion().model == DistortionModel::kEquidistant;
-}
+constexpr double kWidestPlane = 3.1;  // [rad]
 
 /// [rad]
 double widestOf(const CameraModel& camera) {
-  return isEquidistant(camera) ? 2.0 * M_PI : kWidestPlane;
+  return 2.0 * camera.angleAt(std::tan(0.5 * kWidestPlane));
 }
 
 }  // namespace
 
 double fieldOfView(const CameraModel& camera) {
-  const double width_in_focal_lengths = camera.width() / camera.intrinsics().fx;
-  return isEquidistant(camera) ? width_in_focal_lengths
-                               : 2.0 * std::atan(0.5 * width_in_focal_lengths);
+  return 2.0 * camera.angleAt(0.5 * (camera.width() / camera.intrinsics().fx));
 }
 
 bool canHaveFieldOfView(const CameraModel& camera, double field_of_view) {
-  return field_of_view > 0.0 && field_of_view <= widestOf(camera);
+  if (!(field_of_view > 0.0)) return false;
+  const auto radius = camera.radiusAt(0.5 * field_of_view);
+  return radius && *radius > 0.0 && *radius <= std::tan(0.5 * kWidestPlane);
 }
 
 CameraModel withFieldOfView(const CameraModel& camera, double field_of_view) {
@@ -39,8 +35,7 @@ CameraModel withFieldOfView(const CameraModel& camera, double field_of_view) {
     throw Error("field of view: found " + fixed(field_of_view, 3) +
                 " rad; it should be above 0 and at most " + fixed(widestOf(camera), 3));
   }
-  const double fx = isEquidistant(camera) ? camera.width() / field_of_view
-                                          : 0.5 * camera.width() / std::tan(0.5 * field_of_view);
+  const double fx = 0.5 * camera.width() / *camera.radiusAt(0.5 * field_of_view);
   Intrinsics intrinsics = camera.intrinsics();
   intrinsics.fy *= fx / intrinsics.fx;
   intrinsics.fx = fx;

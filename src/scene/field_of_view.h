@@ -11,8 +11,8 @@
 namespace synthetic_dataset::scene {
 
 /// How wide a camera sees [rad]: the horizontal angle of an image in whose middle the lens's axis
-/// is, of the lens without its distortion's coefficients. 2 atan(width / (2 fx)), in (0, pi); of an
-/// equidistant lens width / fx.
+/// is, of the lens without the polynomials that bend its picture. 2 atan(width / (2 fx)), in (0,
+/// pi); of an equidistant lens width / fx.
 [[nodiscard]] double fieldOfView(const CameraModel& camera);
 
 /// Whether a lens of the camera's kind can see so wide [rad].

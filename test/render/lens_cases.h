@@ -65,6 +65,31 @@ inline const LensCase kFisheye190{"fisheye_190",
                                    100.0,
                                    {DistortionModel::kEquidistant, {-0.01, 0.003}, 1.6581}}};
 
+inline const LensCase kTiltedPrism{
+    "tilted_prism",
+    {640,
+     480,
+     {352.4, 350.1, 318.7, 242.2},
+     0.05,
+     100.0,
+     {DistortionModel::kRationalPolynomial,
+      {0.2, 0.05, 5e-4, -3e-4, 0.01, 0.5, 0.1, 0.02, 4e-3, -2e-3, -3e-3, 1e-3, 0.03, -0.05}}}};
+inline const LensCase kOmnidirectional{
+    "omnidirectional",
+    {600,
+     480,
+     {420.3, 421.7, 301.1, 238.4},
+     0.05,
+     100.0,
+     {DistortionModel::kOmnidirectional, {1.1, -0.12, 0.03, 1e-3, -8e-4, 4e-3}}}};
+inline const LensCase kDoubleSphere{"double_sphere",
+                                    {600,
+                                     480,
+                                     {165.3, 165.7, 299.1, 240.4},
+                                     0.05,
+                                     100.0,
+                                     {DistortionModel::kDoubleSphere, {-0.21, 0.58}}}};
+
 /// Keeps a picture for looking at where the environment names a folder for it.
 inline void keep(const cv::Mat& picture, const std::string& name) {
   const char* folder = std::getenv("SYNTHETIC_DATASET_KEEP_PICTURES");

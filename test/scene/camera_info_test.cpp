@@ -79,7 +79,7 @@ TEST_F(CameraInfo, HasTheCoefficientsInTheOrderOfTheFile) {
       read(with(kZeros, "data: [-0.3, 0.1, 0.001, 0.002, 0.05]")).distortion();
   EXPECT_EQ(distortion.model, DistortionModel::kPlumbBob);
   EXPECT_THAT(distortion.coefficients,
-              testing::ElementsAre(-0.3, 0.1, 0.001, 0.002, 0.05, 0.0, 0.0, 0.0));
+              testing::ElementsAre(-0.3, 0.1, 0.001, 0.002, 0.05, 0, 0, 0, 0, 0, 0, 0, 0, 0));
 }
 
 TEST_F(CameraInfo, MayLeaveOutK3AndMayEndInZeros) {

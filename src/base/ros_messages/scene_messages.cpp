@@ -8,7 +8,6 @@
 #include <limits>
 
 #include <ros/time.h>
-#include <sensor_msgs/distortion_models.h>
 
 #include "synthetic_dataset/errors.h"
 
@@ -48,17 +47,10 @@ Message toXyz(const Eigen::Vector3d& p) {
 
 /// D and its model: http://docs.ros.org/en/noetic/api/sensor_msgs/html/msg/CameraInfo.html
 void addDistortion(const Distortion& distortion, sensor_msgs::CameraInfo& info) {
-  std::size_t count = 5;
-  info.distortion_model = sensor_msgs::distortion_models::PLUMB_BOB;
-  if (distortion.model == DistortionModel::kRationalPolynomial) {
-    count = 8;
-    info.distortion_model = sensor_msgs::distortion_models::RATIONAL_POLYNOMIAL;
-  } else if (distortion.model == DistortionModel::kEquidistant) {
-    count = 4;
-    info.distortion_model = "equidistant";  // Noetic's header has it, older ones do not
-  }
-  info.D.assign(distortion.coefficients.begin(),
-                distortion.coefficients.begin() + static_cast<std::ptrdiff_t>(count));
+  Distortion named = distortion;
+  if (named.model == DistortionModel::kNone) named.model = DistortionModel::kPlumbBob;
+  info.distortion_model = distortionModelName(named.model);
+  info.D = coefficientsOf(named);
 }
 
 /// tf2 refuses a frame that is its own parent: it would say nothing.

@@ -174,13 +174,9 @@ struct Tiles {
   int first_face = 0;
 };
 
-bool isEquidistant(const CameraModel& camera) {
-  return camera.distortion().model == DistortionModel::kEquidistant;
-}
-
 /// Whether the lens sees from the face's own near plane on.
 bool sharesNearPlane(const Plane& plane, const CameraModel& camera) {
-  return !isEquidistant(camera) && plane.X_CF.linear().isIdentity();
+  return camera.hasNearPlane() && plane.X_CF.linear().isIdentity();
 }
 
 /// Nothing that the lens shows is cut off by a face's near plane: where the lens measures distance,
@@ -194,7 +190,7 @@ double nearOf(const Plane& plane, const CameraModel& camera) {
 /// What a plane that comes nearer has to leave out.
 std::optional<NearLimit> nearLimitOf(const Plane& plane, const CameraModel& camera) {
   if (sharesNearPlane(plane, camera)) return std::nullopt;
-  if (isEquidistant(camera)) return NearLimit{Eigen::Vector3d::Zero(), camera.near()};
+  if (!camera.hasNearPlane()) return NearLimit{Eigen::Vector3d::Zero(), camera.near()};
   return NearLimit{plane.X_CF.linear().row(2), camera.near()};
 }
 

@@ -1,6 +1,7 @@
 #include "render/overlay/background_painter.h"
 
 #include <string>
+#include <vector>
 
 #include "render/gl/picture_upload.h"
 #include "render/gl/texture_units.h"
@@ -90,11 +91,13 @@ const ShaderProgram& BackgroundPainter::prepareBackdropThroughLens(const View& f
   program.set("lens_intrinsics", vectorOf(camera.intrinsics()));
   program.set("image_size", Eigen::Vector4f(static_cast<float>(image.width),
                                             static_cast<float>(image.height), 0.0F, 0.0F));
-  const Eigen::Matrix<double, 8, 1> k(camera.distortion().coefficients.data());
-  program.set("coefficients",
-              std::vector<Eigen::Vector4f>{k.head<4>().cast<float>(), k.tail<4>().cast<float>()});
-  const bool is_fisheye = camera.distortion().model == DistortionModel::kEquidistant;
-  program.set("is_fisheye", is_fisheye ? 1 : 0);
+  std::vector<Eigen::Vector4f> coefficients(4, Eigen::Vector4f::Zero());
+  for (std::size_t i = 0; i < Distortion::kMostCoefficients; ++i) {
+    coefficients[i / 4][static_cast<Eigen::Index>(i % 4)] =
+        static_cast<float>(camera.distortion().coefficients[i]);
+  }
+  program.set("coefficients", coefficients);
+  program.set("lens", static_cast<int>(camera.distortion().model));
   return program;
 }
 

@@ -208,17 +208,16 @@ TEST_F(RosBag, TellsTheIntrinsicsThatAnImageHas) {
 
 TEST_F(RosBag, GivesTheLensItsCoefficients) {
   struct Case {
-    DistortionModel model;
     std::string name;
     std::vector<double> coefficients;
   };
-  const std::array<double, 8> k = {0.01, 0.02, 0.003, 0.004, 0.05, 0.06, 0.07, 0.08};
   for (const Case& each :
-       {Case{DistortionModel::kPlumbBob, "plumb_bob", {0.01, 0.02, 0.003, 0.004, 0.05}},
-        Case{DistortionModel::kRationalPolynomial, "rational_polynomial", {k.begin(), k.end()}},
-        Case{DistortionModel::kEquidistant, "equidistant", {0.01, 0.02, 0.003, 0.004}}}) {
+       {Case{"plumb_bob", {0.01, 0.02, 0.003, 0.004, 0.05}},
+        Case{"rational_polynomial", {0.01, 0.02, 0.003, 0.004, 0.05, 0.06, 0.07, 0.08}},
+        Case{"equidistant", {0.01, 0.02, 0.003, 0.004}}, Case{"double_sphere", {-0.2, 0.6}}}) {
     clear();
-    const CameraModel lens(640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0, {each.model, k});
+    const CameraModel lens(640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0,
+                           makeDistortion(each.name, each.coefficients));
     dataset_.cameras.front().model = lens;
     load({});
     Scene only = timed(0, {});

@@ -126,8 +126,8 @@ TEST_P(SilhouetteThroughALens, FillsAllThatTheLensSeesFromInsideOfABox) {
     for (int u = -camera.width(); u < 2 * camera.width(); ++u) {
       const auto ray = camera.ray({u, v});
       if (!ray) continue;
-      const bool behind_near_plane = camera.distortion().model != DistortionModel::kEquidistant &&
-                                     ray->z() < camera.near() * ray->cwiseAbs().maxCoeff();
+      const bool behind_near_plane =
+          camera.hasNearPlane() && ray->z() < camera.near() * ray->cwiseAbs().maxCoeff();
       if (!behind_near_plane) ++wanted;
     }
   }
@@ -148,7 +148,8 @@ TEST_P(SilhouetteThroughALens, IsNothingBesideWhatTheLensSees) {
 
 INSTANTIATE_TEST_SUITE_P(Lenses, SilhouetteThroughALens,
                          ::testing::Values(test::kPlumbBob, test::kRational, test::kFisheye170,
-                                           test::kFisheye190),
+                                           test::kFisheye190, test::kOmnidirectional,
+                                           test::kDoubleSphere),
                          [](const auto& each) { return std::string(each.param.name); });
 
 TEST(SilhouetteThroughALargeLens, CountsCellsBesideTheImageByTheirArea) {

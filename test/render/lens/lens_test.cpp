@@ -23,6 +23,24 @@ using test::kPlumbBob;
 using test::kRational;
 using test::LensCase;
 
+/// The formulas of the models' papers, for lenses that OpenCV's calib3d does not have.
+cv::Point2d truthOfSpheres(const CameraModel& camera, const Eigen::Vector3d& p) {
+  const Intrinsics& k = camera.intrinsics();
+  const auto& c = camera.distortion().coefficients;
+  const double z = c[0] * p.norm() + p.z();
+  if (camera.distortion().model == DistortionModel::kDoubleSphere) {
+    const double below = c[1] * std::hypot(std::hypot(p.x(), p.y()), z) + (1.0 - c[1]) * z;
+    return {k.fx * p.x() / below + k.cx, k.fy * p.y() / below + k.cy};
+  }
+  const double x = p.x() / z;
+  const double y = p.y() / z;
+  const double s = x * x + y * y;
+  const double radial = 1.0 + c[1] * s + c[2] * s * s;
+  const double u = x * radial + 2.0 * c[3] * x * y + c[4] * (s + 2.0 * x * x);
+  const double v = y * radial + c[3] * (s + 2.0 * y * y) + 2.0 * c[4] * x * y;
+  return {k.fx * (u + c[5] * v) + k.cx, k.fy * v + k.cy};
+}
+
 /// Where OpenCV has a point of the optical frame.
 cv::Point2d truth(const CameraModel& camera, const Eigen::Vector3d& p) {
   const Intrinsics& k = camera.intrinsics();
@@ -30,6 +48,10 @@ cv::Point2d truth(const CameraModel& camera, const Eigen::Vector3d& p) {
   const auto& c = camera.distortion().coefficients;
   const std::vector<cv::Point3d> points = {{p.x(), p.y(), p.z()}};
   std::vector<cv::Point2d> pixels;
+  const DistortionModel model = camera.distortion().model;
+  if (model == DistortionModel::kOmnidirectional || model == DistortionModel::kDoubleSphere) {
+    return truthOfSpheres(camera, p);
+  }
   if (camera.distortion().model == DistortionModel::kEquidistant) {
     cv::fisheye::projectPoints(points, pixels, cv::Vec3d(), cv::Vec3d(), matrix,
                                std::vector<double>(c.begin(), c.begin() + 4));
@@ -257,7 +279,9 @@ TEST_P(LensRendering, SamePixelsAllAroundForAnEvenRoom) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lenses, LensRendering,
-                         ::testing::Values(kPlumbBob, kRational, kFisheye170, kFisheye190),
+                         ::testing::Values(kPlumbBob, kRational, kFisheye170, kFisheye190,
+                                           test::kTiltedPrism, test::kOmnidirectional,
+                                           test::kDoubleSphere),
                          [](const auto& lens) { return std::string(lens.param.name); });
 
 TEST(LensRenderer, SeesWhatIsNearBesideAWideLens) {

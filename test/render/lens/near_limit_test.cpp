@@ -19,10 +19,6 @@ using test::coloured;
 using test::dark;
 using test::LensCase;
 
-bool isEquidistant(const CameraModel& camera) {
-  return camera.distortion().model == DistortionModel::kEquidistant;
-}
-
 /// A bar beside the camera that begins behind it, and goes past the near plane.
 const SeenBox kBar{makePose({0.6, 0.1, 0.8}, Eigen::Quaterniond::Identity()), {0.2, 0.3, 3.0}, 1};
 
@@ -40,7 +36,7 @@ class LensNearLimit : public ::testing::TestWithParam<LensCase> {
     if (!ray) return false;
     const double distance = distanceTo(kBar, *ray);
     return std::isfinite(distance) &&
-           distance * (isEquidistant(camera_) ? 1.0 : ray->z()) >= camera_.near();
+           distance * (camera_.hasNearPlane() ? ray->z() : 1.0) >= camera_.near();
   }
 
   const CameraModel& camera_ = GetParam().camera;
@@ -105,8 +101,17 @@ const LensCase kNarrowFisheye{"narrow_fisheye",
                                100.0,
                                {DistortionModel::kEquidistant, {0.02, -0.008, 0.003, -5e-4}}}};
 
+const LensCase kWideSphere{"double_sphere",
+                           {320,
+                            240,
+                            {85.0, 85.0, 160.0, 120.0},
+                            0.7,
+                            100.0,
+                            {DistortionModel::kDoubleSphere, {-0.21, 0.58}}}};
+
 INSTANTIATE_TEST_SUITE_P(Lenses, LensNearLimit,
-                         ::testing::Values(kWidePlumbBob, kWideFisheye, kNarrowFisheye),
+                         ::testing::Values(kWidePlumbBob, kWideFisheye, kNarrowFisheye,
+                                           kWideSphere),
                          [](const auto& lens) { return lens.param.name; });
 
 }  // namespace near_limit_test

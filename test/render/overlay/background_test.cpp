@@ -256,7 +256,9 @@ TEST_P(ThroughLens, ABackdropFillsTheImageAsItIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, ThroughLens,
-                         testing::Values(test::kPlumbBob, test::kRational, test::kFisheye190),
+                         testing::Values(test::kPlumbBob, test::kRational, test::kFisheye190,
+                                         test::kTiltedPrism, test::kOmnidirectional,
+                                         test::kDoubleSphere),
                          [](const auto& lens) { return std::string(lens.param.name); });
 
 // --- With things before it ---
