@@ -1,14 +1,19 @@
-// Calibrations: camera_info YAML, and the camera that it makes.
-#include "base/yaml_value.h"
+// Calibrations in the formats that are read here, and the camera that they make. OpenCV's
+// FileStorage is OpenCV's own reader.
+#include <string>
+
 #include "fuzzing.h"
-#include "scene/camera_info.h"
+#include "scene/calibration/calibration_file.h"
+#include "scene/calibration/calibration_format.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;
+  const std::string text(fuzzing::view(data, size));
+  if (scene::kOpenCvFormat.recognises(text)) return 0;
   for (const bool rectified : {false, true}) {
     fuzzing::tolerating([&] {
-      const Value info = base::parseYaml(std::string(fuzzing::view(data, size)), "camera_info");
-      const CameraModel camera = scene::cameraModelOf(info, "camera_info", rectified, 0.01, 100.0);
+      const CameraModel camera =
+          scene::parseCalibration(text, "camera_info", {}, {rectified, 0.01, 100.0}).model;
       for (const double x : {-2.0, 0.0, 0.7}) {
         static_cast<void>(camera.project(Eigen::Vector3d(x, 0.5, 1.0)));
       }

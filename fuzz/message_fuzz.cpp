@@ -6,7 +6,7 @@
 #include "motion/checked_messages.h"
 #include "motion/recorded_camera_info.h"
 #include "motion/recorded_map.h"
-#include "scene/camera_info.h"
+#include "scene/calibration/camera_info.h"
 
 namespace {
 
@@ -66,7 +66,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   }
   fuzzing::tolerating([&] {
     const auto camera = motion::readCameraInfo({file}, "/camera_info");
-    static_cast<void>(scene::cameraModelOf(camera.info, "/camera_info", false, 0.01, 100.0));
+    static_cast<void>(scene::cameraOf(camera.info, "/camera_info", {false, 0.01, 100.0}));
   });
   fuzzing::tolerating([&] { static_cast<void>(motion::readMap({file}, "/map")); });
   fuzzing::tolerating([&] { static_cast<void>(motion::BagMotion({file}, "map").notes()); });

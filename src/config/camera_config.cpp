@@ -88,6 +88,8 @@ scene::CameraOptions readCamera(Parameters group, const std::string& name,
   camera.group = group.fullName("");
   camera.info_file = group.maybe<std::string>("info_file");
   if (camera.info_file) camera.info_file = absolutePath(*camera.info_file);
+  camera.info_choice.camera = group.maybe<std::string>("info_camera");
+  camera.info_choice.reference = group.maybe<std::string>("info_reference");
   camera.info_topic = group.maybe<std::string>("info_topic");
   camera.sensor = group.maybe<std::string>("sensor");
   camera.X_GC = readPose(group, "pose");
@@ -103,6 +105,7 @@ scene::CameraOptions readCamera(Parameters group, const std::string& name,
   if (group.has("effects")) readEffects(group.group("effects"), camera);
   camera.frame = group.maybe<std::string>("frame_id");
   if (!camera.frame) camera.frame = std::move(frame);
+  camera.frame_is_given = camera.frame.has_value();
   if (!camera.frame && !camera.info_topic) {
     camera.frame = group.optional<std::string>("frame_id", name + "/optical_link");
   }
@@ -113,6 +116,11 @@ void checkIntrinsicsNamed(const scene::CameraOptions& camera, Parameters& above,
                           const std::string& name) {
   if (camera.info_file && camera.info_topic) {
     above.addError(name, "found both info_file and info_topic; intrinsics should come from one");
+  }
+  if (!camera.info_file && (camera.info_choice.camera || camera.info_choice.reference)) {
+    above.addError(name,
+                   "found info_camera or info_reference without info_file, of whose cameras they "
+                   "choose");
   }
   if (camera.info_file || camera.info_topic || camera.sensor) return;
   above.addError(name, "no intrinsics; " + camera.group +

@@ -5,6 +5,7 @@
 
 #include "randomize/placement/sampling_options.h"
 #include "render/sensor/sensor_options.h"
+#include "scene/calibration/calibration_options.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::scene {
@@ -22,7 +23,9 @@ struct CameraOptions {
   std::string name = "camera";
   std::string group = "camera";                     ///< its parameters' full name, for messages
   std::optional<std::string> frame;                 ///< none: that of the recorded CameraInfo
+  bool frame_is_given = true;                       ///< else the calibration's, if it is in TF
   std::optional<std::string> info_file;             ///< absolute
+  scene::CalibrationChoice info_choice;             ///< of the file's cameras
   std::optional<std::string> info_topic;            ///< of the bag
   std::optional<std::string> sensor;                ///< "model::link::sensor"
   std::optional<Pose> X_GC;                         ///< with `mounted_on`, in that object's frame

@@ -1,13 +1,15 @@
 #include "scene/camera_rig.h"
 
 #include <algorithm>
-#include <utility>
+
+#include <Eigen/Geometry>
 
 #include "base/diagnostics.h"
 #include "base/seconds.h"
 #include "motion/recorded_camera_info.h"
-#include "scene/camera_info.h"
+#include "scene/calibration/calibration_file.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
 
@@ -29,10 +31,13 @@ const world::CameraSensor* findSensor(const CameraOptions& config,
               "' (model::link::sensor); it has " + (there.empty() ? "none" : there));
 }
 
-CameraModel readInfoFile(const CameraOptions& config) {
+CalibrationUse useOf(const CameraOptions& config) {
+  return {config.rectified, config.near.value(), config.far.value()};
+}
+
+CalibratedCamera readInfoFile(const CameraOptions& config) {
   try {
-    return readCameraInfo(*config.info_file, config.rectified, config.near.value(),
-                          config.far.value());
+    return readCalibration(*config.info_file, config.info_choice, useOf(config));
   } catch (const ErrorList&) {
     throw;  // of what is in the file
   } catch (const Error& error) {
@@ -40,18 +45,18 @@ CameraModel readInfoFile(const CameraOptions& config) {
   }
 }
 
-/// Reads what the recording tells of a camera: its intrinsics and its frame.
-void readRecordedInfo(const CameraOptions& config, const std::vector<std::string>& bag_files,
-                      std::optional<CameraModel>& model, std::string& frame,
-                      std::vector<std::string>& notes) {
+/// Reads what the recording says of a camera: its intrinsics and its frame.
+CalibratedCamera readRecordedInfo(const CameraOptions& config,
+                                  const std::vector<std::string>& bag_files) {
   const std::string parameter = config.group + "/info_topic: ";
   try {
     const motion::RecordedCameraInfo recorded =
         motion::readCameraInfo(bag_files, *config.info_topic);
-    if (frame.empty()) frame = recorded.frame;
-    notes = recorded.notes;
-    model = cameraModelOf(recorded.info, parameter + *config.info_topic, config.rectified,
-                          config.near.value(), config.far.value());
+    CalibratedCamera camera =
+        cameraOf(recorded.info, parameter + *config.info_topic, useOf(config));
+    camera.frame = recorded.frame;
+    camera.warnings.insert(camera.warnings.end(), recorded.notes.begin(), recorded.notes.end());
+    return camera;
   } catch (const ErrorList&) {
     throw;  // names the parameter already
   } catch (const Error& error) {
@@ -145,30 +150,57 @@ render::SensorEffects effectsOf(const CameraOptions& config, const world::Camera
   return effects;
 }
 
+CalibratedCamera calibrationOf(const CameraOptions& config,
+                               const std::vector<std::string>& bag_files,
+                               const world::CameraSensor* sensor) {
+  if (config.info_file) return readInfoFile(config);
+  if (config.info_topic) return readRecordedInfo(config, bag_files);
+  if (sensor != nullptr) return {modelOf(*sensor, config)};
+  throw Error(config.group + ": no intrinsics");
+}
+
+/// That which is set; else the one in the calibration, where TF has it and lacks the default's.
+std::string frameOf(const CameraOptions& config, const CalibratedCamera& camera,
+                    const motion::FrameSource& frames) {
+  if (!config.frame) return camera.frame;
+  const bool takes_own = !config.frame_is_given && !camera.frame.empty() &&
+                         !frames.find(*config.frame) && frames.find(camera.frame);
+  return takes_own ? camera.frame : *config.frame;
+}
+
+/// The picture's frame where it is not that of the calibrated camera. One that is put somewhere
+/// for each scene is put there itself.
+void placeInFrame(const CameraOptions& config, const CalibratedCamera& camera, CameraRig& rig,
+                  base::Diagnostics& found) {
+  rig.optical_frame = rig.frame;
+  if (rig.sampled || camera.X_FC.isApprox(Pose::Identity(), 0.0)) return;
+  rig.X_FC = camera.X_FC;
+  rig.optical_frame = rig.frame + "/" + rig.name;
+  const Eigen::Vector3d p = rig.X_FC.translation() + Eigen::Vector3d::Zero();  // no -0
+  const double angle = Eigen::AngleAxisd(rig.X_FC.linear()).angle();
+  found.note(config.group, "its calibration puts the picture's frame, " + rig.optical_frame +
+                               ", at [" + fixed(p.x(), 4) + ", " + fixed(p.y(), 4) + ", " +
+                               fixed(p.z(), 4) + "] m in " + rig.frame + ", turned by " +
+                               fixed(angle, 4) + " rad");
+}
+
 }  // namespace
 
 CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::string>& bag_files,
                         const std::vector<world::CameraSensor>& sensors,
                         const std::vector<world::LinkInstance>& links,
                         const std::vector<ObjectOptions>& objects,
-                        const motion::FrameSource& frames) {
+                        const motion::FrameSource& frames, base::Diagnostics& found) {
   const world::CameraSensor* sensor = findSensor(config, sensors);
-  std::optional<CameraModel> model;
-  std::string frame = config.frame.value_or("");
-  std::vector<std::string> notes;
-  if (config.info_file) {
-    model = readInfoFile(config);
-  } else if (config.info_topic) {
-    readRecordedInfo(config, bag_files, model, frame, notes);
-  } else if (sensor != nullptr) {
-    model = modelOf(*sensor, config);
+  const CalibratedCamera camera = calibrationOf(config, bag_files, sensor);
+  for (const std::string& warning : camera.warnings) {
+    found.warning(config.group + (config.info_topic ? "/info_topic" : "/info_file"), warning);
   }
-  if (!model) throw Error(config.group + ": no intrinsics");
-  CameraRig rig{config.name, *model, frame};
+  CameraRig rig{config.name, camera.model, frameOf(config, camera, frames)};
   findPose(config, sensor, links, objects, frames, rig);
+  placeInFrame(config, camera, rig, found);
   rig.shutter = config.shutter;
   rig.effects = effectsOf(config, sensor);
-  rig.notes = std::move(notes);
   return rig;
 }
 
@@ -185,13 +217,19 @@ double seenShare(const CameraModel& camera) {
   return static_cast<double>(seen) / (kSteps * kSteps);
 }
 
-Pose cameraPose(const CameraRig& camera, const world::World& world,
-                const motion::FrameSource& frames, Stamp instant, Duration offset) {
+Pose framePose(const CameraRig& camera, const world::World& world,
+               const motion::FrameSource& frames, Stamp instant, Duration offset) {
   if (camera.X_GC) return *camera.X_GC;
   if (camera.link) return world.linkPoses()[*camera.link] * camera.X_LC;
   const auto X_GF_then = frames.pose(camera.followed, instant + offset);
   const Pose X_GF = X_GF_then ? *X_GF_then : frames.knownPose(camera.followed, instant);
   return camera.is_carried ? Pose(X_GF * camera.X_LC) : X_GF;
+}
+
+Pose cameraPose(const CameraRig& camera, const world::World& world,
+                const motion::FrameSource& frames, Stamp instant, Duration offset) {
+  const Pose X_GF = framePose(camera, world, frames, instant, offset);
+  return camera.optical_frame == camera.frame ? X_GF : Pose(X_GF * camera.X_FC);
 }
 
 }  // namespace synthetic_dataset::scene

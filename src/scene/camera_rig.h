@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "motion/frame_source.h"
 #include "render/sensor/sensor_effects.h"
 #include "scene/camera_options.h"
@@ -19,7 +20,7 @@ namespace synthetic_dataset::scene {
 struct CameraRig {
   std::string name;
   CameraModel model;
-  std::string frame;                        ///< of the optical frame
+  std::string frame;                        ///< that says where it is, as far as it has a name
   std::optional<Pose> X_GC = std::nullopt;  ///< where it stands; none: it moves
   std::optional<std::size_t> link =
       std::nullopt;  ///< of the world's links, on which it rides at X_LC
@@ -27,9 +28,13 @@ struct CameraRig {
   motion::FrameId followed = motion::kNoFrame;  ///< its own frame, or that of its carrier
   bool is_carried = false;  ///< it rides at X_LC on an object, whose frame it follows
   bool sampled = false;     ///< its frame is placed for each scene
+
+  /// Of the picture's optical frame (C) in `frame`: of a rectified camera, which is turned, and of
+  /// the second one of a stereo pair, which has its place in the frame of the first.
+  Pose X_FC = Pose::Identity();
+  std::string optical_frame = frame;  ///< of the picture: `frame`, unless X_FC moves it
   Shutter shutter = {};
   render::SensorEffects effects = {};
-  std::vector<std::string> notes = {};  ///< what the user should know of its calibration
 
   /// Whether its pose is that of its own frame, which the source of motion has.
   [[nodiscard]] bool followsFrame() const { return !X_GC && !link && !is_carried && !sampled; }
@@ -39,20 +44,26 @@ struct CameraRig {
 /// the pose (drawn, the parameter, else that of its frame, else the link that the world's sensor
 /// is on).
 /// @param sensors  the cameras of the world and of the objects' models
+/// @param found  what the user should know of the calibration
 /// @throws ErrorList naming the parameters that would mend it
 [[nodiscard]] CameraRig makeCameraRig(const CameraOptions& config,
                                       const std::vector<std::string>& bag_files,
                                       const std::vector<world::CameraSensor>& sensors,
                                       const std::vector<world::LinkInstance>& links,
                                       const std::vector<ObjectOptions>& objects,
-                                      const motion::FrameSource& frames);
+                                      const motion::FrameSource& frames, base::Diagnostics& found);
 
 /// The share of the image's pixels along which the lens sees something, 0 .. 1: less than all in
 /// the corners of a fisheye's image, and nearly none where a calibration's numbers are wrong.
 [[nodiscard]] double seenShare(const CameraModel& camera);
 
-/// X_GC at a time around `instant`, at which the world stands: where its frame is not known then,
-/// that of the instant.
+/// X_GF of the camera's `frame` at a time around `instant`, at which the world stands: where it is
+/// not known then, that of the instant.
+[[nodiscard]] Pose framePose(const CameraRig& camera, const world::World& world,
+                             const motion::FrameSource& frames, Stamp instant,
+                             Duration offset = Duration{0});
+
+/// The same of the picture's optical frame, X_GC.
 [[nodiscard]] Pose cameraPose(const CameraRig& camera, const world::World& world,
                               const motion::FrameSource& frames, Stamp instant,
                               Duration offset = Duration{0});

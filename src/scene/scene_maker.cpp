@@ -97,7 +97,8 @@ std::vector<output::ObjectFacts> SceneMaker::objectFacts(
 std::map<std::string, Pose> SceneMaker::cameraPoses(Stamp stamp) const {
   std::map<std::string, Pose> poses;
   for (const CameraRig& camera : cameras_) {
-    poses.emplace(camera.frame, cameraPose(camera, world_, frames_, stamp));
+    poses.emplace(camera.frame, framePose(camera, world_, frames_, stamp));
+    poses.emplace(camera.optical_frame, cameraPose(camera, world_, frames_, stamp));
   }
   return poses;
 }

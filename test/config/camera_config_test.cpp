@@ -54,6 +54,17 @@ TEST(ReadCameras, ARecordedCalibrationBringsItsFrame) {
   EXPECT_EQ(Reading("camera: {info_topic: /camera_info}").cameras[0].frame, std::nullopt);
 }
 
+TEST(ReadCameras, OneOfAFilesCamerasMayBeNamed) {
+  const Reading reading(
+      "camera: {info_file: /chain.yaml, info_camera: cam1, info_reference: cam0}");
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_EQ(reading.cameras[0].info_choice.camera, "cam1");
+  EXPECT_EQ(reading.cameras[0].info_choice.reference, "cam0");
+  EXPECT_FALSE(reading.cameras[0].frame_is_given);
+  EXPECT_THAT(Reading("camera: {info_topic: /info, info_camera: cam1}").root.errors(),
+              ElementsAre(HasSubstr("without info_file")));
+}
+
 TEST(ReadCameras, EffectsAreOffUnlessSet) {
   const scene::CameraOptions camera = Reading("camera: {info_file: /a.yaml}").cameras[0];
   EXPECT_EQ(camera.shutter.exposure_time.count(), 0);

@@ -4,6 +4,7 @@
 
 #include "support/error_messages.h"
 #include "support/fake_frame_source.h"
+#include "support/temporary_folder.h"
 
 namespace synthetic_dataset::scene {
 namespace camera_rig_test {
@@ -18,7 +19,8 @@ world::CameraSensor eye() {
 }
 
 CameraRig rigOf(const CameraOptions& config) {
-  return makeCameraRig(config, {}, {eye()}, {}, {}, test::FakeFrameSource());
+  base::Diagnostics found;
+  return makeCameraRig(config, {}, {eye()}, {}, {}, test::FakeFrameSource(), found);
 }
 
 CameraOptions ofEye() {
@@ -55,9 +57,71 @@ TEST(CameraRig, FollowsItsFrameWhereThereIsOne) {
   config.frame = "/mast/eye";
   const test::FakeFrameSource frames(
       {{"mast/eye", test::FakeFrameSource::fixed(Pose::Identity())}});
-  const CameraRig rig = makeCameraRig(config, {}, {eye()}, {}, {}, frames);
+  base::Diagnostics found;
+  const CameraRig rig = makeCameraRig(config, {}, {eye()}, {}, {}, frames, found);
   EXPECT_TRUE(rig.followsFrame());
   EXPECT_EQ(rig.followed, frames.find("mast/eye"));
+}
+
+/// A calibration in a file, whose camera stands 2 m above the ground and looks ahead.
+class CalibratedRig : public ::testing::Test {
+ protected:
+  static constexpr const char* kMatrices =
+      "header: {frame_id: stereo}\n"
+      "width: 320\nheight: 240\nK: [300, 0, 159.5, 0, 300, 119.5, 0, 0, 1]\n"
+      "D: [-0.2, 0.05, 0, 0, 0]\ndistortion_model: plumb_bob\n";
+
+  CameraRig rigOf(const std::string& rest) {
+    CameraOptions config;
+    config.name = config.group = "right";
+    config.frame_is_given = false;
+    config.frame = "right/optical_link";
+    config.info_file = folder.write("camera.yaml", kMatrices + rest).string();
+    config.rectified = true;
+    config.near = 0.1;
+    config.far = 50.0;
+    return makeCameraRig(config, {}, {}, {}, {}, frames, found);
+  }
+
+  const Pose X_GF = makePose({1.0, 2.0, 2.0}, Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5));
+  test::FakeFrameSource frames{{{"stereo", test::FakeFrameSource::fixed(X_GF)}}};
+  base::Diagnostics found;
+  test::TemporaryFolder folder;
+};
+
+TEST_F(CalibratedRig, OfAStereoPairsRightCameraStandsBesideTheLeftOne) {
+  // "For the right camera Tx = -fx' * B",
+  // http://docs.ros.org/en/api/sensor_msgs/html/msg/CameraInfo.html
+  const CameraRig rig = rigOf("P: [300, 0, 159.5, -60, 0, 300, 119.5, 0, 0, 0, 1, 0]\n");
+  EXPECT_EQ(rig.frame, "stereo") << "as the file's header says";
+  EXPECT_EQ(rig.optical_frame, "stereo/right");
+  EXPECT_LT((rig.X_FC.translation() - Eigen::Vector3d(0.2, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_TRUE(rig.model.isPinhole());
+  EXPECT_THAT(found.messages(base::Severity::kNote),
+              ElementsAre(testing::HasSubstr("stereo/right, at [0.2000, 0.0000, 0.0000] m")));
+}
+
+TEST_F(CalibratedRig, ProjectsPointsOfItsFrameByPTimesR) {
+  const CameraRig rig = rigOf(
+      "R: [0.9950041652780258, 0, 0.09983341664682815, 0, 1, 0, -0.09983341664682815, 0, "
+      "0.9950041652780258]\nP: [310, 0, 150, -31, 0, 305, 110, 6.1, 0, 0, 1, 0]\n");
+  Eigen::Matrix3d R;
+  R << 0.9950041652780258, 0, 0.09983341664682815, 0, 1, 0, -0.09983341664682815, 0,
+      0.9950041652780258;
+  Eigen::Matrix<double, 3, 4> P;
+  P << 310, 0, 150, -31, 0, 305, 110, 6.1, 0, 0, 1, 0;
+  const Eigen::Vector3d p_F(-0.1, -0.05, 2.0);
+  const Eigen::Vector3d truth = P * (R * p_F).homogeneous();
+  const auto pixel = rig.model.project(rig.X_FC.inverse() * p_F);
+  ASSERT_TRUE(pixel);
+  EXPECT_LT((*pixel - truth.hnormalized()).norm(), 1e-9);
+}
+
+TEST_F(CalibratedRig, IsWhereItsFrameIsWithoutRotationAndBaseline) {
+  const CameraRig rig = rigOf(
+      "R: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nP: [300, 0, 159.5, 0, 0, 300, 119.5, 0, 0, 0, 1, 0]\n");
+  EXPECT_EQ(rig.optical_frame, "stereo");
+  EXPECT_TRUE(found.all().empty());
 }
 
 }  // namespace camera_rig_test

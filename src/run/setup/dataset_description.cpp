@@ -32,7 +32,7 @@ ObjectInfo describeObject(const scene::ObjectOptions& config) {
 /// @param field_of_view  that is drawn for each scene
 CameraDescription describeCamera(const scene::CameraRig& camera,
                                  const std::optional<base::Distribution>& field_of_view) {
-  CameraDescription description{camera.name, camera.frame, camera.model, false};
+  CameraDescription description{camera.name, camera.optical_frame, camera.model, false};
   if (!field_of_view) return description;
   // What is always the same is not drawn.
   description.intrinsics_vary = field_of_view->lowest() < field_of_view->highest();

@@ -187,12 +187,9 @@ class MotionBuilder {
       auto rig = found().attempt([&] {
         return scene::makeCameraRig(camera, config().motion.bag_files, *sensors_,
                                     setup_.world ? setup_.world->links() : kNoLinks,
-                                    config().objects, *setup_.frames);
+                                    config().objects, *setup_.frames, found());
       });
       if (!rig) continue;
-      for (const std::string& note : rig->notes) {
-        found().warning(camera.group + "/info_topic", note);
-      }
       if (rig->sampled && isTaken(rig->frame, camera)) continue;
       if (rig->sampled) rig->followed = placeSomewhere(rig->frame);
       checkShutter(camera, *rig);
@@ -288,8 +285,9 @@ class MotionBuilder {
 }  // namespace
 
 bool MotionSetup::isCameraFrame(const std::string& frame) const {
-  return std::any_of(cameras.begin(), cameras.end(),
-                     [&](const scene::CameraRig& camera) { return camera.frame == frame; });
+  return std::any_of(cameras.begin(), cameras.end(), [&](const scene::CameraRig& camera) {
+    return camera.frame == frame || camera.optical_frame == frame;
+  });
 }
 
 MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, WorldCache& worlds) {

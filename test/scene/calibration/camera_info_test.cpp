@@ -1,7 +1,8 @@
-#include "scene/camera_info.h"
+#include "scene/calibration/camera_info.h"
 
 #include <gmock/gmock.h>
 
+#include "scene/calibration/calibration_file.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -30,7 +31,8 @@ projection_matrix:
 class CameraInfo : public ::testing::Test {
  protected:
   CameraModel read(const std::string& text, bool rectified = false) {
-    return readCameraInfo(folder.write("camera.yaml", text).string(), rectified, 0.1, 50.0);
+    return readCalibration(folder.write("camera.yaml", text).string(), {}, {rectified, 0.1, 50.0})
+        .model;
   }
 
   static std::string with(const std::string& old_text, const std::string& new_text) {
@@ -102,7 +104,7 @@ class CameraInfoOfModel : public CameraInfo {
       info.D.push_back(std::stod(numbers.substr(at), &used));
       at += used;
     }
-    return cameraModelFrom(info, false, 0.1, 50.0).distortion();
+    return cameraFrom(info, {false, 0.1, 50.0}).model.distortion();
   }
 };
 
@@ -118,10 +120,10 @@ TEST_F(CameraInfoOfModel, KeepsAFisheyeWithoutCoefficientsAFisheye) {
   EXPECT_EQ(distortionOf("equidistant", "0 0 0 0").model, DistortionModel::kEquidistant);
 }
 
-TEST_F(CameraInfoOfModel, RefusesAThinPrism) {
-  EXPECT_THAT([&] { distortionOf("rational_polynomial", "1 2 0 0 5 6 7 8 0.1 0 0 0"); },
-              ThrowsMessage<Error>(AllOf(HasSubstr("distortion_coefficients: found 12 numbers"),
-                                         HasSubstr("thin prism"))));
+TEST_F(CameraInfoOfModel, MayHaveAThinPrismAndATiltedSensor) {
+  EXPECT_EQ(distortionOf("rational_polynomial", "1 2 0 0 5 6 7 8 0.1 0 0 0").coefficients[8], 0.1);
+  EXPECT_EQ(distortionOf("rational_polynomial", "1 2 0 0 5 6 7 8 0 0 0 0 0.1 0").coefficients[12],
+            0.1);
 }
 
 TEST_F(CameraInfoOfModel, RefusesACountThatIsNotTheModels) {
@@ -132,9 +134,12 @@ TEST_F(CameraInfoOfModel, RefusesACountThatIsNotTheModels) {
 }
 
 TEST_F(CameraInfo, RefusesAnUnknownModelAndNamesTheKnown) {
-  EXPECT_THAT([&] { read(with(kModel, "mei")); },
-              ThrowsMessage<Error>(AllOf(HasSubstr("camera.yaml: distortion_model: found 'mei'"),
-                                         HasSubstr("rational_polynomial"))));
+  std::string text = with(kModel, "flat_earth");
+  text.replace(text.find(kZeros), sizeof(kZeros) - 1, "data: [0.1, 0, 0, 0, 0]");
+  EXPECT_THAT(
+      [&] { read(text); },
+      ThrowsMessage<Error>(AllOf(HasSubstr("camera.yaml: distortion_model: found 'flat_earth'"),
+                                 HasSubstr("rational_polynomial"))));
 }
 
 TEST_F(CameraInfo, OfARegionMovesThePrincipalPoint) {
@@ -168,7 +173,7 @@ TEST_F(CameraInfo, RefusesARegionThatIsBeyondAllNumbers) {
 TEST_F(CameraInfo, NamesEverythingThatIsMissing) {
   EXPECT_THAT([&] { read("image_width: 640\n"); },
               ThrowsMessage<Error>(AllOf(HasSubstr("camera.yaml: image_height: required"),
-                                         HasSubstr("camera_matrix/data: required"))));
+                                         HasSubstr("camera_matrix: required"))));
 }
 
 TEST_F(CameraInfo, RefusesAMatrixOfTheWrongSize) {
@@ -176,9 +181,24 @@ TEST_F(CameraInfo, RefusesAMatrixOfTheWrongSize) {
               ThrowsMessage<Error>(HasSubstr("camera_matrix: found 6 numbers; it should be 9")));
 }
 
-TEST_F(CameraInfo, RefusesASkew) {
-  EXPECT_THAT([&] { read(with("[554.5, 0,", "[554.5, 2,")); },
-              ThrowsMessage<Error>(HasSubstr("skew")));
+TEST_F(CameraInfo, WarnsOfASkewWhichRosDoesNotDrawEither) {
+  const std::string file = folder.write("camera.yaml", with("[554.5, 0,", "[554.5, 2,")).string();
+  const CalibratedCamera camera = readCalibration(file, {}, {});
+  EXPECT_EQ(camera.model.intrinsics().fx, 554.5);
+  EXPECT_THAT(camera.warnings, testing::ElementsAre(HasSubstr("camera_matrix: found a skew of 2")));
+}
+
+TEST_F(CameraInfo, OfAnUnknownModelWithoutCoefficientsIsAPinholeAndSaysSo) {
+  const CalibratedCamera camera =
+      readCalibration(folder.write("camera.yaml", with(kModel, "flat_earth")).string(), {}, {});
+  EXPECT_TRUE(camera.model.isPinhole());
+  EXPECT_THAT(camera.warnings, testing::ElementsAre(HasSubstr("found 'flat_earth'")));
+}
+
+TEST_F(CameraInfo, OfAnUnturnableRectificationIsRefused) {
+  const std::string bad = "rectification_matrix: {data: [2, 0, 0, 0, 1, 0, 0, 0, 1]}\n";
+  EXPECT_THAT([&] { read(kCalibration + bad, true); },
+              ThrowsMessage<Error>(HasSubstr("rectification_matrix: it is no rotation")));
 }
 
 TEST_F(CameraInfo, NamesTheFileOfAnImpossibleCamera) {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "scene/calibration/calibration_options.h"
+#include "scene/calibration/camera_info.h"
+
+namespace synthetic_dataset::scene {
+
+/// Reads a calibration, in whichever of the known formats it is: camera_info YAML as
+/// camera_calibration writes it, CameraInfo as `rostopic echo` and `ros2 topic echo` print it,
+/// camera_calibration's ost.txt, a Kalibr camchain, or OpenCV's FileStorage (YAML or XML).
+/// @throws ErrorList with all faults, each beginning with the file's name
+[[nodiscard]] CalibratedCamera readCalibration(const std::string& file,
+                                               const CalibrationChoice& choice,
+                                               const CalibrationUse& use);
+
+/// The same of a file's text.
+/// @param file  for messages
+[[nodiscard]] CalibratedCamera parseCalibration(const std::string& text, const std::string& file,
+                                                const CalibrationChoice& choice,
+                                                const CalibrationUse& use);
+
+}  // namespace synthetic_dataset::scene

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synthetic_dataset/pose.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::scene {
+
+/// One of the cameras of a calibration file.
+struct ListedCamera {
+  std::string name;  ///< in the file; empty where the file is that of one camera
+  Value::Map info;   ///< as cameraOf() reads it
+  std::optional<Pose> X_BC = std::nullopt;  ///< in a frame that it shares with others of the file
+};
+
+/// A file format for calibrations. A reader has its own file, and its row in `calibrationFormats`.
+struct CalibrationFormat {
+  /// Whether a file's text is of this format.
+  bool (*recognises)(const std::string& text);
+
+  /// Its cameras; at least one.
+  /// @param file  for messages
+  /// @throws Error beginning with the file's name
+  std::vector<ListedCamera> (*read)(const std::string& text, const std::string& file);
+};
+
+/// `[image]`, `[narrow_stereo]`, ...: camera_calibration's ost.txt, also called ost.ini.
+extern const CalibrationFormat kOstFormat;
+
+/// OpenCV's FileStorage, YAML or XML.
+extern const CalibrationFormat kOpenCvFormat;
+
+/// Kalibr's camchain.
+extern const CalibrationFormat kKalibrFormat;
+
+/// YAML with the names of ROS; recognises all that is left.
+extern const CalibrationFormat kRosFormat;
+
+}  // namespace synthetic_dataset::scene
