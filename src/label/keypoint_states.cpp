@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <Eigen/LU>
+
 namespace synthetic_dataset::label {
 namespace {
 
@@ -35,6 +37,18 @@ struct SeenSurfaces {
     return slopeByOutline(std::abs(ahead ? *ahead : *back), step(pixel + inwards, inwards));
   }
 
+  /// The neighbour in one direction of the image, or the one against it, that continues the pixel's
+  /// surface: the one that steps less. Nothing where none does, or the pixel shows a ridge.
+  [[nodiscard]] std::optional<cv::Point> continuation(const cv::Point& pixel,
+                                                      const cv::Point& direction) const {
+    const auto ahead = step(pixel, direction);
+    const auto back = step(pixel, -direction);
+    if (ahead && back && *ahead * *back > 0.0) return std::nullopt;
+    if (!ahead && !back) return std::nullopt;
+    const bool takes_ahead = ahead && (!back || std::abs(*ahead) <= std::abs(*back));
+    return takes_ahead ? pixel + direction : pixel - direction;
+  }
+
   /// @param first  the step to the pixel's only neighbour
   /// @param next  from there to the one beyond, if it shows the same object
   static double slopeByOutline(double first, const std::optional<double>& next) {
@@ -46,6 +60,43 @@ struct SeenSurfaces {
     return kTurning * (next ? std::min(first, kSteepest * std::abs(*next)) : first);
   }
 };
+
+/// How far away the surface that a pixel shows is along another ray, as the plane through the pixel
+/// and its neighbours meets that; nothing where it does not.
+std::optional<double> rangeAlong(const Eigen::Vector3d& ray, const cv::Point& pixel,
+                                 const SeenSurfaces& seen, const CameraModel& camera) {
+  // Points r d of a plane have m.d = 1 / r, with the same m for all of them.
+  Eigen::Matrix3d directions;
+  Eigen::Vector3d nearness;
+  const cv::Point steps[] = {{1, 0}, {0, 1}};
+  for (int i = 0; i < 3; ++i) {
+    const auto next = i == 0 ? std::optional(pixel) : seen.continuation(pixel, steps[i - 1]);
+    const cv::Point at = next ? *next : pixel + steps[i - 1];
+    const auto direction = camera.ray({static_cast<double>(at.x), static_cast<double>(at.y)});
+    if (!direction) return seen.at(pixel);
+    directions.row(i) = direction->transpose();
+    nearness[i] = 1.0 / (next ? seen.at(at) : seen.at(pixel));  // alone, as far away as the pixel
+  }
+  const double along = ray.dot(directions.inverse() * nearness);
+  return along > 0.0 ? std::optional(1.0 / along) : std::nullopt;
+}
+
+/// Whether what the pixel shows hides a point from the camera.
+///
+/// A surface of the object itself may be the one that the point is on: so what its slope accounts
+/// for within the pixel is let through. Of anything else, what matters is where it is on the way to
+/// the point: ground that an object stands on begins there, a wall before the object does not.
+bool isHidden(const Eigen::Vector3d& p_C, const cv::Point& pixel, bool shows_itself,
+              const SeenSurfaces& seen, const CameraModel& camera, double tolerance) {
+  const double range = seen.at(pixel);
+  if (!(range > 0.0)) return false;
+  const double distance = p_C.norm() - tolerance;
+  if (shows_itself) {
+    return range < distance - seen.slope(pixel, {1, 0}) - seen.slope(pixel, {0, 1});
+  }
+  const auto along = rangeAlong(p_C.normalized(), pixel, seen, camera);
+  return along && *along < distance;
+}
 
 }  // namespace
 
@@ -64,13 +115,12 @@ void findKeypointStates(std::vector<Keypoint>& keypoints, const std::vector<Eige
       continue;
     }
     const cv::Point pixel(static_cast<int>(nearest.x()), static_cast<int>(nearest.y()));
-    const double slack = tolerance + seen.slope(pixel, {1, 0}) + seen.slope(pixel, {0, 1});
-    const bool hidden = seen.at(pixel) > 0.0 && seen.at(pixel) < p_C[i].norm() - slack;
-    if (!hidden) {
+    const bool shows_itself = ids.at<int>(pixel) == instance;
+    if (!isHidden(p_C[i], pixel, shows_itself, seen, camera, tolerance)) {
       keypoint.state = KeypointState::kVisible;
     } else {
-      keypoint.state = ids.at<int>(pixel) == instance ? KeypointState::kHiddenByItself
-                                                      : KeypointState::kHiddenByAnother;
+      keypoint.state =
+          shows_itself ? KeypointState::kHiddenByItself : KeypointState::kHiddenByAnother;
     }
   }
 }

@@ -16,10 +16,10 @@ using RangeAt = std::function<double(const cv::Point& pixel)>;
 /// Finds what the camera sees of each keypoint in what it sees at the pixel nearest to it.
 ///
 /// A keypoint is hidden where something is nearer to the camera along its ray, by more than the
-/// tolerance and what the seen surface's slope accounts for from the pixel's centre to the
-/// keypoint. So one a little below its own surface is visible; so is one whose pixel shows what is
-/// behind it, at the object's outline. Distances are from the camera's centre, so that it holds for
-/// lenses that see past 90 degrees.
+/// tolerance. Where that is the object itself, what the surface's slope accounts for within the
+/// pixel is let through. So one a little below its own surface is visible; so is one whose pixel
+/// shows what is behind it, at the object's outline. Distances are from the camera's centre, so
+/// that it holds for lenses that see past 90 degrees.
 ///
 /// @param keypoints  their `pixel` is known; their `state` is set
 /// @param p_C  where they are in the optical frame [m], in the same order

@@ -149,6 +149,38 @@ TEST(KeypointStates, OneOnSteepGroundIsSeen) {
   EXPECT_EQ(stateOf({0.5, 0.5, -0.5}, {box, ground}), KeypointState::kVisible);
 }
 
+TEST(KeypointStates, OneBehindASlantedWallIsHidden) {
+  // The wall is nearly edge on: within a pixel its distance changes by more than what the keypoint
+  // is behind it.
+  const Eigen::Quaterniond slant(Eigen::AngleAxisd(1.45, Eigen::Vector3d::UnitY()));
+  for (const int id : {kAnother, 0}) {
+    const SeenBox wall{pose({0.0, 0.0, 12.0}, slant), {60.0, 40.0, 0.02}, id};
+    int hidden = 0;
+    for (double u = 20.0; u < 300.0; u += 7.3) {
+      const Eigen::Vector3d ray((u - 160.4) / 260.0, 0.02, 1.0);
+      const double to_wall = test::distanceTo(wall, ray.normalized());
+      if (!std::isfinite(to_wall) || to_wall > 40.0) continue;
+      for (const double behind : {0.1, 0.44}) {
+        // So small that nothing of it stands out of the wall.
+        const SeenBox box{
+            pose(ray.normalized() * (to_wall + behind + 0.005)), {0.01, 0.01, 0.01}, kOwn};
+        const Eigen::Vector3d p_B = box.X_CB.inverse() * (ray.normalized() * (to_wall + behind));
+        EXPECT_EQ(stateOf(p_B, {box, wall}), KeypointState::kHiddenByAnother)
+            << "column " << u << ", " << behind << " m behind";
+        ++hidden;
+      }
+    }
+    EXPECT_GT(hidden, 20);
+  }
+}
+
+TEST(KeypointStates, OneOnGroundSeenByAFisheyeIsSeen) {
+  const SeenBox box{pose({2.2, 0.4, 9}), {1, 1, 1}, kOwn};
+  const SeenBox ground{pose({0, 1.9, 50}), {200, 2, 99}, 0};
+  EXPECT_EQ(stateOf({-0.5, 0.5, -0.5}, {box, ground}, kFisheye), KeypointState::kVisible);
+  EXPECT_EQ(stateOf({0.5, 0.5, -0.5}, {box, ground}, kFisheye), KeypointState::kVisible);
+}
+
 TEST(KeypointStates, OneBesideTheImageOrBehindTheCameraIsOutside) {
   const SeenBox box{pose({0, 0, 3}), {10, 1, 1}, kOwn};
   EXPECT_EQ(stateOf({4.9, 0, -0.5}, {box}), KeypointState::kOutside);
