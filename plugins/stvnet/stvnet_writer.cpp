@@ -3,17 +3,20 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "plugins/shared/pixel_origin.h"
 #include "plugins/stvnet/stvnet_folder.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
 /// stvNet: for each object a folder with `JPEGImages/N.png` (PNG in spite of its name),
-/// `mask/N.png` and `labels/N.txt`: the id, then each keypoint's place as fractions of the image.
+/// `mask/N.png` and `labels/N.txt`: the id, then each keypoint's place as fractions of the image,
+/// counted from the first pixel's centre or from the image's edge.
 class StvNetWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
     parameters.ignore("tf_timeout");  // of nn_data_collection
+    origin_ = readPixelOrigin(parameters);
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -39,17 +42,19 @@ class StvNetWriter : public LabelWriter {
   }
 
   /// An object's line, keypoints not cut to the image; nothing when one has no place on it.
-  [[nodiscard]] static std::optional<std::string> label(const SceneObject& object,
-                                                        const CameraModel& camera) {
+  [[nodiscard]] std::optional<std::string> label(const SceneObject& object,
+                                                 const CameraModel& camera) const {
     std::string text = object.id + " ";
     for (const Eigen::Vector3d& keypoint_O : object.keypoints_O) {
       const auto pixel = camera.project(object.X_CO * keypoint_O);
       if (!pixel) return std::nullopt;
-      text += fixed(pixel->x() / camera.width(), 5) + " " + fixed(pixel->y() / camera.height(), 5) +
-              " ";
+      text += fixed((pixel->x() + origin_.offset) / camera.width(), 5) + " " +
+              fixed((pixel->y() + origin_.offset) / camera.height(), 5) + " ";
     }
     return text + "\n";
   }
+
+  PixelOrigin origin_;
 };
 
 }  // namespace synthetic_dataset

@@ -38,12 +38,14 @@ inline std::vector<FormatCase> formatCases() {
       {"PvNet", "PvNet"},
       {"RosBag", "RosBag"},
       {"StvNet", "StvNet"},
+      {"StvNetFromEdge", "StvNet", {{"pixel_origin", "edge"}}},
       {"UltralyticsDetect", "UltralyticsYolo", {{"task", "detect"}}},
       {"UltralyticsObb", "UltralyticsYolo", {{"task", "obb"}}},
       {"UltralyticsPose", "UltralyticsYolo", {{"task", "pose"}}},
       {"UltralyticsSegment", "UltralyticsYolo", {{"task", "segment"}}},
       {"Yolo", "Yolo", {{"main_list", "list.txt"}, {"cut_to_image", true}}},
       {"YoloUncut", "Yolo", {{"main_list", "list.txt"}, {"cut_to_image", false}}},
+      {"YoloFromEdge", "Yolo", {{"main_list", "list.txt"}, {"pixel_origin", "edge"}}},
   };
 }
 

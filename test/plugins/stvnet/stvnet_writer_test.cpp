@@ -40,6 +40,12 @@ TEST_F(StvNet, DividesByTheKeypointsOwnDepth) {
   EXPECT_EQ(labelOf({{1.28, 0.96, 10.0}}), "a_id 0.55000 0.55000 \n");
 }
 
+TEST_F(StvNet, CountsFromTheImagesEdgeWhenAskedTo) {
+  load({{"pixel_origin", "edge"}});
+  // (320, 240) px, and half a pixel more: 320.5 / 640, 240.5 / 480.
+  EXPECT_EQ(labelOf({{0.0, 0.0, 0.0}}), "a_id 0.50078 0.50104 \n");
+}
+
 TEST_F(StvNet, KeepsKeypointsOutsideTheImage) {
   load({});
   // 320 - 640 and 240 + 480 px.

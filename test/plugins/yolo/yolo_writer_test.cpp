@@ -85,6 +85,22 @@ TEST_F(Yolo, LeavesOutWhatReachesOnlyTheFirstPixelsOuterHalf) {
   EXPECT_EQ(labelOf({-20.0, 10.0, -0.25, 20.0}), "");
 }
 
+TEST_F(Yolo, CountsFromTheImagesEdgeWhenAskedTo) {
+  Value::Map edge = parameters();
+  edge["pixel_origin"] = "edge";
+  load(edge);
+  // Around the middle of the image, which is (319.5, 239.5) where pixels' centres are whole.
+  EXPECT_EQ(labelOf({287.5, 191.5, 351.5, 287.5}), "a_class 0.50000 0.50000 0.10000 0.20000\n");
+  EXPECT_EQ(labelOf({-20.5, -0.5, 63.5, 47.5}), "a_class 0.05000 0.05000 0.10000 0.10000\n");
+}
+
+TEST_F(Yolo, RefusesAnotherOrigin) {
+  Value::Map corner = parameters();
+  corner["pixel_origin"] = "corner";
+  load(corner);
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("pixel_origin: found 'corner'")));
+}
+
 TEST_F(Yolo, ListsAllImagesInSceneOrder) {
   load(parameters());
   runAll({scene(1, {}), scene(0, {}), scene(10, {})});
