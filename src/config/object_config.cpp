@@ -228,7 +228,7 @@ scene::ObjectOptions labelledDistractor(int number, const std::string& label_cla
 std::string readLabel(Parameters group, const std::string& name) {
   const Value value = group.required<Value>(name);
   std::string text = value.text();
-  if (value.is<Value::List>() || value.is<Value::Map>() || value.is<bool>()) {
+  if (value.is<Value::List>() || value.is<Value::Map>()) {
     group.addError(name, "found " + value.kind() + "; it should be a text or a number");
   } else if (const auto problem = nameProblem(text)) {
     group.addError(name, "found a text that " + *problem);

@@ -64,6 +64,16 @@ TEST(ReadConfig, AMinimalFileTakesTheOriginalsDefaults) {
   EXPECT_THAT(reading.root.defaultsTaken(), Contains("simulated_rate: 30.0"));
 }
 
+TEST(ReadConfig, LabelsHaveTheTextThatPythonPrints) {
+  // nn_data_collection wrote str() of what YAML gave it.
+  for (const auto& [given, text] : {std::pair("true", "True"), std::pair("2.50", "2.5"),
+                                    std::pair("010", "8"), std::pair("'007'", "007")}) {
+    const Reading reading(with("class: summit", std::string("class: ") + given));
+    EXPECT_THAT(reading.root.errors(), IsEmpty());
+    EXPECT_EQ(reading.config.objects.at(0).class_text, text);
+  }
+}
+
 TEST(ReadConfig, LeftOutWritersAreTheOriginalsThree) {
   const Config config = Reading(kMinimal).config;
   ASSERT_EQ(config.writers.size(), 3U);
