@@ -22,6 +22,9 @@ void checkDistortion(const Distortion& distortion) {
   if (!std::all_of(k.begin(), k.end(), [](double number) { return std::isfinite(number); })) {
     throw Error("distortion: all coefficients should be finite numbers");
   }
+  const lens::LensModel& model = lens::modelOf(distortion.model);
+  const std::string fault = model.fault != nullptr ? model.fault(distortion) : "";
+  if (!fault.empty()) throw Error("distortion: " + fault);
   if (!(distortion.cutoff_angle > 0.0 && distortion.cutoff_angle <= 3.1415926536)) {
     throw Error("distortion: found a cutoff angle of " + fixed(distortion.cutoff_angle, 3) +
                 " rad; it should be above 0 and at most pi");

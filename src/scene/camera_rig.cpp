@@ -170,18 +170,16 @@ std::string frameOf(const CameraOptions& config, const CalibratedCamera& camera,
 
 /// The picture's frame where it is not that of the calibrated camera. One that is put somewhere
 /// for each scene is put there itself.
-void placeInFrame(const CameraOptions& config, const CalibratedCamera& camera, CameraRig& rig,
-                  base::Diagnostics& found) {
+void placeInFrame(const CameraOptions& config, const CalibratedCamera& camera, CameraRig& rig) {
+  rig.is_rectified = config.rectified;
   rig.optical_frame = rig.frame;
   if (rig.sampled || camera.X_FC.isApprox(Pose::Identity(), 0.0)) return;
   rig.X_FC = camera.X_FC;
   rig.optical_frame = rig.frame + "/" + rig.name;
-  const Eigen::Vector3d p = rig.X_FC.translation() + Eigen::Vector3d::Zero();  // no -0
-  const double angle = Eigen::AngleAxisd(rig.X_FC.linear()).angle();
-  found.note(config.group, "its calibration puts the picture's frame, " + rig.optical_frame +
-                               ", at [" + fixed(p.x(), 4) + ", " + fixed(p.y(), 4) + ", " +
-                               fixed(p.z(), 4) + "] m in " + rig.frame + ", turned by " +
-                               fixed(angle, 4) + " rad");
+}
+
+bool isBesideItsFrame(const CameraRig& camera) {
+  return camera.is_rectified && !camera.X_FC.translation().isZero(0.0);
 }
 
 }  // namespace
@@ -198,10 +196,39 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
   }
   CameraRig rig{config.name, camera.model, frameOf(config, camera, frames)};
   findPose(config, sensor, links, objects, frames, rig);
-  placeInFrame(config, camera, rig, found);
+  placeInFrame(config, camera, rig);
   rig.shutter = config.shutter;
   rig.effects = effectsOf(config, sensor);
   return rig;
+}
+
+void alignStereoPairs(std::vector<CameraRig>& cameras) {
+  for (CameraRig& second : cameras) {
+    if (!isBesideItsFrame(second)) continue;
+    const auto isFirst = [&](const CameraRig& other) {
+      return other.frame == second.frame && other.is_rectified && !isBesideItsFrame(other);
+    };
+    const auto first = std::find_if(cameras.begin(), cameras.end(), isFirst);
+    if (first == cameras.end()) continue;
+    const Eigen::Vector3d beside = second.X_FC.linear().transpose() * second.X_FC.translation();
+    second.X_FC = first->X_FC;
+    second.X_FC.translation() = first->X_FC * beside;
+  }
+}
+
+void notePictureFrames(const std::vector<CameraRig>& cameras, base::Diagnostics& found) {
+  for (const CameraRig& camera : cameras) {
+    if (camera.optical_frame == camera.frame) continue;
+    const Eigen::Vector3d p = camera.X_FC.translation() + Eigen::Vector3d::Zero();  // no -0
+    const double angle = Eigen::AngleAxisd(camera.X_FC.linear()).angle();
+    found.note("camera " + camera.name,
+               "its calibration puts the picture's frame, " + camera.optical_frame + ", at [" +
+                   fixed(p.x(), 4) + ", " + fixed(p.y(), 4) + ", " + fixed(p.z(), 4) + "] m in " +
+                   camera.frame + ", turned by " + fixed(angle, 4) + " rad" +
+                   (isBesideItsFrame(camera)
+                        ? "; " + camera.frame + " should be the frame of the pair's first camera"
+                        : ""));
+  }
 }
 
 double seenShare(const CameraModel& camera) {

@@ -156,6 +156,9 @@ TEST(SphereLenses, RefuseWhatNoLensHas) {
   EXPECT_ANY_THROW(alpha());
   const auto xi = [] { (void)makeDistortion("omni", {-1.5, 0, 0, 0, 0}); };
   EXPECT_ANY_THROW(xi());
+  const Distortion outside{DistortionModel::kDoubleSphere, {0.1, -0.5}};
+  const auto camera = [&] { (void)CameraModel(640, 480, kIntrinsics, 0.05, 100.0, outside); };
+  EXPECT_ANY_THROW(camera());
 }
 
 }  // namespace sphere_lens_test

@@ -1,6 +1,10 @@
 #include "scene/camera_rig.h"
 
+#include <iomanip>
+#include <sstream>
+
 #include <gmock/gmock.h>
+#include <opencv2/calib3d.hpp>
 
 #include "support/error_messages.h"
 #include "support/fake_frame_source.h"
@@ -97,6 +101,7 @@ TEST_F(CalibratedRig, OfAStereoPairsRightCameraStandsBesideTheLeftOne) {
   EXPECT_EQ(rig.optical_frame, "stereo/right");
   EXPECT_LT((rig.X_FC.translation() - Eigen::Vector3d(0.2, 0.0, 0.0)).norm(), 1e-12);
   EXPECT_TRUE(rig.model.isPinhole());
+  notePictureFrames({rig}, found);
   EXPECT_THAT(found.messages(base::Severity::kNote),
               ElementsAre(testing::HasSubstr("stereo/right, at [0.2000, 0.0000, 0.0000] m")));
 }
@@ -115,6 +120,35 @@ TEST_F(CalibratedRig, ProjectsPointsOfItsFrameByPTimesR) {
   const auto pixel = rig.model.project(rig.X_FC.inverse() * p_F);
   ASSERT_TRUE(pixel);
   EXPECT_LT((*pixel - truth.hnormalized()).norm(), 1e-9);
+}
+
+TEST_F(CalibratedRig, OfBothCamerasOfAPairShowsAPointInOneRow) {
+  // Two cameras that are turned against each other, rectified by cv::stereoRectify.
+  std::vector<double> K = {300, 0, 159.5, 0, 300, 119.5, 0, 0, 1};
+  const cv::Mat matrix(3, 3, CV_64F, K.data());
+  cv::Mat turn;
+  cv::Rodrigues(cv::Vec3d(0.03, -0.05, 0.02), turn);
+  cv::Mat R1, R2, P1, P2, Q;
+  cv::stereoRectify(matrix, cv::Mat(), matrix, cv::Mat(), cv::Size(320, 240), turn,
+                    cv::Vec3d(-0.2, 0.01, 0.005), R1, R2, P1, P2, Q);
+  const auto listed = [](const cv::Mat& m) {
+    std::ostringstream text;
+    text << std::setprecision(17) << m.reshape(1, 1);
+    return text.str();
+  };
+  std::vector<CameraRig> pair = {rigOf("R: " + listed(R1) + "\nP: " + listed(P1) + "\n"),
+                                 rigOf("R: " + listed(R2) + "\nP: " + listed(P2) + "\n")};
+  alignStereoPairs(pair);
+  for (const Eigen::Vector3d& p_F :
+       {Eigen::Vector3d(-0.3, 0.2, 2.0), Eigen::Vector3d(0.4, -0.3, 3.0)}) {
+    const auto left = pair[0].model.project(pair[0].X_FC.inverse() * p_F);
+    const auto right = pair[1].model.project(pair[1].X_FC.inverse() * p_F);
+    ASSERT_TRUE(left && right);
+    EXPECT_NEAR(left->y(), right->y(), 1e-9);
+    // "disparity = fx B / z", with z in the rectified frame.
+    const double z = (pair[0].X_FC.inverse() * p_F).z();
+    EXPECT_NEAR(left->x() - right->x(), -P2.at<double>(0, 3) / z, 1e-9);
+  }
 }
 
 TEST_F(CalibratedRig, IsWhereItsFrameIsWithoutRotationAndBaseline) {

@@ -197,6 +197,8 @@ class MotionBuilder {
       noteFarAxis(camera, *rig);
       setup_.cameras.push_back(std::move(*rig));
     }
+    scene::alignStereoPairs(setup_.cameras);
+    scene::notePictureFrames(setup_.cameras, found());
   }
 
   /// What is placed has a frame of its own: else one would be where the other is.

@@ -13,7 +13,8 @@ namespace synthetic_dataset::scene {
 namespace {
 
 std::vector<ListedCamera> listedCameras(const std::string& text, const std::string& file) {
-  for (const CalibrationFormat* format : {&kOstFormat, &kKalibrFormat, &kOpenCvFormat}) {
+  for (const CalibrationFormat* format :
+       {&kOstFormat, &kKalibrFormat, &kCamodocalFormat, &kOpenCvFormat}) {
     if (format->recognises(text)) return format->read(text, file);
   }
   return kRosFormat.read(text, file);

@@ -36,6 +36,9 @@ extern const CalibrationFormat kOpenCvFormat;
 /// Kalibr's camchain.
 extern const CalibrationFormat kKalibrFormat;
 
+/// camodocal's and VINS-Mono's YAML, with `model_type` and `projection_parameters`.
+extern const CalibrationFormat kCamodocalFormat;
+
 /// YAML with the names of ROS; recognises all that is left.
 extern const CalibrationFormat kRosFormat;
 

@@ -168,17 +168,17 @@ std::vector<ListedCamera> readKalibrCalibration(const std::string& text, const s
     return cameras;
   }
   std::optional<Pose> X_BC;
-  for (const auto& [name, value] : map != nullptr ? *map : Value::Map()) {
-    if (!isOfKalibr(value)) continue;
-    const auto& own = *value.as<Value::Map>();
-    base::namingPlace(file + ": " + name, [&] {
+  for (const Value::Map::value_type& entry : map != nullptr ? *map : Value::Map()) {
+    if (!isOfKalibr(entry.second)) continue;
+    const auto& own = *entry.second.as<Value::Map>();
+    base::namingPlace(file + ": " + entry.first, [&] {
       const auto T = poseOf(own, "T_cn_cnm1");
       if (cameras.empty()) {
         X_BC = Pose::Identity();
       } else {
         X_BC = X_BC && T ? std::optional<Pose>(*X_BC * T->inverse()) : std::nullopt;
       }
-      cameras.push_back({name, infoOf(readKalibrCamera(own)), X_BC});
+      cameras.push_back({entry.first, infoOf(readKalibrCamera(own)), X_BC});
     });
   }
   if (cameras.empty()) {

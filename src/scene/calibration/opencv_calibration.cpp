@@ -23,7 +23,6 @@ const std::map<std::string, std::string>& openCvNames() {
     for (const char* name : {"distcoeffs", "distcoeff", "distortioncoeffs", "distortion", "dist"}) {
       all[name] = "distortion_coefficients";
     }
-    for (const char* name : {"cameramodel", "modeltype"}) all[name] = "distortion_model";
     return all;
   }();
   return names;
@@ -106,6 +105,10 @@ void addSize(const Value::Map& storage, Value::Map& info) {
 Value::Map cameraInfoOf(const Value::Map& storage) {
   Value::Map info = withUsualNames(storage, openCvNames());
   addSize(storage, info);
+  // A camera that is called a pinhole may still have a lens that bends its picture.
+  const Value* model = findPlain(storage, "cameramodel");
+  const auto* name = model == nullptr ? nullptr : model->as<std::string>();
+  if (name != nullptr && plainName(*name) != "pinhole") info.emplace("distortion_model", *name);
   const Value* fisheye = findPlain(storage, "fisheyemodel");
   if (fisheye != nullptr && numberOf(*fisheye).value_or(0.0) != 0.0) {
     info.emplace("distortion_model", "fisheye");

@@ -139,6 +139,28 @@ TEST_F(CalibrationFile, WithSeveralCamerasNeedsOneToBeNamed) {
   EXPECT_LT((second.X_FC.translation() - Eigen::Vector3d(0.11, -0.02, 0.0)).norm(), 1e-12);
 }
 
+TEST_F(CalibrationFile, OfCamodocalHasItsLensByItsOwnNames) {
+  const std::string head =
+      "%YAML:1.0\n---\ncamera_name: camera\nimage_width: 752\nimage_height: 480\n";
+  const CameraModel mei =
+      read(head +
+           "model_type: MEI\nmirror_parameters:\n   xi: 1.5\ndistortion_parameters:\n   k1: -0.1\n"
+           "   k2: 0.2\n   p1: 0.001\n   p2: 0.002\nprojection_parameters:\n   gamma1: 800.5\n"
+           "   gamma2: 801.\n   u0: 367.\n   v0: 249.\n")
+          .model;
+  EXPECT_EQ(mei.distortion().model, DistortionModel::kOmnidirectional);
+  EXPECT_THAT(coefficientsOf(mei.distortion()), ElementsAre(1.5, -0.1, 0.2, 0.001, 0.002));
+  EXPECT_EQ(mei.intrinsics().fx, 800.5);
+  const CameraModel fisheye =
+      read(head +
+           "model_type: KANNALA_BRANDT\nprojection_parameters:\n   k2: -0.01\n   k3: 0.02\n"
+           "   k4: -0.03\n   k5: 0.01\n   mu: 461.4\n   mv: 460.1\n   u0: 356.3\n   v0: 231.1\n")
+          .model;
+  expectAsOpenCv(fisheye, {461.4, 0, 356.3, 0, 460.1, 231.1, 0, 0, 1}, {-0.01, 0.02, -0.03, 0.01});
+  EXPECT_THAT(errorsOf(head + "model_type: SCARAMUZZA\nprojection_parameters: {}\n"),
+              ElementsAre(HasSubstr("camodocal with model_type SCARAMUZZA, which is not drawn")));
+}
+
 constexpr char kStorage[] =
     "%YAML:1.0\n---\n"
     "M: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
@@ -175,6 +197,19 @@ TEST_F(CalibrationFile, OfOpenCvsOmnidirHasItsMirrorAndItsSkew) {
   EXPECT_THAT(coefficientsOf(camera.model.distortion()),
               ElementsAre(1.1, -0.2, 0.1, 0.001, 0.002, 0.005));
   EXPECT_TRUE(camera.warnings.empty());
+}
+
+TEST_F(CalibrationFile, OfOpenCvMayCallItsCameraAPinholeAndBendItsPicture) {
+  const std::string text =
+      "%YAML:1.0\n---\ncamera_model: pinhole\nwidth: 640\nheight: 480\n"
+      "K: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+      "   data: [ 500., 0., 320., 0., 510., 240., 0., 0., 1. ]\n"
+      "D: !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n"
+      "   data: [ 0.1, -0.2, 0.01, 0.02, -0.001 ]\n";
+  const cv::Matx33d K(500, 0, 320, 0, 510, 240, 0, 0, 1);
+  expectAsOpenCv(read(text).model, K, {0.1, -0.2, 0.01, 0.02, -0.001});
+  expectAsOpenCv(read(text + "distortion_model: radtan\n").model, K,
+                 {0.1, -0.2, 0.01, 0.02, -0.001});
 }
 
 TEST_F(CalibrationFile, OfOpenCvMayBeThatOfAStereoPair) {
