@@ -8,7 +8,14 @@ source "$here/workspace.sh"
 SYNTHETIC_DATASET_REFERENCE=$(realpath "$1")
 export SYNTHETIC_DATASET_REFERENCE
 
-build_workspace --target test_reference_data test_reference_worlds
+# A second opinion on worlds, where there is one.
+if apt-cache show libsdformat-dev >/dev/null 2>&1; then
+  "$here/install_dependencies.sh" libsdformat-dev
+  [ ! -d "$workspace/build" ] || cmake "$workspace/build" >/dev/null
+fi
+build_workspace --target test_reference_data test_reference_worlds test_sdformat_oracle
 use_workspace
 "$workspace/devel/lib/synthetic_dataset_tests/test_reference_data"
 "$workspace/devel/lib/synthetic_dataset_tests/test_reference_worlds"
+oracle=$workspace/devel/lib/synthetic_dataset_tests/test_sdformat_oracle
+[ ! -x "$oracle" ] || "$oracle"

@@ -129,7 +129,10 @@ MotionRun::DrawnScene MotionRun::look(std::size_t camera, std::int64_t instant, 
   DrawnScene scene{
       scene_maker_.look(camera, instant, stamp, X_GO), {}, {}, {}, drawsOf(camera, instant)};
   scene.seen.scene.split = splits_.at(instant);
-  if (camera == 0) scene.contacts = findContacts(stamp);
+  if (camera == 0) {
+    scene.contacts = findContacts(stamp);
+    warnOfFallen(stamp);
+  }
   return scene;
 }
 
@@ -158,6 +161,16 @@ std::vector<output::ContactFacts> MotionRun::findContacts(Stamp stamp) {
          "by " + fixed(pair.depth, 3) + " m at " + fixed(toSeconds(stamp), 3) + " s"});
   }
   return contacts;
+}
+
+/// Models that have left the world, each once: a picture without them must not go unexplained.
+void MotionRun::warnOfFallen(Stamp stamp) {
+  for (const std::string& name : motion_.world->fallenProps()) {
+    if (!fallen_.insert(name).second) continue;
+    pending_warnings_.push_back(
+        {"model '" + name + "' has fallen out of the world: it is not static, and nothing holds it",
+         "at " + fixed(toSeconds(stamp), 3) + " s"});
+  }
 }
 
 /// Passes the scenes on that were drawn last.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,7 @@ class MotionRun {
   [[nodiscard]] std::vector<output::DrawFacts> drawsOf(std::size_t camera,
                                                        std::int64_t instant) const;
   [[nodiscard]] std::vector<output::ContactFacts> findContacts(Stamp stamp);
+  void warnOfFallen(Stamp stamp);
   void passOn(std::optional<Stamp> now, ScenePipeline& pipeline);
   [[nodiscard]] FinishedScene finish(DrawnScene& drawn) const;
   [[nodiscard]] output::SceneFacts factsOf(const DrawnScene& drawn,
@@ -71,6 +73,7 @@ class MotionRun {
   scene::ObjectMotion object_motion_;
   Stamp motion_start_{0};                          ///< when the first shutter opens
   std::vector<output::Warning> pending_warnings_;  ///< since the last instant
+  std::set<std::string> fallen_;                   ///< models that have left the world
   std::vector<DrawnScene> drawn_;                  ///< at the last instant; not yet passed on
 };
 

@@ -1,6 +1,7 @@
 #include "world/world.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
@@ -327,6 +328,19 @@ const std::vector<bool>& World::presentLinks() const { return impl_->present_lin
 const std::vector<Pose>& World::linkPoses() const { return impl_->X_WL; }
 
 std::int64_t World::propRevision() const { return impl_->prop_revision; }
+
+std::vector<std::string> World::fallenProps() const {
+  constexpr double kFallen = 5.0;  // [m]
+  const Eigen::Vector3d down = impl_->description.gravity.normalized();
+  const std::optional<double> deepest = deepestPoint(impl_->fixed, down);
+  std::vector<std::string> names;
+  for (const Impl::Prop& prop : impl_->props) {
+    const double start = down.dot(prop.model->X_WM.translation());
+    const double end = std::max(start, deepest.value_or(start));
+    if (down.dot(prop.X_WM.translation()) > end + kFallen) names.push_back(prop.model->name);
+  }
+  return names;
+}
 
 std::vector<Interpenetration> World::interpenetrations() const {
   if (!impl_->start_time) return {};

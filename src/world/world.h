@@ -152,6 +152,10 @@ class World {
   /// of date. Movements of less than 0.01 mm do not count, and do not show in the poses either.
   [[nodiscard]] std::int64_t propRevision() const;
 
+  /// The names of the props that have fallen past everything that stands still, by more than 5 m,
+  /// and where nothing stands still, from where they started.
+  [[nodiscard]] std::vector<std::string> fallenProps() const;
+
   /// Objects that now overlap each other or a static model by more than the tolerance, each pair
   /// once, sorted by names. Nothing before the first advanceTo.
   [[nodiscard]] std::vector<Interpenetration> interpenetrations() const;

@@ -116,22 +116,19 @@ void TextureLoader::decodeAhead(const std::vector<TextureReference>& references)
   for (const TextureReference& reference : references) {
     if (const EmbeddedPicture* embedded = reference.embedded.get()) {
       embedded_.push_back(reference.embedded);
-      files.emplace(embeddedKey(*embedded), embedded->bytes);
+      const std::string key = embeddedKey(*embedded);
+      if (pixels_.count(key) == 0) files.emplace(key, embedded->bytes);
       continue;
     }
     try {
       const std::string file = find(reference).string();
-      if (files.count(file) == 0) files.emplace(file, readBytes(file));
+      const bool is_known = files.count(file) > 0 || pixels_.count(file) > 0;
+      if (!is_known) files.emplace(file, readBytes(file));
     } catch (const Error&) {
       continue;  // reported when it is loaded
     }
   }
   for (auto& [key, pixels] : base::decodePictures(files)) pixels_.emplace(key, std::move(pixels));
-}
-
-void TextureLoader::takeFrom(TextureLoader&& other) {
-  pixels_.merge(other.pixels_);
-  embedded_.insert(embedded_.end(), other.embedded_.begin(), other.embedded_.end());
 }
 
 std::shared_ptr<const Texture> TextureLoader::standIn(const std::string& picture) {

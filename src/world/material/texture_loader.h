@@ -57,9 +57,6 @@ class TextureLoader {
   /// Decodes pictures that are going to be wanted, all at once; faults are reported when they are.
   void decodeAhead(const std::vector<TextureReference>& references);
 
-  /// Takes what another has decoded ahead.
-  void takeFrom(TextureLoader&& other);
-
   /// A picture is looked for where the URI says, then by its file name alone beside the file that
   /// names it, in the model's materials/textures and in media/materials/textures of resource
   /// folders, as Gazebo's resource system does. For one of Gazebo's own that is not there, a

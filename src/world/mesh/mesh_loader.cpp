@@ -149,7 +149,9 @@ MeshLoader::Key MeshLoader::keyOf(const MeshRequest& request) {
 
 void MeshLoader::readAhead(const std::vector<MeshAhead>& wanted) {
   std::map<std::filesystem::path, bool> with_pictures;
-  for (const MeshAhead& each : wanted) with_pictures[each.file] |= each.with_pictures;
+  for (const MeshAhead& each : wanted) {
+    if (!knows(each.file)) with_pictures[each.file] |= each.with_pictures;
+  }
   std::vector<std::filesystem::path> files;
   for (const auto& entry : with_pictures) files.push_back(entry.first);
   std::vector<TextureReference> pictures;
@@ -164,11 +166,6 @@ void MeshLoader::readAhead(const std::vector<MeshAhead>& wanted) {
 
 bool MeshLoader::knows(const std::filesystem::path& file) const {
   return files_.count(file.string()) > 0;
-}
-
-void MeshLoader::takeFrom(MeshLoader&& other) {
-  files_.merge(other.files_);
-  textures_.takeFrom(std::move(other.textures_));
 }
 
 const MeshFile& MeshLoader::read(const std::filesystem::path& file) {

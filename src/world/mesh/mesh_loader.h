@@ -43,14 +43,12 @@ class MeshLoader {
   explicit MeshLoader(const ResourceFinder& finder) : textures_(finder), scripts_(finder) {}
   explicit MeshLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
-  /// Reads mesh files that are going to be wanted, all at once; faults are reported when they are.
+  /// Reads mesh files that are going to be wanted and are not known, all at once; faults are
+  /// reported when they are.
   void readAhead(const std::vector<MeshAhead>& wanted);
 
   /// Whether a file has been read, or was found to be unreadable.
   [[nodiscard]] bool knows(const std::filesystem::path& file) const;
-
-  /// Takes what another has read ahead.
-  void takeFrom(MeshLoader&& other);
 
   /// The wanted triangles, one piece a material.
   /// @throws Error "mesh 'x.dae': <why it cannot be read, or that the submesh is not in it>"

@@ -130,6 +130,23 @@ std::vector<FixedCollision> fixedCollisions(const Model& model) {
   return result;
 }
 
+std::optional<double> deepestPoint(const std::vector<FixedCollision>& collisions,
+                                   const Eigen::Vector3d& down) {
+  std::optional<double> deepest;
+  for (const FixedCollision& each : collisions) {
+    double depth = down.dot(each.X_WC.translation());
+    if (!each.shape.shape->isInfinite()) {
+      btVector3 low;
+      btVector3 high;
+      each.shape.shape->getAabb(toBullet(each.X_WC), low, high);
+      const Eigen::Vector3d half = 0.5 * (fromBullet(high) - fromBullet(low));
+      depth = down.dot(0.5 * (fromBullet(high) + fromBullet(low))) + down.cwiseAbs().dot(half);
+    }
+    deepest = std::max(deepest.value_or(depth), depth);
+  }
+  return deepest;
+}
+
 MovingCollisions movingCollisions(const Model& model, const Pose& X_MB) {
   MovingCollisions result;
   const Pose X_BM = X_MB.inverse();

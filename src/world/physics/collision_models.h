@@ -3,6 +3,7 @@
 /// The collision geometry of whole models: of those that stand still and of those that move.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,11 @@ struct MovingCollisions {
 
 /// @throws ErrorList naming the model and the collision
 [[nodiscard]] std::vector<FixedCollision> fixedCollisions(const Model& model);
+
+/// How far down the collisions reach, along a direction of unit length; nothing without any. A
+/// plane reaches to where its origin is.
+[[nodiscard]] std::optional<double> deepestPoint(const std::vector<FixedCollision>& collisions,
+                                                 const Eigen::Vector3d& down);
 
 /// @throws ErrorList naming the model and the collision
 [[nodiscard]] MovingCollisions movingCollisions(const Model& model, const Pose& X_MB);

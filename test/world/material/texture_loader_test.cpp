@@ -174,15 +174,13 @@ TEST_F(TextureLoaderTest, RefusesWhatCannotBeDecodedWithoutPrinting) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST_F(TextureLoaderTest, TakesWhatAnotherHasDecodedAhead) {
+TEST_F(TextureLoaderTest, DecodesWhatItHasDecodedAheadNoMore) {
   const TextureReference picture = write("c.png", cv::Mat(1, 1, CV_8UC3, cv::Scalar(1, 2, 3)));
   TextureReference embedded;
   std::vector<std::uint8_t> bytes;
   cv::imencode(".png", cv::Mat(1, 1, CV_8UC3, cv::Scalar(4, 5, 6)), bytes);
   embedded.embedded = std::make_shared<EmbeddedPicture>(EmbeddedPicture{"inside", bytes});
-  TextureLoader other(finder_);
-  other.decodeAhead({picture, embedded, reference("gone.png")});
-  loader_.takeFrom(std::move(other));
+  loader_.decodeAhead({picture, embedded, reference("gone.png")});
   std::filesystem::resize_file(folder_ / "c.png", 3);  // it is not read again
   EXPECT_EQ(pixel(picture), cv::Vec4b(1, 2, 3, 255));
   EXPECT_EQ(pixel(embedded), cv::Vec4b(4, 5, 6, 255));

@@ -271,15 +271,13 @@ TEST_F(MeshLoaderTest, RefusesGarbage) {
   }
 }
 
-TEST_F(MeshLoaderTest, TakesWhatAnotherHasReadAhead) {
+TEST_F(MeshLoaderTest, ReadsWhatItHasReadAheadNoMore) {
   const MeshRequest whole =
       request("t.obj", std::string("mtllib t.mtl\nusemtl p\n") + kTriangleObj);
   const MeshRequest torn = request("torn.dae", "<COLLADA>");
   folder_.write("t.mtl", "newmtl p\nmap_Kd p.png\n");
   cv::imwrite((folder_ / "p.png").string(), cv::Mat(1, 1, CV_8UC3, cv::Scalar(1, 2, 3)));
-  MeshLoader other(finder_);
-  other.readAhead({{whole.file, false}, {torn.file, true}, {whole.file, true}});
-  loader_.takeFrom(std::move(other));
+  loader_.readAhead({{whole.file, false}, {torn.file, true}, {whole.file, true}});
   EXPECT_TRUE(loader_.knows(whole.file));
   for (const char* name : {"t.obj", "p.png"}) {
     std::filesystem::resize_file(folder_ / name, 3);  // neither is read again

@@ -69,6 +69,19 @@ TEST(Physics, LinksWithoutGravityFloat) {
   EXPECT_NEAR(world.linkPoses()[1].translation().z(), 100 - 0.5 * 9.81 / 2, 0.02);
 }
 
+TEST(Physics, PropsThatLeaveTheWorldAreNamed) {
+  World world(descriptionOf({staticModelOf("table", BoxShape{{1, 1, 1}}),
+                             modelOf("cup", SphereShape{0.1}, at(0, 0, 1)),
+                             modelOf("stone", SphereShape{0.1}, at(5, 0, 1))}),
+              {}, {});
+  world.advanceTo(Stamp(0), kNoObjects);
+  EXPECT_THAT(world.fallenProps(), testing::IsEmpty());
+  world.advanceTo(seconds(1), kNoObjects);
+  EXPECT_THAT(world.fallenProps(), testing::IsEmpty()) << "the stone is 3.4 m below the table";
+  world.advanceTo(seconds(2), kNoObjects);
+  EXPECT_THAT(world.fallenProps(), testing::ElementsAre("stone"));
+}
+
 class PropAtRest : public testing::TestWithParam<std::pair<Shape, Shape>> {};
 
 TEST_P(PropAtRest, StandsOnTheFloorAtHalfItsHeight) {

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Draws the worlds of which Gazebo's own pictures are among the reference data, and holds ours against them:
+#   ./scripts/compare_with_gazebo.sh REFERENCE_FOLDER [OUTPUT_FOLDER]
+# Fails where fewer worlds agree than test/reference/agreeing_worlds.txt lists. The output folder gets the
+# pictures side by side, and a table.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=workspace.sh
+source "$here/workspace.sh"
+reference=$(realpath "$1")
+output=$(realpath -m "${2:-$(mktemp -d)}")
+kept=$repository/test/reference/agreeing_worlds.txt
+
+"$here/install_dependencies.sh" python3-opencv
+build_workspace --target generate
+use_workspace
+# Without Gazebo's media, so that the result does not depend on whether it is installed.
+python3 "$reference/gazebo/compare.py" "$output" --media /nowhere | tee "$output.log"
+mkdir -p "$output" && mv "$output.log" "$output/log.txt"
+
+grep '^agrees' "$output/table.txt" | awk '{print $2}' | sort >"$output/agreeing_worlds.txt"
+if lost=$(comm -23 <(sort "$kept") "$output/agreeing_worlds.txt") && [ -n "$lost" ]; then
+  printf 'these agreed with Gazebo before, and do not any more (pictures: %s):\n%s\n' "$output" "$lost"
+  exit 1
+fi
+echo "worlds that agree with Gazebo: $(wc -l <"$output/agreeing_worlds.txt"), kept: $(wc -l <"$kept")"
