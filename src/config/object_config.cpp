@@ -186,6 +186,41 @@ bool isXml(const std::string& text) {
   return first != std::string::npos && text[first] == '<';
 }
 
+/// Numbers and switches as xacro has them: texts.
+std::map<std::string, std::string> readModelArguments(Parameters& group) {
+  std::map<std::string, std::string> arguments;
+  const auto given = group.maybe<Value>("model_arguments");
+  if (!given) return arguments;
+  if (!given->is<Value::Map>()) {
+    group.addError("model_arguments", "found " + given->kind() +
+                                          "; it should be a map from the arguments of the model's "
+                                          "xacro file to their values: {prefix: left_}");
+    return arguments;
+  }
+  Parameters values = group.group("model_arguments");
+  for (const std::string& name : values.names()) {
+    const Value value = values.required<Value>(name);
+    if (value.is<Value::List>() || value.is<Value::Map>()) {
+      values.addError(name, "found " + value.kind() + "; it should be a text or a number");
+    }
+    const bool* flag = value.as<bool>();
+    arguments[name] = flag == nullptr ? value.text() : (*flag ? "true" : "false");
+  }
+  return arguments;
+}
+
+/// Arguments go to xacro; of any other model they would change nothing.
+void checkModelArguments(Parameters& group, const scene::ObjectOptions& object) {
+  const std::string ending = ".xacro";
+  const bool is_xacro =
+      object.model && object.model->size() > ending.size() &&
+      object.model->compare(object.model->size() - ending.size(), ending.size(), ending) == 0;
+  if (object.model_arguments.empty() || !object.model || is_xacro) return;
+  group.addError("model_arguments",
+                 "found together with a model that is no xacro file; only names that end in .xacro "
+                 "take arguments");
+}
+
 scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
   Parameters group = root.group(name);
   scene::ObjectOptions object;
@@ -204,6 +239,8 @@ scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
     object.model.reset();
   }
   if (object.model && !isXml(*object.model)) object.model = pathOrUri(*object.model);
+  object.model_arguments = readModelArguments(group);
+  checkModelArguments(group, object);
   readKeypoints(group, object);
   readKeypointNames(group, object);
   readSkeleton(group, object);

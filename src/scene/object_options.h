@@ -29,6 +29,7 @@ struct ObjectOptions {
   LinkFrames link_frames;            ///< of an articulated model
   std::optional<std::string> model;  ///< its model, the URI of it or its text; none: the world's
                                      ///< model of its name
+  std::map<std::string, std::string> model_arguments;  ///< of a xacro file
   std::vector<Eigen::Vector3d> keypoints_O;
   std::vector<std::string> keypoint_names;           ///< none: numbers
   std::vector<std::array<std::size_t, 2>> skeleton;  ///< pairs of keypoints, from 0

@@ -1,7 +1,9 @@
 #include "world/world_loader.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -37,9 +39,6 @@ fs::path fileFor(const std::string& uri, const ResourceFinder& finder) {
   if (!found) {
     throw ErrorList({"'" + uri + "': no such file; " + finder.searchedPlaces(uri, here)});
   }
-  if (found->extension() == ".xacro") {
-    throw ErrorList({found->string() + ": is a xacro file; name the URDF that xacro makes of it"});
-  }
   try {
     return fs::is_directory(*found) ? modelFileOf(*found) : *found;
   } catch (const std::exception& error) {
@@ -57,6 +56,14 @@ const SdfFile& parsedFile(const Read& read) {
   } catch (const Error& error) {
     throw ErrorList({error.what()});
   }
+}
+
+/// A xacro file and its arguments, as if it were a file beside it: one name for each text.
+fs::path xacroName(const fs::path& file, const XacroArguments& arguments) {
+  std::string name = file.filename().string();
+  for (const auto& [key, value] : arguments) name += " " + key + ":=" + value;
+  std::replace(name.begin(), name.end(), '/', '|');
+  return file.parent_path() / name;
 }
 
 Description describe(const SdfFile& file, SdfReading& reading) {
@@ -79,6 +86,7 @@ struct WorldLoader::Caches {
   MeshLoader meshes;
   ShapeCache shapes;
   SdfFiles sdf_files;
+  std::map<fs::path, std::string> xacro_texts;  ///< by `xacroName`
 };
 
 WorldLoader::WorldLoader(const ResourceFinder& finder, const LoadOptions& options)
@@ -86,10 +94,19 @@ WorldLoader::WorldLoader(const ResourceFinder& finder, const LoadOptions& option
 
 WorldLoader::~WorldLoader() = default;
 
-Description WorldLoader::loadWorld(const std::string& uri) {
+Description WorldLoader::loadWorld(const std::string& uri) { return loadFile(uri, {}); }
+
+Description WorldLoader::loadFile(const std::string& uri, const XacroArguments& arguments) {
   const fs::path file = fileFor(uri, finder_);
-  const SdfFile& parsed =
-      parsedFile([&]() -> const SdfFile& { return caches_->sdf_files.read(file); });
+  const SdfFile& parsed = parsedFile([&]() -> const SdfFile& {
+    if (!isXacro(file)) return caches_->sdf_files.read(file);
+    const fs::path name = xacroName(file, arguments);
+    auto text = caches_->xacro_texts.find(name);
+    if (text == caches_->xacro_texts.end()) {
+      text = caches_->xacro_texts.emplace(name, expandXacro(file, arguments)).first;
+    }
+    return caches_->sdf_files.readText(name, text->second);
+  });
   return parsed.is_urdf ? loadUrdf({file.string(), file.parent_path(), parsed.text})
                         : loadSdf(parsed);
 }
@@ -101,6 +118,7 @@ Description WorldLoader::loadUrdf(const ModelText& source) {
   Description description;
   description.simulator = options_.simulator.value_or(Simulator::kClassic);
   description.models.push_back(readUrdfModel(reading));
+  for (const std::string& note : caches_->meshes.takeNotes()) findings.addNote(note);
   findings.throwErrors();
   description.notes = std::move(findings.notes);
   return description;
@@ -122,6 +140,7 @@ Description WorldLoader::loadSdf(const SdfFile& file) {
   Description description = describe(file, reading);
   description.simulator =
       options_.simulator.value_or(reading.is_of_gz ? Simulator::kGz : Simulator::kClassic);
+  for (const std::string& note : caches_->meshes.takeNotes()) findings.addNote(note);
   findings.throwErrors();
   description.notes = std::move(findings.notes);
   return description;
@@ -144,10 +163,12 @@ Description WorldLoader::loadText(const std::string& text, const std::string& na
   }
 }
 
-Model WorldLoader::loadModel(const std::string& model_or_uri, const std::string& name) {
+Model WorldLoader::loadModel(const std::string& model_or_uri, const std::string& name,
+                             const XacroArguments& arguments) {
   const bool is_text = isModelText(model_or_uri);
   const std::string source = is_text ? "the text of " + name + "/model" : model_or_uri;
-  Description description = is_text ? loadText(model_or_uri, source) : loadWorld(model_or_uri);
+  Description description =
+      is_text ? loadText(model_or_uri, source) : loadFile(model_or_uri, arguments);
   if (description.models.size() != 1) {
     throw ErrorList({source + ": has " + std::to_string(description.models.size()) +
                      " models; name a file with one model for '" + name + "'"});

@@ -10,6 +10,7 @@
 #include "world/files/resource_finder.h"
 #include "world/load_options.h"
 #include "world/urdf/urdf_text.h"
+#include "world/urdf/xacro.h"
 
 namespace synthetic_dataset::world {
 
@@ -31,7 +32,7 @@ class WorldLoader {
   WorldLoader& operator=(const WorldLoader&) = delete;
 
   /// Reads an SDF world, or a model file, SDF or URDF (or a light's), as a world with this one
-  /// model.
+  /// model. A xacro file is read as what xacro makes of it.
   /// @param uri  a path, or a URI that the finder can find; of a model's folder the file that its
   ///     model.config names
   /// @throws ErrorList with every fault of the file and of the files that it names ("world.sdf:
@@ -42,8 +43,10 @@ class WorldLoader {
   /// Reads one model from an SDF or a URDF file, or a folder with a model.config, or from the text
   /// of such a file, where only package://, model:// and absolute paths lead to others.
   /// @param name  the model's new name
+  /// @param arguments  of a xacro file
   /// @throws ErrorList as loadWorld
-  [[nodiscard]] Model loadModel(const std::string& model_or_uri, const std::string& name);
+  [[nodiscard]] Model loadModel(const std::string& model_or_uri, const std::string& name,
+                                const XacroArguments& arguments = {});
 
   /// What loadModel has left out or replaced so far; a world has its notes itself.
   [[nodiscard]] const std::vector<std::string>& modelNotes() const { return model_notes_; }
@@ -54,6 +57,7 @@ class WorldLoader {
  private:
   struct Caches;
 
+  [[nodiscard]] Description loadFile(const std::string& uri, const XacroArguments& arguments);
   [[nodiscard]] Description loadUrdf(const ModelText& source);
   [[nodiscard]] Description loadSdf(const SdfFile& file);
   [[nodiscard]] Description loadText(const std::string& text, const std::string& name);

@@ -205,6 +205,17 @@ TEST(ReadConfig, LinkFramesAreAPatternOrAMap) {
               ElementsAre(testing::Pair("arm", "a/arm")));
 }
 
+TEST(ReadConfig, AXacroModelTakesArgumentsAsTexts) {
+  const Reading reading(with("keypoints: []",
+                             "model: /m/arm.urdf.xacro\n"
+                             "  model_arguments: {prefix: left_, gripper: true, length: 0.5}\n"
+                             "  keypoints: []"));
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_THAT(reading.config.objects[0].model_arguments,
+              ElementsAre(testing::Pair("gripper", "true"), testing::Pair("length", "0.5"),
+                          testing::Pair("prefix", "left_")));
+}
+
 TEST(ReadConfig, AModelMayBeAText) {
   const Reading reading(with("keypoints: []", "model: ' <robot name=\"r\"/>'\n  keypoints: []"));
   EXPECT_EQ(reading.config.objects[0].model, " <robot name=\"r\"/>");
@@ -287,6 +298,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadSetting{"keypoints: []", "keypoints: []\n  link_frames: {}", "an empty map"},
         BadSetting{"[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]", "box",
                    "alpha/bounding_shape: found 'box'; it should be model_box, or"},
+        BadSetting{"keypoints: []", "keypoints: []\n  model: /a.xacro\n  model_arguments: left",
+                   "alpha/model_arguments: found a text; it should be a map"},
+        BadSetting{"keypoints: []", "keypoints: []\n  model: /a.urdf\n  model_arguments: {a: b}",
+                   "alpha/model_arguments: found together with a model that is no xacro file"},
         BadSetting{"class: summit", "class: [summit]", "alpha/class: found a list"},
         BadSetting{"class: summit", "class: summit\n  model: 'param:/nope'",
                    "alpha/model: found 'param:/nope', but no ROS parameter of this name"},

@@ -29,7 +29,9 @@ class WorldFiles {
   [[nodiscard]] const world::Description& world();
 
   /// @throws ErrorList as WorldLoader::loadModel
-  [[nodiscard]] const world::Model& model(const std::string& model_or_uri, const std::string& name);
+  /// @param name  of the object, which always has the same arguments
+  [[nodiscard]] const world::Model& model(const std::string& model_or_uri, const std::string& name,
+                                          const world::XacroArguments& arguments = {});
 
   /// What was left out or replaced so far of the models.
   [[nodiscard]] const std::vector<std::string>& modelNotes() const { return loader_.modelNotes(); }

@@ -125,10 +125,11 @@ class WorldBuilder {
 
   const world::Model& modelOf(const scene::ObjectVariant& variant,
                               const scene::ObjectOptions& object) {
-    if (variant.model == object.model) return files_.model(*variant.model, object.name);
-    return base::namingPlace(
-        "randomize/objects/" + object.name + "/model",
-        [&]() -> const world::Model& { return files_.model(*variant.model, object.name); });
+    const auto load = [&]() -> const world::Model& {
+      return files_.model(*variant.model, object.name, object.model_arguments);
+    };
+    if (variant.model == object.model) return load();
+    return base::namingPlace("randomize/objects/" + object.name + "/model", load);
   }
 
   world::MovingModel makeVariant(const scene::ObjectVariant& variant,

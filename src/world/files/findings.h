@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "synthetic_dataset/errors.h"
 #include "world/load_options.h"
 
 namespace synthetic_dataset::world {
@@ -54,6 +57,19 @@ class Place {
   std::string path_;
 };
 
+/// The errors of a world or model that lacks files.
+class MissingAssets : public ErrorList {
+ public:
+  MissingAssets(std::vector<std::string> messages, std::size_t count)
+      : ErrorList(std::move(messages)), count_(count) {}
+
+  /// How many different files are missing or cannot be read.
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  std::size_t count_;
+};
+
 /// What reading files has brought to light, each thing once, in the order of its finding.
 struct Findings {
   std::vector<std::string> errors;
@@ -63,11 +79,30 @@ struct Findings {
   void addError(const std::string& message);
   void addNote(const std::string& message);
 
-  /// Something that cannot be had: an error, or a note that it is left out.
+  /// Something that cannot be had: an error, or a note that it is left out. A file that is missing
+  /// in several places ("<place>: mesh 'x.dae': no such file; looked in ...") is listed once, with
+  /// how often it is wanted, and where it was looked for is not repeated for the next file.
   void addMissing(const std::string& message);
 
-  /// @throws ErrorList with all errors, if there are any
+  /// @throws ErrorList with all errors, if there are any; MissingAssets if files are missing
   void throwErrors() const;
+
+ private:
+  /// A file that is missing, and the messages that it takes part in.
+  struct Missing {
+    std::string thing;                ///< "mesh 'x.dae': no such file; looked in ..."
+    std::string message;              ///< where it was found first
+    std::size_t index = 0;            ///< in errors or notes
+    std::set<std::string> messages;   ///< of all places where it is wanted
+    std::vector<std::string> models;  ///< that want it, too: "model 'b'"
+  };
+
+  [[nodiscard]] std::vector<std::string>& missingList();
+  [[nodiscard]] std::string shortened(const std::string& message);
+  void countAgain(Missing& missing, const std::string& message);
+
+  std::vector<Missing> missing_;
+  std::vector<std::string> searches_;  ///< "looked in ...", as they were listed
 };
 
 }  // namespace synthetic_dataset::world

@@ -136,6 +136,7 @@ std::optional<OgreMaterial> MaterialScripts::find(const ScriptRequest& request) 
     replaceVariables(object);
     OgreMaterial material = readOgreMaterial(object);
     place(material.source.texture, found->file, places.folders);
+    place(material.source.factor, found->file, places.folders);
     place(material.source.normal_map, found->file, places.folders);
     return material;
   } catch (const Error& error) {

@@ -23,7 +23,10 @@ Picture load(const std::optional<TextureReference>& reference, TextureLoader& te
 /// The colours' picture and the opacity's in one. An opacity picture alone has white for colours.
 Picture loadColours(const MaterialSource& source, TextureLoader& textures,
                     const MissingPicture& missing) {
-  const Picture colours = load(source.texture, textures, missing);
+  Picture colours = load(source.texture, textures, missing);
+  if (colours && load(source.factor, textures, missing)) {
+    colours = textures.loadProduct(*source.texture, *source.factor);
+  }
   const Picture opacity = load(source.opacity, textures, missing);
   if (colours && opacity) return textures.loadWithOpacity(*source.texture, *source.opacity);
   return colours ? colours : opacity;

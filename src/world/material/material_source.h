@@ -15,6 +15,7 @@ struct MaterialSource {
   Material material;     ///< without pictures
   bool made_up = false;  ///< the file has none: this is the default
   std::optional<TextureReference> texture;
+  std::optional<TextureReference> factor;   ///< multiplies the texture: a baked light, for one
   std::optional<TextureReference> opacity;  ///< its alpha takes the place of the texture's
   std::optional<TextureReference> normal_map;
   std::optional<TextureReference> roughness_map;
@@ -28,8 +29,9 @@ using MissingPicture = std::function<void(const std::string& message)>;
 /// Pointers to all pictures that it may name, always in the same order.
 template <class Source>
 [[nodiscard]] auto referencesOf(Source& source) {
-  return std::vector{&source.texture,       &source.opacity,       &source.normal_map,
-                     &source.roughness_map, &source.metalness_map, &source.emissive_map};
+  return std::vector{&source.texture,     &source.factor,        &source.opacity,
+                     &source.normal_map,  &source.roughness_map, &source.metalness_map,
+                     &source.emissive_map};
 }
 
 /// The material with its pictures. One that cannot be had is told of and left out: the colours and

@@ -80,16 +80,40 @@ std::string unitName(const OgreObject& unit) {
   return unit.name + " " + wordOf(unit, "texture_alias");
 }
 
-bool isNormalMap(const OgreObject& unit) { return contains(unitName(unit), {"normal", "bump"}); }
+bool isNormalMap(const std::string& use) { return contains(use, {"normal", "bump"}); }
 
-bool isForAnotherUse(const OgreObject& unit) {
+/// @param use  the unit's names
+bool isForAnotherUse(const OgreObject& unit, const std::string& use) {
   const std::string reflection = wordOf(unit, "env_map");
   if ((!reflection.empty() && reflection != "off") ||
       propertyOf(unit, "cubic_texture") != nullptr) {
     return true;
   }
-  return isNormalMap(unit) ||
-         contains(unitName(unit), {"spec", "gloss", "light", "shadow", "env", "noise", "ambient"});
+  return contains(
+      use, {"spec", "gloss", "light", "shadow", "env", "cube", "reflect", "noise", "ambient"});
+}
+
+/// What is given to a pass' fragment programs by name: `param_named bumpMap int 0`.
+std::vector<const OgreProperty*> programParameters(const OgreObject& pass) {
+  std::vector<const OgreProperty*> parameters;
+  for (const OgreObject* program : sectionsOf(pass, "fragment_program_ref")) {
+    for (const OgreProperty& property : program->properties) {
+      if (property.name == "param_named" && property.values.size() > 2) {
+        parameters.push_back(&property);
+      }
+    }
+  }
+  return parameters;
+}
+
+/// Whether a unit's picture multiplies what is there, as pictures do that say nothing else.
+bool modulates(const OgreObject& unit) {
+  const std::string operation = wordOf(unit, "colour_op");
+  const bool same_place = propertyOf(unit, "scale") == nullptr &&
+                          propertyOf(unit, "scroll") == nullptr &&
+                          propertyOf(unit, "rotate") == nullptr;
+  return (operation.empty() || operation == "modulate") && same_place &&
+         propertyOf(unit, "colour_op_ex") == nullptr;
 }
 
 class Reader {
@@ -183,24 +207,73 @@ class Reader {
     return sectionsOf(*base_, "texture_unit");
   }
 
+  /// A unit's names, that of the sampler that reads it included.
+  std::string useOf(const OgreObject& unit, std::size_t index) const {
+    std::string use = unitName(unit);
+    for (const OgreProperty* parameter : programParameters(*base_)) {
+      if (parameter->values[1] == "int" && parameter->values[2] == std::to_string(index)) {
+        use += " " + parameter->values[0];
+      }
+    }
+    return use;
+  }
+
   void readUnits() {
     const OgreObject* diffuse = nullptr;
-    for (const OgreObject* unit : units()) {
+    const OgreObject* normals = nullptr;
+    const std::vector<const OgreObject*> all = units();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const OgreObject* unit = all[i];
       readConstants(*unit);
       const std::string picture = pictureOf(*unit, aliases_);
       if (picture.empty()) continue;
-      if (isNormalMap(*unit)) setNormalMap(picture);
-      if (diffuse == nullptr && !isForAnotherUse(*unit)) diffuse = unit;
+      const std::string use = useOf(*unit, i);
+      const bool is_shaded = !sectionsOf(*base_, "fragment_program_ref").empty();
+      if (isNormalMap(use) || (is_shaded && isNormalMap(picture))) {
+        setNormalMap(picture);
+        if (normals == nullptr) normals = unit;
+      } else if (!isForAnotherUse(*unit, use)) {
+        if (diffuse != nullptr) setFactor(*diffuse, *unit);
+        if (diffuse == nullptr) diffuse = unit;
+      }
     }
     for (const OgreObject* system : sectionsOf(*base_, "rtshader_system")) {
       if (wordOf(*system, "lighting_stage") == "normal_map") {
         setNormalMap(wordOf(*system, "lighting_stage", 1));
       }
     }
+    if (diffuse == nullptr) readProgramColour();
+    if (diffuse == nullptr && normals != nullptr) readPlacement(*normals);
     if (diffuse == nullptr) return;
     result_.source.texture.emplace();
     result_.source.texture->uri = pictureOf(*diffuse, aliases_);
     readPlacement(*diffuse);
+  }
+
+  /// The colour that a shader program is given: of water, the one that it has where it is deep.
+  void readProgramColour() {
+    if (find("diffuse") != nullptr) return;
+    for (const OgreProperty* parameter : programParameters(*base_)) {
+      const std::string& type = parameter->values[1];
+      const bool is_colour = contains(parameter->values[0], {"color", "colour", "diffuse"}) &&
+                             (type == "float3" || type == "float4");
+      if (!is_colour) continue;
+      const std::vector<float> numbers = numbersOf(*parameter, 2, 3);
+      material().diffuse.head<3>() = Eigen::Vector3f(numbers.data()).cwiseMax(0.0F).cwiseMin(1.0F);
+      return;
+    }
+  }
+
+  /// Of shader programs nobody knows what they do with a second picture.
+  void setFactor(const OgreObject& diffuse, const OgreObject& unit) {
+    const bool same_coordinates =
+        wordOf(diffuse, "tex_coord_set") == wordOf(unit, "tex_coord_set") && modulates(diffuse);
+    if (result_.source.factor || !same_coordinates || !modulates(unit) ||
+        !sectionsOf(*base_, "fragment_program_ref").empty()) {
+      return;
+    }
+    result_.source.factor.emplace();
+    result_.source.factor->uri = pictureOf(unit, aliases_);
   }
 
   void setNormalMap(const std::string& picture) {

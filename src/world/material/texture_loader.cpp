@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include <opencv2/imgproc.hpp>
+
 #include "base/image/picture_channels.h"
 #include "base/image/picture_decoder.h"
 #include "synthetic_dataset/errors.h"
@@ -43,6 +45,18 @@ cv::Mat contentOf(const cv::Mat& pixels, PictureContent content) {
       break;
   }
   return pixels;
+}
+
+/// As OGRE's `modulate` does, byte by byte.
+cv::Mat productOf(const cv::Mat& a, const cv::Mat& b) {
+  const cv::Size size(std::max(a.cols, b.cols), std::max(a.rows, b.rows));
+  cv::Mat first;
+  cv::Mat second;
+  cv::resize(a, first, size, 0.0, 0.0, cv::INTER_LINEAR);
+  cv::resize(b, second, size, 0.0, 0.0, cv::INTER_LINEAR);
+  cv::Mat product;
+  cv::multiply(first, second, product, 1.0 / 255.0);
+  return product;
 }
 
 constexpr const char* kGazeboTextures = "media/materials/textures/";
@@ -169,6 +183,19 @@ std::shared_ptr<const Texture> TextureLoader::loadWithOpacity(const TextureRefer
   if (!texture) {
     texture = std::make_shared<Texture>(
         Texture{base->file, base::withAlphaOf(base->pixels, alpha->pixels)});
+  }
+  return texture;
+}
+
+std::shared_ptr<const Texture> TextureLoader::loadProduct(const TextureReference& colour,
+                                                          const TextureReference& factor) {
+  const std::shared_ptr<const Texture> base = load(colour);
+  const std::shared_ptr<const Texture> times = load(factor);
+  if (!base || !times) return base ? base : times;
+  auto& texture = products_[{base.get(), times.get()}];
+  if (!texture) {
+    texture =
+        std::make_shared<Texture>(Texture{base->file, productOf(base->pixels, times->pixels)});
   }
   return texture;
 }

@@ -68,13 +68,18 @@ class TextureLoader {
   /// The picture that is painted in place of one of Gazebo's ("wood.jpg").
   [[nodiscard]] std::shared_ptr<const Texture> standIn(const std::string& picture);
 
-  /// Gazebo's pictures that stand-ins were painted for so far.
-  [[nodiscard]] const std::set<std::string>& standIns() const { return stand_ins_; }
+  /// Gazebo's pictures that stand-ins were painted for since this was asked last.
+  [[nodiscard]] std::set<std::string> takeStandIns() { return std::exchange(stand_ins_, {}); }
 
   /// A picture with another's alpha channel, brought to its size.
   /// @throws Error as `load`
   [[nodiscard]] std::shared_ptr<const Texture> loadWithOpacity(const TextureReference& colour,
                                                                const TextureReference& opacity);
+
+  /// A picture's colours times another's, in the size of the larger one.
+  /// @throws Error as `load`
+  [[nodiscard]] std::shared_ptr<const Texture> loadProduct(const TextureReference& colour,
+                                                           const TextureReference& factor);
 
   /// A picture that is not a file's.
   /// @param make  called the first time that the name is asked for; gives CV_8UC4
@@ -94,6 +99,7 @@ class TextureLoader {
   std::map<std::string, std::variant<cv::Mat, std::string>> pixels_;  ///< or why there are none
   std::map<Key, std::shared_ptr<const Texture>> textures_;
   std::map<std::pair<const Texture*, const Texture*>, std::shared_ptr<const Texture>> with_opacity_;
+  std::map<std::pair<const Texture*, const Texture*>, std::shared_ptr<const Texture>> products_;
   std::set<std::string> stand_ins_;
   std::vector<std::shared_ptr<const EmbeddedPicture>> embedded_;  ///< keeps their addresses unique
 };

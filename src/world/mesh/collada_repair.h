@@ -6,17 +6,24 @@
 
 namespace synthetic_dataset::world {
 
-/// The picture that `withPictureNames` gives to images without one.
+/// The picture that `prepareCollada` gives to images without one.
 constexpr const char* kNoPicture = "no picture";
 
-/// Reads a COLLADA file as XML alone, which Gazebo does with the same library: assimp is more
-/// lenient, and hangs or crashes on what is badly formed.
-/// @throws Error with the line if it is not XML, or has no COLLADA in it
-void checkCollada(const std::filesystem::path& file);
+/// A COLLADA file for assimp to read.
+struct ColladaText {
+  std::optional<std::string> mended;  ///< nothing where the file may be read as it is
+  bool y_up = false;                  ///< its `<up_axis>` is Y_UP
+};
 
-/// The text of a COLLADA file in which every <image> names a picture: assimp refuses a whole file
-/// for one that does not, which modellers leave behind and Gazebo takes for no picture.
-/// @return nothing where there is nothing to mend
-[[nodiscard]] std::optional<std::string> withPictureNames(const std::filesystem::path& file);
+/// Reads a COLLADA file as XML, which Gazebo does with the same library: assimp is more lenient,
+/// and hangs or crashes on what is badly formed. Mends what Gazebo takes and assimp (5.2) does not:
+///
+/// - an `<image>` that names no picture, for which it refuses the whole file;
+/// - blanks around a text, and comments, over which it stumbles.
+///
+/// Of a node's transformations, Gazebo takes a `<matrix>` alone where there is one
+/// (ColladaLoader::LoadNodeTransform); COLLADA has all of them. The others are taken out.
+/// @throws Error with the line if it is not XML, or has no COLLADA in it
+[[nodiscard]] ColladaText prepareCollada(const std::filesystem::path& file);
 
 }  // namespace synthetic_dataset::world

@@ -7,7 +7,6 @@
 #include <exception>
 #include <fstream>
 #include <new>
-#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -24,6 +23,7 @@
 #include "synthetic_dataset/errors.h"
 #include "world/material/colour_encoding.h"
 #include "world/mesh/collada_repair.h"
+#include "world/mesh/mesh_file_access.h"
 #include "world/mesh/mesh_file_bytes.h"
 #include "world/mesh/mesh_materials.h"
 #include "world/mesh/mesh_normals.h"
@@ -71,15 +71,14 @@ void checkIndices(const aiScene& scene) {
   }
 }
 
-/// Of a file, or of a text in its place. @return null for one that cannot be read
+/// @return null, with a reason, for a file that cannot be read
 const aiScene* tryImport(Assimp::Importer& importer, const std::filesystem::path& file,
-                         const std::optional<std::string>& text, std::string& reason) {
+                         std::string& reason) {
   constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType |
                               aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
                               aiProcess_FlipUVs;
   try {
-    const aiScene* scene = text ? importer.ReadFileFromMemory(text->data(), text->size(), 0, "dae")
-                                : importer.ReadFile(file.string(), 0);
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene != nullptr) {
       checkIndices(*scene);
       scene = importer.ApplyPostProcessing(kSteps);
@@ -90,16 +89,6 @@ const aiScene* tryImport(Assimp::Importer& importer, const std::filesystem::path
     reason = error.what();
     return nullptr;
   }
-}
-
-/// @return null, with a reason, for a file that cannot be read
-const aiScene* importOrMend(Assimp::Importer& importer, const std::filesystem::path& file,
-                            std::string& reason) {
-  configure(importer);
-  const aiScene* scene = tryImport(importer, file, std::nullopt, reason);
-  if (scene != nullptr || extensionOf(file) != ".dae") return scene;
-  const std::optional<std::string> mended = withPictureNames(file);
-  return mended ? tryImport(importer, file, mended, reason) : nullptr;
 }
 
 /// assimp (5.2) reads on for ever in a PLY file whose header does not end.
@@ -113,16 +102,20 @@ void checkPly(const std::filesystem::path& file) {
   throw Error("cannot be read: its header has no line 'end_header'");
 }
 
-const aiScene& import(Assimp::Importer& importer, const std::filesystem::path& file) {
-  if (extensionOf(file) == ".dae") checkCollada(file);
-  if (extensionOf(file) == ".ply") checkPly(file);
+/// @return null for a file that names another that it may not name
+const aiScene* import(Assimp::Importer& importer, const std::filesystem::path& file,
+                      MeshFileAccess& access) {
+  configure(importer);
+  importer.SetIOHandler(access.makeIoSystem());
   std::string reason;
-  const aiScene* scene = importOrMend(importer, file, reason);
+  const aiScene* scene = tryImport(importer, file, reason);
+  if (access.refusal()) return nullptr;
+  if (access.fault()) throw Error(*access.fault());
   if (scene == nullptr && reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw Error("cannot be read (" + reason + ")");
   }
-  return *scene;
+  return scene;
 }
 
 /// The texture coordinates that the material's picture uses, else the first ones.
@@ -223,11 +216,49 @@ struct SceneReader {
 };
 
 /// A material that no file has asked for leaves the colour to the vertices that have one.
-void whitenMadeUp(const aiScene& scene, const std::filesystem::path& file, MeshFile& result) {
+void whitenMadeUp(MeshFile& result) {
   for (const MeshPart& part : result.parts) {
-    if (part.mesh.colours.empty() || !isMadeUp(*scene.mMaterials[part.material], file)) continue;
-    result.materials[part.material].material.diffuse.setOnes();
+    MaterialSource& source = result.materials[part.material];
+    if (source.made_up && !part.mesh.colours.empty()) source.material.diffuse.setOnes();
   }
+}
+
+/// For a name that no library of an OBJ file defines, assimp makes up a material.
+bool isDefined(const aiMaterial& material, const MeshFileAccess& access) {
+  aiString name;
+  return material.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS &&
+         access.libraryMaterials().count(name.C_Str()) > 0;
+}
+
+std::vector<MaterialSource> readMaterials(const aiScene& scene, const std::filesystem::path& file,
+                                          MeshFileAccess& access) {
+  std::vector<MaterialSource> materials;
+  MeshPictures pictures(scene, file);
+  const bool has_library = extensionOf(file) == ".obj";
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+    const aiMaterial& material = *scene.mMaterials[i];
+    materials.push_back(readMaterial(material, file, pictures));
+    if (has_library && !isDefined(material, access)) {
+      materials.back() = MaterialSource{};
+      materials.back().made_up = true;
+    }
+    for (const auto* reference : referencesOf(materials.back())) {
+      if (*reference && !(*reference)->embedded) access.checkPicture((*reference)->uri);
+    }
+  }
+  return materials;
+}
+
+/// Material libraries that are missed by what is drawn.
+std::vector<std::string> notesOn(const MeshFile& file, const MeshFileAccess& access) {
+  const auto lacks = [&](const MeshPart& part) { return file.materials[part.material].made_up; };
+  if (std::none_of(file.parts.begin(), file.parts.end(), lacks)) return {};
+  std::vector<std::string> notes;
+  for (const std::string& library : access.missingLibraries()) {
+    notes.push_back("its material library '" + library +
+                    "' is not there; drawn without its materials");
+  }
+  return notes;
 }
 
 }  // namespace
@@ -245,21 +276,33 @@ base::SandboxLimits meshSandboxLimits(const std::filesystem::path& file) {
 }
 
 MeshFile importMeshFile(const std::filesystem::path& file) {
-  Assimp::Importer importer;
-  const aiScene& scene = import(importer, file);
-  MeshFile result;
-  std::vector<unsigned> channels;
-  MeshPictures pictures(scene, file);
-  for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
-    channels.push_back(textureChannel(*scene.mMaterials[i]));
-    result.materials.push_back(readMaterial(*scene.mMaterials[i], file, pictures));
-  }
   const std::string extension = extensionOf(file);
-  SceneReader reader{scene, channels, extension == ".gltf" || extension == ".glb", {}};
-  reader.read(*scene.mRootNode, Eigen::Affine3d::Identity());
+  MeshFileAccess access(file);
+  MeshFile result;
+  if (extension == ".dae") {
+    ColladaText text = prepareCollada(file);
+    result.y_up = text.y_up;
+    if (text.mended) access.replace(std::move(*text.mended));
+  }
+  if (extension == ".ply") checkPly(file);
+  Assimp::Importer importer;
+  const aiScene* scene = import(importer, file, access);
+  if (scene != nullptr) result.materials = readMaterials(*scene, file, access);
+  if (access.refusal()) {
+    MeshFile refused;
+    refused.refusal = *access.refusal();
+    return refused;
+  }
+  std::vector<unsigned> channels;
+  for (unsigned i = 0; i < scene->mNumMaterials; ++i) {
+    channels.push_back(textureChannel(*scene->mMaterials[i]));
+  }
+  SceneReader reader{*scene, channels, extension == ".gltf" || extension == ".glb", {}};
+  reader.read(*scene->mRootNode, Eigen::Affine3d::Identity());
   if (reader.parts.empty()) throw Error("has no triangles");
   result.parts = std::move(reader.parts);
-  whitenMadeUp(scene, file, result);
+  result.notes = notesOn(result, access);
+  whitenMadeUp(result);
   return result;
 }
 

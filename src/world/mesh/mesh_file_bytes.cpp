@@ -150,6 +150,10 @@ std::string toBytes(const MeshFile& file) {
   }
   writer.number<std::uint64_t>(file.parts.size());
   for (const MeshPart& part : file.parts) write(part, writer);
+  writer.number<std::uint64_t>(file.notes.size());
+  for (const std::string& note : file.notes) writer.text(note);
+  writer.number(file.y_up);
+  writer.text(file.refusal);
   return writer.take();
 }
 
@@ -171,6 +175,10 @@ MeshFile meshFileOf(std::string_view bytes) {
   }
   const std::size_t parts = reader.entries();
   for (std::size_t i = 0; i < parts; ++i) file.parts.push_back(readPart(reader));
+  file.notes.resize(reader.entries());
+  for (std::string& note : file.notes) note = reader.text();
+  file.y_up = reader.number<bool>();
+  file.refusal = reader.text();
   return file;
 }
 

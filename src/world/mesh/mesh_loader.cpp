@@ -182,7 +182,16 @@ const MeshFile& MeshLoader::read(const std::filesystem::path& file) {
   if (const auto* reason = std::get_if<std::string>(&found->second)) {
     throw meshError(file, *reason);
   }
-  return std::get<MeshFile>(found->second);
+  const MeshFile& content = std::get<MeshFile>(found->second);
+  if (!content.refusal.empty()) {
+    const Error error = meshError(file, content.refusal);
+    finder_.refuse(error.what());
+    throw error;
+  }
+  if (wanted_.insert(file.string()).second) {
+    for (const std::string& note : content.notes) notes_.emplace_back(meshError(file, note).what());
+  }
+  return content;
 }
 
 const std::vector<MeshPiece>& MeshLoader::pieces(const MeshRequest& request) {
@@ -208,6 +217,20 @@ std::shared_ptr<const Mesh> MeshLoader::whole(const MeshRequest& request) {
   mesh->colours.clear();
   whole = mesh;
   return whole;
+}
+
+std::vector<std::string> MeshLoader::takeNotes() {
+  std::vector<std::string> notes = std::exchange(notes_, {});
+  std::string pictures;
+  for (const std::string& picture : textures_.takeStandIns()) {
+    pictures += (pictures.empty() ? "'" : ", '") + picture + "'";
+  }
+  if (!pictures.empty()) {
+    notes.push_back("Gazebo's own pictures are not here, and stand-ins were painted for " +
+                    pictures +
+                    "; install Gazebo, or name its share folder in GAZEBO_RESOURCE_PATH");
+  }
+  return notes;
 }
 
 bool MeshLoader::isMadeUp(const std::filesystem::path& file, std::size_t index) {

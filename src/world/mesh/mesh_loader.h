@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -40,7 +41,8 @@ struct MeshAhead {
 /// Reads each mesh file, picture and material script once, and shares what was made of them.
 class MeshLoader {
  public:
-  explicit MeshLoader(const ResourceFinder& finder) : textures_(finder), scripts_(finder) {}
+  explicit MeshLoader(const ResourceFinder& finder)
+      : finder_(finder), textures_(finder), scripts_(finder) {}
   explicit MeshLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
   /// Reads mesh files that are going to be wanted and are not known, all at once; faults are
@@ -66,6 +68,13 @@ class MeshLoader {
   /// Whether such a material stands in for one that the file does not have.
   [[nodiscard]] bool isMadeUp(const std::filesystem::path& file, std::size_t index);
 
+  /// Whether a file that `pieces` has read is COLLADA that says that y points up.
+  [[nodiscard]] bool saysYUp(const std::filesystem::path& file) { return read(file).y_up; }
+
+  /// What is drawn otherwise than the files that were wanted would have it, and Gazebo's pictures
+  /// that stand-ins were painted for. Each is given once.
+  [[nodiscard]] std::vector<std::string> takeNotes();
+
   [[nodiscard]] TextureLoader& textures() { return textures_; }
   [[nodiscard]] MaterialScripts& scripts() { return scripts_; }
 
@@ -76,9 +85,12 @@ class MeshLoader {
   [[nodiscard]] static Key keyOf(const MeshRequest& request);
   [[nodiscard]] const MeshFile& read(const std::filesystem::path& file);
 
+  const ResourceFinder& finder_;
   TextureLoader textures_;
   MaterialScripts scripts_;
   std::map<std::string, std::variant<MeshFile, std::string>> files_;  ///< or why it is unreadable
+  std::set<std::string> wanted_;  ///< files whose notes have been gathered
+  std::vector<std::string> notes_;
   std::map<Key, std::vector<MeshPiece>> pieces_;
   std::map<Key, std::shared_ptr<const Mesh>> wholes_;
 };

@@ -29,7 +29,11 @@ void tellLosses(const std::vector<std::string>& reasons, const std::string& name
   };
   std::vector<std::string> causes;
   const auto tell = [&] {
-    if (!causes.empty()) findings.addMissing(name + ": " + joined(causes));
+    if (!causes.empty() && startsWith(causes.back(), "Material")) {
+      findings.addNote(name + ": " + joined(causes) + "; drawn in the default colour");
+    } else if (!causes.empty()) {
+      findings.addMissing(name + ": " + joined(causes));
+    }
     causes.clear();
   };
   for (const std::string& reason : reasons) {

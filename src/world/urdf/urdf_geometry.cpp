@@ -104,6 +104,9 @@ struct SurfaceMaker {
     for (const MeshPiece& piece : reading.meshes.pieces(request)) {
       surfaces.push_back({piece.mesh, materialOf(request, piece)});
     }
+    if (reading.meshes.saysYUp(request.file)) {
+      reading.y_up_meshes.insert(request.file.filename().string());
+    }
     return surfaces;
   }
   Material materialOf(const MeshRequest& request, const MeshPiece& piece) const {
@@ -129,14 +132,13 @@ struct ShapeMaker {
 };
 
 /// As in rviz, a texture takes the place of the colour.
-/// @throws Error where the picture is missing or cannot be decoded, or a number is none
+/// urdfdom passes over colours with numbers beyond 0 to 1; they count as the nearest.
+/// @throws Error where the picture is missing or cannot be decoded
 Material toMaterial(const urdf::Material& from, UrdfReading& reading) {
   Material material;
   material.diffuse = {from.color.r, from.color.g, from.color.b, from.color.a};
-  if (!material.diffuse.allFinite() || material.diffuse.minCoeff() < 0.0F ||
-      material.diffuse.maxCoeff() > 1.0F) {
-    throw Error("material '" + from.name + "': its colour's numbers should be 0 to 1");
-  }
+  if (!material.diffuse.allFinite()) material.diffuse = Material().diffuse;
+  material.diffuse = material.diffuse.cwiseMax(0.0F).cwiseMin(1.0F);
   material.ambient = material.diffuse.head<3>();
   if (from.texture_filename.empty()) return material;
   material.diffuse.head<3>().setOnes();
@@ -171,6 +173,7 @@ std::optional<Visual> readUrdfVisual(const urdf::Visual& visual, const std::stri
     const UrdfGeometry geometry = GeometryReader{reading}.read(*visual.geometry);
     std::optional<Material> material;
     if (visual.material && !gazebo_material) material = toMaterial(*visual.material, reading);
+    if (material && material->diffuse.w() == 0.0F) return std::nullopt;  // made to be invisible
     result.surfaces = std::visit(SurfaceMaker{gazebo_material, material, here, reading}, geometry);
   } catch (const Error& error) {
     reading.findings.addMissing(here.message(error.what()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct UrdfReading {
   MeshLoader& meshes;
   ShapeCache& shapes;
   Findings& findings;
+  std::set<std::string> y_up_meshes = {};  ///< COLLADA files that say that y points up
 };
 
 /// A pose of the file; one that is not finite is an error.
@@ -31,7 +33,8 @@ struct UrdfReading {
 ///     place of all others. URDF's own material is for what has none, as in rviz: a mesh file's
 ///     materials stand.
 /// @param place  the link's
-/// @return nothing for an error, which is reported
+/// @return nothing for an error, which is reported, and for a visual whose URDF's colour is wholly
+///     transparent
 [[nodiscard]] std::optional<Visual> readUrdfVisual(const urdf::Visual& visual,
                                                    const std::string& name,
                                                    const std::optional<Material>& gazebo_material,

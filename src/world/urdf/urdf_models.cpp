@@ -116,6 +116,16 @@ class LinkReader {
   UrdfReading& reading_;
 };
 
+/// A robot whose parts all lie on their sides is hard to explain otherwise.
+void noteYUp(const Model& model, const Place& place, UrdfReading& reading) {
+  if (model.links.size() < 2 || reading.y_up_meshes.empty()) return;
+  const std::size_t more = reading.y_up_meshes.size() - 1;
+  reading.findings.addNote(place.message(
+      "mesh '" + *reading.y_up_meshes.begin() + "'" +
+      (more > 0 ? " and " + std::to_string(more) + " more say" : " says") +
+      " in COLLADA that y points up; drawn as Gazebo and RViz do, which do not turn it"));
+}
+
 }  // namespace
 
 Model readUrdfModel(UrdfReading& reading) {
@@ -127,6 +137,7 @@ Model readUrdfModel(UrdfReading& reading) {
   LinkReader reader(document, place, reading);
   reader.read(*document.robot->getRoot(), std::nullopt, Pose::Identity());
   model.links = std::move(reader.links);
+  noteYUp(model, place, reading);
   return model;
 }
 

@@ -110,7 +110,7 @@ class Preparation {
     forEachElement(robot, [&](XMLElement& element) { checkXacro(element); });
     if (!sound_) return std::nullopt;
     forEachElement(robot, [&](XMLElement& element) { resolveAttributes(element); });
-    checkMaterials(robot);
+    dropUnknownMaterials(robot);
     checkDepth(robot);
     if (!sound_) return std::nullopt;
     tinyxml2::XMLPrinter printer;
@@ -154,9 +154,11 @@ class Preparation {
       }
     }
     if (found.empty()) return;
-    addError(element.GetLineNum(), "'" + found +
-                                       "' is xacro's, and only URDF can be read; make it with "
-                                       "'rosrun xacro xacro robot.urdf.xacro -o robot.urdf'");
+    addError(element.GetLineNum(),
+             "'" + found +
+                 "' is xacro's, which expands it where the file's name ends in "
+                 ".xacro; or run 'rosrun xacro xacro robot.urdf.xacro -o "
+                 "robot.urdf'");
   }
 
   void resolveAttributes(XMLElement& element) {
@@ -179,7 +181,8 @@ class Preparation {
   }
 
   /// urdfdom (up to 3.0) goes on with a model that it has thrown away when a material is unknown.
-  void checkMaterials(XMLElement& robot) {
+  /// A visual that names one has the default colour, as in RViz.
+  void dropUnknownMaterials(XMLElement& robot) {
     std::set<std::string> defined;
     forEachElement(robot, [&](XMLElement& element) {
       const bool has_content =
@@ -188,6 +191,7 @@ class Preparation {
         defined.insert(valueOf(element, "name"));
       }
     });
+    std::map<std::string, std::vector<std::string>> unknown;  // where, by name
     for (XMLElement* link = robot.FirstChildElement("link"); link != nullptr;
          link = link->NextSiblingElement("link")) {
       for (XMLElement* visual = link->FirstChildElement("visual"); visual != nullptr;
@@ -195,15 +199,24 @@ class Preparation {
         XMLElement* material = visual->FirstChildElement("material");
         if (material == nullptr) continue;
         const std::string name = valueOf(*material, "name");
-        if (name.empty() && material->NoChildren()) {
-          visual->DeleteChild(material);  // what exporters from SolidWorks leave
-        } else if (defined.count(name) == 0) {
-          addError(material->GetLineNum(),
-                   "link '" + valueOf(*link, "name") + "': its material '" + name +
-                       "' is defined nowhere; give it a <color> or a <texture>");
+        const bool left_empty = name.empty() && material->NoChildren();  // SolidWorks' exporter
+        if (!left_empty && defined.count(name) > 0) continue;
+        if (!left_empty) {
+          unknown[name].push_back("line " + std::to_string(material->GetLineNum()) + ": link '" +
+                                  valueOf(*link, "name") + "'");
         }
+        visual->DeleteChild(material);
       }
     }
+    for (const auto& [name, places] : unknown) noteUnknownMaterial(name, places);
+  }
+
+  void noteUnknownMaterial(const std::string& name, const std::vector<std::string>& places) {
+    const std::string more =
+        places.size() > 1 ? " (and of " + std::to_string(places.size() - 1) + " more visuals)" : "";
+    findings_.addNote(model_.name + ": " + places.front() + more + ": the material '" + name +
+                      "' is defined nowhere; drawn in the default colour (give it a <color> or a "
+                      "<texture>)");
   }
 
   void checkDepth(const XMLElement& robot) {

@@ -29,8 +29,9 @@ struct UrdfText {
 /// from the environment, `$(find package)` as `package://package`. An attribute with anything else
 /// of the kind is left out, and noted. Blocks of other programs (<gazebo>, <transmission>, ...) go;
 /// of Gazebo's the links' materials are kept.
-/// @return nothing where the text is no URDF, has not been through xacro or names a material that
-///     is defined nowhere, with the errors reported
+/// A material that is defined nowhere goes too, and is noted.
+/// @return nothing where the text is no URDF or has not been through xacro, with the errors
+///     reported
 [[nodiscard]] std::optional<UrdfText> prepareUrdf(const ModelText& model, Findings& findings);
 
 }  // namespace synthetic_dataset::world

@@ -148,6 +148,46 @@ TEST(OgreMaterial, ReadsPastShaderPrograms) {
             "a.png");
 }
 
+TEST(OgreMaterial, TakesNoNormalMapOfAShaderForItsColour) {
+  const OgreMaterial water = readPass(
+      "fragment_program_ref Waves { param_named deepColor float4 0 0.05 0.2 1\n"
+      "param_named shallowColor float4 0 0.6 1 1\n"
+      "param_named bumpMap int 0\n param_named cubeMap int 1 }\n"
+      "texture_unit { texture waves.dds\n scale 0.5 0.5 }\n texture_unit { texture sky.jpg }");
+  EXPECT_EQ(pictureOf(water), "none");
+  ASSERT_TRUE(water.source.normal_map);
+  EXPECT_EQ(water.source.normal_map->uri, "waves.dds");
+  EXPECT_TRUE(water.source.material.diffuse.isApprox(Eigen::Vector4f(0, 0.05F, 0.2F, 1)));
+  EXPECT_EQ(water.source.material.texture_scale, Eigen::Vector2f(2, 2));
+}
+
+TEST(OgreMaterial, KnowsNormalMapsOfShadersByTheirFilesToo) {
+  const OgreMaterial found = readPass(
+      "fragment_program_ref X { param_named a float 1 }\n"
+      "texture_unit { texture rock.png }\n texture_unit { texture rock_Normal.png }");
+  EXPECT_EQ(pictureOf(found), "rock.png");
+  EXPECT_EQ(found.source.normal_map->uri, "rock_Normal.png");
+  EXPECT_FALSE(found.source.factor);
+}
+
+TEST(OgreMaterial, MultipliesASecondPicture) {
+  const OgreMaterial table =
+      readPass("texture_unit { texture marble.png }\n texture_unit { texture baked.png }");
+  EXPECT_EQ(pictureOf(table), "marble.png");
+  ASSERT_TRUE(table.source.factor);
+  EXPECT_EQ(table.source.factor->uri, "baked.png");
+}
+
+TEST(OgreMaterial, MultipliesNoPictureThatLiesElsewhereOrReplaces) {
+  for (const char* more : {"scale 2 2", "tex_coord_set 1", "colour_op replace",
+                           "colour_op_ex add src_texture src_current"}) {
+    EXPECT_FALSE(readPass("texture_unit { texture a.png }\n texture_unit { texture b.png\n" +
+                          std::string(more) + "\n}")
+                     .source.factor)
+        << more;
+  }
+}
+
 TEST(OgreMaterial, NotesWhatItCannotDraw) {
   EXPECT_THAT(readPass("scene_blend add\ndiffuse 1 1 1").notes,
               ElementsAre(HasSubstr("scene_blend 'add'")));

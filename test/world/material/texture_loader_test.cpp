@@ -80,13 +80,13 @@ TEST_F(TextureLoaderTest, TakesNoPictureBesideForOneThatLeadsOutOfItsFolder) {
 
 TEST_F(TextureLoaderTest, DoesWithoutGazebosFlatNormals) {
   EXPECT_EQ(loader_.load(reference("file://media/materials/textures/flat_normal.png")), nullptr);
-  EXPECT_TRUE(loader_.standIns().empty());
+  EXPECT_TRUE(loader_.takeStandIns().empty());
 }
 
 TEST_F(TextureLoaderTest, PaintsAStandInForAPictureOfGazebos) {
   const TextureReference dirt = reference("file://media/materials/textures/terrain_detail.jpg");
   EXPECT_NE(loader_.load(dirt), nullptr);
-  EXPECT_THAT(loader_.standIns(), testing::ElementsAre("terrain_detail.jpg"));
+  EXPECT_THAT(loader_.takeStandIns(), testing::ElementsAre("terrain_detail.jpg"));
 }
 
 TEST_F(TextureLoaderTest, FindsPicturesOfAResourceFolderByTheirNames) {
@@ -95,6 +95,15 @@ TEST_F(TextureLoaderTest, FindsPicturesOfAResourceFolderByTheirNames) {
   TextureReference reference = this->reference("p.png");
   reference.folder = "/nowhere";
   EXPECT_EQ(pixel(reference), cv::Vec4b(1, 2, 3, 255));
+}
+
+TEST_F(TextureLoaderTest, MultipliesPicturesInTheSizeOfTheLarger) {
+  const TextureReference a = write("a.png", cv::Mat(1, 1, CV_8UC3, cv::Scalar(255, 100, 51)));
+  const TextureReference b = write("b.png", cv::Mat(2, 4, CV_8UC3, cv::Scalar(51, 255, 0)));
+  const cv::Mat product = loader_.loadProduct(a, b)->pixels;
+  EXPECT_EQ(product.size(), cv::Size(4, 2));
+  EXPECT_EQ(product.at<cv::Vec4b>(1, 3), cv::Vec4b(51, 100, 0, 255));
+  EXPECT_EQ(loader_.loadProduct(a, b), loader_.loadProduct(a, b));
 }
 
 TEST_F(TextureLoaderTest, SharesPicturesWithoutHolesWhateverAlphaMeans) {

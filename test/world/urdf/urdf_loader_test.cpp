@@ -205,10 +205,7 @@ TEST_F(UrdfLoader, SkipsBlocksOfOtherPrograms) {
 
 TEST_F(UrdfLoader, RefusesWhatUrdfdomPassesOver) {
   const ResourceFinder finder = test::finderIn(folder);
-  const std::string cube = kCube;
   const std::vector<std::pair<std::string, std::string>> links{
-      {linkWith(cube + "<material name='m'><color rgba='2 0 0 1'/></material>"), "color"},
-      {linkWith(cube + "<material name='m'><color rgba='nan 0 0 1'/></material>"), "color"},
       {linkWith("<geometry><box size='1 1'/></geometry>"), "visual element for Link [a]"},
       {linkWith("<geometry/>"), "visual element for Link [a]"},
       {linkWith(""), "visual element for Link [a]"},
@@ -231,6 +228,38 @@ TEST_F(UrdfLoader, RefusesWhatUrdfdomPassesOver) {
                 ElementsAre(AllOf(HasSubstr(message), HasSubstr("(left out)"))))
         << link;
   }
+}
+
+TEST_F(UrdfLoader, DrawsAVisualWithoutAColourThatIsNone) {
+  const ResourceFinder finder = test::finderIn(folder);
+  const std::vector<std::pair<std::string, std::string>> materials{
+      {"<material name='gone'/>", "line 1: link 'a': the material 'gone' is defined nowhere"},
+      {"<material name='m'><color rgba='2 0 0 1'/></material>", "drawn in the default colour"},
+      {"<material name='m'><color rgba='nan 0 0 1'/></material>", "drawn in the default colour"}};
+  for (const auto& [material, message] : materials) {
+    WorldLoader loader(finder);
+    const auto file = folder.write("robot.urdf", robot(linkWith(kCube + material)));
+    const Model model = loader.loadModel(file.string(), "alpha");
+    ASSERT_THAT(model.links.at(0).visuals, SizeIs(1)) << material;
+    EXPECT_EQ(model.links[0].visuals[0].surfaces.at(0).material.diffuse, Material().diffuse);
+    EXPECT_THAT(loader.modelNotes(), ElementsAre(HasSubstr(message)));
+  }
+}
+
+TEST_F(UrdfLoader, LeavesOutVisualsThatAreWhollyTransparent) {
+  const std::string clear = "<material name='m'><color rgba='1 0 0 0'/></material>";
+  const std::string faint = "<material name='m'><color rgba='1 0 0 0.1'/></material>";
+  EXPECT_THAT(load(robot(linkWith(kCube + clear))).links.at(0).visuals, IsEmpty());
+  EXPECT_THAT(load(robot(linkWith(kCube + faint))).links.at(0).visuals, SizeIs(1));
+}
+
+TEST_F(UrdfLoader, GivesAMeshWithoutItsLibraryItsOwnColour) {
+  folder.write("a.obj", "mtllib gone.mtl\nusemtl red\n" + std::string(test::kTriangleObj));
+  const Model model =
+      load(robot(linkWith("<geometry><mesh filename='a.obj'/></geometry>"
+                          "<material name='m'><color rgba='0 1 0 1'/></material>")));
+  EXPECT_EQ(model.links.at(0).visuals.at(0).surfaces.at(0).material.diffuse,
+            Eigen::Vector4f(0, 1, 0, 1));
 }
 
 TEST_F(UrdfLoader, NotesMaterialsThatGazeboDoesNotShip) {
@@ -330,8 +359,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "visual '1': mesh 'gone.stl': no such file; looked in "},
         BadUrdf{linkWith("<geometry><mesh filename='x.stl' scale='1 0 1'/></geometry>"),
                 "mesh scale"},
-        BadUrdf{linkWith(std::string(kCube) + "<material name='gone'/>"),
-                "link 'a': its material 'gone' is defined nowhere"},
         BadUrdf{linkWith("<geometry><box size='${width} 1 1'/></geometry>"), "rosrun xacro xacro"},
         BadUrdf{"<xacro:include filename='x'/><link name='a'/>",
                 "line 1: 'xacro:include' is xacro's"},

@@ -1,0 +1,100 @@
+#include "world/mesh/obj_repair.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include "world/files/text.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Of a line with a name [byte].
+constexpr std::size_t kLongestStatement = 4096;
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Whether a number such as ".4", "-.4" begins here; `at` is the point then.
+bool beginsWithPoint(std::string_view line, std::size_t& at) {
+  std::size_t point = at;
+  if (point < line.size() && (line[point] == '-' || line[point] == '+')) ++point;
+  if (point + 1 >= line.size() || line[point] != '.' || !isDigit(line[point + 1])) return false;
+  at = point;
+  return true;
+}
+
+/// "v .4 0 -.3" as "v 0.4 0 -0.3".
+void appendNumbers(std::string_view line, std::string& to) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool begins = i > 0 && isBlank(line[i - 1]);
+    std::size_t point = i;
+    if (begins && beginsWithPoint(line, point)) {
+      to.append(line.substr(i, point - i)).append("0");
+      i = point;
+    }
+    to += line[i];
+  }
+}
+
+std::string_view withoutBlanksBehind(std::string_view line) {
+  while (!line.empty() && isBlank(line.back())) line.remove_suffix(1);
+  return line;
+}
+
+/// The text with each line treated, and without a byte order mark.
+template <class Treat>
+std::string eachLine(const std::string& text, const Treat& treat) {
+  std::string_view rest = text;
+  if (startsWith(rest, kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+  std::string result;
+  result.reserve(text.size() + text.size() / 16);
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    treat(withoutBlanksBehind(rest.substr(0, end)), result);
+    rest.remove_prefix(end);
+    if (rest.empty()) break;
+    result += '\n';
+    rest.remove_prefix(1);
+  }
+  return result;
+}
+
+/// What stands behind a keyword, on each line that begins with it.
+std::vector<std::string> namesAfter(std::string_view keyword, const std::string& text) {
+  std::vector<std::string> names;
+  eachLine(text, [&](std::string_view line, std::string&) {
+    const std::string statement = trimmed(std::string(line.substr(0, kLongestStatement)));
+    if (startsWith(statement, keyword)) names.push_back(trimmed(statement.substr(keyword.size())));
+  });
+  return names;
+}
+
+}  // namespace
+
+std::string repairedObj(const std::string& text) {
+  return eachLine(text, [](std::string_view line, std::string& to) {
+    if (!line.empty() && line.front() == 'v') {
+      appendNumbers(line, to);
+    } else {
+      to += line;
+    }
+  });
+}
+
+std::string repairedMtl(const std::string& text) {
+  return eachLine(text, [](std::string_view line, std::string& to) { to += line; });
+}
+
+std::vector<std::string> librariesOfObj(const std::string& text) {
+  return namesAfter("mtllib", text);
+}
+
+std::vector<std::string> materialsOfMtl(const std::string& text) {
+  return namesAfter("newmtl", text);
+}
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,96 @@
+#include "world/urdf/xacro.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/sandbox/sandboxed_program.h"
+#include "synthetic_dataset/errors.h"
+#include "world/files/text.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+constexpr int kNotThere = 127;  ///< how programs end that are not there
+
+/// xacro's own program, which its Python module has as a function.
+constexpr const char* kModule =
+    "import sys\n"
+    "try:\n"
+    "    import xacro\n"
+    "except ImportError:\n"
+    "    sys.exit(127)\n"
+    "sys.argv[0] = 'xacro'\n"
+    "xacro.main()\n";
+
+/// Robots take a second or two.
+constexpr std::chrono::seconds kLongest{60};
+
+std::vector<std::string> commandLine(const std::filesystem::path& file,
+                                     const XacroArguments& arguments) {
+  std::vector<std::string> words = {file.string()};
+  for (const auto& [name, value] : arguments) words.push_back(name + ":=" + value);
+  return words;
+}
+
+/// What a user can type. @param words  of the command
+std::string shown(const std::vector<std::string>& words) {
+  std::string text = "xacro";
+  for (const std::string& word : words) {
+    const bool plain = word.find_first_of(" \t'\"\\$`&|;<>()*?") == std::string::npos;
+    text += plain ? " " + word : " '" + word + "'";
+  }
+  return text;
+}
+
+/// The last lines of what xacro complains of: the first ones are where in Python it was.
+std::string lastLines(const std::string& text) {
+  constexpr std::size_t kMost = 600;
+  const std::string whole = trimmed(text);
+  if (whole.size() <= kMost) return whole;
+  const std::size_t cut = whole.find('\n', whole.size() - kMost);
+  return "... " + whole.substr(cut == std::string::npos ? whole.size() - kMost : cut + 1);
+}
+
+/// @return nothing where there is no such program
+std::optional<std::string> run(std::vector<std::string> command,
+                               const std::vector<std::string>& words) {
+  command.insert(command.end(), words.begin(), words.end());
+  base::SandboxLimits limits;
+  limits.processor_time = kLongest;
+  const auto answer = base::runSandboxedProgram(command, limits);
+  const std::string called = "'" + shown(words) + "' ";
+  if (const auto* crash = std::get_if<base::Crash>(&answer)) throw Error(called + crash->how);
+  const auto& result = std::get<base::ProgramResult>(answer);
+  if (result.exit_code == kNotThere) return std::nullopt;
+  if (result.exit_code != 0) {
+    throw Error(called + "ends with exit code " + std::to_string(result.exit_code) + ": " +
+                lastLines(result.errors) +
+                " (its arguments are the setting 'model_arguments' of the object)");
+  }
+  return result.output;
+}
+
+}  // namespace
+
+bool isXacro(const std::filesystem::path& file) { return file.extension() == ".xacro"; }
+
+std::string expandXacro(const std::filesystem::path& file, const XacroArguments& arguments) {
+  const std::vector<std::string> words = commandLine(file, arguments);
+  try {
+    if (auto text = run({"xacro"}, words)) return *text;
+    if (auto text = run({"python3", "-c", kModule}, words)) return *text;
+  } catch (const Error& error) {
+    throw Error(file.string() + ": " + error.what());
+  }
+  throw Error(file.string() +
+              ": is a xacro file, and there is no xacro to expand it, neither the program on PATH "
+              "nor the Python module. Install it (ROS Noetic: apt install ros-noetic-xacro; "
+              "elsewhere: pip install xacro), or run '" +
+              shown(words) + " > robot.urdf' where it is, and name robot.urdf");
+}
+
+}  // namespace synthetic_dataset::world

@@ -1,0 +1,97 @@
+/// xacro through the loader, with stand-ins for the program on PATH.
+
+#include "world/urdf/xacro.h"
+
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+
+#include <sys/stat.h>
+
+#include "support/error_messages.h"
+#include "world/sdf/sdf_loader_support.h"
+
+namespace synthetic_dataset::world {
+namespace xacro_test {
+
+using synthetic_dataset::test::messagesOf;
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Xacro : public testing::Test {
+ protected:
+  ~Xacro() override { setenv("PATH", path_.c_str(), 1); }
+
+  /// A program `xacro` before all others on PATH.
+  void install(const std::string& script) const {
+    const auto file = folder_.write("bin/xacro", "#!/bin/sh\n" + script);
+    chmod(file.c_str(), 0755);
+    setenv("PATH", ((folder_ / "bin").string() + ":" + path_).c_str(), 1);
+  }
+
+  /// A PATH without xacro and without Python.
+  void uninstall() const {
+    (void)folder_.write("none/nothing", "");
+    setenv("PATH", (folder_ / "none").c_str(), 1);
+  }
+
+  TemporaryFolder folder_;
+  const std::string path_ = std::getenv("PATH");
+  const std::filesystem::path file_ = folder_.write("arm.urdf.xacro", "<robot/>");
+  ResourceFinder finder_ = test::finderIn(folder_);
+};
+
+TEST_F(Xacro, MakesARobotOfItsFileAndArguments) {
+  install("echo \"<robot name='r'><link name='${2#prefix:=}arm'/></robot>\"");
+  WorldLoader loader(finder_);
+  const Model model = loader.loadModel(file_.string(), "alpha", {{"prefix", "left_"}});
+  ASSERT_EQ(model.links.size(), 1U);
+  EXPECT_EQ(model.links[0].name, "left_arm");
+}
+
+TEST_F(Xacro, MayMakeAnSdfModel) {
+  install("cat <<E\n" + test::modelFile("m", test::linkElement(test::visualElement(test::kBox))) +
+          "\nE\n");
+  WorldLoader loader(finder_);
+  EXPECT_EQ(loader.loadModel(file_.string(), "alpha").links.at(0).visuals.size(), 1U);
+}
+
+TEST_F(Xacro, FindsMeshesBesideItsFile) {
+  (void)folder_.write("arm.obj", test::kTriangleObj);
+  install(
+      "echo \"<robot name='r'><link name='a'><visual><geometry><mesh filename='arm.obj'/>"
+      "</geometry></visual></link></robot>\"");
+  WorldLoader loader(finder_);
+  EXPECT_EQ(loader.loadModel(file_.string(), "alpha").links.at(0).visuals.size(), 1U);
+}
+
+TEST_F(Xacro, TellsWhatIsWrongWithTheFile) {
+  install("echo 'No such argument: prefix' >&2; exit 2");
+  WorldLoader loader(finder_);
+  EXPECT_THAT(
+      messagesOf([&] { (void)loader.loadModel(file_.string(), "alpha"); }),
+      ElementsAre(AllOf(HasSubstr("arm.urdf.xacro: '"), HasSubstr("exit code 2"),
+                        HasSubstr("No such argument: prefix"), HasSubstr("model_arguments"))));
+}
+
+TEST_F(Xacro, TellsHowToGetItWhereThereIsNone) {
+  uninstall();
+  WorldLoader loader(finder_);
+  EXPECT_THAT(
+      messagesOf([&] {
+        (void)loader.loadModel(file_.string(), "alpha", {{"prefix", "a b"}});
+      }),
+      ElementsAre(AllOf(HasSubstr("there is no xacro to expand it"), HasSubstr("pip install xacro"),
+                        HasSubstr("'prefix:=a b'"), HasSubstr("> robot.urdf"))));
+}
+
+TEST_F(Xacro, IsEndedWhereItCrashes) {
+  install("kill -SEGV $$");
+  EXPECT_THAT(messagesOf([&] { (void)expandXacro(file_, {}); }),
+              ElementsAre(HasSubstr("crashes (Segmentation fault)")));
+}
+
+}  // namespace xacro_test
+}  // namespace synthetic_dataset::world
