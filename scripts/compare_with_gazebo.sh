@@ -12,7 +12,7 @@ output=$(realpath -m "${2:-$(mktemp -d)}")
 kept=$repository/test/reference/agreeing_worlds.txt
 
 "$here/install_dependencies.sh" python3-opencv
-build_workspace --target generate
+build_workspace --target generate synthetic_dataset_writers
 use_workspace
 # Without Gazebo's media, so that the result does not depend on whether it is installed.
 python3 "$reference/gazebo/compare.py" "$output" --media /nowhere | tee "$output.log"

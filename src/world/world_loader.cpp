@@ -72,7 +72,7 @@ Description describe(const SdfFile& file, SdfReading& reading) {
   reading.is_of_gz |= file.is_of_gz;
   if (file.odd) reading.findings.addNote(file.path.string() + ": " + *file.odd);
   if (const Element world = root.child("world")) return readWorld(world, reading);
-  if (root.has("model") || root.has("light") || root.has("include"))
+  if (root.has("model") || root.has("light") || root.has("actor") || root.has("include"))
     return readLoneModel(root, reading);
   reading.findings.addError(place.message("holds neither a world nor a model nor a light"));
   return {};

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "world/sdf/sdf_actors.h"
 #include "world/sdf/sdf_includes.h"
 #include "world/sdf/sdf_lights.h"
 #include "world/sdf/sdf_models.h"
@@ -61,14 +62,14 @@ class WorldReader {
     const std::string name = element.name();
     if (name == "model") addSource(includes_.modelOf(element, place_));
     if (name == "include") addSource(includes_.followed(element, place_));
-    if (name != "light") return;
-    ModelSource light;
-    light.kind = Kind::kLight;
-    light.element = element;
-    light.name = element.attribute("name");
-    light.place = placeOf(element, place_);
-    light.pose = readPose(element, light.place, reading_);
-    addSource(std::move(light));
+    if (name != "light" && name != "actor") return;
+    ModelSource source;
+    source.kind = name == "light" ? Kind::kLight : Kind::kActor;
+    source.element = element;
+    source.name = element.attribute("name");
+    source.place = placeOf(element, place_);
+    source.pose = readPose(element, source.place, reading_);
+    addSource(std::move(source));
   }
 
   void addSource(ModelSource source) {
@@ -107,7 +108,10 @@ class WorldReader {
                          saved == saved_.lights.end() ? X_WM : saved->second, source.place,
                          reading_));
     }
-    if (source.kind == Kind::kActor) has_actors_ = true;
+    if (source.kind == Kind::kActor) {
+      description_.models.push_back(
+          readActor(source.element, source.name, X_WM, source.place, reading_));
+    }
   }
 
   void readModelSource(ModelSource& source, const Pose& X_WM) {
@@ -127,9 +131,6 @@ class WorldReader {
   }
 
   void noteLeftOut() {
-    if (world_.has("actor") || has_actors_) {
-      reading_.findings.addNote(place_.message("<actor> is left out"));
-    }
     if (world_.has("population")) {
       reading_.findings.addNote(place_.message("<population> is left out"));
     }
@@ -146,7 +147,6 @@ class WorldReader {
   std::set<std::string> light_names_;
   Description description_;
   bool has_shadows_ = true;
-  bool has_actors_ = false;
 };
 
 }  // namespace

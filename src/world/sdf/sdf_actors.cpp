@@ -1,0 +1,75 @@
+#include "world/sdf/sdf_actors.h"
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "synthetic_dataset/errors.h"
+#include "world/sdf/sdf_picture_geometry.h"
+#include "world/sdf/sdf_values.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+/// The animation of a name, else the first one.
+Element animationNamed(const Element& actor, const std::string& name) {
+  for (const Element& animation : actor.children("animation")) {
+    if (animation.attribute("name") == name) return animation;
+  }
+  return actor.child("animation");
+}
+
+Pose startOf(const Element& trajectory, const Pose& X_WA, const Place& place, SdfReading& reading) {
+  const Element waypoint = trajectory.child("waypoint");
+  return hasPose(waypoint) ? readPose(waypoint, place, reading).pose : X_WA;
+}
+
+std::optional<std::filesystem::path> fileOf(const Element& element, const Place& place,
+                                            SdfReading& reading) {
+  return findFile("mesh", readText(element, "filename"), element, place, reading);
+}
+
+/// The skin's triangles in its own materials, or none where it cannot be read (reported).
+std::vector<Surface> readSkin(const MeshRequest& request, const Place& place, SdfReading& reading) {
+  const auto missing = [&](const std::string& message) { reading.missing(place.message(message)); };
+  std::vector<Surface> surfaces;
+  try {
+    for (const MeshPiece& piece : reading.meshes.pieces(request)) {
+      surfaces.push_back(
+          {piece.mesh, reading.meshes.material(request.file, piece.material, missing)});
+    }
+  } catch (const Error& error) {
+    missing(error.what());
+  }
+  return surfaces;
+}
+
+}  // namespace
+
+Model readActor(const Element& actor, const std::string& name, const Pose& X_WA, const Place& place,
+                SdfReading& reading) {
+  const Element trajectory = actor.child("script").child("trajectory");
+  const Element skin = actor.child("skin");
+  Model model;
+  model.name = name;
+  model.is_static = true;
+  model.X_WM = startOf(trajectory, X_WA, place, reading);
+  const auto file = fileOf(skin, place, reading);
+  if (!file) return model;
+  const Element animation = animationNamed(actor, trajectory.attribute("type"));
+  MeshRequest request;
+  request.file = *file;
+  request.scale.setConstant(readNumber(skin, "scale", 1.0, place, reading));
+  request.animation = animation ? fileOf(animation, place, reading) : std::nullopt;
+  if (reading.survey != nullptr) return model;
+  Visual visual;
+  visual.name = "skin";
+  visual.surfaces = readSkin(request, place, reading);
+  Link link;
+  link.name = "link";
+  if (!visual.surfaces.empty()) link.visuals.push_back(std::move(visual));
+  model.links.push_back(std::move(link));
+  return model;
+}
+
+}  // namespace synthetic_dataset::world

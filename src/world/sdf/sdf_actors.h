@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "world/sdf/sdf_reading.h"
+
+namespace synthetic_dataset::world {
+
+/// An `<actor>` as a model that stands: its skin in the first pose of the animation that its
+/// trajectory begins with, at the trajectory's first waypoint, as Gazebo shows it at time 0.
+/// Without a trajectory it is where its own pose is.
+/// @param actor  an `<actor>`
+/// @param X_WA  its own pose
+/// @param place  the actor's
+[[nodiscard]] Model readActor(const Element& actor, const std::string& name, const Pose& X_WA,
+                              const Place& place, SdfReading& reading);
+
+}  // namespace synthetic_dataset::world
