@@ -7,6 +7,7 @@
 #include <exception>
 #include <fstream>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -22,28 +23,20 @@
 #include "base/sandbox/sandboxed_process.h"
 #include "synthetic_dataset/errors.h"
 #include "world/material/colour_encoding.h"
+#include "world/mesh/assimp_conversions.h"
 #include "world/mesh/collada_repair.h"
 #include "world/mesh/mesh_file_access.h"
 #include "world/mesh/mesh_file_bytes.h"
 #include "world/mesh/mesh_materials.h"
 #include "world/mesh/mesh_normals.h"
 #include "world/mesh/mesh_pictures.h"
+#include "world/mesh/skin_pose.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
 /// Where faces meet at a sharper angle than this, generated normals keep the edge [deg].
 constexpr float kCreaseAngle = 45.0F;
-
-Eigen::Affine3d toEigen(const aiMatrix4x4& matrix) {
-  Eigen::Affine3d result = Eigen::Affine3d::Identity();
-  for (unsigned row = 0; row < 3; ++row) {
-    for (unsigned column = 0; column < 4; ++column) {
-      result(row, column) = static_cast<double>(matrix[row][column]);
-    }
-  }
-  return result;
-}
 
 void configure(Assimp::Importer& importer) {
   // Gazebo does not parse <up_axis> (gazebo-classic issue 1305; gz-common drops the root's
@@ -147,14 +140,17 @@ void copyColours(const aiMesh& from, bool linear, Mesh& to) {
   if (std::all_of(to.colours.begin(), to.colours.end(), is_white)) to.colours.clear();
 }
 
-void copyVertices(const aiMesh& from, const Eigen::Affine3d& transform, unsigned channel,
-                  Mesh& to) {
+/// @param posed  where each vertex is taken instead, of a mesh that a skeleton moves; else empty
+void copyVertices(const aiMesh& from, const Eigen::Affine3d& node,
+                  const std::vector<Eigen::Affine3d>& posed, unsigned channel, Mesh& to) {
   to.positions.reserve(from.mNumVertices);
   to.normals.reserve(from.mNumVertices);
-  const Eigen::Matrix3d turn = transform.linear().inverse().transpose();
+  Eigen::Matrix3d turn = node.linear().inverse().transpose();
   const aiVector3D* coordinates = textureCoordinates(from, channel);
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
     const aiVector3D& p = from.mVertices[i];
+    const Eigen::Affine3d& transform = posed.empty() ? node : posed[i];
+    if (!posed.empty()) turn = transform.linear().inverse().transpose();
     const Eigen::Vector3f position = (transform * Eigen::Vector3d(p.x, p.y, p.z)).cast<float>();
     if (!position.allFinite()) throw Error("has a vertex that is no number");
     to.positions.push_back(position);
@@ -195,10 +191,11 @@ struct SceneReader {
   const aiScene& scene;
   const std::vector<unsigned>& channels;  ///< of texture coordinates, one a material
   bool linear_colours;
+  const SkinPose* pose;  ///< none: skins are as they were modelled
   std::vector<MeshPart> parts;
 
   void read(const aiNode& node, const Eigen::Affine3d& parent) {
-    const Eigen::Affine3d transform = parent * toEigen(node.mTransformation);
+    const Eigen::Affine3d transform = parent * affineOf(node.mTransformation);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
       MeshPart part;
@@ -206,7 +203,9 @@ struct SceneReader {
       part.material = mesh.mMaterialIndex;
       copyTriangles(mesh, transform.linear().determinant() < 0.0, part.mesh);
       if (part.mesh.indices.empty()) continue;
-      copyVertices(mesh, transform, channels.at(part.material), part.mesh);
+      const auto posed =
+          pose != nullptr ? pose->displacements(mesh) : std::vector<Eigen::Affine3d>{};
+      copyVertices(mesh, transform, posed, channels.at(part.material), part.mesh);
       copyColours(mesh, linear_colours, part.mesh);
       completeNormals(part.mesh);
       parts.push_back(std::move(part));
@@ -261,6 +260,17 @@ std::vector<std::string> notesOn(const MeshFile& file, const MeshFileAccess& acc
   return notes;
 }
 
+/// What an animation's file says is copied; the file itself is not kept.
+std::optional<SkinPose> poseOf(const aiScene& skin,
+                               const std::optional<std::filesystem::path>& animation) {
+  if (!animation) return std::nullopt;
+  MeshFileAccess access(*animation);
+  Assimp::Importer importer;
+  const aiScene* scene = import(importer, *animation, access);
+  if (scene == nullptr) throw Error(*access.refusal());
+  return SkinPose(skin, *scene);
+}
+
 }  // namespace
 
 base::SandboxLimits meshSandboxLimits(const std::filesystem::path& file) {
@@ -275,7 +285,8 @@ base::SandboxLimits meshSandboxLimits(const std::filesystem::path& file) {
   return limits;
 }
 
-MeshFile importMeshFile(const std::filesystem::path& file) {
+MeshFile importMeshFile(const std::filesystem::path& file,
+                        const std::optional<std::filesystem::path>& animation) {
   const std::string extension = extensionOf(file);
   MeshFileAccess access(file);
   MeshFile result;
@@ -297,7 +308,9 @@ MeshFile importMeshFile(const std::filesystem::path& file) {
   for (unsigned i = 0; i < scene->mNumMaterials; ++i) {
     channels.push_back(textureChannel(*scene->mMaterials[i]));
   }
-  SceneReader reader{*scene, channels, extension == ".gltf" || extension == ".glb", {}};
+  const std::optional<SkinPose> pose = poseOf(*scene, animation);
+  SceneReader reader{
+      *scene, channels, extension == ".gltf" || extension == ".glb", pose ? &*pose : nullptr, {}};
   reader.read(*scene->mRootNode, Eigen::Affine3d::Identity());
   if (reader.parts.empty()) throw Error("has no triangles");
   result.parts = std::move(reader.parts);
@@ -306,8 +319,9 @@ MeshFile importMeshFile(const std::filesystem::path& file) {
   return result;
 }
 
-MeshFile readMeshFile(const std::filesystem::path& file) {
-  const auto work = [&] { return toBytes(importMeshFile(file)); };
+MeshFile readMeshFile(const std::filesystem::path& file,
+                      const std::optional<std::filesystem::path>& animation) {
+  const auto work = [&] { return toBytes(importMeshFile(file, animation)); };
   const std::variant<std::string, base::Crash> answer =
       base::runSandboxed(work, meshSandboxLimits(file));
   if (const auto* crash = std::get_if<base::Crash>(&answer)) {

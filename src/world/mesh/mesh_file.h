@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,16 @@ struct MeshFile {
 /// of VisCAM and of Materialise Magics are read as assimp understands them.
 /// The work is done in a process of its own: files that are damaged, or made to do damage, crash
 /// assimp (5.2) or have it eat up the memory.
+/// @param animation  a file whose first animation a skin begins; without one, skins are as modelled
 /// @throws Error if the file cannot be read, has no triangle or a vertex that is no number
-[[nodiscard]] MeshFile readMeshFile(const std::filesystem::path& file);
+[[nodiscard]] MeshFile readMeshFile(
+    const std::filesystem::path& file,
+    const std::optional<std::filesystem::path>& animation = std::nullopt);
 
 /// readMeshFile in this process, which it may bring down.
-[[nodiscard]] MeshFile importMeshFile(const std::filesystem::path& file);
+[[nodiscard]] MeshFile importMeshFile(
+    const std::filesystem::path& file,
+    const std::optional<std::filesystem::path>& animation = std::nullopt);
 
 /// Long enough for any real file of this size, and an end soon for one that assimp hangs on.
 [[nodiscard]] base::SandboxLimits meshSandboxLimits(const std::filesystem::path& file);

@@ -136,6 +136,12 @@ std::vector<TextureReference> picturesOf(const MeshFile& file) {
   return pictures;
 }
 
+/// A skin in another pose counts as another file.
+std::string fileKey(const std::filesystem::path& file,
+                    const std::optional<std::filesystem::path>& animation) {
+  return file.string() + (animation ? "\n" + animation->string() : "");
+}
+
 Error meshError(const std::filesystem::path& file, const std::string& reason) {
   return Error("mesh '" + file.string() + "': " + reason);
 }
@@ -143,8 +149,12 @@ Error meshError(const std::filesystem::path& file, const std::string& reason) {
 }  // namespace
 
 MeshLoader::Key MeshLoader::keyOf(const MeshRequest& request) {
-  return {request.file.string(), request.submesh,   request.centre_submesh,
-          request.scale.x(),     request.scale.y(), request.scale.z()};
+  return {fileKey(request.file, request.animation),
+          request.submesh,
+          request.centre_submesh,
+          request.scale.x(),
+          request.scale.y(),
+          request.scale.z()};
 }
 
 void MeshLoader::readAhead(const std::vector<MeshAhead>& wanted) {
@@ -168,16 +178,18 @@ bool MeshLoader::knows(const std::filesystem::path& file) const {
   return files_.count(file.string()) > 0;
 }
 
-const MeshFile& MeshLoader::read(const std::filesystem::path& file) {
-  auto found = files_.find(file.string());
+const MeshFile& MeshLoader::read(const std::filesystem::path& file,
+                                 const std::optional<std::filesystem::path>& animation) {
+  const std::string key = fileKey(file, animation);
+  auto found = files_.find(key);
   if (found == files_.end()) {
     std::variant<MeshFile, std::string> content;
     try {
-      content = readMeshFile(file);
+      content = readMeshFile(file, animation);
     } catch (const Error& error) {
       content = std::string(error.what());
     }
-    found = files_.emplace(file.string(), std::move(content)).first;
+    found = files_.emplace(key, std::move(content)).first;
   }
   if (const auto* reason = std::get_if<std::string>(&found->second)) {
     throw meshError(file, *reason);
@@ -198,7 +210,7 @@ const std::vector<MeshPiece>& MeshLoader::pieces(const MeshRequest& request) {
   const Key key = keyOf(request);
   const auto found = pieces_.find(key);
   if (found != pieces_.end()) return found->second;
-  const MeshFile& file = read(request.file);
+  const MeshFile& file = read(request.file, request.animation);
   try {
     return pieces_.emplace(key, makePieces(file, request)).first->second;
   } catch (const Error& error) {

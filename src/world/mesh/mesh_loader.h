@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -21,9 +22,10 @@ namespace synthetic_dataset::world {
 /// Which part of a mesh file is wanted, and how large.
 struct MeshRequest {
   std::filesystem::path file;
-  Eigen::Vector3d scale{1, 1, 1};  ///< negative ones mirror
-  std::string submesh;             ///< empty: all of the file
-  bool centre_submesh = false;     ///< its bounding box is moved to the origin
+  Eigen::Vector3d scale{1, 1, 1};                    ///< negative ones mirror
+  std::string submesh;                               ///< empty: all of the file
+  bool centre_submesh = false;                       ///< its bounding box is moved to the origin
+  std::optional<std::filesystem::path> animation{};  ///< whose first pose its skin takes
 };
 
 /// Triangles in one of the file's own materials.
@@ -79,11 +81,13 @@ class MeshLoader {
   [[nodiscard]] MaterialScripts& scripts() { return scripts_; }
 
  private:
-  /// File, submesh, centred, scale.
+  /// File and animation, submesh, centred, scale.
   using Key = std::tuple<std::string, std::string, bool, double, double, double>;
 
   [[nodiscard]] static Key keyOf(const MeshRequest& request);
-  [[nodiscard]] const MeshFile& read(const std::filesystem::path& file);
+  [[nodiscard]] const MeshFile& read(
+      const std::filesystem::path& file,
+      const std::optional<std::filesystem::path>& animation = std::nullopt);
 
   const ResourceFinder& finder_;
   TextureLoader textures_;

@@ -211,5 +211,24 @@ TEST(SdfSemantics, UrdfMayBeIncludedInAModel) {
   EXPECT_TRUE(isAt(robot.links[2].X_ML, 1, 0, 1));
 }
 
+TEST(SdfSemantics, ActorStandsAtItsFirstWaypoint) {
+  const TemporaryFolder folder;
+  folder.write("person.obj", test::kTriangleObj);
+  const Description world = loadText(
+      folder,
+      worldFile("<actor name='ann'><pose>9 9 9 0 0 0</pose><skin><filename>person.obj</filename>"
+                "<scale>2</scale></skin><script><trajectory id='0' type='walking'><waypoint>"
+                "<time>0</time><pose>1 2 0 0 0 0</pose></waypoint></trajectory></script></actor>"
+                "<actor name='bob'><pose>3 0 0 0 0 0</pose><skin><filename>person.obj</filename>"
+                "</skin></actor>"));
+  ASSERT_THAT(world.models, SizeIs(2));
+  EXPECT_TRUE(world.models[0].is_static);
+  EXPECT_TRUE(isAt(world.models[0].X_WM, 1, 2, 0));
+  EXPECT_TRUE(isAt(world.models[1].X_WM, 3, 0, 0));
+  const Mesh& mesh = *world.models[0].links.at(0).visuals.at(0).surfaces.at(0).mesh;
+  EXPECT_EQ(mesh.positions.at(2), Eigen::Vector3f(0, 4, 0)) << "twice as large";
+  EXPECT_THAT(world.notes, IsEmpty());
+}
+
 }  // namespace sdf_semantics_test
 }  // namespace synthetic_dataset::world
