@@ -93,18 +93,19 @@ std::unique_ptr<SdfFile> parsed(const fs::path& name, std::string text) {
 }  // namespace
 
 const SdfFile& SdfFiles::read(const fs::path& file) {
-  return keep(file, [&] {
+  return keep(file.string(), file, [&] {
     requireFile(file);
     return contentOf(file);
   });
 }
 
 const SdfFile& SdfFiles::readText(const fs::path& name, const std::string& text) {
-  return keep(name, [&] { return text; });
+  return keep(name.string() + "\n" + text, name, [&] { return text; });
 }
 
-const SdfFile& SdfFiles::keep(const fs::path& name, const std::function<std::string()>& text) {
-  auto known = files_.find(name.string());
+const SdfFile& SdfFiles::keep(const std::string& key, const fs::path& name,
+                              const std::function<std::string()>& text) {
+  auto known = files_.find(key);
   if (known == files_.end()) {
     std::variant<std::unique_ptr<SdfFile>, std::string> result;
     try {
@@ -112,7 +113,7 @@ const SdfFile& SdfFiles::keep(const fs::path& name, const std::function<std::str
     } catch (const Error& error) {
       result = std::string(error.what());
     }
-    known = files_.emplace(name.string(), std::move(result)).first;
+    known = files_.emplace(key, std::move(result)).first;
   }
   if (const auto* fault = std::get_if<std::string>(&known->second)) throw Error(*fault);
   return *std::get<std::unique_ptr<SdfFile>>(known->second);

@@ -35,12 +35,12 @@ class SdfFiles {
   [[nodiscard]] const SdfFile& read(const std::filesystem::path& file);
 
   /// Parses a text that is in no file.
-  /// @param name  for messages; one name has one text
+  /// @param name  for messages
   /// @throws Error as `read`
   [[nodiscard]] const SdfFile& readText(const std::filesystem::path& name, const std::string& text);
 
  private:
-  [[nodiscard]] const SdfFile& keep(const std::filesystem::path& name,
+  [[nodiscard]] const SdfFile& keep(const std::string& key, const std::filesystem::path& name,
                                     const std::function<std::string()>& text);
 
   std::map<std::string, std::variant<std::unique_ptr<SdfFile>, std::string>>
