@@ -5,7 +5,6 @@
 namespace synthetic_dataset::world {
 namespace {
 
-constexpr const char* kNoSuchFile = ": no such file";
 constexpr const char* kSearch = "looked in ";
 
 /// Models that a message names of those that want a file, too.
@@ -17,14 +16,6 @@ bool isListed(const std::vector<std::string>& list, const std::string& text) {
 
 void addOnce(std::vector<std::string>& list, const std::string& message) {
   if (!isListed(list, message)) list.push_back(message);
-}
-
-/// Of "<place>: mesh 'x.dae': no such file; ..." what comes after the place; else all of it.
-std::string thingOf(const std::string& message) {
-  const std::size_t end = message.find(kNoSuchFile);
-  if (end == std::string::npos || end == 0) return message;
-  const std::size_t place_end = message.rfind(": ", end - 1);
-  return place_end == std::string::npos ? message : message.substr(place_end + 2);
 }
 
 /// "model 'shelf'" of a message about what is in it; nothing of others.
@@ -42,50 +33,53 @@ void Findings::addError(const std::string& message) { addOnce(errors, message); 
 
 void Findings::addNote(const std::string& message) { addOnce(notes, message); }
 
-std::vector<std::string>& Findings::missingList() {
-  return on_missing_asset == OnMissingAsset::kError ? errors : notes;
+void Findings::addNote(const Place& place, const std::string& remark) {
+  add(place.prefix(), remark, "", "", noted_, notes);
 }
 
-std::string Findings::shortened(const std::string& message) {
-  const std::size_t begin = message.find(kSearch);
-  if (begin == std::string::npos || message.find(kNoSuchFile) > begin) return message;
-  const std::string search = message.substr(begin);
+void Findings::addMissing(const Place& place, const std::string& thing) {
+  const bool is_error = on_missing_asset == OnMissingAsset::kError;
+  add(place.prefix(), thing, "wanted ", is_error ? "" : " (left out)", missing_,
+      is_error ? errors : notes);
+}
+
+void Findings::addMissing(const std::string& thing) { addMissing(Place(), thing); }
+
+/// Where it was looked for is said once of all files that were looked for there.
+std::string Findings::shortened(const std::string& thing) {
+  const std::size_t begin = thing.find(kSearch);
+  if (begin == std::string::npos) return thing;
+  const std::string search = thing.substr(begin);
   const bool is_long = search.find(", ") != std::string::npos;  // one place says itself
   if (is_long && isListed(searches_, search)) {
-    return message.substr(0, begin) + "looked in the same folders as above";
+    return thing.substr(0, begin) + "looked in the same folders as above";
   }
   addOnce(searches_, search);
-  return message;
+  return thing;
 }
 
-void Findings::countAgain(Missing& missing, const std::string& message) {
-  if (!missing.messages.insert(message).second) return;
-  const std::string model = modelOf(message);
-  if (!model.empty() && model != modelOf(missing.message)) addOnce(missing.models, model);
-  std::string text =
-      missing.message + " (wanted " + std::to_string(missing.messages.size()) + " times";
-  const std::size_t named = std::min(missing.models.size(), kMostModels);
-  for (std::size_t i = 0; i < named; ++i) {
-    text += (i == 0 ? ", also in " : ", ") + missing.models[i];
-  }
-  if (missing.models.size() > named) {
-    text += " and " + std::to_string(missing.models.size() - named) + " more";
-  }
-  const bool left_out = on_missing_asset == OnMissingAsset::kWarn;
-  missingList()[missing.index] = text + ")" + (left_out ? " (left out)" : "");
-}
-
-void Findings::addMissing(const std::string& message) {
-  const std::string thing = thingOf(message);
-  const auto known = std::find_if(missing_.begin(), missing_.end(),
-                                  [&](const Missing& each) { return each.thing == thing; });
-  if (known != missing_.end()) {
-    if (thing != message) countAgain(*known, message);
+void Findings::add(const std::string& place, const std::string& text, const char* times,
+                   const std::string& end, Remarks& known, std::vector<std::string>& list) {
+  const auto [entry, is_new] = known.try_emplace(text);
+  Remark& remark = entry->second;
+  if (!remark.places.insert(place).second) return;
+  if (is_new) {
+    remark.message = place + shortened(text);
+    remark.index = list.size();
+    list.push_back(remark.message + end);
     return;
   }
-  const std::string text = shortened(message);
-  missing_.push_back({thing, text, missingList().size(), {message}, {}});
-  missingList().push_back(text + (on_missing_asset == OnMissingAsset::kWarn ? " (left out)" : ""));
+  const std::string model = modelOf(place);
+  if (!model.empty() && model != modelOf(remark.message)) addOnce(remark.models, model);
+  std::string count = std::to_string(remark.places.size()) + " times";
+  const std::size_t named = std::min(remark.models.size(), kMostModels);
+  for (std::size_t i = 0; i < named; ++i) {
+    count += (i == 0 ? ", also in " : ", ") + remark.models[i];
+  }
+  if (remark.models.size() > named) {
+    count += " and " + std::to_string(remark.models.size() - named) + " more";
+  }
+  list[remark.index] = remark.message + " (" + times + count + ")" + end;
 }
 
 void Findings::throwErrors() const {

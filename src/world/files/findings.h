@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@ namespace synthetic_dataset::world {
 /// 'shelf': link 'body'".
 class Place {
  public:
+  Place() = default;  ///< of what is in no file
   explicit Place(std::string file) : file_(std::move(file)) {}
 
   /// The place of an element below this one.
@@ -46,10 +48,13 @@ class Place {
     return other;
   }
 
-  [[nodiscard]] std::string message(const std::string& text) const {
+  /// "world.sdf: line 12: model 'shelf': ", for what is said of it.
+  [[nodiscard]] std::string prefix() const {
     const std::string line = line_ > 0 ? "line " + std::to_string(line_) + ": " : "";
-    return file_ + ": " + line + path_ + text;
+    return (file_.empty() ? "" : file_ + ": ") + line + path_;
   }
+
+  [[nodiscard]] std::string message(const std::string& text) const { return prefix() + text; }
 
  private:
   std::string file_;
@@ -79,29 +84,36 @@ struct Findings {
   void addError(const std::string& message);
   void addNote(const std::string& message);
 
-  /// Something that cannot be had: an error, or a note that it is left out. A file that is missing
-  /// in several places ("<place>: mesh 'x.dae': no such file; looked in ...") is listed once, with
-  /// how often it is wanted, and where it was looked for is not repeated for the next file.
-  void addMissing(const std::string& message);
+  /// The same remark on several places is listed once, with the first of them and how often it
+  /// holds.
+  void addNote(const Place& place, const std::string& remark);
+
+  /// Something that cannot be had: an error, or a note that it is left out. What is missing in
+  /// several places ("mesh 'x.dae': no such file; looked in ...") is listed once, with how often it
+  /// is wanted, and where it was looked for is not repeated for the next file.
+  void addMissing(const Place& place, const std::string& thing);
+  void addMissing(const std::string& thing);
 
   /// @throws ErrorList with all errors, if there are any; MissingAssets if files are missing
   void throwErrors() const;
 
  private:
-  /// A file that is missing, and the messages that it takes part in.
-  struct Missing {
-    std::string thing;                ///< "mesh 'x.dae': no such file; looked in ..."
-    std::string message;              ///< where it was found first
-    std::size_t index = 0;            ///< in errors or notes
-    std::set<std::string> messages;   ///< of all places where it is wanted
-    std::vector<std::string> models;  ///< that want it, too: "model 'b'"
+  /// A remark, and the places for which it holds.
+  struct Remark {
+    std::string message;    ///< with the place where it was found first
+    std::size_t index = 0;  ///< in the list
+    std::set<std::string> places;
+    std::vector<std::string> models;  ///< for which it holds, too: "model 'b'"
   };
 
-  [[nodiscard]] std::vector<std::string>& missingList();
-  [[nodiscard]] std::string shortened(const std::string& message);
-  void countAgain(Missing& missing, const std::string& message);
+  using Remarks = std::map<std::string, Remark>;
 
-  std::vector<Missing> missing_;
+  void add(const std::string& place, const std::string& text, const char* times,
+           const std::string& end, Remarks& known, std::vector<std::string>& list);
+  [[nodiscard]] std::string shortened(const std::string& thing);
+
+  Remarks missing_;
+  Remarks noted_;
   std::vector<std::string> searches_;  ///< "looked in ...", as they were listed
 };
 

@@ -40,8 +40,8 @@ RelativePose placed(ModelSource& source, SdfReading& reading) {
   RelativePose pose = source.pose;
   if (source.placement_frame.empty()) return pose;
   if (!source.frames.knows(source.placement_frame)) {
-    reading.findings.addNote(source.place.message("its placement_frame '" + source.placement_frame +
-                                                  "' is not known; its own is taken"));
+    reading.findings.addNote(source.place, "its placement_frame '" + source.placement_frame +
+                                               "' is not known; its own is taken");
     return pose;
   }
   pose.pose = pose.pose * source.frames.poseOf(source.placement_frame, reading).inverse();

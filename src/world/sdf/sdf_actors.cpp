@@ -31,7 +31,7 @@ std::optional<std::filesystem::path> fileOf(const Element& element, const Place&
 
 /// The skin's triangles in its own materials, or none where it cannot be read (reported).
 std::vector<Surface> readSkin(const MeshRequest& request, const Place& place, SdfReading& reading) {
-  const auto missing = [&](const std::string& message) { reading.missing(place.message(message)); };
+  const auto missing = [&](const std::string& message) { reading.missing(place, message); };
   std::vector<Surface> surfaces;
   try {
     for (const MeshPiece& piece : reading.meshes.pieces(request)) {

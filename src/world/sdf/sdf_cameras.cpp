@@ -96,7 +96,7 @@ std::optional<CameraSensor> readCamera(const Element& sensor, const std::string&
     const Pose X_LC = X_LS * readPose(camera, place, reading).pose * opticalInBody();
     return CameraSensor{name, X_WL * X_LC, reader.model(wide_angle), reader.noise(), "", X_LC};
   } catch (const Error& error) {
-    reading.findings.addNote(place.message(error.what()) + "; the camera is left out");
+    reading.findings.addNote(place, std::string(error.what()) + "; the camera is left out");
   }
   return std::nullopt;
 }

@@ -37,8 +37,8 @@ struct ShapeMaker {
 double atLeastZero(double value, double fallback, const char* name, const Place& place,
                    SdfReading& reading) {
   if (value >= 0.0) return value;
-  reading.findings.addNote(place.message(std::string(name) + ": found " + shortText(value) +
-                                         "; it has to be 0 or more; " + takenInstead(fallback)));
+  reading.findings.addNote(place, std::string(name) + ": found " + shortText(value) +
+                                      "; it has to be 0 or more; " + takenInstead(fallback));
   return fallback;
 }
 
@@ -70,7 +70,7 @@ std::optional<Collision> readCollision(const Element& collision, const Eigen::Ve
   try {
     result.shape = std::visit(ShapeMaker{reading}, *geometry);
   } catch (const Error& error) {
-    reading.missing(place.message(error.what()));
+    reading.missing(place, error.what());
     return std::nullopt;
   }
   return result;
@@ -81,8 +81,8 @@ void noteHulls(const Element& link, const Place& place, SdfReading& reading) {
     for (const char* kind : {"polyline", "heightmap", "image"}) {
       if (!collision.child("geometry").has(kind)) continue;
       reading.findings.addNote(
-          placeOf(collision, place)
-              .message(std::string("a ") + kind + "; while it moves, its convex hull collides"));
+          placeOf(collision, place),
+          std::string("a ") + kind + "; while it moves, its convex hull collides");
     }
   }
 }

@@ -31,8 +31,8 @@ Pose SdfFrames::poseOf(const std::string& name, SdfReading& reading) {
   Frame& frame = found->second;
   if (frame.X_FN) return *frame.X_FN;
   if (frame.is_open) {
-    reading.findings.addNote(
-        frame.place.message("its pose is relative to itself, by way of others; the circle is cut"));
+    reading.findings.addNote(frame.place,
+                             "its pose is relative to itself, by way of others; the circle is cut");
     return Pose::Identity();
   }
   frame.is_open = true;
@@ -49,9 +49,9 @@ Pose SdfFrames::resolve(const RelativePose& pose, const std::string& fallback, c
   }
   const std::string& name = knows(fallback) ? fallback : kOwn;
   if (!pose.frame.empty()) {
-    reading.findings.addNote(place.message(
-        "its pose is relative to '" + pose.frame + "', which is not known here; " +
-        (name.empty() ? "the frame of what it is in" : "'" + name + "'") + " is taken"));
+    reading.findings.addNote(
+        place, "its pose is relative to '" + pose.frame + "', which is not known here; " +
+                   (name.empty() ? "the frame of what it is in" : "'" + name + "'") + " is taken");
   }
   return poseOf(name, reading) * pose.pose;
 }

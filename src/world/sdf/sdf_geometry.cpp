@@ -92,7 +92,7 @@ class GeometryReader {
   double planeSize(double value) {
     constexpr double kEndless = 1e5;  // [m]
     if (!std::isfinite(value) || value <= kEndless) return requireSize("plane size", value);
-    reading_.findings.addNote(place_.message("its plane is drawn 100 km wide"));
+    reading_.findings.addNote(place_, "its plane is drawn 100 km wide");
     return kEndless;
   }
 
@@ -119,7 +119,7 @@ class GeometryReader {
   void noteUnknown() {
     const Element kind = geometry_.firstChild();
     if (!kind || kind.name() == "empty") return;
-    reading_.findings.addNote(place_.message("its geometry, a '" + kind.name() + "', is left out"));
+    reading_.findings.addNote(place_, "its geometry, a '" + kind.name() + "', is left out");
   }
 
   const Element& geometry_;
@@ -137,7 +137,7 @@ std::optional<Geometry> readGeometry(const Element& owner, const Eigen::Vector3d
   try {
     return GeometryReader(geometry, scale, place, reading).read();
   } catch (const Error& error) {
-    reading.findings.addNote(place.message(std::string(error.what()) + "; it is left out"));
+    reading.findings.addNote(place, std::string(error.what()) + "; it is left out");
     return std::nullopt;
   }
 }

@@ -76,7 +76,7 @@ ModelSource SdfIncludes::followed(const Element& include, const Place& outer) {
   } catch (const ErrorList&) {
     throw;
   } catch (const std::exception& error) {
-    reading_.missing(here.message((uri.empty() ? "" : "include '" + uri + "': ") + error.what()));
+    reading_.missing(here, (uri.empty() ? "" : "include '" + uri + "': ") + error.what());
   }
   applyOverrides(include, place, source);
   return source;

@@ -46,7 +46,7 @@ std::optional<Inertia> readInertia(const Element& link, const Place& place, SdfR
   inertia.moments_L = X_LI.linear() * moments_I * X_LI.linear().transpose();
   if (inertia.mass > 0.0 && isSolid(inertia.moments_L)) return inertia;
   reading.findings.addNote(
-      place.message("its <inertial> is not that of a solid body; its collision shapes count"));
+      place, "its <inertial> is not that of a solid body; its collision shapes count");
   return std::nullopt;
 }
 

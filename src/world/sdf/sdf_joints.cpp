@@ -67,10 +67,10 @@ class JointReader {
 
   void noteUnknown(const Element& joint, const std::string& name) {
     if (source_.has_gaps) return;
-    reading_.findings.addNote(placeOf(joint, source_.place)
-                                  .message("found '" + name +
-                                           "', which is no link of the model; "
-                                           "the joint is left out"));
+    reading_.findings.addNote(placeOf(joint, source_.place),
+                              "found '" + name +
+                                  "', which is no link of the model; "
+                                  "the joint is left out");
   }
 
   /// A joint names links, or frames that are attached to links, or models.

@@ -10,8 +10,9 @@ LightType readType(const Element& light, const Place& place, SdfReading& reading
   if (type == "directional") return LightType::kDirectional;
   if (type == "spot") return LightType::kSpot;
   if (type != "point" && !type.empty()) {
-    reading.findings.addNote(place.message(
-        "type: found '" + type + "'; it should be directional, point or spot; point is taken"));
+    reading.findings.addNote(
+        place,
+        "type: found '" + type + "'; it should be directional, point or spot; point is taken");
   }
   return LightType::kPoint;
 }
@@ -35,8 +36,8 @@ void readAttenuation(const Element& light, const Place& place, SdfReading& readi
   if (range > 0.0) {
     to.range = range;
   } else if (to.type != LightType::kDirectional) {
-    reading.findings.addNote(place.message("attenuation range: found " + shortText(range) +
-                                           "; it has to be above 0 m; " + takenInstead(to.range)));
+    reading.findings.addNote(place, "attenuation range: found " + shortText(range) +
+                                        "; it has to be above 0 m; " + takenInstead(to.range));
   }
 }
 
@@ -45,8 +46,8 @@ void readDirection(const Element& light, const Place& place, SdfReading& reading
   if (direction.norm() > 0.0) {
     to.direction_L = direction;
   } else if (to.type != LightType::kPoint) {
-    reading.findings.addNote(
-        place.message("direction: found 0 0 0; it has to point somewhere; 0 0 -1 is taken"));
+    reading.findings.addNote(place,
+                             "direction: found 0 0 0; it has to point somewhere; 0 0 -1 is taken");
   }
 }
 

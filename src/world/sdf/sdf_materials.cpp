@@ -52,7 +52,7 @@ void readShader(const Element& from, SdfReading& reading, MaterialSource& to) {
 
 /// The pictures that the source names join those that its material has of a script.
 Material withMaps(const MaterialSource& source, const Place& place, SdfReading& reading) {
-  const auto missing = [&](const std::string& message) { reading.missing(place.message(message)); };
+  const auto missing = [&](const std::string& message) { reading.missing(place, message); };
   const Material loaded = withPictures(source, reading.meshes.textures(), missing);
   Material material = source.material;
   const auto take = [](const auto& from, auto& to) {

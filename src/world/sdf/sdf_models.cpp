@@ -112,8 +112,8 @@ class ModelReader {
     if (pose.frame.empty()) return pose.pose;
     if (!context.frames.knows(pose.frame) && pose.frame != "__model__") {
       reading_.findings.addNote(
-          place.message("its pose is relative to '" + pose.frame +
-                        "', which is not known in its model; the link's frame is taken"));
+          place, "its pose is relative to '" + pose.frame +
+                     "', which is not known in its model; the link's frame is taken");
       return pose.pose;
     }
     return context.X_NL.inverse() * context.frames.resolve(pose, "", place, reading_);
@@ -142,7 +142,7 @@ class ModelReader {
     for (int i = 1; !names_.insert(unique).second; ++i) unique = name + "_" + std::to_string(i);
     if (unique != name) {
       reading_.findings.addNote(
-          place.message("a link before it has its name; it is called '" + unique + "' here"));
+          place, "a link before it has its name; it is called '" + unique + "' here");
     }
     return unique;
   }

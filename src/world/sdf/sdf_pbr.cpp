@@ -39,8 +39,8 @@ class PbrReader {
   float fraction(const char* name, double fallback) const {
     const double value = readNumber(pbr_, name, fallback, place_, reading_);
     if (value >= 0.0 && value <= 1.0) return static_cast<float>(value);
-    reading_.findings.addNote(place_.message(std::string(name) + ": found " + shortText(value) +
-                                             "; it should be 0 to 1; " + takenInstead(fallback)));
+    reading_.findings.addNote(place_, std::string(name) + ": found " + shortText(value) +
+                                          "; it should be 0 to 1; " + takenInstead(fallback));
     return static_cast<float>(fallback);
   }
 

@@ -69,13 +69,13 @@ std::optional<std::filesystem::path> findFile(const std::string& kind, const std
   const std::filesystem::path folder = element.folder();
   auto file = reading.finder.find(uri, folder);
   if (!file) {
-    reading.missing(place.message(kind + " '" + uri + "': no such file; " +
-                                  reading.finder.searchedPlaces(uri, folder)));
+    reading.missing(place, kind + " '" + uri + "': no such file; " +
+                               reading.finder.searchedPlaces(uri, folder));
     return std::nullopt;
   }
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(*file, ignored)) {
-    reading.missing(place.message(kind + " '" + file->string() + "': is a folder or no file"));
+    reading.missing(place, kind + " '" + file->string() + "': is a folder or no file");
     return std::nullopt;
   }
   return file;

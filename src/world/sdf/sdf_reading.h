@@ -37,7 +37,7 @@ struct SdfReading {
 
   /// A file that an element names is missing or unreadable, and the element is left out: an error,
   /// or a note where the user would rather have the rest.
-  void missing(const std::string& message) { findings.addMissing(message); }
+  void missing(const Place& place, const std::string& thing) { findings.addMissing(place, thing); }
 };
 
 /// The place of an element below another, by its `name`.

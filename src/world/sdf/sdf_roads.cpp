@@ -21,9 +21,9 @@ std::vector<Eigen::Vector3d> readPoints(const Element& road, const Place& place,
   for (const Element& point : road.children("point")) {
     const std::vector<double> v = numbersIn(point.text());
     if (v.size() < 3) {
-      reading.findings.addNote(place.atLine(point.line())
-                                   .message("point: found '" + point.text() +
-                                            "'; three numbers are needed; it is left out"));
+      reading.findings.addNote(
+          place.atLine(point.line()),
+          "point: found '" + point.text() + "'; three numbers are needed; it is left out");
     } else {
       points.emplace_back(v[0], v[1], v[2]);
     }
@@ -78,8 +78,8 @@ Model readRoad(const Element& road, const Place& place, SdfReading& reading) {
   const std::vector<Eigen::Vector3d> points = readPoints(road, place, reading);
   const double width = readNumber(road, "width", 1.0, place, reading);
   if (points.size() < 2 || !(width > 0.0)) {
-    reading.findings.addNote(
-        place.message("a width above 0 and two points or more are needed; it is left out"));
+    reading.findings.addNote(place,
+                             "a width above 0 and two points or more are needed; it is left out");
     return model;
   }
   Visual visual;

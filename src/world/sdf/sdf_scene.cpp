@@ -19,8 +19,8 @@ double positiveOr(const Element& parent, const char* name, double fallback, cons
                   SdfReading& reading) {
   const double value = readNumber(parent, name, fallback, place, reading);
   if (value >= 0.0) return value;
-  reading.findings.addNote(place.message(std::string(name) + ": found " + shortText(value) +
-                                         "; it has to be 0 or more; " + takenInstead(fallback)));
+  reading.findings.addNote(place, std::string(name) + ": found " + shortText(value) +
+                                      "; it has to be 0 or more; " + takenInstead(fallback));
   return fallback;
 }
 
@@ -38,7 +38,7 @@ std::optional<Fog> readFog(const Element& element, const Place& place, SdfReadin
   if (!type) {
     if (name != "none" && !name.empty()) {
       reading.findings.addNote(
-          place.message("type '" + name + "' is left out; linear, exp, exp2 and none are known"));
+          place, "type '" + name + "' is left out; linear, exp, exp2 and none are known");
     }
     return std::nullopt;
   }
@@ -51,9 +51,9 @@ std::optional<Fog> readFog(const Element& element, const Place& place, SdfReadin
   fog.end = positiveOr(element, "end", fog.end, place, reading);
   fog.density = positiveOr(element, "density", fog.density, place, reading);
   if (fog.type == FogType::kLinear && fog.end <= fog.start) {
-    reading.findings.addNote(place.message("end: found " + shortText(fog.end) +
-                                           "; it has to lie beyond start, " + shortText(fog.start) +
-                                           "; there is no fog"));
+    reading.findings.addNote(place, "end: found " + shortText(fog.end) +
+                                        "; it has to lie beyond start, " + shortText(fog.start) +
+                                        "; there is no fog");
     return std::nullopt;
   }
   return fog;

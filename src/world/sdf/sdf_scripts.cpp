@@ -46,7 +46,7 @@ bool lacksFile(const ScriptRequest& request, const SdfReading& reading) {
 std::optional<Material> find(const ScriptRequest& request, const Place& place,
                              SdfReading& reading) {
   const auto missing = [&](const std::string& message) {
-    reading.missing(place.message("material '" + request.name + "': " + message));
+    reading.missing(place, "material '" + request.name + "': " + message);
   };
   try {
     if (const std::optional<OgreMaterial> found = reading.meshes.scripts().find(request)) {
@@ -72,14 +72,14 @@ std::optional<Material> readSdfScript(const Element& material, const Place& plac
   if (std::optional<Material> found = find(request, place, reading)) return found;
   // Worlds that Gazebo has saved name materials that only it knew, and say their colours as well.
   if (request.uris.empty() && material.has("diffuse")) return std::nullopt;
-  const std::string message =
-      place.message("material '" + request.name + "' is in no script (" +
-                    reading.meshes.scripts().searchedPlaces(request) +
-                    "), and Gazebo ships none of that name" + nearGazeboMaterial(request.name));
+  const std::string thing = "material '" + request.name + "' is in no script (" +
+                            reading.meshes.scripts().searchedPlaces(request) +
+                            "), and Gazebo ships none of that name" +
+                            nearGazeboMaterial(request.name);
   if (lacksFile(request, reading)) {
-    reading.missing(message);
+    reading.missing(place, thing);
   } else {
-    reading.findings.addNote(message + "; the default material is drawn");
+    reading.findings.addNote(place, thing + "; the default material is drawn");
   }
   return defaultMaterial();
 }

@@ -24,8 +24,8 @@ void noteReplaced(const Element& parent, const char* name, const std::string& fo
                   const std::string& needed, const std::string& taken, const Place& place,
                   SdfReading& reading) {
   reading.findings.addNote(
-      place.atLine(parent.lineOf(name))
-          .message(std::string(name) + ": found " + quoted(found) + "; " + needed + "; " + taken));
+      place.atLine(parent.lineOf(name)),
+      std::string(name) + ": found " + quoted(found) + "; " + needed + "; " + taken);
 }
 
 bool allFinite(const std::vector<double>& values) {

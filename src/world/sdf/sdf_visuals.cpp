@@ -20,7 +20,7 @@ struct SurfaceMaker {
   SdfReading& reading;
 
   [[nodiscard]] MissingPicture missingPicture() const {
-    return [this](const std::string& message) { reading.missing(place.message(message)); };
+    return [this](const std::string& message) { reading.missing(place, message); };
   }
 
   std::vector<Surface> one(std::shared_ptr<const Mesh> mesh) const {
@@ -72,8 +72,8 @@ float readTransparency(const Element& visual, const Place& place, SdfReading& re
   const double found = readNumber(visual, "transparency", 0.0, place, reading);
   const double transparency = std::clamp(found, 0.0, 1.0);
   if (found != transparency) {
-    reading.findings.addNote(place.message("transparency: found " + shortText(found) +
-                                           "; it should be 0 to 1; " + takenInstead(transparency)));
+    reading.findings.addNote(place, "transparency: found " + shortText(found) +
+                                        "; it should be 0 to 1; " + takenInstead(transparency));
   }
   return static_cast<float>(transparency);
 }
@@ -102,7 +102,7 @@ std::optional<Visual> readVisual(const Element& visual, const Eigen::Vector3d& s
   try {
     result.surfaces = std::visit(SurfaceMaker{material, place, reading}, *geometry);
   } catch (const Error& error) {
-    reading.missing(place.message(error.what()));
+    reading.missing(place, error.what());
   }
   for (Surface& surface : result.surfaces) surface.material.diffuse.w() *= 1.0F - transparency;
   if (result.surfaces.empty()) return std::nullopt;

@@ -86,8 +86,8 @@ class WorldReader {
       unique = source.name + "_" + std::to_string(i);
     }
     if (unique != source.name) {
-      reading_.findings.addNote(source.place.message(
-          "something before it has its name; it is called '" + unique + "' here"));
+      reading_.findings.addNote(
+          source.place, "something before it has its name; it is called '" + unique + "' here");
     }
     return unique;
   }
@@ -132,7 +132,7 @@ class WorldReader {
 
   void noteLeftOut() {
     if (world_.has("population")) {
-      reading_.findings.addNote(place_.message("<population> is left out"));
+      reading_.findings.addNote(place_, "<population> is left out");
     }
   }
 

@@ -115,7 +115,7 @@ struct SurfaceMaker {
       return *urdf_material;
     }
     return reading.meshes.material(request.file, piece.material, [&](const std::string& message) {
-      reading.findings.addMissing(place.message(message));
+      reading.findings.addMissing(place, message);
     });
   }
 };
@@ -176,7 +176,7 @@ std::optional<Visual> readUrdfVisual(const urdf::Visual& visual, const std::stri
     if (material && material->diffuse.w() == 0.0F) return std::nullopt;  // made to be invisible
     result.surfaces = std::visit(SurfaceMaker{gazebo_material, material, here, reading}, geometry);
   } catch (const Error& error) {
-    reading.findings.addMissing(here.message(error.what()));
+    reading.findings.addMissing(here, error.what());
     return std::nullopt;
   }
   return result;
@@ -193,7 +193,7 @@ std::optional<Collision> readUrdfCollision(const urdf::Collision& collision,
     result.shape =
         std::visit(ShapeMaker{reading}, GeometryReader{reading}.read(*collision.geometry));
   } catch (const Error& error) {
-    reading.findings.addMissing(here.message(error.what()));
+    reading.findings.addMissing(here, error.what());
     return std::nullopt;
   }
   return result;

@@ -104,9 +104,9 @@ class LinkReader {
     if (name == document_.gazebo_materials.end()) return std::nullopt;
     std::optional<Material> material = gazeboMaterial(name->second, reading_.meshes.textures());
     if (!material) {
-      reading_.findings.addNote(place.message("Gazebo ships no material '" + name->second +
-                                              "', which <gazebo> names for it; shown as without" +
-                                              nearGazeboMaterial(name->second)));
+      reading_.findings.addNote(place, "Gazebo ships no material '" + name->second +
+                                           "', which <gazebo> names for it; shown as without" +
+                                           nearGazeboMaterial(name->second));
     }
     return material;
   }
@@ -120,10 +120,10 @@ class LinkReader {
 void noteYUp(const Model& model, const Place& place, UrdfReading& reading) {
   if (model.links.size() < 2 || reading.y_up_meshes.empty()) return;
   const std::size_t more = reading.y_up_meshes.size() - 1;
-  reading.findings.addNote(place.message(
-      "mesh '" + *reading.y_up_meshes.begin() + "'" +
-      (more > 0 ? " and " + std::to_string(more) + " more say" : " says") +
-      " in COLLADA that y points up; drawn as Gazebo and RViz do, which do not turn it"));
+  reading.findings.addNote(
+      place, "mesh '" + *reading.y_up_meshes.begin() + "'" +
+                 (more > 0 ? " and " + std::to_string(more) + " more say" : " says") +
+                 " in COLLADA that y points up; drawn as Gazebo and RViz do, which do not turn it");
 }
 
 }  // namespace
