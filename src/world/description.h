@@ -65,6 +65,9 @@ struct Material {
   bool lit = true;  ///< false: shown in its own colour whatever the lights
 
   bool is_default = false;  ///< nobody has given it: defaultMaterial()
+
+  /// One that is seen through, on the same triangles before it: lines on a playing field.
+  std::shared_ptr<const Material> overlay;
 };
 
 /// Of what no file gives a material: World paints it as the simulator does that the world was

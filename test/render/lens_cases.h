@@ -23,6 +23,7 @@ namespace synthetic_dataset::test {
 /// Ambient light alone; black where nothing is.
 [[nodiscard]] inline world::Description dark() {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.ambient = {1.0F, 1.0F, 1.0F};
   description.background = {0.0F, 0.0F, 0.0F};
   return description;

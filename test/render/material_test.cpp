@@ -32,6 +32,7 @@ double decoded(double channel) {
 /// Black but for one light that shines along `direction`.
 world::Description litAlong(const Eigen::Vector3d& direction, float intensity = 1.0F) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.ambient.setZero();
   description.background.setZero();
   world::Light light;

@@ -36,6 +36,7 @@ world::Material coloured(float red, float green, float blue) {
 /// No lights: what is drawn has its own colour under an ambient light of 1 from all around.
 world::Description unlit() {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.ambient = {1.0F, 1.0F, 1.0F};
   description.background = {0.0F, 0.0F, 0.0F};
   return description;
@@ -361,6 +362,7 @@ TEST(Renderer, SameCallsGiveSamePixels) {
     Stage stage;
     stage.addBox({1, 1, 1}, makePose({0.1, 0, 4}, Eigen::Quaterniond(0.9, 0.1, 0.4, 0.2)), 0);
     world::Description description;
+    description.simulator = world::Simulator::kGz;
     description.lights.emplace_back();
     Renderer renderer(description, stage.links(), {});
     return renderer.colour(viewFromOrigin(), stage.poses(), {stage.all(), stage.all()});
@@ -389,6 +391,7 @@ TEST(Renderer, ManyLightsAddUp) {
   stage.addBox({1, 1, 1}, makePose({0, 0, 4}, Eigen::Quaterniond(0.9, 0.1, 0.4, 0.2)), -1,
                coloured(0.8F, 0.7F, 0.6F));
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.ambient = description.background = {0.0F, 0.0F, 0.0F};
   world::Light lamp;
   lamp.type = world::LightType::kPoint;
@@ -423,6 +426,7 @@ TEST_F(Shadows, AreThrownByAnyOfManyLights) {
 TEST(Renderer, RefusesMoreLightsThanItHas) {
   Stage stage;
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.lights.resize(33);
   EXPECT_THROW(Renderer(description, stage.links(), {}), Error);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/renderer.h"
+#include "world/material/default_paint.h"
 
 namespace synthetic_dataset::programs {
 namespace {
@@ -44,6 +45,7 @@ world::Link groundUnder(const Eigen::AlignedBox3d& bounds) {
 /// A light background, and a sun behind the camera's left shoulder.
 world::Description studio() {
   world::Description studio;
+  studio.simulator = world::Simulator::kGz;  // the same light for all models
   studio.ambient = {0.62F, 0.62F, 0.64F};
   studio.background = {0.86F, 0.89F, 0.92F};
   world::Light sun;
@@ -126,7 +128,9 @@ cv::Mat portray(const world::Description& description, const cv::Size& size) {
   const world::Link ground = groundUnder(bounds);
   std::vector<world::LinkInstance> links = {{&ground, world::Role::kStatic, -1}};
   std::vector<Pose> X_WL = {Pose::Identity()};
-  for (const world::Model& model : description.models) {
+  std::vector<world::Model> models = description.models;
+  for (world::Model& model : models) {
+    world::paintDefaults(studio().simulator, model);
     for (const world::Link& link : model.links) {
       links.push_back({&link, world::Role::kStatic, -1});
       X_WL.push_back(model.X_WM * link.X_ML);

@@ -9,6 +9,7 @@
 #include "randomize/appearance/texture_source.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/model_folders.h"
+#include "world/material/shininess.h"
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::randomize {
@@ -37,7 +38,9 @@ world::Material drawMaterial(std::optional<TextureSource>& textures, base::Rando
   } else {
     for (int i = 0; i < 3; ++i) material.diffuse[i] = static_cast<float>(random.unit());
   }
+  material.ambient = material.diffuse.head<3>();
   material.roughness = static_cast<float>(random.uniform(0.2, 1.0));
+  material.shininess = world::shininessOfRoughness(material.roughness);
   return material;
 }
 

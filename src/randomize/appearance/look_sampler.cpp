@@ -11,6 +11,7 @@
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
+#include "world/material/shininess.h"
 
 namespace synthetic_dataset::randomize {
 namespace {
@@ -71,6 +72,11 @@ void checkMeaning(const world::Light& light, const LightRandomization& config,
                  "only directional lights are turned; shift "
                  "moves a light that has a position");
   }
+}
+
+void turnOff(world::Light& light) {
+  light.diffuse.setZero();
+  light.specular.setZero();
 }
 
 /// The direction in which light shines that comes from an elevation and an azimuth [rad].
@@ -182,9 +188,10 @@ void LookSampler::relight(const LightEntry& entry, EntryDraws& draws, world::Lig
   }
   if (const auto intensity = draws.number(entry.name + "/intensity", config.intensity)) {
     light.diffuse *= static_cast<float>(*intensity);
+    light.specular *= static_cast<float>(*intensity);
   }
   if (config.present && !draws.happens(entry.name + "/present", *config.present)) {
-    light.diffuse.setZero();
+    turnOff(light);
   }
   if (light.type != world::LightType::kDirectional) {
     const auto shift = draws.vector(entry.name + "/shift", config.shift);
@@ -215,7 +222,7 @@ void LookSampler::chooseLights(EntryDraws& draws, world::Look& look) const {
   for (std::size_t i = 0; i < order.size(); ++i) {
     world::Light& light = look.lights[order[i]];
     draws.note("lights/" + light.name + "/present", i < on ? 1.0 : 0.0);
-    if (i >= on) light.diffuse.setZero();
+    if (i >= on) turnOff(light);
   }
 }
 
@@ -236,9 +243,15 @@ void LookSampler::repaint(const MaterialEntry& entry, EntryDraws& draws, world::
   for (std::size_t i = 0; i < entry.surfaces.size(); ++i) {
     const world::Material& given = entry.surfaces[i]->material;
     world::Material& worn = look.materials.try_emplace(&given, given).first->second;
-    if (colour) worn.diffuse.head<3>() = colour->cast<float>();
-    if (tint) worn.diffuse.head<3>().array() *= tint->cast<float>().array();
-    if (roughness) worn.roughness = static_cast<float>(*roughness);
+    if (colour) worn.ambient = worn.diffuse.head<3>() = colour->cast<float>();
+    if (tint) {
+      worn.diffuse.head<3>().array() *= tint->cast<float>().array();
+      worn.ambient.array() *= tint->cast<float>().array();
+    }
+    if (roughness) {
+      worn.roughness = static_cast<float>(*roughness);
+      worn.shininess = world::shininessOfRoughness(worn.roughness);
+    }
     if (metalness) worn.metalness = static_cast<float>(*metalness);
     if (texture && entry.takes_texture[i]) worn.texture = texture;
   }

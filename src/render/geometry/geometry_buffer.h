@@ -10,7 +10,7 @@ namespace synthetic_dataset::render {
 
 /// What a GeometryBuffer holds besides what every world needs.
 struct GeometryPlanes {
-  bool faces = false;  ///< normals without normal maps; else they are the same
+  bool faces = false;  ///< normals towards the camera, without normal maps; else they are the same
   bool glows = false;  ///< of emissive maps
 };
 
@@ -27,7 +27,8 @@ struct GeometryImages {
 struct SurfaceImages {
   cv::Mat base_roughness;    ///< red, green, blue, linear; roughness
   cv::Mat normal_metalness;  ///< x, y, z as a normal map bends it; metalness
-  cv::Mat faces;             ///< x, y, z as the vertices have it; empty where that is the same
+  cv::Mat faces;             ///< x, y, z as the vertices have it, towards the camera; empty where
+                             ///< that is the same
   cv::Mat glows;             ///< red, green, blue of an emissive map; empty where there is none
 
   [[nodiscard]] const cv::Mat& vertexNormals() const {

@@ -1,5 +1,7 @@
 #include "render/geometry/geometry_painter.h"
 
+#include <algorithm>
+
 #include "render/parts/material_setup.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
@@ -11,14 +13,21 @@ constexpr SurfaceFeatures kUnderstood =
     feature::kTextured | feature::kHoles | feature::kTinted | feature::kNormalMap |
     feature::kRoughnessMap | feature::kMetalnessMap | feature::kEmissiveMap | feature::kNearLimit;
 
+/// Whether there are backs that are lit by other normals than those towards the camera.
+bool hasBacks(const DrawList& parts) {
+  return parts.isClassic() && std::any_of(parts.parts().begin(), parts.parts().end(),
+                                          [](const Part& part) { return part.double_sided; });
+}
+
 }  // namespace
 
 GeometryPainter::GeometryPainter(const GlFunctions& gl, const DrawList& parts)
     : gl_(gl),
       parts_(parts),
-      planes_{(parts.features() & feature::kNormalMap) != 0,
+      planes_{(parts.features() & feature::kNormalMap) != 0 || hasBacks(parts),
               (parts.features() & feature::kEmissiveMap) != 0},
-      programs_(gl, shaders::kMeshVertex, shaders::kGeometryFragment, kUnderstood) {}
+      programs_(gl, shaders::kMeshVertex, shaders::kGeometryFragment, kUnderstood,
+                parts.isClassic() ? "#define CLASSIC\n" : "") {}
 
 void GeometryPainter::paint(const View& view, const std::vector<Pose>& X_WL,
                             const LinkSelection& drawn, bool stand_still,
@@ -31,7 +40,7 @@ void GeometryPainter::paint(const View& view, const std::vector<Pose>& X_WL,
   for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, stand_still)) {
     const ShaderProgram& program = programs_.get(part->features | featuresOf(view));
     program.set("part", parts_.numberOf(*part));
-    setMaterial(gl_, program, *part);
+    setMaterial(gl_, program, *part, parts_.simulator());
     setStencil(bits.of(*part));
     drawSurface(gl_, program, *part, view, X_WL[part->link]);
   }

@@ -56,7 +56,7 @@ std::vector<LightInView> lightsIn(const View& view, const std::vector<world::Lig
     const Eigen::Vector3d cone(std::cos(0.5 * light.spot_inner_angle),
                                std::cos(0.5 * light.spot_outer_angle), light.spot_falloff);
     result.push_back({light.type, position.cast<float>(), direction.cast<float>(), light.diffuse,
-                      attenuation.cast<float>(), static_cast<float>(light.range),
+                      light.specular, attenuation.cast<float>(), static_cast<float>(light.range),
                       cone.cast<float>()});
   }
   return result;
@@ -75,6 +75,7 @@ void setLights(const ShaderProgram& program, const std::vector<world::Light>& li
     program.set(name + "position_C", light.position_C);
     program.set(name + "direction_C", light.direction_C);
     program.set(name + "intensity", light.intensity);
+    program.set(name + "specular", light.specular);
     program.set(name + "attenuation", light.attenuation);
     program.set(name + "range", light.range);
     program.set(name + "cone", light.cone);

@@ -25,6 +25,7 @@ struct LightInView {
   Eigen::Vector3f position_C;
   Eigen::Vector3f direction_C;  ///< where it shines
   Eigen::Vector3f intensity;
+  Eigen::Vector3f specular;     ///< of highlights in Gazebo Classic
   Eigen::Vector3f attenuation;  ///< constant, linear, quadratic
   float range;                  ///< [m]
   Eigen::Vector3f cone;         ///< cosine of the inner angle, cosine of the outer angle, falloff

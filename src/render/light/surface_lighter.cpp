@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "render/parts/material_setup.h"
 #include "render/pixels/lane_images.h"
@@ -29,11 +30,13 @@ bool isNone(const std::uint8_t* wanted) {
   return four == 0;
 }
 
-PixelLanes lightOf(const std::vector<PartLight>& parts, const int* four) {
+/// What `wanted` has of each of four parts: three numbers and one more.
+template <class Wanted>
+PixelLanes ofParts(const std::vector<PartLight>& parts, const int* four, const Wanted& wanted) {
   std::array<Lanes, kLaneCount> each;
   for (std::size_t i = 0; i < each.size(); ++i) {
-    const PartLight& part = parts[static_cast<std::size_t>(four[i])];
-    each[i] = {part.emissive.x(), part.emissive.y(), part.emissive.z(), part.reflectance};
+    const auto [three, one] = wanted(parts[static_cast<std::size_t>(four[i])]);
+    each[i] = {three.x(), three.y(), three.z(), one};
   }
   PixelLanes result;
   cv::v_transpose4x4(each[0], each[1], each[2], each[3], result.xyz.x, result.xyz.y, result.xyz.z,
@@ -43,12 +46,19 @@ PixelLanes lightOf(const std::vector<PartLight>& parts, const int* four) {
 
 }  // namespace
 
-std::vector<PartLight> partLights(const std::vector<Part>& parts) {
+std::vector<PartLight> partLights(const std::vector<Part>& parts, world::Simulator simulator,
+                                  const Eigen::Vector3f& ambient) {
   std::vector<PartLight> lights = {PartLight()};
   for (const Part& part : parts) {
     const world::Material& material = *part.material;
-    lights.push_back(
-        {linearFromSrgb(material.emissive), material.lit ? reflectance(material) : -1.0F});
+    PartLight light;
+    if (simulator == world::Simulator::kClassic) {
+      light.classic = classicLight(material, ambient);
+    } else {
+      light.emissive = linearFromSrgb(material.emissive);
+      light.reflectance = material.lit ? reflectance(material) : -1.0F;
+    }
+    lights.push_back(light);
   }
   return lights;
 }
@@ -74,9 +84,16 @@ struct SurfaceLighter::Row {
   float slope_y = 0.0F;
 };
 
-SurfaceLighter::SurfaceLighter(const SurfaceShading& shading, const std::vector<PartLight>& parts,
-                               const Intrinsics& intrinsics, const Eigen::Vector3f& nothing)
-    : shading_(shading), parts_(parts), intrinsics_(intrinsics), nothing_(nothing) {}
+SurfaceLighter::SurfaceLighter(const Surroundings& surroundings,
+                               const std::vector<PartLight>& parts, const Intrinsics& intrinsics,
+                               const Eigen::Vector3f& nothing)
+    : parts_(parts), intrinsics_(intrinsics), nothing_(nothing) {
+  if (surroundings.simulator == world::Simulator::kClassic) {
+    classic_.emplace(surroundings);
+  } else {
+    shading_.emplace(surroundings);
+  }
+}
 
 cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImages& surfaces,
                               const cv::Rect& place, const std::vector<cv::Rect>& regions,
@@ -112,20 +129,27 @@ void SurfaceLighter::lightFour(const Row& row, int column, float u) const {
     storeHalves(to, nothing);
     return;
   }
-  const Lanes3 seen = shading_.seen(surfacesAt(row, column, u));
+  const Lanes3 seen = classic_ ? classic_->seen(classicAt(row, column, u))
+                               : shading_->seen(surfacesAt(row, column, u));
   storeHalves(to, select(cv::v_reinterpret_as_f32(is_nothing), nothing, seen));
+}
+
+Lanes3 SurfaceLighter::positionsAt(const Row& row, int column, float u) const {
+  const Lanes depth = cv::v_load(row.depths + column);
+  const Lanes columns = lanes(u) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
+  const Lanes slope_x = (columns - lanes(static_cast<float>(intrinsics_.cx))) *
+                        lanes(static_cast<float>(1.0 / intrinsics_.fx));
+  return {slope_x * depth, lanes(row.slope_y) * depth, depth};
 }
 
 SurfaceLanes SurfaceLighter::surfacesAt(const Row& row, int column, float u) const {
   const PixelLanes base = loadHalves(row.base_roughness + 4 * column);
   const PixelLanes normal = loadHalves(row.normal_metalness + 4 * column);
-  const PixelLanes part = lightOf(parts_, row.parts + column);
-  const Lanes depth = cv::v_load(row.depths + column);
-  const Lanes columns = lanes(u) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
-  const Lanes slope_x = (columns - lanes(static_cast<float>(intrinsics_.cx))) *
-                        lanes(static_cast<float>(1.0 / intrinsics_.fx));
+  const PixelLanes part = ofParts(parts_, row.parts + column, [](const PartLight& light) {
+    return std::pair<const Eigen::Vector3f&, float>(light.emissive, light.reflectance);
+  });
   SurfaceLanes surface;
-  surface.position_C = {slope_x * depth, lanes(row.slope_y) * depth, depth};
+  surface.position_C = positionsAt(row, column, u);
   surface.normal = normalized(normal.xyz);
   surface.face =
       row.faces == nullptr ? surface.normal : normalized(loadHalves(row.faces + 4 * column).xyz);
@@ -136,6 +160,33 @@ SurfaceLanes SurfaceLighter::surfacesAt(const Row& row, int column, float u) con
   surface.is_lit = part.w >= lanes(0.0F);
   surface.glow = part.xyz;
   if (row.glows != nullptr) surface.glow = surface.glow * loadHalves(row.glows + 4 * column).xyz;
+  return surface;
+}
+
+ClassicLanes SurfaceLighter::classicAt(const Row& row, int column, float u) const {
+  const int* const parts = row.parts + column;
+  const auto of = [&](const auto& wanted) { return ofParts(parts_, parts, wanted); };
+  using Four = std::pair<const Eigen::Vector3f&, float>;
+  const PixelLanes around =
+      of([](const PartLight& light) { return Four(light.classic.around, 0.0F); });
+  const PixelLanes diffuse =
+      of([](const PartLight& light) { return Four(light.classic.diffuse, 0.0F); });
+  const PixelLanes specular = of(
+      [](const PartLight& light) { return Four(light.classic.specular, light.classic.shininess); });
+  ClassicLanes surface;
+  surface.position_C = positionsAt(row, column, u);
+  surface.normal = normalized(loadHalves(row.normal_metalness + 4 * column).xyz);
+  surface.face =
+      row.faces == nullptr ? surface.normal : normalized(loadHalves(row.faces + 4 * column).xyz);
+  surface.picture = loadHalves(row.base_roughness + 4 * column).xyz;
+  surface.around = around.xyz;
+  surface.diffuse = diffuse.xyz;
+  surface.specular = specular.xyz;
+  surface.shininess = specular.w;
+  surface.glow = lanes(0.0F, 0.0F, 0.0F);
+  if (row.glows == nullptr) return surface;
+  const PixelLanes glow = of([](const PartLight& light) { return Four(light.classic.glow, 0.0F); });
+  surface.glow = glow.xyz * loadHalves(row.glows + 4 * column).xyz;
   return surface;
 }
 

@@ -1,24 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
 #include "render/geometry/geometry_buffer.h"
+#include "render/light/classic_shading.h"
 #include "render/light/surface_shading.h"
+#include "render/light/surroundings.h"
 #include "render/parts/draw_list.h"
+#include "render/parts/part_light.h"
 
 namespace synthetic_dataset::render {
 
-/// What of a part's light is the same all over it.
-struct PartLight {
-  Eigen::Vector3f emissive{0.0F, 0.0F, 0.0F};  ///< linear
-  float reflectance = 0.0F;                    ///< below 0 where light leaves it as it is
-};
-
 /// By the number that parts have in GeometryImages.
-[[nodiscard]] std::vector<PartLight> partLights(const std::vector<Part>& parts);
+/// @param ambient  the scene's, sRGB-encoded
+[[nodiscard]] std::vector<PartLight> partLights(const std::vector<Part>& parts,
+                                                world::Simulator simulator,
+                                                const Eigen::Vector3f& ambient);
 
 /// Lights pixels whose surfaces OpenGL has drawn, each once, however many small triangles share it.
 /// OpenGL without a graphics card takes three times as long.
@@ -27,13 +28,15 @@ class SurfaceLighter {
   /// The references have to outlive this.
   /// @param intrinsics  of the picture
   /// @param nothing  the light where no surface is
-  SurfaceLighter(const SurfaceShading& shading, const std::vector<PartLight>& parts,
+  SurfaceLighter(const Surroundings& surroundings, const std::vector<PartLight>& parts,
                  const Intrinsics& intrinsics, const Eigen::Vector3f& nothing);
 
   /// @param place  of the images in the picture
   /// @param regions  of the picture, within `place`, around the pixels that are wanted
   /// @param wanted  CV_8UC1 of `place`: not 0 for these; what others hold is not sure
-  /// @return CV_16UC4 of `place`: red, green, blue, 1, linear, numbers of 16 bits
+  /// @return CV_16UC4 of `place`: red, green, blue, 1, numbers of 16 bits: exposed and linear, or
+  /// in
+  ///     Gazebo Classic's worlds encoded and not exposed
   [[nodiscard]] cv::Mat light(const GeometryImages& geometry, const SurfaceImages& surfaces,
                               const cv::Rect& place, const std::vector<cv::Rect>& regions,
                               const cv::Mat& wanted) const;
@@ -43,8 +46,11 @@ class SurfaceLighter {
 
   void lightFour(const Row& row, int column, float u) const;
   [[nodiscard]] SurfaceLanes surfacesAt(const Row& row, int column, float u) const;
+  [[nodiscard]] ClassicLanes classicAt(const Row& row, int column, float u) const;
+  [[nodiscard]] Lanes3 positionsAt(const Row& row, int column, float u) const;
 
-  const SurfaceShading& shading_;
+  std::optional<SurfaceShading> shading_;
+  std::optional<ClassicShading> classic_;  ///< the other's place in Gazebo Classic's worlds
   const std::vector<PartLight>& parts_;
   Intrinsics intrinsics_;
   Eigen::Vector3f nothing_;

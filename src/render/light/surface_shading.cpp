@@ -1,47 +1,9 @@
 #include "render/light/surface_shading.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
-
-/// Light and where it comes from.
-struct Arriving {
-  Lanes3 to_light;
-  Lanes distance;
-  Lanes3 light;
-};
-
-/// How much of a spot light's middle arrives at its edge.
-Lanes withinCone(const LightInView& light, const Lanes& cosine) {
-  const float edge = std::max(light.cone.x() - light.cone.y(), 1e-4F);
-  const Lanes inside = clamped((cosine - lanes(light.cone.y())) / lanes(edge), 0.0F, 1.0F);
-  std::array<float, kLaneCount> shares{};
-  cv::v_store(shares.data(), inside);
-  for (float& share : shares) share = std::pow(share, std::max(light.cone.z(), 1e-3F));
-  return cv::v_load(shares.data());
-}
-
-Arriving arriving(const LightInView& light, const Lanes3& position_C) {
-  if (light.type == world::LightType::kDirectional) {
-    return {lanes(-light.direction_C), lanes(0.0F), lanes(light.intensity)};
-  }
-  const Lanes3 way = lanes(light.position_C) - position_C;
-  const Lanes d = length(way);
-  const Lanes3 to_light = way * (lanes(1.0F) / cv::v_max(d, lanes(1e-6F)));
-  const Lanes fading = lanes(light.attenuation.x()) + lanes(light.attenuation.y()) * d +
-                       lanes(light.attenuation.z()) * d * d;
-  Lanes falling = lanes(1.0F) / cv::v_max(fading, lanes(1e-6F));
-  if (light.type == world::LightType::kSpot) {
-    falling *= withinCone(light, lanes(0.0F) - dot(to_light, lanes(light.direction_C)));
-  }
-  falling = falling & (d <= lanes(light.range));
-  return {to_light, d, lanes(light.intensity) * falling};
-}
 
 Lanes3 fresnel(const Lanes3& f0, const Lanes& cosine) {
   const Lanes x = lanes(1.0F) - cosine;
@@ -62,17 +24,9 @@ Lanes shoulder(const Lanes& linear) {
 }  // namespace
 
 SurfaceShading::SurfaceShading(const Surroundings& surroundings)
-    : surroundings_(surroundings), lookups_(surroundings.lights.size()) {
-  if (surroundings.fog) {
-    fog_light_ = surroundings.exposure * linearFromSrgb(surroundings.fog->colour);
-  }
-  for (std::size_t i = 0; i < lookups_.size(); ++i) {
-    const std::optional<CastShadow>& shadow = surroundings.shadows[i];
-    if (!shadow) continue;
-    maps_.push_back(shadow->map.assemble());
-    lookups_[i].emplace(maps_.back().depths(), shadow->shadow_from_camera, shadow->texel,
-                        surroundings.lights[i].type == world::LightType::kSpot);
-  }
+    : surroundings_(surroundings), lights_(surroundings) {
+  if (!surroundings.fog) return;
+  fog_light_ = surroundings.exposure * linearFromSrgb(surroundings.fog->colour);
 }
 
 Lanes3 SurfaceShading::seen(const SurfaceLanes& surface) const {
@@ -81,7 +35,7 @@ Lanes3 SurfaceShading::seen(const SurfaceLanes& surface) const {
   light = {shoulder(light.x), shoulder(light.y), shoulder(light.z)};
   light = select(surface.is_lit, light, surface.base * exposure);
   if (surroundings_.fog) {
-    light = mix(light, lanes(fog_light_), fogginess(length(surface.position_C)));
+    light = mix(light, lanes(fog_light_), lights_.fogginess(length(surface.position_C)));
   }
   const Lanes one = lanes(1.0F);
   return {cv::v_min(light.x, one), cv::v_min(light.y, one), cv::v_min(light.z, one)};
@@ -104,7 +58,7 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
   const Lanes3 reflected =
       fresnel(response.f0, response.n_dot_v) * mix(one, lanes(0.4F), surface.roughness);
   Lanes3 sum = around * (response.matte + reflected) + surface.glow;
-  for (std::size_t i = 0; i < lookups_.size(); ++i) sum = sum + sent(i, surface, response);
+  for (std::size_t i = 0; i < lights_.count(); ++i) sum = sum + sent(i, surface, response);
   return sum;
 }
 
@@ -112,16 +66,12 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
 Lanes3 SurfaceShading::sent(std::size_t light, const SurfaceLanes& surface,
                             const Response& response) const {
   const Lanes zero = lanes(0.0F);
-  const Arriving coming = arriving(surroundings_.lights[light], surface.position_C);
+  const Arriving coming = lights_.at(light, surface.position_C);
   const Lanes n_dot_l = dot(surface.normal, coming.to_light);
-  const Lanes face_dot_l = dot(surface.face, coming.to_light);
-  const Lanes faces = (n_dot_l > zero) & (face_dot_l > zero);
+  const Lanes faces = (n_dot_l > zero) & (dot(surface.face, coming.to_light) > zero);
   if (!cv::v_check_any(faces)) return {zero, zero, zero};
-  Lanes passing = n_dot_l;
-  if (const std::optional<ShadowLookup>& shadow = lookups_[light]) {
-    passing *=
-        shadow->passing(surface.position_C, surface.face, face_dot_l, coming.distance, faces);
-  }
+  const Lanes passing =
+      n_dot_l * lights_.passing(light, surface.position_C, surface.face, coming, faces);
   const Lanes3 halfway = normalized(coming.to_light + response.to_eye);
   const Lanes n_dot_h = cv::v_max(dot(surface.normal, halfway), zero);
   const Lanes v_dot_h = cv::v_max(dot(response.to_eye, halfway), zero);
@@ -135,22 +85,9 @@ Lanes3 SurfaceShading::sent(std::size_t light, const SurfaceLanes& surface,
   const Lanes shine = lanes(0.5F) * a2 / (bell * bell * rough);
   const Lanes3 answer = response.matte + fresnel(response.f0, v_dot_h) * shine;
   // Where it does not face the light, the answer may be infinite.
-  return select(faces, coming.light * answer * passing, {zero, zero, zero});
-}
-
-/// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth
-/// along the axis instead, so that its fog changes where a camera turns.)
-Lanes SurfaceShading::fogginess(const Lanes& distance) const {
-  const world::Fog& fog = *surroundings_.fog;
-  const Lanes one = lanes(1.0F);
-  if (fog.type == world::FogType::kLinear) {
-    const auto end = static_cast<float>(fog.end);
-    const auto way = static_cast<float>(std::max(fog.end - fog.start, 1e-6));
-    return one - clamped((lanes(end) - distance) / lanes(way), 0.0F, 1.0F);
-  }
-  Lanes thickness = lanes(static_cast<float>(fog.density)) * distance;
-  if (fog.type != world::FogType::kExponential) thickness *= thickness;
-  return one - exponential(lanes(0.0F) - thickness);
+  return select(faces,
+                lanes(surroundings_.lights[light].intensity) * coming.falling * answer * passing,
+                {zero, zero, zero});
 }
 
 }  // namespace synthetic_dataset::render

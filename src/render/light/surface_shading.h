@@ -1,16 +1,12 @@
 #pragma once
 
-#include <list>
-#include <optional>
-#include <vector>
+#include <cstddef>
 
 #include <Eigen/Core>
 
-#include "render/light/light_setup.h"
+#include "render/light/arriving_lights.h"
+#include "render/light/surroundings.h"
 #include "render/pixels/lanes.h"
-#include "render/shadows/map_depths.h"
-#include "render/shadows/shadow_lookup.h"
-#include "world/look.h"
 
 namespace synthetic_dataset::render {
 
@@ -27,26 +23,9 @@ struct SurfaceLanes {
   Lanes is_lit;  ///< 0 where light leaves it as it is
 };
 
-/// How a light's shadows were drawn.
-struct CastShadow {
-  MapDepths map;
-  Eigen::Matrix4d shadow_from_camera;  ///< to clip coordinates of the map
-  double texel;                        ///< as in ShadowProjection
-};
-
-/// What all surfaces of a picture have in common.
-struct Surroundings {
-  std::vector<LightInView> lights;
-  std::vector<std::optional<CastShadow>> shadows;  ///< of each light
-  Eigen::Vector3f ambient;
-  Eigen::Vector3f up_C;
-  float exposure;
-  std::optional<world::Fog> fog;
-};
-
-/// How light makes surfaces seen, as lighting.glsl has it, which lights what one can see through:
-/// Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and the
-/// height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
+/// How light makes surfaces seen in gz-sim's worlds, as lighting.glsl has it, which lights what one
+/// can see through: Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and
+/// the height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
 /// light. All lighting is linear.
 class SurfaceShading {
  public:
@@ -69,12 +48,10 @@ class SurfaceShading {
   [[nodiscard]] Lanes3 lit(const SurfaceLanes& surface) const;
   [[nodiscard]] Lanes3 sent(std::size_t light, const SurfaceLanes& surface,
                             const Response& response) const;
-  [[nodiscard]] Lanes fogginess(const Lanes& distance) const;
 
   const Surroundings& surroundings_;
-  std::list<MapDepths::Assembled> maps_;              ///< which the lookups refer to
-  std::vector<std::optional<ShadowLookup>> lookups_;  ///< of each light
-  Eigen::Vector3f fog_light_{0.0F, 0.0F, 0.0F};       ///< exposed
+  ArrivingLights lights_;
+  Eigen::Vector3f fog_light_{0.0F, 0.0F, 0.0F};  ///< exposed
 };
 
 }  // namespace synthetic_dataset::render

@@ -6,6 +6,7 @@
 #include "render/gl/picture_upload.h"
 #include "render/gl/texture_units.h"
 #include "render/overlay/backdrop_fitting.h"
+#include "render/overlay/shader_macros.h"
 #include "render/shaders.h"
 
 namespace synthetic_dataset::render {
@@ -17,15 +18,10 @@ Eigen::Vector4f vectorOf(const Intrinsics& k) {
   return Eigen::Vector4d(k.fx, k.fy, k.cx, k.cy).cast<float>();
 }
 
-std::string throughLens(const std::string& source) {
-  const std::size_t first_line = source.find('\n') + 1;  // GLSL wants its #version first
-  return source.substr(0, first_line) + "#define THROUGH_LENS\n" + source.substr(first_line);
-}
-
 const ShaderProgram& made(const GlFunctions& gl, const std::string& fragment_source,
-                          std::optional<ShaderProgram>& program) {
+                          const std::string& macros, std::optional<ShaderProgram>& program) {
   if (!program) {
-    program.emplace(gl, shaders::kRectanglesVertex, fragment_source);
+    program.emplace(gl, shaders::kRectanglesVertex, withMacros(fragment_source, macros));
     program->set("picture", static_cast<int>(kDiffuseUnit));
   }
   return *program;
@@ -58,8 +54,11 @@ void BackgroundPainter::paint(const View& view, const View* whole, float exposur
                                  : whole == nullptr ? prepareBackdrop(size)
                                                     : prepareBackdropThroughLens(view, *whole);
   program.set("gain", exposure * static_cast<float>(picture_->brightness));
+  program.set("exposure_later", exposure);
   drawing_.draw(program, regions, size);
 }
+
+std::string BackgroundPainter::macros() const { return encoded_ ? kEncodedMacro : ""; }
 
 const ShaderProgram& BackgroundPainter::preparePanorama(const View& view) {
   if (panorama_.name() == 0) {
@@ -67,7 +66,7 @@ const ShaderProgram& BackgroundPainter::preparePanorama(const View& view) {
     gl_.TextureParameteri(panorama_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   }
   gl_.BindTextureUnit(kDiffuseUnit, panorama_.name());
-  const ShaderProgram& program = made(gl_, shaders::kPanoramaFragment, panorama_program_);
+  const ShaderProgram& program = made(gl_, shaders::kPanoramaFragment, macros(), panorama_program_);
   program.set("world_from_camera", Eigen::Matrix4f(view.X_WC.matrix().cast<float>()));
   program.set("intrinsics", vectorOf(view.camera.intrinsics()));
   program.set("yaw", static_cast<float>(picture_->yaw));
@@ -76,7 +75,7 @@ const ShaderProgram& BackgroundPainter::preparePanorama(const View& view) {
 
 const ShaderProgram& BackgroundPainter::prepareBackdrop(const cv::Size& image) {
   bindBackdrop(image, image);
-  return made(gl_, shaders::kBackdropFragment, backdrop_program_);
+  return made(gl_, shaders::kBackdropFragment, macros(), backdrop_program_);
 }
 
 const ShaderProgram& BackgroundPainter::prepareBackdropThroughLens(const View& face,
@@ -84,7 +83,8 @@ const ShaderProgram& BackgroundPainter::prepareBackdropThroughLens(const View& f
   const CameraModel& camera = whole.camera;
   const cv::Size image(camera.width(), camera.height());
   bindBackdrop(image, sizeThroughLens(picture_->picture->pixels.size(), image));
-  const ShaderProgram& program = made(gl_, throughLens(shaders::kBackdropFragment), lens_program_);
+  const ShaderProgram& program =
+      made(gl_, shaders::kBackdropFragment, "#define THROUGH_LENS\n" + macros(), lens_program_);
   const Pose lens_from_face = whole.X_WC.inverse() * face.X_WC;
   program.set("intrinsics", vectorOf(face.camera.intrinsics()));
   program.set("lens_from_face", Eigen::Matrix4f(lens_from_face.matrix().cast<float>()));

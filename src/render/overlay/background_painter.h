@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <opencv2/core/types.hpp>
@@ -18,7 +19,9 @@ namespace synthetic_dataset::render {
 /// Paints a picture where nothing is drawn: one that fills the image, or a panorama.
 class BackgroundPainter {
  public:
-  explicit BackgroundPainter(const GlFunctions& gl) : gl_(gl), drawing_(gl) {}
+  /// @param encoded  whether what is painted is encoded and exposed later (shown.glsl)
+  BackgroundPainter(const GlFunctions& gl, bool encoded)
+      : gl_(gl), encoded_(encoded), drawing_(gl) {}
 
   /// The picture from now on, or none.
   void setPicture(const std::optional<world::BackgroundPicture>& picture);
@@ -39,9 +42,13 @@ class BackgroundPainter {
   [[nodiscard]] const ShaderProgram& prepareBackdropThroughLens(const View& face,
                                                                 const View& whole);
 
+  /// Of its programs.
+  [[nodiscard]] std::string macros() const;
+
   void bindBackdrop(const cv::Size& image, const cv::Size& size);
 
   const GlFunctions& gl_;
+  bool encoded_;
   RectangleDrawing drawing_;
   std::optional<world::BackgroundPicture> picture_;
   std::map<std::array<int, 4>, GlTexture> backdrops_;  ///< by the image's size and their own

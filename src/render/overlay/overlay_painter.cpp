@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "render/gl/texture_units.h"
 #include "render/light/light_setup.h"
 #include "render/parts/material_setup.h"
+#include "render/parts/part_light.h"
 #include "render/parts/surface_drawing.h"
+#include "render/pixels/encoded_light.h"
 #include "render/pixels/srgb.h"
 #include "render/shaders.h"
 
@@ -15,6 +18,10 @@ namespace {
 
 constexpr SurfaceFeatures kAllFeatures = ~SurfaceFeatures{0};
 
+std::string macrosOf(const DrawList& parts, const std::vector<world::Light>& lights) {
+  return (parts.isClassic() ? "#define CLASSIC\n" : "") + lightMacros(lights);
+}
+
 }  // namespace
 
 OverlayPainter::OverlayPainter(const GlFunctions& gl, const DrawList& parts,
@@ -22,17 +29,17 @@ OverlayPainter::OverlayPainter(const GlFunctions& gl, const DrawList& parts,
     : gl_(gl),
       parts_(parts),
       lights_(description.lights),
-      ambient_(linearFromSrgb(description.ambient)),
+      ambient_(description.ambient),
       fog_(description.fog),
       glass_programs_(gl, shaders::kMeshVertex, shaders::kGlassFragment, kAllFeatures,
-                      lightMacros(description.lights)),
-      background_painter_(gl) {
-  if (description.sky) sky_.emplace(gl, *description.sky, lights_);
+                      macrosOf(parts, description.lights)),
+      background_painter_(gl, parts.isClassic()) {
+  if (description.sky) sky_.emplace(gl, *description.sky, lights_, parts.isClassic());
 }
 
 void OverlayPainter::setLook(const world::Look& look) {
   lights_ = look.lights;
-  ambient_ = linearFromSrgb(look.ambient);
+  ambient_ = look.ambient;
   background_painter_.setPicture(look.background_picture);
   if (sky_) sky_->setLights(lights_);
 }
@@ -66,12 +73,26 @@ void OverlayPainter::drawSeenThrough(const ColourScene& scene) {
   for (const Part* part : parts_.transparentParts(X_CW, scene.X_WL, scene.drawn)) {
     const ShaderProgram& program = glass_programs_.get(part->features | featuresOf(scene));
     if (prepared.insert(&program).second) setSurroundings(program, scene);
-    setMaterial(gl_, program, *part);
-    program.set("emissive", linearFromSrgb(part->material->emissive));
-    program.set("reflectance", reflectance(*part->material));
+    setMaterial(gl_, program, *part, parts_.simulator());
+    setLight(program, *part->material);
     drawSurface(gl_, program, *part, scene.view, scene.X_WL[part->link]);
   }
   gl_.Disable(GL_BLEND);
+}
+
+/// Tells a program what of a part's light is the same all over it.
+void OverlayPainter::setLight(const ShaderProgram& program, const world::Material& material) const {
+  if (!parts_.isClassic()) {
+    program.set("emissive", linearFromSrgb(material.emissive));
+    program.set("reflectance", reflectance(material));
+    return;
+  }
+  const ClassicLight light = classicLight(material, ambient_);
+  program.set("around", light.around);
+  program.set("diffuse_colour", light.diffuse);
+  program.set("specular_colour", light.specular);
+  program.set("shininess", light.shininess);
+  program.set("emissive", light.glow);
 }
 
 SurfaceFeatures OverlayPainter::featuresOf(const ColourScene& scene) const {
@@ -81,7 +102,8 @@ SurfaceFeatures OverlayPainter::featuresOf(const ColourScene& scene) const {
 
 /// Tells a program what is the same for all surfaces of a picture.
 void OverlayPainter::setSurroundings(const ShaderProgram& program, const ColourScene& scene) const {
-  program.set("ambient", ambient_);
+  program.set("ambient", linearFromSrgb(ambient_));
+  program.set("brightest", brightestEncoded(scene.exposure));
   program.set("up_C", upIn(scene.view));
   setLights(program, lights_, scene.shadows, scene.view);
   setFog(program);
@@ -91,7 +113,7 @@ void OverlayPainter::setSurroundings(const ShaderProgram& program, const ColourS
 void OverlayPainter::setFog(const ShaderProgram& program) const {
   if (!fog_) return;
   program.set("fog_type", static_cast<int>(fog_->type));
-  program.set("fog_colour", linearFromSrgb(fog_->colour));
+  program.set("fog_colour", parts_.isClassic() ? fog_->colour : linearFromSrgb(fog_->colour));
   program.set(
       "fog_extent",
       Eigen::Vector3f(Eigen::Vector3d(fog_->start, fog_->end, fog_->density).cast<float>()));

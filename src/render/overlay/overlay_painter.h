@@ -39,13 +39,14 @@ class OverlayPainter {
  private:
   void drawSeenThrough(const ColourScene& scene);
   void setSurroundings(const ShaderProgram& program, const ColourScene& scene) const;
+  void setLight(const ShaderProgram& program, const world::Material& material) const;
   void setFog(const ShaderProgram& program) const;
   [[nodiscard]] SurfaceFeatures featuresOf(const ColourScene& scene) const;
 
   const GlFunctions& gl_;
   const DrawList& parts_;
   std::vector<world::Light> lights_;
-  Eigen::Vector3f ambient_;
+  Eigen::Vector3f ambient_;  ///< sRGB-encoded
   std::optional<world::Fog> fog_;
   ShaderFamily glass_programs_;
   BackgroundPainter background_painter_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "render/overlay/shader_macros.h"
 #include "render/pixels/srgb.h"
 #include "render/shaders.h"
 
@@ -41,11 +42,10 @@ double daylight(double sine) {
   return x * x * (3.0 - 2.0 * x);
 }
 
-std::string fragmentSource(const world::Sky& sky) {
-  const std::string source = shaders::kSkyFragment;
-  if (sky.cloud_humidity <= 0.0) return source;
-  const std::size_t first_line = source.find('\n') + 1;  // GLSL wants its #version first
-  return source.substr(0, first_line) + "#define CLOUDS\n" + source.substr(first_line);
+std::string fragmentSource(const world::Sky& sky, bool encoded) {
+  std::string macros = encoded ? kEncodedMacro : "";
+  if (sky.cloud_humidity > 0.0) macros += "#define CLOUDS\n";
+  return withMacros(shaders::kSkyFragment, macros);
 }
 
 }  // namespace
@@ -65,8 +65,10 @@ Eigen::Vector3d sunDirection(const world::Sky& sky, const std::vector<world::Lig
 }
 
 SkyPainter::SkyPainter(const GlFunctions& gl, const world::Sky& sky,
-                       const std::vector<world::Light>& lights)
-    : sky_(sky), program_(gl, shaders::kRectanglesVertex, fragmentSource(sky)), drawing_(gl) {
+                       const std::vector<world::Light>& lights, bool encoded)
+    : sky_(sky),
+      program_(gl, shaders::kRectanglesVertex, fragmentSource(sky, encoded)),
+      drawing_(gl) {
   setLights(lights);
   program_.set("night", kNight);
   program_.set("air", kAir);
@@ -89,6 +91,7 @@ void SkyPainter::paint(const View& view, float exposure,
                        const std::vector<cv::Rect>& regions) const {
   const Intrinsics& k = view.camera.intrinsics();
   program_.set("exposure", exposure);
+  program_.set("exposure_later", exposure);
   program_.set("world_from_camera", Eigen::Matrix4f(view.X_WC.matrix().cast<float>()));
   program_.set("intrinsics",
                Eigen::Vector4f(Eigen::Vector4d(k.fx, k.fy, k.cx, k.cy).cast<float>()));

@@ -23,7 +23,9 @@ namespace synthetic_dataset::render {
 /// Paints the sky where nothing is drawn. What it paints depends on the view alone.
 class SkyPainter {
  public:
-  SkyPainter(const GlFunctions& gl, const world::Sky& sky, const std::vector<world::Light>& lights);
+  /// @param encoded  whether what is painted is encoded and exposed later (shown.glsl)
+  SkyPainter(const GlFunctions& gl, const world::Sky& sky, const std::vector<world::Light>& lights,
+             bool encoded);
 
   /// The sun stands where the first directional light comes from.
   void setLights(const std::vector<world::Light>& lights) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/parts/part_light.h"
 #include "world/mesh/closed_surface.h"
 
 namespace synthetic_dataset::render {
@@ -15,6 +16,10 @@ Bounds boundsOf(const world::Mesh& mesh) {
   Bounds bounds;
   for (const Eigen::Vector3f& position : mesh.positions) bounds.extend(position.cast<double>());
   return bounds;
+}
+
+PixelMeaning meaningOfColours(world::Simulator simulator) {
+  return simulator == world::Simulator::kClassic ? PixelMeaning::kData : PixelMeaning::kColour;
 }
 
 bool isLargeAndFlat(const Bounds& bounds) {
@@ -43,27 +48,34 @@ void extend(Bounds& bounds, const Part& part, const Pose& X_WL) {
   for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) bounds.extend(X_WV * corner);
 }
 
-DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links)
-    : meshes_(gl), textures_(gl) {
+DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links,
+                   world::Simulator simulator)
+    : simulator_(simulator), meshes_(gl, meaningOfColours(simulator)), textures_(gl) {
   for (std::size_t link = 0; link < links.size(); ++link) {
     for (const world::Visual& visual : links[link].link->visuals) {
       for (const world::Surface& surface : visual.surfaces) {
-        Part part = makePart(surface);
-        part.link = link;
-        part.identifier = static_cast<std::uint32_t>(links[link].object + 1);
-        part.X_LV = visual.X_LV;
-        part.stands_still = links[link].role == world::Role::kStatic;
-        part.casts_shadow =
-            visual.casts_shadow && !part.transparent && !isLargeAndFlat(part.bounds_V);
-        // What stands still casts its shadow but once.
-        part.casts_by_front = part.casts_shadow && !part.stands_still && !part.has_holes &&
-                              isSurfaceOfBodies(surface.mesh);
-        if (!part.stands_still || part.transparent) part.hull_V = &hullOf(*surface.mesh);
-        features_ |= part.features;
-        parts_.push_back(std::move(part));
+        const world::Material* material = &surface.material;
+        for (; material != nullptr; material = material->overlay.get()) {
+          Part part = makePart(surface.mesh, *material);
+          part.link = link;
+          part.identifier = static_cast<std::uint32_t>(links[link].object + 1);
+          part.stands_still = links[link].role == world::Role::kStatic;
+          place(visual, surface, part);
+          features_ |= part.features;
+          parts_.push_back(std::move(part));
+        }
       }
     }
   }
+}
+
+void DrawList::place(const world::Visual& visual, const world::Surface& surface, Part& part) {
+  part.X_LV = visual.X_LV;
+  part.casts_shadow = visual.casts_shadow && !part.transparent && !isLargeAndFlat(part.bounds_V);
+  // What stands still casts its shadow but once.
+  part.casts_by_front =
+      part.casts_shadow && !part.stands_still && !part.has_holes && isSurfaceOfBodies(surface.mesh);
+  if (!part.stands_still || part.transparent) part.hull_V = &hullOf(*surface.mesh);
 }
 
 const BoundingHull& DrawList::hullOf(const world::Mesh& mesh) {
@@ -78,18 +90,18 @@ bool DrawList::isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh)
   return found->second;
 }
 
-Part DrawList::makePart(const world::Surface& surface) {
-  const world::Material& material = surface.material;
+Part DrawList::makePart(const std::shared_ptr<const world::Mesh>& mesh,
+                        const world::Material& material) {
   Part part;
-  part.mesh = &meshes_.get(surface.mesh);
-  part.shape = surface.mesh.get();
+  part.mesh = &meshes_.get(mesh);
+  part.shape = mesh.get();
   part.given = part.material = &material;
-  part.bounds_V = boundsOf(*surface.mesh);
+  part.bounds_V = boundsOf(*mesh);
   dress(part);
   part.double_sided = material.double_sided;
   part.has_holes = (part.features & feature::kHoles) != 0;
-  part.transparent = material.diffuse.w() < 1.0F || (part.features & feature::kGlass) != 0 ||
-                     seenThrough(*surface.mesh);
+  part.transparent =
+      material.diffuse.w() < 1.0F || (part.features & feature::kGlass) != 0 || seenThrough(*mesh);
   return part;
 }
 
@@ -104,18 +116,22 @@ void DrawList::dress(Part& part) {
     name = textures_.get(texture, meaning).texture.name();
     part.features |= feature;
   };
+  const PixelMeaning colours = meaningOfColours(simulator_);
   PartTextures& names = part.textures;
-  use(material.texture, PixelMeaning::kColour, feature::kTextured, names.diffuse);
+  use(material.texture, colours, feature::kTextured, names.diffuse);
   if (material.texture) {
-    const auto& uploaded = textures_.get(material.texture, PixelMeaning::kColour);
+    const auto& uploaded = textures_.get(material.texture, colours);
     part.features |= alphaFeatures(material, uploaded.opaque);
   }
   if (hasColours(*part.shape)) part.features |= feature::kTinted;
   if (material.lit) {
     use(material.normal_map, PixelMeaning::kData, feature::kNormalMap, names.normal);
+    if (!isClassic() || hasGlowOfItsOwn(material)) {
+      use(material.emissive_map, colours, feature::kEmissiveMap, names.emissive);
+    }
+    if (isClassic()) return;  // whose highlights are the same all over a surface
     use(material.roughness_map, PixelMeaning::kData, feature::kRoughnessMap, names.roughness);
     use(material.metalness_map, PixelMeaning::kData, feature::kMetalnessMap, names.metalness);
-    use(material.emissive_map, PixelMeaning::kColour, feature::kEmissiveMap, names.emissive);
   } else {
     part.features |= feature::kUnlit;
   }

@@ -58,7 +58,13 @@ void extend(Bounds& bounds, const Part& part, const Pose& X_WL);
 class DrawList {
  public:
   /// @param links  have to outlive the list
-  DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links);
+  /// @param simulator  whose light falls on it: colours are linear for gz-sim's, sRGB-encoded for
+  ///     Gazebo Classic's
+  DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links,
+           world::Simulator simulator);
+
+  [[nodiscard]] world::Simulator simulator() const { return simulator_; }
+  [[nodiscard]] bool isClassic() const { return simulator_ == world::Simulator::kClassic; }
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 
@@ -93,7 +99,9 @@ class DrawList {
                                                           const LinkSelection& drawn) const;
 
  private:
-  [[nodiscard]] Part makePart(const world::Surface& surface);
+  [[nodiscard]] Part makePart(const std::shared_ptr<const world::Mesh>& mesh,
+                              const world::Material& material);
+  void place(const world::Visual& visual, const world::Surface& surface, Part& part);
   void dress(Part& part);
   [[nodiscard]] const BoundingHull& hullOf(const world::Mesh& mesh);
   [[nodiscard]] bool isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh);
@@ -103,6 +111,7 @@ class DrawList {
       const Pose& X_CW, const std::vector<Pose>& X_WL, const LinkSelection& drawn, double sign,
       const std::function<bool(const Part&)>& wanted) const;
 
+  world::Simulator simulator_;
   MeshLibrary meshes_;
   TextureLibrary textures_;
   SurfaceFeatures features_ = 0;

@@ -12,9 +12,12 @@ float reflectance(const world::Material& material) {
   return 0.16F * strength * strength;
 }
 
-void setMaterial(const GlFunctions& gl, const ShaderProgram& program, const Part& part) {
+void setMaterial(const GlFunctions& gl, const ShaderProgram& program, const Part& part,
+                 world::Simulator simulator) {
   const world::Material& material = *part.material;
-  program.set("diffuse", linearFromSrgb(material.diffuse));
+  Eigen::Vector4f diffuse = linearFromSrgb(material.diffuse);
+  if (simulator == world::Simulator::kClassic) diffuse.head<3>().setOnes();
+  program.set("diffuse", diffuse);
   program.set("roughness", material.roughness);
   program.set("metalness", material.metalness);
   const PartTextures& textures = part.textures;

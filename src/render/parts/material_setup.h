@@ -11,6 +11,8 @@ namespace synthetic_dataset::render {
 [[nodiscard]] float reflectance(const world::Material& material);
 
 /// Tells a program what a part is made of, and binds its pictures but the diffuse one.
-void setMaterial(const GlFunctions& gl, const ShaderProgram& program, const Part& part);
+/// @param simulator  Gazebo Classic's light has the diffuse colour elsewhere (ClassicLight)
+void setMaterial(const GlFunctions& gl, const ShaderProgram& program, const Part& part,
+                 world::Simulator simulator);
 
 }  // namespace synthetic_dataset::render

@@ -41,7 +41,7 @@ bool hasColours(const world::Mesh& mesh) {
   return !mesh.colours.empty() && mesh.colours.size() == mesh.positions.size();
 }
 
-MeshBuffers::MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh)
+MeshBuffers::MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh, PixelMeaning colours)
     : gl_(gl),
       vertices_(makeBuffer(gl)),
       indices_(makeBuffer(gl)),
@@ -65,18 +65,20 @@ MeshBuffers::MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh)
   attribute(kPosition, 3, offsetof(Vertex, position));
   attribute(kNormal, 3, offsetof(Vertex, normal));
   attribute(kTextureCoordinates, 2, offsetof(Vertex, texture_coordinates));
-  if (hasColours(mesh)) addColours(mesh);
+  if (hasColours(mesh)) addColours(mesh, colours);
 }
 
 /// They have a buffer of their own: most meshes have none.
-void MeshBuffers::addColours(const world::Mesh& mesh) {
+void MeshBuffers::addColours(const world::Mesh& mesh, PixelMeaning meaning) {
   constexpr GLuint kBinding = 1;
-  std::vector<Eigen::Vector4f> linear;
-  for (const Eigen::Vector4f& colour : mesh.colours) linear.push_back(linearFromSrgb(colour));
+  std::vector<Eigen::Vector4f> colours;
+  for (const Eigen::Vector4f& colour : mesh.colours) {
+    colours.push_back(meaning == PixelMeaning::kColour ? linearFromSrgb(colour) : colour);
+  }
   colours_ = makeBuffer(gl_);
   gl_.NamedBufferStorage(colours_.name(),
-                         static_cast<GLsizeiptr>(linear.size() * sizeof(Eigen::Vector4f)),
-                         linear.data(), 0);
+                         static_cast<GLsizeiptr>(colours.size() * sizeof(Eigen::Vector4f)),
+                         colours.data(), 0);
   gl_.VertexArrayVertexBuffer(layout_.name(), kBinding, colours_.name(), 0,
                               sizeof(Eigen::Vector4f));
   gl_.EnableVertexArrayAttrib(layout_.name(), kColour);
@@ -91,7 +93,7 @@ void MeshBuffers::draw() const {
 }
 
 const MeshBuffers& MeshLibrary::get(const std::shared_ptr<const world::Mesh>& mesh) {
-  return buffers_.try_emplace(mesh, gl_, *mesh).first->second;
+  return buffers_.try_emplace(mesh, gl_, *mesh, colours_).first->second;
 }
 
 }  // namespace synthetic_dataset::render

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "render/gl/gl_object.h"
+#include "render/pixels/light_picture.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::render {
@@ -14,12 +15,13 @@ namespace synthetic_dataset::render {
 /// A mesh in the renderer's memory.
 class MeshBuffers {
  public:
-  MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh);
+  /// @param colours  whether vertices' colours are to be linear, or data as they are
+  MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh, PixelMeaning colours);
 
   void draw() const;
 
  private:
-  void addColours(const world::Mesh& mesh);
+  void addColours(const world::Mesh& mesh, PixelMeaning meaning);
 
   const GlFunctions& gl_;
   GlBuffer vertices_;
@@ -32,13 +34,15 @@ class MeshBuffers {
 /// Uploads each mesh once, however many visuals share it.
 class MeshLibrary {
  public:
-  explicit MeshLibrary(const GlFunctions& gl) : gl_(gl) {}
+  explicit MeshLibrary(const GlFunctions& gl, PixelMeaning colours = PixelMeaning::kColour)
+      : gl_(gl), colours_(colours) {}
 
   /// The reference stays good as long as the library.
   [[nodiscard]] const MeshBuffers& get(const std::shared_ptr<const world::Mesh>& mesh);
 
  private:
   const GlFunctions& gl_;
+  PixelMeaning colours_;
   std::unordered_map<std::shared_ptr<const world::Mesh>, MeshBuffers> buffers_;
 };
 

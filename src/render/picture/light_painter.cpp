@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "render/light/light_setup.h"
+#include "render/pixels/encoded_light.h"
 #include "render/pixels/lane_images.h"
 #include "render/pixels/srgb.h"
 #include "render/sensor/srgb.h"
@@ -42,31 +43,49 @@ cv::Mat laidOver(const cv::Mat& surfaces, const cv::Mat& overlay) {
 
 cv::Mat UnlitPixels::light() const {
   if (regions.empty()) return {};
-  const SurfaceShading shading(surroundings);
-  const SurfaceLighter lighter(shading, *parts, intrinsics, nothing);
-  cv::Mat surfaces =
+  const SurfaceLighter lighter(surroundings, *parts, intrinsics, nothing);
+  cv::Mat result =
       lighter.light(seen.geometry, seen.surfaces, seen.place, regions, wanted(seen.place));
-  return overlay.empty() ? surfaces : laidOver(surfaces, overlay);
+  if (!overlay.empty()) result = laidOver(result, overlay);
+  if (surroundings.simulator == world::Simulator::kClassic) {
+    std::vector<cv::Rect> pixels;
+    for (const cv::Rect& region : regions) pixels.push_back(region - seen.place.tl());
+    exposeEncoded(result, surroundings.exposure, pixels);
+  }
+  return result;
 }
 
 LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
                            const world::Description& description)
     : parts_(parts),
       lights_(description.lights),
-      ambient_(linearFromSrgb(description.ambient)),
-      background_(linearFromSrgb(description.background)),
+      simulator_(description.simulator),
+      ambient_(description.ambient),
+      background_(description.background),
       fog_(description.fog),
-      part_lights_(std::make_shared<std::vector<PartLight>>(partLights(parts.parts()))),
       overlay_painter_(gl, parts, description) {
   checkLightCount(lights_);
+  findPartLights();
 }
 
 void LightPainter::setLook(const world::Look& look) {
   lights_ = look.lights;
-  ambient_ = linearFromSrgb(look.ambient);
-  background_ = linearFromSrgb(look.background);
-  part_lights_ = std::make_shared<std::vector<PartLight>>(partLights(parts_.parts()));
+  ambient_ = look.ambient;
+  background_ = look.background;
+  findPartLights();
   overlay_painter_.setLook(look);
+}
+
+void LightPainter::findPartLights() {
+  part_lights_ =
+      std::make_shared<std::vector<PartLight>>(partLights(parts_.parts(), simulator_, ambient_));
+}
+
+/// The background's light, as that of surfaces is found.
+Eigen::Vector3f LightPainter::nothing(float exposure) const {
+  if (overlay_painter_.hasBackground()) return Eigen::Vector3f::Zero();
+  if (simulator_ == world::Simulator::kClassic) return background_;
+  return exposure * linearFromSrgb(background_);
 }
 
 UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& seen,
@@ -74,11 +93,14 @@ UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& se
                                 bool see_through, const std::vector<cv::Rect>& regions,
                                 const cv::Mat& wanted) {
   const bool has_background = overlay_painter_.hasBackground();
-  const Eigen::Vector3f nothing =
-      has_background ? Eigen::Vector3f::Zero() : Eigen::Vector3f(scene.exposure * background_);
-  UnlitPixels result{
-      seen,         regions, wanted, scene.view.camera.intrinsics(), surroundings(scene, shadows),
-      part_lights_, nothing, {}};
+  UnlitPixels result{seen,
+                     regions,
+                     wanted,
+                     scene.view.camera.intrinsics(),
+                     surroundings(scene, shadows),
+                     part_lights_,
+                     nothing(scene.exposure),
+                     {}};
   see_through = see_through && overlay_painter_.hasGlass(scene.drawn);
   if (see_through || (has_background && showsNothing(seen, regions))) {
     target.begin(seen.place);
@@ -90,8 +112,13 @@ UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& se
 
 Surroundings LightPainter::surroundings(const ColourScene& scene,
                                         const ShadowPainter& shadows) const {
-  Surroundings result{
-      lightsIn(scene.view, lights_), {}, ambient_, upIn(scene.view), scene.exposure, fog_};
+  Surroundings result{lightsIn(scene.view, lights_),
+                      {},
+                      linearFromSrgb(ambient_),
+                      upIn(scene.view),
+                      scene.exposure,
+                      fog_,
+                      simulator_};
   result.shadows.resize(result.lights.size());
   for (const ShadowProjection& shadow : scene.shadows) {
     result.shadows[static_cast<std::size_t>(shadow.light)] = CastShadow{
@@ -101,9 +128,8 @@ Surroundings LightPainter::surroundings(const ColourScene& scene,
 }
 
 cv::Scalar LightPainter::backgroundPixel(float exposure) const {
-  const auto encoded = [&](Eigen::Index channel) {
-    return render::srgbFromLinear(exposure * background_[channel]);
-  };
+  const Eigen::Vector3f light = exposure * linearFromSrgb(background_);
+  const auto encoded = [&](Eigen::Index channel) { return render::srgbFromLinear(light[channel]); };
   return {static_cast<double>(encoded(2)), static_cast<double>(encoded(1)),
           static_cast<double>(encoded(0))};
 }

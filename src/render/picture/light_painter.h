@@ -30,7 +30,7 @@ struct UnlitPixels {
   Intrinsics intrinsics;  ///< of the picture
   Surroundings surroundings;
   std::shared_ptr<const std::vector<PartLight>> parts;
-  Eigen::Vector3f nothing;  ///< the light where no surface is
+  Eigen::Vector3f nothing;  ///< the light where no surface is, as surfaces' is found
   cv::Mat overlay;          ///< as OverlayTarget has it; empty for none
 
   /// @return CV_16UC4 of the place of `seen`: red, green, blue, 1, linear, numbers of 16 bits
@@ -62,13 +62,16 @@ class LightPainter {
   [[nodiscard]] cv::Scalar backgroundPixel(float exposure) const;
 
  private:
+  void findPartLights();
+  [[nodiscard]] Eigen::Vector3f nothing(float exposure) const;
   [[nodiscard]] Surroundings surroundings(const ColourScene& scene,
                                           const ShadowPainter& shadows) const;
 
   const DrawList& parts_;
   std::vector<world::Light> lights_;
-  Eigen::Vector3f ambient_;
-  Eigen::Vector3f background_;
+  world::Simulator simulator_;
+  Eigen::Vector3f ambient_;     ///< sRGB-encoded
+  Eigen::Vector3f background_;  ///< sRGB-encoded
   std::optional<world::Fog> fog_;
   std::shared_ptr<const std::vector<PartLight>> part_lights_;
   OverlayPainter overlay_painter_;

@@ -91,6 +91,35 @@ struct Lanes3 {
   return sum * cv::v_reinterpret_as_f32(exponent);
 }
 
+/// The natural logarithm of each, to 2e-7 of it, for numbers from 1e-30 to 1e30; beyond, that of
+/// the limit (Cephes, logf).
+[[nodiscard]] inline Lanes logarithm(const Lanes& number) {
+  const Lanes x = clamped(number, 1e-30F, 1e30F);
+  const cv::v_int32x4 bits = cv::v_reinterpret_as_s32(x);
+  // x = fraction * 2^exponent, the fraction from 0.5 to 1.
+  constexpr int kBias = 126;
+  Lanes exponent = cv::v_cvt_f32((bits >> 23) - cv::v_setall_s32(kBias));
+  Lanes fraction = cv::v_reinterpret_as_f32((bits & cv::v_setall_s32(0x007FFFFF)) |
+                                            cv::v_setall_s32(0x3F000000));
+  const Lanes is_small = fraction < lanes(0.707106781F);
+  exponent = exponent - (lanes(1.0F) & is_small);
+  const Lanes m = fraction + (fraction & is_small) - lanes(1.0F);
+  Lanes sum = lanes(7.0376836292e-2F);
+  for (const float coefficient :
+       {-1.1514610310e-1F, 1.1676998740e-1F, -1.2420140846e-1F, 1.4249322787e-1F, -1.6668057665e-1F,
+        2.0000714765e-1F, -2.4999993993e-1F, 3.3333331174e-1F}) {
+    sum = sum * m + lanes(coefficient);
+  }
+  const Lanes square = m * m;
+  sum = sum * m * square + exponent * lanes(-2.12194440e-4F) - square * lanes(0.5F);
+  return m + sum + exponent * lanes(0.693359375F);
+}
+
+/// Numbers from 0 to powers above 0.
+[[nodiscard]] inline Lanes power(const Lanes& base, const Lanes& exponent) {
+  return exponential(exponent * logarithm(base)) & (base > lanes(0.0F));
+}
+
 /// Four pixels of four numbers of 16 bits (IEEE 754 binary16), channel by channel. The smallest,
 /// below 6.1e-5, count as 0.
 struct PixelLanes {

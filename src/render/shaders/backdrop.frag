@@ -70,4 +70,6 @@ vec3 light() { return texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb; }
 
 layout(location = 0) out vec4 colour;
 
-void main() { colour = vec4(min(gain * light(), vec3(1.0)), 1.0); }
+#include "shown.glsl"
+
+void main() { colour = vec4(shown(min(gain * light(), vec3(1.0))), 1.0); }

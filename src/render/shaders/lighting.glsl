@@ -1,7 +1,8 @@
-// How light makes surfaces seen that one can see through; surface_shading.h lights all others in
-// the same way. Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and the
-// height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
-// light. All lighting is linear and happens in the camera's optical frame.
+// How light makes surfaces seen that one can see through; classic_shading.h (with CLASSIC) and
+// surface_shading.h light all others in the same way. The latter: Lambert diffuse, GGX specular
+// (Walter et al. 2007, with Schlick's Fresnel and the height-correlated visibility of Heitz 2014 in
+// Hammon's approximation), hemispheric ambient light, all of it linear. It happens in the camera's
+// optical frame.
 
 // LIGHT(i, TYPE, SHADOW_LAYER) for each light is EACH_LIGHT, set when this is compiled: llvmpipe
 // runs every branch of a shader for every pixel, and a loop once more than it says, so what a light
@@ -17,6 +18,7 @@ struct Light {
   vec3 position_C;
   vec3 direction_C;  // where it shines
   vec3 intensity;
+  vec3 specular;     // of highlights in Gazebo Classic
   vec3 attenuation;  // constant, linear, quadratic
   float range;
   vec3 cone;         // cosine of the inner angle, cosine of the outer angle, falloff
@@ -77,11 +79,11 @@ float shadow(Light light, int type, int layer, vec3 position_C, vec3 normal, flo
 }
 #endif
 
-// What of the light arrives at the point, and from where.
-vec3 incoming(Light light, int type, vec3 position_C, out vec3 to_light) {
+// How much of the light's intensity arrives at the point, and from where.
+float arriving(Light light, int type, vec3 position_C, out vec3 to_light) {
   if (type == DIRECTIONAL) {
     to_light = -light.direction_C;
-    return light.intensity;
+    return 1.0;
   }
   vec3 way = light.position_C - position_C;
   float d = length(way);
@@ -93,9 +95,71 @@ vec3 incoming(Light light, int type, vec3 position_C, out vec3 to_light) {
     float inside = clamp((cosine - light.cone.y) / edge, 0.0, 1.0);
     falling *= pow(inside, max(light.cone.z, 1e-3));
   }
-  return d > light.range ? vec3(0.0) : light.intensity * falling;
+  return d > light.range ? 0.0 : falling;
 }
 
+#ifdef FOG
+// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth
+// along the axis instead, so that its fog changes where a camera turns.)
+float fogginess(float far) {
+  float clear = 1.0;
+  if (fog_type == kLinearFog) {
+    clear = (fog_extent.y - far) / max(fog_extent.y - fog_extent.x, 1e-6);
+  } else {
+    float thickness = fog_extent.z * far;
+    clear = exp(fog_type == kExponentialFog ? -thickness : -thickness * thickness);
+  }
+  return 1.0 - clamp(clear, 0.0, 1.0);
+}
+#endif
+
+#ifdef CLASSIC
+// As OGRE 1 lights each pixel in Gazebo Classic (ClassicShading): all numbers are sRGB-encoded.
+uniform vec3 around;           // ambient and emissive
+uniform vec3 diffuse_colour;
+uniform vec3 specular_colour;
+uniform float shininess;       // 0: there is no highlight
+uniform float brightest;
+
+// Adds what of one light a surface sends.
+void add(Light light, int type, int layer, Surface surface, vec3 to_eye, inout vec3 matte,
+         inout vec3 shine) {
+  vec3 to_light;
+  float share = arriving(light, type, surface.position_C, to_light);
+  float n_dot_l = dot(surface.normal, to_light);
+#ifdef SHADOWS
+  if (layer >= 0) {
+    // Of the side on which the light falls.
+    float face_dot_l = dot(surface.face, to_light);
+    vec3 side = face_dot_l < 0.0 ? -surface.face : surface.face;
+    share *= shadow(light, type, layer, surface.position_C, side, abs(face_dot_l));
+  }
+#endif
+  if (n_dot_l <= 0.0) share = 0.0;
+  matte += light.intensity * (n_dot_l * share);
+  float n_dot_h = clamp(dot(surface.normal, normalize(to_light + to_eye)), 0.0, 1.0);
+  if (shininess > 0.0) shine += light.specular * (pow(max(n_dot_h, 1e-6), shininess) * share);
+}
+
+// What the camera sees of a surface, before it is exposed.
+vec3 seen(Surface surface, bool is_lit) {
+  vec3 matte = around;
+  vec3 shine = vec3(0.0);
+  if (is_lit) {
+    vec3 to_eye = normalize(-surface.position_C);
+    vec3 sum = vec3(0.0);
+#define LIGHT(i, type, layer) add(lights[i], type, layer, surface, to_eye, sum, shine);
+    EACH_LIGHT
+#undef LIGHT
+    matte += diffuse_colour * sum;
+  }
+  vec3 light = min(matte * surface.base + specular_colour * shine + surface.glow, vec3(brightest));
+#ifdef FOG
+  light = mix(light, fog_colour, fogginess(length(surface.position_C)));
+#endif
+  return light;
+}
+#else
 vec3 fresnel(vec3 f0, float cosine) {
   float x = 1.0 - cosine;
   return f0 + (1.0 - f0) * (x * x) * (x * x) * x;
@@ -119,12 +183,12 @@ vec3 shoulder(vec3 linear) {
 vec3 sent(Light light, int type, int layer, Surface surface, vec3 f0, vec3 matte, float alpha,
           vec3 to_eye, float n_dot_v) {
   vec3 to_light;
-  vec3 arriving = incoming(light, type, surface.position_C, to_light);
+  vec3 coming = light.intensity * arriving(light, type, surface.position_C, to_light);
   float n_dot_l = dot(surface.normal, to_light);
   float face_dot_l = dot(surface.face, to_light);
 #ifdef SHADOWS
   if (layer >= 0) {
-    arriving *= shadow(light, type, layer, surface.position_C, surface.face, face_dot_l);
+    coming *= shadow(light, type, layer, surface.position_C, surface.face, face_dot_l);
   }
 #endif
   vec3 halfway = normalize(to_light + to_eye);
@@ -134,7 +198,7 @@ vec3 sent(Light light, int type, int layer, Surface surface, vec3 f0, vec3 matte
   // left out of the diffuse term, and put back into the specular one.
   vec3 shine = kPi * specular(f0, alpha, n_dot_l, n_dot_v, n_dot_h, v_dot_h);
   bool dark = n_dot_l <= 0.0 || face_dot_l <= 0.0;
-  return dark ? vec3(0.0) : arriving * n_dot_l * (matte + shine);
+  return dark ? vec3(0.0) : coming * n_dot_l * (matte + shine);
 }
 
 // The light that a surface sends to the eye.
@@ -157,21 +221,6 @@ vec3 lit(Surface surface) {
   return sum;
 }
 
-#ifdef FOG
-// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth
-// along the axis instead, so that its fog changes where a camera turns.)
-float fogginess(float far) {
-  float clear = 1.0;
-  if (fog_type == kLinearFog) {
-    clear = (fog_extent.y - far) / max(fog_extent.y - fog_extent.x, 1e-6);
-  } else {
-    float thickness = fog_extent.z * far;
-    clear = exp(fog_type == kExponentialFog ? -thickness : -thickness * thickness);
-  }
-  return 1.0 - clamp(clear, 0.0, 1.0);
-}
-#endif
-
 // What the camera sees of a surface, as bright as a picture can be.
 vec3 seen(Surface surface, bool is_lit) {
   vec3 light = is_lit ? shoulder(exposure * lit(surface)) : exposure * surface.base;
@@ -180,3 +229,4 @@ vec3 seen(Surface surface, bool is_lit) {
 #endif
   return min(light, vec3(1.0));
 }
+#endif

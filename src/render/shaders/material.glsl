@@ -65,7 +65,9 @@ Surface surfaceHere(out float opacity) {
 #endif
   if (!gl_FrontFacing) {
     surface.face = -surface.face;
+#ifndef CLASSIC  // which lights backs by the normals of their fronts
     surface.normal = -surface.normal;
+#endif
   }
   surface.roughness = roughness;
 #ifdef ROUGHNESS_MAP

@@ -16,6 +16,8 @@ vec3 directionAt(vec2 pixel) {
   return normalize(mat3(world_from_camera) * ray_C);
 }
 
+#include "shown.glsl"
+
 void main() {
   // A pixel's centre, whole in OpenCV's convention, is half past in OpenGL's.
   vec2 pixel = gl_FragCoord.xy - 0.5;
@@ -29,5 +31,5 @@ void main() {
   float down = distance(direction, directionAt(pixel + vec2(0.0, 1.0)));
   float rows = max(across, down) * float(textureSize(picture, 0).y) / kPi;
   vec3 light = textureLod(picture, place, log2(max(rows, 1.0))).rgb;
-  colour = vec4(min(gain * light, vec3(1.0)), 1.0);
+  colour = vec4(shown(min(gain * light, vec3(1.0))), 1.0);
 }

@@ -105,6 +105,8 @@ vec3 withClouds(vec3 clear, vec3 direction) {
 }
 #endif
 
+#include "shown.glsl"
+
 vec3 shoulder(vec3 linear) {
   return mix(linear, 0.8 + 0.2 * (1.0 - exp(-(linear - 0.8) / 0.2)), greaterThan(linear, vec3(0.8)));
 }
@@ -126,5 +128,5 @@ void main() {
   // Below the horizon lies land in the haze.
   float below = smoothstep(0.0, 0.5, -direction.z);
   seen *= mix(vec3(1.0), vec3(0.35, 0.33, 0.3), below);
-  colour = vec4(shoulder(exposure * seen), 1.0);
+  colour = vec4(shown(shoulder(exposure * seen)), 1.0);
 }

@@ -135,9 +135,11 @@ std::optional<OgreMaterial> MaterialScripts::find(const ScriptRequest& request) 
     OgreObject object = withInherited(*found->object, look_up);
     replaceVariables(object);
     OgreMaterial material = readOgreMaterial(object);
-    place(material.source.texture, found->file, places.folders);
-    place(material.source.factor, found->file, places.folders);
-    place(material.source.normal_map, found->file, places.folders);
+    for (MaterialSource* source = &material.source; source; source = source->overlay.get()) {
+      place(source->texture, found->file, places.folders);
+      place(source->factor, found->file, places.folders);
+      place(source->normal_map, found->file, places.folders);
+    }
     return material;
   } catch (const Error& error) {
     throw Error(found->file.string() + ": " + error.what());

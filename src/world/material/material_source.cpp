@@ -42,6 +42,10 @@ Material withPictures(const MaterialSource& source, TextureLoader& textures,
   material.roughness_map = load(source.roughness_map, textures, missing);
   material.metalness_map = load(source.metalness_map, textures, missing);
   material.emissive_map = load(source.emissive_map, textures, missing);
+  if (source.overlay) {
+    material.overlay =
+        std::make_shared<const Material>(withPictures(*source.overlay, textures, missing));
+  }
   return material;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct MaterialSource {
   std::optional<TextureReference> roughness_map;
   std::optional<TextureReference> metalness_map;
   std::optional<TextureReference> emissive_map;
+  std::shared_ptr<MaterialSource> overlay;  ///< of Material::overlay
 };
 
 /// Told of a picture that is missing or cannot be decoded; may throw.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "synthetic_dataset/errors.h"
@@ -136,10 +137,24 @@ class Reader {
     readSides();
     readUnits();
     readOpacity();
+    readOverlays();
     return std::move(result_);
   }
 
  private:
+  /// Of one pass by itself.
+  Reader(const OgreObject& pass, const Names& aliases) : passes_{&pass}, aliases_(aliases) {}
+
+  void readOverlays() {
+    for (auto pass = passes_.rbegin(); pass != passes_.rend() && *pass != base_; ++pass) {
+      if (blendingOf(**pass) != Blending::kAlpha) continue;
+      OgreMaterial overlay = Reader(**pass, aliases_).read();
+      if (!overlay.source.texture) continue;
+      overlay.source.overlay = std::move(result_.source.overlay);
+      result_.source.overlay = std::make_shared<MaterialSource>(std::move(overlay.source));
+    }
+  }
+
   Material& material() { return result_.source.material; }
 
   /// The base pass' property, else another's.

@@ -15,4 +15,12 @@ namespace synthetic_dataset::world {
   return std::sqrt(std::sqrt(2.0F / (n + 2.0F)));
 }
 
+/// The other way round: the exponent of the highlight of a surface that is so rough.
+/// @param roughness  0 mirror .. 1 chalk, which has none: 0
+[[nodiscard]] inline float shininessOfRoughness(float roughness) {
+  constexpr float kSharpest = 1000.0F;
+  const float alpha = std::max(roughness * roughness, 1e-3F);
+  return std::min(2.0F / (alpha * alpha) - 2.0F, kSharpest);
+}
+
 }  // namespace synthetic_dataset::world

@@ -86,6 +86,7 @@ std::optional<Material> readSdfMaterial(const Element& visual, const Place& plac
   const bool has_pbr = readPbr(element, place, reading, source);
   reading.is_of_gz |= has_pbr;
   if (!script && !has_pbr && !hasColour(element)) return std::nullopt;
+  if (has_pbr || hasColour(element)) source.material.is_default = false;
   readShader(element, reading, source);
   source.material.lit = readBool(element, "lighting", source.material.lit, place, reading);
   source.material.double_sided =

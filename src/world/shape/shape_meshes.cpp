@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "world/shape/gazebo_wrapping.h"
+
 namespace synthetic_dataset::world {
 namespace {
 
@@ -117,14 +119,15 @@ std::shared_ptr<const Mesh> boxMesh(const Eigen::Vector3d& size) {
   addRectangle(*mesh, -x, -y, z);
   addRectangle(*mesh, y, -x, z);
   addRectangle(*mesh, -y, x, z);
-  addRectangle(*mesh, z, x, y);
-  addRectangle(*mesh, -z, x, -y);
+  addRectangle(*mesh, z, -y, x);
+  addRectangle(*mesh, -z, -y, -x);
   return mesh;
 }
 
 std::shared_ptr<const Mesh> sphereMesh(double radius) {
   auto mesh = std::make_shared<Mesh>();
   addLathe(*mesh, roundOutline(radius, 0.0));
+  wrapAsGazebo(*mesh, aroundY);
   return mesh;
 }
 
@@ -145,6 +148,7 @@ std::shared_ptr<const Mesh> cylinderMesh(double radius, double length) {
   addLathe(*mesh, {{radius, half, 1, 0, 0}, {radius, -half, 1, 0, 1}});
   addDisc(*mesh, radius, half, 1.0);
   addDisc(*mesh, radius, -half, -1.0);
+  wrapAsGazebo(*mesh, aroundCylinder);
   return mesh;
 }
 

@@ -11,16 +11,17 @@
 
 namespace synthetic_dataset::world {
 
-/// @param size  whole lengths along x, y, z [m]; each face shows the whole texture
+/// @param size  whole lengths along x, y, z [m]; each face shows the whole texture, as
+///     Gazebo turns it: upright on the sides; above, x is up and -y to the right
 [[nodiscard]] std::shared_ptr<const Mesh> boxMesh(const Eigen::Vector3d& size);
 
-/// The texture is wrapped around the z axis.
+/// The texture is wrapped around the y axis (aroundY).
 [[nodiscard]] std::shared_ptr<const Mesh> sphereMesh(double radius);
 
 /// @param radii  along x, y, z [m]
 [[nodiscard]] std::shared_ptr<const Mesh> ellipsoidMesh(const Eigen::Vector3d& radii);
 
-/// About z, centred, with both caps.
+/// About z, centred, with both caps. The texture is wrapped around it (aroundCylinder).
 [[nodiscard]] std::shared_ptr<const Mesh> cylinderMesh(double radius, double length);
 
 /// A cylinder about z with half spheres as caps. @param length  of the cylinder alone [m]

@@ -202,6 +202,13 @@ TEST_F(LookSamplerTest, MultipliesIntensityWithTheWorlds) {
   EXPECT_EQ(look.lights[1].diffuse, Vector3f(0.5F, 0.5F, 0.5F)) << "the lamp is not meant";
 }
 
+TEST_F(LookSamplerTest, TakesHighlightsWithTheLights) {
+  const Vector3f own = hall().lights[0].specular;
+  EXPECT_TRUE(sample("lights: {sun: {intensity: 2.5}}").lights[0].specular.isApprox(2.5F * own));
+  EXPECT_TRUE(sample("lights: {sun: {present: 0}}").lights[0].specular.isZero());
+  EXPECT_TRUE(sample("light_count: 0").lights[1].specular.isZero());
+}
+
 TEST_F(LookSamplerTest, PutsAColourInPlaceOfTheWorldsAndMultipliesItToo) {
   EXPECT_EQ(sample("lights: {sun: {colour: [1, 0.5, 0.25]}}").lights[0].diffuse,
             Vector3f(1.0F, 0.5F, 0.25F));
@@ -345,6 +352,15 @@ TEST_F(LookSamplerTest, PaintsAllSurfacesOfAVisual) {
   EXPECT_EQ(colour(look, "rover_1::base_link::hull", 1), Vector3f(1.0F, 0.5F, 0.0F));
   EXPECT_TRUE(isGiven(look, "rover_1::base_link::window"));
   EXPECT_TRUE(isGiven(look, "rover_2::base_link::hull"));
+}
+
+TEST_F(LookSamplerTest, PaintsForGazeboClassicToo) {
+  const world::Look look = sample(
+      "materials: {rover_1::base_link::hull: {colour: [1, 0.5, 0], tint: [0.5, 1, 1],"
+      " roughness: 0.5}}");
+  EXPECT_EQ(worn(look, "rover_1::base_link::hull").ambient, Vector3f(0.5F, 0.5F, 0.0F));
+  // 2 / alpha^2 - 2 of a roughness squared.
+  EXPECT_FLOAT_EQ(worn(look, "rover_1::base_link::hull").shininess, 2.0F / 0.0625F - 2.0F);
 }
 
 TEST_F(LookSamplerTest, PaintsAModelOrALinkOfIt) {

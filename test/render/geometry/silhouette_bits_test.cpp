@@ -27,7 +27,7 @@ Pose at(double x, double y, double z) {
 /// The bits that the objects of a stage, of one link each, set.
 std::vector<int> bitsOf(const Stage& stage) {
   const OsmesaContext context;
-  const DrawList parts(context.gl(), stage.links());
+  const DrawList parts(context.gl(), stage.links(), world::Simulator::kGz);
   const SilhouetteBits bits(parts, kView, stage.poses(), stage.all());
   std::vector<int> result;
   for (const Part& part : parts.parts()) result.push_back(bits.of(part));

@@ -103,6 +103,7 @@ class SurfaceLight : public testing::Test {
             vector(-3.0, 3.0).cast<float>(),
             vector(-1.0, 1.0).normalized().cast<float>(),
             vector(0.1, 1.0).cast<float>(),
+            vector(0.1, 1.0).cast<float>(),
             {1.0F, 0.2F, 0.05F},
             5.0F,
             {0.95F, 0.5F, 1.7F}};
@@ -132,7 +133,8 @@ class SurfaceLight : public testing::Test {
   }
 
   Surroundings plain() {
-    return {{}, {}, {0.3F, 0.4F, 0.5F}, {0.0F, -1.0F, 0.0F}, 0.9F, std::nullopt};
+    return {{},   {},           {0.3F, 0.4F, 0.5F},   {0.0F, -1.0F, 0.0F},
+            0.9F, std::nullopt, world::Simulator::kGz};
   }
 
   void add(Surroundings& all, world::LightType type) {

@@ -38,6 +38,7 @@ int green(const cv::Mat& image, int u = 32, int v = 24) { return image.at<cv::Ve
 /// A black screen at 4 m in white fog.
 int blackScreenIn(const world::Fog& fog, int u = 32) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.background.setZero();
   description.fog = fog;
   Stage stage;
@@ -75,6 +76,7 @@ TEST(Fog, IsThickerTowardsThePicturesCorners) {
 
 TEST(Fog, LiesOnWhatOneCanSeeThroughToo) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.background.setZero();
   description.fog.emplace();
   description.fog->start = 0.0;
@@ -88,6 +90,7 @@ TEST(Fog, LiesOnWhatOneCanSeeThroughToo) {
 
 TEST(Fog, LeavesTheBackgroundAsItIs) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.background.setConstant(0.2F);
   description.fog.emplace();
   EXPECT_EQ(green(takePicture(description, Stage())), 51);
@@ -104,6 +107,7 @@ Pose lookingAlong(const Eigen::Vector3d& direction) {
 
 cv::Vec3b skyAlong(const world::Sky& sky, const Eigen::Vector3d& direction) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.sky = sky;
   return takePicture(description, Stage(), lookingAlong(direction)).at<cv::Vec3b>(24, 32);
 }
@@ -136,6 +140,7 @@ TEST(Sky, GlowsRedWhereTheSunHasSet) {
 TEST(Sky, TurnsWithTheCamera) {
   // The same direction has the same colour wherever in the picture it is.
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.sky.emplace();
   description.sky->cloud_humidity = 0.6;
   const Pose X_WC = lookingAlong({1, 2, 0.8});
@@ -153,6 +158,7 @@ TEST(Sky, TurnsWithTheCamera) {
 
 TEST(Sky, HumidityBringsClouds) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.sky.emplace();
   const Pose X_WC = lookingAlong({0.2, 1, 1.2});
   const cv::Mat clear = takePicture(description, Stage(), X_WC);
@@ -167,6 +173,7 @@ TEST(Sky, HumidityBringsClouds) {
 
 TEST(Sky, IsHiddenByWhatIsDrawn) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.sky.emplace();
   Stage stage;
   stage.addMesh(screen(8.0F, 4.0F), Pose::Identity(), 0, unlit(0.4F));
@@ -175,6 +182,7 @@ TEST(Sky, IsHiddenByWhatIsDrawn) {
 
 TEST(Sky, StaysOutOfPixelsThatAreNotDrawn) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.sky.emplace();
   description.background.setZero();
   const Stage stage;
@@ -206,6 +214,7 @@ TEST(Sky, ItsSunRisesInTheEastAndSetsInTheWest) {
 /// A grey matte wall at 2 m under these lights alone.
 int wallUnder(const std::vector<world::Light>& lights, float ambient = 0.0F) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.background.setZero();
   description.ambient.setConstant(ambient);
   description.lights = lights;

@@ -1,5 +1,6 @@
 #include "render/pixels/lanes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -27,6 +28,27 @@ TEST(Lanes, HaveTheExponentialOfEach) {
     EXPECT_NEAR(result[3] / std::exp(-double{power}), 1.0, 3e-7) << power;
   }
   EXPECT_LT(stored(exponential(lanes(-1000.0F)))[0], 1e-37F);
+}
+
+TEST(Lanes, HaveTheLogarithmOfEach) {
+  for (float number = 1e-6F; number < 1e6F; number *= 1.37F) {
+    const auto result = stored(logarithm(Lanes(number, 1.0F, 0.5F, 1e-30F)));
+    EXPECT_NEAR(result[0], std::log(double{number}), 3e-7 * std::max(1.0F, std::abs(result[0])));
+    EXPECT_EQ(result[1], 0.0F);
+    EXPECT_NEAR(result[2], std::log(0.5), 1e-7);
+    EXPECT_NEAR(result[3], std::log(1e-30), 1e-5);
+  }
+}
+
+TEST(Lanes, HavePowers) {
+  for (float base = 0.01F; base <= 1.0F; base += 0.0075F) {
+    const auto result = stored(power(lanes(base), Lanes(1.0F, 1.5F, 12.5F, 128.0F)));
+    EXPECT_NEAR(result[0], base, 1e-6);
+    EXPECT_NEAR(result[1], std::pow(double{base}, 1.5), 1e-6);
+    EXPECT_NEAR(result[2], std::pow(double{base}, 12.5), 1e-5);
+    EXPECT_NEAR(result[3], std::pow(double{base}, 128.0), 1e-4);
+  }
+  EXPECT_EQ(stored(power(lanes(0.0F), lanes(1.0F)))[0], 0.0F);
 }
 
 TEST(Lanes, AreStoredAsNumbersOf16BitsAsOpenCvHasThem) {

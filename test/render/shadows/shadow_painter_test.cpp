@@ -31,6 +31,7 @@ std::shared_ptr<const world::Mesh> withSpeck(const world::Mesh& mesh) {
 /// Bodies that float over a floor in sunlight, seen from above, each time otherwise.
 std::vector<cv::Mat> picturesOf(const Meshes& meshes, std::size_t count) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.ambient = {0.3F, 0.3F, 0.3F};
   world::Light sun;
   sun.casts_shadow = true;
@@ -72,6 +73,7 @@ TEST(CastShadows, OfBodiesAreNoOthersWithoutTheBacksOfTheirTriangles) {
 /// The camera, too, is in the body, whose faces it does not see from within.
 TEST(CastShadows, OfABodyFallOnWhatIsInIt) {
   world::Description description;
+  description.simulator = world::Simulator::kGz;
   description.ambient = {0.3F, 0.3F, 0.3F};
   world::Light sun;
   sun.casts_shadow = true;

@@ -36,8 +36,37 @@ TEST(OgreMaterial, ReadsColours) {
 }
 
 TEST(OgreMaterial, ReadsSpecularWithoutAlpha) {
-  EXPECT_FLOAT_EQ(readPass("specular 1 1 1 128").source.material.roughness,
-                  roughnessOfShininess(128));
+  const Material found = readPass("specular 1 1 1 128").source.material;
+  EXPECT_FLOAT_EQ(found.roughness, roughnessOfShininess(128));
+  EXPECT_EQ(found.shininess, 128.0F);
+}
+
+TEST(OgreMaterial, HasAnAmbientColourOfItsOwn) {
+  const Material found = readPass("ambient 0 0.5 1\ndiffuse .1 .2 .3").source.material;
+  EXPECT_EQ(found.ambient, Eigen::Vector3f(0, 0.5F, 1));
+  EXPECT_EQ(readPass("diffuse .1 .2 .3").source.material.ambient, Eigen::Vector3f(1, 1, 1));
+}
+
+/// As the lines of a playing field are drawn.
+TEST(OgreMaterial, HasItsBlendedPassesAsOverlays) {
+  const MaterialSource found =
+      read(
+          "technique { pass { texture_unit {\ntexture grass.png\n} }\n"
+          "pass { scene_blend alpha_blend\nlighting off\n"
+          "texture_unit {\ntexture lines.png\n} }\n"
+          "pass { scene_blend alpha_blend\ntexture_unit {\ntexture dirt.png\n} }\n"
+          "pass { scene_blend alpha_blend\npolygon_mode wireframe\n} }")
+          .source;
+  EXPECT_EQ(found.texture->uri, "grass.png");
+  ASSERT_TRUE(found.overlay);
+  EXPECT_EQ(found.overlay->texture->uri, "lines.png");
+  EXPECT_FALSE(found.overlay->material.lit);
+  EXPECT_TRUE(found.overlay->material.texture_is_glass);
+  EXPECT_EQ(found.overlay->texture->alpha, AlphaMeaning::kOpacity);
+  ASSERT_TRUE(found.overlay->overlay);
+  EXPECT_EQ(found.overlay->overlay->texture->uri, "dirt.png");
+  EXPECT_TRUE(found.overlay->overlay->material.lit);
+  EXPECT_FALSE(found.overlay->overlay->overlay);
 }
 
 TEST(OgreMaterial, IsWhiteWithoutHighlightWhereNothingIsSaid) {

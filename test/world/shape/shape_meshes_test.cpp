@@ -129,5 +129,77 @@ TEST(PlaneMesh, ShowsTheTexturesFirstRowAtTheTop) {
   }
 }
 
+/// The point of the picture that a ray from outside meets.
+Eigen::Vector2d pictureAt(const Mesh& mesh, const Eigen::Vector3d& from,
+                          const Eigen::Vector3d& along) {
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    Eigen::Matrix3d edges;
+    edges << corner(mesh, i + 1) - corner(mesh, i), corner(mesh, i + 2) - corner(mesh, i), -along;
+    const Eigen::Vector3d s = edges.inverse() * (from - corner(mesh, i));
+    const bool faces = edges.col(0).cross(edges.col(1)).dot(along) < 0.0;
+    if (!faces || s.head<2>().minCoeff() < 0.0 || s.head<2>().sum() > 1.0) continue;
+    const auto uv = [&](std::size_t k) {
+      return Eigen::Vector2d(mesh.texture_coordinates[mesh.indices[i + k]].cast<double>());
+    };
+    return uv(0) + s.x() * (uv(1) - uv(0)) + s.y() * (uv(2) - uv(0));
+  }
+  ADD_FAILURE() << "the ray meets nothing";
+  return {0, 0};
+}
+
+void expectPicture(const Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& along,
+                   double u, double v) {
+  const Eigen::Vector2d found = pictureAt(mesh, from, along);
+  EXPECT_NEAR(found.x() - std::floor(found.x()), u, 0.01) << from.transpose();
+  EXPECT_NEAR(found.y(), v, 0.01) << from.transpose();
+}
+
+/// Gazebo's MeshManager::CreateBox: on the upper face the picture's right is -y, on the lower one
+/// too, and its upper edge is at +x above and at -x below.
+TEST(BoxMesh, TurnsItsPicturesAsGazebo) {
+  const auto mesh = boxMesh({2, 2, 2});
+  expectPicture(*mesh, {0.5, 0.6, 5}, {0, 0, -1}, 0.2, 0.25);
+  expectPicture(*mesh, {0.5, 0.6, -5}, {0, 0, 1}, 0.2, 0.75);
+  expectPicture(*mesh, {5, 0.6, 0.5}, {-1, 0, 0}, 0.8, 0.25);
+  expectPicture(*mesh, {-5, 0.6, 0.5}, {1, 0, 0}, 0.2, 0.25);
+  expectPicture(*mesh, {0.6, 5, 0.5}, {0, -1, 0}, 0.2, 0.25);
+  expectPicture(*mesh, {0.6, -5, 0.5}, {0, 1, 0}, 0.8, 0.25);
+}
+
+/// MeshManager::CreateSphere: around y, from z to x; +y is above.
+TEST(SphereMesh, HasItsPictureAroundYAsGazebo) {
+  const auto mesh = sphereMesh(1.0);
+  for (double turn = 0.013; turn < 1.0; turn += 0.083) {
+    for (const double v : {0.2, 0.5, 0.7}) {
+      const double s = std::sin(kPi * v);
+      const Eigen::Vector3d out(s * std::sin(2 * kPi * turn), std::cos(kPi * v),
+                                s * std::cos(2 * kPi * turn));
+      expectPicture(*mesh, 3.0 * out, -out, turn, v);
+    }
+  }
+}
+
+/// MeshManager::CreateCylinder: around z, from y to x; the first row is below. On the upper cap a
+/// fan around the first pixel.
+TEST(CylinderMesh, HasItsPictureUpsideDownAroundZAsGazebo) {
+  const auto mesh = cylinderMesh(1.0, 4.0);
+  for (double turn = 0.013; turn < 1.0; turn += 0.083) {
+    const Eigen::Vector3d out(std::sin(2 * kPi * turn), std::cos(2 * kPi * turn), 0);
+    expectPicture(*mesh, 3.0 * out + Eigen::Vector3d(0, 0, 1), -out, turn, 0.75);
+    expectPicture(*mesh, 0.5 * out + Eigen::Vector3d(0, 0, 5), {0, 0, -1}, 0.5 * turn, 0.5);
+    expectPicture(*mesh, 0.5 * out + Eigen::Vector3d(0, 0, -5), {0, 0, 1}, 0.5 * turn, 0.0);
+  }
+}
+
+/// So what is drawn and labelled of them is as before, whatever their pictures.
+TEST(RoundMeshes, HaveTheirVerticesWhereTheyWereWithoutPictures) {
+  const auto mesh = sphereMesh(1.0);
+  const auto round = ellipsoidMesh({1, 1, 1});
+  ASSERT_EQ(mesh->indices.size(), round->indices.size());
+  for (std::size_t i = 0; i < mesh->indices.size(); ++i) {
+    EXPECT_EQ(corner(*mesh, i), corner(*round, i));
+  }
+}
+
 }  // namespace shape_meshes_test
 }  // namespace synthetic_dataset::world

@@ -1,0 +1,71 @@
+#include "render/light/arriving_lights.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// How much of a spot light's middle arrives at its edge.
+Lanes withinCone(const LightInView& light, const Lanes& cosine) {
+  const float edge = std::max(light.cone.x() - light.cone.y(), 1e-4F);
+  const Lanes inside = clamped((cosine - lanes(light.cone.y())) / lanes(edge), 0.0F, 1.0F);
+  if (light.cone.z() == 1.0F) return inside;
+  std::array<float, kLaneCount> shares{};
+  cv::v_store(shares.data(), inside);
+  for (float& share : shares) share = std::pow(share, std::max(light.cone.z(), 1e-3F));
+  return cv::v_load(shares.data());
+}
+
+}  // namespace
+
+ArrivingLights::ArrivingLights(const Surroundings& surroundings)
+    : surroundings_(surroundings), lookups_(surroundings.lights.size()) {
+  for (std::size_t i = 0; i < lookups_.size(); ++i) {
+    const std::optional<CastShadow>& shadow = surroundings.shadows[i];
+    if (!shadow) continue;
+    maps_.push_back(shadow->map.assemble());
+    lookups_[i].emplace(maps_.back().depths(), shadow->shadow_from_camera, shadow->texel,
+                        surroundings.lights[i].type == world::LightType::kSpot);
+  }
+}
+
+Arriving ArrivingLights::at(std::size_t index, const Lanes3& position_C) const {
+  const LightInView& light = surroundings_.lights[index];
+  if (light.type == world::LightType::kDirectional) {
+    return {lanes(-light.direction_C), lanes(0.0F), lanes(1.0F)};
+  }
+  const Lanes3 way = lanes(light.position_C) - position_C;
+  const Lanes d = length(way);
+  const Lanes3 to_light = way * (lanes(1.0F) / cv::v_max(d, lanes(1e-6F)));
+  const Lanes fading = lanes(light.attenuation.x()) + lanes(light.attenuation.y()) * d +
+                       lanes(light.attenuation.z()) * d * d;
+  Lanes falling = lanes(1.0F) / cv::v_max(fading, lanes(1e-6F));
+  if (light.type == world::LightType::kSpot) {
+    falling *= withinCone(light, lanes(0.0F) - dot(to_light, lanes(light.direction_C)));
+  }
+  return {to_light, d, falling & (d <= lanes(light.range))};
+}
+
+Lanes ArrivingLights::passing(std::size_t light, const Lanes3& position_C, const Lanes3& face,
+                              const Arriving& coming, const Lanes& faces) const {
+  const std::optional<ShadowLookup>& shadow = lookups_[light];
+  if (!shadow) return lanes(1.0F);
+  return shadow->passing(position_C, face, dot(face, coming.to_light), coming.distance, faces);
+}
+
+Lanes ArrivingLights::fogginess(const Lanes& distance) const {
+  const world::Fog& fog = *surroundings_.fog;
+  const Lanes one = lanes(1.0F);
+  if (fog.type == world::FogType::kLinear) {
+    const auto end = static_cast<float>(fog.end);
+    const auto way = static_cast<float>(std::max(fog.end - fog.start, 1e-6));
+    return one - clamped((lanes(end) - distance) / lanes(way), 0.0F, 1.0F);
+  }
+  Lanes thickness = lanes(static_cast<float>(fog.density)) * distance;
+  if (fog.type != world::FogType::kExponential) thickness *= thickness;
+  return one - exponential(lanes(0.0F) - thickness);
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <list>
+#include <optional>
+#include <vector>
+
+#include "render/light/surroundings.h"
+#include "render/pixels/lanes.h"
+#include "render/shadows/map_depths.h"
+#include "render/shadows/shadow_lookup.h"
+
+namespace synthetic_dataset::render {
+
+/// Light and where it comes from.
+struct Arriving {
+  Lanes3 to_light;
+  Lanes distance;  ///< [m]; 0 for directional lights
+  Lanes falling;   ///< how much of the light's intensity arrives, shadows apart
+};
+
+/// What arrives of a picture's lights at four points at once, in whichever way surfaces answer.
+class ArrivingLights {
+ public:
+  /// @param surroundings  have to outlive this
+  explicit ArrivingLights(const Surroundings& surroundings);
+
+  [[nodiscard]] std::size_t count() const { return lookups_.size(); }
+
+  [[nodiscard]] Arriving at(std::size_t light, const Lanes3& position_C) const;
+
+  /// How much of it the shadows let pass.
+  /// @param face  the surface's normal, towards the camera
+  /// @param faces  a mask: where the surface faces the light
+  [[nodiscard]] Lanes passing(std::size_t light, const Lanes3& position_C, const Lanes3& face,
+                              const Arriving& coming, const Lanes& faces) const;
+
+  /// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth
+  /// along the axis instead, so that its fog changes where a camera turns.)
+  [[nodiscard]] Lanes fogginess(const Lanes& distance) const;
+
+ private:
+  const Surroundings& surroundings_;
+  std::list<MapDepths::Assembled> maps_;              ///< which the lookups refer to
+  std::vector<std::optional<ShadowLookup>> lookups_;  ///< of each light
+};
+
+}  // namespace synthetic_dataset::render

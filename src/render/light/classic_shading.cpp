@@ -1,0 +1,44 @@
+#include "render/light/classic_shading.h"
+
+#include "render/pixels/encoded_light.h"
+
+namespace synthetic_dataset::render {
+
+ClassicShading::ClassicShading(const Surroundings& surroundings)
+    : surroundings_(surroundings), lights_(surroundings) {}
+
+Lanes3 ClassicShading::seen(const ClassicLanes& surface) const {
+  const Lanes3 nothing = lanes(0.0F, 0.0F, 0.0F);
+  Sums sums{nothing, nothing};
+  for (std::size_t i = 0; i < lights_.count(); ++i) add(i, surface, sums);
+  Lanes3 light = (surface.around + surface.diffuse * sums.diffuse) * surface.picture +
+                 surface.specular * sums.specular + surface.glow;
+  const Lanes most = lanes(brightestEncoded(surroundings_.exposure));
+  light = {cv::v_min(light.x, most), cv::v_min(light.y, most), cv::v_min(light.z, most)};
+  if (!surroundings_.fog) return light;
+  return mix(light, lanes(surroundings_.fog->colour),
+             lights_.fogginess(length(surface.position_C)));
+}
+
+void ClassicShading::add(std::size_t light, const ClassicLanes& surface, Sums& sums) const {
+  const Lanes zero = lanes(0.0F);
+  const LightInView& sent = surroundings_.lights[light];
+  const Arriving coming = lights_.at(light, surface.position_C);
+  const Lanes n_dot_l = dot(surface.normal, coming.to_light);
+  const Lanes faces = n_dot_l > zero;
+  if (!cv::v_check_any(faces)) return;
+  // Of the side on which the light falls.
+  const Lanes is_back = dot(surface.face, coming.to_light) < zero;
+  const Lanes3 side = select(is_back, lanes(0.0F, 0.0F, 0.0F) - surface.face, surface.face);
+  const Lanes passing = lights_.passing(light, surface.position_C, side, coming, faces);
+  const Lanes share = (coming.falling * passing) & faces;
+  sums.diffuse = sums.diffuse + lanes(sent.intensity) * (n_dot_l * share);
+  const Lanes shines = (surface.shininess > zero) & faces;
+  if (!cv::v_check_any(shines)) return;
+  const Lanes3 to_eye = normalized(lanes(0.0F, 0.0F, 0.0F) - surface.position_C);
+  const Lanes n_dot_h = dot(surface.normal, normalized(coming.to_light + to_eye));
+  const Lanes highlight = power(clamped(n_dot_h, 0.0F, 1.0F), surface.shininess) & shines;
+  sums.specular = sums.specular + lanes(sent.specular) * (highlight * share);
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include "render/light/arriving_lights.h"
+#include "render/light/surroundings.h"
+#include "render/pixels/lanes.h"
+
+namespace synthetic_dataset::render {
+
+/// Surfaces of Gazebo Classic's at four points that are seen, in the camera's optical frame.
+/// Colours are sRGB-encoded.
+struct ClassicLanes {
+  Lanes3 position_C;
+  Lanes3 face;     ///< its normal, towards the camera
+  Lanes3 normal;   ///< as a normal map bends it; of backs, that of their fronts
+  Lanes3 picture;  ///< of its texture; white where it has none
+  Lanes3 around;   ///< what it sends whatever the lights: ambient and emissive
+  Lanes3 diffuse;
+  Lanes3 specular;
+  Lanes shininess;  ///< Blinn-Phong's exponent; where it is 0 there is no highlight
+  Lanes3 glow;      ///< of a picture of its own
+};
+
+/// How light makes surfaces seen in Gazebo Classic's worlds, as lighting.glsl has it for what one
+/// can see through. OGRE 1 lights each pixel (RTShaderLib, SGXLib_PerPixelLighting.glsl):
+///
+///     (emissive + ambient x scene's ambient + sum of diffuse x light x n.l x fall-off) x picture
+///         + sum of specular x light's specular x (n.h)^shininess x fall-off
+///
+/// where a light counts only on its side of the surface, and the highlight only with a shininess
+/// above 0 (OgreShaderExPerPixelLighting.cpp). The numbers are those of the files and of the
+/// picture's pixels, as they are encoded; what exceeds 1 is cut off.
+class ClassicShading {
+ public:
+  /// @param surroundings  have to outlive this
+  explicit ClassicShading(const Surroundings& surroundings);
+
+  /// What the camera sees of surfaces, sRGB-encoded, before it is exposed.
+  [[nodiscard]] Lanes3 seen(const ClassicLanes& surface) const;
+
+ private:
+  struct Sums {
+    Lanes3 diffuse;
+    Lanes3 specular;
+  };
+
+  void add(std::size_t light, const ClassicLanes& surface, Sums& sums) const;
+
+  const Surroundings& surroundings_;
+  ArrivingLights lights_;
+};
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/light/light_setup.h"
+#include "render/shadows/map_depths.h"
+#include "world/description.h"
+
+namespace synthetic_dataset::render {
+
+/// How a light's shadows were drawn.
+struct CastShadow {
+  MapDepths map;
+  Eigen::Matrix4d shadow_from_camera;  ///< to clip coordinates of the map
+  double texel;                        ///< as in ShadowProjection
+};
+
+/// What all surfaces of a picture have in common.
+struct Surroundings {
+  std::vector<LightInView> lights;
+  std::vector<std::optional<CastShadow>> shadows;  ///< of each light
+  Eigen::Vector3f ambient;                         ///< linear
+  Eigen::Vector3f up_C;
+  float exposure;
+  std::optional<world::Fog> fog;
+  world::Simulator simulator = world::Simulator::kGz;  ///< whose light it is
+};
+
+}  // namespace synthetic_dataset::render

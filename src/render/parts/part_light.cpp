@@ -1,0 +1,25 @@
+#include "render/parts/part_light.h"
+
+namespace synthetic_dataset::render {
+
+bool hasGlowOfItsOwn(const world::Material& material) {
+  return material.emissive_map && material.emissive_map != material.texture;
+}
+
+ClassicLight classicLight(const world::Material& material, const Eigen::Vector3f& ambient) {
+  ClassicLight light;
+  if (!material.lit) {
+    light.around = material.diffuse.head<3>();
+    return light;
+  }
+  light.around = material.ambient.cwiseProduct(ambient);
+  (hasGlowOfItsOwn(material) ? light.glow : light.around) += material.emissive;
+  light.diffuse = material.diffuse.head<3>();
+  if (material.shininess > 0.0F && !material.specular.isZero()) {
+    light.specular = material.specular;
+    light.shininess = material.shininess;
+  }
+  return light;
+}
+
+}  // namespace synthetic_dataset::render
