@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Loads datasets of every format with the formats' own loaders and compares with the truth:
+# Loads datasets of every format with the formats' own loaders and compares with the truth, and converts bags of ROS 2:
 #   ./scripts/test_loaders.sh [FOLDER [FORMAT...]]
 # FOLDER keeps the datasets; without it they are removed. The loaders are installed once, into a
 # virtual environment below ~/.cache; after that no network is needed.
@@ -20,7 +20,7 @@ if ! cmp -s "$requirements" "$environment/complete"; then
   cp "$requirements" "$environment/complete"
 fi
 
-build_workspace --target make_loader_datasets
+build_workspace --target make_loader_datasets generate
 use_workspace
 folder=${1:-}
 shift || true

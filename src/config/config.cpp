@@ -13,6 +13,7 @@
 #include "config/output_config.h"
 #include "config/placement_config.h"
 #include "config/randomization.h"
+#include "config/topic_config.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
@@ -52,7 +53,8 @@ motion::MotionOptions readMotion(Parameters& root) {
     motion.bag_files = root.maybe<std::vector<std::string>>("bag_file").value_or(motion.bag_files);
     if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which tells so
     motion.scenes = maybeSceneCount(root, "scenes").value_or(1);
-    refuse(root, {"start_offset", "duration", "max_tf_gap", "stretch"}, "bag");
+    refuse(root, {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics"},
+           "bag");
   } else {
     motion.bag_files = root.required<std::vector<std::string>>("bag_file");
     refuse(root, {"scenes", "placement"}, "placement");
@@ -71,6 +73,7 @@ motion::MotionOptions readMotion(Parameters& root) {
   motion.start_offset = maybeSeconds(root, "start_offset").value_or(0.0);
   motion.duration = maybeSeconds(root, "duration");
   motion.max_tf_gap = readLongestGap(root);
+  readTopics(root, motion);
   const auto stretch = root.maybe<std::int64_t>("stretch");
   if (stretch && *stretch < 0) {
     root.addError("stretch", "found " + std::to_string(*stretch) +

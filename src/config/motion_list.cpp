@@ -223,7 +223,8 @@ class Reader {
       below.erase("scenes");
       if (has_bags && has_placements) {
         const bool is_placed = isPlacement(settingsOf(entry));
-        for (const char* name : {"start_offset", "duration", "max_tf_gap", "stretch"}) {
+        for (const char* name :
+             {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics"}) {
           if (is_placed) below.erase(name);
         }
         if (!is_placed) below.erase("placement");

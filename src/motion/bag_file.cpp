@@ -5,6 +5,7 @@
 #include <fstream>
 #include <utility>
 
+#include "motion/ros2_bag.h"
 #include "motion/ros_time.h"
 #include "synthetic_dataset/errors.h"
 
@@ -21,6 +22,7 @@ void checkIsBag(const std::string& file) {
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
   if (!fs::exists(status)) throw Error("bag " + file + ": no such file");
+  if (isRos2Bag(file)) throw Error("bag " + file + ": " + convertAdvice(file));
   if (fs::is_directory(status)) throw Error("bag " + file + ": is a folder; a bag file is needed");
   if (!fs::is_regular_file(status)) throw Error("bag " + file + ": is no file but a device");
 

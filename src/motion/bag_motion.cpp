@@ -4,7 +4,9 @@
 #include <set>
 #include <utility>
 
+#include "motion/pose_topics.h"
 #include "motion/ros_time.h"
+#include "motion/tf_topics.h"
 #include "motion/time_text.h"
 #include "motion/timeline_search.h"
 #include "motion/transform_recording.h"
@@ -25,22 +27,50 @@ std::string noSceneLeft(const Timeline& timeline, const TimelineOptions& options
          longest;
 }
 
+std::string ignoredTopics(const std::vector<std::string>& topics) {
+  return "the recording has TF in topics that are not read: " + listed(topics) +
+         " (tf_topics names them)";
+}
+
+/// There is no transform at all.
+std::vector<std::string> nothingToUse(const BagReader& bags, const TfTopics& tf,
+                                      const TransformRecording& recording,
+                                      const std::vector<std::string>& hints) {
+  std::vector<std::string> errors;
+  if (tf.readers.empty()) {
+    errors = noTransforms(bags);
+  } else {
+    errors = recording.notes();
+    errors.insert(errors.begin(), "the bags hold no transform that can be used");
+  }
+  errors.insert(errors.end(), hints.begin(), hints.end());
+  return errors;
+}
+
 }  // namespace
 
-BagMotion::BagMotion(const std::vector<std::string>& bag_files, const std::string& global_frame,
-                     std::optional<std::size_t> stretch)
-    : FrameSource(global_frame) {
+BagMotion::BagMotion(const BagMotionOptions& options) : FrameSource(options.global_frame) {
+  BagReader bags(options.bag_files);
+  times_ = bags.times();
   TransformRecording recording;
-  times_ = readTransforms(
-      bag_files, [&](RecordedTransform transform) { recording.add(std::move(transform)); });
-  if (recording.empty()) {
-    std::vector<std::string> errors = recording.notes();
-    errors.insert(errors.begin(), "the bags hold no transform that can be used");
-    throw ErrorList(errors);
-  }
-  tree_ = recording.finish(stretch);
-  global_ = find(global_frame).value_or(kNoFrame);
-  notes_ = recording.notes();
+  const TfTopics tf = findTfTopics(bags, options.tf_topics);
+  bags.read(tf.readers, [&](RecordedTransform each) { recording.add(std::move(each)); });
+  PoseTopics others(bags, recording);
+  const bool asks_for_robots = options.robots && others.hasJointStates();
+  const auto robots = asks_for_robots ? options.robots() : std::vector<JointedRobot>{};
+  others.readNamed(options.pose_topics, robots);
+  others.readLacking(globalFrame(), options.frames);
+  others.readJoints(robots);
+  hints_ = others.hints();
+  if (!tf.ignored.empty()) hints_.push_back(ignoredTopics(tf.ignored));
+  if (recording.empty()) throw ErrorList(nothingToUse(bags, tf, recording, hints_));
+
+  tree_ = recording.finish(options.stretch);
+  global_ = find(globalFrame()).value_or(kNoFrame);
+  if (!tf.note.empty()) notes_.push_back(tf.note);
+  notes_.insert(notes_.end(), others.notes().begin(), others.notes().end());
+  const std::vector<std::string> left_out = recording.notes();
+  notes_.insert(notes_.end(), left_out.begin(), left_out.end());
   stretches_ = recording.stretches();
   stretch_ = recording.stretch();
   clock_offset_ = recording.clockOffset();
@@ -61,6 +91,7 @@ Timeline BagMotion::timeline(const std::vector<std::string>& frames,
                              const TimelineOptions& options) const {
   std::vector<std::string> errors = unknownFrames(tree_, globalFrame(), frames);
   if (!errors.empty()) {
+    errors.insert(errors.end(), hints_.begin(), hints_.end());
     for (std::string& error : optionErrors(times_, options)) errors.push_back(std::move(error));
     throw ErrorList(errors);
   }
@@ -78,7 +109,11 @@ Timeline BagMotion::timeline(const std::vector<std::string>& frames,
 
   const RecordedTimes part = usedPart(recorded, options);
   std::optional<Timeline> timeline = findTimeline(tree_, wanted, part, options);
-  if (!timeline) throw ErrorList(whyNoWindow(tree_, wanted, recorded, part, options));
+  if (!timeline) {
+    errors = whyNoWindow(tree_, wanted, recorded, part, options);
+    errors.insert(errors.end(), hints_.begin(), hints_.end());
+    throw ErrorList(errors);
+  }
   if (timeline->stamps.empty()) throw ErrorList({noSceneLeft(*timeline, options)});
   if (hasOwnClock()) noteClock(part.start, timeline->found);
   return *std::move(timeline);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,21 +10,40 @@
 #include "motion/frame_findings.h"
 #include "motion/frame_source.h"
 #include "motion/frame_tree.h"
+#include "motion/joint_frames.h"
+#include "motion/motion_options.h"
 #include "motion/stretches.h"
 
 namespace synthetic_dataset::motion {
+
+/// What is read of a recording.
+struct BagMotionOptions {
+  std::vector<std::string> bag_files;
+  std::string global_frame = "map";
+  std::optional<std::size_t> stretch = std::nullopt;  ///< where time goes back; none: the longest
+  std::vector<std::string> tf_topics = {};            ///< none: findTfTopics()
+  std::vector<PoseTopic> pose_topics = {};
+  std::vector<std::string> frames =
+      {};  ///< that should be known: other topics than TF may have them
+
+  /// The objects whose models have joints; asked for where there are joint states.
+  std::function<std::vector<JointedRobot>()> robots = {};
+};
 
 /// Where everything was while a recording was made: the TF tree of one or more bags.
 ///
 /// Bags given together count as one recording. Interpolation is tf2's own, to the last bit.
 class BagMotion : public FrameSource {
  public:
-  /// Reads `/tf` and `/tf_static` of the bags, whole: interpolation may cross any length of time.
-  /// @param stretch  of a recording in which time goes back; nothing: the longest
+  /// Reads the bags' TF, and what other topics have of frames, whole: interpolation may cross any
+  /// length of time.
   /// @throws ErrorList with what is wrong with each file: missing, no bag, truncated (with what to
   ///     do about it), messages of another type; or no transform in any of them
-  BagMotion(const std::vector<std::string>& bag_files, const std::string& global_frame,
-            std::optional<std::size_t> stretch = std::nullopt);
+  explicit BagMotion(const BagMotionOptions& options);
+
+  /// Reads TF alone.
+  BagMotion(const std::vector<std::string>& bag_files, const std::string& global_frame)
+      : BagMotion(BagMotionOptions{bag_files, global_frame}) {}
 
   /// The earliest and latest record times of the bags' messages, of any topic.
   [[nodiscard]] const RecordedTimes& times() const { return times_; }
@@ -62,6 +83,7 @@ class BagMotion : public FrameSource {
   FrameTree tree_;
   FrameId global_ = kNoFrame;
   std::vector<std::string> notes_;
+  std::vector<std::string> hints_;  ///< of other topics, where frames are missing
   std::vector<Stretch> stretches_;
   std::size_t stretch_ = 0;
   Duration clock_offset_{0};  ///< of the stamps behind the record times

@@ -82,8 +82,9 @@ void BagReader::read(const TopicReaders& readers, const TransformVisitor& visit)
 RecordedTimes readTransforms(const std::vector<std::string>& bag_files,
                              const TransformVisitor& visit) {
   BagReader bags(bag_files);
-  const TopicReaders readers = tfReaders(bags);
-  bags.read(readers, visit);
+  const TfTopics topics = findTfTopics(bags);
+  if (topics.readers.empty()) throw ErrorList(noTransforms(bags));
+  bags.read(topics.readers, visit);
   return bags.times();
 }
 

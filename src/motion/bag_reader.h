@@ -37,9 +37,10 @@ class BagReader {
   std::vector<std::unique_ptr<BagFile>> bags_;
 };
 
-/// Reads the topics `/tf` and `/tf_static` (or `tf` and `tf_static`) of the bags.
-/// @throws ErrorList as BagReader does; and messages of another type, or, if none of the bags has
-///     any, no messages or no transforms
+/// Reads the bags' TF (findTfTopics()).
+/// @throws ErrorList as BagReader and findTfTopics do; or, if none of the bags has any, no messages
+/// or
+///     no transforms
 RecordedTimes readTransforms(const std::vector<std::string>& bag_files,
                              const TransformVisitor& visit);
 

@@ -10,12 +10,29 @@ namespace {
 
 /// A list's length is the number that comes next.
 /// @param least  bytes that an entry has at least
-void checkList(ros::serialization::IStream& stream, std::uint32_t least, const std::string& name) {
+/// @return how many entries it has
+std::uint32_t checkList(ros::serialization::IStream& stream, std::uint32_t least,
+                        const std::string& name) {
   std::uint32_t count = 0;
   stream.next(count);
-  if (count <= stream.getLength() / least) return;
+  if (count <= stream.getLength() / least) return count;
   throw Error("its list of " + name + " is said to have " + std::to_string(count) +
               " entries, more than its bytes can hold");
+}
+
+/// Moves behind a list of texts.
+void passTexts(ros::serialization::IStream& stream, const std::string& name) {
+  const std::uint32_t count = checkList(stream, sizeof(std::uint32_t), name);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::uint32_t length = 0;
+    stream.next(length);
+    stream.advance(length);
+  }
+}
+
+/// Moves behind a list of entries of a fixed size.
+void passList(ros::serialization::IStream& stream, std::uint32_t size, const std::string& name) {
+  stream.advance(checkList(stream, size, name) * size);
 }
 
 }  // namespace
@@ -23,7 +40,7 @@ void checkList(ros::serialization::IStream& stream, std::uint32_t least, const s
 void checkTransforms(ros::serialization::IStream stream) {
   // Two names' lengths, a sequence number, a time, seven numbers.
   constexpr std::uint32_t kLeast = 4 + 4 + 4 + 8 + 7 * 8;
-  checkList(stream, kLeast, "transforms");
+  static_cast<void>(checkList(stream, kLeast, "transforms"));
 }
 
 void checkCalibration(ros::serialization::IStream stream) {
@@ -35,7 +52,7 @@ void checkCalibration(ros::serialization::IStream stream) {
   stream.next(height);
   stream.next(width);
   stream.next(model);
-  checkList(stream, sizeof(double), "distortion coefficients");
+  static_cast<void>(checkList(stream, sizeof(double), "distortion coefficients"));
 }
 
 void checkGrid(ros::serialization::IStream stream) {
@@ -43,7 +60,21 @@ void checkGrid(ros::serialization::IStream stream) {
   nav_msgs::MapMetaData description;
   stream.next(header);
   stream.next(description);
-  checkList(stream, sizeof(std::int8_t), "cells");
+  static_cast<void>(checkList(stream, sizeof(std::int8_t), "cells"));
+}
+
+void checkJoints(ros::serialization::IStream stream) {
+  std_msgs::Header header;
+  stream.next(header);
+  passTexts(stream, "joints");
+  passList(stream, sizeof(double), "positions");
+  passList(stream, sizeof(double), "velocities");
+  passList(stream, sizeof(double), "efforts");
+}
+
+void checkStates(ros::serialization::IStream stream) {
+  passTexts(stream, "names");
+  passList(stream, 7 * sizeof(double), "poses");
 }
 
 }  // namespace synthetic_dataset::motion

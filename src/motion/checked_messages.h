@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include <geometry_msgs/Pose.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/serialization.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/JointState.h>
 #include <tf2_msgs/TFMessage.h>
 
 /// Messages as bags hold them, whose lists are held against the bytes that there are before roscpp
@@ -21,10 +26,25 @@ struct RecordedGrid {
   nav_msgs::OccupancyGrid message;
 };
 
+struct RecordedJoints {
+  sensor_msgs::JointState message;
+};
+
+/// What gazebo_msgs/ModelStates and gazebo_msgs/LinkStates hold alike, without their velocities.
+struct RecordedStates {
+  std::vector<std::string> names;
+  std::vector<geometry_msgs::Pose> poses;  ///< in Gazebo's world
+
+  static constexpr const char* kModelStates = "gazebo_msgs/ModelStates";
+  static constexpr const char* kLinkStates = "gazebo_msgs/LinkStates";
+};
+
 /// @param stream  at the message's beginning
 void checkTransforms(ros::serialization::IStream stream);
 void checkCalibration(ros::serialization::IStream stream);
 void checkGrid(ros::serialization::IStream stream);
+void checkJoints(ros::serialization::IStream stream);
+void checkStates(ros::serialization::IStream stream);
 
 }  // namespace synthetic_dataset::motion
 
@@ -39,6 +59,18 @@ struct MD5Sum<synthetic_dataset::motion::RecordedCalibration> : MD5Sum<sensor_ms
 
 template <>
 struct MD5Sum<synthetic_dataset::motion::RecordedGrid> : MD5Sum<nav_msgs::OccupancyGrid> {};
+
+template <>
+struct MD5Sum<synthetic_dataset::motion::RecordedJoints> : MD5Sum<sensor_msgs::JointState> {};
+
+/// Of both types, whose fields are the same: string[] name, Pose[] pose, Twist[] twist.
+template <>
+struct MD5Sum<synthetic_dataset::motion::RecordedStates> {
+  static const char* value() { return "48c080191eb15c41858319b4d8a609c2"; }
+  static const char* value(const synthetic_dataset::motion::RecordedStates& /*states*/) {
+    return value();
+  }
+};
 
 }  // namespace message_traits
 
@@ -65,6 +97,23 @@ struct Serializer<synthetic_dataset::motion::RecordedGrid> {
   static void read(IStream& stream, synthetic_dataset::motion::RecordedGrid& into) {
     synthetic_dataset::motion::checkGrid(stream);
     stream.next(into.message);
+  }
+};
+
+template <>
+struct Serializer<synthetic_dataset::motion::RecordedJoints> {
+  static void read(IStream& stream, synthetic_dataset::motion::RecordedJoints& into) {
+    synthetic_dataset::motion::checkJoints(stream);
+    stream.next(into.message);
+  }
+};
+
+template <>
+struct Serializer<synthetic_dataset::motion::RecordedStates> {
+  static void read(IStream& stream, synthetic_dataset::motion::RecordedStates& into) {
+    synthetic_dataset::motion::checkStates(stream);
+    stream.next(into.names);
+    stream.next(into.poses);
   }
 };
 

@@ -68,12 +68,6 @@ bool areMany(std::int64_t count, const Samples& samples) {
   return count >= kLeastJumps && kLeastShare * count >= static_cast<std::int64_t>(samples.size());
 }
 
-std::string listOf(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 std::string quoted(const FrameNames& names, FrameId frame) { return "'" + names.of(frame) + "'"; }
 
 }  // namespace
@@ -108,7 +102,7 @@ std::optional<FrameFinding> findFight(const FrameNames& names, FrameId child,
   }
   if (what.empty()) return std::nullopt;
   const std::string who =
-      publishers.size() > 1 ? "; its publishers are " + listOf(publishers) : std::string();
+      publishers.size() > 1 ? "; its publishers are " + listed(publishers) : std::string();
   return FrameFinding{child, "two publishers seem to fight over the frame " + quoted(names, child) +
                                  ": it " + what + who + "; its poses are as unsteady as that"};
 }

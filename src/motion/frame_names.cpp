@@ -39,16 +39,29 @@ std::string withoutLeadingSlashes(const std::string& frame) {
   return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
 }
 
-std::string didYouMeanFrame(const std::string& name, const std::vector<std::string>& frames) {
+std::vector<std::string> framesLike(const std::string& name,
+                                    const std::vector<std::string>& frames) {
+  const std::string plain = withoutLeadingSlashes(name);
   std::vector<std::string> same;
   std::copy_if(frames.begin(), frames.end(), std::back_inserter(same),
-               [&](const std::string& frame) { return isSameInOtherWriting(name, frame); });
-  if (same.empty()) return didYouMean(name, frames);
+               [&](const std::string& frame) { return isSameInOtherWriting(plain, frame); });
   std::sort(same.begin(), same.end());
   same.resize(std::min(same.size(), kMostSuggestions));
+  return same;
+}
+
+std::string didYouMeanFrame(const std::string& name, const std::vector<std::string>& frames) {
+  const std::vector<std::string> same = framesLike(name, frames);
+  if (same.empty()) return didYouMean(name, frames);
   std::string choice;
   for (const std::string& frame : same) choice += (choice.empty() ? "'" : " or '") + frame + "'";
   return "; did you mean " + choice + "?";
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
 }
 
 FrameId FrameNames::findOrAdd(const std::string& name) {

@@ -15,11 +15,18 @@ constexpr FrameId kNoFrame{-1};
 /// tf (version 1) wrote frames with a leading slash, tf2 refuses it: "/map" is "map".
 [[nodiscard]] std::string withoutLeadingSlashes(const std::string& frame);
 
+/// The frames that differ from a name by separators, case or a prefix only, up to three.
+[[nodiscard]] std::vector<std::string> framesLike(const std::string& name,
+                                                  const std::vector<std::string>& frames);
+
 /// "; did you mean 'alpha/base_link'?" for the end of a message, or nothing when no frame is alike:
 /// the frames that differ by separators, case or a prefix only ("alpha/" too few or many), else the
 /// one that a typing mistake may have meant.
 [[nodiscard]] std::string didYouMeanFrame(const std::string& name,
                                           const std::vector<std::string>& frames);
+
+/// "odom, base_link".
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 /// The names of frames. Leading slashes do not count.
 class FrameNames {

@@ -14,14 +14,25 @@ enum class MotionSource {
   kPlacement,  ///< placed at random, scene by scene
 };
 
+/// A topic, besides TF, whose messages say where frames are.
+struct PoseTopic {
+  std::string topic;
+  std::optional<std::string> frame;  ///< that it moves; none: its messages say so
+  std::optional<std::string>
+      object;  ///< of joint states: whose joints these are; none: all objects'
+};
+
 struct MotionOptions {
   MotionSource source = MotionSource::kBag;
   std::vector<std::string> bag_files;  ///< of kPlacement: for recorded maps and calibrations
-  std::int64_t scenes = 0;             ///< of kPlacement: how many times a picture is taken
-  double rate = 30.0;                  ///< [Hz]
-  double start_offset = 0.0;           ///< [s]
-  std::optional<double> duration;      ///< [s]
-  std::optional<double> max_tf_gap;    ///< [s], may be infinite; none: the default of each frame
+  std::vector<std::string>
+      tf_topics;  ///< none: /tf and /tf_static, or the only ones that there are
+  std::vector<PoseTopic> pose_topics;
+  std::int64_t scenes = 0;           ///< of kPlacement: how many times a picture is taken
+  double rate = 30.0;                ///< [Hz]
+  double start_offset = 0.0;         ///< [s]
+  std::optional<double> duration;    ///< [s]
+  std::optional<double> max_tf_gap;  ///< [s], may be infinite; none: the default of each frame
   std::optional<std::size_t>
       stretch;  ///< of a recording in which time goes back; none: the longest
 };

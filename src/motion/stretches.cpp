@@ -1,6 +1,7 @@
 #include "motion/stretches.h"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <set>
 #include <utility>

@@ -7,6 +7,7 @@
 #include <rosbag/bag.h>
 
 #include "motion/bag_check.h"
+#include "motion/ros2_bag.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::motion {
@@ -24,6 +25,7 @@ TopicSearch::TopicSearch(std::string topic, std::string type, std::string md5sum
 void TopicSearch::in(const std::string& file,
                      const std::function<void(rosbag::View& messages)>& see) {
   has_bag_ = true;
+  if (isRos2Bag(file)) throw Error("bag " + file + ": " + convertAdvice(file));
   try {
     show(file, see);
   } catch (const std::exception& error) {

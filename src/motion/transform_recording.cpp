@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -71,6 +72,34 @@ void TransformRecording::add(RecordedTransform added) {
   if (is_repeated) return;
   history.samples.push_back({stamp, parent, transform.transform});
   history.sources.push_back({added.recorded, added.arrival, publisherOf(added.publisher)});
+}
+
+bool TransformRecording::moves(const std::string& frame) const {
+  const auto id = tree_.names().find(frame);
+  return id && history_of_.count(*id) != 0;
+}
+
+std::set<std::string> TransformRecording::connectedWith(const std::string& frame) const {
+  std::set<std::string> names{withoutLeadingSlashes(frame)};
+  const auto start = tree_.names().find(frame);
+  if (!start) return names;
+  std::map<FrameId, std::set<FrameId>> neighbours;
+  for (const History& history : histories_) {
+    for (const Sample& sample : history.samples) {
+      if (!neighbours[history.child].insert(sample.parent).second) continue;
+      neighbours[sample.parent].insert(history.child);
+    }
+  }
+  std::set<FrameId> reached;
+  std::vector<FrameId> next{*start};
+  while (!next.empty()) {
+    const FrameId here = next.back();
+    next.pop_back();
+    if (!reached.insert(here).second) continue;
+    names.insert(tree_.names().of(here));
+    next.insert(next.end(), neighbours[here].begin(), neighbours[here].end());
+  }
+  return names;
 }
 
 std::size_t TransformRecording::publisherOf(const std::string& name) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -28,6 +30,13 @@ class TransformRecording {
 
   /// Whether nothing that counts was added.
   [[nodiscard]] bool empty() const { return histories_.empty(); }
+
+  /// Whether a transform of this frame was added.
+  [[nodiscard]] bool moves(const std::string& frame) const;
+
+  /// The frames that transforms connect with this one, itself among them, when it is left aside at
+  /// which times they are known.
+  [[nodiscard]] std::set<std::string> connectedWith(const std::string& frame) const;
 
   /// Ends the recording, to be called once: which frame hung below which one, when and where.
   /// @param stretch  that counts; nothing: the longest one

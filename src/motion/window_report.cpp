@@ -43,6 +43,18 @@ std::string topOf(const FrameTree& tree, FrameId frame) {
   return tree.names().of(frame);
 }
 
+/// "; `global_frame: odom` takes ...": where all other frames hang below a single one.
+std::string otherGlobalFrame(const FrameTree& tree, const std::vector<std::string>& frames) {
+  std::set<std::string> tops;
+  for (const std::string& frame : frames) {
+    const auto id = tree.names().find(frame);
+    if (id) tops.insert(topOf(tree, *id));
+  }
+  if (tops.size() != 1) return "";
+  return "; nothing says where it is, and the other frames are known in '" + *tops.begin() +
+         "': `global_frame: " + *tops.begin() + "` makes that the world's frame";
+}
+
 std::string relativeText(Stamp time, Stamp start) {
   constexpr int kDecimals = 3;
   return fixed(toSeconds(time - start), kDecimals) + " s";
@@ -96,7 +108,8 @@ std::vector<std::string> unknownFrames(const FrameTree& tree, const std::string&
                                        const std::vector<std::string>& frames) {
   std::vector<std::string> messages;
   if (!tree.names().find(global_frame)) {
-    messages.push_back(unknownFrame(tree, "global frame", global_frame));
+    messages.push_back(unknownFrame(tree, "global frame", global_frame) +
+                       otherGlobalFrame(tree, frames));
   }
   for (const std::string& frame : frames) {
     if (!tree.names().find(frame)) messages.push_back(unknownFrame(tree, "frame", frame));

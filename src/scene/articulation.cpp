@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "scene/link_names.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -14,31 +15,6 @@ namespace {
 /// Of each link; nothing for one that has none of its own.
 using Frames = std::vector<std::optional<motion::FrameId>>;
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + by.size())) {
-    text.replace(at, what.size(), by);
-  }
-  return text;
-}
-
-std::string lastPart(const std::string& link) {
-  const std::size_t scope = link.rfind("::");
-  return scope == std::string::npos ? link : link.substr(scope + 2);
-}
-
-/// A link's names as frames may have them: "arm::wrist" is "arm/wrist", or "wrist" where it is the
-/// model's only one.
-std::vector<std::string> frameNames(const world::Model& model, const world::Link& link) {
-  std::vector<std::string> names{replaced(link.name, "::", "/")};
-  const std::string last = lastPart(link.name);
-  const auto namesakes =
-      std::count_if(model.links.begin(), model.links.end(),
-                    [&](const world::Link& other) { return lastPart(other.name) == last; });
-  if (namesakes == 1 && last != link.name) names.push_back(last);
-  return names;
-}
-
 Frames framesByPattern(const world::Model& model, const ObjectOptions& object,
                        const motion::FrameSource& source) {
   Frames frames;
@@ -46,8 +22,7 @@ Frames framesByPattern(const world::Model& model, const ObjectOptions& object,
     std::optional<motion::FrameId> frame;
     for (const std::string& name : frameNames(model, link)) {
       if (frame) break;
-      frame = source.find(
-          replaced(replaced(object.link_frames.pattern, "{object}", object.name), "{link}", name));
+      frame = source.find(frameByPattern(object.link_frames.pattern, object.name, name));
     }
     frames.push_back(frame);
   }
@@ -76,33 +51,17 @@ Frames framesByLink(const world::Model& model, const ObjectOptions& object,
   return frames;
 }
 
-/// Whether a frame is called so, alone or below a prefix: "base_link", "rover_1/base_link".
-bool isCalled(const std::string& frame, const std::string& name) {
-  const std::string below = "/" + name;
-  return frame == name || (frame.size() > below.size() &&
-                           frame.compare(frame.size() - below.size(), below.size(), below) == 0);
-}
-
 /// The link that stands at the object's own frame: the one that follows it, else the one that it is
 /// named by. A frame that names no link carries the model's origin.
 std::optional<std::size_t> ownLink(const world::Model& model, const ObjectOptions& object,
                                    const motion::FrameSource& source, const Frames& frames) {
   const std::optional<motion::FrameId> object_frame = source.find(object.frame);
-  const std::string name = motion::withoutLeadingSlashes(object.frame);
-  std::optional<std::size_t> own;
-  std::size_t longest = 0;  // "arm/wrist" says more than "wrist"
+  std::vector<std::size_t> without_frame;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (frames[i]) {
-      if (frames[i] == object_frame) return i;
-      continue;
-    }
-    for (const std::string& each : frameNames(model, model.links[i])) {
-      if (each.size() <= longest || !isCalled(name, each)) continue;
-      longest = each.size();
-      own = i;
-    }
+    if (frames[i] && frames[i] == object_frame) return i;
+    if (!frames[i]) without_frame.push_back(i);
   }
-  return own;
+  return linkNamedBy(object.frame, model, without_frame);
 }
 
 /// Says so where the link of the object's frame, moved to the origin, was not there before.

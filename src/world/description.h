@@ -123,6 +123,20 @@ struct Inertia {
   Eigen::Matrix3d moments_L = Eigen::Matrix3d::Identity();  ///< about the centre of mass [kg m^2]
 };
 
+/// How a joint moves a link against its parent.
+struct JointMotion {
+  struct Mimic {
+    std::string joint;
+    double multiplier = 1.0;
+    double offset = 0.0;
+  };
+
+  bool slides = false;                        ///< along the axis [m], else turns about it [rad]
+  Eigen::Vector3d axis_L{1, 0, 0};            ///< of length 1
+  double rest = 0.0;                          ///< its position as the model has it [m] or [rad]
+  std::optional<Mimic> mimic = std::nullopt;  ///< the joint that it follows
+};
+
 struct Link {
   std::string name;  ///< scoped below the model: "arm::wrist"
   Pose X_ML = Pose::Identity();
@@ -131,7 +145,8 @@ struct Link {
   std::optional<std::size_t> parent;
 
   std::string moving_joint;  ///< name of the joint to the parent if it can move, else empty
-  bool has_gravity = true;   ///< false: it floats, as Gazebo's <gravity>false</gravity> says
+  std::optional<JointMotion> joint_motion;  ///< of that joint, if it has one axis; of a URDF alone
+  bool has_gravity = true;  ///< false: it floats, as Gazebo's <gravity>false</gravity> says
 
   std::vector<Visual> visuals;
   std::vector<Collision> collisions;

@@ -113,6 +113,19 @@ TEST(ReadConfig, AllMissingParametersAreNamedAtOnce) {
                            HasSubstr("stvnet/output_folder: required, but missing")));
 }
 
+TEST(ReadConfig, TopicsMayBeNamedWithWhatTheyMove) {
+  const Reading reading(plus(
+      "tf_topics: /robot1/tf\n"
+      "pose_topics: [/odom, {topic: /vicon/cup, frame: cup}, {topic: /joints, object: arm}]\n"));
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_THAT(reading.config.motion.tf_topics, ElementsAre("/robot1/tf"));
+  const auto& topics = reading.config.motion.pose_topics;
+  ASSERT_EQ(topics.size(), 3U);
+  EXPECT_EQ(topics[0].topic, "/odom");
+  EXPECT_EQ(topics[1].frame, "cup");
+  EXPECT_EQ(topics[2].object, "arm");
+}
+
 TEST(ReadConfig, AHoleMayBeOfAnyLength) {
   const Reading reading(plus("max_tf_gap: .inf\nstretch: 2\n"));
   EXPECT_THAT(reading.root.errors(), IsEmpty());
@@ -323,6 +336,14 @@ INSTANTIATE_TEST_SUITE_P(
                    "max_tf_gap: has a meaning with motion: bag alone"},
         BadSetting{"world:", std::string(kPlaced) + "stretch: 1\nworld:",
                    "stretch: has a meaning with motion: bag alone"},
+        BadSetting{"world:", std::string(kPlaced) + "pose_topics: /odom\nworld:",
+                   "pose_topics: has a meaning with motion: bag alone"},
+        BadSetting{"world:", "pose_topics: [{topik: /odom}]\nworld:",
+                   "pose_topics: found 'topik'; did you mean 'topic'?"},
+        BadSetting{"world:", "pose_topics: [{frame: cup}]\nworld:",
+                   "pose_topics: found a group without `topic`"},
+        BadSetting{"world:", "pose_topics: [/odom, /odom]\nworld:",
+                   "pose_topics: found '/odom' more than once"},
         BadSetting{"world:", "stretch: -1\nworld:",
                    "stretch: found -1; it should be the number of a part of the recording, from 0"},
         BadSetting{"world:", "max_tf_gap: -.inf\nworld:",

@@ -105,13 +105,15 @@ TEST(BagMotionClock, AnotherStretchCanBeChosen) {
   BagBuilder bag(folder / "reset.bag");
   writeReset(bag, false);
   const std::string file = bag.close();
-  const BagMotion second({file}, "map", 1);
+  const BagMotion second(BagMotionOptions{{file}, "map", 1});
   const Timeline timeline = second.timeline({"alpha"}, everyMilliseconds(500));
   EXPECT_THAT(timeline.stamps, SizeIs(10));
   for (const Stamp stamp : timeline.stamps) {
     EXPECT_NEAR(poseOf(second, "alpha", stamp).translation().x(), toSeconds(stamp) + 50.0, 1e-9);
   }
-  EXPECT_THAT(messageOf([&] { const BagMotion third({file}, "map", 2); }),
+  EXPECT_THAT(messageOf([&] {
+                const BagMotion third(BagMotionOptions{{file}, "map", 2});
+              }),
               AllOf(HasSubstr("stretch: found 2"), HasSubstr("1: 1.000 s to 6.000 s")));
 }
 

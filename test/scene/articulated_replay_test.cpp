@@ -1,5 +1,6 @@
 /// Objects whose links follow the recording, from a bag to labels.
 
+#include <filesystem>
 #include <map>
 
 #include <gmock/gmock.h>
@@ -177,6 +178,14 @@ TEST_F(ArticulatedReplay, NamesLinksAndFramesThatDoNotExist) {
                                   HasSubstr("did you mean 'alpha/fore'?"))));
 }
 
+TEST_F(ArticulatedReplay, TheErrorAboutAFramesPrefixNamesTheSettingThatMendsIt) {
+  alpha["frame"] = Value("robots/alpha/base_link");
+  EXPECT_THAT(errors(),
+              Contains("alpha/frame: found no frame 'robots/alpha/base_link' in the "
+                       "recording; in the group alpha, `frame: alpha/base_link` names one "
+                       "as a whole"));
+}
+
 TEST_F(ArticulatedReplay, TheObjectsFrameMayBeNamedWhole) {
   alpha["frame"] = Value("bravo/base_link");
   alpha["link_frames"] = Value("unknown/{link}");
@@ -235,6 +244,37 @@ TEST_F(ArticulatedReplay, ALinkThatFollowsAnotherFrameIsNotTheOneThatItsNameName
   LinkPoses links = linksAt(15);
   expectAt(links["ground"], base(15));
   expectAt(links["base_link"], base(15) * shoulder(15));
+}
+
+/// The angles of shoulder() and elbow() as joint states.
+std::string jointBag(const std::filesystem::path& file) {
+  test::BagBuilder bag(file);
+  for (int i = 0; i <= 20; ++i) {
+    bag.bend("/joint_states", milliseconds(1000 + 50 * i),
+             {{"shoulder", 0.1 * i}, {"elbow", -0.06 * i}, {"wheel", 0.0}});
+  }
+  return bag.close();
+}
+
+TEST_F(ArticulatedReplay, LinksFollowJointStatesWhereTfHasNoneOfThem) {
+  parameters["bag_file"] = Value(Value::List{Value((run.folder() / "tiny.bag").string()),
+                                             Value(jointBag(run.folder() / "joints.bag"))});
+  LinkPoses links = linksAt(15);
+  expectAt(links["upper"], base(15) * shoulder(15));
+  expectAt(links["fore"], base(15) * shoulder(15) * elbow(15));
+  expectAt(links["gripper"], base(15) * shoulder(15) * elbow(15) * poseAt(0, 0, 0.42));
+  EXPECT_THAT(setUp().found.messages(base::Severity::kWarning),
+              Contains(HasSubstr("the joints of 'alpha' follow the topic /joint_states")));
+}
+
+TEST_F(ArticulatedReplay, TfGoesBeforeJointStates) {
+  recordLinks();
+  const std::string joints = jointBag(run.folder() / "joints.bag");
+  Value::List bags = *parameters["bag_file"].as<Value::List>();
+  bags.emplace_back(joints);
+  parameters["bag_file"] = Value(bags);
+  EXPECT_THAT(setUp().found.messages(base::Severity::kWarning),
+              testing::Each(testing::Not(HasSubstr("/joint_states"))));
 }
 
 TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {

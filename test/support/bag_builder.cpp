@@ -4,14 +4,86 @@
 
 #include <boost/make_shared.hpp>
 
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
 #include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/JointState.h>
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
 
 namespace synthetic_dataset::test {
+
+/// As gazebo_msgs/ModelStates and LinkStates.
+struct GazeboStates {
+  std::vector<std::string> name;
+  std::vector<geometry_msgs::Pose> pose;
+  std::vector<geometry_msgs::Twist> twist;
+};
+
+}  // namespace synthetic_dataset::test
+
+namespace ros {
+namespace message_traits {
+
+using synthetic_dataset::test::GazeboStates;
+
+template <>
+struct MD5Sum<GazeboStates> {
+  static const char* value() { return "48c080191eb15c41858319b4d8a609c2"; }
+  static const char* value(const GazeboStates& /*states*/) { return value(); }
+};
+
+template <>
+struct DataType<GazeboStates> {
+  static const char* value() { return "gazebo_msgs/ModelStates"; }
+  static const char* value(const GazeboStates& /*states*/) { return value(); }
+};
+
+template <>
+struct Definition<GazeboStates> {
+  static const char* value() {
+    return "string[] name\ngeometry_msgs/Pose[] pose\ngeometry_msgs/Twist[] twist\n";
+  }
+  static const char* value(const GazeboStates& /*states*/) { return value(); }
+};
+
+}  // namespace message_traits
+
+namespace serialization {
+
+template <>
+struct Serializer<synthetic_dataset::test::GazeboStates> {
+  template <class Stream, class Message>
+  static void allInOne(Stream& stream, Message message) {
+    stream.next(message.name);
+    stream.next(message.pose);
+    stream.next(message.twist);
+  }
+  ROS_DECLARE_ALLINONE_SERIALIZER
+};
+
+}  // namespace serialization
+}  // namespace ros
+
+namespace synthetic_dataset::test {
 namespace {
+
+geometry_msgs::Pose toMessage(const Pose& X_PC) {
+  const Eigen::Vector3d p = X_PC.translation();
+  const Eigen::Quaterniond q(X_PC.linear());
+  geometry_msgs::Pose pose;
+  pose.position.x = p.x();
+  pose.position.y = p.y();
+  pose.position.z = p.z();
+  pose.orientation.x = q.x();
+  pose.orientation.y = q.y();
+  pose.orientation.z = q.z();
+  pose.orientation.w = q.w();
+  return pose;
+}
 
 ros::Time toRosTime(Stamp stamp) {
   return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp.count()));
@@ -91,6 +163,56 @@ BagBuilder& BagBuilder::add(const Transform& transform) {
     (*header)["message_definition"] = ros::message_traits::definition(message);
   }
   impl_->bag.write(transform.topic, toRosTime(transform.recorded), message, header);
+  return *this;
+}
+
+BagBuilder& BagBuilder::drive(const std::string& topic, const std::string& parent,
+                              const std::string& child, Stamp stamp, const Pose& X_PC) {
+  nav_msgs::Odometry message;
+  message.header.frame_id = parent;
+  message.header.stamp = toRosTime(stamp);
+  message.child_frame_id = child;
+  message.pose.pose = toMessage(X_PC);
+  impl_->bag.write(topic, toRosTime(stamp), message);
+  return *this;
+}
+
+BagBuilder& BagBuilder::locate(const std::string& topic, const std::string& parent, Stamp stamp,
+                               const Pose& X_PC) {
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = parent;
+  message.header.stamp = toRosTime(stamp);
+  message.pose = toMessage(X_PC);
+  impl_->bag.write(topic, toRosTime(stamp), message);
+  return *this;
+}
+
+BagBuilder& BagBuilder::bend(const std::string& topic, Stamp stamp,
+                             const std::map<std::string, double>& positions) {
+  sensor_msgs::JointState message;
+  message.header.stamp = toRosTime(stamp);
+  for (const auto& [joint, position] : positions) {
+    message.name.push_back(joint);
+    message.position.push_back(position);
+  }
+  impl_->bag.write(topic, toRosTime(stamp), message);
+  return *this;
+}
+
+BagBuilder& BagBuilder::simulate(const std::string& topic, const std::string& type, Stamp recorded,
+                                 const std::map<std::string, Pose>& X_WM) {
+  GazeboStates states;
+  for (const auto& [name, pose] : X_WM) {
+    states.name.push_back(name);
+    states.pose.push_back(toMessage(pose));
+    states.twist.emplace_back();
+  }
+  const auto header = boost::make_shared<ros::M_string>();
+  (*header)["topic"] = topic;
+  (*header)["type"] = type;
+  (*header)["md5sum"] = ros::message_traits::md5sum(states);
+  (*header)["message_definition"] = ros::message_traits::definition(states);
+  impl_->bag.write(topic, toRosTime(recorded), states, header);
   return *this;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,6 +50,22 @@ class BagBuilder {
     std::string publisher = {};  ///< the node that sent it; none: the bag does not say
   };
   BagBuilder& add(const Transform& transform);
+
+  /// A nav_msgs/Odometry, recorded at its stamp.
+  BagBuilder& drive(const std::string& topic, const std::string& parent, const std::string& child,
+                    Stamp stamp, const Pose& X_PC);
+
+  /// A geometry_msgs/PoseStamped, recorded at its stamp.
+  BagBuilder& locate(const std::string& topic, const std::string& parent, Stamp stamp,
+                     const Pose& X_PC);
+
+  /// A sensor_msgs/JointState, recorded at its stamp.
+  BagBuilder& bend(const std::string& topic, Stamp stamp,
+                   const std::map<std::string, double>& positions);
+
+  /// A gazebo_msgs/ModelStates or LinkStates, in the world's frame.
+  BagBuilder& simulate(const std::string& topic, const std::string& type, Stamp recorded,
+                       const std::map<std::string, Pose>& X_WM);
 
   /// A std_msgs/String.
   BagBuilder& say(const std::string& topic, Stamp recorded, const std::string& text = "hello");

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/seconds.h"
-#include "motion/bag_motion.h"
 #include "motion/placement_motion.h"
+#include "run/setup/recording_setup.h"
 #include "run/setup/scene_plan.h"
 #include "run/setup/size_checks.h"
 #include "run/setup/world_setup.h"
@@ -16,14 +16,14 @@ namespace synthetic_dataset::run {
 namespace {
 
 /// Nothing where the settings name none, which is an error already.
-std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& config) {
+std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& config,
+                                                      WorldCache& worlds) {
   switch (config.motion.source) {
     case motion::MotionSource::kPlacement:
       return std::make_shared<motion::PlacementMotion>(config.global_frame);
     case motion::MotionSource::kBag:
       if (config.motion.bag_files.empty()) return nullptr;
-      return std::make_shared<motion::BagMotion>(config.motion.bag_files, config.global_frame,
-                                                 config.motion.stretch);
+      return openRecording(config, worlds);
   }
   return nullptr;
 }
@@ -71,7 +71,7 @@ class MotionBuilder {
   }
 
   void openSource() {
-    auto source = attempt([&] { return makeSource(config()); });
+    auto source = attempt([&] { return makeSource(config(), worlds_); });
     if (!source) return;
     setup_.frames = std::make_unique<motion::PlacedFrames>(std::move(source));
     if (config().isPlaced()) placeObjects();

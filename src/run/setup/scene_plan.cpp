@@ -67,6 +67,34 @@ void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids, Duration open,
   }
 }
 
+/// "`frame: base_link` in the group rover names it", for an object whose frame the recording has in
+/// another writing, mostly without a prefix.
+std::string cureOf(const scene::ObjectOptions& object, const motion::FrameSource& frames) {
+  std::string cures;
+  for (const std::string& like : motion::framesLike(object.frame, frames.names().all())) {
+    cures += (cures.empty() ? "`frame: " : " or `frame: ") + like + "`";
+  }
+  if (cures.empty()) return "";
+  return object.name + "/frame: found no frame '" + object.frame + "' in " + frames.title() +
+         "; in the group " + object.name + ", " + cures + " names one as a whole";
+}
+
+/// @throws ErrorList as FrameSource::timeline, and what would mend it
+motion::Timeline findTimeline(const std::vector<std::string>& names,
+                              const motion::FrameSource& frames, const config::Config& config) {
+  try {
+    return frames.timeline(names, timelineOptions(config));
+  } catch (const ErrorList& errors) {
+    std::vector<std::string> messages = errors.messages();
+    for (const scene::ObjectOptions& object : config.objects) {
+      if (object.is_distractor || !object.takes_part || frames.find(object.frame)) continue;
+      const std::string cure = cureOf(object, frames);
+      if (!cure.empty()) messages.push_back(cure);
+    }
+    throw ErrorList(std::move(messages));
+  }
+}
+
 }  // namespace
 
 motion::Timeline planScenes(const motion::FrameSource& frames, const config::Config& config,
@@ -79,7 +107,7 @@ motion::Timeline planScenes(const motion::FrameSource& frames, const config::Con
     if (camera.followsFrame()) names.push_back(camera.frame);
     open = std::max(open, scene::openTime(camera.shutter));
   }
-  motion::Timeline timeline = frames.timeline(names, timelineOptions(config));
+  motion::Timeline timeline = findTimeline(names, frames, config);
   if (open.count() == 0) return timeline;
   std::vector<motion::FrameId> ids;
   for (const std::string& name : names) ids.push_back(*frames.find(name));

@@ -29,6 +29,23 @@ Pose restDisplacement(const urdf::Joint& joint, const Place& place, UrdfReading&
   return makePose({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(offset, axis.normalized())));
 }
 
+/// None where it is not one of an axis.
+std::optional<JointMotion> motionOf(const urdf::Joint& joint) {
+  const bool slides = joint.type == urdf::Joint::PRISMATIC;
+  const bool turns = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
+  const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  if ((!slides && !turns) || !axis.allFinite() || axis.norm() == 0.0) return std::nullopt;
+  JointMotion motion;
+  motion.slides = slides;
+  motion.axis_L = axis.normalized();
+  if (joint.mimic) {
+    const urdf::JointMimic& mimic = *joint.mimic;
+    motion.mimic = JointMotion::Mimic{mimic.joint_name, mimic.multiplier, mimic.offset};
+    motion.rest = mimic.offset;
+  }
+  return motion;
+}
+
 /// The file's inertia if it is one that a body can have.
 std::optional<Inertia> readInertia(const urdf::Link& link, const Place& place,
                                    UrdfReading& reading) {
@@ -65,6 +82,7 @@ class LinkReader {
     link.parent = parent;
     if (from.parent_joint && from.parent_joint->type != urdf::Joint::FIXED) {
       link.moving_joint = from.parent_joint->name;
+      link.joint_motion = motionOf(*from.parent_joint);
     }
     const Place here = place_.in("link", from.name);
     link.inertia = readInertia(from, here, reading_);

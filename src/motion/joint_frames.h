@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <geometry_msgs/TransformStamped.h>
+#include <sensor_msgs/JointState.h>
+#include <Eigen/Core>
+
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::motion {
+
+/// A link of a robot that has joints.
+struct JointedLink {
+  struct Mimic {
+    std::string joint;
+    double multiplier = 1.0;
+    double offset = 0.0;
+  };
+
+  std::string frame;  ///< in which it is looked for
+  std::optional<std::size_t> parent =
+      std::nullopt;                 ///< index of the link that its joint holds it to
+  Pose X_PL = Pose::Identity();     ///< in its parent at rest, or in the robot
+  std::string joint = {};           ///< that can move it; empty: none
+  bool slides = false;              ///< along the axis [m], else turns about it [rad]
+  Eigen::Vector3d axis_L{1, 0, 0};  ///< of length 1
+  double rest = 0.0;                ///< the joint's position at rest [m] or [rad]
+  std::optional<Mimic> mimic = std::nullopt;
+};
+
+/// A robot whose links follow the positions of its joints.
+struct JointedRobot {
+  std::string object;
+  std::string frame;  ///< where the robot is
+  std::optional<std::size_t>
+      own_link;  ///< that stands at this frame; none: the robot's origin does
+  std::vector<JointedLink> links;
+};
+
+/// The frames of a robot's links, by the positions of its joints.
+class JointFrames {
+ public:
+  /// @param positions  names of the joints whose positions there are
+  JointFrames(const JointedRobot& robot, const std::set<std::string>& positions);
+
+  /// The names of the frames that move.
+  [[nodiscard]] std::vector<std::string> frames() const;
+
+  /// The transforms of all frames whose joints the message has.
+  [[nodiscard]] std::vector<geometry_msgs::TransformStamped> transforms(
+      const sensor_msgs::JointState& message) const;
+
+ private:
+  /// A frame A and the next one that moves against it, B: X_AB = before * displacement * after.
+  struct Step {
+    std::string from;
+    std::string to;
+    Pose before;
+    std::size_t link;  ///< whose joint lies between
+    bool is_upwards;   ///< from the link to its parent
+    Pose after = Pose::Identity();
+  };
+
+  void visit(std::size_t link, std::optional<std::size_t> came_from, const std::string& anchor,
+             const Pose& X_AL);
+  [[nodiscard]] bool isMoved(const JointedLink& link) const;
+
+  JointedRobot robot_;
+  std::set<std::string> positions_;
+  std::vector<Step> steps_;
+};
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <geometry_msgs/TransformStamped.h>
+#include <rosbag/message_instance.h>
+
+namespace synthetic_dataset::motion {
+
+/// A type of messages that say where frames are.
+struct PoseMessage {
+  std::string type;             ///< "nav_msgs/Odometry"
+  std::string md5sum;           ///< by which bags know it
+  bool names_frames = true;     ///< whether its messages name the frames that they move
+  bool moves_one_frame = true;  ///< which a setting may name instead
+
+  /// @param frame  the name of the frame that it moves; empty: the message's own
+  std::function<std::vector<geometry_msgs::TransformStamped>(const rosbag::MessageInstance& message,
+                                                             const std::string& frame)>
+      read;
+};
+
+/// All that can be read, besides TF and joint states: a row and a function each.
+[[nodiscard]] const std::vector<PoseMessage>& poseMessages();
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,51 @@
+#include "run/setup/recording_setup.h"
+
+#include <string>
+#include <vector>
+
+#include "motion/bag_motion.h"
+#include "scene/link_names.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+/// The frames that have to be known: of objects, and of cameras that are where their frame is.
+std::vector<std::string> neededFrames(const config::Config& config) {
+  std::vector<std::string> frames;
+  for (const scene::ObjectOptions& object : config.objects) {
+    if (object.takes_part && !object.is_distractor) frames.push_back(object.frame);
+  }
+  for (const scene::CameraOptions& camera : config.cameras) {
+    const bool has_pose = camera.X_GC || camera.on || camera.sample || camera.sensor;
+    if (camera.frame && !has_pose) frames.push_back(*camera.frame);
+  }
+  return frames;
+}
+
+/// The objects whose models have joints. Models that cannot be read are reported with the world.
+std::vector<motion::JointedRobot> robotsOf(const config::Config& config, WorldFiles& files) {
+  std::vector<motion::JointedRobot> robots;
+  for (const scene::ObjectOptions& object : config.objects) {
+    if (!object.takes_part || !object.model) continue;
+    try {
+      const auto robot = scene::jointedRobot(files.model(*object.model, object.name), object);
+      if (robot) robots.push_back(*robot);
+    } catch (const Error&) {
+      continue;
+    }
+  }
+  return robots;
+}
+
+}  // namespace
+
+std::shared_ptr<const motion::FrameSource> openRecording(const config::Config& config,
+                                                         WorldCache& worlds) {
+  const motion::MotionOptions& motion = config.motion;
+  return std::make_shared<motion::BagMotion>(motion::BagMotionOptions{
+      motion.bag_files, config.global_frame, motion.stretch, motion.tf_topics, motion.pose_topics,
+      neededFrames(config), [&] { return robotsOf(config, worlds.filesFor(config.world)); }});
+}
+
+}  // namespace synthetic_dataset::run
