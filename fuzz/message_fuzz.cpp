@@ -1,4 +1,5 @@
 // Recorded messages: a bag that is sound holds the input as the content of its messages.
+#include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 
 #include "fuzzing.h"
@@ -19,6 +20,8 @@ struct Content {
 using Transforms = Content<tf2_msgs::TFMessage>;
 using Calibration = Content<sensor_msgs::CameraInfo>;
 using Grid = Content<nav_msgs::OccupancyGrid>;
+using Odometry = Content<nav_msgs::Odometry>;
+using Joints = Content<sensor_msgs::JointState>;
 
 }  // namespace
 
@@ -53,6 +56,39 @@ struct Serializer<Content<Message>> {
 }  // namespace serialization
 }  // namespace ros
 
+namespace {
+
+/// Topics that are read where there is no TF.
+void readOtherTopics(const std::string& bytes) {
+  using namespace synthetic_dataset;
+  const std::string file = (fuzzing::folder() / "others.bag").string();
+  {
+    rosbag::Bag bag(file, rosbag::bagmode::Write);
+    bag.write("/odom", ros::Time(5, 0), Odometry{bytes});
+    bag.write("/joint_states", ros::Time(6, 0), Joints{bytes});
+  }
+  motion::JointedLink base;
+  base.frame = "base";
+  motion::JointedLink arm;
+  arm.frame = "arm";
+  arm.parent = 0;
+  arm.joint = "shoulder";
+  for (const bool has_robot : {false, true}) {
+    motion::BagMotionOptions options;
+    options.bag_files = {file};
+    if (has_robot) {
+      options.robots = [&] {
+        return std::vector<motion::JointedRobot>{{"robot", "base", 0, {base, arm}}};
+      };
+    } else {
+      options.frames = {"robot"};
+    }
+    fuzzing::tolerating([&] { const motion::BagMotion motion(options); });
+  }
+}
+
+}  // namespace
+
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;
   if (size == 0) return 0;
@@ -69,6 +105,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static_cast<void>(scene::cameraOf(camera.info, "/camera_info", {false, 0.01, 100.0}));
   });
   fuzzing::tolerating([&] { static_cast<void>(motion::readMap({file}, "/map")); });
-  fuzzing::tolerating([&] { static_cast<void>(motion::BagMotion({file}, "map").notes()); });
+  fuzzing::tolerating([&] {
+    base::Diagnostics found;
+    motion::BagMotion({file}, "map").report({}, found);
+  });
+  readOtherTopics(bytes);
   return 0;
 }

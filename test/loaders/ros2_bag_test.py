@@ -20,7 +20,8 @@ PERIOD_NS = 10**8
 COUNT = 21
 
 WORLD = """<sdf version="1.6"><world name="w"><light name="sun" type="directional">
-<direction>0.3 0.4 -1</direction></light><model name="cup"><link name="body"><visual name="v"><geometry>
+<direction>0.3 0.4 -1</direction></light><model name="cup"><link name="body"><visual name="v">
+<geometry>
 <box><size>0.4 0.4 0.4</size></box></geometry></visual></link></model></world></sdf>"""
 SETTINGS = """bag_file: {bag}
 simulated_rate: 2
@@ -127,7 +128,7 @@ class Ros2BagTest(unittest.TestCase):
             done = self.generate(made)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             manifest = sqlite3.connect(self.folder / 'out' / 'manifest.sqlite')
-            poses = manifest.execute('SELECT stamp_ns, x FROM scene JOIN scene_object '
+            poses = manifest.execute('SELECT stamp_ns, scene_object.x FROM scene JOIN scene_object '
                                      'ON scene."index" = scene').fetchall()
             self.assertEqual(len(poses), 4)
             for stamp, x in poses:
