@@ -6,6 +6,7 @@
 #include "motion/bag_motion.h"
 #include "scene/link_names.h"
 #include "synthetic_dataset/errors.h"
+#include "world/description.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -29,7 +30,8 @@ std::vector<motion::JointedRobot> robotsOf(const config::Config& config, WorldFi
   for (const scene::ObjectOptions& object : config.objects) {
     if (!object.takes_part || !object.model) continue;
     try {
-      const auto robot = scene::jointedRobot(files.model(*object.model, object.name), object);
+      const world::Model& model = files.model(*object.model, object.name, object.model_arguments);
+      const auto robot = scene::jointedRobot(model, object);
       if (robot) robots.push_back(*robot);
     } catch (const Error&) {
       continue;
