@@ -39,7 +39,7 @@ const world::Description& WorldFiles::world() {
 
 const world::Model& WorldFiles::model(const std::string& model_or_uri, const std::string& name,
                                       const world::XacroArguments& arguments) {
-  const auto key = std::make_pair(model_or_uri, name);
+  const auto key = std::make_tuple(model_or_uri, name, arguments);
   const auto found = models_.find(key);
   if (found != models_.end()) return found->second;
   world::Model model =

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,8 @@ class WorldFiles {
   [[nodiscard]] const world::Description& world();
 
   /// @throws ErrorList as WorldLoader::loadModel
-  /// @param name  of the object, which always has the same arguments
+  /// @param name  of the object
+  /// @param arguments  of a xacro file
   [[nodiscard]] const world::Model& model(const std::string& model_or_uri, const std::string& name,
                                           const world::XacroArguments& arguments = {});
 
@@ -58,7 +60,8 @@ class WorldFiles {
   world::ResourceFinder finder_;
   world::WorldLoader loader_;
   std::optional<world::Description> world_;
-  std::map<std::pair<std::string, std::string>, world::Model> models_;  ///< by URI and name
+  using Key = std::tuple<std::string, std::string, world::XacroArguments>;  ///< URI, name
+  std::map<Key, world::Model> models_;
 };
 
 /// The worlds of a run's motions.

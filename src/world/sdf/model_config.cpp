@@ -7,6 +7,7 @@
 #include <tinyxml2.h>
 
 #include "synthetic_dataset/errors.h"
+#include "world/files/resource_finder.h"
 #include "world/sdf/sdf_version.h"
 
 namespace synthetic_dataset::world {
@@ -23,7 +24,7 @@ struct Listed {
 fs::path configOf(const fs::path& folder) {
   std::error_code ignored;
   for (const char* name : {"model.config", "manifest.xml"}) {
-    if (fs::exists(folder / name, ignored)) return folder / name;
+    if (fs::is_regular_file(folder / name, ignored)) return folder / name;
   }
   throw Error("'" + folder.string() + "' is a folder without a model.config");
 }
@@ -61,7 +62,11 @@ fs::path modelFileOf(const fs::path& folder) {
   const Listed* best = nullptr;
   for (const Listed& each : files) {
     std::error_code ignored;
-    const bool there = fs::exists(each.file, ignored);
+    if (!isWithin(each.file, folder)) {
+      throw Error("'" + config.string() + "' lists '" + each.file.string() +
+                  "', which is not in the model's folder, and is not read");
+    }
+    const bool there = fs::is_regular_file(each.file, ignored);
     if (there && (best == nullptr || isBetter(each, *best))) best = &each;
   }
   if (best == nullptr) {

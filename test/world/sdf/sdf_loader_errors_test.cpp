@@ -19,6 +19,14 @@ TEST(SdfLoaderErrors, TellWhereAMissingWorldWasLookedFor) {
                                 HasSubstr("looked in " + folder.path().string()))));
 }
 
+TEST(SdfLoaderErrors, NameAModelThatListsAFileOutsideOfItsFolder) {
+  const TemporaryFolder folder;
+  folder.write("secret.sdf", modelFile("m", linkElement("")));
+  folder.write("models/a/model.config", "<model><sdf version='1.6'>../../secret.sdf</sdf></model>");
+  EXPECT_THAT(errorsOfFile(folder, (folder / "models/a").string()),
+              ElementsAre(AllOf(HasSubstr("secret.sdf', which is not in the model's folder"))));
+}
+
 TEST(SdfLoaderErrors, NameAFolderWithoutModelConfig) {
   const TemporaryFolder folder;
   folder.write("empty/readme.txt", "");
