@@ -100,11 +100,23 @@ class ClassicReader {
     if (diffuse) material().diffuse = withAlpha(rgb(*diffuse), 1.0F);
     // COLLADA has either a colour or a picture; assimp adds a grey to the picture.
     if (result_.texture && isCollada()) material().diffuse.setOnes();
-    if (const auto ambient = colour(from_, "$clr.ambient")) material().ambient = rgb(*ambient);
+    readAmbient();
     if (const auto specular = colour(from_, "$clr.specular")) material().specular = rgb(*specular);
     // Lambert's model has no highlight; assimp gives COLLADA's a grey one.
     if (isCollada() && shadingModel(from_) == aiShadingMode_Gouraud) material().specular.setZero();
     if (const auto emissive = colour(from_, "$clr.emissive")) material().emissive = rgb(*emissive);
+  }
+
+  /// Where COLLADA says none, assimp has a grey of its own, and Gazebo Classic another
+  /// (gazebo/common/Material.cc).
+  void readAmbient() {
+    constexpr float kAssimps = 0.1F;
+    constexpr float kGazebos = 0.4F;
+    const auto ambient = colour(from_, "$clr.ambient");
+    if (!ambient) return;
+    material().ambient = rgb(*ambient);
+    const bool is_assimps = (material().ambient.array() == kAssimps).all();
+    if (isCollada() && is_assimps) material().ambient.setConstant(kGazebos);
   }
 
   void readShininess() {

@@ -139,6 +139,15 @@ TEST_F(MeshLoaderTest, AppliesColladasUnitAndNodes) {
   EXPECT_TRUE(box.max().isApprox(Eigen::Vector3f(0.0254F, 0.0508F, 0.127F), 1e-6F));
 }
 
+/// Gazebo's common::Material has it where a file says nothing.
+TEST_F(MeshLoaderTest, GivesColladasWithoutAnAmbientColourThatOfGazebo) {
+  std::string text = collada(kMetresYUp);
+  EXPECT_EQ(materialOf(request("a.dae", text)).ambient, Eigen::Vector3f(0.4F, 0.4F, 0.4F));
+  const std::string model = "<lambert>";
+  text.insert(text.find(model) + model.size(), "<ambient><color>0 0.5 1 1</color></ambient>");
+  EXPECT_EQ(materialOf(request("b.dae", text)).ambient, Eigen::Vector3f(0, 0.5F, 1));
+}
+
 TEST_F(MeshLoaderTest, DoesNotTurnYUpFilesAsGazeboDoesNot) {
   const auto box = bounds(request("a.dae", collada(kMetresYUp)));
   EXPECT_TRUE(box.min().isApprox(Eigen::Vector3f(0, 0, 5)));
