@@ -271,9 +271,9 @@ std::unique_ptr<SceneRecords> DatasetStore::records(std::size_t writer) const {
 
 void DatasetStore::flush() { impl_->flush(); }
 
-void DatasetStore::complete() {
+void DatasetStore::complete(const std::vector<Warning>& warnings) {
   impl_->flush();
-  impl_->manifest->finish();
+  impl_->manifest->finish(warnings);
   if (impl_->options.sync != Sync::kOff) syncDisks({impl_->options.folder});
 }
 

@@ -77,7 +77,8 @@ class DatasetStore {
 
   /// Marks the run as complete: what reads the manifest may rely on it. Nothing may be written
   /// after it.
-  void complete();
+  /// @param warnings  of the run as a whole, known at its end
+  void complete(const std::vector<Warning>& warnings = {});
 
   // Of all that is in the dataset, whichever run made it.
   [[nodiscard]] StoreCounts counts() const;

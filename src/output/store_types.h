@@ -51,6 +51,10 @@ struct ObjectCounts {
   std::int64_t in_view = 0;  ///< by its loose box
   std::int64_t seen = 0;     ///< with a visible pixel, where these were counted
   std::int64_t dropped = 0;  ///< of those in view: below the thresholds
+  std::int64_t counted = 0;  ///< in which its visible pixels were counted
+
+  /// In which it should have a label: seen, or where that was not counted in view, and not dropped.
+  std::int64_t labelled = 0;
 
   std::int64_t compared = 0;         ///< with a mask by background subtraction and an exact one
   double mean_mask_agreement = 0.0;  ///< intersection over union of these, 0 .. 1

@@ -9,6 +9,7 @@
 #include "programs/console/console_reporter.h"
 #include "programs/console/stop_signals.h"
 #include "run/merger.h"
+#include "run/run_summary.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {
@@ -34,8 +35,9 @@ int main(int argc, char** argv) {
   stop_signals::ignoreFailedWriting();
   programs::ConsoleReporter reporter;
   try {
-    run::mergeShards(arguments.front(), {arguments.begin() + 1, arguments.end()}, reporter);
-    reporter.info("done");
+    const std::vector<std::string> missing =
+        run::mergeShards(arguments.front(), {arguments.begin() + 1, arguments.end()}, reporter);
+    reporter.info(run::lastLine(missing));
     return 0;
   } catch (const ErrorList& errors) {
     for (const std::string& message : errors.messages()) programs::ConsoleReporter::fatal(message);

@@ -1,5 +1,6 @@
 #include "run/dataset_sink.h"
 
+#include "run/label_counts.h"
 #include "run/open_output.h"
 
 namespace synthetic_dataset::run {
@@ -48,8 +49,12 @@ void DatasetSink::finish(RunEnd end) {
     return;
   }
   // The files of the dataset as a whole are made of all shards together, when they are merged.
-  if (!config.output.shard) setup_.writers->finalize(*store_);
-  store_->complete();
+  if (config.output.shard) {
+    store_->complete();
+    return;
+  }
+  setup_.writers->finalize(*store_);
+  complete(*store_, config.objects);
 }
 
 }  // namespace synthetic_dataset::run

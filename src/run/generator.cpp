@@ -31,9 +31,8 @@ struct Generator::Impl {
     summary.objects = labelCounts(store, setup.config.objects);
     const config::Config& config = setup.config;
     if (summary.stopped || config.output.shard || !config.only_scenes.empty()) return;
-    for (const std::string& message : missingLabels(summary.objects, summary.dataset_scenes)) {
-      reporter.warning(message);
-    }
+    summary.missing_labels = missingLabels(summary.objects, summary.dataset_scenes);
+    for (const std::string& message : summary.missing_labels) reporter.warning(message);
   }
 
   Reporter& reporter;

@@ -19,4 +19,11 @@ namespace synthetic_dataset::run {
 [[nodiscard]] std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& counts,
                                                      std::int64_t scenes);
 
+/// The same of all that a dataset holds.
+[[nodiscard]] std::vector<std::string> missingLabels(
+    const output::DatasetStore& store, const std::vector<scene::ObjectOptions>& objects);
+
+/// Completes a dataset; its manifest then lists the labels that are missing.
+void complete(output::DatasetStore& store, const std::vector<scene::ObjectOptions>& objects);
+
 }  // namespace synthetic_dataset::run

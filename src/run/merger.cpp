@@ -139,8 +139,10 @@ void removeShardManifests(const std::vector<FoundShard>& shards, const std::stri
 
 }  // namespace
 
-void mergeShards(const std::string& output_folder, const std::vector<std::string>& shard_folders,
-                 Reporter& reporter, const std::vector<std::string>& plugin_xml_files) {
+std::vector<std::string> mergeShards(const std::string& output_folder,
+                                     const std::vector<std::string>& shard_folders,
+                                     Reporter& reporter,
+                                     const std::vector<std::string>& plugin_xml_files) {
   const std::string folder = folderName(output_folder);
   std::set<std::string> folders;
   for (const std::string& each : shard_folders) folders.insert(folderName(each));
@@ -150,7 +152,7 @@ void mergeShards(const std::string& output_folder, const std::vector<std::string
     if (fs::exists(output::manifestFile(folder)) &&
         output::readManifest(output::manifestFile(folder)).complete) {
       reporter.info("the dataset in '" + folder + "' is complete already: there is nothing to do");
-      return;
+      return {};
     }
     throw Error("'" + *folders.begin() + "': no shards are there (each leaves a " +
                 "manifest.shard-INDEX-of-COUNT.sqlite in its output_folder)");
@@ -161,6 +163,7 @@ void mergeShards(const std::string& output_folder, const std::vector<std::string
   RunSetup setup = setUpRun(mergedParameters(shards.front(), folder), plugin_xml_files);
   requireSameRun(shards.front(), setup.description);
   const auto store = openMerged(setup);
+  std::vector<std::string> missing;
   if (!store->wasComplete()) {
     for (const FoundShard& each : shards) store->takeIn(each.place);
     const std::int64_t found = store->counts().scenes;
@@ -169,16 +172,15 @@ void mergeShards(const std::string& output_folder, const std::vector<std::string
                   std::to_string(setup.description.scene_count));
     }
     setup.writers->finalize(*store);
-    store->complete();
+    complete(*store, setup.config.objects);
     reporter.info(std::to_string(found) + " scenes of " + std::to_string(shards.size()) +
                   " shards merged");
-    for (const std::string& message :
-         missingLabels(labelCounts(*store, setup.config.objects), found)) {
-      reporter.warning(message);
-    }
+    missing = missingLabels(*store, setup.config.objects);
+    for (const std::string& message : missing) reporter.warning(message);
   }
   removeShardManifests(shards, folder);
   reporter.info("manifest: " + store->manifestPath());
+  return missing;
 }
 
 }  // namespace synthetic_dataset::run

@@ -16,9 +16,12 @@ namespace synthetic_dataset::run {
 /// @param output_folder  where the dataset is to be; may hold shards
 /// @param shard_folders  more folders that hold shards
 /// @param plugin_xml_files  where to look for writers; empty: all that installed packages export
+/// @return what the user should know of labels that are missing
 /// @throws ErrorList: shards that are missing, not complete, or of another run; what cannot be
 ///     written. Then the shards are as they were.
-void mergeShards(const std::string& output_folder, const std::vector<std::string>& shard_folders,
-                 Reporter& reporter, const std::vector<std::string>& plugin_xml_files = {});
+std::vector<std::string> mergeShards(const std::string& output_folder,
+                                     const std::vector<std::string>& shard_folders,
+                                     Reporter& reporter,
+                                     const std::vector<std::string>& plugin_xml_files = {});
 
 }  // namespace synthetic_dataset::run

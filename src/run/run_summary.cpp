@@ -1,5 +1,7 @@
 #include "run/run_summary.h"
 
+#include <algorithm>
+
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {
@@ -31,11 +33,20 @@ std::vector<std::string> summaryLines(const RunSummary& summary) {
     lines.push_back(line);
   }
   for (const auto& [kind, count] : summary.warnings) {
+    const auto& missing = summary.missing_labels;
+    if (std::find(missing.begin(), missing.end(), kind) != missing.end()) continue;
     lines.push_back("warning, " + std::to_string(count) + (count == 1 ? " time: " : " times: ") +
                     kind);
   }
   lines.push_back("manifest: " + summary.manifest);
   return lines;
+}
+
+std::string lastLine(const std::vector<std::string>& missing_labels) {
+  if (missing_labels.empty()) return "done";
+  const std::size_t more = missing_labels.size() - 1;
+  return "done, but " + missing_labels.front() +
+         (more == 0 ? "" : " (and " + std::to_string(more) + " more such warnings)");
 }
 
 }  // namespace synthetic_dataset::run

@@ -12,12 +12,14 @@ namespace synthetic_dataset::run {
 struct RunSummary {
   struct Object {
     std::string name;
-    std::int64_t scenes_in_view = 0;  ///< by its loose box
-    std::int64_t scenes_seen = 0;     ///< with a visible pixel, where these are counted
-    std::int64_t scenes_dropped = 0;  ///< of those in view: below the thresholds of `labels`
+    std::int64_t scenes_in_view = 0;   ///< by its loose box
+    std::int64_t scenes_seen = 0;      ///< with a visible pixel, where these are counted
+    std::int64_t scenes_dropped = 0;   ///< of those in view: below the thresholds of `labels`
+    std::int64_t scenes_counted = 0;   ///< in which its visible pixels were counted
+    std::int64_t scenes_labelled = 0;  ///< in which it should have a label
 
     /// Mean intersection over union of its visible masks by background subtraction and exact ones.
-    std::optional<double> mask_agreement;
+    std::optional<double> mask_agreement = std::nullopt;
 
     bool is_distractor = false;  ///< which need not be seen anywhere
   };
@@ -34,10 +36,14 @@ struct RunSummary {
   std::int64_t bytes = 0;
   std::vector<Object> objects;
   std::map<std::string, std::int64_t> warnings;  ///< kind to count
+  std::vector<std::string> missing_labels;       ///< what the user should know of them
   std::string manifest;
 };
 
 /// The summary as lines of text.
 [[nodiscard]] std::vector<std::string> summaryLines(const RunSummary& summary);
+
+/// The last line of a run that is done: it says what is missing.
+[[nodiscard]] std::string lastLine(const std::vector<std::string>& missing_labels);
 
 }  // namespace synthetic_dataset::run

@@ -178,6 +178,11 @@ void placeInFrame(const CameraOptions& config, const CalibratedCamera& camera, C
   rig.optical_frame = rig.frame + "/" + rig.name;
 }
 
+/// Whether both calibrations are of cameras that are in one frame, by its name or by its pose.
+bool shareFrame(const CameraRig& a, const CameraRig& b) {
+  return a.frame == b.frame || (a.X_GC && b.X_GC && a.X_GC->isApprox(*b.X_GC, 0.0));
+}
+
 bool isBesideItsFrame(const CameraRig& camera) {
   return camera.is_rectified && !camera.X_FC.translation().isZero(0.0);
 }
@@ -206,7 +211,7 @@ void alignStereoPairs(std::vector<CameraRig>& cameras) {
   for (CameraRig& second : cameras) {
     if (!isBesideItsFrame(second)) continue;
     const auto isFirst = [&](const CameraRig& other) {
-      return other.frame == second.frame && other.is_rectified && !isBesideItsFrame(other);
+      return shareFrame(other, second) && other.is_rectified && !isBesideItsFrame(other);
     };
     const auto first = std::find_if(cameras.begin(), cameras.end(), isFirst);
     if (first == cameras.end()) continue;

@@ -1,7 +1,10 @@
 #include "run/label_counts.h"
 
+#include <filesystem>
+
 #include <gmock/gmock.h>
 
+#include "output/manifest/manifest_content.h"
 #include "run_fixture.h"
 
 namespace synthetic_dataset::run {
@@ -13,40 +16,100 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-TEST(MissingLabels, AreNoneWhereEachObjectHasOne) {
-  EXPECT_THAT(missingLabels({{"rover", 1, 0, 0, {}}, {"drone", 40, 40, 39, {}}}, 40), IsEmpty());
+/// In view, seen, dropped, counted, labelled.
+RunSummary::Object object(const std::string& name, std::int64_t in_view, std::int64_t seen,
+                          std::int64_t dropped, std::int64_t counted, std::int64_t labelled) {
+  return {name, in_view, seen, dropped, counted, labelled};
 }
 
-TEST(MissingLabels, AreToldOfEachObjectWithTheReason) {
+TEST(MissingLabels, AreNoneWhereEachObjectHasOne) {
   EXPECT_THAT(
-      missingLabels({{"rover", 7, 7, 0, {}}, {"drone", 0, 0, 0, {}}, {"cup", 5, 5, 5, {}}}, 40),
+      missingLabels({object("rover", 1, 0, 0, 0, 1), object("drone", 40, 40, 39, 40, 1)}, 40),
+      IsEmpty());
+}
+
+TEST(MissingLabels, AreReportedOfEachObjectWithTheReason) {
+  EXPECT_THAT(
+      missingLabels({object("rover", 7, 7, 0, 40, 7), object("drone", 0, 0, 0, 40, 0),
+                     object("cup", 5, 5, 5, 40, 0), object("crate", 6, 0, 0, 40, 0)},
+                    40),
       ElementsAre("object drone has a label in none of 40 scenes: it is in view in none of "
                   "them",
                   StartsWith("object cup has a label in none of 40 scenes: too little of it "
-                             "is seen in all 5")));
+                             "is seen in all 5"),
+                  StartsWith("object crate has a label in none of 40 scenes: not a pixel of it "
+                             "is seen in all 6")));
 }
 
-TEST(MissingLabels, OfAllAreToldFirst) {
-  EXPECT_THAT(missingLabels({{"rover", 0, 0, 0, {}}}, 40),
+TEST(MissingLabels, OfAllAreReportedFirst) {
+  EXPECT_THAT(missingLabels({object("rover", 0, 0, 0, 0, 0)}, 40),
               ElementsAre(HasSubstr("NOTHING is labelled"), StartsWith("object rover")));
 }
 
+TEST(MissingLabels, AreInTheLastLine) {
+  EXPECT_EQ(lastLine({}), "done");
+  EXPECT_EQ(lastLine({"object a has no label"}), "done, but object a has no label");
+  EXPECT_THAT(lastLine({"NOTHING is labelled", "object a", "object b"}),
+              AllOf(StartsWith("done, but NOTHING is labelled"), HasSubstr("2 more")));
+}
+
 TEST(MissingLabels, OfNoSceneAreNone) {
-  EXPECT_THAT(missingLabels({{"rover", 0, 0, 0, {}}}, 0), IsEmpty());
+  EXPECT_THAT(missingLabels({object("rover", 0, 0, 0, 0, 0)}, 0), IsEmpty());
 }
 
 using LabelCountsTest = test::RunFixture;
 
-TEST_F(LabelCountsTest, AreToldAtTheEndOfARun) {
-  struct Listener : Reporter {
-    void warning(const std::string& message) override { warnings.push_back(message); }
-    std::vector<std::string> warnings;
-  } listener;
+struct Listener : Reporter {
+  void warning(const std::string& message) override { warnings.push_back(message); }
+  std::vector<std::string> warnings;
+};
+
+TEST_F(LabelCountsTest, AreReportedAtTheEndOfARun) {
+  Listener listener;
   parameters["labels"] = Value(Value::Map{{"min_pixels", Value(100000)}});
   generate(listener);
   EXPECT_THAT(listener.warnings,
               testing::IsSupersetOf({HasSubstr("NOTHING is labelled"), HasSubstr("object alpha"),
                                      HasSubstr("object bravo")}));
+}
+
+/// Under the floor, which hides the objects though their boxes are in view.
+Value::Map belowTheFloor(Value::Map parameters) {
+  auto& pose = *(*parameters["camera"].as<Value::Map>())["pose"].as<Value::List>();
+  pose[2] = Value(-0.5);
+  parameters.erase("yolo");
+  parameters.erase("bounding_shape");
+  parameters["writers"] = Value(Value::List{
+      Value(Value::Map{{"name", Value("coco")}, {"type", Value("synthetic_dataset/Coco")}})});
+  return parameters;
+}
+
+TEST_F(LabelCountsTest, OfARunThatSeesNoObjectAreInItsEndAndInTheManifest) {
+  parameters = belowTheFloor(parameters);
+  Listener listener;
+  const RunSummary summary = generate(listener);
+  EXPECT_THAT(
+      listener.warnings,
+      testing::IsSupersetOf({HasSubstr("NOTHING is labelled"),
+                             HasSubstr("object alpha has a label in none of 4 scenes: not a "
+                                       "pixel of it is seen")}));
+  EXPECT_THAT(lastLine(summary.missing_labels), StartsWith("done, but NOTHING is labelled"));
+  const output::ManifestContent manifest = output::readManifest(output::manifestFile(folder));
+  EXPECT_TRUE(manifest.complete);
+  std::vector<std::string> listed;
+  for (const output::Warning& each : manifest.run.warnings) listed.push_back(each.kind);
+  EXPECT_THAT(listed, testing::IsSupersetOf(summary.missing_labels));
+}
+
+TEST_F(LabelCountsTest, ReportsLeaveTheManifestsBytesThoseOfAnUnbrokenRun) {
+  parameters = belowTheFloor(parameters);
+  const auto whole = filesAnew();
+  parameters["only_scenes"] = Value(Value::List{Value(0), Value(1)});
+  std::filesystem::remove_all(folder);
+  (void)generate();
+  parameters.erase("only_scenes");
+  (void)generate();
+  EXPECT_EQ(files(), whole);
 }
 
 }  // namespace label_counts_test

@@ -151,6 +151,23 @@ TEST_F(CalibratedRig, OfBothCamerasOfAPairShowsAPointInOneRow) {
   }
 }
 
+TEST_F(CalibratedRig, OfAPairMayShareAPoseInsteadOfAFrame) {
+  CameraRig left = rigOf(
+      "R: [0.9950041652780258, 0, 0.09983341664682815, 0, 1, 0, -0.09983341664682815, 0, "
+      "0.9950041652780258]\nP: [300, 0, 159.5, 0, 0, 300, 119.5, 0, 0, 0, 1, 0]\n");
+  CameraRig right = rigOf("P: [300, 0, 159.5, -60, 0, 300, 119.5, 0, 0, 0, 1, 0]\n");
+  left.frame = "left/optical_link";
+  right.frame = "right/optical_link";
+  std::vector<CameraRig> apart = {left, right};
+  alignStereoPairs(apart);
+  EXPECT_TRUE(apart[1].X_FC.linear().isIdentity());
+  left.X_GC = right.X_GC = X_GF;
+  std::vector<CameraRig> pair = {left, right};
+  alignStereoPairs(pair);
+  EXPECT_TRUE(pair[1].X_FC.linear().isApprox(left.X_FC.linear()));
+  EXPECT_TRUE(pair[1].X_FC.translation().isApprox(left.X_FC * Eigen::Vector3d(0.2, 0.0, 0.0)));
+}
+
 TEST_F(CalibratedRig, IsWhereItsFrameIsWithoutRotationAndBaseline) {
   const CameraRig rig = rigOf(
       "R: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nP: [300, 0, 159.5, 0, 0, 300, 119.5, 0, 0, 0, 1, 0]\n");

@@ -6,6 +6,8 @@
 
 #include <cerrno>
 #include <chrono>
+#include <set>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -335,7 +337,25 @@ void Manifest::reopen() {
   database_.execute("PRAGMA schema_version = " + std::to_string(counted - 1));
 }
 
-void Manifest::finish() {
+void Manifest::listAtEnd(const std::vector<Warning>& warnings) {
+  std::set<std::string> listed;
+  SqliteStatement rows(database_, "SELECT kind FROM warning WHERE scene = ?");
+  for (rows.start(kWholeRun); rows.step();) listed.insert(rows.text(0));
+  SqliteStatement last(database_,
+                       "SELECT coalesce(max(sequence), -1) FROM warning WHERE scene = ?");
+  last.start(kWholeRun);
+  std::int64_t sequence = last.step() ? last.integer(0) : -1;
+  last.reset();
+  SqliteTransaction transaction(database_);
+  for (const Warning& each : warnings) {
+    if (!listed.insert(each.kind).second) continue;
+    insert_warning_.run(kWholeRun, ++sequence, each.count, each.kind, each.detail);
+  }
+  transaction.commit();
+}
+
+void Manifest::finish(const std::vector<Warning>& warnings) {
+  listAtEnd(warnings);
   const std::string copy = temporaryPath(file_);
   ::unlink(copy.c_str());
   {

@@ -98,7 +98,8 @@ class Manifest {
 
   /// Sets the state to complete and writes the file anew, so that its bytes follow from what it
   /// lists and not from how that came about. Nothing may be written after it; it still answers.
-  void finish();
+  /// @param warnings  of the run as a whole, known at its end; those that are listed stay
+  void finish(const std::vector<Warning>& warnings = {});
 
   /// Whether the file that is written to is still the one of the manifest's name.
   [[nodiscard]] bool isInPlace() const;
@@ -112,6 +113,7 @@ class Manifest {
   void refuseKnown(const std::string& path);
   void insertFile(std::optional<std::int64_t> scene, const ManifestFile& file);
   void insertMeasures(const SceneFacts& scene);
+  void listAtEnd(const std::vector<Warning>& warnings);
   void takeInSceneOf(const std::string& shard_folder, std::int64_t index, const PlaceFile& place);
 
   std::string folder_;

@@ -86,12 +86,14 @@ std::vector<ObjectCounts> Manifest::objectCounts() const {
   SqliteStatement rows(
       database_,
       "SELECT count(scene) FILTER (WHERE in_view), count(scene) FILTER (WHERE visible_pixels > 0), "
-      "count(scene) FILTER (WHERE in_view AND dropped), count(mask_agreement), "
-      "avg(mask_agreement) FROM object LEFT JOIN scene_object ON object = object.\"index\" "
+      "count(scene) FILTER (WHERE in_view AND dropped), count(visible_pixels), "
+      "count(scene) FILTER (WHERE NOT dropped AND coalesce(visible_pixels > 0, in_view)), "
+      "count(mask_agreement), avg(mask_agreement) FROM object LEFT JOIN scene_object ON object = "
+      "object.\"index\" "
       "GROUP BY object.\"index\" ORDER BY object.\"index\"");
   while (rows.step()) {
-    counts.push_back(
-        {rows.integer(0), rows.integer(1), rows.integer(2), rows.integer(3), rows.real(4)});
+    counts.push_back({rows.integer(0), rows.integer(1), rows.integer(2), rows.integer(3),
+                      rows.integer(4), rows.integer(5), rows.real(6)});
   }
   return counts;
 }

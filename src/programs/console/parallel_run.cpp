@@ -47,18 +47,17 @@ bool ParallelRun::isPossible() const {
          !output::shardManifests(config_.output.folder).empty();
 }
 
-bool ParallelRun::make(run::Reporter& reporter) const {
+std::optional<std::vector<std::string>> ParallelRun::make(run::Reporter& reporter) const {
   shareCores(config_.processes);
   if (config_.output.if_exists == output::IfExists::kOverwrite && !removeEarlier(reporter))
-    return false;
+    return std::nullopt;
   reporter.info(std::to_string(config_.processes) + " processes make a shard each");
   const bool is_done = doInProcesses(
       config_.processes,
       [this](int shard, run::Reporter& of_shard) { return makeShard(settingsOf(shard), of_shard); },
       reporter);
-  if (!is_done || reporter.stopRequested()) return false;
-  run::mergeShards(config_.output.folder, {}, reporter);
-  return true;
+  if (!is_done || reporter.stopRequested()) return std::nullopt;
+  return run::mergeShards(config_.output.folder, {}, reporter);
 }
 
 Value::Map ParallelRun::settingsOf(int shard) const {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "config/config.h"
 #include "run/reporter.h"
 #include "synthetic_dataset/value.h"
@@ -18,9 +22,10 @@ class ParallelRun {
   /// process has to go on with.
   [[nodiscard]] bool isPossible() const;
 
-  /// @return whether the dataset is complete; else it was stopped
+  /// @return once the dataset is complete, what the user should know of labels that are missing;
+  ///     nothing when it was stopped
   /// @throws ErrorList with all that is wrong
-  [[nodiscard]] bool make(run::Reporter& reporter) const;
+  [[nodiscard]] std::optional<std::vector<std::string>> make(run::Reporter& reporter) const;
 
  private:
   [[nodiscard]] Value::Map settingsOf(int shard) const;
