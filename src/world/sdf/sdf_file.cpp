@@ -30,8 +30,9 @@ std::string contentOf(const fs::path& file) {
 
 void parseXml(const std::string& text, SdfFile& file) {
   if (file.document.Parse(text.c_str(), text.size()) == tinyxml2::XML_SUCCESS) return;
-  const std::string reason = "line " + std::to_string(file.document.ErrorLineNum()) +
-                             ": cannot be read as XML (" + file.document.ErrorName() + ")";
+  const int line = file.document.ErrorLineNum();  // 0 in an empty file
+  const std::string reason = (line > 0 ? "line " + std::to_string(line) + ": " : "") +
+                             "cannot be read as XML (" + file.document.ErrorName() + ")";
   const std::string repaired = repairedXml(text);
   if (file.document.Parse(repaired.c_str(), repaired.size()) == tinyxml2::XML_SUCCESS) return;
   throw Error(file.path.string() + ": " + reason);
