@@ -13,7 +13,7 @@ constexpr char kWorld[] = R"(<sdf version="1.6"><world name="tiny">
 <model name="floor"><static>true</static><link name="body">
   <collision name="slab"><pose>0 0 -0.1 0 0 0</pose><geometry><box><size>8 8 0.2</size></box></geometry></collision>
   <visual name="slab"><pose>0 0 -0.1 0 0 0</pose><geometry><box><size>8 8 0.2</size></box></geometry>
-    <material><diffuse>0.6 0.6 0.6 1</diffuse></material></visual></link></model>
+    <material><ambient>0.3 0.3 0.3 1</ambient><diffuse>0.3 0.3 0.3 1</diffuse></material></visual></link></model>
 <model name="ball"><pose>0.3 -0.8 0.6 0 0 0</pose><link name="body">
   <inertial><mass>0.2</mass><inertia><ixx>0.001</ixx><iyy>0.001</iyy><izz>0.001</izz></inertia></inertial>
   <collision name="skin"><geometry><sphere><radius>0.1</radius></sphere></geometry></collision>
@@ -26,8 +26,8 @@ std::string boxModel(const std::string& name, const std::string& colour) {
   const std::string box =
       "<pose>0 0 0.2 0 0 0</pose><geometry><box><size>0.4 0.4 0.4</size></box></geometry>";
   return "<model name='" + name + "'><link name='body'><collision name='c'>" + box +
-         "</collision><visual name='v'>" + box + "<material><diffuse>" + colour +
-         " 1</diffuse></material></visual></link></model>\n";
+         "</collision><visual name='v'>" + box + "<material><ambient>" + colour +
+         " 1</ambient><diffuse>" + colour + " 1</diffuse></material></visual></link></model>\n";
 }
 
 constexpr char kCamera[] = R"(image_width: 160
