@@ -4,11 +4,23 @@
 #include <cstdlib>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "base/ros_packages.h"
 
 namespace synthetic_dataset::run {
+
+namespace {
+
+/// Where ROS packages are: Debian's own lie in /usr/share, which its rospack always searches last.
+std::string searchPath() {
+  const char* variable = std::getenv("ROS_PACKAGE_PATH");
+  const std::string path = variable != nullptr ? variable : "";
+  return path.empty() ? "/usr/share" : path + ":/usr/share";
+}
+
+}  // namespace
 
 struct RosPackageIndex::Found {
   std::mutex mutex;
@@ -16,8 +28,7 @@ struct RosPackageIndex::Found {
 
   const base::RosPackages& get() {
     const std::lock_guard<std::mutex> lock(mutex);
-    const char* path = std::getenv("ROS_PACKAGE_PATH");
-    if (!packages) packages = base::findRosPackages(path != nullptr ? path : "");
+    if (!packages) packages = base::findRosPackages(searchPath());
     return *packages;  // not changed any more
   }
 };
