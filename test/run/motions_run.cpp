@@ -68,7 +68,7 @@ MotionsRun::MotionsRun() {
   parameters.erase("background_subtractor");
   writeBags(tiny_.folder());
   const std::string world = readFile(tiny_.folder() / "tiny.world");
-  (void)tiny_.folder().write("yard.world", replaced(world, "0.6 0.6 0.6 1", "0.2 0.6 0.2 1"));
+  (void)tiny_.folder().write("yard.world", replaced(world, "0.3 0.3 0.3 1", "0.1 0.3 0.1 1"));
   (void)tiny_.folder().write("lone.world", withoutBravo(world));
   (void)tiny_.folder().write("wide.yaml", kWideCamera);
 }
