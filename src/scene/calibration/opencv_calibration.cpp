@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
 
 #include "scene/calibration/calibration_format.h"
