@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/core.hpp>
+
 #include "render/picture_taking.h"
 #include "render/renderer.h"
 

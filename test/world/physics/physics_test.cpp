@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <LinearMath/btScalar.h>
 
