@@ -23,8 +23,10 @@ struct JointedLink {
   };
 
   std::string frame;  ///< in which it is looked for
-  std::optional<std::size_t> parent =
-      std::nullopt;                 ///< index of the link that its joint holds it to
+
+  /// Index of the link that its joint holds it to; none for a root.
+  std::optional<std::size_t> parent = std::nullopt;
+
   Pose X_PL = Pose::Identity();     ///< in its parent at rest, or in the robot
   std::string joint = {};           ///< that can move it; empty: none
   bool slides = false;              ///< along the axis [m], else turns about it [rad]
@@ -37,8 +39,9 @@ struct JointedLink {
 struct JointedRobot {
   std::string object;
   std::string frame;  ///< where the robot is
-  std::optional<std::size_t>
-      own_link;  ///< that stands at this frame; none: the robot's origin does
+
+  /// Index of the link that stands at `frame`; none: the robot's origin stands there.
+  std::optional<std::size_t> own_link;
   std::vector<JointedLink> links;
 };
 

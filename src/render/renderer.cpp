@@ -111,7 +111,7 @@ Renderer::~Renderer() = default;
 void Renderer::setLook(const world::Look& look) {
   Impl& impl = *impl_;
   impl.lights = look.lights;
-  impl.draw_list.wear(look.materials);
+  impl.draw_list.setMaterials(look.materials);
   impl.light_painter.setLook(look);
   impl.pictures.forget();
   ++impl.look_revision;

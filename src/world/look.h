@@ -38,7 +38,7 @@ struct Look {
   /// In place of the background's colour, and of the sky; it lights nothing.
   std::optional<BackgroundPicture> background_picture;
 
-  /// What surfaces wear instead of the materials that they were made with. Each is as transparent
+  /// The materials of surfaces instead of those that they were made with. Each is as transparent
   /// as what it replaces, double-sided and lit if that is, and has a normal or an emissive map only
   /// if that has one.
   std::map<const Material*, Material> materials;

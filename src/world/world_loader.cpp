@@ -73,7 +73,7 @@ Description describe(const SdfFile& file, SdfReading& reading) {
   if (file.odd) reading.findings.addNote(file.path.string() + ": " + *file.odd);
   if (const Element world = root.child("world")) return readWorld(world, reading);
   if (root.has("model") || root.has("light") || root.has("actor") || root.has("include"))
-    return readLoneModel(root, reading);
+    return readWorld(root, reading);
   reading.findings.addError(place.message("holds neither a world nor a model nor a light"));
   return {};
 }

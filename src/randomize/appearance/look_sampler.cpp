@@ -242,18 +242,18 @@ void LookSampler::repaint(const MaterialEntry& entry, EntryDraws& draws, world::
   }
   for (std::size_t i = 0; i < entry.surfaces.size(); ++i) {
     const world::Material& given = entry.surfaces[i]->material;
-    world::Material& worn = look.materials.try_emplace(&given, given).first->second;
-    if (colour) worn.ambient = worn.diffuse.head<3>() = colour->cast<float>();
+    world::Material& varied = look.materials.try_emplace(&given, given).first->second;
+    if (colour) varied.ambient = varied.diffuse.head<3>() = colour->cast<float>();
     if (tint) {
-      worn.diffuse.head<3>().array() *= tint->cast<float>().array();
-      worn.ambient.array() *= tint->cast<float>().array();
+      varied.diffuse.head<3>().array() *= tint->cast<float>().array();
+      varied.ambient.array() *= tint->cast<float>().array();
     }
     if (roughness) {
-      worn.roughness = static_cast<float>(*roughness);
-      worn.shininess = world::shininessOfRoughness(worn.roughness);
+      varied.roughness = static_cast<float>(*roughness);
+      varied.shininess = world::shininessOfRoughness(varied.roughness);
     }
-    if (metalness) worn.metalness = static_cast<float>(*metalness);
-    if (texture && entry.takes_texture[i]) worn.texture = texture;
+    if (metalness) varied.metalness = static_cast<float>(*metalness);
+    if (texture && entry.takes_texture[i]) varied.texture = texture;
   }
 }
 

@@ -36,7 +36,7 @@ class LookSampler {
     LightRandomization config;
   };
 
-  /// Surfaces that wear the same, and what is drawn of it.
+  /// Surfaces that get the same material, and what is drawn of it.
   struct MaterialEntry {
     std::string name;  ///< "materials/rover_1/rover_1::base_link::hull"
     MaterialRandomization config;

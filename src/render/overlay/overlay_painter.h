@@ -22,7 +22,7 @@ class OverlayPainter {
   OverlayPainter(const GlFunctions& gl, const DrawList& parts,
                  const world::Description& description);
 
-  /// Lights and surroundings from now on; what the parts wear is read from them.
+  /// Lights and surroundings from now on; the parts' materials are read from them.
   void setLook(const world::Look& look);
 
   /// Whether more than one colour is behind all surfaces.

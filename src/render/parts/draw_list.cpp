@@ -137,12 +137,12 @@ void DrawList::dress(Part& part) {
   }
 }
 
-void DrawList::wear(const std::map<const world::Material*, world::Material>& materials) {
-  worn_ = materials;
+void DrawList::setMaterials(const std::map<const world::Material*, world::Material>& materials) {
+  varied_ = materials;
   features_ = 0;
   for (Part& part : parts_) {
-    const auto worn = worn_.find(part.given);
-    part.material = worn != worn_.end() ? &worn->second : part.given;
+    const auto varied = varied_.find(part.given);
+    part.material = varied != varied_.end() ? &varied->second : part.given;
     dress(part);
     features_ |= part.features;
   }

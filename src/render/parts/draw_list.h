@@ -29,7 +29,7 @@ struct Part {
   const MeshBuffers* mesh = nullptr;
   const world::Mesh* shape = nullptr;         ///< the same, as it was read
   const world::Material* given = nullptr;     ///< the material that it was made with
-  const world::Material* material = nullptr;  ///< what it wears now
+  const world::Material* material = nullptr;  ///< in which it is drawn now
   PartTextures textures;
   SurfaceFeatures features = 0;
   std::size_t link = 0;
@@ -68,9 +68,9 @@ class DrawList {
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 
-  /// Gives the parts what they wear from now on. What they are, transparent or double-sided or with
-  /// holes, stays, so that pictures that are being finished are not disturbed.
-  void wear(const std::map<const world::Material*, world::Material>& materials);
+  /// Gives the parts their materials from now on. What they are, transparent or double-sided or
+  /// with holes, stays, so that pictures that are being finished are not disturbed.
+  void setMaterials(const std::map<const world::Material*, world::Material>& materials);
 
   /// The place of one of parts() among them, counted from 1.
   [[nodiscard]] std::uint32_t numberOf(const Part& part) const {
@@ -118,7 +118,7 @@ class DrawList {
   std::vector<Part> parts_;
   std::map<const world::Mesh*, bool> surfaces_of_bodies_;  ///< of those looked at so far
   std::map<const world::Mesh*, BoundingHull> hulls_;
-  std::map<const world::Material*, world::Material> worn_;
+  std::map<const world::Material*, world::Material> varied_;
 };
 
 }  // namespace synthetic_dataset::render

@@ -25,7 +25,7 @@ struct MaterialSource {
   std::shared_ptr<MaterialSource> overlay;  ///< of Material::overlay
 };
 
-/// Told of a picture that is missing or cannot be decoded; may throw.
+/// Called for a picture that is missing or cannot be decoded; may throw.
 using MissingPicture = std::function<void(const std::string& message)>;
 
 /// Pointers to all pictures that it may name, always in the same order.
@@ -36,7 +36,7 @@ template <class Source>
                      &source.emissive_map};
 }
 
-/// The material with its pictures. One that cannot be had is told of and left out: the colours and
+/// The material with its pictures. One that cannot be had is reported and left out: the colours and
 /// numbers hold without it.
 [[nodiscard]] Material withPictures(const MaterialSource& source, TextureLoader& textures,
                                     const MissingPicture& missing);

@@ -249,9 +249,10 @@ bool MeshLoader::isMadeUp(const std::filesystem::path& file, std::size_t index) 
   return read(file).materials.at(index).made_up;
 }
 
-Material MeshLoader::material(const std::filesystem::path& file, std::size_t index,
+Material MeshLoader::material(const MeshRequest& request, std::size_t index,
                               const MissingPicture& missing) {
-  return withPictures(read(file).materials.at(index), textures_, missing);
+  const MeshFile& file = read(request.file, request.animation);
+  return withPictures(file.materials.at(index), textures_, missing);
 }
 
 }  // namespace synthetic_dataset::world

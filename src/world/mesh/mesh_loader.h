@@ -62,9 +62,9 @@ class MeshLoader {
   /// @throws Error as `pieces`
   [[nodiscard]] std::shared_ptr<const Mesh> whole(const MeshRequest& request);
 
-  /// A material of a file that `pieces` has read, with its pictures.
-  /// @param missing  is told of each picture that is missing or cannot be decoded, and left out
-  [[nodiscard]] Material material(const std::filesystem::path& file, std::size_t index,
+  /// The material of a piece that `pieces` has given for the same request, with its pictures.
+  /// @param missing  called for each picture that is missing or cannot be decoded, and left out
+  [[nodiscard]] Material material(const MeshRequest& request, std::size_t index,
                                   const MissingPicture& missing);
 
   /// Whether such a material stands in for one that the file does not have.

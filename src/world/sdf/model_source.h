@@ -20,7 +20,6 @@ struct ModelSource {
   Element element;  ///< `<model>`, `<light>`, `<actor>`, or the root of a URDF
   std::string name;
   RelativePose pose;
-  bool has_pose = false;
   std::string placement_frame;  ///< whose pose `pose` is; empty: the model's own frame
   bool is_static = false;
   bool merges = false;              ///< what is in it belongs to the model around it

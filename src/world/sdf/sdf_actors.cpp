@@ -7,6 +7,7 @@
 #include "synthetic_dataset/errors.h"
 #include "world/sdf/sdf_picture_geometry.h"
 #include "world/sdf/sdf_values.h"
+#include "world/sdf/sdf_visuals.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -29,21 +30,6 @@ std::optional<std::filesystem::path> fileOf(const Element& element, const Place&
   return findFile("mesh", readText(element, "filename"), element, place, reading);
 }
 
-/// The skin's triangles in its own materials, or none where it cannot be read (reported).
-std::vector<Surface> readSkin(const MeshRequest& request, const Place& place, SdfReading& reading) {
-  const auto missing = [&](const std::string& message) { reading.missing(place, message); };
-  std::vector<Surface> surfaces;
-  try {
-    for (const MeshPiece& piece : reading.meshes.pieces(request)) {
-      surfaces.push_back(
-          {piece.mesh, reading.meshes.material(request.file, piece.material, missing)});
-    }
-  } catch (const Error& error) {
-    missing(error.what());
-  }
-  return surfaces;
-}
-
 }  // namespace
 
 Model readActor(const Element& actor, const std::string& name, const Pose& X_WA, const Place& place,
@@ -64,7 +50,11 @@ Model readActor(const Element& actor, const std::string& name, const Pose& X_WA,
   if (reading.survey != nullptr) return model;
   Visual visual;
   visual.name = "skin";
-  visual.surfaces = readSkin(request, place, reading);
+  try {
+    visual.surfaces = meshSurfaces(request, std::nullopt, place, reading);
+  } catch (const Error& error) {
+    reading.missing(place, error.what());
+  }
   Link link;
   link.name = "link";
   if (!visual.surfaces.empty()) link.visuals.push_back(std::move(visual));

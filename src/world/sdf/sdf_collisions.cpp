@@ -63,8 +63,7 @@ std::optional<Collision> readCollision(const Element& collision, const Eigen::Ve
   const std::optional<Geometry> geometry = readGeometry(collision, scale, place, reading);
   if (!geometry) return std::nullopt;
   if (reading.survey != nullptr) {
-    const auto* mesh = std::get_if<MeshRequest>(&*geometry);
-    if (mesh != nullptr) reading.survey->meshes.push_back({mesh->file, false});
+    surveyMesh(*geometry, false, *reading.survey);
     return std::nullopt;
   }
   try {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
-#include "world/files/gz_plugins.h"
+#include "world/sdf/gz_plugins.h"
 #include "world/sdf/xml_repair.h"
 
 namespace synthetic_dataset::world {

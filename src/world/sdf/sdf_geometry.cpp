@@ -142,4 +142,9 @@ std::optional<Geometry> readGeometry(const Element& owner, const Eigen::Vector3d
   }
 }
 
+void surveyMesh(const Geometry& geometry, bool with_pictures, SdfSurvey& survey) {
+  const auto* mesh = std::get_if<MeshRequest>(&geometry);
+  if (mesh != nullptr) survey.meshes.push_back({mesh->file, with_pictures});
+}
+
 }  // namespace synthetic_dataset::world

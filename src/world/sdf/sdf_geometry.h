@@ -42,4 +42,8 @@ using Geometry = std::variant<BoxShape, SphereShape, CylinderShape, PlanePatch, 
                                                    const Eigen::Vector3d& scale, const Place& place,
                                                    SdfReading& reading);
 
+/// Lists the mesh of a geometry, if it is one.
+/// @param with_pictures  those of its own materials are wanted, too
+void surveyMesh(const Geometry& geometry, bool with_pictures, SdfSurvey& survey);
+
 }  // namespace synthetic_dataset::world

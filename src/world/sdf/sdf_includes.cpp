@@ -45,7 +45,6 @@ ModelSource SdfIncludes::modelOf(const Element& model, const Place& outer) {
   source.element = model;
   source.name = model.attribute("name");
   source.place = placeOf(model, outer);
-  source.has_pose = hasPose(model);
   source.pose = readPose(model, source.place, reading_);
   source.placement_frame = model.attribute("placement_frame");
   source.is_static = readBool(model, "static", false, source.place, reading_);
@@ -131,7 +130,6 @@ ModelSource SdfIncludes::contentOf(const SdfFile& file, const Place& place) {
     source.element = child;
     source.name = child.attribute("name");
     source.place = placeOf(child, place);
-    source.has_pose = hasPose(child);
     source.pose = readPose(child, source.place, reading_);
     return source;
   }
@@ -144,7 +142,6 @@ void SdfIncludes::applyOverrides(const Element& include, const Place& place,
   if (!name.empty()) source.name = name;
   if (hasPose(include)) {
     source.pose = readPose(include, place, reading_);
-    source.has_pose = true;
     source.placement_frame.clear();
   }
   const std::string frame = readText(include, "placement_frame");

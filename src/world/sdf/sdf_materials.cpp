@@ -66,12 +66,6 @@ Material withMaps(const MaterialSource& source, const Place& place, SdfReading& 
   return material;
 }
 
-void survey(const MaterialSource& source, SdfSurvey& into) {
-  for (const auto* reference : referencesOf(source)) {
-    if (*reference) into.pictures.push_back(**reference);
-  }
-}
-
 }  // namespace
 
 std::optional<Material> readSdfMaterial(const Element& visual, const Place& place,
@@ -92,7 +86,7 @@ std::optional<Material> readSdfMaterial(const Element& visual, const Place& plac
   source.material.double_sided =
       readBool(element, "double_sided", source.material.double_sided, place, reading);
   if (reading.survey == nullptr) return withMaps(source, place, reading);
-  survey(source, *reading.survey);
+  reading.survey->addPicturesOf(source);
   return source.material;
 }
 

@@ -5,6 +5,7 @@
 
 #include "world/files/findings.h"
 #include "world/files/resource_finder.h"
+#include "world/material/material_source.h"
 #include "world/material/texture_loader.h"
 #include "world/mesh/mesh_loader.h"
 #include "world/sdf/element.h"
@@ -17,6 +18,12 @@ namespace synthetic_dataset::world {
 struct SdfSurvey {
   std::vector<MeshAhead> meshes;
   std::vector<TextureReference> pictures;
+
+  void addPicturesOf(const MaterialSource& source) {
+    for (const auto* reference : referencesOf(source)) {
+      if (*reference) pictures.push_back(**reference);
+    }
+  }
 };
 
 /// What reading SDF needs and brings to light. One rule holds for all elements: what this program

@@ -26,13 +26,6 @@ ScriptRequest requestOf(const Element& material) {
   return request;
 }
 
-Material surveyed(const MaterialSource& source, SdfSurvey& survey) {
-  for (const auto* reference : referencesOf(source)) {
-    if (*reference) survey.pictures.push_back(**reference);
-  }
-  return source.material;
-}
-
 /// Whether the file of a material that is not to be had may just be absent; Gazebo's own are where
 /// Gazebo is installed.
 bool lacksFile(const ScriptRequest& request, const SdfReading& reading) {
@@ -53,7 +46,10 @@ std::optional<Material> find(const ScriptRequest& request, const Place& place,
       for (const std::string& note : found->notes) {
         reading.findings.addNote("material '" + request.name + "': " + note);
       }
-      if (reading.survey != nullptr) return surveyed(found->source, *reading.survey);
+      if (reading.survey != nullptr) {
+        reading.survey->addPicturesOf(found->source);
+        return found->source.material;
+      }
       return withPictures(found->source, reading.meshes.textures(), missing);
     }
   } catch (const Error& error) {

@@ -13,15 +13,15 @@
 namespace synthetic_dataset::world {
 namespace {
 
+MissingPicture missingPictureIn(const Place& place, SdfReading& reading) {
+  return [&](const std::string& message) { reading.missing(place, message); };
+}
+
 /// The triangles of each kind of geometry, in the given material or, without one, in their own.
 struct SurfaceMaker {
   const std::optional<Material>& material;
   const Place& place;
   SdfReading& reading;
-
-  [[nodiscard]] MissingPicture missingPicture() const {
-    return [this](const std::string& message) { reading.missing(place, message); };
-  }
 
   std::vector<Surface> one(std::shared_ptr<const Mesh> mesh) const {
     return {Surface{std::move(mesh), material.value_or(defaultMaterial())}};
@@ -49,21 +49,14 @@ struct SurfaceMaker {
     return one(planeMesh(plane.normal, plane.size));
   }
   std::vector<Surface> operator()(const MeshRequest& request) const {
-    const auto missing = missingPicture();
-    std::vector<Surface> surfaces;
-    for (const MeshPiece& piece : reading.meshes.pieces(request)) {
-      surfaces.push_back(
-          {piece.mesh,
-           material ? *material : reading.meshes.material(request.file, piece.material, missing)});
-    }
-    return surfaces;
+    return meshSurfaces(request, material, place, reading);
   }
   std::vector<Surface> operator()(const Extrusion& extrusion) const {
     return one(extrudedMesh(extrusion));
   }
   std::vector<Surface> operator()(const Heightmap& heightmap) const {
     return heightmapSurfaces(heightmap, material.value_or(defaultMaterial()),
-                             reading.meshes.textures(), missingPicture());
+                             reading.meshes.textures(), missingPictureIn(place, reading));
   }
   std::vector<Surface> operator()(const WallMap& map) const { return one(wallMesh(map)); }
 };
@@ -78,12 +71,20 @@ float readTransparency(const Element& visual, const Place& place, SdfReading& re
   return static_cast<float>(transparency);
 }
 
-void survey(const Geometry& geometry, bool has_material, SdfSurvey& into) {
-  const auto* mesh = std::get_if<MeshRequest>(&geometry);
-  if (mesh != nullptr) into.meshes.push_back({mesh->file, !has_material});
-}
-
 }  // namespace
+
+std::vector<Surface> meshSurfaces(const MeshRequest& request,
+                                  const std::optional<Material>& material, const Place& place,
+                                  SdfReading& reading) {
+  const MissingPicture missing = missingPictureIn(place, reading);
+  std::vector<Surface> surfaces;
+  for (const MeshPiece& piece : reading.meshes.pieces(request)) {
+    surfaces.push_back(
+        {piece.mesh,
+         material ? *material : reading.meshes.material(request, piece.material, missing)});
+  }
+  return surfaces;
+}
 
 std::optional<Visual> readVisual(const Element& visual, const Eigen::Vector3d& scale,
                                  const Place& place, SdfReading& reading) {
@@ -96,7 +97,7 @@ std::optional<Visual> readVisual(const Element& visual, const Eigen::Vector3d& s
   if (!geometry) return std::nullopt;
   const std::optional<Material> material = readSdfMaterial(visual, place, reading);
   if (reading.survey != nullptr) {
-    survey(*geometry, material.has_value(), *reading.survey);
+    surveyMesh(*geometry, !material, *reading.survey);
     return std::nullopt;
   }
   try {

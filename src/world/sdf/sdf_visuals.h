@@ -1,10 +1,18 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "world/sdf/sdf_reading.h"
 
 namespace synthetic_dataset::world {
+
+/// A mesh's triangles in the given material or, without one, in its own.
+/// @param place  of what is drawn, for pictures that are missing (reported)
+/// @throws Error if the mesh cannot be read
+[[nodiscard]] std::vector<Surface> meshSurfaces(const MeshRequest& request,
+                                                const std::optional<Material>& material,
+                                                const Place& place, SdfReading& reading);
 
 /// @param visual  its pose is read by the caller, who knows the frames
 /// @param scale  how much larger than the file says, by axis

@@ -156,8 +156,4 @@ Description readWorld(const Element& world, SdfReading& reading) {
   return WorldReader(world, place, reading).read();
 }
 
-Description readLoneModel(const Element& root, SdfReading& reading) {
-  return WorldReader(root, Place(root.file().path.string()), reading).read();
-}
-
 }  // namespace synthetic_dataset::world

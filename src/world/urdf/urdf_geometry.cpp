@@ -114,7 +114,7 @@ struct SurfaceMaker {
     if (urdf_material && reading.meshes.isMadeUp(request.file, piece.material)) {
       return *urdf_material;
     }
-    return reading.meshes.material(request.file, piece.material, [&](const std::string& message) {
+    return reading.meshes.material(request, piece.material, [&](const std::string& message) {
       reading.findings.addMissing(place, message);
     });
   }

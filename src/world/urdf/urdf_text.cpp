@@ -236,13 +236,6 @@ class Preparation {
 
 }  // namespace
 
-bool isUrdf(const std::string& text) {
-  tinyxml2::XMLDocument document;
-  document.Parse(text.c_str(), text.size());
-  const XMLElement* root = document.RootElement();
-  return root != nullptr && std::string(root->Name()) == "robot";
-}
-
 std::optional<UrdfText> prepareUrdf(const ModelText& model, Findings& findings) {
   return Preparation(model, findings).run();
 }

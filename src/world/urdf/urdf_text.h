@@ -16,9 +16,6 @@ struct ModelText {
   std::string text;
 };
 
-/// Whether a text is XML with the root element <robot>.
-[[nodiscard]] bool isUrdf(const std::string& text);
-
 /// URDF as urdfdom may read it.
 struct UrdfText {
   std::string text;

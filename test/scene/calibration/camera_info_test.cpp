@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "scene/calibration/calibration_file.h"
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -137,8 +138,8 @@ TEST_F(CameraInfo, RefusesAnUnknownModelAndNamesTheKnown) {
   std::string text = with(kModel, "flat_earth");
   text.replace(text.find(kZeros), sizeof(kZeros) - 1, "data: [0.1, 0, 0, 0, 0]");
   EXPECT_THAT(
-      [&] { read(text); },
-      ThrowsMessage<Error>(AllOf(HasSubstr("camera.yaml: distortion_model: found 'flat_earth'"),
+      test::messagesOf([&] { read(text); }),
+      testing::ElementsAre(AllOf(HasSubstr("camera.yaml: distortion_model: found 'flat_earth'"),
                                  HasSubstr("rational_polynomial"))));
 }
 
@@ -197,8 +198,8 @@ TEST_F(CameraInfo, OfAnUnknownModelWithoutCoefficientsIsAPinholeAndSaysSo) {
 
 TEST_F(CameraInfo, OfAnUnturnableRectificationIsRefused) {
   const std::string bad = "rectification_matrix: {data: [2, 0, 0, 0, 1, 0, 0, 0, 1]}\n";
-  EXPECT_THAT([&] { read(kCalibration + bad, true); },
-              ThrowsMessage<Error>(HasSubstr("rectification_matrix: it is no rotation")));
+  EXPECT_THAT(test::messagesOf([&] { read(kCalibration + bad, true); }),
+              testing::ElementsAre(HasSubstr("rectification_matrix: it is no rotation")));
 }
 
 TEST_F(CameraInfo, NamesTheFileOfAnImpossibleCamera) {

@@ -83,7 +83,7 @@ class MeshLoaderTest : public testing::Test {
   /// The material of the file's first piece.
   Material materialOf(const MeshRequest& request) {
     const auto fail = [](const std::string& message) { throw Error(message); };
-    return loader_.material(request.file, loader_.pieces(request)[0].material, fail);
+    return loader_.material(request, loader_.pieces(request)[0].material, fail);
   }
 
   TemporaryFolder folder_;
@@ -292,7 +292,7 @@ TEST_F(MeshLoaderTest, ReadsWhatItHasReadAheadNoMore) {
     std::filesystem::resize_file(folder_ / name, 3);  // neither is read again
   }
   ASSERT_THAT(loader_.pieces(whole), SizeIs(1));
-  const Material material = loader_.material(whole.file, loader_.pieces(whole)[0].material,
+  const Material material = loader_.material(whole, loader_.pieces(whole)[0].material,
                                              [](const std::string& text) { FAIL() << text; });
   ASSERT_NE(material.texture, nullptr);
   EXPECT_EQ(material.texture->pixels.at<cv::Vec4b>(0, 0), cv::Vec4b(1, 2, 3, 255));

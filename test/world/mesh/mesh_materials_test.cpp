@@ -32,7 +32,7 @@ class MeshMaterialTest : public testing::Test {
   }
   Material materialOf(const MeshRequest& request) {
     const std::size_t index = loader_.pieces(request).at(0).material;
-    return loader_.material(request.file, index,
+    return loader_.material(request, index,
                             [&](const std::string& message) { missing_.push_back(message); });
   }
   const Mesh& meshOf(const MeshRequest& request) { return *loader_.pieces(request).at(0).mesh; }

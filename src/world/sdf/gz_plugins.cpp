@@ -1,4 +1,4 @@
-#include "world/files/gz_plugins.h"
+#include "world/sdf/gz_plugins.h"
 
 namespace synthetic_dataset::world {
 
