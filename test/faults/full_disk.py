@@ -2,8 +2,9 @@
 import contextlib
 import functools
 import os
+import pathlib
 import subprocess
-from typing import Iterator, List
+from typing import Iterator, List, Optional
 
 from trial import Fault, Place, Skipped, require, scaled
 
@@ -14,21 +15,22 @@ REASONS = ('No space left on device', 'disk is full')
 
 
 @contextlib.contextmanager
-def disk(place: Place, size: str) -> Iterator[None]:
-    """The dataset's folder is a disk of its own meanwhile."""
+def disk(place: Place, size: str, folder: Optional[pathlib.Path] = None) -> Iterator[None]:
+    """`folder`, else the dataset's, is a disk of its own meanwhile."""
     if os.geteuid() != 0:
         raise Skipped('only root may mount a disk, and there are no user namespaces')
-    place.output.mkdir()
+    target = folder or place.output
+    target.mkdir()
     mounted = subprocess.run(['mount', '-t', 'tmpfs', '-o', f'size={size},mode=755', 'none',
-                              str(place.output)], check=False, capture_output=True, text=True)
+                              str(target)], check=False, capture_output=True, text=True)
     if mounted.returncode != 0:
-        place.output.rmdir()
+        target.rmdir()
         raise Skipped('tmpfs cannot be mounted: ' + mounted.stderr.strip())
     try:
         yield
     finally:
-        subprocess.run(['umount', str(place.output)], check=True)
-        place.output.rmdir()
+        subprocess.run(['umount', str(target)], check=True)
+        target.rmdir()
 
 
 def make_space(place: Place) -> None:
