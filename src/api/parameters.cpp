@@ -57,12 +57,21 @@ std::optional<double> numberIn(const std::string& text) {
   return number;
 }
 
+/// An angle in degrees that came as a text, as those of private parameters do: in settings files,
+/// rosparam's `deg(90)` is a number already.
+std::optional<double> degreesIn(const std::string& text) {
+  const bool is_angle = text.rfind("deg(", 0) == 0 && text.back() == ')';
+  const auto number = is_angle ? numberIn(text.substr(4, text.size() - 5)) : std::nullopt;
+  return number ? std::optional(*number * M_PI / 180.0) : std::nullopt;
+}
+
 template <>
 std::optional<double> convert(const Value& value, std::string& problem) {
   if (const auto* number = value.as<std::int64_t>()) return static_cast<double>(*number);
   if (const auto* number = value.as<double>(); number && std::isfinite(*number)) return *number;
   if (const auto* text = value.as<std::string>()) {
     if (const auto number = numberIn(*text)) return number;
+    if (const auto number = degreesIn(*text)) return number;
   }
   problem = "it should be a finite number";
   return std::nullopt;

@@ -1,5 +1,6 @@
 #include "config/camera_config.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -8,18 +9,71 @@
 #include "base/seconds.h"
 #include "config/camera_sampling.h"
 #include "config/checked_values.h"
+#include "config/distribution_config.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::config {
 namespace {
+
+/// Three numbers, none beyond `farthest`.
+std::optional<Eigen::Vector3d> maybeVector(Parameters& group, const std::string& name,
+                                           double farthest, const std::string& should) {
+  const auto numbers = group.maybe<std::vector<double>>(name);
+  if (!numbers) return std::nullopt;
+  const bool is_near = std::all_of(numbers->begin(), numbers->end(),
+                                   [&](double each) { return std::abs(each) <= farthest; });
+  if (numbers->size() == 3 && is_near) {
+    return Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  }
+  group.addError(name, "found " + group.required<Value>(name).text() + "; it should be " + should);
+  return std::nullopt;
+}
+
+/// `look_at: NAME | [x, y, z]`.
+void readLookAt(Parameters& group, scene::CameraAim& aim) {
+  const auto given = group.maybe<Value>("look_at");
+  if (given && given->is<std::string>()) {
+    aim.look_at = *given->as<std::string>();
+  } else if (given) {
+    aim.look_at_point_G = maybeVector(group, "look_at", kFarthest,
+                                      "an object of robot_list or a point [x, y, z] [m]");
+  }
+}
+
+/// `pose: {position: [x, y, z], look_at: ...}` or `{position, rpy: [roll, pitch, yaw]}`.
+scene::CameraAim readAim(Parameters group) {
+  scene::CameraAim aim;
+  if (!group.has("position")) (void)group.required<Value>("position");
+  const auto position = maybeVector(group, "position", kFarthest, "[x, y, z] [m]");
+  aim.position_G = position.value_or(aim.position_G);
+  aim.rpy =
+      maybeVector(group, "rpy", 2.0 * kHalfTurn,
+                  std::string("[roll, pitch, yaw], each at most a turn of 6.283") + kAngleUnit);
+  readLookAt(group, aim);
+  if (group.has("rpy") == group.has("look_at")) {
+    group.addError(group.has("rpy") ? "rpy" : "look_at",
+                   std::string(group.has("rpy") ? "found together with" : "missing, and so is") +
+                       (group.has("rpy") ? " look_at" : " rpy") +
+                       "; a camera's direction should come from one of them");
+  }
+  const auto& point = aim.look_at_point_G;
+  constexpr double kNoDirection = 1e-9;  // [m]
+  if (position && point && (*point - *position).norm() < kNoDirection) {
+    group.addError("look_at", "found the camera's own position; it should be another point");
+  }
+  return aim;
+}
 
 std::optional<Pose> readPose(Parameters& group, const std::string& name) {
   const auto numbers = group.maybe<std::vector<double>>(name);
   if (!numbers) return std::nullopt;
   const std::vector<double>& n = *numbers;
   if (n.size() != 7) {
-    group.addError(name, "found " + std::to_string(n.size()) +
-                             " numbers; it should be [x, y, z, qx, qy, qz, qw]");
+    group.addError(name,
+                   "found " + std::to_string(n.size()) +
+                       " numbers; it should be [x, y, z, qx, qy, qz, qw], or {position: [x, y, z], "
+                       "look_at: OBJECT or [x, y, z]}, or {position: [x, y, z], rpy: "
+                       "[roll, pitch, yaw]}");
     return std::nullopt;
   }
   const Eigen::Quaterniond orientation(n[6], n[3], n[4], n[5]);
@@ -92,10 +146,15 @@ scene::CameraOptions readCamera(Parameters group, const std::string& name,
   camera.info_choice.reference = group.maybe<std::string>("info_reference");
   camera.info_topic = group.maybe<std::string>("info_topic");
   camera.sensor = group.maybe<std::string>("sensor");
-  camera.X_GC = readPose(group, "pose");
+  const auto pose = group.has("pose") ? group.maybe<Value>("pose") : std::nullopt;
+  if (pose && pose->is<Value::Map>()) {
+    camera.aim = readAim(group.group("pose"));
+  } else if (pose) {
+    camera.X_GC = readPose(group, "pose");
+  }
   camera.on = group.maybe<std::string>("mounted_on");
   camera.sample = readCameraSampling(group);
-  if (camera.sample && (camera.X_GC || camera.on)) {
+  if (camera.sample && (camera.X_GC || camera.aim || camera.on)) {
     group.addError("sample",
                    "found together with pose or mounted_on; a camera stands somewhere, or is "
                    "put somewhere else for each scene");

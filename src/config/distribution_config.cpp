@@ -166,8 +166,9 @@ class DistributionReader {
   [[nodiscard]] std::string rangeText() const {
     const std::string low = Value(range_.low).text();
     const std::string high = Value(range_.high).text();
-    if (std::isinf(range_.high)) return low + " or more";
-    return std::isinf(range_.low) ? high + " or less" : low + " to " + high;
+    const std::string unit = range_.is_angle ? kAngleUnit : "";
+    if (std::isinf(range_.high)) return low + " or more" + unit;
+    return (std::isinf(range_.low) ? high + " or less" : low + " to " + high) + unit;
   }
 
   [[nodiscard]] static std::string boundsText(const Value::Map& given) {

@@ -20,7 +20,12 @@ struct DistributionRange {
   /// Whether single numbers stand for a draw of each component: of places. Else they stand for one
   /// draw that serves all: of colours, a grey.
   bool draws_each = false;
+
+  bool is_angle = false;  ///< [rad]
 };
+
+/// For the end of messages about angles.
+inline constexpr const char* kAngleUnit = " rad (degrees are written deg(20))";
 
 /// [m] from the global frame's origin, along each axis
 inline constexpr double kFarthest = 1e6;
@@ -28,8 +33,9 @@ inline constexpr DistributionRange kPlaceRange{3, -kFarthest, kFarthest, true};
 
 /// [rad]: from straight below to straight above; and up to a whole turn either way.
 inline constexpr double kHalfTurn = 3.141592653589793;
-inline constexpr DistributionRange kElevationRange{1, -kHalfTurn / 2.0, kHalfTurn / 2.0};
-inline constexpr DistributionRange kTurnRange{1, -2.0 * kHalfTurn, 2.0 * kHalfTurn};
+inline constexpr DistributionRange kElevationRange{1, -kHalfTurn / 2.0, kHalfTurn / 2.0, false,
+                                                   true};
+inline constexpr DistributionRange kTurnRange{1, -2.0 * kHalfTurn, 2.0 * kHalfTurn, false, true};
 
 /// What a number, or a vector of numbers, is drawn from: a number alone, which is a constant, or a
 /// group with one of

@@ -51,11 +51,12 @@ void refuseOthers(Parameters& group, randomize::PlacementMode mode) {
   if (mode != randomize::PlacementMode::kDrop) refuse("fall_time", "drop");
 }
 
-double numberFromZero(Parameters& group, const std::string& name, double fallback, double most) {
+double numberFromZero(Parameters& group, const std::string& name, double fallback, double most,
+                      const std::string& unit = "") {
   const double number = group.optional(name, fallback);
   if (number >= 0.0 && number <= most) return number;
-  group.addError(name,
-                 "found " + Value(number).text() + "; it should be 0 to " + Value(most).text());
+  group.addError(
+      name, "found " + Value(number).text() + "; it should be 0 to " + Value(most).text() + unit);
   return fallback;
 }
 
@@ -75,7 +76,7 @@ void readSurface(Parameters& group, randomize::PlacementOptions& placement) {
   }
   randomize::SurfaceOptions& surface = placement.surface;
   surface.highest = heightOf(group, "highest_surface", surface.highest);
-  surface.steepest = numberFromZero(group, "steepest", surface.steepest, kSteepest);
+  surface.steepest = numberFromZero(group, "steepest", surface.steepest, kSteepest, kAngleUnit);
   surface.unevenness = numberFromZero(group, "unevenness", surface.unevenness, 1e3);
 }
 

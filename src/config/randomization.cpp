@@ -102,7 +102,7 @@ randomize::SensorRandomization readSensor(Parameters group) {
   // A fisheye may see all round; what each camera's lens can have is known later.
   constexpr double kNarrowestView = 0.01;  // [rad]
   sensor.field_of_view =
-      maybeDistribution(group, "field_of_view", {1, kNarrowestView, 2.0 * kHalfTurn});
+      maybeDistribution(group, "field_of_view", {1, kNarrowestView, 2.0 * kHalfTurn, false, true});
   return sensor;
 }
 

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include <Eigen/Core>
+
 #include "randomize/placement/sampling_options.h"
 #include "render/sensor/sensor_options.h"
 #include "scene/calibration/calibration_options.h"
@@ -19,6 +21,17 @@ struct Shutter {
   int readout_bands = 24;     ///< rows are taken in so many groups
 };
 
+/// Where a camera stands, and which way it looks: turned by angles, or at something.
+struct CameraAim {
+  Eigen::Vector3d position_G{0, 0, 0};  ///< [m]; with `mounted_on`, in that object's frame
+
+  /// Roll, pitch and yaw about the fixed axes x, y, z of the camera as a body, which looks along
+  /// its x and has z up, as in SDF and URDF [rad].
+  std::optional<Eigen::Vector3d> rpy;
+  std::optional<Eigen::Vector3d> look_at_point_G;  ///< instead; in the frame of the position
+  std::string look_at;                             ///< instead of both: an object, which it follows
+};
+
 struct CameraOptions {
   std::string name = "camera";
   std::string group = "camera";                     ///< its parameters' full name, for messages
@@ -29,6 +42,7 @@ struct CameraOptions {
   std::optional<std::string> info_topic;            ///< of the bag
   std::optional<std::string> sensor;                ///< "model::link::sensor"
   std::optional<Pose> X_GC;                         ///< with `mounted_on`, in that object's frame
+  std::optional<CameraAim> aim;                     ///< instead of X_GC
   std::optional<std::string> on;                    ///< the object that it is mounted on
   std::optional<randomize::CameraSampling> sample;  ///< drawn for each scene instead
   bool rectified = false;

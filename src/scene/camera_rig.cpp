@@ -7,11 +7,13 @@
 #include "base/diagnostics.h"
 #include "base/seconds.h"
 #include "motion/recorded_camera_info.h"
+#include "randomize/placement/camera_sampler.h"
 #include "scene/calibration/calibration_file.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
+#include "world/camera_frames.h"
 
 namespace synthetic_dataset::scene {
 namespace {
@@ -112,19 +114,59 @@ std::string carrierOf(const CameraOptions& config, const std::vector<ObjectOptio
               "'; it should be an object of robot_list" + didYouMean(*config.on, names));
 }
 
+/// What it follows with its eye.
+FollowedObject followedBy(const CameraOptions& config, const std::vector<ObjectOptions>& objects,
+                          const motion::FrameSource& frames) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!objects[i].takes_part || objects[i].is_distractor) continue;
+    if (objects[i].name == config.aim->look_at) {
+      return {i, frames.find(objects[i].frame).value_or(motion::kNoFrame)};
+    }
+    names.push_back(objects[i].name);
+  }
+  throw Error(config.group + "/pose/look_at: found '" + config.aim->look_at +
+              "'; it should be an object of robot_list or a point [x, y, z]" +
+              didYouMean(config.aim->look_at, names));
+}
+
+/// Of a camera that stands still in the frame of its position.
+Pose standingPose(const CameraAim& aim) {
+  if (aim.look_at_point_G) return randomize::lookingAt(aim.position_G, *aim.look_at_point_G, 0.0);
+  const Eigen::Vector3d rpy = aim.rpy.value_or(Eigen::Vector3d::Zero());
+  const Eigen::Quaterniond R_GB = Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
+                                  Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
+                                  Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX());
+  return makePose(aim.position_G, R_GB) * world::opticalInBody();
+}
+
+/// Where it is given in numbers: in the global frame, or in that of what carries it.
+std::optional<Pose> givenPose(const CameraOptions& config) {
+  if (!config.aim) return config.X_GC;
+  if (config.aim->look_at.empty()) return standingPose(*config.aim);
+  return makePose(config.aim->position_G, Eigen::Quaterniond::Identity());
+}
+
 void findPose(const CameraOptions& config, const world::CameraSensor* sensor,
               const std::vector<world::LinkInstance>& links,
               const std::vector<ObjectOptions>& objects, const motion::FrameSource& frames,
               CameraRig& rig) {
   rig.sampled = config.sample.has_value();
   if (rig.sampled) return;
+  if (config.aim && !config.aim->look_at.empty()) {
+    rig.looks_at = followedBy(config, objects, frames);
+  }
   if (config.on) {
     rig.is_carried = true;
     rig.followed = frames.find(carrierOf(config, objects)).value_or(motion::kNoFrame);
-    rig.X_LC = config.X_GC.value_or(Pose::Identity());
+    rig.X_LC = givenPose(config).value_or(Pose::Identity());
     return;
   }
-  rig.X_GC = config.X_GC;
+  if (rig.looks_at) {
+    rig.X_LC = *givenPose(config);
+    return;
+  }
+  rig.X_GC = givenPose(config);
   rig.followed = frames.find(rig.frame).value_or(motion::kNoFrame);
   if (rig.X_GC || rig.followed != motion::kNoFrame) return;
   if (sensor != nullptr) {
@@ -181,6 +223,20 @@ void placeInFrame(const CameraOptions& config, const CalibratedCamera& camera, C
 /// Whether both calibrations are of cameras that are in one frame, by its name or by its pose.
 bool shareFrame(const CameraRig& a, const CameraRig& b) {
   return a.frame == b.frame || (a.X_GC && b.X_GC && a.X_GC->isApprox(*b.X_GC, 0.0));
+}
+
+/// X_GF at a time around `instant`; where it is not known then, that of the instant.
+Pose poseAround(motion::FrameId frame, const motion::FrameSource& frames, Stamp instant,
+                Duration offset) {
+  const auto X_GF_then = frames.pose(frame, instant + offset);
+  return X_GF_then ? *X_GF_then : frames.knownPose(frame, instant);
+}
+
+/// The middle of an object's model as it is now.
+Eigen::Vector3d middleOf(const FollowedObject& object, const world::World& world,
+                         const Pose& X_GO) {
+  if (object.centres_O.empty()) return X_GO.translation();
+  return X_GO * object.centres_O[world.variant(object.object)];
 }
 
 bool isBesideItsFrame(const CameraRig& camera) {
@@ -253,9 +309,20 @@ Pose framePose(const CameraRig& camera, const world::World& world,
                const motion::FrameSource& frames, Stamp instant, Duration offset) {
   if (camera.X_GC) return *camera.X_GC;
   if (camera.link) return world.linkPoses()[*camera.link] * camera.X_LC;
-  const auto X_GF_then = frames.pose(camera.followed, instant + offset);
-  const Pose X_GF = X_GF_then ? *X_GF_then : frames.knownPose(camera.followed, instant);
-  return camera.is_carried ? Pose(X_GF * camera.X_LC) : X_GF;
+  Pose X_GF = camera.followed == motion::kNoFrame
+                  ? Pose::Identity()
+                  : poseAround(camera.followed, frames, instant, offset);
+  if (camera.is_carried || camera.looks_at) X_GF = X_GF * camera.X_LC;
+  if (!camera.looks_at) return X_GF;
+  const Eigen::Vector3d position_G = X_GF.translation();
+  const Eigen::Vector3d target_G = middleOf(
+      *camera.looks_at, world, poseAround(camera.looks_at->frame, frames, instant, offset));
+  constexpr double kNoDirection = 1e-9;  // [m]
+  if ((target_G - position_G).norm() > kNoDirection) {
+    return randomize::lookingAt(position_G, target_G, 0.0);
+  }
+  throw Error("camera " + camera.name + ": at " + fixed(toSeconds(instant + offset), 3) +
+              " s it stands in the middle of what it looks at (pose/look_at)");
 }
 
 Pose cameraPose(const CameraRig& camera, const world::World& world,

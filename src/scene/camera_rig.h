@@ -16,6 +16,13 @@
 
 namespace synthetic_dataset::scene {
 
+/// What a camera looks at, wherever it goes.
+struct FollowedObject {
+  std::size_t object = 0;  ///< among the objects
+  motion::FrameId frame = motion::kNoFrame;
+  std::vector<Eigen::Vector3d> centres_O = {};  ///< of its variants; none: its frame's origin
+};
+
 /// A camera of the run: what it sees with, and where it is at a time.
 struct CameraRig {
   std::string name;
@@ -27,7 +34,9 @@ struct CameraRig {
   Pose X_LC = Pose::Identity();
   motion::FrameId followed = motion::kNoFrame;  ///< its own frame, or that of its carrier
   bool is_carried = false;  ///< it rides at X_LC on an object, whose frame it follows
-  bool sampled = false;     ///< its frame is placed for each scene
+  /// What it looks at from X_LC's position, in the global frame or on its carrier.
+  std::optional<FollowedObject> looks_at = std::nullopt;
+  bool sampled = false;  ///< its frame is placed for each scene
 
   /// Of the picture's optical frame (C) in `frame`: of a rectified camera, which is turned, and of
   /// the second one of a stereo pair, which has its place in the frame of the first.
@@ -38,7 +47,9 @@ struct CameraRig {
   render::SensorEffects effects = {};
 
   /// Whether its pose is that of its own frame, which the source of motion has.
-  [[nodiscard]] bool followsFrame() const { return !X_GC && !link && !is_carried && !sampled; }
+  [[nodiscard]] bool followsFrame() const {
+    return !X_GC && !link && !is_carried && !looks_at && !sampled;
+  }
 };
 
 /// Finds the intrinsics (a calibration file, a recorded CameraInfo, else the world's sensor) and

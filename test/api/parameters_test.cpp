@@ -56,6 +56,15 @@ TEST(Parameters, NameTheEntryOfAListThatIsWrong) {
                           "should be a list of points, each [x, y, z] in metres"));
 }
 
+TEST(Parameters, TakeATextInDegreesForAnAngle) {
+  Parameters root(Value::Map{{"angle", Value("deg(-90)")}, {"text", Value("deg(x)")}});
+  EXPECT_NEAR(root.required<double>("angle"), -1.5707963268, 1e-9);
+  EXPECT_THAT(root.errors(), IsEmpty());
+  (void)root.required<double>("text");
+  EXPECT_THAT(root.errors(),
+              ElementsAre("text: found deg(x) (a text); it should be a finite number"));
+}
+
 TEST(Parameters, RefuseNumbersThatAreNotFinite) {
   Parameters root(Value::Map{{"rate", Value(NAN)}});
   (void)root.required<double>("rate");

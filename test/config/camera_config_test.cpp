@@ -92,6 +92,30 @@ TEST(ReadCameras, AreMountedOnAnObject) {
   EXPECT_EQ(reading.cameras[0].X_GC->translation(), Eigen::Vector3d(1, 2, 3));
 }
 
+TEST(ReadCameras, AreAimedAtAnObjectOrAPoint) {
+  const Reading reading(
+      "cameras: {a: {info_file: /a.yaml, pose: {position: [1, 2, 3], look_at: husky}}, "
+      "b: {info_file: /a.yaml, pose: {position: [1, 2, 3], look_at: [4, 5, 6]}}}");
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  ASSERT_TRUE(reading.cameras[0].aim && reading.cameras[1].aim);
+  EXPECT_EQ(reading.cameras[0].aim->position_G, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(reading.cameras[0].aim->look_at, "husky");
+  EXPECT_EQ(reading.cameras[1].aim->look_at_point_G, Eigen::Vector3d(4, 5, 6));
+  EXPECT_FALSE(reading.cameras[0].X_GC);
+}
+
+TEST(ReadCameras, AreTurnedByAnglesInRadiansOrDegrees) {
+  const Value settings = base::parseSettings(
+      "camera: {info_file: /a.yaml, pose: {position: [1, 2, 3], rpy: [0, deg(20), rad(pi/2)]}}",
+      "test");
+  Parameters root(settings);
+  const auto cameras = readCameras(root);
+  EXPECT_THAT(root.errors(), IsEmpty());
+  ASSERT_TRUE(cameras[0].aim && cameras[0].aim->rpy);
+  EXPECT_NEAR(cameras[0].aim->rpy->y(), 0.3490658504, 1e-9);
+  EXPECT_NEAR(cameras[0].aim->rpy->z(), 1.5707963268, 1e-9);
+}
+
 TEST(ReadCameras, AreSampledWhereTheyHaveAGroupForIt) {
   const Reading reading(
       "cameras: {a: {info_file: /a.yaml, sample: {look_at: alpha}}, "
@@ -130,6 +154,26 @@ INSTANTIATE_TEST_SUITE_P(
                   "camera/sample: found together with pose or mounted_on"},
         BadCamera{"camera: {info_file: /a.yaml, pose: [0, 0, 0, 0, 0, 0, 1], sample: {}}",
                   "camera/sample: found together with pose or mounted_on"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: {look_at: a}}",
+                  "camera/pose/position: required, but missing"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: {position: [1, 2], look_at: a}}",
+                  "camera/pose/position: found [1, 2]; it should be [x, y, z] [m]"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: {position: [1, 2, 3]}}",
+                  "camera/pose/look_at: missing, and so is rpy"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: {position: [1, 2, 3], rpy: [0, 0, 0], "
+                  "look_at: a}}",
+                  "camera/pose/rpy: found together with look_at"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: {position: [1, 2, 3], rpy: [0, 0, 90]}}",
+                  "each at most a turn of 6.283 rad (degrees are written deg(20))"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: {position: [1, 2, 3], look_at: 5}}",
+                  "camera/pose/look_at: found 5"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: {position: [1, 2, 3], look_at: [1, 2, 3]}}",
+                  "camera/pose/look_at: found the camera's own position"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: {position: [0, 0, 0], look_at: a}, "
+                  "sample: {look_at: a}}",
+                  "camera/sample: found together with pose or mounted_on"},
+        BadCamera{"camera: {info_file: /a.yaml, pose: [0, 0, 0]}",
+                  "or {position: [x, y, z], look_at: OBJECT or [x, y, z]}"},
         BadCamera{"camera: {info_file: /a.yaml, effects: {vignetting: 2}}",
                   "camera/effects/vignetting: found 2.0; it should be 0.0 to 1.0"},
         BadCamera{"camera: {info_file: /a.yaml, effects: {motion_samples: 1}}",

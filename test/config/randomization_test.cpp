@@ -242,6 +242,7 @@ TEST(Randomization, RefusesLightOutOfRange) {
             "of 3");
   EXPECT_THAT(errorOf(group, "elevation: 1.6"),
               HasSubstr("elevation: found 1.6; it should be -1.57"));
+  EXPECT_THAT(errorOf(group, "elevation: 45"), HasSubstr("rad (degrees are written deg(20))"));
   EXPECT_THAT(errorOf(group, "azimuth: {uniform: [0, 360]}"),
               HasSubstr("azimuth: found uniform: [0, 360]; it should be -6.28"));
   EXPECT_THAT(errorOf(group, "shift: [1, 2]"),

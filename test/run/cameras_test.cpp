@@ -1,13 +1,19 @@
 /// Runs with several cameras, recorded calibrations and sensors' effects.
 
+#include <cmath>
 #include <filesystem>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "run/scene_loop.h"
+#include "run/setup/run_setup.h"
 #include "run_fixture.h"
 #include "support/bag_builder.h"
+#include "support/fake_scene_sink.h"
+#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::run {
 namespace cameras_test {
@@ -29,6 +35,20 @@ class CamerasTest : public test::RunFixture {
 
   Value::Map& camera() { return *parameters.at("camera").as<Value::Map>(); }
   void setEffects(const Value::Map& effects) { camera()["effects"] = Value(effects); }
+
+  static Value vector(double x, double y, double z) {
+    return Value(Value::List{Value(x), Value(y), Value(z)});
+  }
+  void aim(const Value::Map& pose) { camera()["pose"] = Value(pose); }
+
+  /// The run's scenes, without a dataset.
+  [[nodiscard]] std::vector<FinishedScene> scenesOf() const {
+    Reporter silent;
+    RunSetup setup = setUpRun(Value(parameters), {test::pluginXml()});
+    test::FakeSceneSink sink;
+    (void)SceneLoop(setup, sink, silent).run();
+    return sink.scenes;
+  }
 
   /// The column of alpha's left edge in a row of a mask-like picture of what is red.
   static double leftEdge(const cv::Mat& image, int row) {
@@ -146,6 +166,50 @@ TEST_F(CamerasTest, ALensThatSeesLittleIsToldOf) {
     told = told || kind.find("camera: its lens sees something in only") == 0;
   }
   EXPECT_TRUE(told);
+}
+
+TEST_F(CamerasTest, ACameraThatLooksAtAnObjectFollowsIt) {
+  aim({{"position", vector(-3.0, 0.2, 1.5)}, {"look_at", Value("alpha")}});
+  const auto scenes = scenesOf();
+  ASSERT_EQ(scenes.size(), 4U);
+  for (const FinishedScene& each : scenes) {
+    const Eigen::Vector3d middle_C = each.scene.objects[0].X_CO * Eigen::Vector3d(0, 0, 0.2);
+    EXPECT_LT(middle_C.head<2>().norm(), 1e-9) << "on the optical axis in every scene";
+    EXPECT_EQ(each.scene.X_GC.translation(), Eigen::Vector3d(-3.0, 0.2, 1.5));
+    EXPECT_GT(-each.scene.X_GC.linear()(2, 1), 0.8) << "the image's up is the world's";
+  }
+  EXPECT_FALSE(scenes[0].scene.X_GC.isApprox(scenes[3].scene.X_GC)) << "alpha has moved";
+}
+
+TEST_F(CamerasTest, ACameraOnAnObjectLooksAtAnother) {
+  aim({{"position", vector(0.0, 0.0, 1.0)}, {"look_at", Value("bravo")}});
+  camera()["mounted_on"] = Value("alpha");
+  for (const FinishedScene& each : scenesOf()) {
+    const Eigen::Vector3d middle_C = each.scene.objects[1].X_CO * Eigen::Vector3d(0, 0, 0.2);
+    EXPECT_LT(middle_C.head<2>().norm(), 1e-9);
+    const Eigen::Vector3d p_O = each.scene.objects[0].X_CO.inverse().translation();
+    EXPECT_TRUE(p_O.isApprox(Eigen::Vector3d(0, 0, 1), 1e-9)) << "it rides along";
+  }
+}
+
+TEST_F(CamerasTest, ACameraIsAimedAtAPointOrByAngles) {
+  // The camera of the fixture looks along the global x.
+  const Pose X_GC = scenesOf().front().scene.X_GC;
+  aim({{"position", vector(-3.0, 0.2, 0.5)}, {"look_at", vector(2.0, 0.2, 0.5)}});
+  EXPECT_TRUE(scenesOf().front().scene.X_GC.isApprox(X_GC, 1e-9));
+  aim({{"position", vector(-3.0, 0.2, 0.5)}, {"rpy", vector(0.0, 0.0, 0.0)}});
+  EXPECT_TRUE(scenesOf().front().scene.X_GC.isApprox(X_GC, 1e-9));
+  // Turned to the left and then down: to +y, and below the horizon.
+  aim({{"position", vector(-3.0, 0.2, 0.5)}, {"rpy", vector(0.0, 0.3, M_PI / 2.0)}});
+  const Eigen::Vector3d ahead = scenesOf().front().scene.X_GC.linear().col(2);
+  EXPECT_TRUE(ahead.isApprox(Eigen::Vector3d(0.0, std::cos(0.3), -std::sin(0.3)), 1e-9));
+}
+
+TEST_F(CamerasTest, ALookAtAnObjectThatIsNotThereIsRefused) {
+  aim({{"position", vector(-3.0, 0.2, 0.5)}, {"look_at", Value("alpa")}});
+  EXPECT_THAT(errors(), Contains(HasSubstr("camera/pose/look_at: found 'alpa'; it should be an "
+                                           "object of robot_list or a point [x, y, z]; did you "
+                                           "mean 'alpha'?")));
 }
 
 TEST_F(CamerasTest, AListOfCamerasIsRefused) {

@@ -192,6 +192,7 @@ class MotionBuilder {
       if (!rig) continue;
       if (rig->sampled && isTaken(rig->frame, camera)) continue;
       if (rig->sampled) rig->followed = placeSomewhere(rig->frame);
+      if (rig->looks_at) rig->looks_at->centres_O = middlesOf(rig->looks_at->object);
       checkShutter(camera, *rig);
       noteBlindLens(camera, *rig);
       noteFarAxis(camera, *rig);
@@ -199,6 +200,16 @@ class MotionBuilder {
     }
     scene::alignStereoPairs(setup_.cameras);
     scene::notePictureFrames(setup_.cameras, found());
+  }
+
+  /// Of the boxes around an object's variants, in its frame.
+  [[nodiscard]] std::vector<Eigen::Vector3d> middlesOf(std::size_t object) const {
+    std::vector<Eigen::Vector3d> middles;
+    if (!setup_.shapes) return middles;  // what is wrong is noted
+    for (const Cuboid& box_O : setup_.shapes->boxesAtRest(object)) {
+      middles.push_back(box_O.centre());
+    }
+    return middles;
   }
 
   /// What is placed has a frame of its own: else one would be where the other is.

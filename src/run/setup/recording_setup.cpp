@@ -18,7 +18,7 @@ std::vector<std::string> neededFrames(const config::Config& config) {
     if (object.takes_part && !object.is_distractor) frames.push_back(object.frame);
   }
   for (const scene::CameraOptions& camera : config.cameras) {
-    const bool has_pose = camera.X_GC || camera.on || camera.sample || camera.sensor;
+    const bool has_pose = camera.X_GC || camera.aim || camera.on || camera.sample || camera.sensor;
     if (camera.frame && !has_pose) frames.push_back(*camera.frame);
   }
   return frames;
