@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "base/yaml_value.h"
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -13,7 +14,6 @@ namespace synthetic_dataset::config {
 namespace settings_file_test {
 
 using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 using Map = Value::Map;
 
 Map parameters(const std::string& yaml) {
@@ -43,23 +43,23 @@ TEST(AsParameters, TakesTheGlobalRobotListWhereThereIsNoOther) {
 }
 
 TEST(AsParameters, RefusesOtherGlobalNames) {
-  EXPECT_THAT([] { return parameters("a: {/b: 1}"); },
-              ThrowsMessage<Error>(HasSubstr("test: found the name 'a//b'")));
-  EXPECT_THAT([] { return parameters("~b: 1"); },
-              ThrowsMessage<Error>(HasSubstr("test: found the name '~b'")));
+  EXPECT_THAT(test::messagesOf([] { return parameters("a: {/b: 1}"); }),
+              testing::ElementsAre(HasSubstr("test: found the name 'a//b'")));
+  EXPECT_THAT(test::messagesOf([] { return parameters("~b: 1"); }),
+              testing::ElementsAre(HasSubstr("test: found the name '~b'")));
   EXPECT_THROW((void)parameters("'': 1"), Error);
 }
 
 TEST(AsParameters, RefusesNamesGivenTwice) {
-  EXPECT_THAT([] { return parameters("a/b: 1\na: {b: 2}"); },
-              ThrowsMessage<Error>(HasSubstr("test: 'a/b' is given twice")));
-  EXPECT_THAT([] { return parameters("a: 1\na/b: 2"); },
-              ThrowsMessage<Error>(HasSubstr("test: found 'a/b', but 'a' has a value of its own")));
+  EXPECT_THAT(test::messagesOf([] { return parameters("a/b: 1\na: {b: 2}"); }),
+              testing::ElementsAre(HasSubstr("test: 'a/b' is given twice")));
+  EXPECT_THAT(test::messagesOf([] { return parameters("a: 1\na/b: 2"); }),
+              testing::ElementsAre(HasSubstr("test: found 'a/b', but 'a' has a value of its own")));
 }
 
 TEST(AsParameters, RefusesWhatIsNoGroup) {
-  EXPECT_THAT([] { return parameters("[1, 2]"); },
-              ThrowsMessage<Error>(HasSubstr("test: found a list; it should be a group")));
+  EXPECT_THAT(test::messagesOf([] { return parameters("[1, 2]"); }),
+              testing::ElementsAre(HasSubstr("test: found a list; it should be a group")));
 }
 
 TEST(Overlay, MergesGroupsAndReplacesAllElse) {
@@ -94,10 +94,10 @@ TEST(SettingOf, ReadsYamlBelowAPath) {
 }
 
 TEST(SettingOf, NamesWhatIsWrong) {
-  EXPECT_THAT([] { return settingOf("a", "[1"); },
-              ThrowsMessage<Error>(HasSubstr("a:=[1: line 1")));
-  EXPECT_THAT([] { return settingOf("a", "~"); },
-              ThrowsMessage<Error>(HasSubstr("a:=~: found nothing")));
+  EXPECT_THAT(test::messagesOf([] { return settingOf("a", "[1"); }),
+              testing::ElementsAre(HasSubstr("a:=[1: line 1")));
+  EXPECT_THAT(test::messagesOf([] { return settingOf("a", "~"); }),
+              testing::ElementsAre(HasSubstr("a:=~: found nothing")));
   EXPECT_THROW((void)settingOf("/a", "1"), Error);
 }
 
@@ -110,8 +110,8 @@ TEST(LoadSettings, FillsInReadsAndKeepsLikeTheServer) {
 }
 
 TEST(LoadSettings, NamesAFileThatCannotBeRead) {
-  EXPECT_THAT([] { return loadSettings("/nowhere.yaml", noPackage); },
-              ThrowsMessage<Error>(HasSubstr("/nowhere.yaml: no such file")));
+  EXPECT_THAT(test::messagesOf([] { return loadSettings("/nowhere.yaml", noPackage); }),
+              testing::ElementsAre(HasSubstr("/nowhere.yaml: no such file")));
   const test::TemporaryFolder folder;
   EXPECT_THROW((void)loadSettings(folder.path().string(), noPackage), Error);
 }

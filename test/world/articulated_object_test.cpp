@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/error_messages.h"
 #include "synthetic_dataset/errors.h"
 #include "world/physics/simple_models.h"
 #include "world/world.h"
@@ -67,14 +68,15 @@ TEST(ArticulatedObject, PushesPropsWithADrivenLink) {
 
 TEST(ArticulatedObject, NeedsAPoseForEachDrivenLink) {
   World world({}, {robot()}, {});
-  EXPECT_THAT([&] { world.advanceTo(Stamp(0), [](int, Stamp) { return at(0, 0, 0); }); },
-              testing::ThrowsMessage<Error>(testing::HasSubstr("1 links are driven, but 0 poses")));
+  EXPECT_THAT(
+      test::messagesOf([&] { world.advanceTo(Stamp(0), [](int, Stamp) { return at(0, 0, 0); }); }),
+      testing::ElementsAre(testing::HasSubstr("1 links are driven, but 0 poses")));
 }
 
 TEST(ArticulatedObject, CannotDriveLinksThatAreNotThere) {
   const MovingObject object(robot().variants[0].model, {1, 7});
-  EXPECT_THAT([&] { World world({}, {object}, {}); },
-              testing::ThrowsMessage<Error>(testing::HasSubstr("link 7 cannot be driven")));
+  EXPECT_THAT(test::messagesOf([&] { World world({}, {object}, {}); }),
+              testing::ElementsAre(testing::HasSubstr("link 7 cannot be driven")));
   World fine({}, {robot()}, {});
   fine.advanceTo(milliseconds(1), held);
 }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -9,7 +10,6 @@ namespace synthetic_dataset::output {
 namespace sqlite_test {
 
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 class Sqlite : public testing::Test {
  protected:
@@ -32,18 +32,20 @@ TEST_F(Sqlite, RefusesAViewThatNeverEnds) {
   make(
       "CREATE VIEW run AS WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x FROM n) "
       "SELECT x AS key, x AS value FROM n;");
-  EXPECT_THAT([&] { open(); }, ThrowsMessage<Error>(HasSubstr("it has 'run', which is no plain")));
+  EXPECT_THAT(test::messagesOf([&] { open(); }),
+              testing::ElementsAre(HasSubstr("it has 'run', which is no plain")));
 }
 
 TEST_F(Sqlite, RefusesTriggers) {
   make("CREATE TABLE a (x); CREATE TRIGGER t AFTER INSERT ON a BEGIN DELETE FROM a; END;");
-  EXPECT_THAT([&] { open(); }, ThrowsMessage<Error>(HasSubstr("it has 't', which is no plain")));
+  EXPECT_THAT(test::messagesOf([&] { open(); }),
+              testing::ElementsAre(HasSubstr("it has 't', which is no plain")));
 }
 
 TEST_F(Sqlite, NamesAFileThatIsNone) {
   static_cast<void>(folder_.write("a.sqlite", std::string(2000, 'x')));
-  EXPECT_THAT([&] { open(); },
-              ThrowsMessage<Error>(HasSubstr("a.sqlite': file is not a database")));
+  EXPECT_THAT(test::messagesOf([&] { open(); }),
+              testing::ElementsAre(HasSubstr("a.sqlite': file is not a database")));
 }
 
 }  // namespace sqlite_test

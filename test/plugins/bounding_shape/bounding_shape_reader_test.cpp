@@ -1,12 +1,12 @@
 #include <gmock/gmock.h>
 
 #include "plugins/reader_harness.h"
+#include "support/error_messages.h"
 
 namespace synthetic_dataset::formats {
 namespace bounding_shape_reader_test {
 
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 class BoundingShapeReader : public ReaderTest {
  protected:
@@ -32,8 +32,8 @@ TEST_F(BoundingShapeReader, ReadsIdsOfSeveralWordsAndOfNone) {
 }
 
 TEST_F(BoundingShapeReader, NamesAFileWithWhatIsNoNumber) {
-  EXPECT_THAT([&] { (void)read("rover 0.25000 -1.5.000 2.00000\n"); },
-              ThrowsMessage<Error>(HasSubstr("found '-1.5.000'; it should be a number")));
+  EXPECT_THAT(test::messagesOf([&] { (void)read("rover 0.25000 -1.5.000 2.00000\n"); }),
+              testing::ElementsAre(HasSubstr("found '-1.5.000'; it should be a number")));
 }
 
 }  // namespace bounding_shape_reader_test

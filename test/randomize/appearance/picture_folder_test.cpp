@@ -20,7 +20,6 @@ using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
-using ::testing::ThrowsMessage;
 
 class PictureFolderTest : public ::testing::Test {
  protected:
@@ -86,16 +85,16 @@ TEST_F(PictureFolderTest, NamesThePictureThatProvesBrokenWhenItIsDecoded) {
   folder.write("a.webp", bytes.substr(0, 60));
   PictureFolder found = pictures();
   EXPECT_THAT(
-      [&] { (void)found.read(0); },
-      ThrowsMessage<Error>(HasSubstr("picture '" + found.files()[0] + "' cannot be decoded")));
+      test::messagesOf([&] { (void)found.read(0); }),
+      testing::ElementsAre(HasSubstr("picture '" + found.files()[0] + "' cannot be decoded")));
 }
 
 TEST_F(PictureFolderTest, NamesAPictureThatIsGone) {
   add("a.png");
   PictureFolder found = pictures();
   fs::remove(folder / "a.png");
-  EXPECT_THAT([&] { (void)found.read(0); },
-              ThrowsMessage<Error>("picture '" + found.files()[0] + "' cannot be opened"));
+  EXPECT_THAT(test::messagesOf([&] { (void)found.read(0); }),
+              testing::ElementsAre("picture '" + found.files()[0] + "' cannot be opened"));
 }
 
 }  // namespace picture_folder_test

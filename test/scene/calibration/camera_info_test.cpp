@@ -12,7 +12,6 @@ namespace camera_info_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 constexpr char kCalibration[] = R"(image_width: 640
 image_height: 480
@@ -128,10 +127,10 @@ TEST_F(CameraInfoOfModel, MayHaveAThinPrismAndATiltedSensor) {
 }
 
 TEST_F(CameraInfoOfModel, RefusesACountThatIsNotTheModels) {
-  EXPECT_THAT([&] { distortionOf("plumb_bob", "0.1 0.2"); },
-              ThrowsMessage<Error>(AllOf(HasSubstr("found 2 numbers"), HasSubstr("4 or 5"))));
-  EXPECT_THAT([&] { distortionOf("equidistant", "0.1 0 0 0 0.2"); },
-              ThrowsMessage<Error>(HasSubstr("equidistant has 4")));
+  EXPECT_THAT(test::messagesOf([&] { distortionOf("plumb_bob", "0.1 0.2"); }),
+              testing::ElementsAre(AllOf(HasSubstr("found 2 numbers"), HasSubstr("4 or 5"))));
+  EXPECT_THAT(test::messagesOf([&] { distortionOf("equidistant", "0.1 0 0 0 0.2"); }),
+              testing::ElementsAre(HasSubstr("equidistant has 4")));
 }
 
 TEST_F(CameraInfo, RefusesAnUnknownModelAndNamesTheKnown) {
@@ -162,24 +161,27 @@ TEST_F(CameraInfo, OfBinnedPixelsHasFewerOfThem) {
 }
 
 TEST_F(CameraInfo, RefusesARegionOutsideOfTheImage) {
-  EXPECT_THAT([&] { read(std::string(kCalibration) + "roi: {x_offset: 600, width: 320}\n"); },
-              ThrowsMessage<Error>(HasSubstr("camera.yaml: roi/width: found 320 px from 600")));
+  EXPECT_THAT(test::messagesOf(
+                  [&] { read(std::string(kCalibration) + "roi: {x_offset: 600, width: 320}\n"); }),
+              testing::ElementsAre(HasSubstr("camera.yaml: roi/width: found 320 px from 600")));
 }
 
 TEST_F(CameraInfo, RefusesARegionThatIsBeyondAllNumbers) {
-  EXPECT_THAT([&] { read(std::string(kCalibration) + "roi: {x_offset: 2147483647, width: 9}\n"); },
-              ThrowsMessage<Error>(HasSubstr("roi/width: found 9 px from 2147483647 on")));
+  EXPECT_THAT(test::messagesOf([&] {
+                read(std::string(kCalibration) + "roi: {x_offset: 2147483647, width: 9}\n");
+              }),
+              testing::ElementsAre(HasSubstr("roi/width: found 9 px from 2147483647 on")));
 }
 
 TEST_F(CameraInfo, NamesEverythingThatIsMissing) {
-  EXPECT_THAT([&] { read("image_width: 640\n"); },
-              ThrowsMessage<Error>(AllOf(HasSubstr("camera.yaml: image_height: required"),
+  EXPECT_THAT(test::messagesOf([&] { read("image_width: 640\n"); }),
+              testing::ElementsAre(AllOf(HasSubstr("camera.yaml: image_height: required"),
                                          HasSubstr("camera_matrix: required"))));
 }
 
 TEST_F(CameraInfo, RefusesAMatrixOfTheWrongSize) {
-  EXPECT_THAT([&] { read(with(", 0, 0, 1]", "]")); },
-              ThrowsMessage<Error>(HasSubstr("camera_matrix: found 6 numbers; it should be 9")));
+  EXPECT_THAT(test::messagesOf([&] { read(with(", 0, 0, 1]", "]")); }),
+              testing::ElementsAre(HasSubstr("camera_matrix: found 6 numbers; it should be 9")));
 }
 
 TEST_F(CameraInfo, WarnsOfASkewWhichRosDoesNotDrawEither) {
@@ -203,8 +205,8 @@ TEST_F(CameraInfo, OfAnUnturnableRectificationIsRefused) {
 }
 
 TEST_F(CameraInfo, NamesTheFileOfAnImpossibleCamera) {
-  EXPECT_THAT([&] { read(with("554.5", "0.0")); },
-              ThrowsMessage<Error>(AllOf(HasSubstr("camera.yaml"), HasSubstr("fx"))));
+  EXPECT_THAT(test::messagesOf([&] { read(with("554.5", "0.0")); }),
+              testing::ElementsAre(AllOf(HasSubstr("camera.yaml"), HasSubstr("fx"))));
 }
 
 }  // namespace camera_info_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "synthetic_dataset/errors.h"
+#include "support/error_messages.h"
 #include "world/material/shininess.h"
 
 namespace synthetic_dataset::world {
@@ -223,13 +223,12 @@ TEST(OgreMaterial, NotesWhatItCannotDraw) {
 }
 
 TEST(OgreMaterial, TellsOfNumbersThatAreNone) {
-  const auto message = [](const char* text) {
-    return testing::ThrowsMessage<Error>(HasSubstr(text));
-  };
-  EXPECT_THAT([] { readPass("diffuse 1 red 0"); }, message("line 2: diffuse: found '1 red 0'"));
-  EXPECT_THAT([] { readPass("specular 1"); }, message("3 numbers or more"));
-  EXPECT_THAT([] { readPass("texture_unit { texture a.png\n scale 0 1 }"); },
-              message("scale: neither may be 0"));
+  const auto messages = [](const char* pass) { return test::messagesOf([&] { readPass(pass); }); };
+  EXPECT_THAT(messages("diffuse 1 red 0"),
+              ElementsAre(HasSubstr("line 2: diffuse: found '1 red 0'")));
+  EXPECT_THAT(messages("specular 1"), ElementsAre(HasSubstr("3 numbers or more")));
+  EXPECT_THAT(messages("texture_unit { texture a.png\n scale 0 1 }"),
+              ElementsAre(HasSubstr("scale: neither may be 0")));
 }
 
 }  // namespace ogre_material_test

@@ -23,7 +23,6 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 using testing::StartsWith;
-using testing::ThrowsMessage;
 
 [[nodiscard]] inline std::string worldFile(const std::string& content) {
   return "<sdf version='1.7'><world name='w'>" + content + "</world></sdf>";

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "support/error_messages.h"
 #include "synthetic_dataset/errors.h"
 #include "world/shape/extrusion.h"
 
@@ -14,7 +15,6 @@ using Eigen::Vector2d;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
-using testing::ThrowsMessage;
 
 Outline rectangle(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
@@ -103,19 +103,20 @@ TEST(Triangulation, LeavesARoundHole) {
 }
 
 TEST(Triangulation, NamesWhatIsNoOutline) {
-  EXPECT_THAT(triangulating({{{0, 0}, {1, 0}}}),
-              ThrowsMessage<Error>(HasSubstr("has 2 different points; at least 3")));
-  EXPECT_THAT(triangulating({{{0, 0}, {1, 0}, {0, 0}, {1, 0}}}), testing::Throws<Error>());
-  EXPECT_THAT(triangulating({{{0, 0}, {1, 1}, {2, 2}}}),
-              ThrowsMessage<Error>(HasSubstr("encloses no area")));
+  EXPECT_THAT(test::messagesOf(triangulating({{{0, 0}, {1, 0}}})),
+              testing::ElementsAre(HasSubstr("has 2 different points; at least 3")));
+  EXPECT_THAT(test::messagesOf(triangulating({{{0, 0}, {1, 0}, {0, 0}, {1, 0}}})),
+              testing::Not(testing::IsEmpty()));
+  EXPECT_THAT(test::messagesOf(triangulating({{{0, 0}, {1, 1}, {2, 2}}})),
+              testing::ElementsAre(HasSubstr("encloses no area")));
 }
 
 TEST(Triangulation, NamesLinesThatCross) {
   EXPECT_THAT(
-      triangulating({{{0, 0}, {2, 2}, {2, 0}, {0, 3}}}),
-      ThrowsMessage<Error>(AllOf(HasSubstr("crosses itself"), HasSubstr("(2.000, 2.000)"))));
-  EXPECT_THAT(triangulating({rectangle(0, 0, 2, 2), rectangle(1, 1, 3, 3)}),
-              ThrowsMessage<Error>(HasSubstr("crosses itself")));
+      test::messagesOf(triangulating({{{0, 0}, {2, 2}, {2, 0}, {0, 3}}})),
+      testing::ElementsAre(AllOf(HasSubstr("crosses itself"), HasSubstr("(2.000, 2.000)"))));
+  EXPECT_THAT(test::messagesOf(triangulating({rectangle(0, 0, 2, 2), rectangle(1, 1, 3, 3)})),
+              testing::ElementsAre(HasSubstr("crosses itself")));
 }
 
 TEST(Extrusion, EnclosesItsVolume) {
