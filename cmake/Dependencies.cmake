@@ -1,5 +1,6 @@
 # Finds the libraries that come without one CMake name for all releases of Debian and Ubuntu.
 find_package(PkgConfig REQUIRED)
+find_package(ZLIB REQUIRED)
 pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet)
 pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
@@ -7,16 +8,17 @@ pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom)
 
+# rosdep knows neither of these two, so it can be built without.
+option(SYNTHETIC_DATASET_QUICK_DEFLATE "Compress PNG files by ISA-L and libdeflate if they are there"
+  ON)
 pkg_check_modules(ISAL IMPORTED_TARGET libisal)
-if(NOT ISAL_FOUND)
-  message(FATAL_ERROR "ISA-L is needed: apt-get install libisal-dev")
-endif()
-
 # libdeflate has brought a pkg-config file since 1.9 only.
 find_path(LIBDEFLATE_INCLUDE_DIR libdeflate.h)
 find_library(LIBDEFLATE_LIBRARY deflate)
-if(NOT LIBDEFLATE_INCLUDE_DIR OR NOT LIBDEFLATE_LIBRARY)
-  message(FATAL_ERROR "libdeflate is needed: apt-get install libdeflate-dev")
+set(quick_deflate ${SYNTHETIC_DATASET_QUICK_DEFLATE})
+if(NOT ISAL_FOUND OR NOT LIBDEFLATE_INCLUDE_DIR OR NOT LIBDEFLATE_LIBRARY)
+  set(quick_deflate OFF)
+  message(WARNING "PNG files will be compressed by zlib: the pixels are the same, but it takes several times as long, and the files' bytes differ from those of other systems. apt-get install libisal-dev libdeflate-dev")
 endif()
 
 # FreeImage brings neither a CMake nor a pkg-config file.

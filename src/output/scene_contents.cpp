@@ -8,8 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include <libdeflate.h>
-
+#include "base/image/deflate.h"
 #include "base/image/png_encoder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -26,7 +25,7 @@ void visitRows(const cv::Mat& pixels, const Visit& visit) {
 std::uint32_t checksumOf(const cv::Mat& pixels) {
   std::uint32_t sum = 0;
   visitRows(pixels, [&](const uchar* bytes, std::size_t size, int /*row*/) {
-    sum = libdeflate_crc32(sum, bytes, size);
+    sum = base::crc32(sum, bytes, size);
   });
   return sum;
 }

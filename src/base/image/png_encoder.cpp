@@ -4,18 +4,12 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
-#include <memory>
 
-#ifdef __x86_64__
-#include <immintrin.h>
-#endif
-
-#include <isa-l/igzip_lib.h>
-#include <libdeflate.h>
 #include <opencv2/core.hpp>
 #include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/image/deflate.h"
 #include "base/image/image_encoder.h"
 #include "base/image/run_deflater.h"
 #include "synthetic_dataset/errors.h"
@@ -26,7 +20,6 @@ namespace {
 using Bytes = std::vector<uchar>;
 
 constexpr std::size_t kMostColours = 256;
-constexpr int kQuickest = 1;
 
 enum ColourType : uchar { kGrey = 0, kTrueColour = 2, kIndexed = 3 };
 enum FilterType : uchar { kNone = 0, kSub = 1, kUp = 2 };
@@ -40,7 +33,7 @@ void appendChunk(Bytes& png, const char* type, const uchar* data, std::size_t si
   const std::size_t checked = png.size();
   png.insert(png.end(), type, type + 4);
   png.insert(png.end(), data, data + size);
-  appendNumber(png, libdeflate_crc32(0, png.data() + checked, png.size() - checked));
+  appendNumber(png, crc32(0, png.data() + checked, png.size() - checked));
 }
 
 /// A row's samples as PNG has them: red first, the high byte first.
@@ -140,74 +133,6 @@ cv::Mat filteredRows(const cv::Mat& image) {
   return rows;
 }
 
-#ifdef __x86_64__
-/// ISA-L leaves something in the upper halves of wide registers, and what a processor does with the
-/// lower ones alone takes it twice as long from then on (Intel, "64 and IA-32 Architectures
-/// Optimization Reference Manual", mixing AVX code with SSE code).
-__attribute__((target("avx"))) void clearUpperHalves() { _mm256_zeroupper(); }
-
-void leaveIsal() {
-  if (__builtin_cpu_supports("avx") != 0) clearUpperHalves();
-}
-#else
-void leaveIsal() {}
-#endif
-
-/// Hands ISA-L its next bytes.
-void deflateNext(isal_zstream& stream, std::size_t count, bool is_end) {
-  stream.avail_in = static_cast<std::uint32_t>(count);
-  stream.flush = is_end ? NO_FLUSH : SYNC_FLUSH;
-  stream.end_of_stream = is_end ? 1 : 0;
-  const int problem = isal_deflate(&stream);
-  leaveIsal();
-  if (problem != COMP_OK || stream.avail_in != 0) {
-    throw Error("an image cannot be compressed (ISA-L's error " + std::to_string(problem) + ")");
-  }
-}
-
-/// A zlib stream by ISA-L: in a quarter of libdeflate's time, a tenth larger.
-Bytes quicklyDeflated(cv::Mat& bytes) {
-  constexpr std::uint32_t kLevel = 1;
-  // ISA-L 2.30 takes the third byte's place in its table from the address of the stream
-  // (igzip_icf_body_h1_gr_bt.asm, .write_first_byte), so that equal bytes would now and then become
-  // different ones. So few bytes go another way there.
-  constexpr std::size_t kFirst = 16;
-  Bytes scratch(ISAL_DEF_LVL1_DEFAULT);
-  // What cannot be compressed is stored in blocks, with a few bytes to each.
-  // Not filled with zeros, as a vector would be.
-  cv::Mat result(1, static_cast<int>(bytes.total() + bytes.total() / 8 + 1024), CV_8UC1);
-  isal_zstream stream;
-  isal_deflate_init(&stream);
-  stream.gzip_flag = IGZIP_ZLIB;
-  stream.level = kLevel;
-  stream.level_buf = scratch.data();
-  stream.level_buf_size = static_cast<std::uint32_t>(scratch.size());
-  stream.next_in = bytes.data;
-  stream.next_out = result.data;
-  stream.avail_out = static_cast<std::uint32_t>(result.total());
-  const std::size_t first = std::min(kFirst, bytes.total());
-  deflateNext(stream, first, false);
-  deflateNext(stream, bytes.total() - first, true);
-  if (stream.internal_state.state != ZSTATE_END) {
-    throw Error("an image cannot be compressed: ISA-L needs more room than it should");
-  }
-  return {result.data, result.data + stream.total_out};
-}
-
-/// The same by libdeflate.
-Bytes deflated(const cv::Mat& bytes, int compression) {
-  struct Free {
-    void operator()(libdeflate_compressor* freed) const { libdeflate_free_compressor(freed); }
-  };
-  const std::unique_ptr<libdeflate_compressor, Free> compressor(
-      libdeflate_alloc_compressor(compression));
-  if (!compressor) throw Error("there is no memory to compress an image");
-  Bytes result(libdeflate_zlib_compress_bound(compressor.get(), bytes.total()));
-  result.resize(libdeflate_zlib_compress(compressor.get(), bytes.data, bytes.total(), result.data(),
-                                         result.size()));
-  return result;
-}
-
 /// Where a run of equal bytes ends.
 const uchar* endOfRun(const uchar* begin, const uchar* end) {
   std::uint64_t eight = 0;
@@ -278,10 +203,7 @@ std::optional<std::string> indexedImageProblem(const std::string& path, const cv
 
 Bytes encodePng(const cv::Mat& image, const std::vector<cv::Vec3b>& palette, int compression) {
   std::optional<Bytes> data = palette.empty() ? deflatedMask(image) : std::nullopt;
-  if (!data) {
-    cv::Mat rows = filteredRows(image);
-    data = compression <= kQuickest ? quicklyDeflated(rows) : deflated(rows, compression);
-  }
+  if (!data) data = deflated(filteredRows(image), compression);
   const Bytes head = header(image, !palette.empty());
   Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   png.reserve(data->size() + 1024);

@@ -14,14 +14,14 @@ namespace synthetic_dataset::base {
                                                              const cv::Mat& indices,
                                                              const std::vector<cv::Vec3b>& palette);
 
-/// A PNG (ISO/IEC 15948), the same bytes for the same pixels: deflated by ISA-L or libdeflate, and
-/// each row is filtered in the way, of three that processors do many bytes at a time, that leaves
-/// the smallest numbers. Masks (pixels of 0 and 255 alone) are not filtered, and deflated as runs,
-/// whatever `compression` is.
+/// A PNG (ISO/IEC 15948), the same bytes for the same pixels: deflated as
+/// deflate.h says, and each row is filtered in the way, of three that processors do many bytes at a
+/// time, that leaves the smallest numbers. Masks (pixels of 0 and 255 alone) are not filtered, and
+/// deflated as runs, whatever `compression` is.
 /// @param image  CV_8UC1, CV_16UC1 or CV_8UC3 (blue, green, red)
 /// @param palette  the colours (blue, green, red) of an image of places in it; else empty
 /// @param compression  0 and 1 ISA-L, fastest; 2 .. 9 libdeflate, smallest
-/// @throws Error when there is no memory for it, or ISA-L refuses it
+/// @throws Error as `deflated` does
 [[nodiscard]] std::vector<uchar> encodePng(const cv::Mat& image,
                                            const std::vector<cv::Vec3b>& palette, int compression);
 

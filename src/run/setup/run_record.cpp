@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <libdeflate.h>
-
+#include "base/image/deflate.h"
 #include "base/json_text.h"
 #include "config/settings_text.h"
 #include "output/files/digest.h"
@@ -61,13 +60,13 @@ std::map<std::string, output::RunDescription::Setting> usedSettings(
 }
 
 std::map<std::string, std::string> softwareVersions() {
-  return {{"synthetic_dataset", SYNTHETIC_DATASET_VERSION},
-          {"assimp", ASSIMP_VERSION},
-          {"bullet", BULLET_VERSION},
-          {"opencv", OPENCV_VERSION},
-          {"isa-l", ISAL_VERSION},
-          {"libdeflate", LIBDEFLATE_VERSION_STRING},
-          {"urdfdom", URDFDOM_VERSION}};
+  std::map<std::string, std::string> versions = base::deflateLibraries();
+  versions.insert({{"synthetic_dataset", SYNTHETIC_DATASET_VERSION},
+                   {"assimp", ASSIMP_VERSION},
+                   {"bullet", BULLET_VERSION},
+                   {"opencv", OPENCV_VERSION},
+                   {"urdfdom", URDFDOM_VERSION}});
+  return versions;
 }
 
 std::set<std::string> inputsNamedBy(const config::Config& config) {

@@ -3,22 +3,14 @@
 #include <random>
 
 #include <gtest/gtest.h>
-#include <libdeflate.h>
+
+#include "base/image/inflated.h"
 
 namespace synthetic_dataset::base {
 namespace run_deflater_test {
 
 using Bytes = std::vector<std::uint8_t>;
-
-/// What another library finds in a stream; it checks its sum, too.
-Bytes inflated(const Bytes& stream, std::size_t size) {
-  Bytes bytes(size);
-  libdeflate_decompressor* decompressor = libdeflate_alloc_decompressor();
-  const libdeflate_result result = libdeflate_zlib_decompress(
-      decompressor, stream.data(), stream.size(), bytes.data(), bytes.size(), nullptr);
-  libdeflate_free_decompressor(decompressor);
-  return result == LIBDEFLATE_SUCCESS ? bytes : Bytes();
-}
+using test::inflated;
 
 TEST(RunDeflater, HoldsRunsOfEveryLength) {
   RunDeflater deflater;
