@@ -30,7 +30,7 @@ class BoundingShapeWriter : public LabelWriter {
       labels += object.id;
       for (const Eigen::Vector3d& vertex_O : object.bounding_shape_O) {
         const Eigen::Vector3d vertex_F = X_FO * vertex_O;
-        for (const double coordinate : vertex_F) labels += " " + fixed(coordinate, 5);
+        for (int axis = 0; axis < 3; ++axis) labels += " " + fixed(vertex_F[axis], 5);
       }
       labels += "\n";
     }

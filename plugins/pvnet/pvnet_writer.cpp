@@ -31,8 +31,7 @@ Pose poseOf(const std::vector<double>& numbers) {
 }
 
 /// A line of numbers as numpy.loadtxt reads them, each the shortest that is the same double.
-template <class Numbers>
-std::string lineOf(const Numbers& numbers) {
+std::string lineOf(const std::vector<double>& numbers) {
   std::string line;
   for (const double number : numbers) line += (line.empty() ? "" : " ") + Json(number).dump();
   return line + "\n";
@@ -40,7 +39,7 @@ std::string lineOf(const Numbers& numbers) {
 
 std::string linesOf(const std::vector<Eigen::Vector3d>& points) {
   std::string lines;
-  for (const Eigen::Vector3d& point : points) lines += lineOf(point);
+  for (const Eigen::Vector3d& point : points) lines += lineOf({point.x(), point.y(), point.z()});
   return lines;
 }
 

@@ -6,17 +6,14 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include "plugins/shared/ordered_map.h"
 #include "synthetic_dataset/box.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset {
 
-// Older ones (Ubuntu 20.04) sort the keys.
-#if NLOHMANN_JSON_VERSION_MAJOR > 3 || NLOHMANN_JSON_VERSION_MINOR >= 9
-using Json = nlohmann::ordered_json;  ///< keys in the order in which they were added
-#else
-using Json = nlohmann::json;
-#endif
+/// Keys are written in the order in which they were added.
+using Json = nlohmann::basic_json<OrderedMap>;
 
 /// On one line. Bytes of a name that are not UTF-8 become U+FFFD, as JSON has to be UTF-8.
 [[nodiscard]] inline std::string jsonText(const Json& value) {

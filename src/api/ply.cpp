@@ -1,6 +1,7 @@
-#include <array>
-#include <charconv>
+#include <iomanip>
+#include <locale>
 #include <ostream>
+#include <sstream>
 #include <string>
 
 #include "synthetic_dataset/object_model.h"
@@ -16,15 +17,20 @@ std::string floatText(double number) {
   constexpr int kFewestDigits = 6;
   constexpr int kMostDigits = 9;
   const float value = static_cast<float>(number) + 0.0F;  // no "-0"
-  std::array<char, 32> text{};
+  // std::to_chars has no floating point numbers before GCC 11.
+  std::stringstream text;
+  text.imbue(std::locale::classic());
   for (int digits = kFewestDigits;; ++digits) {
-    char* const end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::general, digits)
-                          .ptr;
+    text.clear();
+    text.str({});
+    text << std::setprecision(digits) << value;
     float read = 0.0F;
-    std::from_chars(text.data(), end, read);
-    if (digits == kMostDigits || read == value) return std::string(text.data(), end);
+    if (digits == kMostDigits || (text >> read && read == value)) return text.str();
   }
+}
+
+std::string vectorText(const Eigen::Vector3d& vector) {
+  return floatText(vector.x()) + " " + floatText(vector.y()) + " " + floatText(vector.z()) + " ";
 }
 
 std::string header(const ObjectModel& model) {
@@ -45,12 +51,9 @@ std::string header(const ObjectModel& model) {
 void writePly(std::ostream& stream, const ObjectModel& model, double scale) {
   stream << header(model);
   for (const ObjectModel::Vertex& vertex : model.vertices) {
-    std::string line;
-    for (const double coordinate : vertex.position) line += floatText(scale * coordinate) + " ";
-    for (const double coordinate : vertex.normal) line += floatText(coordinate) + " ";
     const auto& [red, green, blue] = vertex.colour;
-    line += std::to_string(red) + " " + std::to_string(green) + " " + std::to_string(blue) + "\n";
-    stream << line;
+    stream << vectorText(scale * vertex.position) << vectorText(vertex.normal)
+           << std::to_string(red) + " " + std::to_string(green) + " " + std::to_string(blue) + "\n";
   }
   for (const auto& [a, b, c] : model.triangles) {
     stream << "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";

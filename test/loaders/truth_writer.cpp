@@ -8,7 +8,7 @@
 namespace synthetic_dataset::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 template <class Vector>
 Json numbers(const Vector& vector) {

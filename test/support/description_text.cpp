@@ -23,7 +23,7 @@ class Teller {
       }
       if (!link.inertia) continue;
       line("  inertia ", link.inertia->mass, ' ', link.inertia->centre_of_mass_L.transpose(), ' ',
-           link.inertia->moments_L.reshaped().transpose());
+           numbers(link.inertia->moments_L));
     }
   }
 
@@ -42,9 +42,13 @@ class Teller {
     (text_ << ... << parts) << '\n';
   }
 
-  static std::string pose(const Pose& pose) {
+  static std::string pose(const Pose& pose) { return " at " + numbers(pose.matrix()); }
+
+  /// Column by column.
+  template <class Matrix>
+  static std::string numbers(const Matrix& matrix) {
     std::ostringstream text;
-    text << " at " << pose.matrix().reshaped().transpose();
+    for (Eigen::Index i = 0; i < matrix.size(); ++i) text << matrix.data()[i] << ' ';
     return text.str();
   }
 

@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/bop/bop_fixture.h"
+#include "plugins/shared/json.h"
 
 namespace synthetic_dataset {
 namespace bop_writer_test {
@@ -283,7 +284,7 @@ TEST_F(Bop, KeepsImagesInTheirOrder) {
   for (int i = 0; i < 12; ++i) scenes.push_back(scene(i, {}));
   runAll(scenes);
   std::ifstream stream(folder() + "train/000000/scene_gt.json");
-  const auto inOrder = nlohmann::ordered_json::parse(stream);
+  const auto inOrder = Json::parse(stream);
   int expected = 0;
   for (const auto& entry : inOrder.items()) EXPECT_EQ(entry.key(), std::to_string(expected++));
 }

@@ -19,7 +19,7 @@ TEST_F(PvNetReader, ReadsPointsAndPose) {
   folder_.write("rover/camera.txt", "100 0 50\n0 100 40\n0 0 1\n");
   std::string corners;
   for (const Eigen::Vector3d& corner : Cuboid{{-1, -1, -2.5}, {1, 1, 2.5}}.corners()) {
-    for (const double number : corner) corners += std::to_string(number) + " ";
+    for (int axis = 0; axis < 3; ++axis) corners += std::to_string(corner[axis]) + " ";
     corners += "\n";
   }
   folder_.write("rover/corners.txt", corners);

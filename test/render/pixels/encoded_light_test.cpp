@@ -5,13 +5,17 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
+#include "render/pixels/half_numbers.h"
+
 namespace synthetic_dataset::render {
 namespace encoded_light_test {
 
+using test::halfBits;
+using test::halfNumber;
+
 cv::Mat pixel(float encoded) {
-  const cv::float16_t half(encoded);
-  return {1, 1, CV_16UC4,
-          cv::Scalar(half.bits(), cv::float16_t(0.5F * encoded).bits(), half.bits(), 7)};
+  const auto half = halfBits(encoded);
+  return {1, 1, CV_16UC4, cv::Scalar(half, halfBits(0.5F * encoded), half, 7)};
 }
 
 /// Red after exposing.
@@ -19,14 +23,14 @@ float exposed(float encoded, float exposure) {
   cv::Mat light = pixel(encoded);
   exposeEncoded(light, exposure, {{0, 0, 1, 1}});
   EXPECT_EQ(light.at<cv::Vec4w>(0)[3], 7) << "what is no colour stays";
-  return float{cv::float16_t::fromBits(light.at<cv::Vec4w>(0)[0])};
+  return halfNumber(light.at<cv::Vec4w>(0)[0]);
 }
 
 double decoded(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
 
 TEST(EncodedLight, BecomesLinearByTheTransferFunctionOfSrgb) {
   for (float encoded = 0.02F; encoded < 1.0F; encoded += 0.013F) {
-    const double there = float{cv::float16_t(encoded)};
+    const double there = halfNumber(halfBits(encoded));
     EXPECT_NEAR(exposed(encoded, 1.0F), decoded(there), 6e-4 * decoded(there)) << encoded;
   }
   EXPECT_EQ(exposed(0.0F, 1.0F), 0.0F);
@@ -51,8 +55,8 @@ TEST(EncodedLight, StaysBesideTheRegions) {
   pixel(0.5F).copyTo(light.col(0));
   pixel(0.5F).copyTo(light.col(1));
   exposeEncoded(light, 1.0F, {{1, 0, 1, 1}});
-  EXPECT_EQ(light.at<cv::Vec4w>(0)[0], cv::float16_t(0.5F).bits());
-  EXPECT_NE(light.at<cv::Vec4w>(1)[0], cv::float16_t(0.5F).bits());
+  EXPECT_EQ(light.at<cv::Vec4w>(0)[0], halfBits(0.5F));
+  EXPECT_NE(light.at<cv::Vec4w>(1)[0], halfBits(0.5F));
 }
 
 }  // namespace encoded_light_test

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
+#include "render/pixels/half_numbers.h"
 #include "render/pixels/lane_images.h"
 
 namespace synthetic_dataset::render {
@@ -61,7 +62,7 @@ TEST(Lanes, AreStoredAsNumbersOf16BitsAsOpenCvHasThem) {
     storeHalves(bits.data(), {lanes(numbers[0]), lanes(numbers[1]), lanes(numbers[2])});
     for (std::size_t k = 0; k < bits.size(); ++k) {
       const float number = k % 4 == 3 ? 1.0F : numbers[k % 4];
-      ASSERT_EQ(bits[k], cv::float16_t(number).bits()) << number;
+      ASSERT_EQ(bits[k], test::halfBits(number)) << number;
     }
   }
 }
@@ -70,10 +71,11 @@ TEST(Lanes, AreLoadedFromNumbersOf16Bits) {
   for (const float number : {0.0F, 1.0F, -1.0F, 0.333F, -0.0625F, 65504.0F, 6.2e-5F, 6e-5F}) {
     std::array<std::uint16_t, 16> bits{};
     for (std::size_t k = 0; k < bits.size(); ++k) {
-      bits[k] = cv::float16_t(k % 4 == 1 ? number : 0.5F).bits();
+      bits[k] = test::halfBits(k % 4 == 1 ? number : 0.5F);
     }
     const PixelLanes pixels = loadHalves(bits.data());
-    const float wanted = std::abs(number) < 6.1e-5F ? 0.0F : float{cv::float16_t(number)};
+    const float wanted =
+        std::abs(number) < 6.1e-5F ? 0.0F : test::halfNumber(test::halfBits(number));
     EXPECT_EQ(stored(pixels.xyz.y)[3], wanted);
     EXPECT_EQ(stored(pixels.w)[0], 0.5F);
   }

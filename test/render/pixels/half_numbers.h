@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include <opencv2/core.hpp>
+
+namespace synthetic_dataset::test {
+
+/// The number of 16 bits that OpenCV rounds a number to. Its type for such numbers has another name
+/// and no access to the bits from OpenCV 4.10 on.
+[[nodiscard]] inline std::uint16_t halfBits(float number) {
+  cv::Mat half;
+  cv::Mat(1, 1, CV_32F, cv::Scalar(number)).convertTo(half, CV_16F);
+  return *half.ptr<std::uint16_t>();
+}
+
+/// The number that OpenCV reads from 16 bits.
+[[nodiscard]] inline float halfNumber(std::uint16_t bits) {
+  cv::Mat number;
+  cv::Mat(1, 1, CV_16F, &bits).convertTo(number, CV_32F);
+  return *number.ptr<float>();
+}
+
+}  // namespace synthetic_dataset::test
