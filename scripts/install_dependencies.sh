@@ -10,6 +10,7 @@ packages=(
   libxmlrpcpp-dev pluginlib-dev rosbash
   librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools
   python3-geometry-msgs python3-tf2-msgs
+  python3-setuptools python3-numpy python3-pil python3-matplotlib python3-jinja2 ffmpeg
   libopencv-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev
   libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev
   libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev libssl-dev nlohmann-json3-dev

@@ -85,6 +85,8 @@ void EarlierDataset::know(const std::string& manifest, const ManifestContent& co
     known_files_.insert(temporaryPath(file));
   }
   for (std::string& file : filesOfManifest(manifest)) known_files_.insert(std::move(file));
+  const std::string report = reportFile(folder_);
+  known_files_.insert({report, temporaryPath(report)});
 }
 
 std::vector<std::string> EarlierDataset::datasetsInTheWay(IfExists if_exists, Source source) const {

@@ -9,6 +9,7 @@
 #include "output/files/pending_file.h"
 #include "output/files/run_lock.h"
 #include "output/manifest/manifest_paths.h"
+#include "output/manifest/manifest_schema.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -32,10 +33,17 @@ const char* kindOf(fs::file_type type) {
                                           : "no regular file";
 }
 
-/// What lies beside a manifest and belongs to it.
+/// What lies beside a manifest and belongs to it, or is a page about the dataset.
 std::vector<std::string> companionsOf(const std::string& manifest) {
-  return {manifest,          manifest + "-journal",   manifest + "-wal",
-          manifest + "-shm", temporaryPath(manifest), RunLock::fileOf(manifest)};
+  const std::string report = reportFile(fs::path(manifest).parent_path().string());
+  return {manifest,
+          manifest + "-journal",
+          manifest + "-wal",
+          manifest + "-shm",
+          temporaryPath(manifest),
+          RunLock::fileOf(manifest),
+          report,
+          temporaryPath(report)};
 }
 
 void add(const std::string& file, FewFiles& files) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "output/files/file_name_rules.h"
 #include "output/manifest/manifest.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
@@ -31,6 +32,14 @@ WrittenDataset::WrittenDataset(const std::filesystem::path& folder)
   }
   SqliteStatement cameras(database_, "SELECT name FROM camera ORDER BY \"index\"");
   for (cameras.start(); cameras.step();) cameras_.push_back(cameras.text(0));
+}
+
+std::vector<std::int64_t> WrittenDataset::scenes() const {
+  SqliteStatement rows(database_,
+                       "SELECT \"index\" FROM scene WHERE state <> 'begun' ORDER BY \"index\"");
+  std::vector<std::int64_t> scenes;
+  for (rows.start(); rows.step();) scenes.push_back(rows.integer(0));
+  return scenes;
 }
 
 std::int64_t WrittenDataset::middleScene() const {
@@ -72,6 +81,21 @@ bool WrittenDataset::lists(const std::filesystem::path& file) const {
     if (std::filesystem::weakly_canonical(listed, error) == target) return true;
   }
   return false;
+}
+
+bool WrittenDataset::isInAWriter(const std::filesystem::path& folder) const {
+  const std::string path = std::filesystem::weakly_canonical(folder).string();
+  return std::any_of(writers_.begin(), writers_.end(), [&](const WrittenWriter& writer) {
+    return liesWithin(path, std::filesystem::weakly_canonical(writer.folder).string());
+  });
+}
+
+bool WrittenDataset::hasPictures(const WrittenWriter& writer) const {
+  SqliteStatement rows(database_,
+                       "SELECT 1 FROM file WHERE writer = ? AND scene IS NOT NULL AND (path LIKE "
+                       "'%.png' OR path LIKE '%.jpg') LIMIT 1");
+  rows.start(writer.index);
+  return rows.step();
 }
 
 std::vector<std::filesystem::path> WrittenDataset::files(const WrittenWriter& writer,

@@ -34,6 +34,9 @@ class WrittenDataset {
 
   [[nodiscard]] const std::vector<WrittenWriter>& writers() const { return writers_; }
 
+  /// The indices of all scenes whose files are there, in order.
+  [[nodiscard]] std::vector<std::int64_t> scenes() const;
+
   /// The index of a scene in the middle. @throws Error when the dataset has no scene
   [[nodiscard]] std::int64_t middleScene() const;
 
@@ -42,6 +45,12 @@ class WrittenDataset {
 
   /// Whether a file is one of the dataset's, by whichever of its names.
   [[nodiscard]] bool lists(const std::filesystem::path& file) const;
+
+  /// Whether a folder is a writer's, or lies in it.
+  [[nodiscard]] bool isInAWriter(const std::filesystem::path& folder) const;
+
+  /// Whether a writer made pictures of scenes.
+  [[nodiscard]] bool hasPictures(const WrittenWriter& writer) const;
 
   /// The files that a writer made of a scene: absolute, in alphabetical order.
   [[nodiscard]] std::vector<std::filesystem::path> files(const WrittenWriter& writer,

@@ -1,15 +1,9 @@
 /// The tool `draw_labels`: draws a written dataset's labels on its images, from the files alone,
 /// for the eye.
-///
-///   rosrun synthetic_dataset draw_labels DATASET PICTURE [SCENE [WRITER]]
-///
-/// DATASET is the folder of the run's manifest. Without SCENE, the one in the middle; without
-/// WRITER, a panel for each writer whose format has something to draw.
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -17,16 +11,70 @@
 #include <vector>
 
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
-#include "output/written_dataset.h"
-#include "plugins/readback/format.h"
-#include "plugins/readback/label_overlay.h"
+#include "programs/drawing/label_sheets.h"
+#include "programs/drawing/video_file.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {
 
 using namespace synthetic_dataset;
+namespace fs = std::filesystem;
+
+constexpr const char* kUsage =
+    R"(usage: draw_labels DATASET PICTURE [SCENE [WRITER]]
+       draw_labels --all DATASET FOLDER [WRITER]
+       draw_labels --video FILE.mp4 [--rate HZ] DATASET [WRITER]
+
+Draws the labels that the files of a dataset contain on its images.
+
+  DATASET   the folder of the run's manifest
+  PICTURE   the picture to make, .png or .jpg
+  SCENE     the scene's index, from 0; without it, the one in the middle
+  WRITER    the name of the writer to draw; without it, a panel for each
+  --all     a picture of each scene, in FOLDER, which is made or empty
+  --video   a film of all scenes, by ffmpeg
+  --rate    pictures a second of the film, 10 by default
+
+example: rosrun synthetic_dataset draw_labels --video run.mp4 datasets/example coco
+)";
+
+struct Arguments {
+  bool all = false;
+  bool wants_help = false;
+  std::optional<std::string> video;
+  double rate = 10.0;  // [Hz]
+  std::vector<std::string> names;
+};
+
+/// Nothing for arguments that make no sense.
+std::optional<Arguments> parse(const std::vector<std::string>& given) {
+  Arguments arguments;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const bool has_next = i + 1 < given.size();
+    if (given[i] == "--all") {
+      arguments.all = true;
+    } else if (given[i] == "--help" || given[i] == "-h") {
+      arguments.wants_help = true;
+    } else if (given[i] == "--video" && has_next) {
+      arguments.video = given[++i];
+    } else if (given[i] == "--rate" && has_next) {
+      char* end = nullptr;
+      arguments.rate = std::strtod(given[++i].c_str(), &end);
+      if (*end != '\0') arguments.rate = 0.0;
+    } else if (given[i].rfind("--", 0) == 0) {
+      return std::nullopt;
+    } else {
+      arguments.names.push_back(given[i]);
+    }
+  }
+  const std::size_t count = arguments.names.size();
+  const bool fits = arguments.video ? count >= 1 && count <= 2
+                    : arguments.all ? count >= 2 && count <= 3
+                                    : count >= 2 && count <= 4;
+  if (arguments.wants_help || (fits && !(arguments.all && arguments.video))) return arguments;
+  return std::nullopt;
+}
 
 std::int64_t sceneIndex(const std::string& text) {
   std::int64_t index = 0;
@@ -38,47 +86,10 @@ std::int64_t sceneIndex(const std::string& text) {
   return index;
 }
 
-struct Panel {
-  std::string caption;
-  cv::Mat picture;
-};
-
-/// What one writer made of a scene; nothing where it made no picture of it.
-std::optional<Panel> panelOf(const output::WrittenDataset& dataset,
-                             const output::WrittenWriter& writer, std::int64_t index) {
-  const formats::Format* format = formats::formatOf(writer.type);
-  if (format == nullptr) return std::nullopt;
-  const output::WrittenSceneRow row = dataset.scene(index);
-  const formats::WrittenScene scene{writer.folder, row.name, row.camera_index, row.stamp,
-                                    dataset.files(writer, index)};
-  if (scene.files.empty()) return std::nullopt;
-  const formats::LabelledPicture picture = format->read(scene);
-  if (picture.image.empty()) return std::nullopt;
-  return Panel{writer.name + "  (" + writer.type + ")", formats::drawLabels(picture)};
-}
-
-/// The panels in rows that make a sheet about as wide as high.
-cv::Mat sheetOf(const std::vector<Panel>& panels) {
-  if (panels.size() == 1) return panels.front().picture;
-  constexpr int kCaptionHeight = 24;
-  const auto columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(panels.size()))));
-  const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
-  cv::Size cell;
-  for (const Panel& panel : panels) {
-    cell.width = std::max(cell.width, panel.picture.cols);
-    cell.height = std::max(cell.height, panel.picture.rows);
-  }
-  cell.height += kCaptionHeight;
-  cv::Mat sheet(rows * cell.height, columns * cell.width, CV_8UC3, cv::Scalar::all(30));
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    const cv::Point corner(static_cast<int>(i) % columns * cell.width,
-                           static_cast<int>(i) / columns * cell.height);
-    cv::putText(sheet, panels[i].caption, corner + cv::Point(6, 17), cv::FONT_HERSHEY_SIMPLEX, 0.5,
-                cv::Scalar::all(240), 1, cv::LINE_AA);
-    const cv::Mat& picture = panels[i].picture;
-    picture.copyTo(sheet(cv::Rect(corner + cv::Point(0, kCaptionHeight), picture.size())));
-  }
-  return sheet;
+void requireNoneOfTheDataset(const output::WrittenDataset& dataset, const std::string& argument,
+                             const std::string& file) {
+  if (!dataset.lists(file)) return;
+  throw Error(argument + ": '" + file + "' is a file of the dataset; choose another name");
 }
 
 void writePicture(const std::string& file, const cv::Mat& picture) {
@@ -94,54 +105,99 @@ void writePicture(const std::string& file, const cv::Mat& picture) {
   }
 }
 
-void drawLabelsOf(const std::vector<std::string>& arguments) {
-  const std::string& folder = arguments[0];
-  const output::WrittenDataset dataset(folder);
-  if (dataset.lists(arguments[1])) {
-    throw Error("PICTURE: '" + arguments[1] + "' is a file of the dataset; choose another name");
-  }
+programs::LabelSheets sheetsOf(const std::vector<std::string>& names, std::size_t writer) {
+  return {names[0], names.size() > writer ? std::optional(names[writer]) : std::nullopt,
+          [](const std::string& message) { std::cerr << "draw_labels: " << message << '\n'; }};
+}
+
+void drawOne(const std::vector<std::string>& names) {
+  programs::LabelSheets sheets = sheetsOf(names, 3);
+  requireNoneOfTheDataset(sheets.dataset(), "PICTURE", names[1]);
   const std::int64_t scene =
-      arguments.size() > 2 ? sceneIndex(arguments[2]) : dataset.middleScene();
-  std::vector<Panel> panels;
-  bool is_known = false;
-  std::string names;
-  for (const output::WrittenWriter& writer : dataset.writers()) {
-    names += (names.empty() ? "" : ", ") + writer.name;
-    if (arguments.size() > 3 && writer.name != arguments[3]) continue;
-    is_known = true;
-    if (arguments.size() > 3 && formats::formatOf(writer.type) == nullptr) {
-      throw Error("WRITER: '" + writer.name + "' is of type " + writer.type +
-                  ", whose files this tool does not draw");
-    }
-    try {
-      if (auto panel = panelOf(dataset, writer, scene)) panels.push_back(std::move(*panel));
-    } catch (const std::exception& error) {
-      if (arguments.size() > 3) throw;
-      // Of a run that was stopped, formats with files of the dataset as a whole cannot be read.
-      std::cerr << "draw_labels: left out '" << writer.name << "': " << error.what() << '\n';
-    }
+      names.size() > 2 ? sceneIndex(names[2]) : sheets.dataset().middleScene();
+  const std::optional<cv::Mat> sheet = sheets.sheet(scene);
+  if (!sheet) {
+    throw Error("'" + names[0] + "': no writer made anything of scene " + std::to_string(scene) +
+                " that this tool can draw (of the dataset's writers: " + sheets.writerNames() +
+                ")");
   }
-  if (dataset.writers().empty()) throw Error("'" + folder + "': its manifest lists no writers");
-  if (!is_known) {
-    throw Error("WRITER: found '" + arguments[3] + "'; the dataset has " + names);
+  writePicture(names[1], *sheet);
+}
+
+/// Draws all scenes. @return how many
+/// @param use  gets each sheet with its scene's name
+template <class Use>
+std::int64_t drawEach(programs::LabelSheets& sheets, const Use& use) {
+  const std::vector<std::int64_t> scenes = sheets.dataset().scenes();
+  std::int64_t drawn = 0;
+  for (const std::int64_t scene : scenes) {
+    const std::optional<cv::Mat> sheet = sheets.regularSheet(scene);
+    if (!sheet) continue;
+    use(sheets.dataset().scene(scene).name, *sheet);
+    ++drawn;
   }
-  if (panels.empty()) {
-    throw Error("'" + folder + "': no writer made anything of scene " + std::to_string(scene) +
-                " that this tool can draw (of the dataset's writers: " + names + ")");
+  std::cout << drawn << " of " << scenes.size() << " scenes drawn";
+  if (drawn < static_cast<std::int64_t>(scenes.size())) {
+    std::cout << "; of the others, no writer made a picture";
   }
-  writePicture(arguments[1], sheetOf(panels));
+  std::cout << '\n';
+  return drawn;
+}
+
+void drawAll(const std::vector<std::string>& names) {
+  programs::LabelSheets sheets = sheetsOf(names, 2);
+  const fs::path folder = names[1];
+  if (sheets.dataset().isInAWriter(folder)) {
+    throw Error("FOLDER: '" + names[1] +
+                "' lies in the folder of a writer of the dataset; choose " + "another");
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    throw Error("FOLDER: '" + names[1] + "' cannot be made" +
+                (error ? ": " + error.message() : ""));
+  }
+  if (!fs::is_empty(folder)) {
+    throw Error("FOLDER: '" + names[1] + "' is not empty; choose another, or remove what is there");
+  }
+  drawEach(sheets, [&](std::string name, const cv::Mat& sheet) {
+    for (char& c : name) c = c == '/' ? '_' : c;  // of several cameras: front/00000012
+    writePicture((folder / (name + ".png")).string(), sheet);
+  });
+}
+
+void drawVideo(const Arguments& arguments) {
+  if (!(arguments.rate > 0.0)) throw Error("--rate: it should be a number above 0 [Hz]");
+  if (fs::path(*arguments.video).extension() != ".mp4") {
+    throw Error("--video: found '" + *arguments.video + "'; it should end in .mp4");
+  }
+  programs::LabelSheets sheets = sheetsOf(arguments.names, 1);
+  requireNoneOfTheDataset(sheets.dataset(), "--video", *arguments.video);
+  programs::VideoFile video(*arguments.video, arguments.rate);
+  drawEach(sheets, [&](const std::string&, const cv::Mat& sheet) { video.add(sheet); });
+  video.finish();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() < 2 || arguments.size() > 4) {
-    std::cerr << "usage: draw_labels DATASET PICTURE [SCENE [WRITER]]\n";
+  const std::optional<Arguments> arguments = parse({argv + 1, argv + argc});
+  if (!arguments) {
+    std::cerr << kUsage;
     return 2;
   }
+  if (arguments->wants_help) {
+    std::cout << kUsage;
+    return 0;
+  }
   try {
-    drawLabelsOf(arguments);
+    if (arguments->video) {
+      drawVideo(*arguments);
+    } else if (arguments->all) {
+      drawAll(arguments->names);
+    } else {
+      drawOne(arguments->names);
+    }
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "draw_labels: " << error.what() << '\n';

@@ -75,6 +75,20 @@ TEST_F(EarlierDatasetTest, IsKeptWholeWhenAFileNobodyListsIsInTheWay) {
   EXPECT_EQ(test::readFile(path("a/deep/0.txt")), "0");
 }
 
+TEST_F(EarlierDatasetTest, MayHaveAReportAmongItsFiles) {
+  const std::vector<StoreWriter> one = {{"a", "test/A", folder_.path().string() + "/", {}}};
+  StoreOptions chosen = options();
+  DatasetStore(chosen, one, {}).commitScene({0, Stamp{0}}, {{text("a.txt", "0")}, {}});
+  for (const std::string name : {"report.html", ".report.html.tmp"}) folder_.write(name, "page");
+  for (const IfExists if_exists : {IfExists::kResume, IfExists::kOverwrite}) {
+    chosen.if_exists = if_exists;
+    EXPECT_THAT(errorsOf(chosen, one), IsEmpty());
+    EXPECT_EQ(test::readFile(path("report.html")), "page");
+  }
+  folder_.write("b/report.html", "another's");
+  EXPECT_THAT(errorsOf(chosen, one), ElementsAre(HasSubstr("'b/report.html'")));
+}
+
 TEST_F(EarlierDatasetTest, IsKeptWholeWhenTheNewRunCannotBegin) {
   earlierRun();
   folder_.write("wall", "");

@@ -69,6 +69,26 @@ TEST_F(WrittenDatasetTest, FindsTheSceneInTheMiddle) {
   EXPECT_EQ(dataset().middleScene(), 4);
 }
 
+TEST_F(WrittenDatasetTest, ListsItsScenes) {
+  for (const int index : {9, 0, 4}) addScene(index);
+  EXPECT_THAT(dataset().scenes(), ElementsAre(0, 4, 9));
+}
+
+TEST_F(WrittenDatasetTest, KnowsWhoMakesPictures) {
+  store_->commitScene({0, Stamp{0}}, {{text("a/0.txt", ""), text("b/0.png", "")}, {}});
+  const WrittenDataset written = dataset();
+  EXPECT_FALSE(written.hasPictures(written.writers()[0]));
+  EXPECT_TRUE(written.hasPictures(written.writers()[1]));
+}
+
+TEST_F(WrittenDatasetTest, KnowsTheFoldersOfItsWriters) {
+  const WrittenDataset written = dataset();
+  EXPECT_TRUE(written.isInAWriter(path("a")));
+  EXPECT_TRUE(written.isInAWriter(path("b/new")));
+  EXPECT_FALSE(written.isInAWriter(path("drawn")));
+  EXPECT_FALSE(written.isInAWriter(folder_.path()));
+}
+
 TEST_F(WrittenDatasetTest, TellsThatItHasNoScenes) {
   const WrittenDataset written = dataset();
   EXPECT_THROW((void)written.middleScene(), Error);

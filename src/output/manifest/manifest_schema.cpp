@@ -114,6 +114,10 @@ std::string manifestFile(const std::string& folder, const std::optional<Shard>& 
   return (std::filesystem::path(folder) / name).string();
 }
 
+std::string reportFile(const std::string& folder) {
+  return (std::filesystem::path(folder) / "report.html").string();
+}
+
 std::optional<Shard> shardOfManifest(const std::string& file_name) {
   static const std::regex kName(R"(manifest\.shard-(\d{1,9})-of-(\d{1,9})\.sqlite)");
   std::smatch parts;

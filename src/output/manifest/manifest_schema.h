@@ -24,6 +24,10 @@ extern const char* const kManifestTables;
 [[nodiscard]] std::string manifestFile(const std::string& folder,
                                        const std::optional<Shard>& shard = std::nullopt);
 
+/// Where the program `report` leaves a page of a dataset. It is none of the dataset's files:
+/// nothing that is done with them looks at it.
+[[nodiscard]] std::string reportFile(const std::string& folder);
+
 /// The shard that a file's name is that of a manifest of; nothing for any other name.
 [[nodiscard]] std::optional<Shard> shardOfManifest(const std::string& file_name);
 

@@ -88,6 +88,14 @@ TEST_F(VerifyFiles, TellsOfFilesThatNobodyLists) {
                   "', '" + path("b") + "', '" + path("c") + "' and more); it should have none"));
 }
 
+TEST_F(VerifyFiles, PassesOverAReport) {
+  change("UPDATE writer SET output_folder = './'");
+  (void)folder_.write("report.html", "page");
+  EXPECT_THAT(problems(VerificationDepth::kSizes), IsEmpty());
+  (void)folder_.write("w/report.html", "another's");
+  EXPECT_THAT(problems(VerificationDepth::kSizes), ElementsAre(HasSubstr("w/report.html'")));
+}
+
 TEST_F(VerifyFiles, TellsOfAFileOfTheDatasetAsAWhole) {
   overwrite("ImageSets/train.txt", "000001\n000000\n");
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("ImageSets/train.txt' is changed")));

@@ -1,0 +1,141 @@
+"""A dataset that synthetic_dataset has made."""
+import collections
+import functools
+import json
+import os
+
+
+from synthetic_dataset.manifest import DatasetError, Manifest
+from synthetic_dataset.scene import Scene, SceneObject
+
+Writer = collections.namedtuple('Writer', 'index name type folder')
+ObjectDescription = collections.namedtuple('ObjectDescription',
+                                           'index name id class_id class_name')
+
+IS_THERE = "state IN ('written', 'complete')"  # of a scene: all its files are there
+
+
+class Dataset:
+    """A sequence of scenes.
+
+        dataset = Dataset('datasets/example')
+        for scene in dataset.split('train'):
+            for each in scene.objects:
+                print(scene.index, each.name, each.visible_box)
+
+    It reads the manifest scene by scene, so large datasets need little memory.
+    """
+
+    def __init__(self, folder):
+        """@throws DatasetError where there is no dataset, or its manifest cannot be read"""
+        self.manifest = Manifest(folder)
+        self.folder = self.manifest.folder
+        self._scenes = [index for index, in self.manifest.rows(
+            f'SELECT "index" FROM scene WHERE {IS_THERE} ORDER BY "index"')]
+        self.writers = [
+            Writer(index, name, kind, os.path.normpath(self.folder / folder))
+            for index, name, kind, folder in self.manifest.rows(
+                'SELECT "index", name, type, output_folder FROM writer ORDER BY "index"')]
+        self.classes = dict(self.manifest.rows('SELECT id, name FROM class ORDER BY id'))
+        self.cameras = [name for name, in self.manifest.rows(
+            'SELECT name FROM camera ORDER BY "index"')]
+        self.objects = [ObjectDescription(index, name, number, class_id, self.classes[class_id])
+                        for index, name, number, class_id in self.manifest.rows(
+                            'SELECT "index", name, id, class FROM object ORDER BY "index"')]
+
+    @property
+    def is_complete(self):
+        """Whether the run came to its end."""
+        return self.manifest.run.get('state') == 'complete'
+
+    @property
+    def splits(self):
+        """The names of the splits; [''] where there are none."""
+        order = {'train': 0, 'val': 1, 'test': 2}
+        names = [name for name, in self.manifest.rows(
+            f'SELECT DISTINCT split FROM scene WHERE {IS_THERE}')]
+        return sorted(names, key=lambda name: (order.get(name, 3), name))
+
+    @property
+    def settings(self):
+        """The settings that were used, by their full names: {'camera/far': 100.0, ...}"""
+        return {name: json.loads(value) for name, value in self.manifest.rows(
+            'SELECT name, value FROM setting ORDER BY name')}
+
+    def __len__(self):
+        return len(self._scenes)
+
+    def __getitem__(self, position):
+        """The scene at a position; the same as its index where the dataset is complete."""
+        if isinstance(position, slice):
+            return [self.scene(index) for index in self._scenes[position]]
+        return self.scene(self._scenes[position])
+
+    def __iter__(self):
+        return (self.scene(index) for index in self._scenes)
+
+    def scene(self, index):
+        """The scene of an index in the manifest."""
+        found = self.manifest.columns('scene', f'"index" = ? AND {IS_THERE}', (int(index),))
+        if not len(found['index']):
+            raise DatasetError(f"'{self.folder}': has no scene {index}; found {len(self)} scenes"
+                               + (f', {self._scenes[0]} to {self._scenes[-1]}' if self else ''))
+        return Scene(self, {name: column[0] for name, column in found.items()})
+
+    def split(self, name):
+        """A list of the scenes of a split."""
+        if name not in self.splits:
+            raise DatasetError(f"'{self.folder}': has no split '{name}'; found "
+                               + ', '.join(f"'{each}'" for each in self.splits))
+        return [self.scene(index) for index, in self.manifest.rows(
+            f'SELECT "index" FROM scene WHERE split = ? AND {IS_THERE} ORDER BY "index"', (name,))]
+
+    def table(self, name):
+        """A table of the manifest as {column: numpy array}; what is null is NaN among numbers."""
+        return self.manifest.columns(name)
+
+    def frame(self, name):
+        """A table of the manifest as a DataFrame of pandas, which has to be installed."""
+        import pandas  # which nothing else here needs
+        return pandas.DataFrame(self.table(name))
+
+    # What scenes ask for.
+
+    def objects_of(self, scene):
+        found = self.manifest.columns('scene_object', 'scene = ?', (scene.index,))
+        return [SceneObject(scene, {name: column[row] for name, column in found.items()},
+                            self.objects[int(index)])
+                for row, index in enumerate(found['object'])]
+
+    def files_of(self, scene):
+        found = []
+        for path, writer in self.manifest.rows(
+                'SELECT path, writer FROM file WHERE scene = ? ORDER BY writer, path',
+                (scene.index,)):
+            file = self.folder / path
+            of = self.writers[writer]
+            found.append((of, os.path.relpath(file, of.folder), file))
+        return found
+
+    def coco_annotations(self, scene):
+        """What a COCO writer's file says of a scene; None where there is none."""
+        for writer in self.writers:
+            if writer.type == 'synthetic_dataset/Coco':
+                file = os.path.join(writer.folder, 'annotations',
+                                    f'instances_{scene.split or "train"}.json')
+                if os.path.exists(file):
+                    return _coco_by_image(file).get(scene.index + 1, [])
+        return None
+
+    def __repr__(self):
+        return f"<Dataset '{self.folder}': {len(self)} scenes>"
+
+
+@functools.lru_cache(maxsize=3)  # as many as there are splits
+def _coco_by_image(file):
+    with open(file, encoding='utf-8') as stream:
+        annotations = json.load(stream)['annotations']
+    by_image = collections.defaultdict(list)
+    for each in annotations:
+        by_image[each['image_id']].append(each)
+    return dict(by_image)

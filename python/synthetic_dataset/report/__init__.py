@@ -1,0 +1,1 @@
+"""Makes a page of a dataset: what is in it, what to look at. docs/report.md"""

@@ -1,0 +1,151 @@
+"""One scene of a dataset, and an object in it."""
+import json
+import math
+
+import numpy as np
+
+from synthetic_dataset import pictures, poses
+from synthetic_dataset.manifest import DatasetError
+
+
+class SceneObject:
+    """What was measured of one object in one scene; None where no format asked for it.
+
+    Boxes are [left, top, right, bottom] in pixels, as in the manifest: a pixel's centre has whole
+    coordinates, so a mask of the pixel (0, 0) alone has the box [-0.5, -0.5, 0.5, 0.5].
+    """
+
+    def __init__(self, scene, row, description):
+        self._scene = scene
+        self.index, self.name, self.id, self.class_id, self.class_name = description
+        self.X_GO = poses.of_rows(row)  # its pose in the global frame, 4 x 4
+        self.distance = float(row['distance'])  # from the camera's centre to its frame [m]
+        self.in_view = bool(row['in_view'])
+        self.dropped = bool(row['dropped'])  # too little of it is seen for a label
+        self.loose_box = _box(row, 'loose')
+        self.silhouette_box = _box(row, 'silhouette')
+        self.visible_box = _box(row, 'visible')
+        self.silhouette_pixels = _count(row['silhouette_pixels'])
+        self.visible_pixels = _count(row['visible_pixels'])
+        self.visibility = _number(row['visibility'])
+        self.truncation = _number(row['truncation'])
+
+    @property
+    def X_CO(self):
+        """Its pose in the camera's optical frame (x right, y down, z ahead), 4 x 4."""
+        return poses.inverse(self._scene.X_GC) @ self.X_GO
+
+    @property
+    def is_labelled(self):
+        """Whether most formats have a label of it: at least one pixel is visible, enough is."""
+        return bool(self.visible_pixels) and not self.dropped
+
+    @property
+    def mask(self):
+        """The pixels in which the camera sees it: bool, height x width."""
+        return self._scene.mask(self)
+
+    def __repr__(self):
+        return f'<SceneObject {self.name} ({self.class_name}) of scene {self._scene.index}>'
+
+
+class Scene:
+    """What is known of one instant through one camera. Files are read when they are asked for."""
+
+    def __init__(self, dataset, row):
+        self._dataset = dataset
+        self._objects = None
+        self.index = int(row['index'])
+        self.instant = int(row['instant'])
+        self.stamp_ns = int(row['stamp_ns'])
+        self.camera = row['camera']
+        self.width, self.height = int(row['width']), int(row['height'])
+        self.split = row['split']  # 'train', 'val', 'test', or '' where there are no splits
+        self.seed = int(row['seed'])
+        self.X_GC = poses.of_rows(row)  # the pose of the optical frame in the global frame, 4 x 4
+
+    @property
+    def objects(self):
+        """All objects, also those out of view, in the order of `robot_list`."""
+        if self._objects is None:
+            self._objects = self._dataset.objects_of(self)
+        return self._objects
+
+    @property
+    def draws(self):
+        """What was drawn at random for this scene: {'lights/sun/intensity': 0.7, ...}"""
+        return {name: json.loads(value) for name, value in self._dataset.manifest.rows(
+            'SELECT name, value FROM draw WHERE scene = ? ORDER BY name', (self.index,))}
+
+    @property
+    def files(self):
+        """Its files: a list of (writer, path relative to the writer's folder, file)."""
+        return self._dataset.files_of(self)
+
+    @property
+    def image_file(self):
+        """The path of its image, in whichever format there is one, rather as PNG than as JPEG."""
+        found = pictures.image_file(self.files)
+        if found is None:
+            raise self._lacking('an image', 'Coco, ImageFolder and most others')
+        return found
+
+    @property
+    def image(self):
+        """8 bit RGB, height x width x 3."""
+        return pictures.read(self.image_file)
+
+    @property
+    def depth(self):
+        """z in the optical frame [m], 0 where nothing is: 32 bit, height x width."""
+        found = pictures.depth(self.files)
+        if found is None:
+            raise self._lacking('depth', 'ImageFolder with `depth: true`, RosBag and Bop')
+        return found
+
+    @property
+    def instances(self):
+        """Of each pixel the object that it shows: its index + 1, or 0. 16 bit, height x width."""
+        found = pictures.instances(self.files)
+        if found is None:
+            found = self._instances_of_coco()
+        if found is None:
+            raise self._lacking('masks', 'ImageFolder, RosBag and Coco')
+        return found
+
+    def mask(self, scene_object):
+        return self.instances == scene_object.index + 1
+
+    def _instances_of_coco(self):
+        annotations = self._dataset.coco_annotations(self)
+        if annotations is None:
+            return None
+        numbers = {each.name: each.index + 1 for each in self.objects}
+        found = np.zeros((self.height, self.width), np.uint16)
+        for each in annotations:
+            if not isinstance(each['segmentation'], dict):
+                return None  # polygons, which pycocotools fills
+            mask = pictures.mask_of_counts(each['segmentation']['counts'], self.height, self.width)
+            found[mask] = numbers[each['synthetic_dataset']['object']]
+        return found
+
+    def _lacking(self, what, formats):
+        writers = ', '.join(f'{each.name} ({each.type})' for each in self._dataset.writers)
+        return DatasetError(f'scene {self.index}: no writer of this dataset has {what} that can be '
+                            f'read here: found {writers}; {formats} have')
+
+    def __repr__(self):
+        return f'<Scene {self.index} of camera {self.camera}>'
+
+
+def _number(value):
+    return None if value is None or math.isnan(value) else float(value)
+
+
+def _count(value):
+    return None if value is None or math.isnan(value) else int(value)
+
+
+def _box(row, name):
+    edges = [row[f'{name}_{edge}'] for edge in ('left', 'top', 'right', 'bottom')]
+    return None if _number(edges[0]) is None else np.array(edges, float)

@@ -1,0 +1,8 @@
+"""For catkin alone, which installs the Python module by it."""
+from setuptools import setup
+
+from catkin_pkg.python_setup import generate_distutils_setup
+
+setup(**generate_distutils_setup(
+    packages=['synthetic_dataset', 'synthetic_dataset.report'], package_dir={'': 'python'},
+    package_data={'synthetic_dataset.report': ['page.html', 'page.css']}))

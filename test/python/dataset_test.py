@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+"""`from synthetic_dataset import Dataset`, against the files and the manifest itself."""
+import concurrent.futures
+import json
+import multiprocessing
+import os
+import sqlite3
+import unittest
+
+import numpy as np
+from PIL import Image
+import rosunit
+
+from example_dataset import DatasetCase, SCENES
+from synthetic_dataset import Dataset, DatasetError
+from synthetic_dataset.pictures import mask_of_counts
+
+
+def sum_of_image(scene):
+    return scene.image.sum()
+
+
+class Scenes(DatasetCase):
+
+    def setUp(self):
+        self.dataset = Dataset(self.folder)
+        database = sqlite3.connect(self.folder / 'manifest.sqlite')
+        self.addCleanup(database.close)
+        self.query = database.execute
+
+    def seen(self):
+        for scene in self.dataset:
+            for each in scene.objects:
+                if each.is_labelled:
+                    yield scene, each
+
+    def test_are_a_sequence(self):
+        self.assertEqual(len(self.dataset), SCENES)
+        self.assertEqual([scene.index for scene in self.dataset], list(range(SCENES)))
+        self.assertEqual(self.dataset[-1].index, SCENES - 1)
+        self.assertEqual([scene.index for scene in self.dataset[2:4]], [2, 3])
+        self.assertTrue(self.dataset.is_complete)
+        with self.assertRaises(IndexError):
+            self.dataset[SCENES]
+        with self.assertRaisesRegex(DatasetError, f'no scene 99; found {SCENES} scenes, 0 to 7'):
+            self.dataset.scene(99)
+
+    def test_are_divided_into_splits(self):
+        self.assertEqual(self.dataset.splits, ['train', 'val'])
+        indices = [scene.index for split in ('train', 'val') for scene in self.dataset.split(split)]
+        self.assertEqual(indices, list(range(SCENES)))
+        self.assertTrue(all(scene.split == 'val' for scene in self.dataset.split('val')))
+        with self.assertRaisesRegex(DatasetError, "no split 'test'; found 'train', 'val'"):
+            self.dataset.split('test')
+
+    def test_have_classes_and_objects(self):
+        self.assertEqual(sorted(self.dataset.classes.values()), ['drone', 'rover'])
+        self.assertEqual([each.name for each in self.dataset[0].objects],
+                         ['rover_1', 'rover_2', 'drone_1'])
+        self.assertEqual([each.class_name for each in self.dataset[0].objects],
+                         ['rover', 'rover', 'drone'])
+
+    def test_have_the_image_of_each_format(self):
+        for scene in self.dataset:
+            with Image.open(self.folder / 'bop' / scene.split
+                            / f'000000/rgb/{scene.index:06}.png') as picture:
+                np.testing.assert_array_equal(scene.image, np.array(picture))
+            self.assertEqual(scene.image.shape, (scene.height, scene.width, 3))
+
+    def test_have_masks_of_their_objects(self):
+        count = 0
+        for scene, each in self.seen():
+            mask = each.mask
+            self.assertEqual(np.count_nonzero(mask), each.visible_pixels)
+            rows, columns = np.nonzero(mask)
+            np.testing.assert_array_equal(
+                each.visible_box, [columns.min() - 0.5, rows.min() - 0.5,
+                                   columns.max() + 0.5, rows.max() + 0.5])
+            count += 1
+        self.assertGreater(count, SCENES)
+
+    def test_have_depth_where_objects_are(self):
+        for scene, each in self.seen():
+            depth = scene.depth[each.mask]
+            self.assertEqual(depth.dtype, np.float32)
+            self.assertLess(abs(np.median(depth) - each.X_CO[2, 3]), 1.0)  # [m], as large as it is
+
+    def test_have_the_depth_that_bop_rounds(self):
+        for scene in self.dataset:
+            file = self.folder / 'bop' / scene.split / f'000000/depth/{scene.index:06}.png'
+            with Image.open(file) as picture:
+                steps = np.array(picture).astype(float)
+            scale = json.loads((file.parents[1] / 'scene_camera.json').read_text())
+            scale = scale[str(scene.index)]['depth_scale'] / 1000
+            np.testing.assert_allclose(steps * scale, scene.depth, atol=0.51 * scale + 1e-6)
+
+    def test_have_poses_as_formats_write_them(self):
+        found = 0
+        for line in (self.folder / 'folder/train/metadata.jsonl').read_text('utf-8').splitlines():
+            entry = json.loads(line)
+            scene = self.dataset[entry['instant']]
+            np.testing.assert_allclose(scene.X_GC.ravel(), entry['camera']['X_GC'], atol=1e-12)
+            by_name = {each.name: each for each in scene.objects}
+            for name, X_CO in zip(entry['objects']['names'], entry['objects']['X_CO']):
+                np.testing.assert_allclose(by_name[name].X_CO.ravel(), X_CO, atol=1e-9)
+                found += 1
+        self.assertGreater(found, 0)
+
+    def test_have_what_was_drawn(self):
+        rows = self.query("SELECT scene, value FROM draw WHERE name = 'sensor/exposure'").fetchall()
+        self.assertEqual({scene.index: scene.draws['sensor/exposure'] for scene in self.dataset},
+                         {scene: json.loads(value) for scene, value in rows})
+
+    def test_have_tables(self):
+        table = self.dataset.table('scene_object')
+        self.assertEqual(list(table['visible_pixels']), [value for value, in self.query(
+            'SELECT visible_pixels FROM scene_object ORDER BY scene, object')])
+        with self.assertRaisesRegex(DatasetError, "no table 'scenes'; it has .*scene_object"):
+            self.dataset.table('scenes')
+        self.assertEqual(self.dataset.settings['camera_frame_id'], 'camera/optical_link')
+
+    def test_can_be_read_by_the_workers_of_loaders(self):
+        expected = [scene.image.sum() for scene in self.dataset]
+        scenes = list(self.dataset)
+        for method in ('fork', 'spawn'):
+            with multiprocessing.get_context(method).Pool(2) as workers:
+                self.assertEqual(workers.map(sum_of_image, scenes), expected)
+        with concurrent.futures.ThreadPoolExecutor(2) as workers:
+            self.assertEqual(list(workers.map(sum_of_image, scenes)), expected)
+
+    def test_have_frames_of_pandas_where_it_is_installed(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest('pandas is not installed')
+        frame = self.dataset.frame('scene_object')
+        self.assertEqual(len(frame), 3 * SCENES)
+        self.assertEqual(frame.groupby('scene')['in_view'].sum().max(), 3)
+
+
+class OfCocoAlone(DatasetCase):
+
+    WRITERS = 'writers: [{name: coco, type: synthetic_dataset/Coco}]\n'
+
+    def test_masks_come_from_run_lengths(self):
+        for scene in Dataset(self.folder):
+            for each in scene.objects:
+                self.assertEqual(np.count_nonzero(each.mask), each.visible_pixels)
+
+    def test_what_no_format_has_is_an_error(self):
+        with self.assertRaisesRegex(DatasetError, 'scene 0: no writer of this dataset has depth '
+                                    r'.*found coco \(synthetic_dataset/Coco\); ImageFolder with'):
+            _ = Dataset(self.folder)[0].depth
+
+    def test_moves_with_its_folder(self):
+        moved = self.scratch / 'moved'
+        os.rename(self.folder, moved)
+        self.addCleanup(os.rename, moved, self.folder)
+        self.assertEqual(Dataset(moved)[0].image.shape, (480, 640, 3))
+
+
+class OfBoxesAlone(DatasetCase):
+    """A format that asks for no masks: what was not measured is None."""
+
+    WRITERS = ('writers: [{name: yolo, type: synthetic_dataset/Yolo}]\n'
+               'yolo: {main_list: list.txt}\n')
+
+    def test_what_was_not_measured_is_none(self):
+        for scene in Dataset(self.folder):
+            for each in scene.objects:
+                self.assertIsNone(each.visible_pixels)
+                self.assertIsNone(each.visible_box)
+                self.assertEqual(each.loose_box.shape, (4,))
+
+    def test_images_are_found(self):
+        self.assertEqual(Dataset(self.folder)[0].image.shape, (480, 640, 3))
+
+
+class Faults(unittest.TestCase):
+
+    def test_name_the_folder(self):
+        with self.assertRaisesRegex(DatasetError, "'/no/such': no such folder"):
+            Dataset('/no/such')
+        with self.assertRaisesRegex(DatasetError, 'no dataset is there'):
+            Dataset(os.path.dirname(__file__))
+
+    def test_run_lengths_are_read_both_ways(self):
+        expected = np.zeros((3, 4), bool)
+        expected[1:, 1] = expected[0, 2] = expected[2, 3] = True
+        np.testing.assert_array_equal(mask_of_counts([4, 3, 4, 1], 3, 4), expected)
+        # As pycocotools packs these: 4, 3, 4, and 1 as its difference to 3.
+        np.testing.assert_array_equal(mask_of_counts('434N', 3, 4), expected)
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('synthetic_dataset', 'python_dataset', '__main__')
