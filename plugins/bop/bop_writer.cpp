@@ -138,7 +138,12 @@ class BopWriter : public LabelWriter {
       depth_scale_ = 1.0;
     }
     has_coco_ = parameters.optional("coco", true);
-    image_format_ = "." + parameters.optionalChoice("image_format", {"png", "jpg"}, "png");
+    if (parameters.has("image_format")) {
+      image_format_ = train_format_ =
+          "." + parameters.requiredChoice("image_format", {"png", "jpg"});
+    } else if (type == "pbr") {
+      train_format_ = ".jpg";  // as bop_toolkit's dataset_params.py opens it in train_pbr
+    }
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -154,7 +159,7 @@ class BopWriter : public LabelWriter {
     warnOfDistortion(scene.camera, output);
     BopImage image = placeOf(scene);
     const std::string name = sixDigits(image.im_id);
-    output.addImage(image.folder + "/rgb/" + name + image_format_, scene.image);
+    output.addImage(image.folder + "/rgb/" + name + formatOf(scene), scene.image);
     const DepthImage depth = depthImage(scene.depth(), depth_scale_);
     output.addImage(image.folder + "/depth/" + name + ".png", depth.pixels);
     if (depth.is_cut_off) {
@@ -197,6 +202,11 @@ class BopWriter : public LabelWriter {
     addJson(output, "dataset_info.json", datasetInfo());
   }
 
+  /// The extension of a scene's image.
+  [[nodiscard]] const std::string& formatOf(const Scene& scene) const {
+    return scene.splitFolder() == "train" ? train_format_ : image_format_;
+  }
+
   /// A number for each camera in each series of images.
   [[nodiscard]] std::int64_t sceneId(const Scene& scene) const {
     return scene.instant / images_per_scene_ * static_cast<std::int64_t>(dataset_.cameras.size()) +
@@ -217,7 +227,7 @@ class BopWriter : public LabelWriter {
                     {"cam_t_w2c", millimetres(X_CG.translation())},
                     {"depth_scale", depth_scale_}};
     image.coco_image = {{"id", image.im_id},
-                        {"file_name", "rgb/" + sixDigits(image.im_id) + image_format_},
+                        {"file_name", "rgb/" + sixDigits(image.im_id) + formatOf(scene)},
                         {"width", scene.camera.width()},
                         {"height", scene.camera.height()}};
     image.poses = image.infos = image.annotations = image.targets = Json::array();
@@ -318,6 +328,7 @@ class BopWriter : public LabelWriter {
   double depth_scale_ = 1.0;  ///< [mm] of a depth image's 1
   bool has_coco_ = true;
   std::string image_format_ = ".png";
+  std::string train_format_ = ".png";
 };
 
 }  // namespace synthetic_dataset

@@ -2,40 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include <Eigen/Geometry>
 
-#include "plugins/shared/colour_map.h"
 #include "plugins/shared/json.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
-namespace {
-
-/// One entry of the table of classes.
-/// @param train_id  255 for what neither training nor evaluation looks at
-Json entryOf(const std::string& name, int id, int train_id, bool has_instances) {
-  constexpr int kIgnored = 255;
-  const bool is_void = train_id == kIgnored;
-  const cv::Vec3b colour = vocColourMap().at(static_cast<std::size_t>(id));
-  return {{"name", name},
-          {"id", id},
-          {"trainId", train_id},
-          {"category", is_void         ? "void"
-                       : has_instances ? "object"
-                                       : "world"},
-          {"categoryId", is_void         ? 0
-                         : has_instances ? 2
-                                         : 1},
-          {"hasInstances", has_instances},
-          {"ignoreInEval", is_void},
-          {"color", {colour[2], colour[1], colour[0]}}};
-}
-
-}  // namespace
-
 std::vector<std::string> cityNames(const std::vector<CameraDescription>& cameras) {
   std::vector<std::string> cities;
   std::set<std::string> taken;
@@ -79,21 +53,6 @@ std::string cameraJson(const Scene& scene) {
   const Json intrinsic = {
       {"fx", intrinsics.fx}, {"fy", intrinsics.fy}, {"u0", intrinsics.cx}, {"v0", intrinsics.cy}};
   return indentedJson({{"extrinsic", extrinsic}, {"intrinsic", intrinsic}});
-}
-
-void writeLabelTable(std::ostream& stream, const std::vector<CityscapesLabel>& labels,
-                     int world_id) {
-  Json table = Json::array();
-  table.push_back(entryOf("unlabeled", 0, 255, false));
-  int train_id = 0;
-  if (world_id != 0) table.push_back(entryOf("world", world_id, train_id++, false));
-  std::map<int, int> train_ids;  // classes may share a label
-  for (const CityscapesLabel& label : labels) {
-    const auto [place, is_new] = train_ids.try_emplace(label.id, train_id);
-    if (is_new) ++train_id;
-    table.push_back(entryOf(label.name, label.id, place->second, true));
-  }
-  stream << indentedJson(table);
 }
 
 }  // namespace synthetic_dataset

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,7 @@ namespace synthetic_dataset {
 
 /// A class as Cityscapes' tools number it.
 struct CityscapesLabel {
-  std::string name;
+  std::string name;   ///< of the label
   int id = 0;         ///< in the pictures
   int class_id = -1;  ///< of the dataset's class; -1 for what is none
 };
@@ -33,10 +32,5 @@ struct CityscapesPolygon {
 /// frame is the vehicle's in Cityscapes and the global one here. There is no second camera, hence
 /// no baseline.
 [[nodiscard]] std::string cameraJson(const Scene& scene);
-
-/// The table of classes, each as a `Label` of cityscapesscripts/helpers/labels.py.
-/// @param world_id  what the world is in the pictures; 0: unlabeled
-void writeLabelTable(std::ostream& stream, const std::vector<CityscapesLabel>& labels,
-                     int world_id);
 
 }  // namespace synthetic_dataset

@@ -1,10 +1,43 @@
 #include "plugins/cityscapes/cityscapes_options.h"
 
+#include <opencv2/core/matx.hpp>
+
+#include "plugins/shared/colour_map.h"
+
 namespace synthetic_dataset {
 namespace {
 
 /// The greatest label for which all of its instances' numbers have 16 bits.
 constexpr int kGreatestLabel = 64;
+
+/// Whether a number is that of a label that Cityscapes trains and evaluates.
+bool isEvaluated(int id) {
+  const CityscapesEntry* entry = entryOf(cityscapesOwnTable(), id);
+  return entry != nullptr && entry->train_id != kCityscapesIgnored;
+}
+
+/// Labels of the dataset's own: the world and its classes are trained in this order.
+CityscapesTable tableOf(const std::vector<CityscapesLabel>& labels, int world_id) {
+  CityscapesTable table = {{"unlabeled", 0}};
+  const auto add = [&](const std::string& name, int id, int train_id, bool has_instances) {
+    const cv::Vec3b colour = vocColourMap().at(static_cast<std::size_t>(id));
+    table.push_back({name,
+                     id,
+                     train_id,
+                     has_instances ? "object" : "world",
+                     has_instances ? 2 : 1,
+                     has_instances,
+                     false,
+                     {{colour[2], colour[1], colour[0]}}});
+  };
+  int train_id = 0;
+  if (world_id != 0) add("world", world_id, train_id++, false);
+  for (const CityscapesLabel& label : labels) {
+    const CityscapesEntry* known = entryOf(table, label.id);  // classes may share a label
+    add(label.name, label.id, known != nullptr ? known->train_id : train_id++, true);
+  }
+  return table;
+}
 
 }  // namespace
 
@@ -17,9 +50,12 @@ CityscapesOptions readCityscapesOptions(Parameters& parameters,
                                         "; it should be 0 to " + std::to_string(kGreatestLabel));
   }
   Parameters ids = parameters.group("label_ids");
+  bool all_are_own = options.world_id == 0 || isEvaluated(options.world_id);
   for (const ClassInfo& each : classes) {
     // 0 is what has no label.
-    const int id = ids.maybe<int>(each.name).value_or(each.id + 1);
+    const auto given = ids.maybe<int>(each.name);
+    all_are_own = all_are_own && given && isEvaluated(*given);
+    const int id = given.value_or(each.id + 1);
     if (id < 1 || id > kGreatestLabel) {
       parameters.addError("label_ids", "found " + std::to_string(id) + " for the class '" +
                                            each.name + "'; it should be 1 to " +
@@ -32,7 +68,15 @@ CityscapesOptions readCityscapesOptions(Parameters& parameters,
                                           ", which is also the label of the class '" + each.name +
                                           "'; it should be another");
     }
-    options.labels.push_back({each.name, id, each.id});
+    // An error that is noted ends the run; until then, any label will do.
+    options.labels.push_back({each.name, id < 1 || id > kGreatestLabel ? 1 : id, each.id});
+  }
+  if (options.world_id < 0 || options.world_id > kGreatestLabel) options.world_id = 0;
+  options.table = all_are_own && !classes.empty() ? cityscapesOwnTable()
+                                                  : tableOf(options.labels, options.world_id);
+  if (all_are_own) {
+    for (CityscapesLabel& label : options.labels)
+      label.name = entryOf(options.table, label.id)->name;
   }
   return options;
 }

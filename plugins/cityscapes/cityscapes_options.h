@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "plugins/cityscapes/cityscapes_files.h"
+#include "plugins/cityscapes/cityscapes_table.h"
 
 namespace synthetic_dataset {
 
@@ -14,6 +15,7 @@ inline constexpr int kCityscapesInstances = 1000;
 struct CityscapesOptions {
   std::vector<CityscapesLabel> labels;  ///< of each class
   int world_id = 0;                     ///< the label of the world; 0: it is unlabeled
+  CityscapesTable table;                ///< of all labels: Cityscapes' own, or that of the classes
 };
 
 [[nodiscard]] CityscapesOptions readCityscapesOptions(Parameters& parameters,

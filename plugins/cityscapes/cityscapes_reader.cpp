@@ -52,18 +52,19 @@ LabelledPicture readScene(const WrittenScene& scene) {
 }
 
 Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& classes) {
-  std::map<int, int> ids;  // of labels, by class
+  std::map<int, CityscapesLabel> labels;  // by class
   for (const CityscapesLabel& label : readCityscapesOptions(parameters, classes).labels) {
-    ids[label.class_id] = label.id;
+    labels[label.class_id] = label;
   }
-  return [ids](const MeasuredScene& scene) {
+  return [labels](const MeasuredScene& scene) {
     ExpectedLabels expected;
     std::map<int, int> counts;  // by label
     for (const MeasuredObject& object : scene.objects) {
-      const auto id = ids.find(object.class_id);
-      if (!object.labelled() || id == ids.end()) continue;
-      if (counts[id->second]++ >= kCityscapesInstances || !object.visible_box) continue;
-      ExpectedLabel label{object.name, asJsonHasIt(object.class_name)};
+      const auto of_class = labels.find(object.class_id);
+      if (!object.labelled() || of_class == labels.end()) continue;
+      const auto& [name, id, class_id] = of_class->second;
+      if (counts[id]++ >= kCityscapesInstances || !object.visible_box) continue;
+      ExpectedLabel label{object.name, asJsonHasIt(name)};
       label.setVisibleMask(scene, object);
       expected.labels.push_back(std::move(label));
     }

@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
+#include <ostream>
 
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/cityscapes/cityscapes_files.h"
 #include "plugins/cityscapes/cityscapes_options.h"
-#include "plugins/shared/colour_map.h"
 #include "plugins/shared/mask_outlines.h"
 #include "plugins/shared/pixel_map.h"
 #include "plugins/shared/pose_formats.h"
@@ -34,14 +34,22 @@ struct PixelValues {
 
 }  // namespace
 
-/// Cityscapes: `leftImg8bit/<split>/<city>/` with images, `gtFine/<split>/<city>/` with pictures of
-/// labels, instances and colours and with polygons, `camera/<split>/<city>/`; a camera is a city.
+/// Cityscapes: `leftImg8bit/<split>/<city>/` with images (and `imgsFine/leftImg8bit/`, where some
+/// releases have them), `gtFine/<split>/<city>/` with pictures of labels, instances and colours and
+/// with polygons, `camera/<split>/<city>/`; a camera is a city.
 /// https://github.com/mcordts/cityscapesScripts
 class CityscapesWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     cities_ = cityNames(dataset.cameras);
     options_ = readCityscapesOptions(parameters, dataset.classes);
+    train_ids_.fill(kCityscapesIgnored);
+    for (const CityscapesEntry& each : options_.table) {
+      const auto label = static_cast<std::size_t>(each.id);
+      const auto channel = [&](std::size_t i) { return static_cast<uchar>(each.colour[i]); };
+      train_ids_.at(label) = static_cast<uchar>(each.train_id);
+      colours_.at(label) = {channel(2), channel(1), channel(0)};
+    }
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -59,15 +67,17 @@ class CityscapesWriter : public LabelWriter {
     const cv::Mat_<ushort> instances = scene.instance_map();
     const auto labels =
         mapped<uchar>(instances, [&](ushort instance) { return values.at(instance).label; });
-    const std::vector<cv::Vec3b> colours = vocColourMap();
 
     output.addImage("leftImg8bit/" + name + "_leftImg8bit.png", scene.image);
+    output.addImage("imgsFine/leftImg8bit/" + name + "_leftImg8bit.png", scene.image);
     output.addImage("gtFine/" + name + "_gtFine_labelIds.png", labels);
+    output.addImage("gtFine/" + name + "_gtFine_labelTrainIds.png",
+                    mapped<uchar>(labels, [&](uchar label) { return train_ids_[label]; }));
     output.addImage(
         "gtFine/" + name + "_gtFine_instanceIds.png",
         mapped<ushort>(instances, [&](ushort instance) { return values.at(instance).instance; }));
     output.addImage("gtFine/" + name + "_gtFine_color.png",
-                    mapped<cv::Vec3b>(labels, [&](uchar label) { return colours[label]; }));
+                    mapped<cv::Vec3b>(labels, [&](uchar label) { return colours_[label]; }));
     output.addText("gtFine/" + name + "_gtFine_polygons.json",
                    polygonsJson(scene.camera, polygons));
     output.addText("camera/" + name + "_camera.json", cameraJson(scene));
@@ -109,13 +119,16 @@ class CityscapesWriter : public LabelWriter {
   }
 
   void doFinalize(const SceneRecords& /*records*/, DatasetOutput& output) const override {
-    output.addFile("labels.json", [&](std::ostream& file) {
-      writeLabelTable(file, options_.labels, options_.world_id);
-    });
+    output.addFile("labels.json",
+                   [&](std::ostream& file) { writeLabelTable(file, options_.table); });
+    output.addFile("label_colors.txt",
+                   [&](std::ostream& file) { writeLabelColours(file, options_.table); });
   }
 
   std::vector<std::string> cities_;  ///< by camera
   CityscapesOptions options_;
+  std::array<uchar, 256> train_ids_ = {};    ///< by label
+  std::array<cv::Vec3b, 256> colours_ = {};  ///< by label; blue, green, red
 };
 
 }  // namespace synthetic_dataset

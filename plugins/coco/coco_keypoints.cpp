@@ -24,11 +24,19 @@ std::vector<std::size_t> placesIn(std::vector<std::string>& names,
 
 }  // namespace
 
-CocoKeypoints::CocoKeypoints(const DatasetInfo& dataset) {
+CocoKeypoints::CocoKeypoints(const DatasetInfo& dataset, const std::vector<std::string>& of_classes,
+                             bool is_padded) {
   for (const ObjectInfo& object : dataset.objects) {
     class_of_object_.push_back(object.class_id);
     name_places_.emplace_back();
     if (object.keypoint_names.empty()) continue;
+    const bool is_asked_for =
+        of_classes.empty() ||
+        std::any_of(dataset.classes.begin(), dataset.classes.end(), [&](const ClassInfo& each) {
+          return each.id == object.class_id &&
+                 std::find(of_classes.begin(), of_classes.end(), each.name) != of_classes.end();
+        });
+    if (!is_asked_for) continue;
     ClassKeypoints& keypoints = classes_[object.class_id];
     const std::vector<std::size_t> places = placesIn(keypoints.names, object.keypoint_names);
     for (const auto& [from, to] : object.skeleton) {
@@ -37,6 +45,17 @@ CocoKeypoints::CocoKeypoints(const DatasetInfo& dataset) {
       if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }
     name_places_.back() = places;
+  }
+  if (is_padded) pad(dataset.classes);
+}
+
+/// Names for what no object of a class has.
+void CocoKeypoints::pad(const std::vector<ClassInfo>& classes) {
+  std::size_t most = 0;
+  for (const auto& [class_id, keypoints] : classes_) most = std::max(most, keypoints.names.size());
+  for (const ClassInfo& each : classes) {
+    std::vector<std::string>& names = classes_[each.id].names;
+    while (names.size() < most) names.push_back("unused_" + std::to_string(names.size()));
   }
 }
 

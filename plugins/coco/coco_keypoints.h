@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -24,10 +25,19 @@ struct ClassKeypoints {
 
 class CocoKeypoints {
  public:
-  explicit CocoKeypoints(const DatasetInfo& dataset);
+  /// Without keypoints.
+  CocoKeypoints() = default;
+
+  /// @param of_classes  names of the classes that have keypoints; empty: all
+  /// @param is_padded  whether all classes have as many names as the one with most
+  CocoKeypoints(const DatasetInfo& dataset, const std::vector<std::string>& of_classes,
+                bool is_padded);
 
   /// Whether any class has keypoints.
-  [[nodiscard]] bool any() const { return !classes_.empty(); }
+  [[nodiscard]] bool any() const {
+    return std::any_of(classes_.begin(), classes_.end(),
+                       [](const auto& each) { return !each.second.names.empty(); });
+  }
 
   /// Those of a class; empty where its objects have none.
   [[nodiscard]] const ClassKeypoints& of(int class_id) const;
@@ -40,6 +50,8 @@ class CocoKeypoints {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
  private:
+  void pad(const std::vector<ClassInfo>& classes);
+
   std::map<int, ClassKeypoints> classes_;  // that have keypoints
   std::vector<int> class_of_object_;
   std::vector<std::vector<std::size_t>> name_places_;  // by object and keypoint: in its class

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "synthetic_dataset/box_choice.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
 
@@ -12,8 +14,28 @@ struct CocoOptions {
   std::string image_format = "png";
   BoxChoice box = BoxChoice::kVisible;
   bool panoptic = false;
+  std::string background;  ///< the panoptic category of the world; empty: it is void
   bool keypoints = true;
+  std::vector<std::string> keypoint_classes;  ///< that have keypoints; empty: all
+  bool pad_keypoints = false;                 ///< all annotations have as many
+  std::string annotation_file = "instances";  ///< the annotation files' name before the split's
 };
+
+/// What panoptic files are called before the split's name.
+inline constexpr const char* kCocoPanoptic = "panoptic";
+
+/// The parameter `annotation_file`.
+[[nodiscard]] inline std::string readAnnotationFile(Parameters& parameters) {
+  std::string name = parameters.optional<std::string>("annotation_file", "instances");
+  if (name.rfind(kCocoPanoptic, 0) == 0 || safeFileName(name) != name) {
+    parameters.addError("annotation_file",
+                        "found '" + name +
+                            "'; it should be a name of letters, digits, _ and - such "
+                            "as 'person_keypoints', and not 'panoptic'");
+    name = "instances";
+  }
+  return name;
+}
 
 [[nodiscard]] inline CocoOptions readCocoOptions(Parameters& parameters) {
   CocoOptions options;
@@ -23,7 +45,12 @@ struct CocoOptions {
       parameters.optionalChoice("image_format", {"png", "jpg"}, options.image_format);
   options.box = readBoxChoice(parameters);
   options.panoptic = parameters.optional("panoptic", options.panoptic);
+  options.background = parameters.optional("background", options.background);
   options.keypoints = parameters.optional("keypoints", options.keypoints);
+  options.keypoint_classes = parameters.maybe<std::vector<std::string>>("keypoint_classes")
+                                 .value_or(std::vector<std::string>());
+  options.pad_keypoints = parameters.optional("pad_keypoints", options.pad_keypoints);
+  options.annotation_file = readAnnotationFile(parameters);
   return options;
 }
 

@@ -22,8 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* kPrefix = "instances_";  // of annotation files
-
 /// The annotation file that knows an image, and the image's number in it.
 struct ImageEntry {
   fs::path file;
@@ -37,7 +35,8 @@ std::vector<fs::path> annotationFiles(const fs::path& folder) {
   for (fs::directory_iterator each(folder, error), end; !error && each != end;
        each.increment(error)) {
     const fs::path& file = each->path();
-    if (file.filename().string().rfind(kPrefix, 0) == 0 && file.extension() == ".json") {
+    const bool is_panoptic = file.filename().string().rfind(kCocoPanoptic, 0) == 0;
+    if (!is_panoptic && file.extension() == ".json") {
       files.push_back(file);
     }
   }
@@ -47,7 +46,8 @@ std::vector<fs::path> annotationFiles(const fs::path& folder) {
 
 ImageEntry entryOf(const fs::path& folder, const fs::path& image, KeptFiles& kept) {
   for (const fs::path& file : annotationFiles(folder / "annotations")) {
-    const std::string split = file.stem().string().substr(std::string(kPrefix).size());
+    const std::string name = file.stem().string();  // instances_train
+    const std::string split = name.substr(name.rfind('_') + 1);
     const auto index = kept.get<CocoIndex>(file);
     for (const fs::path& images : {folder / "images" / split, folder / "images"}) {
       if (const auto id = index->imageId(image.lexically_relative(images).string())) {

@@ -12,6 +12,8 @@
 #include "plugins/shared/mask_rle.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_writer.h"
+#include "synthetic_dataset/mask.h"
+#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -44,11 +46,32 @@ class CocoWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     options_ = readCocoOptions(parameters);
-    if (options_.keypoints) keypoints_ = CocoKeypoints(dataset);
+    checkNames(parameters, dataset.classes);
+    if (options_.keypoints) {
+      keypoints_ = CocoKeypoints(dataset, options_.keypoint_classes, options_.pad_keypoints);
+    }
     classes_ = dataset.classes;
     object_count_ = static_cast<std::int64_t>(dataset.objects.size());
     has_splits_ = !dataset.splits.empty();
     splits_ = dataset.splitFolders();
+  }
+
+  void checkNames(WriterParameters& parameters, const std::vector<ClassInfo>& classes) const {
+    std::vector<std::string> names;
+    for (const ClassInfo& each : classes) names.push_back(each.name);
+    const auto isClass = [&](const std::string& name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const std::string& name : options_.keypoint_classes) {
+      if (isClass(name)) continue;
+      parameters.addError("keypoint_classes", "found '" + name + "', and no object has this class" +
+                                                  didYouMean(name, names));
+    }
+    if (isClass(options_.background)) {
+      parameters.addError("background", "found '" + options_.background +
+                                            "', which is also a class of objects; the world "
+                                            "should have another name");
+    }
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -79,12 +102,16 @@ class CocoWriter : public LabelWriter {
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
     for (const std::string& split : splits_) {
-      writeAnnotationFile("instances_" + split, split, kAnnotations, instanceCategories(), records,
-                          output);
+      writeAnnotationFile(options_.annotation_file + "_" + split, split, kAnnotations,
+                          instanceCategories(), records, output);
       if (!options_.panoptic) continue;
-      writeAnnotationFile("panoptic_" + split, split, kPanoptic, panopticCategories(), records,
+      writeAnnotationFile(panopticName(split), split, kPanoptic, panopticCategories(), records,
                           output);
     }
+  }
+
+  [[nodiscard]] static std::string panopticName(const std::string& split) {
+    return std::string(kCocoPanoptic) + "_" + split;
   }
 
   // What the records of a scene are: entries of a list in one of the files.
@@ -150,19 +177,35 @@ class CocoWriter : public LabelWriter {
     annotation["num_keypoints"] = count;
   }
 
-  /// A segment's id in the image is the object's place among all objects, from 1.
-  static void writePanoptic(const Scene& scene, const std::vector<const SceneObject*>& labelled,
-                            SceneOutput& output) {
-    std::vector<cv::Vec3b> colours(scene.objects.size() + 1);  // blue green red; 0: void
+  /// A segment's number in the colours of a panoptic picture: blue, green, red.
+  [[nodiscard]] static cv::Vec3b panopticColour(int id) {
+    return {static_cast<uchar>(id >> 16), static_cast<uchar>(id >> 8), static_cast<uchar>(id)};
+  }
+
+  /// A segment's id in the image is the object's place among all objects, from 1; the world's is
+  /// the next.
+  void writePanoptic(const Scene& scene, const std::vector<const SceneObject*>& labelled,
+                     SceneOutput& output) const {
+    std::vector<cv::Vec3b> colours(scene.objects.size() + 1);  // 0: void
     Json segments = Json::array();
     for (const SceneObject* object : labelled) {
       const int id = object->instance;
-      colours[static_cast<std::size_t>(id)] = {static_cast<uchar>(id >> 16),
-                                               static_cast<uchar>(id >> 8), static_cast<uchar>(id)};
+      colours[static_cast<std::size_t>(id)] = panopticColour(id);
       segments.push_back({{"id", id},
                           {"category_id", categoryId(object->class_id)},
                           {"area", object->visible_mask().count()},
                           {"bbox", cocoBox(*object->visible_box())},
+                          {"iscrowd", 0}});
+    }
+    const cv::Mat world = scene.instance_map() == 0;
+    const cv::Rect bounds = maskBounds(world);
+    if (!options_.background.empty() && !bounds.empty()) {
+      const int id = static_cast<int>(scene.objects.size()) + 1;
+      colours[0] = panopticColour(id);
+      segments.push_back({{"id", id},
+                          {"category_id", backgroundId()},
+                          {"area", cv::countNonZero(world)},
+                          {"bbox", {bounds.x, bounds.y, bounds.width, bounds.height}},
                           {"iscrowd", 0}});
     }
     cv::Mat_<cv::Vec3b> ids(scene.instance_map().size());
@@ -172,11 +215,14 @@ class CocoWriter : public LabelWriter {
 
     const std::string split = scene.splitFolder();
     const std::string file_name = scene.name + ".png";
-    output.addImage("annotations/panoptic_" + split + "/" + file_name, ids);
+    output.addImage("annotations/" + panopticName(split) + "/" + file_name, ids);
     output.addRecord(channelOf(kPanoptic, split), jsonText({{"image_id", imageId(scene)},
                                                             {"file_name", file_name},
                                                             {"segments_info", segments}}));
   }
+
+  /// The next category after all classes.
+  [[nodiscard]] int backgroundId() const { return categoryId(classes_.back().id + 1); }
 
   [[nodiscard]] Json instanceCategories() const {
     Json categories = Json::array();
@@ -197,16 +243,18 @@ class CocoWriter : public LabelWriter {
   }
 
   [[nodiscard]] Json panopticCategories() const {
-    const std::vector<cv::Vec3b> colours = vocColourMap();  // the first is the background's
+    const std::vector<cv::Vec3b> colours = vocColourMap();  // the first is black, as void is
     Json categories = Json::array();
-    for (std::size_t i = 0; i < classes_.size(); ++i) {
-      const cv::Vec3b& colour = colours[1 + i % (colours.size() - 1)];
-      categories.push_back({{"id", categoryId(classes_[i].id)},
-                            {"name", classes_[i].name},
-                            {"supercategory", "object"},
-                            {"isthing", 1},
+    const auto add = [&](int id, const std::string& name, bool is_thing) {
+      const cv::Vec3b& colour = colours[1 + categories.size() % (colours.size() - 1)];
+      categories.push_back({{"id", id},
+                            {"name", name},
+                            {"supercategory", is_thing ? "object" : "world"},
+                            {"isthing", is_thing ? 1 : 0},
                             {"color", {colour[2], colour[1], colour[0]}}});
-    }
+    };
+    for (const ClassInfo& each : classes_) add(categoryId(each.id), each.name, true);
+    if (!options_.background.empty()) add(backgroundId(), options_.background, false);
     return categories;
   }
 
@@ -232,7 +280,7 @@ class CocoWriter : public LabelWriter {
   }
 
   CocoOptions options_;
-  CocoKeypoints keypoints_{DatasetInfo{}};
+  CocoKeypoints keypoints_;
   std::vector<ClassInfo> classes_;
   std::int64_t object_count_ = 0;
   bool has_splits_ = false;

@@ -49,6 +49,7 @@ KittiOptions readKittiOptions(Parameters& parameters, const std::vector<ClassInf
   options.types = typesOf(parameters, classes);
   options.box = readBoxChoice(parameters);
   options.dont_care = parameters.optional("dont_care", options.dont_care);
+  options.velodyne = parameters.optionalChoice("velodyne", {"none", "depth"}, "none") == "depth";
   return options;
 }
 

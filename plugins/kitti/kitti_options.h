@@ -18,6 +18,7 @@ struct KittiOptions {
   std::map<std::string, std::string> types;  ///< KITTI's, by class
   BoxChoice box = BoxChoice::kVisible;
   bool dont_care = true;  ///< whether objects without a label become such regions
+  bool velodyne = false;  ///< whether there are points of a scanner, made of the depth
 };
 
 [[nodiscard]] KittiOptions readKittiOptions(Parameters& parameters,

@@ -1,6 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <optional>
 #include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <pluginlib/class_list_macros.hpp>
 
@@ -76,9 +82,50 @@ std::string calibration(const Intrinsics& k) {
   return text;
 }
 
+/// Appends a number as KITTI's binary files have it: four bytes, the lowest first.
+void appendFloat(std::string& bytes, double number) {
+  const auto value = static_cast<float>(number);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  for (unsigned shift = 0; shift < 32U; shift += 8U) {
+    bytes.push_back(static_cast<char>(bits >> shift & 0xFFU));
+  }
+}
+
+/// Where the point lies that a pixel shows, in the optical frame [m]; nothing where there is none.
+std::optional<Eigen::Vector3d> pointAt(const CameraModel& camera, int u, int v, double depth) {
+  if (depth == 0.0) return std::nullopt;
+  if (camera.isPinhole()) {
+    const Intrinsics& k = camera.intrinsics();
+    return depth * Eigen::Vector3d((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1.0);
+  }
+  const auto ray = camera.ray({u, v});
+  if (!ray || ray->z() * depth <= 0.0) return std::nullopt;
+  return *ray * (depth / ray->z());
+}
+
+/// What a scanner in the camera's place would measure in the direction of each pixel: x ahead, y
+/// left, z up [m] and a reflectance, of which nothing is known: 0.
+std::string scanOf(const Scene& scene) {
+  constexpr std::size_t kBytesOfAPoint = 16;
+  const cv::Mat depth = scene.depth();
+  std::string bytes;
+  bytes.reserve(kBytesOfAPoint * depth.total());
+  for (int v = 0; v < depth.rows; ++v) {
+    const auto* row = depth.ptr<float>(v);
+    for (int u = 0; u < depth.cols; ++u) {
+      const auto p_C = pointAt(scene.camera, u, v, row[u]);
+      if (!p_C) continue;
+      for (const double number : {p_C->z(), -p_C->x(), -p_C->y(), 0.0}) appendFloat(bytes, number);
+    }
+  }
+  return bytes;
+}
+
 }  // namespace
 
-/// KITTI's object benchmark: `training/{image_2,label_2,calib}/NNNNNN.*`, `ImageSets/*.txt`.
+/// KITTI's object benchmark: `training/{image_2,label_2,calib,velodyne}/NNNNNN.*`,
+/// `ImageSets/*.txt`.
 /// http://www.cvlibs.net/datasets/kitti/eval_object.php, readme.txt of its devkit_object
 class KittiWriter : public LabelWriter {
  private:
@@ -94,6 +141,7 @@ class KittiWriter : public LabelWriter {
     Requirements requirements;
     requirements.visible_masks = true;
     requirements.visibility = true;
+    requirements.depth = options_.velodyne;
     return requirements;
   }
 
@@ -117,8 +165,20 @@ class KittiWriter : public LabelWriter {
     const std::string number = sixDigits(scene.instant);
     const std::string training = folders_[scene.camera_index] + "training/";
     output.addImage(training + "image_2/" + number + ".png", scene.image);
-    output.addText(training + "label_2/" + number + ".txt", labels);
+    if (options_.velodyne) {
+      output.addText(training + "velodyne/" + number + ".bin", scanOf(scene));
+    }
+    if (labels.empty()) {
+      // OpenPCDet cannot load an image without a line (its object3d_kitti.py, kitti_dataset.py).
+      output.addWarning("an image without any label is left out of ImageSets");
+    } else {
+      listImage(scene, number, output);
+    }
+    output.addText(training + "label_2/" + number + ".txt", std::move(labels));
     output.addText(training + "calib/" + number + ".txt", calibration(scene.camera.intrinsics()));
+  }
+
+  static void listImage(const Scene& scene, const std::string& number, SceneOutput& output) {
     const std::string split = scene.splitFolder();
     output.addRecord(imageSet(scene.camera_index, split), number);
     if (split == "train" || split == "val") {

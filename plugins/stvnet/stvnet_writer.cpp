@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
+
 /// stvNet: for each object a folder with `JPEGImages/N.png` (PNG in spite of its name),
 /// `mask/N.png` and `labels/N.txt`: the id, then each keypoint's place as fractions of the image,
 /// counted from the first pixel's centre or from the image's edge.
@@ -28,6 +30,11 @@ class StvNetWriter : public LabelWriter {
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     for (const SceneObject& object : scene.objects) {
       if (!object.in_view || object.dropped) continue;
+      if (object.keypoints_O.size() != kKeypoints) {
+        output.addWarning(object.name + ": stvNet reads " + std::to_string(kKeypoints) +
+                          " keypoints of an object, and this one has " +
+                          std::to_string(object.keypoints_O.size()));
+      }
       const auto text = label(object, scene.camera);
       if (!text) {
         output.addWarning(object.name +
@@ -53,6 +60,8 @@ class StvNetWriter : public LabelWriter {
     }
     return text + "\n";
   }
+
+  static constexpr std::size_t kKeypoints = 9;  ///< that its data.py takes from a label
 
   PixelOrigin origin_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <ostream>
 #include <set>
 #include <vector>
 
@@ -189,7 +190,13 @@ class UltralyticsYoloWriter : public LabelWriter {
       if (used.erase(split) > 0) yaml.splits.push_back(split);
     }
     yaml.splits.insert(yaml.splits.end(), used.begin(), used.end());
-    output.addFile("data.yaml", [&](std::ostream& stream) { writeUltralyticsYaml(stream, yaml); });
+    // FiftyOne looks for dataset.yaml, Label Studio for classes.txt.
+    for (const char* name : {"data.yaml", "dataset.yaml"}) {
+      output.addFile(name, [&](std::ostream& stream) { writeUltralyticsYaml(stream, yaml); });
+    }
+    output.addFile("classes.txt", [&](std::ostream& stream) {
+      for (const std::string& name : yaml.names) stream << name << '\n';
+    });
   }
 
   static constexpr const char* kSplits = "splits";  // of records

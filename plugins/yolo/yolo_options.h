@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "plugins/shared/pixel_origin.h"
 #include "synthetic_dataset/box.h"
@@ -14,11 +15,22 @@ inline constexpr int kYoloDecimals = 5;  ///< of a fraction of the image
 struct YoloOptions {
   bool cut_to_image = true;
   PixelOrigin origin;
+  bool has_numbers = false;  ///< a label begins with its class's number, not with its text
 };
 
 [[nodiscard]] inline YoloOptions readYoloOptions(Parameters& parameters) {
-  return {parameters.optional("cut_to_image", true), readPixelOrigin(parameters)};
+  return {parameters.optional("cut_to_image", true), readPixelOrigin(parameters),
+          parameters.optionalChoice("class", {"text", "number"}, "text") == "number"};
 }
+
+/// What a label begins with.
+/// @param labelled  SceneObject or what was measured of one
+template <class Labelled>
+[[nodiscard]] std::string yoloClass(const Labelled& labelled, const YoloOptions& options) {
+  return options.has_numbers ? std::to_string(labelled.class_id) : labelled.class_text;
+}
+
+inline constexpr const char* kYoloNames = "obj.names";  ///< of classes, line by line from 0
 
 /// An object's box as the file has it, counted from the origin that is set; nothing where no area
 /// of it is in the image. The image is taken to begin there, as in nn_data_collection, whose

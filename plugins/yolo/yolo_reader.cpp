@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -12,11 +14,22 @@
 namespace synthetic_dataset::formats::yolo {
 namespace {
 
+/// The name of a class whose number a label has, where the list is there: it is written when a
+/// dataset is complete. Otherwise what the label has.
+std::string nameOf(const std::string& text, const std::vector<std::string>& names) {
+  const bool is_number =
+      text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 6;
+  const std::size_t number = is_number ? std::stoul(text) : names.size();
+  return number < names.size() ? names[number] : text;
+}
+
 // Darknet: `class cx cy w h` as fractions of the image, a line an object. The class may hold
 // spaces.
 LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture{readPicture(scene.file(".png"), cv::IMREAD_COLOR), {}};
   const std::filesystem::path file = scene.file(".txt");
+  const std::filesystem::path list = scene.folder / kYoloNames;
+  const auto names = std::filesystem::exists(list) ? readLines(list) : std::vector<std::string>();
   const double width = picture.image.cols;
   const double height = picture.image.rows;
   for (const std::string& line : readLines(file)) {
@@ -28,8 +41,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
     const double half_width = 0.5 * number(2) * width;
     const double half_height = 0.5 * number(3) * height;
     DrawnLabel label;
-    label.caption = joined({words.begin(), words.end() - 4});
-    label.class_names = {label.caption};
+    label.class_names = {joined({words.begin(), words.end() - 4})};
+    label.caption = nameOf(label.class_names.front(), names);
     label.box = Box{u - half_width, v - half_height, u + half_width, v + half_height};
     picture.labels.push_back(std::move(label));
   }
@@ -51,7 +64,7 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*
     ExpectedLabels expected;
     for (const MeasuredObject& object : scene.objects) {
       if (!object.in_view || object.dropped || !object.loose_box) continue;
-      ExpectedLabel label{object.name, joined(wordsOf(object.class_text))};
+      ExpectedLabel label{object.name, joined(wordsOf(yoloClass(object, options)))};
       label.box = yoloBox(*object.loose_box, options, scene.size.width, scene.size.height);
       if (!label.box) continue;
       label.box_tolerance = toleranceOf(*label.box, scene.size);

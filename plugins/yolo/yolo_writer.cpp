@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include <pluginlib/class_list_macros.hpp>
 
@@ -11,10 +12,22 @@
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
+namespace {
+
+constexpr const char* kData = "obj.data";
+
+/// Whether Darknet takes it for a class: its data.c reads `fscanf(file, "%d %f %f %f %f", ...)`,
+/// and no label from the first line on that does not fit.
+bool isNumber(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+}  // namespace
 
 /// Darknet's YOLO: `N.png` and, with a line an object, `N.txt`: class, then centre and size of the
-/// loose box as fractions of the image. The main list names all images, for `train` in Darknet's
-/// data file. https://github.com/AlexeyAB/darknet#how-to-train-to-detect-your-custom-objects
+/// loose box as fractions of the image. The main list names all images; `obj.data` names the lists
+/// of each split and that of the classes, `obj.names`.
+/// https://github.com/AlexeyAB/darknet#how-to-train-to-detect-your-custom-objects
 class YoloWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
@@ -22,10 +35,19 @@ class YoloWriter : public LabelWriter {
     main_list_ = parameters.requiredFile(kMainList);
     options_ = readYoloOptions(parameters);
     output_folder_ = parameters.outputFolder();
-    if (!isOfAScene(main_list_.path(), dataset)) return;
-    parameters.addError(kMainList, "found '" + main_list_.path() +
-                                       "', where a scene's files go; the list should have another "
-                                       "name, 'list.txt' for instance");
+    names_ = dataset.classNamesWithoutGaps();
+    splits_ = dataset.splitFolders();
+    has_one_list_ = dataset.splits.size() < 2;
+    if (isOfAScene(main_list_.path(), dataset)) {
+      parameters.addError(kMainList,
+                          "found '" + main_list_.path() +
+                              "', where a scene's files go; the list should have another "
+                              "name, 'list.txt' for instance");
+    } else if (isOfTheDataset(main_list_.path())) {
+      parameters.addError(kMainList, "found '" + main_list_.path() +
+                                         "', where this writer puts another file for Darknet; the "
+                                         "list should have another name, 'list.txt' for instance");
+    }
   }
 
   /// Whether a path is that of a scene's image or labels, or of a folder that they lie in.
@@ -41,21 +63,62 @@ class YoloWriter : public LabelWriter {
            std::all_of(stem.begin(), stem.end(), [](unsigned char c) { return std::isdigit(c); });
   }
 
+  /// Whether a path is that of another file which doFinalize makes.
+  [[nodiscard]] bool isOfTheDataset(const std::string& path) const {
+    if (path == output_folder_ + kData || path == output_folder_ + kYoloNames) return true;
+    return !has_one_list_ && std::any_of(splits_.begin(), splits_.end(),
+                                         [&](const auto& split) { return path == listOf(split); });
+  }
+
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     std::string labels;
-    for (const SceneObject& object : scene.objects) labels += label(object, scene.camera);
+    for (const SceneObject& object : scene.objects) {
+      const std::string line = label(object, scene.camera);
+      labels += line;
+      if (!line.empty() && !isNumber(yoloClass(object, options_))) {
+        output.addWarning(
+            "a class is a text, and Darknet reads none of an image's labels from there on; "
+            "nn_data_collection's readers want it so, Darknet wants `class: number`");
+      }
+    }
 
     output.addImage(scene.name + ".png", scene.image);
     output.addText(scene.name + ".txt", labels);
     output.addRecord(kImages, scene.name + ".png");
+    if (!has_one_list_) output.addRecord(scene.split, scene.name + ".png");
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
-    output.addFileAtParameter(main_list_, [&](std::ostream& list) {
-      records.forEach(kImages, [&](std::int64_t /*scene*/, const std::string& image) {
-        list << output_folder_ << image << '\n';
-      });
+    const auto writeList = [&](const std::string& channel) {
+      return [this, &records, channel](std::ostream& list) {
+        records.forEach(channel, [&](std::int64_t /*scene*/, const std::string& image) {
+          list << output_folder_ << image << '\n';
+        });
+      };
+    };
+    output.addFileAtParameter(main_list_, writeList(kImages));
+    for (const std::string& split : splits_) {
+      if (has_one_list_ && main_list_.path() == listOf(split)) continue;  // it is the same list
+      output.addFile(split + ".txt", writeList(has_one_list_ ? kImages : split));
+    }
+    output.addFile(kYoloNames, [&](std::ostream& names) {
+      for (const std::string& name : names_) names << name << '\n';
     });
+    output.addFile(kData, [&](std::ostream& data) { writeData(data); });
+  }
+
+  /// Darknet's data file (its option_list.c): the lists to train with and to evaluate on.
+  void writeData(std::ostream& data) const {
+    const bool has_val = std::find(splits_.begin(), splits_.end(), "val") != splits_.end();
+    data << "classes = " << names_.size() << '\n'
+         << "train = " << listOf(splits_.front()) << '\n'
+         << "valid = " << listOf(has_val ? "val" : splits_.back()) << '\n'
+         << "names = " << output_folder_ << kYoloNames << '\n'
+         << "backup = backup\n";
+  }
+
+  [[nodiscard]] std::string listOf(const std::string& split) const {
+    return output_folder_ + split + ".txt";
   }
 
   /// An object's line; nothing for one of which no area is in view.
@@ -65,7 +128,7 @@ class YoloWriter : public LabelWriter {
     const double height = camera.height();
     const auto box = yoloBox(*object.loose_box, options_, width, height);
     if (!box) return "";
-    std::string line = object.class_text;
+    std::string line = yoloClass(object, options_);
     for (const double fraction :
          {(box->left + box->right) / 2.0 / width, (box->top + box->bottom) / 2.0 / height,
           box->width() / width, box->height() / height}) {
@@ -80,6 +143,9 @@ class YoloWriter : public LabelWriter {
   FileParameter main_list_;
   YoloOptions options_;
   std::string output_folder_;
+  std::vector<std::string> names_;  ///< of classes, by their numbers
+  std::vector<std::string> splits_;
+  bool has_one_list_ = true;  ///< all images are of one split
 };
 
 }  // namespace synthetic_dataset

@@ -315,10 +315,16 @@ TEST_F(Bop, ListsTargetsOfTheTestSplit) {
   Scene test = scene(1, roverAndLift());
   test.split = "test";
   runAll({train, test});
-  EXPECT_TRUE(exists("train_pbr/000000/rgb/000000.png"));
+  EXPECT_TRUE(exists("train_pbr/000000/rgb/000000.jpg"));  // as bop_toolkit opens them
   EXPECT_TRUE(exists("test/000000/rgb/000001.png"));
   EXPECT_EQ(jsonOf("test_targets_bop19.json"),
             json::parse(R"([{"scene_id": 0, "im_id": 1, "obj_id": 5, "inst_count": 2}])"));
+}
+
+TEST_F(Bop, WritesPngInTrainPbrWhenAskedTo) {
+  load({{"train_type", "pbr"}, {"image_format", "png"}});
+  runAll({scene(0, roverAndLift())});
+  EXPECT_TRUE(exists("train_pbr/000000/rgb/000000.png"));
 }
 
 TEST_F(Bop, SetsNoTargetBelowATenthOfVisibility) {

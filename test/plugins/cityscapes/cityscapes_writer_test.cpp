@@ -51,7 +51,10 @@ TEST_F(Cityscapes, NamesFilesAsItsToolsTakeThemApart) {
                           "gtFine/val/front-left/front-left_000003_000019_gtFine_color.png",
                           "gtFine/val/front-left/front-left_000003_000019_gtFine_instanceIds.png",
                           "gtFine/val/front-left/front-left_000003_000019_gtFine_labelIds.png",
+                          "gtFine/val/front-left/front-left_000003_000019_gtFine_labelTrainIds.png",
                           "gtFine/val/front-left/front-left_000003_000019_gtFine_polygons.json",
+                          "imgsFine/leftImg8bit/val/front-left/"
+                          "front-left_000003_000019_leftImg8bit.png",
                           "leftImg8bit/val/front-left/front-left_000003_000019_leftImg8bit.png"));
 }
 
@@ -86,6 +89,37 @@ TEST_F(Cityscapes, TakesLabelsOfTheUsersChoice) {
   EXPECT_EQ(instanceAt(two, 20, 0), 26001);
   EXPECT_EQ(instanceAt(two, 15, 0), 7);
   EXPECT_EQ(labelAt(two, 15, 0), 7);
+}
+
+TEST_F(Cityscapes, HasCityscapesNamesAndTrainIdsWithItsOwnLabels) {
+  load({{"label_ids", Value::Map{{"robot", 26}, {"fork lift", 33}}}});
+  const Scene two = scene(0, {of(5, {0, 0, 10, 10}), of(0, {20, 0, 10, 10})});
+  const auto polygons = jsonOf(two, kBase + "polygons.json")["objects"];
+  EXPECT_EQ(polygons[0]["label"], "bicycle");  // json2labelImg.py knows no other names
+  EXPECT_EQ(polygons[1]["label"], "car");
+  const cv::Mat train_ids = pictureOf(two, kBase + "labelTrainIds.png");
+  EXPECT_EQ(train_ids.at<uchar>(0, 0), 18);
+  EXPECT_EQ(train_ids.at<uchar>(0, 20), 13);
+  EXPECT_EQ(train_ids.at<uchar>(0, 15), 255);
+  const cv::Mat colours = pictureOf(two, kBase + "color.png");
+  EXPECT_EQ(colours.at<cv::Vec3b>(0, 20), cv::Vec3b(142, 0, 0));  // blue, green, red
+  runAll({two});
+  const auto table = nlohmann::json::parse(test::readFile(folder() + "labels.json"));
+  EXPECT_EQ(table[26]["name"], "car");
+  EXPECT_EQ(table[7]["trainId"], 0);
+}
+
+TEST_F(Cityscapes, NumbersTrainIdsOfItsOwnClassesFrom0) {
+  load({});
+  const Scene two = scene(0, {of(5, {0, 0, 10, 10}), of(0, {20, 0, 10, 10})});
+  const cv::Mat train_ids = pictureOf(two, kBase + "labelTrainIds.png");
+  EXPECT_EQ(train_ids.at<uchar>(0, 0), 1);
+  EXPECT_EQ(train_ids.at<uchar>(0, 20), 0);
+  EXPECT_EQ(train_ids.at<uchar>(0, 15), 255);
+  runAll({two});
+  // Robot and fork lift have the labels 1 and 6, of which these are the colours.
+  EXPECT_EQ(test::readFile(folder() + "label_colors.txt"),
+            "128 0 0 robot\n0 128 128 fork_lift\n0 0 0 background\n");
 }
 
 TEST_F(Cityscapes, RefusesLabelsThatDoNotFitIntoThePictures) {

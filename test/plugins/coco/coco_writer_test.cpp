@@ -326,6 +326,79 @@ TEST_F(Coco, GivesPanopticClassesColoursOfTheirOwn) {
   EXPECT_EQ(categories[1]["color"], json({0, 128, 0}));
 }
 
+TEST_F(Coco, GivesTheWorldAStuffCategoryWhenAskedTo) {
+  load({{"panoptic", true}, {"background", "world"}});
+  Scene scene = sceneOf(0, {{10, 20, 30, 40}, {100, 20, 30, 40}});
+  scene.objects[0].dropped = true;  // which stays void
+  runAll({scene});
+  const json file = written("panoptic_train");
+  // panopticapi and detectron2 average over the things and over the stuff.
+  EXPECT_EQ(file["categories"][1]["isthing"], 1);
+  EXPECT_EQ(file["categories"][2]["isthing"], 0);
+  EXPECT_EQ(file["categories"][2]["name"], "world");
+  EXPECT_EQ(file["categories"][2]["id"], 4);  // the classes are 1 and 3
+  EXPECT_EQ(file["annotations"][0]["segments_info"][1], json({{"id", 3},
+                                                              {"category_id", 4},
+                                                              {"area", 640 * 480 - 2 * 30 * 40},
+                                                              {"bbox", {0, 0, 640, 480}},
+                                                              {"iscrowd", 0}}));
+  const cv::Mat ids = cv::imread(folder() + "annotations/panoptic_train/00000000.png");
+  EXPECT_EQ(ids.at<cv::Vec3b>(0, 0), cv::Vec3b(0, 0, 3));
+  EXPECT_EQ(ids.at<cv::Vec3b>(30, 20), cv::Vec3b(0, 0, 0));
+  EXPECT_EQ(ids.at<cv::Vec3b>(30, 110), cv::Vec3b(0, 0, 2));
+  EXPECT_EQ(written("instances_train")["categories"].size(), 2U);
+}
+
+TEST_F(Coco, RefusesABackgroundThatIsAClass) {
+  load({{"background", "cup"}});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("w/background: found 'cup'")));
+}
+
+/// As detectron2's Keypoints: all lists of an image make one array.
+TEST_F(Coco, GivesAllAnnotationsAsManyKeypointsWhenAskedTo) {
+  giveKeypoints(0, {"tip", "heel"});
+  giveKeypoints(1, {"fork"});
+  load({{"pad_keypoints", true}});
+  Scene scene = sceneOf(0, {{10, 20, 30, 40}, {100, 20, 30, 40}});
+  scene.objects[0].keypoints = {
+      keypoint(Eigen::Vector2d(11.0, 21.0), 1.0, KeypointState::kVisible),
+      keypoint(Eigen::Vector2d(12.0, 22.0), 1.0, KeypointState::kVisible)};
+  scene.objects[1].keypoints = {
+      keypoint(Eigen::Vector2d(101.0, 21.0), 1.0, KeypointState::kVisible)};
+  runAll({scene});
+  const json file = written("instances_train");
+  EXPECT_EQ(file["annotations"][0]["keypoints"], json({11.0, 21.0, 2, 12.0, 22.0, 2}));
+  EXPECT_EQ(file["annotations"][1]["keypoints"], json({101.0, 21.0, 2, 0.0, 0.0, 0}));
+  EXPECT_EQ(file["annotations"][1]["num_keypoints"], 1);
+  EXPECT_EQ(file["categories"][1]["keypoints"], json({"fork", "unused_1"}));
+}
+
+TEST_F(Coco, GivesKeypointsToSomeClassesAlone) {
+  giveKeypoints(0, {"tip", "heel"});
+  giveKeypoints(1, {"fork"});
+  load({{"keypoint_classes", Value::List{"cup"}},
+        {"annotation_file", "person_keypoints"}});
+  Scene scene = sceneOf(0, {{10, 20, 30, 40}, {100, 20, 30, 40}});
+  scene.objects[0].keypoints = {
+      keypoint(Eigen::Vector2d(11.0, 21.0), 1.0, KeypointState::kVisible),
+      keypoint(Eigen::Vector2d(12.0, 22.0), 1.0, KeypointState::kVisible)};
+  scene.objects[1].keypoints = {
+      keypoint(Eigen::Vector2d(101.0, 21.0), 1.0, KeypointState::kVisible)};
+  runAll({scene});
+  const json file = written("person_keypoints_train");
+  EXPECT_EQ(file["annotations"][0]["num_keypoints"], 2);
+  EXPECT_EQ(file["annotations"][1]["keypoints"], json::array());
+  EXPECT_EQ(file["categories"][1].count("keypoints"), 0U);
+}
+
+TEST_F(Coco, RefusesClassesAndNamesThatItCannotUse) {
+  load({{"keypoint_classes", Value::List{"cap"}}, {"annotation_file", "panoptic"}});
+  EXPECT_THAT(parameters_.errors(),
+              ElementsAre(HasSubstr("w/annotation_file: found 'panoptic'"),
+                          HasSubstr("w/keypoint_classes: found 'cap', and no object has this "
+                                    "class; did you mean 'cup'?")));
+}
+
 TEST_F(Coco, ReplacesBytesThatAreNotUtf8) {
   dataset_.classes[0].name = "caf\xe9 \xe2\x98\x95";
   load({});

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -211,7 +212,7 @@ TEST_F(Kitti, WarnsOfALensThatTheFormatCannotExpress) {
   Distortion distortion;
   distortion.model = DistortionModel::kPlumbBob;
   const auto warningsWith = [&](const Distortion& lens) {
-    Scene distorted = scene(0, {});
+    Scene distorted = scene(0, {upright({0.0, 1.0, 10.0}, 0.0)});
     distorted.camera = CameraModel(640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0, lens);
     return host.writeScene(distorted).warnings;
   };
@@ -223,7 +224,8 @@ TEST_F(Kitti, WarnsOfALensThatTheFormatCannotExpress) {
 TEST_F(Kitti, ListsImagesByTheirSplit) {
   dataset_.splits = {{"train", 2}, {"val", 1}, {"test", 0}};
   load({});
-  std::vector<Scene> scenes = {scene(0, {}), scene(1, {}), scene(2, {})};
+  const SceneObject rover = upright({0.0, 1.0, 10.0}, 0.0);
+  std::vector<Scene> scenes = {scene(0, {rover}), scene(1, {rover}), scene(2, {rover})};
   scenes[0].split = scenes[2].split = "train";
   scenes[1].split = "val";
   runAll(scenes);
@@ -235,16 +237,54 @@ TEST_F(Kitti, ListsImagesByTheirSplit) {
 
 TEST_F(Kitti, ListsAllImagesForTrainingWithoutSplits) {
   load({});
-  runAll({scene(0, {}), scene(1, {})});
+  const SceneObject rover = upright({0.0, 1.0, 10.0}, 0.0);
+  runAll({scene(0, {rover}), scene(1, {rover})});
   EXPECT_EQ(contentOf(folder() + "ImageSets/train.txt"), "000000\n000001\n");
+}
+
+TEST_F(Kitti, ListsNoImageWithoutLabelsAsOpenPcdetCannotLoadIt) {
+  const output::WriterHost& host = load({});
+  SceneObject dropped = upright({0.0, 1.0, 10.0}, 0.0);
+  dropped.dropped = true;  // DontCare
+  const Scene empty = scene(1, {});
+  runAll({scene(0, {upright({0.0, 1.0, 10.0}, 0.0)}), empty, scene(2, {dropped})});
+  EXPECT_EQ(contentOf(folder() + "ImageSets/train.txt"), "000000\n000002\n");
+  EXPECT_EQ(contentOf(folder() + "ImageSets/trainval.txt"), "000000\n000002\n");
+  EXPECT_EQ(contentOf(folder() + "training/label_2/000001.txt"), "");
+  EXPECT_THAT(host.writeScene(empty).warnings, ElementsAre(HasSubstr("left out of ImageSets")));
+}
+
+/// The numbers of a scanner's file.
+std::vector<float> scanIn(const std::string& bytes) {
+  std::vector<float> numbers(bytes.size() / sizeof(float));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(float));
+  return numbers;
+}
+
+TEST_F(Kitti, WritesDepthAsAScannersPointsWhenAskedTo) {
+  EXPECT_FALSE(load({}).requirements().depth);
+  EXPECT_TRUE(load({{"velodyne", "depth"}}).requirements().depth);
+  Scene near = scene(0, {});
+  cv::Mat depth(480, 640, CV_32FC1, cv::Scalar(0));
+  depth.at<float>(340, 520) = 5.0F;  // 200 px right of the axis and 100 px below it, f = 500 px
+  near.depth = depth;
+  const std::string path = "training/velodyne/000000.bin";
+  EXPECT_THAT(scanIn(filesOf(near).at(path)), ElementsAre(5.0F, -2.0F, -1.0F, 0.0F));
+  near.camera = CameraModel(640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0,
+                            {DistortionModel::kPlumbBob, {-0.1}});
+  const std::vector<float> bent = scanIn(filesOf(near).at(path));
+  const auto pixel = near.camera.project({-bent.at(1), -bent.at(2), bent.at(0)});
+  EXPECT_EQ(bent[0], 5.0F);
+  EXPECT_NEAR(pixel->x(), 520.0, 1e-3);
+  EXPECT_NEAR(pixel->y(), 340.0, 1e-3);
 }
 
 TEST_F(Kitti, GivesEachOfSeveralCamerasAFolder) {
   dataset_.cameras = {{"front", "f", camera()}, {"rear left", "r", camera()}};
   load({});
-  Scene front = scene(0, {});
+  Scene front = scene(0, {upright({0.0, 1.0, 10.0}, 0.0)});
   front.name = "front/00000000";
-  Scene rear = scene(1, {});
+  Scene rear = scene(1, {upright({0.0, 1.0, 10.0}, 0.0)});
   rear.name = "rear left/00000000";
   rear.instant = 0;
   rear.camera_index = 1;

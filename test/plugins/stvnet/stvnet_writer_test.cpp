@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include <gmock/gmock.h>
 
 #include "plugins/plugin_harness.h"
@@ -86,7 +88,28 @@ TEST_F(StvNet, LeavesOutAnObjectWithAKeypointBehindTheCameraAndWarns) {
   const Scene half_behind = scene(0, {keyed("a", {{0.0, 0.0, 0.0}, {0.0, 0.0, -10.5}})});
   EXPECT_THAT(filesOf(half_behind), IsEmpty());
   EXPECT_THAT(host.writeScene(half_behind).warnings,
-              ElementsAre(HasSubstr("writer 'w': a: a keypoint is behind the camera")));
+              testing::Contains(HasSubstr("writer 'w': a: a keypoint is behind the camera")));
+}
+
+TEST_F(StvNet, WarnsOfAnotherNumberOfKeypointsThanItsLoaderTakes) {
+  const output::WriterHost& host = load({});
+  const auto warningsOf = [&](std::size_t count) {
+    return host.writeScene(scene(0, {keyed("a", std::vector<Eigen::Vector3d>(count, {0, 0, 0}))}))
+        .warnings;
+  };
+  EXPECT_THAT(warningsOf(9), IsEmpty());
+  EXPECT_THAT(warningsOf(8), ElementsAre(HasSubstr("reads 9 keypoints of an object, and this one "
+                                                   "has 8")));
+}
+
+TEST_F(StvNet, WritesNinePointsAsItsLoaderTakesThem) {
+  load({});
+  // data.py: line.split(' ')[1:19]
+  std::istringstream label(labelOf(std::vector<Eigen::Vector3d>(9, {0.0, 0.0, 0.0})));
+  std::vector<std::string> words;
+  for (std::string word; std::getline(label, word, ' ');) words.push_back(word);
+  ASSERT_GE(words.size(), 19U);
+  for (std::size_t i = 1; i < 19; ++i) EXPECT_EQ(words[i], "0.50000");
 }
 
 TEST_F(StvNet, KeepsNamesThatArePathsAndMakesOthersOne) {

@@ -1,3 +1,5 @@
+#include <cstdio>
+
 #include <gmock/gmock.h>
 
 #include "plugins/plugin_harness.h"
@@ -107,6 +109,90 @@ TEST_F(Yolo, ListsAllImagesInSceneOrder) {
   EXPECT_EQ(
       test::readFile(folder_ / "lists/main.txt"),
       folder() + "00000000.png\n" + folder() + "00000001.png\n" + folder() + "00000010.png\n");
+}
+
+TEST_F(Yolo, WritesWhatDarknetsDataFileNames) {
+  dataset_.classes = {{0, "rover"}, {2, "fork lift"}};
+  load(parameters());
+  runAll({scene(0, {}), scene(1, {})});
+  EXPECT_EQ(test::readFile(folder() + "obj.names"), "rover\nunused_1\nfork lift\n");
+  EXPECT_EQ(test::readFile(folder() + "obj.data"),
+            "classes = 3\ntrain = " + folder() + "train.txt\nvalid = " + folder() +
+                "train.txt\nnames = " + folder() + "obj.names\nbackup = backup\n");
+  EXPECT_EQ(test::readFile(folder() + "train.txt"),
+            folder() + "00000000.png\n" + folder() + "00000001.png\n");
+}
+
+TEST_F(Yolo, ListsEachSplit) {
+  dataset_.splits = {{"train", 1}, {"val", 1}};
+  load(parameters());
+  Scene second = scene(1, {});
+  Scene first = scene(0, {});
+  first.split = "train";
+  second.split = "val";
+  runAll({first, second});
+  EXPECT_EQ(test::readFile(folder() + "train.txt"), folder() + "00000000.png\n");
+  EXPECT_EQ(test::readFile(folder() + "val.txt"), folder() + "00000001.png\n");
+  EXPECT_THAT(test::readFile(folder() + "obj.data"),
+              HasSubstr("\nvalid = " + folder() + "val.txt\n"));
+}
+
+TEST_F(Yolo, LetsTheMainListBeTheOnlySplitsOne) {
+  load({{"main_list", "train.txt"}});
+  runAll({scene(0, {})});
+  EXPECT_EQ(test::readFile(folder() + "train.txt"), folder() + "00000000.png\n");
+}
+
+TEST_F(Yolo, RefusesAMainListInThePlaceOfAnotherList) {
+  load({{"main_list", "obj.names"}});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("puts another file for Darknet")));
+  dataset_.splits = {{"train", 1}, {"val", 1}};
+  load({{"main_list", "val.txt"}});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("puts another file for Darknet")));
+}
+
+/// How many labels Darknet takes from a file: as read_boxes of its data.c.
+int readByDarknet(const std::string& labels) {
+  std::FILE* file = std::tmpfile();
+  std::fputs(labels.c_str(), file);
+  std::rewind(file);
+  int id = 0;
+  int count = 0;
+  float x = 0.0F;
+  float y = 0.0F;
+  float w = 0.0F;
+  float h = 0.0F;
+  while (std::fscanf(file, "%d %f %f %f %f", &id, &x, &y, &w, &h) == 5) ++count;
+  std::fclose(file);
+  return count;
+}
+
+TEST_F(Yolo, WritesNumbersThatDarknetReads) {
+  Value::Map numbers = parameters();
+  numbers["class"] = "number";
+  const output::WriterHost& host = load(numbers);
+  SceneObject first = boxed("a", {0.0, 0.0, 640.0, 480.0});
+  SceneObject second = boxed("b", {0.0, 0.0, 64.0, 48.0});
+  first.class_id = 2;
+  const Scene both = scene(0, {first, second});
+  const std::string labels = filesOf(both).at("00000000.txt");
+  EXPECT_EQ(labels,
+            "2 0.50000 0.50000 1.00000 1.00000\n"
+            "0 0.05000 0.05000 0.10000 0.10000\n");
+  EXPECT_EQ(readByDarknet(labels), 2);
+  EXPECT_THAT(host.writeScene(both).warnings, IsEmpty());
+}
+
+TEST_F(Yolo, WarnsOfTextsOfWhichDarknetReadsNone) {
+  const output::WriterHost& host = load(parameters());
+  const Scene text = scene(0, {boxed("a", {0.0, 0.0, 640.0, 480.0})});
+  EXPECT_EQ(readByDarknet(filesOf(text).at("00000000.txt")), 0);
+  EXPECT_THAT(host.writeScene(text).warnings, ElementsAre(HasSubstr("wants `class: number`")));
+  EXPECT_THAT(host.writeScene(scene(1, {})).warnings, IsEmpty());
+  Scene digits = text;
+  digits.objects[0].class_text = "7";
+  EXPECT_EQ(readByDarknet(filesOf(digits).at("00000000.txt")), 1);
+  EXPECT_THAT(host.writeScene(digits).warnings, IsEmpty());
 }
 
 TEST_F(Yolo, NeedsNoMasks) { EXPECT_FALSE(load(parameters()).requirements().silhouettes); }
