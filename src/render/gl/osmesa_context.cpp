@@ -1,5 +1,6 @@
 #include "render/gl/osmesa_context.h"
 
+#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -23,6 +24,13 @@ constexpr std::array<int, 11> kAttributes = {OSMESA_FORMAT,
                                              0,
                                              0};
 
+/// Mesa 20 (Debian 11) approximates which levels of a texture a pixel is mixed from, and how,
+/// unless this forbids it. Mesa 22 does not, and knows none of the two words.
+OSMesaContext exactContext() {
+  setenv("GALLIVM_PERF", "no_brilinear,no_rho_approx", 0);  // keeps the user's
+  return OSMesaCreateContextAttribs(kAttributes.data(), nullptr);
+}
+
 void* entryPoint(const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }
 
 }  // namespace
@@ -31,7 +39,7 @@ void OsmesaContext::Destroy::operator()(void* context) const {
   OSMesaDestroyContext(static_cast<OSMesaContext>(context));
 }
 
-OsmesaContext::OsmesaContext() : context_(OSMesaCreateContextAttribs(kAttributes.data(), nullptr)) {
+OsmesaContext::OsmesaContext() : context_(exactContext()) {
   if (!context_) {
     throw Error(
         "OSMesa cannot make an OpenGL 4.5 core context; it needs Mesa's llvmpipe driver (package "
