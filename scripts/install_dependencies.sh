@@ -1,33 +1,50 @@
 #!/usr/bin/env bash
-# Installs what is missing of Debian's packages; quick when nothing is. As root, or with sudo.
+# Installs what is missing, quick when nothing is; as root, or with sudo.
 #   ./scripts/install_dependencies.sh [MORE_PACKAGES...]
+# On Debian 11 to 13, all of it are Debian's own packages, ROS 1 included. Where ROS Noetic is in
+# /opt/ros, as on Ubuntu 20.04, rosdep names the packages of package.xml.
 set -euo pipefail
 
-packages=(
-  build-essential cmake pkg-config catkin
-  libroscpp-dev libroslib-dev librosbag-storage-dev libtf2-dev libtf2-ros-dev libtf2-msgs-dev
-  libgeometry-msgs-dev libnav-msgs-dev libsensor-msgs-dev libstd-msgs-dev libvisualization-msgs-dev
-  libxmlrpcpp-dev pluginlib-dev rosbash
-  librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools
-  python3-geometry-msgs python3-tf2-msgs
-  python3-setuptools python3-numpy python3-pil python3-matplotlib python3-jinja2 ffmpeg
-  libopencv-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev
-  libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev
-  libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev libssl-dev nlohmann-json3-dev
-  libgtest-dev libgmock-dev
-)
-packages+=("$@")
-
-missing=()
-for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
-  [ "$status" = "install ok installed" ] || missing+=("$package")
-done
-[ ${#missing[@]} -eq 0 ] && exit 0
-
-echo "Installing ${#missing[@]} packages: ${missing[*]}"
 as_root=()
 [ "$(id -u)" -eq 0 ] || as_root=(sudo)
 export DEBIAN_FRONTEND=noninteractive
-"${as_root[@]}" apt-get update -q
-"${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"
+
+# Installs those of Debian's or Ubuntu's packages that are not there.
+install_missing() {
+  local package missing=()
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)" = "install ok installed" ] ||
+      missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  echo "Installing ${#missing[@]} packages: ${missing[*]}"
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"
+}
+
+if [ -d /opt/ros/noetic ]; then
+  # rosdep has no keys for the last two, which are optional.
+  install_missing build-essential cmake pkg-config python3-rosdep libdeflate-dev libisal-dev "$@"
+  repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+  # shellcheck disable=SC1091
+  (set +u && source /opt/ros/noetic/setup.bash && rosdep check --from-paths "$repository" --ignore-src) \
+    >/dev/null 2>&1 && exit 0
+  [ -f /etc/ros/rosdep/sources.list.d/20-default.list ] || "${as_root[@]}" rosdep init
+  rosdep update --include-eol-distros --rosdistro noetic
+  "${as_root[@]}" apt-get update -q
+  rosdep install --from-paths "$repository" --ignore-src --rosdistro noetic -y
+  exit 0
+fi
+
+install_missing \
+  build-essential cmake pkg-config catkin \
+  libroscpp-dev libroslib-dev librosbag-storage-dev libtf2-dev libtf2-ros-dev libtf2-msgs-dev \
+  libgeometry-msgs-dev libnav-msgs-dev libsensor-msgs-dev libstd-msgs-dev libvisualization-msgs-dev \
+  libxmlrpcpp-dev pluginlib-dev rosbash \
+  librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools \
+  python3-geometry-msgs python3-tf2-msgs \
+  python3-setuptools python3-numpy python3-pil python3-matplotlib python3-jinja2 ffmpeg \
+  libopencv-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev \
+  libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev \
+  libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev libssl-dev \
+  nlohmann-json3-dev libgtest-dev libgmock-dev "$@"

@@ -8,6 +8,14 @@ workspace=${SYNTHETIC_DATASET_WORKSPACE:-${XDG_CACHE_HOME:-$HOME/.cache}/synthet
 # ROS's tools are Debian's own; another Python in front of it on PATH would not find their modules.
 export PATH="/usr/bin:/bin:$PATH"
 
+# Ubuntu's ROS is in a folder of its own, Debian's is not.
+if [ -f /opt/ros/noetic/setup.bash ]; then
+  set +u  # catkin's file reads variables that may be unset
+  # shellcheck disable=SC1091
+  source /opt/ros/noetic/setup.bash
+  set -u
+fi
+
 # build_workspace [make arguments...]: configures the workspace where needed and builds it.
 build_workspace() {
   mkdir -p "$workspace/src"
