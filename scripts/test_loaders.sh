@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Loads datasets of every format with the formats' own loaders and compares with the truth, and converts bags of ROS 2:
+# Loads datasets of every format with the formats' own loaders and compares with the truth, converts bags of ROS 2, and
+# runs the programs in docs/python.md:
 #   ./scripts/test_loaders.sh [FOLDER [FORMAT...]]
 # FOLDER keeps the datasets; without it they are removed. The loaders are installed once, into a
 # virtual environment below ~/.cache; after that no network is needed.
@@ -7,20 +8,26 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
 source "$here/workspace.sh"
-environment=${XDG_CACHE_HOME:-$HOME/.cache}/synthetic_dataset/loaders
-requirements=$repository/test/loaders/requirements.txt
+environments=${XDG_CACHE_HOME:-$HOME/.cache}/synthetic_dataset
 
-"$here/install_dependencies.sh" python3-venv python3-numpy python3-pil python3-yaml python3-opencv \
-  python3-torch python3-torchvision
-if ! cmp -s "$requirements" "$environment/complete"; then
-  rm -rf "$environment"
-  /usr/bin/python3 -m venv --system-site-packages "$environment"
-  # -I: also what Debian has in another version.
-  "$environment/bin/pip" --disable-pip-version-check install -q -I --no-deps -r "$requirements"
-  cp "$requirements" "$environment/complete"
-fi
+# environment NAME REQUIREMENTS [OPTIONS OF venv...]: installs what is missing. -I: also what Debian has in
+# another version.
+environment() {
+  local folder=$environments/$1 requirements=$repository/test/loaders/$2
+  cmp -s "$requirements" "$folder/complete" && return
+  rm -rf "$folder"
+  /usr/bin/python3 -m venv "${@:3}" "$folder"
+  "$folder/bin/pip" --disable-pip-version-check install -q -I --no-deps -r "$requirements"
+  cp "$requirements" "$folder/complete"
+}
 
-build_workspace --target make_loader_datasets generate
+"$here/install_dependencies.sh" python3-venv python3-yaml python3-opencv python3-torch \
+  python3-torchvision
+environment loaders requirements.txt --system-site-packages
+environment fiftyone requirements_fiftyone.txt
+export SYNTHETIC_DATASET_FIFTYONE_PYTHON=$environments/fiftyone/bin/python
+
+build_workspace --target make_loader_datasets --target generate --target synthetic_dataset_writers
 use_workspace
 folder=${1:-}
 shift || true
@@ -29,4 +36,4 @@ if [ -z "$folder" ]; then
   trap 'rm -rf "$folder"' EXIT
 fi
 "$workspace/devel/lib/synthetic_dataset_tests/make_loader_datasets" "$folder"
-"$environment/bin/python" "$repository/test/loaders/run.py" "$folder" "$@"
+"$environments/loaders/bin/python" "$repository/test/loaders/run.py" "$folder" "$@"
