@@ -7,6 +7,15 @@
 #include "render/lens/lens_map.h"
 
 namespace synthetic_dataset::label {
+
+bool looksAtPixels(const Requirements& requirements, const MaskOptions& masks,
+                   const LabelOptions& labels) {
+  return requirements.visible_masks || requirements.class_map || requirements.visibility ||
+         requirements.keypoint_states || requirements.depth || requirements.normals ||
+         requirements.optical_flow || labels.hasThresholds() ||
+         (requirements.silhouettes && masks.method == MaskMethod::kMog2);
+}
+
 PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& renderer,
                              std::size_t object_count, const Requirements& requirements,
                              const PixelLabelOptions& options)
@@ -19,9 +28,7 @@ PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& render
   Requirements& needed = requirements_;
   needed.visible_masks = needed.visible_masks || needed.class_map;
   needed.visibility = needed.visibility || options_.labels.min_visibility > 0.0;
-  needs_labels_ = needed.visible_masks || needed.visibility || needed.keypoint_states ||
-                  needed.depth || needed.normals || needed.optical_flow ||
-                  options_.labels.hasThresholds() || (needed.silhouettes && usesSubtraction());
+  needs_labels_ = looksAtPixels(requirements, options.masks, options.labels);
   needs_silhouettes_ = needed.visibility || (needed.silhouettes && !usesSubtraction());
   pass_.links = needed.optical_flow;
   pass_.normals = needed.normals;

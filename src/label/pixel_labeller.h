@@ -29,6 +29,10 @@ struct SeenSurface {
   cv::Mat links;
 };
 
+/// Whether labels need to know what each pixel shows. Else nobody knows what hides an object.
+[[nodiscard]] bool looksAtPixels(const Requirements& requirements, const MaskOptions& masks,
+                                 const LabelOptions& labels);
+
 /// How well each object's visible mask of background subtraction agrees with the exact one:
 /// intersection over union, nothing where there is neither. Empty where nothing was subtracted.
 using MaskAgreement = std::vector<std::optional<double>>;

@@ -67,7 +67,7 @@ int generateHere(const Value& settings, run::Reporter& reporter) {
   const run::RunSummary summary = generator.run();
   for (const std::string& line : run::summaryLines(summary)) reporter.info(line);
   if (summary.stopped) return stopped(reporter);
-  reporter.info(run::lastLine(summary.missing_labels));
+  reporter.info(run::lastLine(summary));
   return kDone;
 }
 
@@ -75,9 +75,9 @@ int generate(const Value& settings) {
   programs::ConsoleReporter reporter;
   const programs::ParallelRun run(settings);
   if (!run.isPossible()) return generateHere(settings, reporter);
-  const auto missing_labels = run.make(reporter);
-  if (!missing_labels) return stopped(reporter);
-  reporter.info(run::lastLine(*missing_labels));
+  const auto summary = run.make(reporter);
+  if (!summary) return stopped(reporter);
+  reporter.info(run::lastLine(*summary));
   return kDone;
 }
 

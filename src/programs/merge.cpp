@@ -35,9 +35,9 @@ int main(int argc, char** argv) {
   stop_signals::ignoreFailedWriting();
   programs::ConsoleReporter reporter;
   try {
-    const std::vector<std::string> missing =
+    const run::RunSummary summary =
         run::mergeShards(arguments.front(), {arguments.begin() + 1, arguments.end()}, reporter);
-    reporter.info(run::lastLine(missing));
+    reporter.info(run::lastLine(summary));
     return 0;
   } catch (const ErrorList& errors) {
     for (const std::string& message : errors.messages()) programs::ConsoleReporter::fatal(message);

@@ -14,7 +14,8 @@ namespace synthetic_dataset::run {
 struct Generator::Impl {
   Impl(const Value& parameters, Reporter& user, const std::vector<std::string>& plugin_xml_files)
       : reporter(user),
-        setup(setUpRun(parameters, plugin_xml_files)),
+        setup(setUpRun(parameters, plugin_xml_files,
+                       [&user](const std::string& stage) { user.stage(stage); })),
         dataset(setup),
         loop(setup, dataset, reporter) {
     reportPlan(setup, dataset, loop.sceneCount(), reporter);

@@ -139,10 +139,9 @@ void removeShardManifests(const std::vector<FoundShard>& shards, const std::stri
 
 }  // namespace
 
-std::vector<std::string> mergeShards(const std::string& output_folder,
-                                     const std::vector<std::string>& shard_folders,
-                                     Reporter& reporter,
-                                     const std::vector<std::string>& plugin_xml_files) {
+RunSummary mergeShards(const std::string& output_folder,
+                       const std::vector<std::string>& shard_folders, Reporter& reporter,
+                       const std::vector<std::string>& plugin_xml_files) {
   const std::string folder = folderName(output_folder);
   std::set<std::string> folders;
   for (const std::string& each : shard_folders) folders.insert(folderName(each));
@@ -151,8 +150,9 @@ std::vector<std::string> mergeShards(const std::string& output_folder,
   if (shards.empty()) {
     if (fs::exists(output::manifestFile(folder)) &&
         output::readManifest(output::manifestFile(folder)).complete) {
-      reporter.info("the dataset in '" + folder + "' is complete already: there is nothing to do");
-      return {};
+      RunSummary summary;
+      summary.was_complete = true;
+      return summary;
     }
     throw Error("'" + *folders.begin() + "': no shards are there (each leaves a " +
                 "manifest.shard-INDEX-of-COUNT.sqlite in its output_folder)");
@@ -160,11 +160,14 @@ std::vector<std::string> mergeShards(const std::string& output_folder,
   const std::vector<std::string> problems = problemsOf(shards);
   if (!problems.empty()) throw ErrorList(problems);
 
-  RunSetup setup = setUpRun(mergedParameters(shards.front(), folder), plugin_xml_files);
+  RunSetup setup = setUpRun(mergedParameters(shards.front(), folder), plugin_xml_files,
+                            [&](const std::string& stage) { reporter.stage(stage); });
   requireSameRun(shards.front(), setup.description);
   const auto store = openMerged(setup);
-  std::vector<std::string> missing;
-  if (!store->wasComplete()) {
+  RunSummary summary;
+  summary.was_complete = store->wasComplete();
+  summary.manifest = store->manifestPath();
+  if (!summary.was_complete) {
     for (const FoundShard& each : shards) store->takeIn(each.place);
     const std::int64_t found = store->counts().scenes;
     if (found != setup.description.scene_count) {
@@ -175,12 +178,12 @@ std::vector<std::string> mergeShards(const std::string& output_folder,
     complete(*store, setup.config.objects);
     reporter.info(std::to_string(found) + " scenes of " + std::to_string(shards.size()) +
                   " shards merged");
-    missing = missingLabels(*store, setup.config.objects);
-    for (const std::string& message : missing) reporter.warning(message);
+    summary.missing_labels = missingLabels(*store, setup.config.objects);
+    for (const std::string& message : summary.missing_labels) reporter.warning(message);
   }
   removeShardManifests(shards, folder);
-  reporter.info("manifest: " + store->manifestPath());
-  return missing;
+  reporter.info("manifest: " + summary.manifest);
+  return summary;
 }
 
 }  // namespace synthetic_dataset::run

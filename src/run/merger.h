@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "run/reporter.h"
+#include "run/run_summary.h"
 
 namespace synthetic_dataset::run {
 
@@ -16,12 +17,13 @@ namespace synthetic_dataset::run {
 /// @param output_folder  where the dataset is to be; may hold shards
 /// @param shard_folders  more folders that hold shards
 /// @param plugin_xml_files  where to look for writers; empty: all that installed packages export
-/// @return what the user should know of labels that are missing
+/// @return with what the user should know of labels that are missing, whether the dataset was
+/// complete
+///     before, and its manifest
 /// @throws ErrorList: shards that are missing, not complete, or of another run; what cannot be
 ///     written. Then the shards are as they were.
-std::vector<std::string> mergeShards(const std::string& output_folder,
-                                     const std::vector<std::string>& shard_folders,
-                                     Reporter& reporter,
-                                     const std::vector<std::string>& plugin_xml_files = {});
+RunSummary mergeShards(const std::string& output_folder,
+                       const std::vector<std::string>& shard_folders, Reporter& reporter,
+                       const std::vector<std::string>& plugin_xml_files = {});
 
 }  // namespace synthetic_dataset::run

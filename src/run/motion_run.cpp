@@ -40,8 +40,10 @@ MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Require
   motion_start_ = first + picture_taker_.offsets().front();
 }
 
-bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, const Reporter& reporter) {
+bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& reporter) {
+  reporter.stage("letting physics settle");
   settle();
+  reporter.stage("drawing the first scene");
   std::int64_t instant = motion_.first_instant;
   const std::int64_t end = work.endOfWork(instant + motion_.instantCount());
   for (const Stamp stamp : motion_.timeline.stamps) {

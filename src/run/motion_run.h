@@ -37,7 +37,7 @@ class MotionRun {
   /// @param pipeline  gets the scenes, which are still to be finished: for that this has to live on
   /// @param reporter  asked before each instant whether to stop
   /// @return false when it was stopped
-  [[nodiscard]] bool run(const WorkPlan& work, ScenePipeline& pipeline, const Reporter& reporter);
+  [[nodiscard]] bool run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& reporter);
 
  private:
   /// A scene that was drawn, and may wait for what its optical flow needs.

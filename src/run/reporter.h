@@ -21,6 +21,9 @@ class Reporter {
   virtual void info(const std::string& /*message*/) {}
   virtual void warning(const std::string& /*message*/) {}
 
+  /// A step of the start begins that may take long; the first scene ends the start.
+  virtual void stage(const std::string& /*what*/) {}
+
   /// Before the first scene, and after each.
   virtual void progress(std::int64_t /*scenes_done*/, std::int64_t /*scenes*/) {}
 

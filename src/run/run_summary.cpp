@@ -42,7 +42,12 @@ std::vector<std::string> summaryLines(const RunSummary& summary) {
   return lines;
 }
 
-std::string lastLine(const std::vector<std::string>& missing_labels) {
+std::string lastLine(const RunSummary& summary) {
+  const std::vector<std::string>& missing_labels = summary.missing_labels;
+  if (summary.was_complete) {
+    return "done: the dataset was complete already, nothing had to be made (`if_exists: overwrite` "
+           "makes it anew)";
+  }
   if (missing_labels.empty()) return "done";
   const std::size_t more = missing_labels.size() - 1;
   return "done, but " + missing_labels.front() +

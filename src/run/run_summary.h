@@ -25,7 +25,7 @@ struct RunSummary {
   };
 
   bool stopped = false;       ///< ended early because the user asked for it
-  bool was_complete = false;  ///< there was nothing to do, and all else here is empty
+  bool was_complete = false;  ///< there was nothing to do, and all else but `manifest` is empty
   std::int64_t scenes = 0;    ///< made by this run
   double seconds = 0.0;       ///< that they took
 
@@ -43,7 +43,7 @@ struct RunSummary {
 /// The summary as lines of text.
 [[nodiscard]] std::vector<std::string> summaryLines(const RunSummary& summary);
 
-/// The last line of a run that is done: it says what is missing.
-[[nodiscard]] std::string lastLine(const std::vector<std::string>& missing_labels);
+/// The last line of a run that is done: it says what is missing, or that nothing had to be made.
+[[nodiscard]] std::string lastLine(const RunSummary& summary);
 
 }  // namespace synthetic_dataset::run

@@ -13,11 +13,13 @@ SceneLoop::SceneLoop(RunSetup& setup, SceneSink& sink, Reporter& reporter)
       work_(begin()) {}
 
 std::unique_ptr<MotionRun> SceneLoop::makeRun(MotionSetup& motion) const {
+  reporter_.stage("giving the world to OpenGL");
   return std::make_unique<MotionRun>(motion, *setup_.splits, sink_.requirements());
 }
 
 WorkPlan SceneLoop::begin() {
   setup_.description.software["opengl"] = motion_run_->glVersion();
+  reporter_.stage("opening the output folder");
   const DatasetInfo dataset = describeDataset(setup_.config, setup_.motions, *setup_.splits);
   sink_.begin(dataset);
   return {setup_.instantCount(), static_cast<std::int64_t>(dataset.cameras.size()),

@@ -89,8 +89,12 @@ struct WorldLoader::Caches {
   std::map<fs::path, std::string> xacro_texts;  ///< by `xacroName`
 };
 
-WorldLoader::WorldLoader(const ResourceFinder& finder, const LoadOptions& options)
-    : finder_(finder), options_(options), caches_(std::make_unique<Caches>(finder)) {}
+WorldLoader::WorldLoader(const ResourceFinder& finder, const LoadOptions& options,
+                         base::OnStage on_stage)
+    : finder_(finder),
+      options_(options),
+      on_stage_(std::move(on_stage)),
+      caches_(std::make_unique<Caches>(finder)) {}
 
 WorldLoader::~WorldLoader() = default;
 
@@ -98,6 +102,7 @@ Description WorldLoader::loadWorld(const std::string& uri) { return loadFile(uri
 
 Description WorldLoader::loadFile(const std::string& uri, const XacroArguments& arguments) {
   const fs::path file = fileFor(uri, finder_);
+  on_stage_("reading '" + uri + "'");
   const SdfFile& parsed = parsedFile([&]() -> const SdfFile& {
     if (!isXacro(file)) return caches_->sdf_files.read(file);
     const fs::path name = xacroName(file, arguments);
@@ -134,7 +139,10 @@ Description WorldLoader::loadSdf(const SdfFile& file) {
   reading.survey = &survey;
   static_cast<void>(describe(file, reading));
   findings.throwErrors();
+  const std::string of_file = " of '" + file.path.string() + "'";
+  on_stage_("reading the meshes" + of_file);
   caches_->meshes.readAhead(survey.meshes);
+  on_stage_("decoding the pictures" + of_file);
   caches_->meshes.textures().decodeAhead(survey.pictures);
   reading.survey = nullptr;
   Description description = describe(file, reading);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stages.h"
 #include "world/description.h"
 #include "world/files/resource_finder.h"
 #include "world/load_options.h"
@@ -24,9 +25,11 @@ struct SdfFile;
 class WorldLoader {
  public:
   /// @param finder  has to outlive the loader
-  explicit WorldLoader(const ResourceFinder& finder, const LoadOptions& options = {});
-  explicit WorldLoader(ResourceFinder&&,
-                       const LoadOptions& = {}) = delete;  // it has to outlive this
+  /// @param on_stage  called when a step begins that may take long
+  explicit WorldLoader(const ResourceFinder& finder, const LoadOptions& options = {},
+                       base::OnStage on_stage = base::ignoreStage);
+  explicit WorldLoader(ResourceFinder&&, const LoadOptions& = {},
+                       base::OnStage = {}) = delete;  // it has to outlive this
   ~WorldLoader();
   WorldLoader(const WorldLoader&) = delete;
   WorldLoader& operator=(const WorldLoader&) = delete;
@@ -64,6 +67,7 @@ class WorldLoader {
 
   const ResourceFinder& finder_;
   LoadOptions options_;
+  base::OnStage on_stage_;
   std::unique_ptr<Caches> caches_;
   std::vector<std::string> model_notes_;
   std::vector<CameraSensor> model_cameras_;

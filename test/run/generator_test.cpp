@@ -1,5 +1,6 @@
 #include "run/generator.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -46,6 +47,28 @@ TEST_F(GeneratorTest, MakesTheThreeDatasetsOfTheOriginal) {
   }
   EXPECT_EQ(made.count("yolo/00000004.png"), 0U);
   EXPECT_THAT(made.at("yolo/list.txt"), HasSubstr("/out/yolo/00000000.png\n"));
+}
+
+struct StageListener : Reporter {
+  void stage(const std::string& what) override { stages.push_back(what); }
+  std::vector<std::string> stages;
+};
+
+TEST_F(GeneratorTest, NamesTheStagesOfItsStart) {
+  StageListener listener;
+  generate(listener);
+  const auto at = [&](const std::string& part) {
+    const auto found = std::find_if(
+        listener.stages.begin(), listener.stages.end(),
+        [&](const std::string& stage) { return stage.find(part) != std::string::npos; });
+    EXPECT_NE(found, listener.stages.end()) << part;
+    return found;
+  };
+  EXPECT_LT(at("reading the recording '"), at(".world'"));
+  EXPECT_LT(at(".world'"), at("reading the objects' models"));
+  EXPECT_LT(at("reading the objects' models"), at("preparing the writers"));
+  EXPECT_LT(at("preparing the writers"), at("giving the world to OpenGL"));
+  EXPECT_EQ(listener.stages.back(), "drawing the first scene");
 }
 
 TEST_F(GeneratorTest, SeesTheObjectsWhereTheLabelsSay) {

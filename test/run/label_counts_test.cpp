@@ -11,9 +11,11 @@ namespace synthetic_dataset::run {
 namespace label_counts_test {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 /// In view, seen, dropped, counted, labelled.
@@ -47,9 +49,12 @@ TEST(MissingLabels, OfAllAreReportedFirst) {
 }
 
 TEST(MissingLabels, AreInTheLastLine) {
-  EXPECT_EQ(lastLine({}), "done");
-  EXPECT_EQ(lastLine({"object a has no label"}), "done, but object a has no label");
-  EXPECT_THAT(lastLine({"NOTHING is labelled", "object a", "object b"}),
+  RunSummary summary;
+  EXPECT_EQ(lastLine(summary), "done");
+  summary.missing_labels = {"object a has no label"};
+  EXPECT_EQ(lastLine(summary), "done, but object a has no label");
+  summary.missing_labels = {"NOTHING is labelled", "object a", "object b"};
+  EXPECT_THAT(lastLine(summary),
               AllOf(StartsWith("done, but NOTHING is labelled"), HasSubstr("2 more")));
 }
 
@@ -60,9 +65,36 @@ TEST(MissingLabels, OfNoSceneAreNone) {
 using LabelCountsTest = test::RunFixture;
 
 struct Listener : Reporter {
+  void info(const std::string& message) override { infos.push_back(message); }
   void warning(const std::string& message) override { warnings.push_back(message); }
+  std::vector<std::string> infos;
   std::vector<std::string> warnings;
 };
+
+/// Writers that ask for nothing but boxes around projections.
+Value::Map withLooseBoxesAlone(Value::Map parameters) {
+  parameters["writers"] = Value(Value::List{
+      Value(Value::Map{{"name", Value("yolo")}, {"type", Value("synthetic_dataset/Yolo")}})});
+  for (const char* other : {"bounding_shape", "stvnet", "background_subtractor"}) {
+    parameters.erase(other);
+  }
+  return parameters;
+}
+
+TEST_F(LabelCountsTest, OfARunThatDoesNotLookAtPixelsSayThatHiddenObjectsAreLabelled) {
+  parameters = withLooseBoxesAlone(parameters);
+  Listener listener;
+  generate(listener);
+  EXPECT_THAT(listener.infos, Contains(HasSubstr("labelled as if it were seen")));
+}
+
+TEST_F(LabelCountsTest, OfARunWithAThresholdSayNothingOfHiddenObjects) {
+  parameters = withLooseBoxesAlone(parameters);
+  parameters["labels"] = Value(Value::Map{{"min_pixels", Value(1)}});
+  Listener listener;
+  generate(listener);
+  EXPECT_THAT(listener.infos, Not(Contains(HasSubstr("labelled as if it were seen"))));
+}
 
 TEST_F(LabelCountsTest, AreReportedAtTheEndOfARun) {
   Listener listener;
@@ -93,7 +125,7 @@ TEST_F(LabelCountsTest, OfARunThatSeesNoObjectAreInItsEndAndInTheManifest) {
       testing::IsSupersetOf({HasSubstr("NOTHING is labelled"),
                              HasSubstr("object alpha has a label in none of 4 scenes: not a "
                                        "pixel of it is seen")}));
-  EXPECT_THAT(lastLine(summary.missing_labels), StartsWith("done, but NOTHING is labelled"));
+  EXPECT_THAT(lastLine(summary), StartsWith("done, but NOTHING is labelled"));
   const output::ManifestContent manifest = output::readManifest(output::manifestFile(folder));
   EXPECT_TRUE(manifest.complete);
   std::vector<std::string> listed;

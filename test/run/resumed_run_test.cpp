@@ -61,6 +61,7 @@ TEST_F(ResumedRunTest, OfACompleteDatasetDoesNothing) {
   const RunSummary summary = run.run();
   EXPECT_TRUE(summary.was_complete);
   EXPECT_EQ(summary.scenes, 0);
+  EXPECT_EQ(lastLine(summary).rfind("done: the dataset was complete already", 0), 0U);
   EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == before);
 }
 

@@ -24,10 +24,22 @@ void ConsoleReporter::warning(const std::string& message) { ROS_WARN_STREAM(mess
 
 void ConsoleReporter::fatal(const std::string& message) { ROS_FATAL_STREAM(message); }
 
+void ConsoleReporter::stage(const std::string& what) {
+  if (is_started_) return;
+  if (!start_report_) {
+    start_report_ = std::make_unique<StartReport>(
+        secondsNow, [](const std::string& message) { ROS_INFO_STREAM(message); });
+    ticker_ = std::make_unique<Ticker>([this] { start_report_->look(); });
+  }
+  start_report_->begin(what);
+}
+
 void ConsoleReporter::progress(std::int64_t /*scenes_done*/, std::int64_t scenes) {
   if (progress_ == nullptr) {
     start(scenes);
   } else {
+    is_started_ = true;
+    ticker_.reset();
     progress_->sceneDone();
   }
 }

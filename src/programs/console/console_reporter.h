@@ -4,6 +4,8 @@
 #include <string>
 
 #include "output/progress.h"
+#include "programs/console/start_report.h"
+#include "programs/console/ticker.h"
 #include "run/reporter.h"
 
 namespace synthetic_dataset::programs {
@@ -14,6 +16,7 @@ class ConsoleReporter : public run::Reporter {
  public:
   void info(const std::string& message) override;
   void warning(const std::string& message) override;
+  void stage(const std::string& what) override;
   void progress(std::int64_t scenes_done, std::int64_t scenes) override;
   [[nodiscard]] bool stopRequested() const override;
 
@@ -24,6 +27,9 @@ class ConsoleReporter : public run::Reporter {
   void start(std::int64_t scenes);
 
   std::unique_ptr<output::Progress> progress_;
+  bool is_started_ = false;  ///< a scene is there
+  std::unique_ptr<StartReport> start_report_;
+  std::unique_ptr<Ticker> ticker_;  ///< looks at `start_report_`, and ends before it
 };
 
 }  // namespace synthetic_dataset::programs

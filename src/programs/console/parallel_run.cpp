@@ -47,7 +47,7 @@ bool ParallelRun::isPossible() const {
          !output::shardManifests(config_.output.folder).empty();
 }
 
-std::optional<std::vector<std::string>> ParallelRun::make(run::Reporter& reporter) const {
+std::optional<run::RunSummary> ParallelRun::make(run::Reporter& reporter) const {
   shareCores(config_.processes);
   if (config_.output.if_exists == output::IfExists::kOverwrite && !removeEarlier(reporter))
     return std::nullopt;

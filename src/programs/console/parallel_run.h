@@ -1,11 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "config/config.h"
 #include "run/reporter.h"
+#include "run/run_summary.h"
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::programs {
@@ -22,10 +21,10 @@ class ParallelRun {
   /// process has to go on with.
   [[nodiscard]] bool isPossible() const;
 
-  /// @return once the dataset is complete, what the user should know of labels that are missing;
-  ///     nothing when it was stopped
+  /// @return once the dataset is complete, what run::mergeShards says of it; nothing when it was
+  ///     stopped
   /// @throws ErrorList with all that is wrong
-  [[nodiscard]] std::optional<std::vector<std::string>> make(run::Reporter& reporter) const;
+  [[nodiscard]] std::optional<run::RunSummary> make(run::Reporter& reporter) const;
 
  private:
   [[nodiscard]] Value::Map settingsOf(int shard) const;

@@ -25,7 +25,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-enum class Kind : char { kInfo, kWarning, kError, kScenes, kScene };
+enum class Kind : char { kInfo, kWarning, kError, kStage, kScenes, kScene };
 
 // Exit codes of a process.
 constexpr int kDone = 0;
@@ -72,6 +72,7 @@ class SendingReporter : public run::Reporter {
 
   void info(const std::string& message) override { send(pipe_, Kind::kInfo, message); }
   void warning(const std::string& message) override { send(pipe_, Kind::kWarning, message); }
+  void stage(const std::string& what) override { send(pipe_, Kind::kStage, what); }
   void progress(std::int64_t /*scenes_done*/, std::int64_t scenes) override {
     if (!has_begun_) {
       stop_signals::waitForScenes();
@@ -211,6 +212,9 @@ class Processes {
         break;
       case Kind::kError:
         addError(message.text);
+        break;
+      case Kind::kStage:
+        if (index == 0) reporter_.stage(message.text);
         break;
       case Kind::kScenes:
         processes_[index].scenes = std::stoll(message.text);

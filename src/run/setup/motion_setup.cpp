@@ -31,8 +31,9 @@ std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& conf
 /// Sets a motion up part by part; what fails is noted, and the parts that need it are passed over.
 class MotionBuilder {
  public:
-  MotionBuilder(config::MotionEntry entry, config::Config config, WorldCache& worlds)
-      : worlds_(worlds) {
+  MotionBuilder(config::MotionEntry entry, config::Config config, WorldCache& worlds,
+                const base::OnStage& on_stage)
+      : worlds_(worlds), on_stage_(on_stage) {
     setup_.entry = std::move(entry);
     setup_.config = std::move(config);
     leaveOutOthers();
@@ -71,6 +72,10 @@ class MotionBuilder {
   }
 
   void openSource() {
+    if (config().motion.source == motion::MotionSource::kBag) {
+      const std::vector<std::string>& bags = config().motion.bag_files;
+      on_stage_("reading the recording" + (bags.size() == 1 ? " '" + bags.front() + "'" : ""));
+    }
     auto source = attempt([&] { return makeSource(config(), worlds_); });
     if (!source) return;
     setup_.frames = std::make_unique<motion::PlacedFrames>(std::move(source));
@@ -136,7 +141,7 @@ class MotionBuilder {
       }
     }
     WorldSetup world = setUpWorld(config(), setup_.variants, setup_.frames.get(),
-                                  worlds_.filesFor(config().world), found());
+                                  worlds_.filesFor(config().world), found(), on_stage_);
     sensors_ = std::move(world.sensors);
     setup_.driven_links = std::move(world.driven_links);
     setup_.inputs = std::move(world.inputs);
@@ -269,6 +274,7 @@ class MotionBuilder {
 
   void arrangeScenes() {
     if (!setup_.frames || !setup_.shapes || setup_.cameras.empty()) return;
+    on_stage_("arranging the scenes");
     setup_.variation = attempt([&] {
       return std::make_unique<scene::SceneVariation>(config(), setup_.cameras, setup_.variants,
                                                      *setup_.world, found());
@@ -291,6 +297,7 @@ class MotionBuilder {
   }
 
   WorldCache& worlds_;
+  const base::OnStage& on_stage_;
   MotionSetup setup_;
   std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
 };
@@ -303,8 +310,9 @@ bool MotionSetup::isCameraFrame(const std::string& frame) const {
   });
 }
 
-MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, WorldCache& worlds) {
-  return MotionBuilder(std::move(entry), std::move(config), worlds).build();
+MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, WorldCache& worlds,
+                        const base::OnStage& on_stage) {
+  return MotionBuilder(std::move(entry), std::move(config), worlds, on_stage).build();
 }
 
 }  // namespace synthetic_dataset::run

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/stages.h"
 #include "config/config.h"
 #include "config/motion_list.h"
 #include "motion/placed_frames.h"
@@ -53,7 +54,8 @@ struct MotionSetup {
 /// nothing.
 /// @param config  of the entry's settings
 /// @param worlds  that were read for other motions of the run
+/// @param on_stage  called when a step begins that may take long
 [[nodiscard]] MotionSetup setUpMotion(config::MotionEntry entry, config::Config config,
-                                      WorldCache& worlds);
+                                      WorldCache& worlds, const base::OnStage& on_stage);
 
 }  // namespace synthetic_dataset::run

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/motion_list.h"
+#include "label/pixel_labeller.h"
 #include "run/setup/dataset_description.h"
 #include "run/setup/motion_errors.h"
 #include "run/setup/run_record.h"
@@ -19,10 +20,13 @@ namespace {
 /// Builds a run part by part; what fails is noted, and the parts that need it are passed over.
 class Builder {
  public:
-  Builder(const Value& parameters, const std::vector<std::string>& plugin_xml_files)
+  Builder(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
+          const base::OnStage& on_stage)
       : parameters_(parameters),
         plugin_xml_files_(plugin_xml_files),
-        list_(config::readMotions(parameters)) {}
+        on_stage_(on_stage),
+        list_(config::readMotions(parameters)),
+        worlds_(on_stage) {}
 
   RunSetup build() {
     for (config::MotionEntry& entry : list_.entries) addMotion(entry);
@@ -43,6 +47,7 @@ class Builder {
     checkOnlyScenes();
     if (setup_.splits) noteEmptySplits();
     noteSubtraction();
+    noteUnseen();
     const std::vector<std::string> unused = unusedSettings(list_.entries, roots_);
     throwErrors();
     describe(unused);
@@ -57,7 +62,7 @@ class Builder {
     roots_.emplace_back(entry.settings);
     config::Config config = config::readConfig(roots_.back());
     setting_errors_.push_back(roots_.back().errors());
-    setup_.motions.push_back(setUpMotion(entry, std::move(config), worlds_));
+    setup_.motions.push_back(setUpMotion(entry, std::move(config), worlds_, on_stage_));
   }
 
   /// In proportion to the motions' weights, if there are any.
@@ -143,6 +148,7 @@ class Builder {
 
   void loadWriters() {
     if (config().writers.empty() || !setup_.splits) return;
+    on_stage_("preparing the writers");
     auto made = found().attempt([&] {
       return std::make_unique<output::WriterHost>(config().writers, dataset(), plugin_xml_files_);
     });
@@ -190,6 +196,16 @@ class Builder {
                     "masks/method: exact gives exact ones");
   }
 
+  /// What hides an object is found by those writers alone that ask for it.
+  void noteUnseen() {
+    if (!setup_.writers) return;
+    if (label::looksAtPixels(setup_.writers->requirements(), config().masks, config().labels))
+      return;
+    found().note("",
+                 "no writer of this run asks which pixels show an object: one that something hides "
+                 "is labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
+  }
+
   void throwErrors() {
     base::Diagnostics all;
     const auto addErrors = [&](const std::vector<std::string>& errors) {
@@ -229,6 +245,7 @@ class Builder {
       inputs.insert(motion.inputs.begin(), motion.inputs.end());
       found().merge(motion.found);
     }
+    on_stage_("taking the checksums of " + std::to_string(inputs.size()) + " input files");
     run.inputs = describeInputs(inputs);
     describeContents(dataset(), run);
     std::int64_t in_gaps = 0;
@@ -255,6 +272,7 @@ class Builder {
 
   const Value& parameters_;
   const std::vector<std::string>& plugin_xml_files_;
+  const base::OnStage& on_stage_;
   config::MotionList list_;
   std::vector<Parameters> roots_;                         ///< of the entries
   std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
@@ -269,8 +287,9 @@ std::int64_t RunSetup::instantCount() const {
   return motions.back().first_instant + motions.back().instantCount();
 }
 
-RunSetup setUpRun(const Value& parameters, const std::vector<std::string>& plugin_xml_files) {
-  return Builder(parameters, plugin_xml_files).build();
+RunSetup setUpRun(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
+                  const base::OnStage& on_stage) {
+  return Builder(parameters, plugin_xml_files, on_stage).build();
 }
 
 }  // namespace synthetic_dataset::run

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/stages.h"
 #include "config/config.h"
 #include "output/manifest/run_description.h"
 #include "output/writers/writer_host.h"
@@ -30,8 +31,10 @@ struct RunSetup {
 };
 
 /// Reads parameters, recordings, worlds, cameras and writers. Writes nothing.
+/// @param on_stage  called when a step begins that may take long
 /// @throws ErrorList with all that is wrong
 [[nodiscard]] RunSetup setUpRun(const Value& parameters,
-                                const std::vector<std::string>& plugin_xml_files);
+                                const std::vector<std::string>& plugin_xml_files,
+                                const base::OnStage& on_stage = base::ignoreStage);
 
 }  // namespace synthetic_dataset::run

@@ -27,10 +27,10 @@ auto explainingMissing(const Load& load) -> decltype(load()) {
 
 }  // namespace
 
-WorldFiles::WorldFiles(const config::WorldConfig& config)
+WorldFiles::WorldFiles(const config::WorldConfig& config, const base::OnStage& on_stage)
     : world_file_(config.file),
       finder_(config.model_folders, packages_.finder(), packages_.exports()),
-      loader_(finder_, config.loading) {}
+      loader_(finder_, config.loading, on_stage) {}
 
 const world::Description& WorldFiles::world() {
   if (!world_) world_ = explainingMissing([&] { return loader_.loadWorld(world_file_); });
@@ -53,7 +53,7 @@ WorldFiles& WorldCache::filesFor(const config::WorldConfig& config) {
   key.emplace_back(simulator ? static_cast<std::int64_t>(*simulator) : -1);
   for (const std::string& folder : config.model_folders) key.emplace_back(folder);
   std::unique_ptr<WorldFiles>& files = files_[base::jsonText(Value(key))];
-  if (!files) files = std::make_unique<WorldFiles>(config);
+  if (!files) files = std::make_unique<WorldFiles>(config, on_stage_);
   return *files;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/stages.h"
 #include "config/config.h"
 #include "run/setup/ros_packages.h"
 #include "world/files/resource_finder.h"
@@ -22,7 +23,8 @@ namespace synthetic_dataset::run {
 class WorldFiles {
  public:
   /// @param config  of a motion
-  explicit WorldFiles(const config::WorldConfig& config);
+  /// @param on_stage  called when a step begins that may take long
+  WorldFiles(const config::WorldConfig& config, const base::OnStage& on_stage);
   WorldFiles(const WorldFiles&) = delete;  // the loader refers to the finder
   WorldFiles& operator=(const WorldFiles&) = delete;
 
@@ -67,10 +69,14 @@ class WorldFiles {
 /// The worlds of a run's motions.
 class WorldCache {
  public:
+  /// @param on_stage  called when a step begins that may take long
+  explicit WorldCache(base::OnStage on_stage) : on_stage_(std::move(on_stage)) {}
+
   /// The files of a motion's world, the same for all motions that read them alike.
   [[nodiscard]] WorldFiles& filesFor(const config::WorldConfig& config);
 
  private:
+  base::OnStage on_stage_;
   std::map<std::string, std::unique_ptr<WorldFiles>> files_;  ///< by all that decides what is read
 };
 

@@ -57,8 +57,14 @@ std::vector<world::Model> loadDistractors(const config::Config& config, WorldFil
 class WorldBuilder {
  public:
   WorldBuilder(const config::Config& config, const std::vector<scene::ObjectVariants>& variants,
-               const motion::FrameSource* frames, WorldFiles& files, base::Diagnostics& found)
-      : config_(config), variants_(variants), frames_(frames), files_(files), found_(found) {}
+               const motion::FrameSource* frames, WorldFiles& files, base::Diagnostics& found,
+               const base::OnStage& on_stage)
+      : config_(config),
+        variants_(variants),
+        frames_(frames),
+        files_(files),
+        found_(found),
+        on_stage_(on_stage) {}
 
   WorldSetup build() {
     auto description = found_.attempt([&] { return files_.world(); });
@@ -66,6 +72,7 @@ class WorldBuilder {
     if (!description) return std::move(setup_);
     model_names_ = modelNames(*description);
     setup_.sensors = description->cameras;
+    on_stage_("reading the objects' models");
     for (std::size_t i = 0; i < config_.objects.size(); ++i) {
       setup_.driven_links.emplace_back();
       const scene::ObjectOptions& object = config_.objects[i];
@@ -79,6 +86,7 @@ class WorldBuilder {
     const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
     setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
     if (!distractors || lacks_objects_) return std::move(setup_);
+    on_stage_("making the world's bodies");
     auto world = found_.attempt([&] {
       return std::make_unique<world::World>(std::move(*description), std::move(objects_),
                                             config_.physics, std::move(*distractors));
@@ -164,6 +172,7 @@ class WorldBuilder {
   const motion::FrameSource* frames_;
   WorldFiles& files_;
   base::Diagnostics& found_;
+  const base::OnStage& on_stage_;
   std::string model_names_;  ///< of the world, objects included
   std::vector<world::MovingObject> objects_;
   bool lacks_objects_ = false;
@@ -175,8 +184,8 @@ class WorldBuilder {
 WorldSetup setUpWorld(const config::Config& config,
                       const std::vector<scene::ObjectVariants>& variants,
                       const motion::FrameSource* frames, WorldFiles& files,
-                      base::Diagnostics& found) {
-  return WorldBuilder(config, variants, frames, files, found).build();
+                      base::Diagnostics& found, const base::OnStage& on_stage) {
+  return WorldBuilder(config, variants, frames, files, found, on_stage).build();
 }
 
 }  // namespace synthetic_dataset::run

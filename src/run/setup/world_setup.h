@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/stages.h"
 #include "config/config.h"
 #include "motion/frame_source.h"
 #include "run/setup/world_files.h"
@@ -38,6 +39,6 @@ struct WorldSetup {
 [[nodiscard]] WorldSetup setUpWorld(const config::Config& config,
                                     const std::vector<scene::ObjectVariants>& variants,
                                     const motion::FrameSource* frames, WorldFiles& files,
-                                    base::Diagnostics& found);
+                                    base::Diagnostics& found, const base::OnStage& on_stage);
 
 }  // namespace synthetic_dataset::run

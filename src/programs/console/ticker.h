@@ -1,0 +1,27 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace synthetic_dataset::programs {
+
+/// Calls a function several times a second, in a thread of its own, as long as it lives.
+class Ticker {
+ public:
+  explicit Ticker(std::function<void()> tick);
+  ~Ticker();
+  Ticker(const Ticker&) = delete;
+  Ticker& operator=(const Ticker&) = delete;
+
+ private:
+  void run(const std::function<void()>& tick);
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool is_over_ = false;
+  std::thread thread_;  ///< last: it uses the others
+};
+
+}  // namespace synthetic_dataset::programs
