@@ -64,6 +64,15 @@ scene::CameraAim readAim(Parameters group) {
   return aim;
 }
 
+scene::StereoFrame readStereoFrame(Parameters& group, bool is_rectified) {
+  const std::string frame = group.optionalChoice("stereo_frame", {"auto", "first", "own"}, "auto");
+  if (!is_rectified) {
+    group.addError("stereo_frame", "found without `rectified: true`, of whose cameras it speaks");
+  }
+  if (frame == "auto") return scene::StereoFrame::kAuto;
+  return frame == "own" ? scene::StereoFrame::kOwn : scene::StereoFrame::kFirst;
+}
+
 std::optional<Pose> readPose(Parameters& group, const std::string& name) {
   const auto numbers = group.maybe<std::vector<double>>(name);
   if (!numbers) return std::nullopt;
@@ -160,6 +169,7 @@ scene::CameraOptions readCamera(Parameters group, const std::string& name,
                    "put somewhere else for each scene");
   }
   camera.rectified = group.maybe<bool>("rectified").value_or(false);
+  if (group.has("stereo_frame")) camera.stereo_frame = readStereoFrame(group, camera.rectified);
   readRange(group, camera);
   if (group.has("effects")) readEffects(group.group("effects"), camera);
   camera.frame = group.maybe<std::string>("frame_id");

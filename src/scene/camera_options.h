@@ -32,6 +32,13 @@ struct CameraAim {
   std::string look_at;                             ///< instead of both: an object, which it follows
 };
 
+/// Whose frame the second camera of a rectified stereo pair has.
+enum class StereoFrame {
+  kAuto,   ///< found by where it is
+  kFirst,  ///< the first camera's, as ROS has it
+  kOwn,    ///< its own, which is a baseline away from the first camera's
+};
+
 struct CameraOptions {
   std::string name = "camera";
   std::string group = "camera";                     ///< its parameters' full name, for messages
@@ -46,6 +53,7 @@ struct CameraOptions {
   std::optional<std::string> on;                    ///< the object that it is mounted on
   std::optional<randomize::CameraSampling> sample;  ///< drawn for each scene instead
   bool rectified = false;
+  StereoFrame stereo_frame = StereoFrame::kAuto;
   std::optional<double> near;  ///< [m]; none: as the world has it of its `sensor`
   std::optional<double> far;   ///< [m]; none: as the world has it of its `sensor`
   Shutter shutter;

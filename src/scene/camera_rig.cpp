@@ -214,15 +214,11 @@ std::string frameOf(const CameraOptions& config, const CalibratedCamera& camera,
 /// for each scene is put there itself.
 void placeInFrame(const CameraOptions& config, const CalibratedCamera& camera, CameraRig& rig) {
   rig.is_rectified = config.rectified;
+  rig.stereo_frame = config.stereo_frame;
   rig.optical_frame = rig.frame;
   if (rig.sampled || camera.X_FC.isApprox(Pose::Identity(), 0.0)) return;
   rig.X_FC = camera.X_FC;
   rig.optical_frame = rig.frame + "/" + rig.name;
-}
-
-/// Whether both calibrations are of cameras that are in one frame, by its name or by its pose.
-bool shareFrame(const CameraRig& a, const CameraRig& b) {
-  return a.frame == b.frame || (a.X_GC && b.X_GC && a.X_GC->isApprox(*b.X_GC, 0.0));
 }
 
 /// X_GF at a time around `instant`; where it is not known then, that of the instant.
@@ -237,10 +233,6 @@ Eigen::Vector3d middleOf(const FollowedObject& object, const world::World& world
                          const Pose& X_GO) {
   if (object.centres_O.empty()) return X_GO.translation();
   return X_GO * object.centres_O[world.variant(object.object)];
-}
-
-bool isBesideItsFrame(const CameraRig& camera) {
-  return camera.is_rectified && !camera.X_FC.translation().isZero(0.0);
 }
 
 }  // namespace
@@ -261,35 +253,6 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
   rig.shutter = config.shutter;
   rig.effects = effectsOf(config, sensor);
   return rig;
-}
-
-void alignStereoPairs(std::vector<CameraRig>& cameras) {
-  for (CameraRig& second : cameras) {
-    if (!isBesideItsFrame(second)) continue;
-    const auto isFirst = [&](const CameraRig& other) {
-      return shareFrame(other, second) && other.is_rectified && !isBesideItsFrame(other);
-    };
-    const auto first = std::find_if(cameras.begin(), cameras.end(), isFirst);
-    if (first == cameras.end()) continue;
-    const Eigen::Vector3d beside = second.X_FC.linear().transpose() * second.X_FC.translation();
-    second.X_FC = first->X_FC;
-    second.X_FC.translation() = first->X_FC * beside;
-  }
-}
-
-void notePictureFrames(const std::vector<CameraRig>& cameras, base::Diagnostics& found) {
-  for (const CameraRig& camera : cameras) {
-    if (camera.optical_frame == camera.frame) continue;
-    const Eigen::Vector3d p = camera.X_FC.translation() + Eigen::Vector3d::Zero();  // no -0
-    const double angle = Eigen::AngleAxisd(camera.X_FC.linear()).angle();
-    found.note("camera " + camera.name,
-               "its calibration puts the picture's frame, " + camera.optical_frame + ", at [" +
-                   fixed(p.x(), 4) + ", " + fixed(p.y(), 4) + ", " + fixed(p.z(), 4) + "] m in " +
-                   camera.frame + ", turned by " + fixed(angle, 4) + " rad" +
-                   (isBesideItsFrame(camera)
-                        ? "; " + camera.frame + " should be the frame of the pair's first camera"
-                        : ""));
-  }
 }
 
 double seenShare(const CameraModel& camera) {

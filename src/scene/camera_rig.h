@@ -43,6 +43,7 @@ struct CameraRig {
   Pose X_FC = Pose::Identity();
   std::string optical_frame = frame;  ///< of the picture: `frame`, unless X_FC moves it
   bool is_rectified = false;
+  StereoFrame stereo_frame = StereoFrame::kAuto;
   Shutter shutter = {};
   render::SensorEffects effects = {};
 
@@ -64,14 +65,6 @@ struct CameraRig {
                                       const std::vector<world::LinkInstance>& links,
                                       const std::vector<ObjectOptions>& objects,
                                       const motion::FrameSource& frames, base::Diagnostics& found);
-
-/// Turns the second camera of each rectified pair as its first one is turned. Both have the frame
-/// of the first, whose rectification leads from there to the rows that they share; the second one's
-/// own leads from the frame that it has by itself.
-void alignStereoPairs(std::vector<CameraRig>& cameras);
-
-/// Where pictures' frames are that calibrations turn or move.
-void notePictureFrames(const std::vector<CameraRig>& cameras, base::Diagnostics& found);
 
 /// The share of the image's pixels along which the lens sees something, 0 .. 1: less than all in
 /// the corners of a fisheye's image, and nearly none where a calibration's numbers are wrong.

@@ -35,6 +35,15 @@ TEST(ReadCameras, TheOriginalsFrameParameterCounts) {
   EXPECT_EQ(reading.cameras[0].frame, "eye");
 }
 
+TEST(ReadCameras, TheFrameOfAStereoPairIsOfRectifiedCamerasAlone) {
+  EXPECT_EQ(Reading("camera: {info_file: /a.yaml, rectified: true, stereo_frame: own}")
+                .cameras[0]
+                .stereo_frame,
+            scene::StereoFrame::kOwn);
+  EXPECT_THAT(Reading("camera: {info_file: /a.yaml, stereo_frame: own}").root.errors(),
+              Contains(HasSubstr("camera/stereo_frame: found without `rectified: true`")));
+}
+
 TEST(ReadCameras, SeveralHaveAGroupEach) {
   const Reading reading(
       "cameras:\n"

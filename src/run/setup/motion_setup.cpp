@@ -10,6 +10,7 @@
 #include "run/setup/scene_plan.h"
 #include "run/setup/size_checks.h"
 #include "run/setup/world_setup.h"
+#include "scene/stereo_pairs.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {
@@ -203,7 +204,7 @@ class MotionBuilder {
       noteFarAxis(camera, *rig);
       setup_.cameras.push_back(std::move(*rig));
     }
-    scene::alignStereoPairs(setup_.cameras);
+    scene::placeStereoPairs(setup_.cameras, *setup_.frames, found());
     scene::notePictureFrames(setup_.cameras, found());
   }
 
