@@ -127,7 +127,7 @@ Cuts findCuts(const std::vector<Stamps>& frames) {
     const auto voters = std::count_if(frames.begin(), frames.end(),
                                       [&](const Stamps& each) { return spans(each, first); });
     if (2 * group.size() < static_cast<std::size_t>(voters)) {
-      for (const Step& step : group) cuts.alone.push_back(step.frame);
+      for (const Step& step : group) cuts.alone[step.frame].push_back(step.arrival);
       continue;
     }
     cuts.all.push_back(first);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,8 @@ struct Cuts {
   std::vector<std::vector<Arrival>> of_frames;
   std::vector<Arrival> all;  ///< the first of each cut, of any frame
 
-  /// Frames, by index, whose stamps go back while those of most others do not.
-  std::vector<std::size_t> alone;
+  /// The steps back of single frames, by frame, while the stamps of most others go on; ascending.
+  std::map<std::size_t, std::vector<Arrival>> alone;
 
   /// To which stretch a frame's transform belongs, from 0.
   [[nodiscard]] std::size_t stretchOf(std::size_t frame, const Arrival& arrival) const;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "motion/frame_names.h"
+#include "motion/lone_steps.h"
 #include "motion/ros_time.h"
 #include "motion/time_text.h"
 #include "synthetic_dataset/errors.h"
@@ -70,8 +71,28 @@ void TransformRecording::add(RecordedTransform added) {
                            history.samples.back().parent == parent &&
                            isSameTransform(history.samples.back().X_PC, transform.transform);
   if (is_repeated) return;
+  if (lastsOn(history, {stamp, parent, transform.transform}, added.recorded)) {
+    history.sources.back() = {added.recorded, added.arrival, publisherOf(added.publisher)};
+    return;
+  }
   history.samples.push_back({stamp, parent, transform.transform});
   history.sources.push_back({added.recorded, added.arrival, publisherOf(added.publisher)});
+}
+
+/// Messages without stamps, such as gazebo_msgs/LinkStates, hold all of a world at 1000 Hz, and
+/// most of it stands still: of equal values in a row, the first and the last say all.
+bool TransformRecording::lastsOn(const History& history, const Sample& next, Stamp recorded) {
+  const std::vector<Sample>& samples = history.samples;
+  const std::size_t count = samples.size();
+  if (next.stamp != Stamp{0} || count < 2) return false;
+  const std::vector<Source>& sources = history.sources;
+  const bool goes_on = sources[count - 2].recorded < sources[count - 1].recorded &&
+                       sources[count - 1].recorded < recorded;
+  if (!goes_on) return false;  // a simulation's clock, for one
+  const auto isSame = [&](const Sample& each) {
+    return each.stamp == next.stamp && each.parent == next.parent && each.X_PC == next.X_PC;
+  };
+  return isSame(samples[count - 1]) && isSame(samples[count - 2]);
 }
 
 bool TransformRecording::moves(const std::string& frame) const {
@@ -185,12 +206,7 @@ void TransformRecording::cut(std::optional<std::size_t> stretch) {
     }
   }
   const Cuts cuts = findCuts(frames);
-  for (const std::size_t k : cuts.alone) {
-    find(FrameFinding{histories_[k].child,
-                      "the time stamps of the frame '" + tree_.names().of(histories_[k].child) +
-                          "' go back while those of the other frames go on; its transforms are "
-                          "taken in the order of their stamps"});
-  }
+  for (const auto& [k, steps] : cuts.alone) dropMixedTimes(histories_[k], steps);
   findStretches(cuts);
   if (stretch && *stretch >= stretches_.size()) {
     throw ErrorList({"stretch: found " + std::to_string(*stretch) +
@@ -206,6 +222,28 @@ void TransformRecording::cut(std::optional<std::size_t> stretch) {
       keepMoving(cuts, k);
     }
   }
+}
+
+void TransformRecording::dropMixedTimes(History& history, const std::vector<Arrival>& steps) {
+  std::vector<TimedTransform> transforms;
+  for (std::size_t i = 0; i < history.samples.size(); ++i) {
+    const Source& source = history.sources[i];
+    transforms.push_back({history.samples[i].stamp, source.recorded, source.arrival});
+  }
+  const std::vector<std::size_t> kept = withoutMixedTimes(transforms, steps, clock_offset_);
+  const auto first = std::find_if(transforms.begin(), transforms.end(), [&](const auto& each) {
+    return !(each.arrival < steps.front());
+  });
+  find(FrameFinding{
+      history.child,
+      "the time stamps of the frame '" + tree_.names().of(history.child) +
+          "' go back while those of the other frames go on" +
+          (steps.size() == 1 ? "" : ", " + std::to_string(steps.size()) + " times, first") +
+          ", to " + secondsText(first->stamp) + "; of its " + std::to_string(transforms.size()) +
+          " transforms, " + std::to_string(transforms.size() - kept.size()) +
+          " are left out, so that poses of before and after are not mixed"});
+  history.samples = inOrder(history.samples, kept);
+  history.sources = inOrder(history.sources, kept);
 }
 
 void TransformRecording::findStretches(const Cuts& cuts) {

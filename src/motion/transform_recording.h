@@ -78,6 +78,9 @@ class TransformRecording {
   void finishStampsOfZero();
   [[nodiscard]] Duration medianOffset() const;
   void cut(std::optional<std::size_t> stretch);
+  [[nodiscard]] static bool lastsOn(const History& history, const LinkHistory::Sample& next,
+                                    Stamp recorded);
+  void dropMixedTimes(History& history, const std::vector<Arrival>& steps);
   void findStretches(const Cuts& cuts);
   void keepMoving(const Cuts& cuts, std::size_t index);
   void keepStatic(const Cuts& cuts, History& history);

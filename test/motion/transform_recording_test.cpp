@@ -129,6 +129,36 @@ TEST(TransformRecording, TakesRecordTimesWhereAllStampsOfAFrameAreZero) {
   EXPECT_THAT(recording.findings().front().message, HasSubstr("have time stamps of zero"));
 }
 
+TEST(TransformRecording, OfWhatStandsStillWithoutStampsIsKnownAllTheTime) {
+  // gazebo_msgs/LinkStates: at rest, then moving, then at rest again.
+  TransformRecording recording;
+  for (std::int64_t seconds = 100; seconds <= 120; ++seconds) {
+    const Stamp recorded = std::chrono::seconds(seconds);
+    const double x = seconds <= 110   ? 1.0
+                     : seconds <= 112 ? 1.0 + 0.5 * static_cast<double>(seconds - 110)
+                                      : 2.0;
+    recording.add({transformAt(0, x),
+                   TransformKind::kMoving,
+                   "a.bag",
+                   recorded,
+                   {recorded, 0, static_cast<MessagePlace>(seconds)},
+                   ""});
+  }
+  const FrameTree tree = recording.finish();
+  const auto xAtTime = [&](double seconds) {
+    return tree
+        .transform(*tree.names().find("map"), *tree.names().find("alpha"),
+                   toStamp(ros::Time(seconds)))
+        ->translation()
+        .x();
+  };
+  EXPECT_DOUBLE_EQ(xAtTime(100.0), 1.0);
+  EXPECT_DOUBLE_EQ(xAtTime(109.5), 1.0);
+  EXPECT_DOUBLE_EQ(xAtTime(110.5), 1.25);
+  EXPECT_DOUBLE_EQ(xAtTime(111.5), 1.75);
+  EXPECT_DOUBLE_EQ(xAtTime(120.0), 2.0);
+}
+
 TEST(TransformRecording, DoesNotMindTheStampsOfStaticTransforms) {
   TransformRecording recording;
   auto transform = transformAt(4294967295U, 10.0);
