@@ -14,8 +14,9 @@ kept=$repository/test/reference/agreeing_worlds.txt
 "$here/install_dependencies.sh" python3-opencv
 build_workspace --target generate synthetic_dataset_writers
 use_workspace
-# Without Gazebo's media, so that the result does not depend on whether it is installed.
-python3 "$reference/gazebo/compare.py" "$output" --media /nowhere | tee "$output.log"
+# Without Gazebo's media, so that the result does not depend on whether it is installed, unless GAZEBO_MEDIA
+# names its share folder (share/gazebo-11).
+python3 "$here/compare_with_gazebo.py" "$reference" "$output" --media "${GAZEBO_MEDIA:-/nowhere}" | tee "$output.log"
 mkdir -p "$output" && mv "$output.log" "$output/log.txt"
 
 grep '^agrees' "$output/table.txt" | awk '{print $2}' | sort >"$output/agreeing_worlds.txt"
