@@ -10,6 +10,7 @@
 #include "world/sdf/sdf_includes.h"
 #include "world/sdf/sdf_lights.h"
 #include "world/sdf/sdf_models.h"
+#include "world/sdf/sdf_populations.h"
 #include "world/sdf/sdf_roads.h"
 #include "world/sdf/sdf_scene.h"
 #include "world/sdf/sdf_state.h"
@@ -30,12 +31,17 @@ class WorldReader {
     readGlobals();
     gather(world_);
     for (const Element& each : saved_.inserted) gatherOne(each);
+    // A world that was saved has the models themselves in its state.
+    for (const Element& each : world_.children("population")) {
+      for (ModelSource& source : readPopulation(each, place_, includes_, reading_)) {
+        addSource(std::move(source));
+      }
+    }
     for (ModelSource& source : sources_) addFrames(source);
     for (ModelSource& source : sources_) readSource(source);
     for (const Element& road : world_.children("road")) {
       description_.models.push_back(readRoad(road, placeOf(road, place_), reading_));
     }
-    noteLeftOut();
     return std::move(description_);
   }
 
@@ -128,12 +134,6 @@ class WorldReader {
   void addLight(Light light) {
     light.casts_shadow = light.casts_shadow && has_shadows_;
     description_.lights.push_back(std::move(light));
-  }
-
-  void noteLeftOut() {
-    if (world_.has("population")) {
-      reading_.findings.addNote(place_, "<population> is left out");
-    }
   }
 
   const Element& world_;

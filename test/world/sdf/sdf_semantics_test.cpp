@@ -1,5 +1,8 @@
 /// Which model stands, moves and is where: what Gazebo Classic and the versions of SDF mean.
 
+#include <array>
+#include <string>
+
 #include <gmock/gmock.h>
 
 #include "world/sdf/sdf_loader_support.h"
@@ -209,6 +212,71 @@ TEST(SdfSemantics, UrdfMayBeIncludedInAModel) {
   EXPECT_EQ(robot.links[2].name, "arm::hand");
   EXPECT_EQ(robot.links[2].parent, 1U);
   EXPECT_TRUE(isAt(robot.links[2].X_ML, 1, 0, 1));
+}
+
+std::string population(const std::string& content) {
+  return "<population name='crates'>" +
+         modelElement("crate", "<pose>9 9 9 0 0 1</pose>" + linkElement(visualElement(kBox))) +
+         content + "</population>";
+}
+
+TEST(SdfSemantics, PopulationStandsInRowsAndColumnsAroundItsPose) {
+  const TemporaryFolder folder;
+  const Description world = loadText(
+      folder, worldFile(population("<pose>1 2 3 0 0 0</pose><distribution><type>grid</type><rows>2"
+                                   "</rows><cols>3</cols><step>0.5 0.4 0</step></distribution>")));
+  ASSERT_THAT(world.models, SizeIs(6));
+  EXPECT_EQ(world.models[5].name, "crate_clone_5");
+  EXPECT_TRUE(isAt(world.models[0].X_WM, 0.5, 1.8, 3.0));
+  EXPECT_TRUE(isAt(world.models[1].X_WM, 1.0, 1.8, 3.0));
+  EXPECT_TRUE(isAt(world.models[5].X_WM, 1.5, 2.2, 3.0));
+  EXPECT_TRUE(world.models[0].X_WM.linear().isIdentity()) << "not the model's own pose";
+}
+
+TEST(SdfSemantics, PopulationStandsInALine) {
+  const TemporaryFolder folder;
+  const Description world = loadText(
+      folder, worldFile(population("<pose>0 4 0 0 0 0</pose><box><size>2 1 0.5</size></box>"
+                                   "<model_count>4</model_count><distribution><type>"
+                                   "linear-x</type></distribution>")));
+  ASSERT_THAT(world.models, SizeIs(4));
+  EXPECT_TRUE(isAt(world.models[0].X_WM, -1.0, 4.0, 0.0));
+  EXPECT_TRUE(isAt(world.models[3].X_WM, 0.5, 4.0, 0.0));
+}
+
+TEST(SdfSemantics, PopulationAtRandomIsInItsRegionAndTheSameAgain) {
+  const TemporaryFolder folder;
+  for (const std::string type : {"random", "uniform"}) {
+    const std::string text = worldFile(
+        population("<pose>3 3 1 0 0 0</pose><cylinder><radius>2</radius><length>0.5</length>"
+                   "</cylinder><model_count>50</model_count><distribution><type>" +
+                   type + "</type></distribution>"));
+    const Description world = loadText(folder, text);
+    const Description again = loadText(folder, text);
+    ASSERT_THAT(world.models, SizeIs(50));
+    std::array<int, 4> quarters{};
+    for (std::size_t i = 0; i < 50; ++i) {
+      const Eigen::Vector3d p = world.models[i].X_WM.translation() - Eigen::Vector3d(3, 3, 1);
+      EXPECT_LE(p.head<2>().norm(), 2.0);
+      EXPECT_GE(p.z(), 0.0);
+      EXPECT_LE(p.z(), 0.5);
+      EXPECT_EQ(world.models[i].X_WM.translation(), again.models[i].X_WM.translation());
+      ++quarters[(p.x() > 0 ? 1U : 0U) + (p.y() > 0 ? 2U : 0U)];
+    }
+    for (const int count : quarters) EXPECT_GE(count, 5) << type;
+  }
+}
+
+TEST(SdfSemantics, PopulationThatSaysTooLittleIsLeftOutWithANote) {
+  const TemporaryFolder folder;
+  const Description world = loadText(
+      folder, worldFile(population("<box><size>1 1 1</size></box><model_count>0</model_count>"
+                                   "<distribution><type>random</type></distribution>") +
+                        population("<model_count>3</model_count>"
+                                   "<distribution><type>random</type></distribution>")));
+  EXPECT_THAT(world.models, IsEmpty());
+  EXPECT_THAT(world.notes, ElementsAre(HasSubstr("model_count: found 0"),
+                                       HasSubstr("no <box> and no <cylinder>")));
 }
 
 TEST(SdfSemantics, ActorStandsAtItsFirstWaypoint) {

@@ -1,0 +1,198 @@
+#include "world/sdf/sdf_populations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "base/random/random_source.h"
+#include "world/sdf/sdf_values.h"
+
+namespace synthetic_dataset::world {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr double kMostModels = 10000.0;
+
+/// Three numbers of 0 .. 1 for each model.
+using Draw = std::function<Eigen::Vector3d(std::size_t index)>;
+
+/// Evenly spread: the additive recurrence of the root of x^4 = x + 1 (Roberts 2018, "The
+/// unreasonable effectiveness of quasirandom sequences").
+Eigen::Vector3d evenly(std::size_t index) {
+  constexpr double kRoot = 1.2207440846057596;
+  Eigen::Vector3d result;
+  double step = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    step /= kRoot;
+    const double at = 0.5 + step * static_cast<double>(index + 1);
+    result[axis] = at - std::floor(at);
+  }
+  return result;
+}
+
+/// A whole number of at least 1; nothing, with a note, where it is none.
+std::optional<std::size_t> readCount(const Element& parent, const char* name, const Place& place,
+                                     SdfReading& reading) {
+  const double count = readNumber(parent, name, 0.0, place, reading);
+  if (count >= 1.0 && count <= kMostModels) return static_cast<std::size_t>(count);
+  reading.findings.addNote(place, std::string(name) + ": found " + shortText(count) +
+                                      "; it should be 1 to 10000; the population is left out");
+  return std::nullopt;
+}
+
+/// Where the models of a population are.
+class PopulationReader {
+ public:
+  PopulationReader(const Element& population, const Place& place, SdfReading& reading)
+      : population_(population), place_(place), reading_(reading) {}
+
+  /// In the world; none, with a note, where it does not say.
+  std::vector<Eigen::Vector3d> positions() {
+    const Element distribution = population_.child("distribution");
+    const std::string type = readText(distribution, "type");
+    std::vector<Eigen::Vector3d> offsets;
+    if (type == "grid") {
+      offsets = gridOf(distribution);
+    } else if (const auto count = readCount(population_, "model_count", place_, reading_)) {
+      offsets = regionOf(type, *count);
+    }
+    const Pose X_WP = readPose(population_, place_, reading_).pose;
+    for (Eigen::Vector3d& each : offsets)
+      each = X_WP.linear() * each + corner_ + X_WP.translation();
+    return offsets;
+  }
+
+ private:
+  /// The pose is the middle of the rows and columns.
+  std::vector<Eigen::Vector3d> gridOf(const Element& distribution) {
+    const auto rows = readCount(distribution, "rows", place_, reading_);
+    const auto columns = readCount(distribution, "cols", place_, reading_);
+    if (!rows || !columns) return {};
+    if (static_cast<double>(*rows) * static_cast<double>(*columns) > kMostModels) {
+      note("of " + std::to_string(*rows) + " x " + std::to_string(*columns) +
+           " models is more than 10000");
+      return {};
+    }
+    const Eigen::Vector3d step =
+        readVector(distribution, "step", Eigen::Vector3d::Zero(), place_, reading_);
+    corner_ = -0.5 * Eigen::Vector3d(step.x() * static_cast<double>(*columns - 1),
+                                     step.y() * static_cast<double>(*rows - 1), 0.0);
+    std::vector<Eigen::Vector3d> offsets;
+    for (std::size_t row = 0; row < *rows; ++row) {
+      for (std::size_t column = 0; column < *columns; ++column) {
+        offsets.emplace_back(step.x() * static_cast<double>(column),
+                             step.y() * static_cast<double>(row), 0.0);
+      }
+    }
+    return offsets;
+  }
+
+  std::vector<Eigen::Vector3d> regionOf(const std::string& type, std::size_t count) {
+    if (const Element box = population_.child("box")) return boxOf(box, type, count);
+    if (const Element cylinder = population_.child("cylinder")) {
+      return cylinderOf(cylinder, type, count);
+    }
+    note("has no <box> and no <cylinder>");
+    return {};
+  }
+
+  /// The pose is its middle.
+  std::vector<Eigen::Vector3d> boxOf(const Element& box, const std::string& type,
+                                     std::size_t count) {
+    const Eigen::Vector3d size = readVector(box, "size", Eigen::Vector3d::Zero(), place_, reading_);
+    if (!(size.minCoeff() > 0.0)) {
+      note("has a box without a volume");
+      return {};
+    }
+    corner_ = -0.5 * size;
+    static const std::array<std::string, 3> kLines = {"linear-x", "linear-y", "linear-z"};
+    const auto line = std::find(kLines.begin(), kLines.end(), type);
+    if (line == kLines.end()) {
+      return drawn(type, count, [&](const Eigen::Vector3d& at) { return at.cwiseProduct(size); });
+    }
+    std::vector<Eigen::Vector3d> offsets(count, 0.5 * size);
+    const auto axis = static_cast<Eigen::Index>(line - kLines.begin());
+    for (std::size_t i = 0; i < count; ++i) {
+      offsets[i][axis] = size[axis] * static_cast<double>(i) / static_cast<double>(count);
+    }
+    return offsets;
+  }
+
+  /// The pose is the middle of its base. At random, Gazebo draws the distance from the axis, so
+  /// that more are near to it.
+  std::vector<Eigen::Vector3d> cylinderOf(const Element& cylinder, const std::string& type,
+                                          std::size_t count) {
+    const double radius = readNumber(cylinder, "radius", 0.0, place_, reading_);
+    const double length = readNumber(cylinder, "length", 0.0, place_, reading_);
+    if (!(radius > 0.0 && length > 0.0)) {
+      note("has a cylinder without a volume");
+      return {};
+    }
+    const bool is_even = type == "uniform";
+    return drawn(type, count, [&](const Eigen::Vector3d& at) {
+      const double distance = radius * (is_even ? std::sqrt(at.y()) : at.y());
+      const double angle = kTwoPi * at.x();
+      return Eigen::Vector3d(distance * std::cos(angle), distance * std::sin(angle),
+                             length * at.z());
+    });
+  }
+
+  template <class Place01>
+  std::vector<Eigen::Vector3d> drawn(const std::string& type, std::size_t count,
+                                     const Place01& in_region) {
+    base::RandomSource random(0, 0, "population " + population_.attribute("name"));
+    Draw draw = evenly;
+    if (type == "random") {
+      draw = [&](std::size_t) {
+        const double x = random.unit();
+        const double y = random.unit();
+        return Eigen::Vector3d(x, y, random.unit());
+      };
+    } else if (type != "uniform") {
+      note("has the distribution '" + type + "', which its region cannot have");
+      return {};
+    }
+    std::vector<Eigen::Vector3d> offsets;
+    for (std::size_t i = 0; i < count; ++i) offsets.push_back(in_region(draw(i)));
+    return offsets;
+  }
+
+  void note(const std::string& what) {
+    reading_.findings.addNote(place_, "the population " + what + "; it is left out");
+  }
+
+  const Element& population_;
+  const Place& place_;
+  SdfReading& reading_;
+  Eigen::Vector3d corner_ = Eigen::Vector3d::Zero();  ///< of the region, before the pose
+};
+
+}  // namespace
+
+std::vector<ModelSource> readPopulation(const Element& population, const Place& outer,
+                                        SdfIncludes& includes, SdfReading& reading) {
+  const Place place = placeOf(population, outer);
+  const Element model = population.child("model");
+  if (!model) {
+    reading.findings.addNote(place, "has no <model>; the population is left out");
+    return {};
+  }
+  std::vector<ModelSource> models;
+  for (const Eigen::Vector3d& p_W : PopulationReader(population, place, reading).positions()) {
+    ModelSource source = includes.modelOf(model, place);
+    source.name += "_clone_" + std::to_string(models.size());
+    source.pose = {};
+    source.pose.pose.translation() = p_W;
+    models.push_back(std::move(source));
+  }
+  return models;
+}
+
+}  // namespace synthetic_dataset::world
