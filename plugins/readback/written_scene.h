@@ -7,6 +7,7 @@
 
 #include "plugins/readback/kept_files.h"
 #include "synthetic_dataset/scene.h"
+#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::formats {
 
@@ -20,6 +21,8 @@ struct WrittenScene {
 
   /// Shared by the scenes of a dataset that are read one after another.
   std::shared_ptr<KeptFiles> kept = std::make_shared<KeptFiles>();
+
+  Value::Map settings = {};  ///< the writer's, which it has accepted
 
   /// The file whose path below `folder` ends in `end`; the first of several.
   /// @throws Error when there is none

@@ -14,6 +14,11 @@ struct PixelOrigin {
   [[nodiscard]] Box of(const Box& box) const {
     return {box.left + offset, box.top + offset, box.right + offset, box.bottom + offset};
   }
+
+  /// A box that is counted from there, in OpenCV's coordinates again.
+  [[nodiscard]] Box back(const Box& box) const {
+    return {box.left - offset, box.top - offset, box.right - offset, box.bottom - offset};
+  }
 };
 
 [[nodiscard]] inline PixelOrigin readPixelOrigin(Parameters& parameters) {

@@ -2,6 +2,7 @@
 
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
+#include "plugins/shared/pixel_origin.h"
 #include "plugins/stvnet/stvnet_folder.h"
 
 namespace synthetic_dataset::formats::stvnet {
@@ -11,7 +12,8 @@ namespace fs = std::filesystem;
 
 /// `id x y x y ...` as fractions of the image. The id is at least one word, and may be several:
 /// coordinates have a point and come in pairs.
-std::vector<cv::Point2d> readKeypoints(const fs::path& file, const cv::Size& image) {
+std::vector<cv::Point2d> readKeypoints(const fs::path& file, const cv::Size& image,
+                                       const PixelOrigin& origin) {
   std::vector<cv::Point2d> keypoints;
   const auto lines = readLines(file);
   if (lines.empty()) return keypoints;
@@ -20,13 +22,15 @@ std::vector<cv::Point2d> readKeypoints(const fs::path& file, const cv::Size& ima
   while (first > 1 && words[first - 1].find('.') != std::string::npos) --first;
   first += (words.size() - first) % 2;
   for (std::size_t i = first; i + 1 < words.size(); i += 2) {
-    keypoints.emplace_back(numberOf(words[i], file) * image.width,
-                           numberOf(words[i + 1], file) * image.height);
+    keypoints.emplace_back(numberOf(words[i], file) * image.width - origin.offset,
+                           numberOf(words[i + 1], file) * image.height - origin.offset);
   }
   return keypoints;
 }
 
 LabelledPicture readScene(const WrittenScene& scene) {
+  Parameters parameters(scene.settings);
+  const PixelOrigin origin = readPixelOrigin(parameters);
   LabelledPicture picture;
   for (const fs::path& image : scene.files) {
     if (image.parent_path().string().find("/JPEGImages") == std::string::npos) continue;
@@ -41,7 +45,7 @@ LabelledPicture readScene(const WrittenScene& scene) {
     label.object_name = object.lexically_relative(scene.folder).string();
     label.mask = readPicture(object / "mask" / number, cv::IMREAD_GRAYSCALE);
     fs::path text = object / "labels" / number;
-    label.keypoints = readKeypoints(text.replace_extension(".txt"), picture.image.size());
+    label.keypoints = readKeypoints(text.replace_extension(".txt"), picture.image.size(), origin);
     picture.labels.push_back(std::move(label));
   }
   return picture;

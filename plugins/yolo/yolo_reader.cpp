@@ -30,6 +30,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   const std::filesystem::path file = scene.file(".txt");
   const std::filesystem::path list = scene.folder / kYoloNames;
   const auto names = std::filesystem::exists(list) ? readLines(list) : std::vector<std::string>();
+  Parameters parameters(scene.settings);
+  const PixelOrigin origin = readYoloOptions(parameters).origin;
   const double width = picture.image.cols;
   const double height = picture.image.rows;
   for (const std::string& line : readLines(file)) {
@@ -43,7 +45,7 @@ LabelledPicture readScene(const WrittenScene& scene) {
     DrawnLabel label;
     label.class_names = {joined({words.begin(), words.end() - 4})};
     label.caption = nameOf(label.class_names.front(), names);
-    label.box = Box{u - half_width, v - half_height, u + half_width, v + half_height};
+    label.box = origin.back({u - half_width, v - half_height, u + half_width, v + half_height});
     picture.labels.push_back(std::move(label));
   }
   return picture;
@@ -67,6 +69,7 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*
       ExpectedLabel label{object.name, joined(wordsOf(yoloClass(object, options)))};
       label.box = yoloBox(*object.loose_box, options, scene.size.width, scene.size.height);
       if (!label.box) continue;
+      label.box = options.origin.back(*label.box);
       label.box_tolerance = toleranceOf(*label.box, scene.size);
       expected.labels.push_back(std::move(label));
     }

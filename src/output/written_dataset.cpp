@@ -1,9 +1,12 @@
 #include "output/written_dataset.h"
 
 #include <algorithm>
+#include <map>
 
+#include "base/yaml_value.h"
 #include "output/files/file_name_rules.h"
 #include "output/manifest/manifest.h"
+#include "output/writer_settings.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -19,6 +22,16 @@ std::string existingManifest(const std::filesystem::path& folder) {
               "its output_folder)");
 }
 
+std::map<std::string, Value> settingsIn(SqliteDatabase& database) {
+  std::map<std::string, Value> settings;
+  SqliteStatement rows(database, "SELECT name, value FROM setting");
+  for (rows.start(); rows.step();) {
+    const std::string name = rows.text(0);
+    settings[name] = base::parseYaml(rows.text(1), "setting '" + name + "'");
+  }
+  return settings;
+}
+
 }  // namespace
 
 WrittenDataset::WrittenDataset(const std::filesystem::path& folder)
@@ -27,9 +40,14 @@ WrittenDataset::WrittenDataset(const std::filesystem::path& folder)
   SqliteStatement rows(
       database_, "SELECT \"index\", name, type, output_folder FROM writer ORDER BY \"index\"");
   for (rows.start(); rows.step();) {
-    writers_.push_back(
-        {rows.integer(0), rows.text(1), rows.text(2), (folder_ / rows.text(3)).lexically_normal()});
+    writers_.push_back({rows.integer(0),
+                        rows.text(1),
+                        rows.text(2),
+                        (folder_ / rows.text(3)).lexically_normal(),
+                        {}});
   }
+  const std::map<std::string, Value> settings = settingsIn(database_);
+  for (WrittenWriter& each : writers_) each.settings = writerSettings(settings, each.name);
   SqliteStatement cameras(database_, "SELECT name FROM camera ORDER BY \"index\"");
   for (cameras.start(); cameras.step();) cameras_.push_back(cameras.text(0));
 }

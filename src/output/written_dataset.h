@@ -7,6 +7,7 @@
 
 #include "output/manifest/sqlite.h"
 #include "synthetic_dataset/scene.h"
+#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::output {
 
@@ -16,6 +17,7 @@ struct WrittenWriter {
   std::string name;
   std::string type;
   std::filesystem::path folder;  ///< absolute
+  Value::Map settings;           ///< its own
 };
 
 /// A scene as a manifest lists it.

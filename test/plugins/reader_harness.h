@@ -32,7 +32,16 @@ class ReaderTest : public testing::Test {
 
   [[nodiscard]] LabelledPicture readScene(const std::vector<std::filesystem::path>& files,
                                           const std::string& name = "00000000") const {
-    return format_->read({folder_.path(), name, 0, Stamp{0}, files});
+    return readScene(files, name, {});
+  }
+
+  /// @param settings  of the writer
+  [[nodiscard]] LabelledPicture readScene(const std::vector<std::filesystem::path>& files,
+                                          const std::string& name,
+                                          const Value::Map& settings) const {
+    WrittenScene scene{folder_.path(), name, 0, Stamp{0}, files};
+    scene.settings = settings;
+    return format_->read(scene);
   }
 
   /// Whether one of a label's lines goes from one point to the other, either way.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/yaml_value.h"
+#include "output/writer_settings.h"
 
 namespace synthetic_dataset::output {
 namespace {
@@ -49,23 +50,12 @@ MeasuredScenes::MeasuredScenes(const output::RunDescription& run) {
   }
 }
 
+Value::Map MeasuredScenes::settingsOf(const output::StoreWriter& writer) const {
+  return writerSettings(settings_, writer.name);
+}
+
 Parameters MeasuredScenes::parametersOf(const output::StoreWriter& writer) const {
-  const std::string group = writer.name + "/";
-  Value::Map parameters;
-  for (auto each = settings_.lower_bound(group);
-       each != settings_.end() && startsWith(each->first, group); ++each) {
-    // One level of groups alone: a class's or an object's name may have slashes.
-    const std::string name = each->first.substr(group.size());
-    const std::size_t slash = name.find('/');
-    Value& entry = parameters[name.substr(0, slash)];
-    if (slash == std::string::npos) {
-      entry = each->second;
-      continue;
-    }
-    if (!entry.is<Value::Map>()) entry = Value::Map{};
-    (*entry.as<Value::Map>())[name.substr(slash + 1)] = each->second;
-  }
-  return Parameters(parameters, writer.name);
+  return Parameters(settingsOf(writer), writer.name);
 }
 
 formats::MeasuredScene MeasuredScenes::scene(const output::SceneFacts& facts,

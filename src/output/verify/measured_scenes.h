@@ -19,6 +19,7 @@ class MeasuredScenes {
 
   [[nodiscard]] const std::vector<ClassInfo>& classes() const { return classes_; }
 
+  [[nodiscard]] Value::Map settingsOf(const output::StoreWriter& writer) const;
   [[nodiscard]] Parameters parametersOf(const output::StoreWriter& writer) const;
 
   /// @param writer  whose warnings are heeded

@@ -57,7 +57,11 @@ SceneVerifier::Labels SceneVerifier::labelsOf(const output::StoreWriter& writer)
   const bool has_dataset_files = content.complete && !content.shard;
   if (format == nullptr || (format->needs_dataset_files && !has_dataset_files)) return {};
   Parameters parameters = measured_.parametersOf(writer);
-  return {format, format->expectation(parameters, measured_.classes())};
+  Labels labels;
+  labels.format = format;
+  labels.expected = format->expectation(parameters, measured_.classes());
+  labels.settings = measured_.settingsOf(writer);
+  return labels;
 }
 
 void SceneVerifier::verifyDatasetFiles() {
@@ -145,7 +149,8 @@ void SceneVerifier::verifyLabels(const std::string& origin, const output::SceneF
                                       static_cast<std::size_t>(camera - cameras.begin()),
                                       scene.stamp,
                                       {files.paths.begin(), files.paths.end()},
-                                      kept_};
+                                      kept_,
+                                      labels_[writer].settings};
   const formats::ExpectedLabels expected = labels_[writer].expected(measured_.scene(scene, of));
   if (written.files.empty()) {
     // Formats with a folder for each object have none of a scene without labels.

@@ -41,6 +41,7 @@ class SceneVerifier {
   struct Labels {
     const formats::Format* format = nullptr;  ///< null: nothing that can be checked
     formats::Expectation expected;
+    Value::Map settings;  ///< the writer's
   };
 
   [[nodiscard]] Labels labelsOf(const output::StoreWriter& writer) const;

@@ -54,7 +54,8 @@ cv::Mat LabelSheets::pictureOf(const output::WrittenWriter& writer, std::int64_t
   if (format == nullptr) return {};
   const output::WrittenSceneRow row = dataset_.scene(scene);
   const formats::WrittenScene written{
-      writer.folder, row.name, row.camera_index, row.stamp, dataset_.files(writer, scene), kept_};
+      writer.folder, row.name,       row.camera_index, row.stamp, dataset_.files(writer, scene),
+      kept_,         writer.settings};
   if (written.files.empty()) return {};
   const formats::LabelledPicture picture = format->read(written);
   return picture.image.empty() ? cv::Mat() : formats::drawLabels(picture);
