@@ -203,6 +203,13 @@ ResourceFinder::Candidates ResourceFinder::exportedCandidates(const std::string&
   return result;
 }
 
+std::vector<std::string> ResourceFinder::mediaFolders() const {
+  std::vector<std::string> folders = media_folders_;
+  if (!export_finder_) return folders;
+  for (const std::string& exported : export_finder_().media) folders.push_back(exported);
+  return folders;
+}
+
 std::optional<fs::path> ResourceFinder::at(const fs::path& path) const {
   std::error_code ignored;  // neither of what is not there nor of a device, which may never end
   const fs::file_status status = fs::status(path, ignored);

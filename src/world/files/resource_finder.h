@@ -60,6 +60,10 @@ class ResourceFinder {
   /// A file at a path that is known, as `find` would give it.
   [[nodiscard]] std::optional<std::filesystem::path> at(const std::filesystem::path& path) const;
 
+  /// The folders of GAZEBO_RESOURCE_PATH and of an installed Gazebo, and those that ROS packages
+  /// export as Gazebo's media.
+  [[nodiscard]] std::vector<std::string> mediaFolders() const;
+
   /// The files that were found so far.
   [[nodiscard]] const std::set<std::filesystem::path>& found() const { return found_; }
 

@@ -146,6 +146,23 @@ std::optional<OgreMaterial> MaterialScripts::find(const ScriptRequest& request) 
   }
 }
 
+std::optional<OgreMaterial> MaterialScripts::findInMedia(const ScriptRequest& request) {
+  for (const std::string& folder : finder_.mediaFolders()) {
+    for (const char* media : {"media", "Media"}) {
+      const fs::path materials = fs::path(folder) / media / "materials";
+      for (const fs::path& script : scriptsIn(materials / "scripts")) {
+        try {
+          const ScriptRequest in_script{request.name, {script.string()}, request.folder};
+          if (auto found = find(in_script)) return found;
+        } catch (const Error&) {
+          continue;  // one that cannot be read, and that nobody has named
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 std::string MaterialScripts::searchedPlaces(const ScriptRequest& request) const {
   const Places places = placesOf(request);
   std::string text;

@@ -35,6 +35,10 @@ class MaterialScripts {
   ///     "shelf.material: line 7: ..."
   [[nodiscard]] std::optional<OgreMaterial> find(const ScriptRequest& request);
 
+  /// The same in the `media/materials/scripts` of all of Gazebo's media folders, whose materials
+  /// Gazebo Classic knows by their names alone (RenderEngine.cc, SetupResources).
+  [[nodiscard]] std::optional<OgreMaterial> findInMedia(const ScriptRequest& request);
+
   /// The URIs that lead nowhere.
   [[nodiscard]] std::vector<std::string> missingUris(const ScriptRequest& request) const {
     return placesOf(request).missing;

@@ -44,8 +44,7 @@ void configure(Assimp::Importer& importer) {
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   // <submesh> names what the modeller sees, not the file's identifiers.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT);
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCreaseAngle);
 }
 
@@ -214,6 +213,13 @@ struct SceneReader {
   }
 };
 
+bool hasLines(const aiScene& scene) {
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    if ((scene.mMeshes[i]->mPrimitiveTypes & aiPrimitiveType_LINE) != 0) return true;
+  }
+  return false;
+}
+
 /// A material that no file has asked for leaves the colour to the vertices that have one.
 void whitenMadeUp(MeshFile& result) {
   for (const MeshPart& part : result.parts) {
@@ -314,6 +320,7 @@ MeshFile importMeshFile(const std::filesystem::path& file,
   reader.read(*scene->mRootNode, Eigen::Affine3d::Identity());
   if (reader.parts.empty()) throw Error("has no triangles");
   result.parts = std::move(reader.parts);
+  result.has_lines = hasLines(*scene);
   result.notes = notesOn(result, access);
   whitenMadeUp(result);
   return result;

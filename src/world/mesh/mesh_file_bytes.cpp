@@ -152,6 +152,7 @@ std::string toBytes(const MeshFile& file) {
   for (const MeshPart& part : file.parts) write(part, writer);
   writer.number<std::uint64_t>(file.notes.size());
   for (const std::string& note : file.notes) writer.text(note);
+  writer.number(file.has_lines);
   writer.number(file.y_up);
   writer.text(file.refusal);
   return writer.take();
@@ -177,6 +178,7 @@ MeshFile meshFileOf(std::string_view bytes) {
   for (std::size_t i = 0; i < parts; ++i) file.parts.push_back(readPart(reader));
   file.notes.resize(reader.entries());
   for (std::string& note : file.notes) note = reader.text();
+  file.has_lines = reader.number<bool>();
   file.y_up = reader.number<bool>();
   file.refusal = reader.text();
   return file;

@@ -202,6 +202,7 @@ const MeshFile& MeshLoader::read(const std::filesystem::path& file,
   }
   if (wanted_.insert(file.string()).second) {
     for (const std::string& note : content.notes) notes_.emplace_back(meshError(file, note).what());
+    if (content.has_lines) with_lines_.push_back(file.string());
   }
   return content;
 }
@@ -233,6 +234,11 @@ std::shared_ptr<const Mesh> MeshLoader::whole(const MeshRequest& request) {
 
 std::vector<std::string> MeshLoader::takeNotes() {
   std::vector<std::string> notes = std::exchange(notes_, {});
+  if (const std::vector<std::string> files = std::exchange(with_lines_, {}); !files.empty()) {
+    const std::size_t others = files.size() - 1;
+    notes.push_back("lines in meshes have no area, and are not drawn: those of '" + files.front() +
+                    "'" + (others == 0 ? "" : " and of " + std::to_string(others) + " others"));
+  }
   std::string pictures;
   for (const std::string& picture : textures_.takeStandIns()) {
     pictures += (pictures.empty() ? "'" : ", '") + picture + "'";

@@ -95,6 +95,7 @@ class MeshLoader {
   std::map<std::string, std::variant<MeshFile, std::string>> files_;  ///< or why it is unreadable
   std::set<std::string> wanted_;  ///< files whose notes have been gathered
   std::vector<std::string> notes_;
+  std::vector<std::string> with_lines_;  ///< files, since notes were taken
   std::map<Key, std::vector<MeshPiece>> pieces_;
   std::map<Key, std::shared_ptr<const Mesh>> wholes_;
 };

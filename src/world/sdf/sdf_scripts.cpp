@@ -35,14 +35,20 @@ bool lacksFile(const ScriptRequest& request, const SdfReading& reading) {
   });
 }
 
-/// A script of the user's own comes before what Gazebo has under the same name.
+/// A script of the user's own comes before what Gazebo has under the same name, and this before
+/// what else is in its media folders.
 std::optional<Material> find(const ScriptRequest& request, const Place& place,
                              SdfReading& reading) {
   const auto missing = [&](const std::string& message) {
     reading.missing(place, "material '" + request.name + "': " + message);
   };
   try {
-    if (const std::optional<OgreMaterial> found = reading.meshes.scripts().find(request)) {
+    std::optional<OgreMaterial> found = reading.meshes.scripts().find(request);
+    if (!found) {
+      if (auto own = gazeboMaterial(request.name, reading.meshes.textures())) return own;
+      found = reading.meshes.scripts().findInMedia(request);
+    }
+    if (found) {
       for (const std::string& note : found->notes) {
         reading.findings.addNote("material '" + request.name + "': " + note);
       }
@@ -56,7 +62,7 @@ std::optional<Material> find(const ScriptRequest& request, const Place& place,
     missing(error.what());
     return defaultMaterial();
   }
-  return gazeboMaterial(request.name, reading.meshes.textures());
+  return std::nullopt;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 
 #include "world/mesh/mesh_file.h"
+#include "world/mesh/mesh_loader.h"
 #include "world/mesh/obj_repair.h"
 #include "world/sdf/sdf_loader_support.h"
 
@@ -174,6 +175,28 @@ TEST_F(GltfFiles, MayNameNoOthers) {
   folder_.write("model/model.config", "");
   EXPECT_THAT(read("model/meshes/a.gltf", gltf("../../a.bin", "a.png")).refusal,
               HasSubstr("which is not below " + (folder_ / "model").string()));
+}
+
+TEST_F(MeshRepair, OfLinesNothingIsDrawnAndTheLoaderSaysSo) {
+  std::string text = collada("<color>1 0 0 1</color>", "");
+  const std::string end = "</mesh>";
+  text.insert(text.find(end),
+              "<lines count='1' material='M'><input semantic='VERTEX' source='#v' "
+              "offset='0'/><p>0 1</p></lines>");
+  const MeshFile file = read("edged.dae", text);
+  EXPECT_TRUE(file.has_lines);
+  ASSERT_EQ(file.parts.size(), 1U);
+  EXPECT_EQ(file.parts[0].mesh.indices.size(), 3U);
+  EXPECT_FALSE(read("plain.dae", collada("<color>1 0 0 1</color>", "")).has_lines);
+
+  const ResourceFinder finder = test::finderIn(folder_);
+  MeshLoader loader(finder);
+  MeshRequest request;
+  request.file = folder_ / "edged.dae";
+  static_cast<void>(loader.pieces(request));
+  EXPECT_THAT(loader.takeNotes(),
+              ElementsAre(AllOf(HasSubstr("lines in meshes have no area, and are not drawn"),
+                                HasSubstr("edged.dae'"))));
 }
 
 }  // namespace mesh_repair_test

@@ -54,6 +54,26 @@ TEST(SdfScript, IsFoundInAFileAndItsPictureBesideItsFolder) {
             nullptr);
 }
 
+TEST(SdfScript, IsFoundByItsNameInGazebosMediaFolders) {
+  const TemporaryFolder folder;
+  folder.write("share/media/materials/scripts/shelf.material", kScript);
+  std::filesystem::create_directories(folder / "share/media/materials/textures");
+  cv::imwrite((folder / "share/media/materials/textures/red.png").string(),
+              cv::Mat(1, 1, CV_8UC3, cv::Scalar(1, 2, 3)));
+  const ResourceFinder finder({}, nullptr, [&] {
+    return ExportedFolders{{}, {(folder / "share").string()}};
+  });
+  const Description world = loadWorld(
+      folder
+          .write("world.sdf", worldFile(modelElement(
+                                  "m", linkElement(visualElement(kBox, script("Shelf/Red", ""))))))
+          .string(),
+      finder);
+  const Material& found = world.models.at(0).links.at(0).visuals.at(0).surfaces.at(0).material;
+  EXPECT_EQ(found.diffuse, Eigen::Vector4f(1, 0, 0, 1));
+  EXPECT_NE(found.texture, nullptr);
+}
+
 TEST(SdfScript, FindsPicturesInAnyFolderThatIsNamed) {
   const TemporaryFolder folder;
   writeShelf(folder, "pictures");
