@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "base/stages.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
@@ -50,7 +51,7 @@ class WorldFilesTest : public testing::Test {
 };
 
 TEST_F(WorldFilesTest, SayHowToDoWithoutFilesThatAreMissing) {
-  WorldFiles files(configOf({"a.dae", "b.dae", "a.dae"}));
+  WorldFiles files(configOf({"a.dae", "b.dae", "a.dae"}), base::ignoreStage);
   EXPECT_THAT(messagesOf([&] { (void)files.world(); }),
               ElementsAre(HasSubstr("'a.dae': no such file"), HasSubstr("'b.dae': no such file"),
                           HasSubstr("2 files are missing or cannot be read; "
@@ -60,7 +61,7 @@ TEST_F(WorldFilesTest, SayHowToDoWithoutFilesThatAreMissing) {
 TEST_F(WorldFilesTest, RefuseToLeadOutOfModelsEvenWhereFilesMayBeMissing) {
   config::WorldConfig config = configOf({"model://a/../../secret.dae"});
   config.loading.on_missing_asset = world::OnMissingAsset::kWarn;
-  WorldFiles files(config);
+  WorldFiles files(config, base::ignoreStage);
   (void)files.world();
   EXPECT_THAT(files.refusals(), ElementsAre(HasSubstr("'model://a/../../secret.dae'")));
 }
@@ -71,7 +72,7 @@ TEST_F(WorldFilesTest, FindWhatPackagesExportForGazebo) {
                       "<package><name>shop</name><export><gazebo_ros "
                       "gazebo_model_path='${prefix}/models'/></export></package>");
   (void)folder_.write("src/shop/models/box/box.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  WorldFiles files(configOf({"model://box/box.obj"}));
+  WorldFiles files(configOf({"model://box/box.obj"}), base::ignoreStage);
   EXPECT_EQ(files.world().models.at(0).links.at(0).visuals.size(), 1U);
   EXPECT_THAT(files.packageNotes(), ElementsAre(HasSubstr("src/broken/package.xml: line 1")));
 }
@@ -79,7 +80,7 @@ TEST_F(WorldFilesTest, FindWhatPackagesExportForGazebo) {
 TEST_F(WorldFilesTest, AskForNoPackagesWhereNothingIsMissing) {
   (void)folder_.write("src/broken/package.xml", "<package>");
   (void)folder_.write("worlds/box.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  WorldFiles files(configOf({"box.obj"}));
+  WorldFiles files(configOf({"box.obj"}), base::ignoreStage);
   (void)files.world();
   EXPECT_THAT(files.packageNotes(), IsEmpty());
 }
