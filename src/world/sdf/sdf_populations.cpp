@@ -23,17 +23,15 @@ constexpr double kMostModels = 10000.0;
 /// Three numbers of 0 .. 1 for each model.
 using Draw = std::function<Eigen::Vector3d(std::size_t index)>;
 
-/// Evenly spread: the additive recurrence of the root of x^4 = x + 1 (Roberts 2018, "The
-/// unreasonable effectiveness of quasirandom sequences").
+/// Evenly spread, over x and y above all: the additive recurrence of the root of x^3 = x + 1, and
+/// of the golden ratio in z (Roberts 2018, "The unreasonable effectiveness of quasirandom
+/// sequences").
 Eigen::Vector3d evenly(std::size_t index) {
-  constexpr double kRoot = 1.2207440846057596;
-  Eigen::Vector3d result;
-  double step = 1.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    step /= kRoot;
-    const double at = 0.5 + step * static_cast<double>(index + 1);
-    result[axis] = at - std::floor(at);
-  }
+  constexpr double kRoot = 1.324717957244746;
+  constexpr double kGolden = 1.618033988749895;
+  static const Eigen::Vector3d kSteps(1.0 / kRoot, 1.0 / (kRoot * kRoot), 1.0 / kGolden);
+  Eigen::Vector3d result = Eigen::Vector3d::Constant(0.5) + static_cast<double>(index + 1) * kSteps;
+  for (int axis = 0; axis < 3; ++axis) result[axis] -= std::floor(result[axis]);
   return result;
 }
 
