@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from synthetic_dataset import pictures, poses
+from synthetic_dataset import pictures, poses, truth
 from synthetic_dataset.manifest import DatasetError
 
 
@@ -43,7 +43,48 @@ class SceneObject:
     @property
     def mask(self):
         """The pixels in which the camera sees it: bool, height x width."""
-        return self._scene.mask(self)
+        if self._scene.shapes is None:
+            return self._scene.instances == self.index + 1
+        return self._mask_of(self._shape.visible_mask, 'masks')
+
+    @property
+    def silhouette(self):
+        """The same as if nothing stood in front of it."""
+        return self._mask_of(self._shape.silhouette, 'silhouettes')
+
+    @property
+    def cuboid(self):
+        """The lowest and the highest x, y, z of the box around it, in its frame [m]: 2 x 3."""
+        return self._shape.cuboid
+
+    @property
+    def keypoints(self):
+        """Where its keypoints are in the image [px]: N x 2, NaN where they cannot be projected."""
+        return self._shape.keypoints
+
+    @property
+    def keypoints_O(self):
+        """Its keypoints in its frame [m]: N x 3."""
+        return self._shape.keypoints_O
+
+    @property
+    def keypoint_states(self):
+        """Of each keypoint: 'visible', 'hidden by another', 'hidden by itself' or 'outside'; None
+        where no format asked for it."""
+        return self._shape.keypoint_states
+
+    @property
+    def _shape(self):
+        if self._scene.shapes is None:
+            raise DatasetError("what is known of objects' shapes is in manifests from version "
+                               f'{truth.FIRST_VERSION} on')
+        return self._scene.shapes[self.index]
+
+    def _mask_of(self, content, what):
+        if content is None:
+            raise DatasetError(f'scene {self._scene.index}: no format of this dataset has asked '
+                               f'for {what}')
+        return truth.mask_of_bytes(content, self._scene.height, self._scene.width)
 
     def __repr__(self):
         return f'<SceneObject {self.name} ({self.class_name}) of scene {self._scene.index}>'
@@ -55,6 +96,7 @@ class Scene:
     def __init__(self, dataset, row):
         self._dataset = dataset
         self._objects = None
+        self._shapes = ()
         self.index = int(row['index'])
         self.instant = int(row['instant'])
         self.stamp_ns = int(row['stamp_ns'])
@@ -104,17 +146,35 @@ class Scene:
         return found
 
     @property
+    def K(self):
+        """The camera's matrix, 3 x 3 [px]; a pixel's centre has whole coordinates."""
+        found = truth.camera_matrix(self._dataset.manifest, self.index)
+        if found is None:
+            raise DatasetError("scenes' cameras are in manifests from version "
+                               f'{truth.FIRST_VERSION} on')
+        return found
+
+    @property
+    def shapes(self):
+        """What objects read their masks and keypoints from; None of old manifests."""
+        if self._shapes == ():
+            self._shapes = truth.shapes_of(self._dataset.manifest, self.index)
+        return self._shapes
+
+    @property
     def instances(self):
         """Of each pixel the object that it shows: its index + 1, or 0. 16 bit, height x width."""
+        if self.shapes is not None:
+            found = np.zeros((self.height, self.width), np.uint16)
+            for each in self.objects:
+                found[each.mask] = each.index + 1
+            return found
         found = pictures.instances(self.files)
         if found is None:
             found = self._instances_of_coco()
         if found is None:
             raise self._lacking('masks', 'ImageFolder, RosBag and Coco')
         return found
-
-    def mask(self, scene_object):
-        return self.instances == scene_object.index + 1
 
     def _instances_of_coco(self):
         annotations = self._dataset.coco_annotations(self)

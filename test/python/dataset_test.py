@@ -14,6 +14,7 @@ import rosunit
 from example_dataset import DatasetCase, SCENES
 from synthetic_dataset import Dataset, DatasetError
 from synthetic_dataset.pictures import mask_of_counts
+from synthetic_dataset.truth import mask_of_bytes
 
 
 def sum_of_image(scene):
@@ -190,6 +191,13 @@ class Faults(unittest.TestCase):
         np.testing.assert_array_equal(mask_of_counts([4, 3, 4, 1], 3, 4), expected)
         # As pycocotools packs these: 4, 3, 4, and 1 as its difference to 3.
         np.testing.assert_array_equal(mask_of_counts('434N', 3, 4), expected)
+
+    def test_masks_of_the_manifest_are_read(self):
+        expected = np.zeros((4, 300), bool)
+        expected[1, 41:300] = expected[2, 40:200] = True
+        # The box at 40, 1 of 260 x 2: 1 off, 419 on, 100 off; seven bits a byte, the lowest first.
+        np.testing.assert_array_equal(
+            mask_of_bytes(bytes([40, 1, 132, 2, 2, 1, 163, 3, 100]), 4, 300), expected)
 
 
 if __name__ == '__main__':

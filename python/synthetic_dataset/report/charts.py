@@ -16,8 +16,8 @@ PALETTE = ('#0072b2', '#d55e00', '#009e73', '#cc79a7', '#b8860b', '#56b4e9', '#7
 SPLIT_COLOURS = {'train': '#2f6f9f', 'val': '#e39b3a', 'test': '#5aa469', '': '#2f6f9f'}
 HEAT = colors.LinearSegmentedColormap.from_list(
     'heat', ['#f4f7fa', '#b9d4e6', '#5b9cc4', '#235f8c', '#0d2b45'])
-MOST_CLASSES = len(PALETTE)  # that have a colour of their own in a chart
 MOST_LETTERS = 22
+MOST_BARS = 12  # classes in a chart of bars
 
 STYLE = {
     'font.size': 8.5, 'font.family': 'DejaVu Sans', 'axes.edgecolor': FAINT, 'axes.linewidth': 0.7,
@@ -29,13 +29,25 @@ STYLE = {
 }
 
 
-def colour_of(class_index):
-    return PALETTE[class_index % len(PALETTE)]
+def colours_of(measures):
+    """A colour for each class; of many classes, those with fewest labels share one."""
+    if len(measures.class_names) <= len(PALETTE):
+        return list(PALETTE[:len(measures.class_names)])
+    colours = [FAINT] * len(measures.class_names)
+    for colour, each in zip(PALETTE, sorted(by_frequency(measures)[:len(PALETTE)])):
+        colours[each] = colour
+    return colours
 
 
-def short(name):
+def by_frequency(measures):
+    """The indices of classes, that with most labels first."""
+    counts = np.bincount(measures.label_class, minlength=len(measures.class_names))
+    return np.argsort(-counts, kind='stable')
+
+
+def short(name, letters=MOST_LETTERS):
     """A name that leaves room for a chart."""
-    return name if len(name) <= MOST_LETTERS else name[:MOST_LETTERS - 1] + '…'
+    return name if len(name) <= letters else name[:letters - 1] + '…'
 
 
 def _styled(draw):
@@ -71,14 +83,13 @@ def _svg(figure, description):
 
 def _series(measures, values, of_labels=True):
     """Yields each class's name, colour and values; further classes are one series together."""
-    shown = np.argsort(-np.bincount(measures.label_class, minlength=len(measures.class_names)),
-                       kind='stable')[:MOST_CLASSES]
-    if len(measures.class_names) > MOST_CLASSES:
-        shown = shown[:-1]
-    for each in sorted(shown):
+    colours = colours_of(measures)
+    shown = [each for each, colour in enumerate(colours) if colour != FAINT]
+    letters = MOST_LETTERS if len(colours) <= 3 else MOST_LETTERS // 2
+    for each in shown:
         of_class = values[(measures.label_class == each) & of_labels]
         if len(of_class):
-            yield short(measures.class_names[each]), colour_of(each), of_class
+            yield short(measures.class_names[each], letters), colours[each], of_class
     rest = values[~np.isin(measures.label_class, shown) & of_labels]
     if len(rest):
         yield 'others', FAINT, rest
@@ -122,16 +133,18 @@ def _finished(figure, axes, label, of_what, has_legend, description):
     return _svg(figure, description)
 
 
-def _legend(axes):
+def _legend(axes, **options):
     axes.legend(loc='lower left', bbox_to_anchor=(0.0, 1.0), ncol=4, handlelength=1.0,
-                handletextpad=0.4, columnspacing=1.2, borderaxespad=0.1)
+                handletextpad=0.4, columnspacing=1.2, borderaxespad=0.1, **options)
 
 
 @_styled
 def class_counts(measures, splits, counts):
-    """Labels of each class, by split."""
-    figure, axes = _figure(height=max(2.7, 0.32 * len(measures.class_names) + 0.9))
-    rows = np.arange(len(measures.class_names))
+    """Labels of each class, by split; of the classes with most labels, where there are many."""
+    shown = sorted(by_frequency(measures)[:MOST_BARS])
+    names, counts = [short(measures.class_names[each]) for each in shown], counts[shown]
+    figure, axes = _figure()
+    rows = np.arange(len(names))
     left = np.zeros(len(rows))
     for column, split in enumerate(splits):
         axes.barh(rows, counts[:, column], left=left, height=0.62,
@@ -139,7 +152,7 @@ def class_counts(measures, splits, counts):
                   edgecolor='white', linewidth=0.4)
         left += counts[:, column]
     axes.set_yticks(rows)
-    axes.set_yticklabels([short(name) for name in measures.class_names])
+    axes.set_yticklabels(names)
     axes.invert_yaxis()
     axes.grid(axis='y', visible=False)
     axes.set_xlabel('labels')
@@ -192,9 +205,10 @@ def box_sizes(measures):
     for side, text in ((32, '32² px'), (96, '96² px')):
         line = np.geomspace(lowest, limit, 50)
         axes.plot(line, side * side / line, color=INK, linewidth=0.7, linestyle=(0, (4, 3)))
-        if lowest < side < limit:
-            axes.annotate(text, (side, side), xytext=(2, 2), textcoords='offset points',
-                          fontsize=7.5)
+        if lowest < side < limit:  # where it enters from the left
+            start = max(lowest, side * side / limit)
+            axes.annotate(text, (start, side * side / start), xytext=(14, -2), fontsize=7.5,
+                          textcoords='offset points', va='top')
     axes.set_xscale('log')
     axes.set_yscale('log')
     axes.set_xlim(lowest, limit)
@@ -206,7 +220,7 @@ def box_sizes(measures):
         axis.set_minor_formatter(ticker.NullFormatter())
     axes.set_xlabel('width [px]')
     axes.set_ylabel('height [px]')
-    axes.legend(loc='lower right', handletextpad=0.2, borderaxespad=0.2, markerscale=2)
+    _legend(axes, markerscale=2)
     return _svg(figure, 'sizes of boxes')
 
 

@@ -14,7 +14,7 @@ def drawn_values(dataset):
     rows = dataset.manifest.rows('SELECT name, value FROM draw ORDER BY name')
     found = []
     for name, draws in itertools.groupby(rows, key=operator.itemgetter(0)):
-        values = [json.loads(value) for _, value in draws]
+        values = json.loads('[' + ','.join(value for _, value in draws) + ']')
         if all(isinstance(value, list) for value in values) and len(set(map(len, values))) == 1:
             for component, of_component in enumerate(zip(*values)):
                 found.append(_row(f'{name} [{component}]', of_component))

@@ -15,6 +15,7 @@ from synthetic_dataset.report.draws import drawn_values
 from synthetic_dataset.report.findings import findings
 from synthetic_dataset.report.measures import Measures
 from synthetic_dataset.report.neighbours import Neighbours
+from synthetic_dataset.report.stages import stages_in
 
 MOST_CAMERAS, MOST_ANGLES, SHOWN_PAIRS = 4, 6, 3  # that have a chart, that are shown
 
@@ -28,8 +29,11 @@ def size_text(count):
     return ''
 
 
-def page_of(dataset):
-    """The page as HTML: pictures, charts and style are in it."""
+def page_of(dataset, log=None):
+    """The page as HTML: pictures, charts and style are in it.
+
+    @param log  the file that has what the run printed
+    """
     if len(dataset) == 0:
         raise DatasetError(f"'{dataset.folder}': the dataset has no scenes")
     measures = Measures(dataset)
@@ -55,7 +59,7 @@ def page_of(dataset):
         charts=_charts(measures, splits, counts), angles=_angles(measures),
         brightness=_brightness(brightness, len(dataset)),
         neighbours=_pairs(dataset, measures, neighbours),
-        draws=drawn_values(dataset), **_tables(dataset))
+        draws=drawn_values(dataset), stages=stages_in(log) if log else [], **_tables(dataset))
 
 
 def _with_code(text):
@@ -65,7 +69,7 @@ def _with_code(text):
     return ''.join(marked)
 
 
-def write(dataset, file):
+def write(dataset, file, log=None):
     """Writes the page. The file is there when it is whole, and is none of the dataset's.
 
     @throws DatasetError where it cannot be written
@@ -75,7 +79,7 @@ def write(dataset, file):
     for path, in dataset.manifest.rows('SELECT path FROM file'):
         if (dataset.folder / path).name == target.name and (dataset.folder / path) == target:
             raise DatasetError(f"'{file}': is a file of the dataset; choose another name")
-    page = page_of(dataset)
+    page = page_of(dataset, log)
     # Beside it, as a name is moved within one file system alone; verify passes over this name.
     temporary = target.with_name(f'.{target.name}.tmp')
     try:
@@ -109,7 +113,8 @@ def _classes(measures, counts):
     total = max(1, int(counts.sum()))
     images = [len(set(measures.scene[measures.label_class == each]))
               for each in range(len(measures.class_names))]
-    return [{'name': name, 'colour': charts.colour_of(row), 'labels': [int(n) for n in counts[row]],
+    colours = charts.colours_of(measures)
+    return [{'name': name, 'colour': colours[row], 'labels': [int(n) for n in counts[row]],
              'total': int(counts[row].sum()), 'share': 100 * counts[row].sum() / total,
              'images': images[row]} for row, name in enumerate(measures.class_names)]
 
@@ -123,7 +128,9 @@ def _charts(measures, splits, counts):
     if measures.count == 0:
         return []
     areas = np.sqrt(np.maximum(measures.box_size.prod(axis=1), 1.0))
-    found = [('Labels by class', charts.class_counts(measures, splits, counts), ''),
+    few = len(measures.class_names) <= charts.MOST_BARS
+    found = [('Labels by class', charts.class_counts(measures, splits, counts),
+              '' if few else f'The {charts.MOST_BARS} classes with most labels.'),
              ('Labels in an image', charts.plain_histogram(
                  measures.labels_by_scene(), 'labels', 'images',
                  np.arange(measures.labels_by_scene().max() + 2) - 0.5, 'labels in an image'), ''),
@@ -166,10 +173,8 @@ def _share_chart(measures, shares, title, usual, usual_text, label):
 
 
 def _angles(measures):
-    order = np.argsort(-np.bincount(measures.label_class, minlength=len(measures.class_names)),
-                       kind='stable')[:MOST_ANGLES]
     found = []
-    for each in sorted(order):
+    for each in sorted(charts.by_frequency(measures)[:MOST_ANGLES]):
         of_class = measures.label_class == each
         if of_class.any():
             name = measures.class_names[each]
@@ -196,18 +201,34 @@ def _pairs(dataset, measures, neighbours):
 def _tables(dataset):
     """What the manifest says of how the dataset was made."""
     rows = dataset.manifest.rows
+    credits = {}
+    if 'credit' in dataset.manifest.tables():  # of older versions there is none
+        credits = {path: (author, license_text) for path, author, license_text in rows(
+            'SELECT path, author, license FROM credit')}
     return {
         'settings': [(name, _setting_text(value), is_default) for name, value, is_default in rows(
             'SELECT name, value, is_default FROM setting ORDER BY is_default, name')],
         'software': rows('SELECT name, version FROM software ORDER BY name'),
-        'inputs': [(path, size_text(size), digest[:12]) for path, size, digest in rows(
-            'SELECT path, bytes, digest FROM input ORDER BY path')],
+        'inputs': [(path, size_text(size), digest[:12], *credits.get(path, ('', '')))
+                   for path, size, digest in rows(
+                       'SELECT path, bytes, digest FROM input ORDER BY path')],
+        'credits': _credits(dataset),
         'writers': [(name, kind, folder, files) for name, kind, folder, files in rows(
             'SELECT name, type, output_folder, (SELECT count(*) FROM file WHERE '
             'file.writer = writer."index") FROM writer ORDER BY "index"')],
         'motions': rows('SELECT name, first_instant, instant_count FROM motion ORDER BY "index"'),
         'digest': dataset.manifest.run.get('settings_digest', ''),
     }
+
+
+def _credits(dataset):
+    """Who made the files of the world and its models: a row for each author and licence."""
+    if 'credit' not in dataset.manifest.tables():
+        return []
+    return dataset.manifest.rows(
+        'SELECT author, license, max(author_in, license_in), count(*), min(input.path) '
+        "FROM input LEFT JOIN credit ON credit.path = input.path GROUP BY coalesce(author, ''), "
+        "coalesce(license, '') ORDER BY count(*) DESC, 1, 2")
 
 
 def _setting_text(value):

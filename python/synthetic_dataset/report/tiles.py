@@ -19,6 +19,8 @@ def tile(dataset, measures, row, reason=''):
     """
     scene = dataset.scene(measures.scene_index[row])
     labels = [_label(measures, scene, each) for each in np.flatnonzero(measures.scene == row)]
+    for label in labels:
+        label['points'] = _points(scene, label.pop('object'))
     found = {'index': scene.index, 'reason': reason, 'split': scene.split,
              'camera': scene.camera if len(dataset.cameras) > 1 else '', 'width': scene.width,
              'height': scene.height, 'labels': labels, 'image': '', 'masks': '', 'problem': ''}
@@ -43,12 +45,23 @@ def _label(measures, scene, label):
     size = scene.width / 36
     above = top > 1.2 * size
     at_right = left > 0.85 * scene.width
-    return {'x': left, 'y': top, 'width': right - left, 'height': bottom - top,
+    return {'object': measures.object[label], 'x': left, 'y': top, 'width': right - left, 'height': bottom - top,
             'name': charts.short(measures.class_names[measures.label_class[label]]),
-            'colour': charts.colour_of(measures.label_class[label]), 'facts': ', '.join(facts),
+            'colour': charts.colours_of(measures)[measures.label_class[label]],
+            'facts': ', '.join(facts),
             'text_size': size, 'text_x': right if at_right else left,
             'anchor': 'end' if at_right else 'start', 'text_y': top - 0.3 * size if above
             else min(bottom, scene.height - 0.3 * size) - 0.3 * size}
+
+
+def _points(scene, index):
+    """Keypoints in the image, and whether each is visible; none of old datasets."""
+    if scene.shapes is None:
+        return []
+    shape = scene.shapes[index]
+    return [(u, v, state == 'visible')
+            for (u, v), state in zip(shape.keypoints, shape.keypoint_states)
+            if 0 <= u < scene.width and 0 <= v < scene.height and state != 'outside']
 
 
 def _jpeg(picture):
@@ -75,7 +88,7 @@ def _masks(scene, measures, row):
         for axis in (0, 1):
             for step in (-1, 1):
                 inside &= np.roll(mask, step, axis)
-        colour = charts.colour_of(measures.label_class[label])
+        colour = charts.colours_of(measures)[measures.label_class[label]]
         pixels[mask, :3] = [int(colour[at:at + 2], 16) for at in (1, 3, 5)]
         pixels[mask, 3] = np.where(inside[mask], INSIDE, OUTLINE)
     return _data('png', Image.fromarray(pixels, 'RGBA').quantize(255, method=Image.FASTOCTREE))
