@@ -31,6 +31,7 @@ enum class SplitBy {
 struct SplitConfig {
   std::vector<std::pair<std::string, double>> shares;  ///< name, share > 0; empty: no splits
   SplitBy by = SplitBy::kBlocks;
+  double gap = 0.0;  ///< of a recording, left out between blocks [s]
 };
 
 struct ClassConfig {

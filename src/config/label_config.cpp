@@ -11,6 +11,8 @@
 namespace synthetic_dataset::config {
 namespace {
 
+constexpr double kLongestGap = 1e9;  // [s], some thirty years
+
 constexpr int kLargestClass = 65534;  // its place + 1 fits into 16 bits of a class map
 
 label::MaskMethod readMethod(Parameters& group, label::MaskMethod fallback) {
@@ -175,6 +177,15 @@ SplitConfig readSplit(Parameters root) {
     group.addError("by", "found '" + by + "'; it should be blocks or scenes");
   }
   split.by = by == "scenes" ? SplitBy::kScenes : SplitBy::kBlocks;
+  split.gap = group.maybe<double>("gap").value_or(0.0);
+  if (!(split.gap >= 0.0 && split.gap <= kLongestGap)) {
+    group.addError("gap",
+                   "found " + Value(split.gap).text() + "; it should be a time from 0 on [s]");
+    split.gap = 0.0;
+  } else if (split.gap > 0.0 && split.by == SplitBy::kScenes) {
+    group.addError("gap", "found " + Value(split.gap).text() +
+                              " with `by: scenes`; there are gaps between blocks alone");
+  }
   return split;
 }
 

@@ -13,6 +13,7 @@
 #include "run/setup/run_record.h"
 #include "run/setup/scene_plan.h"
 #include "run/setup/scene_shares.h"
+#include "run/setup/split_gap.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -43,6 +44,7 @@ class Builder {
                           of_first.end());
     for (MotionSetup& motion : setup_.motions) checkFrames(motion);
     if (list_.errors.empty()) shareScenes();
+    leaveOutSplitGaps();
     if (countInstants() < told_count) replan();
     checkOnlyScenes();
     if (setup_.splits) noteEmptySplits();
@@ -133,13 +135,38 @@ class Builder {
 
   void planSplits() {
     std::vector<SplitPart> parts;
-    for (const MotionSetup& motion : setup_.motions) {
-      parts.push_back({motion.instantCount(), motion.entry.split});
+    for (std::size_t i = 0; i < setup_.motions.size(); ++i) {
+      const MotionSetup& motion = setup_.motions[i];
+      parts.push_back({motion.instantCount(), motion.entry.split,
+                       i < blocks_.size() ? blocks_[i] : std::vector<std::int64_t>()});
     }
     const auto plan = found().attempt([&] {
       return SplitPlan(config().split, static_cast<std::uint64_t>(config().seed), parts);
     });
     if (plan) setup_.splits = std::make_unique<SplitPlan>(*plan);
+  }
+
+  /// Between blocks of a recording. Of scenes that are drawn from one, the user is warned.
+  void leaveOutSplitGaps() {
+    const config::SplitConfig& split = config().split;
+    const auto isDivided = [&](const MotionSetup& motion) {
+      return motion.timeline.is_recorded && !motion.entry.split && split.shares.size() > 1;
+    };
+    const bool any = std::any_of(setup_.motions.begin(), setup_.motions.end(), isDivided);
+    if (any && split.by == config::SplitBy::kScenes) {
+      found().warning("split/by",
+                      "scenes of a recording are drawn one by one, so those of val and test have "
+                      "neighbours in time in train that look alike, and results on them are too "
+                      "good; `by: blocks` with a `gap` keeps them apart");
+    }
+    if (split.gap <= 0.0 || split.by != config::SplitBy::kBlocks) return;
+    for (MotionSetup& motion : setup_.motions) {
+      blocks_.emplace_back();
+      if (isDivided(motion)) blocks_.back() = leaveOutGaps(split, motion.timeline);
+    }
+    if (!any) {
+      found().warning("split/gap", "no recording is divided into splits, so it has no effect");
+    }
   }
 
   [[nodiscard]] DatasetInfo dataset() const {
@@ -249,12 +276,15 @@ class Builder {
     run.inputs = describeInputs(inputs);
     describeContents(dataset(), run);
     std::int64_t in_gaps = 0;
+    std::int64_t in_split_gaps = 0;
     std::int64_t unknown = 0;
     for (const MotionSetup& motion : setup_.motions) {
       in_gaps += motion.timeline.left_out_gap;
+      in_split_gaps += motion.timeline.left_out_split;
       unknown += motion.timeline.left_out_unknown;
     }
     countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap", in_gaps);
+    countLeftOut("scene left out: in the gap between two splits", in_split_gaps);
     countLeftOut("scene left out: a transform is not known at its time", unknown);
     for (const base::Diagnostic& each : found().all()) {
       if (each.severity == base::Severity::kWarning)
@@ -277,6 +307,7 @@ class Builder {
   std::vector<Parameters> roots_;                         ///< of the entries
   std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
   std::vector<std::string> writer_errors_;                ///< of the writers' settings
+  std::vector<std::vector<std::int64_t>> blocks_;         ///< of the motions; empty: by the shares
   WorldCache worlds_;
   RunSetup setup_;
 };

@@ -24,6 +24,17 @@ void shuffle(std::vector<std::uint8_t>& splits, std::uint64_t seed, std::uint64_
 
 }  // namespace
 
+std::vector<std::int64_t> blockEnds(const config::SplitConfig& config, std::int64_t instant_count) {
+  std::vector<std::int64_t> ends;
+  double share_so_far = 0.0;
+  for (const auto& [name, share] : config.shares) {
+    share_so_far += share;
+    ends.push_back(std::llround(share_so_far * static_cast<double>(instant_count)));
+  }
+  if (!ends.empty()) ends.back() = instant_count;
+  return ends;
+}
+
 SplitPlan::SplitPlan(const config::SplitConfig& config, std::uint64_t seed,
                      const std::vector<SplitPart>& parts) {
   nameSplits(config, parts);
@@ -31,9 +42,8 @@ SplitPlan::SplitPlan(const config::SplitConfig& config, std::uint64_t seed,
   std::uint64_t drawn = 0;  // so far: each part's draws are others
   for (const SplitPart& part : parts) {
     const auto count = static_cast<std::size_t>(part.instant_count);
-    std::vector<std::uint8_t> splits = part.split
-                                           ? std::vector<std::uint8_t>(count, numberOf(*part.split))
-                                           : blocks(config, part.instant_count);
+    std::vector<std::uint8_t> splits =
+        part.split ? std::vector<std::uint8_t>(count, numberOf(*part.split)) : blocks(config, part);
     if (!part.split && config.by == config::SplitBy::kScenes) shuffle(splits, seed, drawn);
     drawn += count;
     split_of_.insert(split_of_.end(), splits.begin(), splits.end());
@@ -63,15 +73,14 @@ std::uint8_t SplitPlan::numberOf(const std::string& name) const {
 }
 
 std::vector<std::uint8_t> SplitPlan::blocks(const config::SplitConfig& config,
-                                            std::int64_t instant_count) const {
+                                            const SplitPart& part) const {
+  std::vector<std::int64_t> ends = blockEnds(config, part.instant_count);
+  std::int64_t end = 0;
+  for (std::size_t i = 0; i < part.blocks.size(); ++i) ends.at(i) = end += part.blocks[i];
   std::vector<std::uint8_t> splits;
-  double share_so_far = 0.0;
-  for (const auto& [name, share] : config.shares) {
-    share_so_far += share;
-    const double end = std::round(share_so_far * static_cast<double>(instant_count));
-    splits.resize(static_cast<std::size_t>(end), numberOf(name));
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    splits.resize(static_cast<std::size_t>(ends[i]), numberOf(config.shares[i].first));
   }
-  splits.resize(static_cast<std::size_t>(instant_count), numberOf(config.shares.back().first));
   return splits;
 }
 

@@ -10,10 +10,16 @@
 
 namespace synthetic_dataset::run {
 
+/// Behind which time each of the shares' blocks ends, of so many.
+[[nodiscard]] std::vector<std::int64_t> blockEnds(const config::SplitConfig& config,
+                                                  std::int64_t instant_count);
+
 /// Some of a run's times, one after another, that are divided as a whole.
 struct SplitPart {
   std::int64_t instant_count = 0;
   std::optional<std::string> split = std::nullopt;  ///< of all of them; nothing: as drawn
+  std::vector<std::int64_t> blocks =
+      {};  ///< the number in each share's block; empty: by the shares
 };
 
 /// Which split each of a run's times belongs to: a function of the settings, the seed and the
@@ -37,9 +43,9 @@ class SplitPlan {
   void nameSplits(const config::SplitConfig& config, const std::vector<SplitPart>& parts);
   [[nodiscard]] std::uint8_t numberOf(const std::string& name) const;
 
-  /// The splits of so many times, block by block.
+  /// The splits of a part's times, block by block.
   [[nodiscard]] std::vector<std::uint8_t> blocks(const config::SplitConfig& config,
-                                                 std::int64_t instant_count) const;
+                                                 const SplitPart& part) const;
 
   std::vector<std::string> names_;
   std::vector<std::uint8_t> split_of_;  ///< of each time, a place in names_; empty without splits
