@@ -58,6 +58,9 @@ struct ObjectInfo {
 
   /// Pairs of keypoints to draw lines between, by their indices.
   std::vector<std::array<std::size_t, 2>> skeleton;
+
+  /// Groups of its links that the user has named: what Scene::part_map shows.
+  std::vector<std::string> part_names;
 };
 
 /// A class of objects. All writers number classes alike.
@@ -99,6 +102,7 @@ struct DatasetInfo {
   std::string global_frame;      ///< the fixed TF frame, in which Scene's poses are given
   std::vector<CameraDescription> cameras;  ///< at least one
   std::vector<ClassInfo> classes;          ///< in the order of their ids, each once
+  std::vector<std::string> world_classes;  ///< names for parts of the world: of Scene::world_map
   std::vector<SplitInfo> splits;           ///< in the order train, val, test; empty: none asked for
   std::vector<MotionInfo> motions;         ///< at least one, in the order of their scenes
 
@@ -149,6 +153,8 @@ struct Requirements {
   bool visibility = false;          ///< SceneObject::pixels, visibility, truncation, silhouette_box
   bool keypoint_states = false;     ///< Keypoint::state
   bool class_map = false;           ///< Scene::class_map, and all of visible_masks
+  bool world_map = false;           ///< Scene::world_map
+  bool part_map = false;            ///< Scene::part_map
   bool depth = false;               ///< Scene::depth
   bool normals = false;             ///< Scene::normals
   bool optical_flow = false;        ///< Scene::optical_flow

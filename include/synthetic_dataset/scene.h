@@ -155,6 +155,14 @@ struct Scene {
   /// The class that is seen: its index in DatasetInfo::classes, from 1; 0 for the world; CV_16UC1.
   Required<cv::Mat> class_map{"Scene::class_map", "class_map"};
 
+  /// The class of the world that is seen: its index in DatasetInfo::world_classes, from 1; 0 for
+  /// objects, and for what is of none; CV_16UC1.
+  Required<cv::Mat> world_map{"Scene::world_map", "world_map"};
+
+  /// The part of its object that is seen: its index in ObjectInfo::part_names, from 1; 0 for what
+  /// is of none, and for the world; CV_16UC1.
+  Required<cv::Mat> part_map{"Scene::part_map", "part_map"};
+
   /// The z of what is seen, in the optical frame [m]; 0 where nothing is; CV_32FC1. Negative beside
   /// and behind a lens that sees past 90 degrees.
   Required<cv::Mat> depth{"Scene::depth", "depth"};

@@ -1,5 +1,7 @@
 #include "plugins/cityscapes/cityscapes_options.h"
 
+#include <algorithm>
+
 #include <opencv2/core/matx.hpp>
 
 #include "plugins/shared/colour_map.h"
@@ -17,7 +19,7 @@ bool isEvaluated(int id) {
 }
 
 /// Labels of the dataset's own: the world and its classes are trained in this order.
-CityscapesTable tableOf(const std::vector<CityscapesLabel>& labels, int world_id) {
+CityscapesTable tableOf(const CityscapesOptions& options) {
   CityscapesTable table = {{"unlabeled", 0}};
   const auto add = [&](const std::string& name, int id, int train_id, bool has_instances) {
     const cv::Vec3b colour = vocColourMap().at(static_cast<std::size_t>(id));
@@ -31,18 +33,44 @@ CityscapesTable tableOf(const std::vector<CityscapesLabel>& labels, int world_id
                      {{colour[2], colour[1], colour[0]}}});
   };
   int train_id = 0;
-  if (world_id != 0) add("world", world_id, train_id++, false);
-  for (const CityscapesLabel& label : labels) {
-    const CityscapesEntry* known = entryOf(table, label.id);  // classes may share a label
-    add(label.name, label.id, known != nullptr ? known->train_id : train_id++, true);
-  }
+  if (options.world_id != 0) add("world", options.world_id, train_id++, false);
+  const auto addAll = [&](const std::vector<CityscapesLabel>& labels, bool has_instances) {
+    for (const CityscapesLabel& label : labels) {
+      const CityscapesEntry* known = entryOf(table, label.id);  // classes may share a label
+      add(label.name, label.id, known != nullptr ? known->train_id : train_id++, has_instances);
+    }
+  };
+  addAll(options.labels, true);
+  addAll(options.world, false);
   return table;
+}
+
+/// @param is_own  whether labels are Cityscapes' own: then each has to be one of these
+void readWorldLabels(Parameters& ids, const std::vector<std::string>& names, bool is_own,
+                     CityscapesOptions& options) {
+  int next = 1;
+  for (const CityscapesLabel& label : options.labels) next = std::max(next, label.id + 1);
+  for (const std::string& name : names) {
+    const auto given = ids.maybe<int>(name);
+    const int id = given.value_or(next++);
+    const bool fits = is_own ? given && entryOf(cityscapesOwnTable(), id) != nullptr
+                             : id >= 1 && id <= kGreatestLabel;
+    const std::string right =
+        is_own ? "one of Cityscapes' own, 0 to 33" : "1 to " + std::to_string(kGreatestLabel);
+    if (!fits && given) {
+      ids.addError(name, "found " + std::to_string(id) + "; it should be " + right);
+    } else if (!fits) {
+      ids.addError(name, "missing; this part of the world should have a label too, " + right);
+    }
+    options.world.push_back({name, fits ? id : 0, -1});
+  }
 }
 
 }  // namespace
 
 CityscapesOptions readCityscapesOptions(Parameters& parameters,
-                                        const std::vector<ClassInfo>& classes) {
+                                        const std::vector<ClassInfo>& classes,
+                                        const std::vector<std::string>& world_classes) {
   CityscapesOptions options;
   options.world_id = parameters.optional("world_id", options.world_id);
   if (options.world_id < 0 || options.world_id > kGreatestLabel) {
@@ -72,11 +100,16 @@ CityscapesOptions readCityscapesOptions(Parameters& parameters,
     options.labels.push_back({each.name, id < 1 || id > kGreatestLabel ? 1 : id, each.id});
   }
   if (options.world_id < 0 || options.world_id > kGreatestLabel) options.world_id = 0;
-  options.table = all_are_own && !classes.empty() ? cityscapesOwnTable()
-                                                  : tableOf(options.labels, options.world_id);
+  all_are_own = all_are_own && !classes.empty();
+  readWorldLabels(ids, world_classes, all_are_own, options);
+  options.table = all_are_own ? cityscapesOwnTable() : tableOf(options);
   if (all_are_own) {
-    for (CityscapesLabel& label : options.labels)
+    for (CityscapesLabel& label : options.labels) {
       label.name = entryOf(options.table, label.id)->name;
+    }
+    for (CityscapesLabel& label : options.world) {
+      label.name = entryOf(options.table, label.id)->name;
+    }
   }
   return options;
 }

@@ -15,10 +15,12 @@ inline constexpr int kCityscapesInstances = 1000;
 struct CityscapesOptions {
   std::vector<CityscapesLabel> labels;  ///< of each class
   int world_id = 0;                     ///< the label of the world; 0: it is unlabeled
+  std::vector<CityscapesLabel> world;   ///< the labels of the world's classes
   CityscapesTable table;                ///< of all labels: Cityscapes' own, or that of the classes
 };
 
-[[nodiscard]] CityscapesOptions readCityscapesOptions(Parameters& parameters,
-                                                      const std::vector<ClassInfo>& classes);
+[[nodiscard]] CityscapesOptions readCityscapesOptions(
+    Parameters& parameters, const std::vector<ClassInfo>& classes,
+    const std::vector<std::string>& world_classes);
 
 }  // namespace synthetic_dataset

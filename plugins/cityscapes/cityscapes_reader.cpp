@@ -53,7 +53,7 @@ LabelledPicture readScene(const WrittenScene& scene) {
 
 Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& classes) {
   std::map<int, CityscapesLabel> labels;  // by class
-  for (const CityscapesLabel& label : readCityscapesOptions(parameters, classes).labels) {
+  for (const CityscapesLabel& label : readCityscapesOptions(parameters, classes, {}).labels) {
     labels[label.class_id] = label;
   }
   return [labels](const MeasuredScene& scene) {

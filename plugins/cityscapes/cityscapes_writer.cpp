@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 #include <ostream>
+#include <utility>
 
 #include <pluginlib/class_list_macros.hpp>
 
@@ -42,7 +43,7 @@ class CityscapesWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     cities_ = cityNames(dataset.cameras);
-    options_ = readCityscapesOptions(parameters, dataset.classes);
+    options_ = readCityscapesOptions(parameters, dataset.classes, dataset.world_classes);
     train_ids_.fill(kCityscapesIgnored);
     for (const CityscapesEntry& each : options_.table) {
       const auto label = static_cast<std::size_t>(each.id);
@@ -55,6 +56,7 @@ class CityscapesWriter : public LabelWriter {
   [[nodiscard]] Requirements doRequirements() const override {
     Requirements requirements;
     requirements.visible_masks = true;
+    requirements.world_map = !options_.world.empty();
     return requirements;
   }
 
@@ -65,17 +67,19 @@ class CityscapesWriter : public LabelWriter {
     std::vector<CityscapesPolygon> polygons;
     const std::vector<PixelValues> values = valuesOf(scene, polygons, output);
     const cv::Mat_<ushort> instances = scene.instance_map();
-    const auto labels =
+    auto labels =
         mapped<uchar>(instances, [&](ushort instance) { return values.at(instance).label; });
+    auto instance_ids =
+        mapped<ushort>(instances, [&](ushort instance) { return values.at(instance).instance; });
+    std::vector<CityscapesPolygon> of_world = addWorld(scene, labels, instance_ids);
+    polygons.insert(polygons.begin(), of_world.begin(), of_world.end());  // objects stand before it
 
     output.addImage("leftImg8bit/" + name + "_leftImg8bit.png", scene.image);
     output.addImage("imgsFine/leftImg8bit/" + name + "_leftImg8bit.png", scene.image);
     output.addImage("gtFine/" + name + "_gtFine_labelIds.png", labels);
     output.addImage("gtFine/" + name + "_gtFine_labelTrainIds.png",
                     mapped<uchar>(labels, [&](uchar label) { return train_ids_[label]; }));
-    output.addImage(
-        "gtFine/" + name + "_gtFine_instanceIds.png",
-        mapped<ushort>(instances, [&](ushort instance) { return values.at(instance).instance; }));
+    output.addImage("gtFine/" + name + "_gtFine_instanceIds.png", instance_ids);
     output.addImage("gtFine/" + name + "_gtFine_color.png",
                     mapped<cv::Vec3b>(labels, [&](uchar label) { return colours_[label]; }));
     output.addText("gtFine/" + name + "_gtFine_polygons.json",
@@ -111,6 +115,22 @@ class CityscapesWriter : public LabelWriter {
       }
     }
     return values;
+  }
+
+  /// Gives the world's classes their labels, and a polygon each.
+  [[nodiscard]] std::vector<CityscapesPolygon> addWorld(const Scene& scene, cv::Mat_<uchar>& labels,
+                                                        cv::Mat_<ushort>& instances) const {
+    std::vector<CityscapesPolygon> polygons;
+    for (std::size_t i = 0; i < options_.world.size(); ++i) {
+      const CityscapesLabel& label = options_.world[i];
+      const cv::Mat mask =
+          (scene.instance_map() == 0) & (scene.world_map() == static_cast<double>(i + 1));
+      labels.setTo(label.id, mask);
+      instances.setTo(label.id, mask);
+      masks::Ring ring = masks::centreRing(Mask(mask));
+      if (!ring.empty()) polygons.push_back({label.name, std::move(ring)});
+    }
+    return polygons;
   }
 
   [[nodiscard]] const CityscapesLabel& labelOf(int class_id) const {

@@ -10,6 +10,7 @@
 #include "plugins/shared/json.h"
 #include "plugins/shared/mask_outlines.h"
 #include "plugins/shared/mask_rle.h"
+#include "plugins/shared/seen_parts.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/mask.h"
@@ -46,19 +47,23 @@ class CocoWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     options_ = readCocoOptions(parameters);
-    checkNames(parameters, dataset.classes);
+    checkNames(parameters, dataset);
     if (options_.keypoints) {
       keypoints_ = CocoKeypoints(dataset, options_.keypoint_classes, options_.pad_keypoints);
     }
     classes_ = dataset.classes;
+    if (options_.panoptic) stuff_ = dataset.world_classes;
+    has_world_classes_ = !stuff_.empty();
+    if (!options_.background.empty()) stuff_.push_back(options_.background);
+    objects_ = dataset.objects;
     object_count_ = static_cast<std::int64_t>(dataset.objects.size());
     has_splits_ = !dataset.splits.empty();
     splits_ = dataset.splitFolders();
   }
 
-  void checkNames(WriterParameters& parameters, const std::vector<ClassInfo>& classes) const {
+  void checkNames(WriterParameters& parameters, const DatasetInfo& dataset) const {
     std::vector<std::string> names;
-    for (const ClassInfo& each : classes) names.push_back(each.name);
+    for (const ClassInfo& each : dataset.classes) names.push_back(each.name);
     const auto isClass = [&](const std::string& name) {
       return std::find(names.begin(), names.end(), name) != names.end();
     };
@@ -67,9 +72,11 @@ class CocoWriter : public LabelWriter {
       parameters.addError("keypoint_classes", "found '" + name + "', and no object has this class" +
                                                   didYouMean(name, names));
     }
-    if (isClass(options_.background)) {
+    const std::vector<std::string>& of_world = dataset.world_classes;
+    if (isClass(options_.background) ||
+        std::find(of_world.begin(), of_world.end(), options_.background) != of_world.end()) {
       parameters.addError("background", "found '" + options_.background +
-                                            "', which is also a class of objects; the world "
+                                            "', which is also a class; the rest of the world "
                                             "should have another name");
     }
   }
@@ -78,6 +85,11 @@ class CocoWriter : public LabelWriter {
     Requirements requirements = requirementsOf(options_.box);
     requirements.visibility = true;
     requirements.keypoint_states = keypoints_.any();
+    requirements.world_map = has_world_classes_;
+    requirements.part_map =
+        std::any_of(objects_.begin(), objects_.end(),
+                    [](const ObjectInfo& each) { return !each.part_names.empty(); });
+    requirements.visible_masks = requirements.visible_masks || requirements.part_map;
     return requirements;
   }
 
@@ -157,8 +169,23 @@ class CocoWriter : public LabelWriter {
                  {"visibility", object.visibility()},
                  {"truncation", object.truncation()}};
     if (object.silhouette_box()) more["amodal_bbox"] = cocoBox(*object.silhouette_box());
+    addParts(scene, object, more);
     annotation["synthetic_dataset"] = std::move(more);
     return annotation;
+  }
+
+  /// What is visible of the object's parts, where it has any.
+  void addParts(const Scene& scene, const SceneObject& object, Json& more) const {
+    const ObjectInfo& info = objects_.at(static_cast<std::size_t>(object.instance) - 1);
+    if (info.part_names.empty()) return;
+    Json parts = Json::array();
+    for (const SeenPart& part : seenParts(scene, object, info)) {
+      parts.push_back({{"name", part.name},
+                       {"bbox", cocoBox(part.box())},
+                       {"area", part.mask.count()},
+                       {"segmentation", segmentationOf(part.mask, options_.as_polygons)}});
+    }
+    more["parts"] = std::move(parts);
   }
 
   void addKeypoints(const SceneObject& object, Json& annotation) const {
@@ -182,8 +209,8 @@ class CocoWriter : public LabelWriter {
     return {static_cast<uchar>(id >> 16), static_cast<uchar>(id >> 8), static_cast<uchar>(id)};
   }
 
-  /// A segment's id in the image is the object's place among all objects, from 1; the world's is
-  /// the next.
+  /// A segment's id in the image is the object's place among all objects, from 1; those of the
+  /// world's classes follow.
   void writePanoptic(const Scene& scene, const std::vector<const SceneObject*>& labelled,
                      SceneOutput& output) const {
     std::vector<cv::Vec3b> colours(scene.objects.size() + 1);  // 0: void
@@ -197,21 +224,22 @@ class CocoWriter : public LabelWriter {
                           {"bbox", cocoBox(*object->visible_box())},
                           {"iscrowd", 0}});
     }
-    const cv::Mat world = scene.instance_map() == 0;
-    const cv::Rect bounds = maskBounds(world);
-    if (!options_.background.empty() && !bounds.empty()) {
-      const int id = static_cast<int>(scene.objects.size()) + 1;
-      colours[0] = panopticColour(id);
-      segments.push_back({{"id", id},
-                          {"category_id", backgroundId()},
-                          {"area", cv::countNonZero(world)},
-                          {"bbox", {bounds.x, bounds.y, bounds.width, bounds.height}},
-                          {"iscrowd", 0}});
-    }
     cv::Mat_<cv::Vec3b> ids(scene.instance_map().size());
     const cv::Mat_<std::uint16_t> instances = scene.instance_map();
     std::transform(instances.begin(), instances.end(), ids.begin(),
                    [&](std::uint16_t instance) { return colours[instance]; });
+    for (std::size_t i = 0; i < stuff_.size(); ++i) {
+      const cv::Mat mask = stuffMask(scene, i);
+      const cv::Rect bounds = maskBounds(mask);
+      if (bounds.empty()) continue;
+      const int id = static_cast<int>(scene.objects.size() + i) + 1;
+      ids.setTo(panopticColour(id), mask);
+      segments.push_back({{"id", id},
+                          {"category_id", stuffId(i)},
+                          {"area", cv::countNonZero(mask)},
+                          {"bbox", {bounds.x, bounds.y, bounds.width, bounds.height}},
+                          {"iscrowd", 0}});
+    }
 
     const std::string split = scene.splitFolder();
     const std::string file_name = scene.name + ".png";
@@ -221,8 +249,19 @@ class CocoWriter : public LabelWriter {
                                                             {"segments_info", segments}}));
   }
 
-  /// The next category after all classes.
-  [[nodiscard]] int backgroundId() const { return categoryId(classes_.back().id + 1); }
+  /// Where one of the world's classes is seen, or, as the last of them, the rest of the world.
+  [[nodiscard]] cv::Mat stuffMask(const Scene& scene, std::size_t stuff) const {
+    cv::Mat mask = scene.instance_map() == 0;
+    if (!has_world_classes_) return mask;
+    const bool is_rest = stuff + 1 == stuff_.size() && !options_.background.empty();
+    const double number = is_rest ? 0.0 : static_cast<double>(stuff + 1);
+    return mask & (scene.world_map() == number);
+  }
+
+  /// The categories of the world's classes come after all others.
+  [[nodiscard]] int stuffId(std::size_t stuff) const {
+    return categoryId(classes_.back().id + 1 + static_cast<int>(stuff));
+  }
 
   [[nodiscard]] Json instanceCategories() const {
     Json categories = Json::array();
@@ -254,7 +293,7 @@ class CocoWriter : public LabelWriter {
                             {"color", {colour[2], colour[1], colour[0]}}});
     };
     for (const ClassInfo& each : classes_) add(categoryId(each.id), each.name, true);
-    if (!options_.background.empty()) add(backgroundId(), options_.background, false);
+    for (std::size_t i = 0; i < stuff_.size(); ++i) add(stuffId(i), stuff_[i], false);
     return categories;
   }
 
@@ -282,6 +321,9 @@ class CocoWriter : public LabelWriter {
   CocoOptions options_;
   CocoKeypoints keypoints_;
   std::vector<ClassInfo> classes_;
+  std::vector<std::string> stuff_;  ///< names of the world's classes, and of the rest of it
+  bool has_world_classes_ = false;
+  std::vector<ObjectInfo> objects_;
   std::int64_t object_count_ = 0;
   bool has_splits_ = false;
   std::vector<std::string> splits_;

@@ -43,7 +43,8 @@ std::string plainName(std::string name) {
 }  // namespace
 
 VocPictures vocPictures(const Scene& scene, const std::vector<const SceneObject*>& labelled,
-                        const std::vector<ClassInfo>& classes, int border) {
+                        const std::vector<ClassInfo>& classes, std::size_t world_classes,
+                        int border) {
   // By instance. An object without a label is void: it is neither background nor to be found.
   std::vector<uchar> class_of(scene.objects.size() + 1, kVoid);
   std::vector<uchar> object_of(scene.objects.size() + 1, kVoid);
@@ -57,6 +58,10 @@ VocPictures vocPictures(const Scene& scene, const std::vector<const SceneObject*
   VocPictures pictures{
       mapped<uchar>(instances, [&](ushort instance) { return class_of.at(instance); }),
       mapped<uchar>(instances, [&](ushort instance) { return object_of.at(instance); })};
+  for (std::size_t i = 0; i < world_classes; ++i) {
+    pictures.classes.setTo(indexOf(classes.size() + i),
+                           (instances == 0) & (scene.world_map() == static_cast<double>(i + 1)));
+  }
   if (border > 0) {
     const cv::Mat borders = bordersOf(instances, border);
     pictures.classes.setTo(kVoid, borders);
@@ -65,12 +70,12 @@ VocPictures vocPictures(const Scene& scene, const std::vector<const SceneObject*
   return pictures;
 }
 
-void writeLabelMap(std::ostream& stream, const std::vector<ClassInfo>& classes) {
+void writeLabelMap(std::ostream& stream, const std::vector<std::string>& classes) {
   const std::vector<cv::Vec3b> colours = vocColourMap();
   stream << "# label:color_rgb:parts:actions\nbackground:0,0,0::\n";
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const cv::Vec3b& colour = colours.at(i + 1);
-    stream << plainName(classes[i].name) << ':' << std::to_string(colour[2]) << ','
+    stream << plainName(classes[i]) << ':' << std::to_string(colour[2]) << ','
            << std::to_string(colour[1]) << ',' << std::to_string(colour[0]) << "::\n";
   }
 }

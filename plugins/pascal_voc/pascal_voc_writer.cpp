@@ -8,6 +8,7 @@
 
 #include "plugins/pascal_voc/pascal_voc_options.h"
 #include "plugins/pascal_voc/pascal_voc_pictures.h"
+#include "plugins/shared/seen_parts.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/label_writer.h"
@@ -53,18 +54,26 @@ class PascalVocWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     options_ = readPascalVocOptions(parameters);
-    if (options_.segmentation && dataset.classes.size() > kMostVocIndices) {
+    const std::size_t class_count = dataset.classes.size() + dataset.world_classes.size();
+    if (options_.segmentation && class_count > kMostVocIndices) {
       parameters.addError("segmentation", "found true; it should be false: there are " +
-                                              std::to_string(dataset.classes.size()) +
+                                              std::to_string(class_count) +
                                               " classes, and a picture of them can tell 254 apart");
     }
     classes_ = dataset.classes;
+    objects_ = dataset.objects;
+    has_parts_ = std::any_of(objects_.begin(), objects_.end(),
+                             [](const ObjectInfo& each) { return !each.part_names.empty(); });
+    if (options_.segmentation) world_classes_ = dataset.world_classes;
     splits_ = dataset.splitFolders();
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
     Requirements requirements = requirementsOf(options_.box);
     requirements.visibility = true;
+    requirements.world_map = !world_classes_.empty();
+    requirements.part_map = has_parts_;
+    requirements.visible_masks = requirements.visible_masks || has_parts_;
     return requirements;
   }
 
@@ -78,7 +87,7 @@ class PascalVocWriter : public LabelWriter {
       const auto box = boxOf(object, options_.box, scene.camera);
       if (!object.labelled() || !box) continue;
       objects.push_back(&object);
-      elements += objectElement(object, *box);
+      elements += objectElement(object, *box, partElements(scene, object));
       bool& plain = is_plain[object.class_id];
       plain = plain || !isDifficult(object);
     }
@@ -107,12 +116,20 @@ class PascalVocWriter : public LabelWriter {
            objects + "</annotation>\n";
   }
 
-  [[nodiscard]] std::string objectElement(const SceneObject& object, const Box& box) const {
-    const bool is_truncated = object.truncation() > options_.truncated_above;
-    // Without a division: the share of the silhouette in the image that something else hides.
-    const auto in_image = static_cast<double>(object.pixels.silhouette_in_image());
-    const double hidden = in_image - static_cast<double>(object.pixels.visible());
-    const bool is_occluded = hidden > options_.occluded_above * in_image;
+  /// The boxes of an object's parts, as the layouts of persons have them.
+  [[nodiscard]] std::string partElements(const Scene& scene, const SceneObject& object) const {
+    if (!has_parts_) return "";
+    std::string elements;
+    const ObjectInfo& info = objects_.at(static_cast<std::size_t>(object.instance) - 1);
+    for (const SeenPart& part : seenParts(scene, object, info)) {
+      elements += "\t\t<part>\n\t\t\t" + element("name", escaped(vocName(part.name))) + "\n" +
+                  boxElement(part.box(), "\t\t\t") + "\t\t</part>\n";
+    }
+    return elements;
+  }
+
+  /// @param indent  of its lines
+  [[nodiscard]] std::string boxElement(const Box& box, const std::string& indent) const {
     // The first pixel's left edge is at -0.5, and the last pixel's right edge ends the box.
     const auto first = [&](double edge) {
       return static_cast<int>(std::floor(edge + 0.5)) + options_.first_pixel;
@@ -120,13 +137,25 @@ class PascalVocWriter : public LabelWriter {
     const auto last = [&](double edge) {
       return static_cast<int>(std::ceil(edge + 0.5)) - 1 + options_.first_pixel;
     };
+    const std::string inner = "\n" + indent + "\t";
+    return indent + "<bndbox>" + inner + element("xmin", first(box.left)) + inner +
+           element("ymin", first(box.top)) + inner + element("xmax", last(box.right)) + inner +
+           element("ymax", last(box.bottom)) + "\n" + indent + "</bndbox>\n";
+  }
+
+  /// @param parts  elements of its parts
+  [[nodiscard]] std::string objectElement(const SceneObject& object, const Box& box,
+                                          const std::string& parts) const {
+    const bool is_truncated = object.truncation() > options_.truncated_above;
+    // Without a division: the share of the silhouette in the image that something else hides.
+    const auto in_image = static_cast<double>(object.pixels.silhouette_in_image());
+    const double hidden = in_image - static_cast<double>(object.pixels.visible());
+    const bool is_occluded = hidden > options_.occluded_above * in_image;
     return "\t<object>\n\t\t" + element("name", escaped(vocName(object.class_name))) + "\n\t\t" +
            element("pose", "Unspecified") + "\n\t\t" + element("truncated", is_truncated ? 1 : 0) +
            "\n\t\t" + element("occluded", is_occluded ? 1 : 0) + "\n\t\t" +
-           element("difficult", isDifficult(object) ? 1 : 0) + "\n\t\t<bndbox>\n\t\t\t" +
-           element("xmin", first(box.left)) + "\n\t\t\t" + element("ymin", first(box.top)) +
-           "\n\t\t\t" + element("xmax", last(box.right)) + "\n\t\t\t" +
-           element("ymax", last(box.bottom)) + "\n\t\t</bndbox>\n\t</object>\n";
+           element("difficult", isDifficult(object) ? 1 : 0) + "\n" + boxElement(box, "\t\t") +
+           parts + "\t</object>\n";
   }
 
   [[nodiscard]] bool isDifficult(const SceneObject& object) const {
@@ -139,7 +168,8 @@ class PascalVocWriter : public LabelWriter {
       output.addWarning(
           "SegmentationObject can tell 254 objects of an image apart: those after them are void");
     }
-    const VocPictures pictures = vocPictures(scene, objects, classes_, options_.void_border);
+    const VocPictures pictures =
+        vocPictures(scene, objects, classes_, world_classes_.size(), options_.void_border);
     const std::string end = "/" + scene.flatName() + ".png";
     output.addIndexedImage("SegmentationClass" + end, pictures.classes, vocColourMap());
     output.addIndexedImage("SegmentationObject" + end, pictures.objects, vocColourMap());
@@ -147,7 +177,10 @@ class PascalVocWriter : public LabelWriter {
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
     if (options_.segmentation) {
-      output.addFile("labelmap.txt", [&](std::ostream& file) { writeLabelMap(file, classes_); });
+      std::vector<std::string> names;
+      for (const ClassInfo& each : classes_) names.push_back(each.name);
+      names.insert(names.end(), world_classes_.begin(), world_classes_.end());
+      output.addFile("labelmap.txt", [&](std::ostream& file) { writeLabelMap(file, names); });
     }
     std::map<std::string, std::set<std::string>> lists;  // by name: the splits in them
     for (const std::string& split : splits_) {
@@ -198,6 +231,9 @@ class PascalVocWriter : public LabelWriter {
 
   PascalVocOptions options_;
   std::vector<ClassInfo> classes_;
+  std::vector<std::string> world_classes_;  ///< that the pictures show
+  std::vector<ObjectInfo> objects_;
+  bool has_parts_ = false;
   std::vector<std::string> splits_;
 };
 

@@ -80,6 +80,21 @@ std::optional<double> maybeSeconds(Parameters& group, const std::string& name) {
   return number;
 }
 
+std::vector<std::string> readNames(Parameters& group, const std::string& name,
+                                   const std::string& of) {
+  const auto value = group.required<Value>(name);
+  const Value::List* list = value.as<Value::List>();
+  std::vector<std::string> names;
+  for (const Value& each : list != nullptr ? *list : Value::List{value}) {
+    const bool is_name = each.is<std::string>() || each.is<std::int64_t>();
+    if (is_name && !each.text().empty()) names.push_back(each.text());
+  }
+  if (names.empty() || (list != nullptr && names.size() != list->size())) {
+    group.addError(name, "found " + value.text() + "; it should be a list of names of " + of);
+  }
+  return names;
+}
+
 std::string absolutePath(const std::string& path) {
   if (path.empty()) return path;
   std::filesystem::path result = path;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "synthetic_dataset/parameters.h"
 
@@ -26,6 +27,11 @@ namespace synthetic_dataset::config {
 
 /// Whether the parameter is a list without entries.
 [[nodiscard]] bool isEmptyList(Parameters& group, const std::string& name);
+
+/// A list of names or whole numbers, or one of them alone, as texts; an empty one is noted.
+/// @param of  what they name, for the message
+[[nodiscard]] std::vector<std::string> readNames(Parameters& group, const std::string& name,
+                                                 const std::string& of);
 
 /// Absolute, with a leading `~/` taken as the user's home; nothing stays nothing.
 [[nodiscard]] std::string absolutePath(const std::string& path);

@@ -225,6 +225,7 @@ Config readConfig(Parameters root) {
   addLabelledDistractors(root, config.randomization.distractors, config.objects);
   checkObjectCount(root, config.objects.size());
   config.classes = readClasses(root, config.objects);
+  config.world_classes = readWorldClasses(root, config.classes);
   config.masks = readMasks(root);
   config.labels = readLabels(root);
   config.split = readSplit(root);

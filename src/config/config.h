@@ -9,6 +9,7 @@
 #include "output/output_options.h"
 #include "output/writers/writer_options.h"
 #include "render/render_options.h"
+#include "scene/link_group_options.h"
 #include "scene/scene_options.h"
 #include "synthetic_dataset/parameters.h"
 #include "world/load_options.h"
@@ -43,6 +44,7 @@ struct ClassConfig {
 struct Config : scene::SceneOptions {
   WorldConfig world;
   std::vector<ClassConfig> classes;  ///< in the order of their numbers
+  scene::WorldClasses world_classes;
   SplitConfig split;
   world::PhysicsOptions physics;
   render::RenderOptions rendering;

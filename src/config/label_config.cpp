@@ -211,4 +211,20 @@ std::vector<ClassConfig> readClasses(Parameters root, std::vector<scene::ObjectO
   return table.classes();
 }
 
+scene::WorldClasses readWorldClasses(Parameters root, const std::vector<ClassConfig>& classes) {
+  scene::WorldClasses result;
+  Parameters group = root.group("world_classes");
+  for (const std::string& name : group.names()) {
+    const bool is_taken = std::any_of(classes.begin(), classes.end(),
+                                      [&](const ClassConfig& each) { return each.name == name; });
+    if (is_taken) {
+      group.addError(name, "found a name that is also a class of objects; it should be another");
+    } else if (const auto problem = nameProblem(name)) {
+      group.addError(name, "found a name that " + *problem);
+    }
+    result[name] = readNames(group, name, "models of the world, or gz-sim's label numbers");
+  }
+  return result;
+}
+
 }  // namespace synthetic_dataset::config

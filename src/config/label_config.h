@@ -21,4 +21,9 @@ namespace synthetic_dataset::config {
 [[nodiscard]] std::vector<ClassConfig> readClasses(Parameters root,
                                                    std::vector<scene::ObjectOptions>& objects);
 
+/// Reads `world_classes`.
+/// @param classes  of objects, which have other names
+[[nodiscard]] scene::WorldClasses readWorldClasses(Parameters root,
+                                                   const std::vector<ClassConfig>& classes);
+
 }  // namespace synthetic_dataset::config

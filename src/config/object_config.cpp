@@ -246,6 +246,10 @@ scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
   readSkeleton(group, object);
   object.bounding_shape_O = readBoundingShape(group);
   object.safety_radius = readSafetyRadius(group);
+  Parameters parts = group.group("parts");
+  for (const std::string& part : parts.names()) {
+    object.parts[part] = readNames(parts, part, "links of its model");
+  }
   return object;
 }
 
@@ -306,6 +310,7 @@ std::vector<scene::ObjectOptions> readObjects(Parameters root) {
                                                   "rendering",
                                                   "split",
                                                   "world",
+                                                  "world_classes",
                                                   "writers"};
   std::vector<scene::ObjectOptions> objects;
   std::set<std::string> seen;

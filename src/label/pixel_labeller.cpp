@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "label/keypoint_states.h"
+#include "label/link_map.h"
 #include "label/object_links.h"
 #include "render/lens/lens_map.h"
 
@@ -12,8 +13,8 @@ bool looksAtPixels(const Requirements& requirements, const MaskOptions& masks,
                    const LabelOptions& labels) {
   return requirements.visible_masks || requirements.class_map || requirements.visibility ||
          requirements.keypoint_states || requirements.depth || requirements.normals ||
-         requirements.optical_flow || labels.hasThresholds() ||
-         (requirements.silhouettes && masks.method == MaskMethod::kMog2);
+         requirements.optical_flow || requirements.world_map || requirements.part_map ||
+         labels.hasThresholds() || (requirements.silhouettes && masks.method == MaskMethod::kMog2);
 }
 
 PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& renderer,
@@ -30,7 +31,7 @@ PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& render
   needed.visibility = needed.visibility || options_.labels.min_visibility > 0.0;
   needs_labels_ = looksAtPixels(requirements, options.masks, options.labels);
   needs_silhouettes_ = needed.visibility || (needed.silhouettes && !usesSubtraction());
-  pass_.links = needed.optical_flow;
+  pass_.links = needed.optical_flow || needed.world_map || needed.part_map;
   pass_.normals = needed.normals;
   for (std::size_t i = 0; i < object_count; ++i) {
     links_of_.push_back(linksOf(static_cast<int>(i), world.links()));
@@ -67,6 +68,10 @@ SeenPixels PixelLabeller::look(const render::View& view, Scene& scene) {
 void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) const {
   if (requirements_.depth) scene.depth = images.depth;
   if (requirements_.normals) scene.normals = images.normals;
+  if (requirements_.world_map) {
+    scene.world_map = label::mapOfLinks(images.links, options_.world_classes);
+  }
+  if (requirements_.part_map) scene.part_map = label::mapOfLinks(images.links, options_.parts);
 }
 
 void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {

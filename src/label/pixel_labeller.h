@@ -20,6 +20,8 @@ struct PixelLabelOptions {
   MaskOptions masks;
   LabelOptions labels;
   std::vector<std::uint16_t> class_numbers;  ///< of the objects: their values in Scene::class_map
+  std::vector<std::uint16_t> world_classes;  ///< of the links: their values in Scene::world_map
+  std::vector<std::uint16_t> parts;          ///< of the links: their values in Scene::part_map
 };
 
 /// What is kept of a scene's pixels until it is known where they go.

@@ -12,8 +12,10 @@
 namespace synthetic_dataset::run {
 namespace {
 
-label::PixelLabelOptions labelOptions(const config::Config& config) {
-  label::PixelLabelOptions options{config.masks, config.labels, {}};
+label::PixelLabelOptions labelOptions(const MotionSetup& motion) {
+  const config::Config& config = motion.config;
+  label::PixelLabelOptions options{
+      config.masks, config.labels, {}, motion.world_classes, motion.parts};
   for (const scene::ObjectOptions& object : config.objects) {
     const auto found =
         std::find_if(config.classes.begin(), config.classes.end(),
@@ -30,7 +32,7 @@ MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Require
       splits_(splits),
       renderer_(motion.world->description(), motion.world->links(), motion.config.rendering),
       scene_maker_(*motion.world, renderer_, *motion.frames, motion.cameras, *motion.shapes,
-                   requirements, labelOptions(motion.config)),
+                   requirements, labelOptions(motion)),
       picture_taker_(*motion.world, renderer_, *motion.frames, motion.cameras, motion.config.seed),
       object_motion_(*motion.frames, motion.config.objects, motion.world->links(),
                      motion.driven_links) {

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "scene/link_group_options.h"
+
 namespace synthetic_dataset::scene {
 
 /// Which TF frame each link of an object has.
@@ -34,6 +36,7 @@ struct ObjectOptions {
   std::vector<std::string> keypoint_names;           ///< none: numbers
   std::vector<std::array<std::size_t, 2>> skeleton;  ///< pairs of keypoints, from 0
   int farthest_points = 0;  ///< so many keypoints are chosen on the model instead; 0: as given
+  LinkGroups parts;         ///< of its links
   std::vector<Eigen::Vector3d> bounding_shape_O;  ///< none: the model's own box
   std::optional<double>
       safety_radius;  ///< kept free around it when it is placed [m]; none: its own

@@ -151,6 +151,7 @@ struct Link {
   std::vector<Visual> visuals;
   std::vector<Collision> collisions;
   std::optional<Inertia> inertia;
+  std::optional<int> label;  ///< that a plugin of gz-sim's gives it
 };
 
 struct Model {

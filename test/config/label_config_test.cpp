@@ -117,6 +117,23 @@ TEST(ReadClasses, RefuseNumbersTwiceAndOutOfRange) {
                                          HasSubstr("found the number 70000 of 'd'")));
 }
 
+TEST(ReadWorldClasses, ReadsNamesAndLabels) {
+  const scene::WorldClasses classes =
+      readWorldClasses(settings("world_classes: {floor: ground_plane, plant: [3, 'tree_*']}"), {});
+  EXPECT_THAT(classes, ElementsAre(Pair("floor", ElementsAre("ground_plane")),
+                                   Pair("plant", ElementsAre("3", "tree_*"))));
+  EXPECT_THAT(readWorldClasses(settings("{}"), {}), IsEmpty());
+}
+
+TEST(ReadWorldClasses, RefusesNamesOfObjectsAndWhatIsNoName) {
+  Parameters taken = settings("world_classes: {rover: [ground_plane], wall: [1.5]}");
+  (void)readWorldClasses(taken, {{0, "rover"}});
+  EXPECT_THAT(taken.errors(),
+              ElementsAre(HasSubstr("world_classes/rover: found a name that is also"),
+                          HasSubstr("world_classes/wall: found [1.5]; it should be "
+                                    "a list of names")));
+}
+
 TEST(ReadSplit, ReadsAGapBetweenBlocksAlone) {
   EXPECT_EQ(readSplit(settings("split: {train: 1, gap: 2.5}")).gap, 2.5);
   Parameters negative = settings("split: {train: 1, gap: -1}");

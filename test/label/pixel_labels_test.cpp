@@ -45,9 +45,13 @@ class PixelLabels : public testing::Test {
                                                    setup_->world->links(), render::RenderOptions{});
     motion_ = std::make_unique<scene::ObjectMotion>(*setup_->frames, setup_->config.objects,
                                                     setup_->world->links(), setup_->driven_links);
-    maker_ = std::make_unique<scene::SceneMaker>(
-        *setup_->world, *renderer_, *setup_->frames, setup_->cameras, *setup_->shapes, requirements,
-        PixelLabelOptions{setup_->config.masks, setup_->config.labels, {1, 1}});
+    maker_ = std::make_unique<scene::SceneMaker>(*setup_->world, *renderer_, *setup_->frames,
+                                                 setup_->cameras, *setup_->shapes, requirements,
+                                                 PixelLabelOptions{setup_->config.masks,
+                                                                   setup_->config.labels,
+                                                                   {1, 1},
+                                                                   setup_->world_classes,
+                                                                   setup_->parts});
     moveTo(0);
     seen_ = maker_->look(0, 0, stamp(0), motion_->objectPoses(stamp(0)));
     agreement_ = seen_->pixels.labels(seen_->scene);
@@ -97,6 +101,26 @@ TEST_F(PixelLabels, AnObjectInTheOpenIsAllVisible) {
   EXPECT_EQ(alpha.pixels.visible(), alpha.visible_mask().count());
   EXPECT_EQ(cv::countNonZero(alpha.visible_mask().whole() != alpha.silhouette().whole()), 0);
   EXPECT_TRUE(alpha.labelled());
+}
+
+TEST_F(PixelLabels, ShowClassesOfTheWorldAndPartsOfObjects) {
+  Value::Map alpha = test::TinyRun::object("alpha");
+  alpha["parts"] = Value(Value::Map{{"all", Value(Value::List{Value("bo*")})}});
+  const Value classes(Value::Map{{"ground", Value(Value::List{Value("floor")})},
+                                 {"toy", Value(Value::List{Value("ball")})}});
+  place(test::poseAt(0, kAxis, 0), test::poseAt(0.5, kAxis - 0.6, 0),
+        {{"world_classes", classes}, {"alpha", Value(alpha)}});
+  Requirements maps;
+  maps.world_map = maps.part_map = maps.visible_masks = true;
+  const Scene scene = sceneWith(maps);
+  EXPECT_EQ(scene.world_map().at<std::uint16_t>(115, 5), 1);
+  EXPECT_EQ(scene.world_map().at<std::uint16_t>(5, 5), 0);  // the sky
+  EXPECT_GT(cv::countNonZero(scene.world_map() == 2), 10);
+  const cv::Mat objects = scene.instance_map() != 0;
+  EXPECT_EQ(cv::countNonZero(objects & (scene.world_map() != 0)), 0);
+  EXPECT_GT(scene.objects[1].visible_mask().count(), 100);
+  EXPECT_EQ(cv::countNonZero((scene.part_map() == 1) != scene.objects[0].visible_mask().whole()),
+            0);
 }
 
 TEST_F(PixelLabels, AMaskReachesBeyondABoundingShapeThatIsTooSmall) {

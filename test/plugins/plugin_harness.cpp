@@ -42,6 +42,8 @@ Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
   }
   scene.instance_map = instance_map;
   scene.class_map = class_map;
+  scene.world_map = cv::Mat(480, 640, CV_16UC1, cv::Scalar(0));
+  scene.part_map = cv::Mat(480, 640, CV_16UC1, cv::Scalar(0));
   scene.depth = depth;
   scene.setTransforms([](const std::string& target, const std::string& source) -> Pose {
     if (target == source) return Pose::Identity();

@@ -36,8 +36,9 @@ ReadyWriter makeReady(WriterLoader& loader, const WriterOptions& choice,
 
 constexpr bool Requirements::*kFlags[] = {
     &Requirements::silhouettes,     &Requirements::visible_masks, &Requirements::visibility,
-    &Requirements::keypoint_states, &Requirements::class_map,     &Requirements::depth,
-    &Requirements::normals,         &Requirements::optical_flow};
+    &Requirements::keypoint_states, &Requirements::class_map,     &Requirements::world_map,
+    &Requirements::part_map,        &Requirements::depth,         &Requirements::normals,
+    &Requirements::optical_flow};
 
 Requirements merged(const std::vector<ReadyWriter>& writers) {
   Requirements all;

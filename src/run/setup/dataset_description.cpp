@@ -26,6 +26,7 @@ ObjectInfo describeObject(const scene::ObjectOptions& config) {
     }
   }
   object.skeleton = config.skeleton;
+  for (const auto& [part, links] : config.parts) object.part_names.push_back(part);
   return object;
 }
 
@@ -108,6 +109,7 @@ DatasetInfo describeDataset(const config::Config& config, const std::vector<Moti
   for (const config::ClassConfig& each : config.classes) {
     info.classes.push_back({each.id, each.name});
   }
+  for (const auto& [name, patterns] : config.world_classes) info.world_classes.push_back(name);
   for (std::size_t camera = 0; camera < motions.front().cameras.size(); ++camera) {
     info.cameras.push_back(describeCamera(camera, motions));
   }

@@ -10,6 +10,7 @@
 #include "run/setup/scene_plan.h"
 #include "run/setup/size_checks.h"
 #include "run/setup/world_setup.h"
+#include "scene/link_groups.h"
 #include "scene/stereo_pairs.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -148,6 +149,9 @@ class MotionBuilder {
     setup_.inputs = std::move(world.inputs);
     setup_.world = std::move(world.world);
     if (!setup_.world) return;
+    const std::vector<world::LinkInstance>& links = setup_.world->links();
+    setup_.world_classes = scene::worldClassNumbers(config().world_classes, links, found());
+    setup_.parts = scene::partNumbers(config().objects, links, found());
     noteSharedShapes();
     setup_.shapes = attempt([&] {
       return std::make_unique<scene::ObjectShapes>(config().objects, setup_.variants,

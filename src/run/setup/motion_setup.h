@@ -34,7 +34,9 @@ struct MotionSetup {
   std::unique_ptr<world::World> world;
   std::vector<scene::CameraRig> cameras;
   std::vector<std::vector<scene::DrivenLinks>> driven_links;  ///< of each object's variants
-  std::unique_ptr<scene::ObjectShapes> shapes;                ///< of the objects
+  std::vector<std::uint16_t> world_classes;     ///< of the world's links, their values in maps
+  std::vector<std::uint16_t> parts;             ///< of the world's links, their values in maps
+  std::unique_ptr<scene::ObjectShapes> shapes;  ///< of the objects
   std::unique_ptr<scene::SceneArranger> arranger;
   std::unique_ptr<scene::SceneVariation> variation;
 

@@ -35,6 +35,7 @@ class Builder {
     found().add(base::Severity::kError, list_.errors);
     checkSameCameras();
     checkSameDistractors();
+    checkSameWorldClasses();
     const std::int64_t told_count = countInstants();
     planSplits();
     const std::size_t errors_before = roots_.front().errors().size();
@@ -122,6 +123,21 @@ class Builder {
       found().error(motion.entry.group + "/randomize/distractors",
                     "distractors with a class are objects of the whole "
                     "dataset; their settings should stand beside motions");
+    }
+  }
+
+  /// Their names are the dataset's; what they mean is each world's own.
+  void checkSameWorldClasses() {
+    const auto namesOf = [](const MotionSetup& motion) {
+      std::set<std::string> names;
+      for (const auto& [name, patterns] : motion.config.world_classes) names.insert(name);
+      return names;
+    };
+    for (const MotionSetup& motion : setup_.motions) {
+      if (namesOf(motion) == namesOf(setup_.motions.front())) continue;
+      found().error(
+          motion.entry.group + "/world_classes",
+          "found other classes than the first motion has; all should have the same names");
     }
   }
 

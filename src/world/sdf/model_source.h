@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct ModelSource {
   RelativePose pose;
   std::string placement_frame;  ///< whose pose `pose` is; empty: the model's own frame
   bool is_static = false;
+  std::optional<int> label;         ///< that gz-sim's label plugin gives it
   bool merges = false;              ///< what is in it belongs to the model around it
   bool has_gaps = false;            ///< a model in it is missing, which has been reported
   std::vector<ModelSource> models;  ///< those within it, in the order of the file

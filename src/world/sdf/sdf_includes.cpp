@@ -9,6 +9,7 @@
 #include "world/files/fuel.h"
 #include "world/files/text.h"
 #include "world/sdf/built_in_models.h"
+#include "world/sdf/gz_plugins.h"
 #include "world/sdf/model_config.h"
 
 namespace synthetic_dataset::world {
@@ -48,6 +49,7 @@ ModelSource SdfIncludes::modelOf(const Element& model, const Place& outer) {
   source.pose = readPose(model, source.place, reading_);
   source.placement_frame = model.attribute("placement_frame");
   source.is_static = readBool(model, "static", false, source.place, reading_);
+  source.label = readLabel(model);
   for (const Element& child : model.children()) {
     if (child.name() == "model") source.models.push_back(modelOf(child, source.place));
     if (child.name() == "include") source.models.push_back(followed(child, source.place));
@@ -147,6 +149,7 @@ void SdfIncludes::applyOverrides(const Element& include, const Place& place,
   const std::string frame = readText(include, "placement_frame");
   if (!frame.empty()) source.placement_frame = frame;
   source.is_static = readBool(include, "static", source.is_static, place, reading_);
+  if (const auto label = readLabel(include)) source.label = label;
   source.merges = include.attribute("merge") == "true" || include.attribute("merge") == "1";
 }
 

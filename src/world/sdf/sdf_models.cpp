@@ -1,10 +1,12 @@
 #include "world/sdf/sdf_models.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "world/sdf/gz_plugins.h"
 #include "world/sdf/sdf_cameras.h"
 #include "world/sdf/sdf_collisions.h"
 #include "world/sdf/sdf_inertia.h"
@@ -29,6 +31,8 @@ class ModelReader {
       addUrdf(*source.urdf, X_MN, prefix);
       return;
     }
+    const std::optional<int> outer_label = label_;
+    if (source.label) label_ = source.label;
     for (const Element& link : source.element.children("link")) {
       readLink(link, source, X_MN, prefix, is_static);
     }
@@ -41,6 +45,7 @@ class ModelReader {
       read(inner, X_MI, inner_prefix, is_static || inner.is_static);
       stands_ = stands_ || inner.is_static;
     }
+    label_ = outer_label;
     // Joints may hold links of nested models, so these come first.
     stands_ = readJoints(source, prefix, reading_, contents.model) || stands_;
   }
@@ -65,6 +70,7 @@ class ModelReader {
     link.name = uniqueName(prefix + from.attribute("name"), here);
     const Pose X_NL = source.frames.resolve(readPose(from, here, reading_), "", here, reading_);
     link.X_ML = poseOf(link.name, X_MN * X_NL);
+    link.label = label_;
     link.has_gravity = readBool(from, "gravity", true, here, reading_);
     stands_ = stands_ || readBool(from, "kinematic", false, here, reading_);
     if (!is_static) link.inertia = readInertia(from, here, reading_);
@@ -73,6 +79,7 @@ class ModelReader {
       const Place place = placeOf(each, here);
       auto visual = readVisual(each, scale_, place, reading_);
       if (!visual) continue;
+      if (const auto label = readLabel(each)) link.label = label;
       visual->X_LV = poseIn(context, each, place);
       link.visuals.push_back(std::move(*visual));
     }
@@ -150,6 +157,7 @@ class ModelReader {
   const SavedModel* saved_;
   SdfReading& reading_;
   Eigen::Vector3d scale_{1, 1, 1};
+  std::optional<int> label_;     ///< of the model that is being read
   std::set<std::string> names_;  ///< of links
   bool stands_ = false;
 };

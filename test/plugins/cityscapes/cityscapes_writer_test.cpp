@@ -122,6 +122,35 @@ TEST_F(Cityscapes, NumbersTrainIdsOfItsOwnClassesFrom0) {
             "128 0 0 robot\n0 128 128 fork_lift\n0 0 0 background\n");
 }
 
+TEST_F(Cityscapes, LabelsClassesOfTheWorld) {
+  dataset_.world_classes = {"floor", "wall"};
+  EXPECT_TRUE(load({}).requirements().world_map);
+  Scene two = scene(0, {of(5, {0, 0, 10, 10}), of(0, {20, 0, 10, 10})});
+  cv::Mat world = cv::Mat::zeros(480, 640, CV_16UC1);
+  world(cv::Rect(0, 0, 640, 80)) = 2;
+  two.world_map = world;
+  EXPECT_EQ(labelAt(two, 0, 0), 6);
+  EXPECT_EQ(labelAt(two, 15, 0), 8);  // after the greatest, 6, the floor's 7
+  EXPECT_EQ(instanceAt(two, 15, 0), 8);
+  EXPECT_EQ(labelAt(two, 15, 100), 0);
+  const auto polygons = jsonOf(two, kBase + "polygons.json")["objects"];
+  EXPECT_EQ(polygons[0]["label"], "wall");  // what stands before it is drawn over it
+  EXPECT_EQ(polygons.size(), 3U);
+  runAll({two});
+  const auto table = nlohmann::json::parse(test::readFile(folder() + "labels.json"));
+  EXPECT_EQ(table[4]["name"], "wall");
+  EXPECT_EQ(table[4]["hasInstances"], false);
+  EXPECT_EQ(table[4]["trainId"], 3);
+}
+
+TEST_F(Cityscapes, WantsItsOwnLabelsForTheWorldTooWhereItsClassesHaveThem) {
+  dataset_.world_classes = {"floor"};
+  load({{"label_ids", Value::Map{{"robot", 26}, {"fork lift", 33}}}});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("w/label_ids/floor: missing")));
+  load({{"label_ids", Value::Map{{"robot", 26}, {"fork lift", 33}, {"floor", 7}}}});
+  EXPECT_THAT(parameters_.errors(), IsEmpty());
+}
+
 TEST_F(Cityscapes, RefusesLabelsThatDoNotFitIntoThePictures) {
   dataset_.classes = {{63, "fits"}, {64, "does not"}};
   load({{"world_id", 65}});

@@ -349,6 +349,53 @@ TEST_F(Coco, GivesTheWorldAStuffCategoryWhenAskedTo) {
   EXPECT_EQ(written("instances_train")["categories"].size(), 2U);
 }
 
+TEST_F(Coco, GivesClassesOfTheWorldCategoriesOfStuff) {
+  dataset_.world_classes = {"floor", "wall"};
+  EXPECT_FALSE(load({}).requirements().world_map);
+  EXPECT_TRUE(load({{"panoptic", true}, {"background", "rest"}}).requirements().world_map);
+  Scene scene = sceneOf(0, {{10, 20, 30, 40}, {100, 20, 30, 40}});
+  cv::Mat world = cv::Mat::zeros(480, 640, CV_16UC1);
+  world(cv::Rect(0, 400, 640, 80)) = 1;
+  scene.world_map = world;  // no wall is seen
+  runAll({scene});
+  const json file = written("panoptic_train");
+  ASSERT_EQ(file["categories"].size(), 5U);
+  EXPECT_EQ(file["categories"][2]["name"], "floor");
+  EXPECT_EQ(file["categories"][2]["id"], 4);
+  EXPECT_EQ(file["categories"][2]["isthing"], 0);
+  EXPECT_EQ(file["categories"][4]["name"], "rest");
+  const json& segments = file["annotations"][0]["segments_info"];
+  ASSERT_EQ(segments.size(), 4U);
+  EXPECT_EQ(segments[2], json({{"id", 3},
+                               {"category_id", 4},
+                               {"area", 640 * 80},
+                               {"bbox", {0, 400, 640, 80}},
+                               {"iscrowd", 0}}));
+  EXPECT_EQ(segments[3]["id"], 5);
+  EXPECT_EQ(segments[3]["category_id"], 6);
+  EXPECT_EQ(segments[3]["area"], 640 * 400 - 2 * 30 * 40);
+  const cv::Mat ids = cv::imread(folder() + "annotations/panoptic_train/00000000.png");
+  EXPECT_EQ(ids.at<cv::Vec3b>(470, 5), cv::Vec3b(0, 0, 3));
+  EXPECT_EQ(ids.at<cv::Vec3b>(5, 5), cv::Vec3b(0, 0, 5));
+}
+
+TEST_F(Coco, HasPartsBelowTheirObject) {
+  dataset_.objects[1].part_names = {"fork", "mast"};
+  EXPECT_TRUE(load({}).requirements().part_map);
+  Scene scene = sceneOf(0, {{10, 20, 30, 40}, {100, 20, 30, 40}});
+  cv::Mat parts = cv::Mat::zeros(480, 640, CV_16UC1);
+  parts(cv::Rect(90, 50, 20, 100)) = 2;  // of which 10 x 10 pixels are the object's
+  scene.part_map = parts;
+  runAll({scene});
+  const json annotations = written("instances_train")["annotations"];
+  EXPECT_EQ(annotations[0]["synthetic_dataset"].count("parts"), 0U);
+  const json& of_second = annotations[1]["synthetic_dataset"]["parts"];
+  ASSERT_EQ(of_second.size(), 1U);
+  EXPECT_EQ(of_second[0]["name"], "mast");
+  EXPECT_EQ(of_second[0]["bbox"], json({100.0, 50.0, 10.0, 10.0}));
+  EXPECT_EQ(of_second[0]["area"], 100);
+}
+
 TEST_F(Coco, RefusesABackgroundThatIsAClass) {
   load({{"background", "cup"}});
   EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("w/background: found 'cup'")));
@@ -376,8 +423,7 @@ TEST_F(Coco, GivesAllAnnotationsAsManyKeypointsWhenAskedTo) {
 TEST_F(Coco, GivesKeypointsToSomeClassesAlone) {
   giveKeypoints(0, {"tip", "heel"});
   giveKeypoints(1, {"fork"});
-  load({{"keypoint_classes", Value::List{"cup"}},
-        {"annotation_file", "person_keypoints"}});
+  load({{"keypoint_classes", Value::List{"cup"}}, {"annotation_file", "person_keypoints"}});
   Scene scene = sceneOf(0, {{10, 20, 30, 40}, {100, 20, 30, 40}});
   scene.objects[0].keypoints = {
       keypoint(Eigen::Vector2d(11.0, 21.0), 1.0, KeypointState::kVisible),

@@ -247,5 +247,40 @@ TEST_F(PascalVoc, RefusesSharesAndBordersOutOfRange) {
                           HasSubstr("w/void_border: found -1; it should be 0 to 100")));
 }
 
+TEST_F(PascalVoc, ShowsClassesOfTheWorldAfterThoseOfObjects) {
+  dataset_.world_classes = {"floor", "wall"};
+  EXPECT_TRUE(load({}).requirements().world_map);
+  Scene one = scene(0, {robot({10, 10, 20, 20})});
+  one.objects[0].instance = 1;
+  cv::Mat world = cv::Mat::zeros(480, 640, CV_16UC1);
+  world(cv::Rect(0, 0, 640, 100)) = 2;
+  one.world_map = world;
+  const cv::Mat classes = pictureOf(one, "SegmentationClass/00000000.png");
+  EXPECT_EQ(classes.at<uchar>(15, 15), 1);
+  EXPECT_EQ(classes.at<uchar>(5, 5), 4);
+  EXPECT_EQ(classes.at<uchar>(200, 5), 0);
+  EXPECT_EQ(pictureOf(one, "SegmentationObject/00000000.png").at<uchar>(5, 5), 0);
+  runAll({one});
+  EXPECT_THAT(test::readFile(folder() + "labelmap.txt"), HasSubstr("\nfloor:128,128,0::\nwall:"));
+}
+
+TEST_F(PascalVoc, HasPartsInTheirObject) {
+  ObjectInfo info;
+  info.name = "a";
+  info.part_names = {"fork", "mast"};
+  dataset_.objects = {info};
+  EXPECT_TRUE(load({}).requirements().part_map);
+  Scene one = scene(0, {robot({10, 10, 20, 20})});
+  cv::Mat parts = cv::Mat::zeros(480, 640, CV_16UC1);
+  parts(cv::Rect(25, 0, 100, 480)) = 2;
+  one.part_map = parts;
+  // Columns 25 to 29 and rows 10 to 29, counted from 1.
+  EXPECT_THAT(filesOf(one).at("Annotations/00000000.xml"),
+              HasSubstr("\t\t</bndbox>\n\t\t<part>\n\t\t\t<name>mast</name>\n\t\t\t<bndbox>\n"
+                        "\t\t\t\t<xmin>26</xmin>\n\t\t\t\t<ymin>11</ymin>\n"
+                        "\t\t\t\t<xmax>30</xmax>\n\t\t\t\t<ymax>30</ymax>\n\t\t\t</bndbox>\n"
+                        "\t\t</part>\n\t</object>\n"));
+}
+
 }  // namespace pascal_voc_writer_test
 }  // namespace synthetic_dataset
