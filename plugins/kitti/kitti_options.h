@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "plugins/shared/kitti_columns.h"  // IWYU pragma: export
 #include "synthetic_dataset/box_choice.h"
 
 namespace synthetic_dataset {
-
-inline constexpr int kKittiDecimals = 6;
 
 /// What KITTI calls regions without labels.
 inline constexpr const char* kDontCare = "DontCare";

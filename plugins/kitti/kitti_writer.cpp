@@ -11,76 +11,13 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/kitti/kitti_options.h"
+#include "plugins/shared/kitti_columns.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
 namespace {
-
-constexpr double kLargestTilt = M_PI / 180.0;  // [rad]
-
-/// In (-pi, pi].
-double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
-
-/// 0 fully visible, 1 partly occluded, 2 largely occluded: of the part in the image.
-int occlusionOf(const PixelCounts& pixels) {
-  const double seen = static_cast<double>(pixels.visible()) /
-                      static_cast<double>(std::max<std::int64_t>(pixels.silhouette_in_image(), 1));
-  if (seen >= 0.9) return 0;
-  return seen >= 0.5 ? 1 : 2;
-}
-
-std::string columns(std::initializer_list<double> numbers) {
-  std::string text;
-  for (const double number : numbers) text += " " + fixed(number, kKittiDecimals);
-  return text;
-}
-
-/// Pixels count from the image's edge here, not from the first pixel's centre.
-std::string boxColumns(const Box& box) {
-  return columns({box.left + 0.5, box.top + 0.5, box.right + 0.5, box.bottom + 0.5});
-}
-
-/// The angle between the object's z axis and the camera's upward one [rad].
-double tiltOf(const Pose& X_CO) { return std::acos(std::clamp(-X_CO.linear()(1, 2), -1.0, 1.0)); }
-
-/// The columns from height on, and the observation angle that stands before the 2D box.
-struct Placement {
-  double alpha = 0.0;
-  std::string columns;
-};
-
-/// Length lies along the object's x axis, width along y, height along z.
-Placement placementOf(const SceneObject& object) {
-  const Cuboid& cuboid_O = object.cuboid_O;
-  const Eigen::Vector3d centre_O = cuboid_O.centre();
-  const Eigen::Vector3d bottom_C =
-      object.X_CO * Eigen::Vector3d(centre_O.x(), centre_O.y(), cuboid_O.low.z());
-  const Eigen::Vector3d ahead_C = object.X_CO.linear().col(0);
-  // A turn by rotation_y takes the camera's x axis to (cos, 0, -sin).
-  const double rotation_y = std::atan2(-ahead_C.z(), ahead_C.x());
-  const Eigen::Vector3d size = cuboid_O.size();
-  return {wrapped(rotation_y - std::atan2(bottom_C.x(), bottom_C.z())),
-          columns({size.z(), size.y(), size.x(), bottom_C.x(), bottom_C.y(), bottom_C.z(),
-                   rotation_y})};
-}
-
-std::string calibration(const Intrinsics& k) {
-  const std::string projection =
-      columns({k.fx, 0.0, k.cx, 0.0, 0.0, k.fy, k.cy, 0.0, 0.0, 0.0, 1.0, 0.0}) + "\n";
-  std::string text;
-  for (const char* camera : {"P0:", "P1:", "P2:", "P3:"}) text += camera + projection;
-  text += "R0_rect:" + columns({1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) + "\n";
-  // A scanner in the camera's place, with x ahead, y left and z up.
-  text +=
-      "Tr_velo_to_cam:" + columns({0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0}) +
-      "\n";
-  text +=
-      "Tr_imu_to_velo:" + columns({1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0}) +
-      "\n";
-  return text;
-}
 
 /// Appends a number as KITTI's binary files have it: four bytes, the lowest first.
 void appendFloat(std::string& bytes, double number) {
@@ -152,15 +89,13 @@ class KittiWriter : public LabelWriter {
     for (const SceneObject& object : scene.objects) {
       if (object.labelled()) {
         labels += label(object, scene.camera);
-        is_tilted = is_tilted || tiltOf(object.X_CO) > kLargestTilt;
+        is_tilted = is_tilted || kitti::isTilted(object.X_CO);
       } else if (options_.dont_care && object.pixels.visible() > 0) {
         labels += dontCare(object, scene.camera);
       }
     }
     if (is_tilted) {
-      output.addWarning(
-          "an object is tilted against the camera by more than 1 degree: KITTI's labels have its "
-          "rotation about the camera's y axis alone");
+      output.addWarning(kitti::kTiltWarning);
     }
     const std::string number = sixDigits(scene.instant);
     const std::string training = folders_[scene.camera_index] + "training/";
@@ -175,7 +110,8 @@ class KittiWriter : public LabelWriter {
       listImage(scene, number, output);
     }
     output.addText(training + "label_2/" + number + ".txt", std::move(labels));
-    output.addText(training + "calib/" + number + ".txt", calibration(scene.camera.intrinsics()));
+    output.addText(training + "calib/" + number + ".txt",
+                   kitti::calibration(scene.camera.intrinsics()));
   }
 
   static void listImage(const Scene& scene, const std::string& number, SceneOutput& output) {
@@ -211,16 +147,16 @@ class KittiWriter : public LabelWriter {
   [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
     const auto box = boxOf(object, options_.box, camera);
     if (!box) return "";
-    const Placement placement = placementOf(object);
-    return options_.types.at(object.class_name) + columns({object.truncation()}) + " " +
-           std::to_string(occlusionOf(object.pixels)) + columns({placement.alpha}) +
-           boxColumns(*box) + placement.columns + "\n";
+    const kitti::Placement placement = kitti::placementOf(object);
+    return options_.types.at(object.class_name) + kitti::columns({object.truncation()}) + " " +
+           std::to_string(kitti::occlusionOf(object.pixels)) + kitti::columns({placement.alpha}) +
+           kitti::boxColumns(*box) + placement.columns + "\n";
   }
 
   [[nodiscard]] static std::string dontCare(const SceneObject& object, const CameraModel& camera) {
     const auto box = boxOf(object, BoxChoice::kVisible, camera);
     if (!box) return "";
-    return std::string(kDontCare) + " -1 -1 -10" + boxColumns(*box) +
+    return std::string(kDontCare) + " -1 -1 -10" + kitti::boxColumns(*box) +
            " -1 -1 -1 -1000 -1000 -1000 -10\n";
   }
 

@@ -41,6 +41,11 @@ inline std::vector<FormatCase> formatCases() {
       {"ImageFolder", "ImageFolder", {{"depth", true}, {"masks", true}}},
       {"Kitti", "Kitti", {{"class_names", Value::Map{{"cup", "Car"}}}}},
       {"KittiVelodyne", "Kitti", {{"velodyne", "depth"}}},
+      {"KittiTracking", "KittiTracking", {{"class_names", Value::Map{{"cup", "Car"}}}}},
+      {"LabelMe", "LabelMe"},
+      {"LabelMeRectangles", "LabelMe", {{"shape", "rectangle"}, {"box", "silhouette"}}},
+      {"Mot", "Mot"},
+      {"MotPng", "Mot", {{"image_format", "png"}, {"class_ids", Value::Map{{"cup", 3}}}}},
       {"PascalVoc", "PascalVoc", {{"segmentation", true}}, 4},  // a mask apart from each box
       {"PascalVocFromZero", "PascalVoc", {{"coordinates", "zero_based"}, {"box", "loose"}}, 4},
       {"PvNet", "PvNet"},

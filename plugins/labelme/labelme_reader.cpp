@@ -1,0 +1,80 @@
+#include <array>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "plugins/labelme/labelme_options.h"
+#include "plugins/readback/files.h"
+#include "plugins/readback/format.h"
+#include "plugins/readback/json_file.h"
+#include "plugins/readback/json_text.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats::labelme {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+DrawnLabel labelOf(const json& shape) {
+  DrawnLabel label;
+  label.caption = shape.at("label").get<std::string>();
+  label.class_names = {label.caption};
+  label.object_name = shape.at("description").get<std::string>();
+  const auto points = shape.at("points").get<std::vector<std::array<double, 2>>>();
+  if (shape.at("shape_type") == "rectangle") {
+    label.box = Box{points.at(0)[0] - 0.5, points.at(0)[1] - 0.5, points.at(1)[0] - 0.5,
+                    points.at(1)[1] - 0.5};
+    return label;
+  }
+  label.polygons.emplace_back();
+  for (const auto& [x, y] : points) label.polygons.back().emplace_back(x, y);
+  return label;
+}
+
+LabelledPicture readScene(const WrittenScene& scene) {
+  const fs::path file = scene.file(".json");
+  return readJson(file, [&](const json& content) {
+    const fs::path image = file.parent_path() / content.at("imagePath").get<std::string>();
+    LabelledPicture picture{readPicture(image, cv::IMREAD_COLOR), {}};
+    for (const json& shape : content.at("shapes")) {
+      if (shape.at("shape_type") == "rectangle" && shape.at("points").size() != 2) {
+        throw Error("'" + file.string() + "': found a rectangle that has not two corners");
+      }
+      picture.labels.push_back(labelOf(shape));
+    }
+    return picture;
+  });
+}
+
+Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
+  return [options = readLabelMeOptions(parameters)](const MeasuredScene& scene) {
+    ExpectedLabels expected;
+    for (const MeasuredObject& object : scene.objects) {
+      if (!object.labelled() || !object.visible_box) continue;
+      ExpectedLabel label{object.name, asJsonHasIt(object.class_name), asJsonHasIt(object.name)};
+      if (options.as_rectangles) {
+        label.box = scene.box(object, options.box);
+        label.box_tolerance = kRounding;
+        if (!label.box) continue;
+      } else {
+        const Box& box = *object.visible_box;
+        label.polygon_bounds =
+            Box{box.left + 0.5, box.top + 0.5, box.right - 0.5, box.bottom - 0.5};
+        label.polygon_tolerance = kRounding;
+      }
+      expected.labels.push_back(std::move(label));
+    }
+    return expected;
+  };
+}
+
+}  // namespace
+
+Format format() { return {"synthetic_dataset/LabelMe", false, readScene, expectation}; }
+
+}  // namespace synthetic_dataset::formats::labelme

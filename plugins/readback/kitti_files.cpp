@@ -1,0 +1,36 @@
+#include "plugins/readback/kitti_files.h"
+
+#include <cmath>
+
+#include "plugins/readback/files.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats {
+
+Intrinsics readKittiCamera(const std::filesystem::path& file) {
+  for (const std::string& line : readLines(file)) {
+    const auto words = wordsOf(line);
+    if (words.size() != 13 || words[0] != "P2:") continue;
+    const auto number = [&](std::size_t i) { return numberOf(words[i + 1], file); };
+    return {number(0), number(5), number(2), number(6)};
+  }
+  throw Error("'" + file.string() + "': found no line of 'P2:' and 12 numbers");
+}
+
+/// As the devkit's matlab/computeBox3D.m: the box stands on its location, turned about the camera's
+/// y axis; its length lies along its x.
+std::array<Eigen::Vector3d, 8> kittiCorners(const std::vector<double>& n) {
+  const Eigen::Vector3d size(n[2], n[1], n[0]);  // length, width, height
+  const double c = std::cos(n[6]);
+  const double s = std::sin(n[6]);
+  std::array<Eigen::Vector3d, 8> corners;
+  for (unsigned i = 0; i < 8; ++i) {
+    const double along = ((i & 4U) != 0 ? 0.5 : -0.5) * size.x();
+    const double across = ((i & 2U) != 0 ? 0.5 : -0.5) * size.y();
+    const double up = (i & 1U) != 0 ? size.z() : 0.0;
+    corners[i] = {c * along + s * across + n[3], n[4] - up, c * across - s * along + n[5]};
+  }
+  return corners;
+}
+
+}  // namespace synthetic_dataset::formats

@@ -1,0 +1,53 @@
+#include "plugins/readback/sequence_files.h"
+
+#include <algorithm>
+
+#include "plugins/readback/files.h"
+#include "plugins/shared/sequences.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::formats {
+
+FrameList::FrameList(const std::filesystem::path& file) : file_(file) {
+  for (const std::string& line : readLines(file)) {
+    const std::size_t first = line.find(' ');
+    const std::size_t second = line.find(' ', std::min(first, line.size() - 1) + 1);
+    if (first == std::string::npos || second == std::string::npos) {
+      throw Error("'" + file.string() + "': found the line '" + line + "'");
+    }
+    frames_[line.substr(second + 1)] = {line.substr(0, first),
+                                        line.substr(first + 1, second - first - 1)};
+  }
+}
+
+const SequenceFrame& FrameList::of(const std::string& image) const {
+  const auto found = frames_.find(image);
+  if (found == frames_.end()) {
+    throw Error("'" + file_.string() + "': it does not list '" + image + "'");
+  }
+  return found->second;
+}
+
+SequenceLabels::SequenceLabels(const std::filesystem::path& file) {
+  for (std::string line : readLines(file)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::vector<std::string> words = wordsOf(line);
+    if (words.empty()) continue;
+    const std::string frame = words.front();
+    words.erase(words.begin());
+    lines_[frame].push_back(std::move(words));
+  }
+}
+
+const std::vector<std::vector<std::string>>& SequenceLabels::of(const std::string& frame) const {
+  static const std::vector<std::vector<std::string>> kNone;
+  const auto found = lines_.find(frame);
+  return found == lines_.end() ? kNone : found->second;
+}
+
+SequenceFrame frameOf(const WrittenScene& scene, const std::filesystem::path& image) {
+  const auto list = scene.kept->get<FrameList>(scene.folder / kFrameList);
+  return list->of(image.lexically_relative(scene.folder).string());
+}
+
+}  // namespace synthetic_dataset::formats
