@@ -251,6 +251,38 @@ std::optional<YAML::Mark> secondDocument(const std::string& text) {
   return start.mark;
 }
 
+/// The number of the first line whose indentation has a tab, from 1; 0 without one. YAML forbids
+/// them (https://yaml.org/spec/1.1/#id871998), and its parsers stumble somewhere behind them.
+int lineWithTab(const std::string& text) {
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::size_t end = line.find_first_not_of(" \t");
+    if (end != std::string::npos && line[end] != '#' && line.find('\t') < end) return number;
+  }
+  return 0;
+}
+
+/// What yaml-cpp says of a text that is no YAML, and what is most often the cause.
+[[noreturn]] void failToParse(const YAML::Exception& error, const std::string& text,
+                              const Reader& reader) {
+  if (const int line = lineWithTab(text); line > 0) {
+    YAML::Mark mark;
+    mark.line = line - 1;
+    reader.fail(mark,
+                "found a tab in the indentation; YAML takes spaces alone, as many as the lines "
+                "beside it have");
+  }
+  const std::string& message = error.msg;
+  const bool is_layout =
+      message.find("map") != std::string::npos || message.find("sequence") != std::string::npos;
+  reader.fail(error.mark,
+              message + (is_layout ? " (is the line indented as the lines of its group are, and is "
+                                     "there a space behind each colon and dash?)"
+                                   : ""));
+}
+
 Value parse(const std::string& text, const std::string& origin, Rules rules) {
   Reader reader(rules, text, origin);
   try {
@@ -263,7 +295,7 @@ Value parse(const std::string& text, const std::string& origin, Rules rules) {
     }
     return document.IsNull() ? Value() : reader.convert(document);
   } catch (const YAML::Exception& error) {
-    reader.fail(error.mark, error.msg);
+    failToParse(error, text, reader);
   }
 }
 

@@ -73,9 +73,10 @@ scene::StereoFrame readStereoFrame(Parameters& group, bool is_rectified) {
   return frame == "own" ? scene::StereoFrame::kOwn : scene::StereoFrame::kFirst;
 }
 
-std::optional<Pose> readPose(Parameters& group, const std::string& name) {
+/// Of one that is wrong a harmless pose: with none, there would be a second error.
+Pose readPose(Parameters& group, const std::string& name) {
   const auto numbers = group.maybe<std::vector<double>>(name);
-  if (!numbers) return std::nullopt;
+  if (!numbers) return Pose::Identity();
   const std::vector<double>& n = *numbers;
   if (n.size() != 7) {
     group.addError(name,
@@ -83,14 +84,14 @@ std::optional<Pose> readPose(Parameters& group, const std::string& name) {
                        " numbers; it should be [x, y, z, qx, qy, qz, qw], or {position: [x, y, z], "
                        "look_at: OBJECT or [x, y, z]}, or {position: [x, y, z], rpy: "
                        "[roll, pitch, yaw]}");
-    return std::nullopt;
+    return Pose::Identity();
   }
   const Eigen::Quaterniond orientation(n[6], n[3], n[4], n[5]);
   constexpr double kTolerance = 1e-2;  // a rounded quaternion is meant; a wrong one is not
   if (std::abs(orientation.norm() - 1.0) > kTolerance) {
     group.addError(name, "found a quaternion of length " + fixed(orientation.norm(), 4) +
                              "; qx, qy, qz, qw should have length 1");
-    return std::nullopt;
+    return Pose::Identity();
   }
   return makePose({n[0], n[1], n[2]}, orientation);
 }

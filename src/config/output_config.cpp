@@ -33,7 +33,11 @@ Choice choice(Parameters& group, const std::string& name,
     if (choices[i].first == text) return choices[i].second;
     words += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i].first;
   }
-  group.addError(name, "found '" + text + "'; it should be " + words);
+  const std::string is_bool = found->is<bool>() ? " (" + found->text() +
+                                                      ", as YAML reads yes, no, on and off without "
+                                                      "quotes)"
+                                                : "";
+  group.addError(name, "found '" + text + "'" + is_bool + "; it should be " + words);
   return choices.front().second;
 }
 

@@ -27,6 +27,20 @@ namespace fs = std::filesystem;
 
 const cv::Size kCell(256, 192);
 
+constexpr const char* kUsage =
+    R"(usage: contact_sheet FOLDER SHEET.png
+       contact_sheet WORLD SHEET.png
+
+Draws a picture of every model below a folder, or of a world and every model in it, and
+prints a table of what was found in each.
+
+  --help  prints this
+
+  contact_sheet ~/.gazebo/models models.png
+
+Exit codes: 0 every model could be loaded, 3 some could not, 1 or 2 for other errors.
+)";
+
 std::vector<programs::GalleryEntry> portrayFolder(const fs::path& folder,
                                                   const run::RosPackageIndex& packages) {
   const std::vector<fs::path> models = world::findModels(folder);
@@ -68,8 +82,13 @@ int makeContactSheet(const fs::path& given, const std::string& picture) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--help" || first == "-h") {
+    std::cout << kUsage;
+    return 0;
+  }
   if (argc != 3) {
-    std::cerr << "usage: contact_sheet FOLDER|WORLD SHEET.png\n";
+    std::cerr << kUsage;
     return 2;
   }
   try {

@@ -17,17 +17,26 @@ namespace {
 using namespace synthetic_dataset;
 
 constexpr const char* kUsage =
-    "usage: merge OUTPUT_FOLDER [SHARD_FOLDER...]\n"
-    "Makes one dataset of the shards of a run. Without SHARD_FOLDER the shards lie in "
-    "OUTPUT_FOLDER\n"
-    "itself. Killed, the same command goes on.\n";
+    R"(usage: merge OUTPUT_FOLDER [SHARD_FOLDER...]
+
+Makes one dataset of the shards of a run. Without SHARD_FOLDER the shards lie in
+OUTPUT_FOLDER itself. Killed, the same command goes on.
+
+  --help  prints this
+
+  merge /data/run_7 /scratch/shard_0 /scratch/shard_1
+
+Exit codes: 0 done (the last line says if labels are missing), 1 refused or failed.
+)";
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using programs::ConsoleReporter;
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool wants_help = std::count(arguments.begin(), arguments.end(), "--help") != 0;
+  const bool wants_help = std::count(arguments.begin(), arguments.end(), "--help") +
+                              std::count(arguments.begin(), arguments.end(), "-h") !=
+                          0;
   if (wants_help || arguments.empty() || arguments.front().rfind("--", 0) == 0) {
     (wants_help ? std::cout : std::cerr) << kUsage;
     return wants_help ? 0 : 1;

@@ -60,8 +60,23 @@ class Console : public output::VerificationListener {
   std::int64_t problems_ = 0;
 };
 
-int usage() {
-  std::cerr << "usage: verify [--quick] DATASET...\n";
+constexpr const char* kUsage =
+    R"(usage: verify [--quick] DATASET...
+
+Checks datasets against their manifests, file by file and label by label. DATASET is the
+folder of a run's manifest, or of those of its shards. Prints a line for each problem;
+lines that begin with `note:` are none.
+
+  --quick  checks that all files are there and have their sizes, and no labels
+  --help   prints this
+
+  verify /data/run_7
+
+Exit codes: 0 no problem, 1 some, 2 a wrong usage.
+)";
+
+int wrongUsage() {
+  std::cerr << kUsage;
   return 2;
 }
 
@@ -72,15 +87,19 @@ int main(int argc, char** argv) {
   std::vector<std::string> folders;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
+    if (argument == "--help" || argument == "-h") {
+      std::cout << kUsage;
+      return 0;
+    }
     if (argument == "--quick") {
       depth = output::VerificationDepth::kSizes;
     } else if (argument.empty() || argument.front() == '-') {
-      return usage();
+      return wrongUsage();
     } else {
       folders.push_back(argument);
     }
   }
-  if (folders.empty()) return usage();
+  if (folders.empty()) return wrongUsage();
   Console console;
   output::VerificationCounts counts;
   for (const std::string& folder : folders) {

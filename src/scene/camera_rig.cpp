@@ -255,6 +255,13 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
   return rig;
 }
 
+void checkInfoFile(const CameraOptions& config) {
+  CameraOptions with_range = config;  // the range of sight does not matter here
+  with_range.near = config.near.value_or(0.1);
+  with_range.far = config.far.value_or(1000.0);
+  if (config.info_file) (void)readInfoFile(with_range);
+}
+
 double seenShare(const CameraModel& camera) {
   constexpr int kSteps = 24;  // a side of a grid of pixels
   int seen = 0;

@@ -66,6 +66,10 @@ struct CameraRig {
                                       const std::vector<ObjectOptions>& objects,
                                       const motion::FrameSource& frames, base::Diagnostics& found);
 
+/// Reads the calibration that a camera's file has, if it names one.
+/// @throws ErrorList with what is wrong with it
+void checkInfoFile(const CameraOptions& config);
+
 /// The share of the image's pixels along which the lens sees something, 0 .. 1: less than all in
 /// the corners of a fisheye's image, and nearly none where a calibration's numbers are wrong.
 [[nodiscard]] double seenShare(const CameraModel& camera);

@@ -13,6 +13,8 @@
 namespace synthetic_dataset::base {
 namespace yaml_value_test {
 
+using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 Value scalar(const std::string& text) {
@@ -138,6 +140,26 @@ TEST(ParseSettings, RefusesWhatTheParameterServerCannotHold) {
                 testing::ElementsAre(HasSubstr(each.second)))
         << each.first;
   }
+}
+
+TEST(ParseSettings, NameATabAndItsLine) {
+  for (const std::string text : {"world: a\ncamera:\n\tinfo_file: b\n",
+                                 "world: a\ncamera:\n  \tinfo_file: b\n\tnear: 1\n"}) {
+    EXPECT_THAT(test::messagesOf([&] { (void)parseSettings(text, "my.yaml"); }),
+                ElementsAre(HasSubstr("my.yaml: line 3: found a tab in the indentation; YAML takes "
+                                      "spaces")))
+        << text;
+  }
+  EXPECT_EQ(parseSettings("a: 1  # with\ttabs\n#\there\n", "my.yaml"),
+            Value(Value::Map{{"a", Value(1)}}));
+}
+
+TEST(ParseSettings, AskForTheIndentationWhereItIsWrong) {
+  EXPECT_THAT(
+      test::messagesOf([] { (void)parseSettings("camera:\n  near: 1\n    far: 2\n", "my.yaml"); }),
+      ElementsAre(
+          AllOf(HasSubstr("my.yaml: line 3"), HasSubstr("is the line indented as the lines of "
+                                                        "its group are"))));
 }
 
 TEST(ParseYaml, ComesToAnEndWithAStrayComma) {

@@ -362,6 +362,10 @@ INSTANTIATE_TEST_SUITE_P(
                    "alpha/safety_radius: found -1.0 m; it should be 0 or more"},
         BadSetting{"robot_list: alpha", "robot_list: [alpha, placement]",
                    "robot_list: found 'placement', which is also a setting"},
+        BadSetting{
+            "world:", "if_exists: yes\nworld:",
+            "if_exists: found 'on' (True, as YAML reads yes, no, on and off without quotes); "
+            "it should be resume, overwrite or error"},
         BadSetting{"world:", "if_exists: append\nworld:",
                    "if_exists: found 'append'; it should be resume, overwrite or error"},
         BadSetting{"world:", "sync: always\nworld:",

@@ -81,6 +81,8 @@ WriterHost::~WriterHost() = default;
 
 const Requirements& WriterHost::requirements() const { return impl_->requirements; }
 
+std::vector<std::string> WriterHost::typeNames() const { return impl_->loader.typeNames(); }
+
 std::vector<output::StoreWriter> WriterHost::storeWriters() const {
   std::vector<output::StoreWriter> writers;
   for (const ReadyWriter& ready : impl_->writers) {

@@ -35,6 +35,9 @@ class WriterHost {
   /// What all writers together need; each frame once, in alphabetical order.
   [[nodiscard]] const Requirements& requirements() const;
 
+  /// The names of all types of writers that there are.
+  [[nodiscard]] std::vector<std::string> typeNames() const;
+
   /// The writers as the store wants them, in the order of the choices.
   [[nodiscard]] std::vector<output::StoreWriter> storeWriters() const;
 

@@ -98,6 +98,10 @@ WriterLoader::Instance WriterLoader::create(const std::string& type) {
   }
 }
 
+std::vector<std::string> WriterLoader::typeNames() const {
+  return impl_->loader->getDeclaredClasses();
+}
+
 std::vector<WriterType> WriterLoader::types() {
   const QuietConsole quiet;
   PluginLoader& loader = *impl_->loader;

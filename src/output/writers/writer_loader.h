@@ -33,6 +33,9 @@ class WriterLoader {
   ///     cannot be loaded (why)
   [[nodiscard]] Instance create(const std::string& type);
 
+  /// The names of all declared types.
+  [[nodiscard]] std::vector<std::string> typeNames() const;
+
   /// All declared types, in alphabetical order, each loaded to see whether it can be.
   [[nodiscard]] std::vector<WriterType> types();
 

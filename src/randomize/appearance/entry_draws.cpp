@@ -30,4 +30,10 @@ bool EntryDraws::happens(const std::string& name, double probability) {
   return happens;
 }
 
+void EntryDraws::replace(const std::string& name, double value) {
+  for (DrawnValue& drawn : values_) {
+    if (drawn.name == name) drawn.value = std::vector<double>{value};
+  }
+}
+
 }  // namespace synthetic_dataset::randomize

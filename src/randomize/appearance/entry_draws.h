@@ -38,6 +38,9 @@ class EntryDraws {
     values_.push_back({name, std::vector<double>{value}});
   }
 
+  /// Puts a number in the place of what was drawn, where that does not count after all.
+  void replace(const std::string& name, double value);
+
   /// All of them, in the order of drawing.
   [[nodiscard]] const std::vector<DrawnValue>& values() const { return values_; }
 

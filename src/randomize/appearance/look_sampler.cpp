@@ -113,7 +113,7 @@ void LookSampler::findLights(const Randomization& config, base::Diagnostics& err
     if (entry == config.lights.end()) entry = config.lights.find(kOthers);
     if (entry == config.lights.end()) continue;
     if (entry->first != kOthers) checkMeaning(lights[i], entry->second, errors);
-    lights_.push_back({i, "lights/" + lights[i].name, entry->second});
+    lights_.push_back({i, "lights/" + lights[i].name, entry->second, entry->first == kOthers});
   }
   for (const auto& [name, light] : config.lights) {
     if (name == kOthers || names.count(name) != 0) continue;
@@ -171,7 +171,7 @@ void LookSampler::findSurfaces(const std::string& target, const MaterialRandomiz
 
 world::Look LookSampler::sample(EntryDraws& draws) {
   world::Look look(world_.description());
-  for (const LightEntry& entry : lights_) relight(entry, draws, look.lights[entry.light]);
+  relightAll(draws, look);
   chooseLights(draws, look);
   if (const auto ambient = draws.vector("ambient", config_.ambient)) {
     look.ambient = ambient->cast<float>();
@@ -181,7 +181,36 @@ world::Look LookSampler::sample(EntryDraws& draws) {
   return look;
 }
 
-void LookSampler::relight(const LightEntry& entry, EntryDraws& draws, world::Light& light) const {
+/// What `every` says of all lights must not leave a world without any.
+void LookSampler::relightAll(EntryDraws& draws, world::Look& look) {
+  std::vector<const LightEntry*> off;
+  for (const LightEntry& entry : lights_) {
+    if (!relight(entry, draws, look.lights[entry.light])) off.push_back(&entry);
+  }
+  const bool all_are_off = off.size() == look.lights.size();
+  const auto kept = std::find_if(off.begin(), off.end(),
+                                 [](const LightEntry* entry) { return entry->is_of_every; });
+  for (const LightEntry* entry : off) {
+    if (all_are_off && kept != off.end() && entry == *kept) {
+      draws.replace(entry->name + "/present", 1.0);
+    } else {
+      turnOff(look.lights[entry->light]);
+    }
+  }
+}
+
+/// As far as a light goes before it meets a surface: the ceiling that it hangs from, for one.
+Eigen::Vector3d LookSampler::freeShift(const Eigen::Vector3d& p_G, const Eigen::Vector3d& shift_G) {
+  constexpr double kClear = 0.05;  // from the surface [m]
+  const double distance = shift_G.norm();
+  if (distance < 1e-9) return shift_G;
+  if (!surroundings_) surroundings_.emplace(world_);
+  const auto hit = surroundings_->cast(p_G, shift_G, distance + kClear);
+  if (!hit) return shift_G;
+  return std::max(0.0, hit->distance - kClear) / distance * shift_G;
+}
+
+bool LookSampler::relight(const LightEntry& entry, EntryDraws& draws, world::Light& light) {
   const LightRandomization& config = entry.config;
   if (const auto colour = draws.vector(entry.name + "/colour", config.colour)) {
     light.diffuse = colour->cast<float>();
@@ -190,22 +219,21 @@ void LookSampler::relight(const LightEntry& entry, EntryDraws& draws, world::Lig
     light.diffuse *= static_cast<float>(*intensity);
     light.specular *= static_cast<float>(*intensity);
   }
-  if (config.present && !draws.happens(entry.name + "/present", *config.present)) {
-    turnOff(light);
-  }
+  const bool is_on = !config.present || draws.happens(entry.name + "/present", *config.present);
   if (light.type != world::LightType::kDirectional) {
     const auto shift = draws.vector(entry.name + "/shift", config.shift);
-    if (shift) light.X_WL.translation() += *shift;
-    return;
+    if (shift) light.X_WL.translation() += freeShift(light.X_WL.translation(), *shift);
+    return is_on;
   }
   const auto elevation = draws.number(entry.name + "/elevation", config.elevation);
   const auto azimuth = draws.number(entry.name + "/azimuth", config.azimuth);
-  if (!elevation && !azimuth) return;
+  if (!elevation && !azimuth) return is_on;
   const Eigen::Vector3d from = -(light.X_WL.linear() * light.direction_L).normalized();
   const Eigen::Vector3d direction =
       shiningFrom(elevation.value_or(std::asin(std::clamp(from.z(), -1.0, 1.0))),
                   azimuth.value_or(std::atan2(from.y(), from.x())));
   light.direction_L = light.X_WL.linear().transpose() * direction;
+  return is_on;
 }
 
 /// Turns the lights off that are too many, whichever they are.

@@ -11,6 +11,7 @@
 #include "randomize/appearance/entry_draws.h"
 #include "randomize/appearance/randomize_options.h"
 #include "randomize/appearance/texture_source.h"
+#include "randomize/placement/surroundings.h"
 #include "world/look.h"
 #include "world/world.h"
 
@@ -34,6 +35,7 @@ class LookSampler {
     std::size_t light;  ///< index in the world's
     std::string name;   ///< "lights/sun"
     LightRandomization config;
+    bool is_of_every = false;  ///< it has no group of its own
   };
 
   /// Surfaces that get the same material, and what is drawn of it.
@@ -50,13 +52,19 @@ class LookSampler {
   void checkLightCount(base::Diagnostics& errors) const;
   void findSurfaces(const std::string& target, const MaterialRandomization& config,
                     base::Diagnostics& errors);
-  void relight(const LightEntry& entry, EntryDraws& draws, world::Light& light) const;
+  void relightAll(EntryDraws& draws, world::Look& look);
+
+  /// @return whether it is on
+  [[nodiscard]] bool relight(const LightEntry& entry, EntryDraws& draws, world::Light& light);
+  [[nodiscard]] Eigen::Vector3d freeShift(const Eigen::Vector3d& p_G,
+                                          const Eigen::Vector3d& shift_G);
   void chooseLights(EntryDraws& draws, world::Look& look) const;
   void repaint(const MaterialEntry& entry, EntryDraws& draws, world::Look& look);
 
   const world::World& world_;
   Randomization config_;
   std::vector<LightEntry> lights_;
+  std::optional<Surroundings> surroundings_;  ///< once a light that has a position is moved
   std::optional<BackgroundSampler> background_;
   std::vector<MaterialEntry> materials_;           ///< the more special ones later
   std::map<std::string, TextureSource> textures_;  ///< by where they are from

@@ -250,6 +250,25 @@ TEST_F(LookSamplerTest, ShiftsLightsInTheGlobalFrame) {
       hall().lights[2].X_WL.linear() * hall().lights[2].direction_L, 1e-12));
 }
 
+TEST_F(LookSamplerTest, ShiftsNoLightThroughASurface) {
+  // From (1, 2, 3) past the origin, around which there is a box of 1 m.
+  const world::Look look = sample("lights: {lamp: {shift: [-2, -4, -6]}}");
+  const Vector3d before(1, 2, 3);
+  const double to_box = 2.5 / 3.0 * before.norm();
+  EXPECT_TRUE(look.lights[1].X_WL.translation().isApprox(
+      before - (to_box - 0.05) * before.normalized(), 1e-4));
+}
+
+TEST_F(LookSamplerTest, LeavesOneLightOnOfThoseThatEveryTurnsOff) {
+  const world::Look look = sample("lights: {every: {present: 0}}");
+  EXPECT_EQ(look.lights[0].diffuse, hall().lights[0].diffuse);
+  EXPECT_EQ(drawn("lights/sun/present"), 1.0);
+  EXPECT_TRUE(look.lights[1].diffuse.isZero());
+  EXPECT_EQ(drawn("lights/lamp/present"), 0.0);
+  EXPECT_TRUE(
+      sample("lights: {every: {present: 0}, sun: {present: 1}}").lights[1].diffuse.isZero());
+}
+
 TEST_F(LookSamplerTest, ShiftsAlongEachAxisByItself) {
   (void)sample("lights: {lamp: {shift: {uniform: [-1, 1]}}}");
   EXPECT_NE(drawn("lights/lamp/shift", 0), drawn("lights/lamp/shift", 1));
