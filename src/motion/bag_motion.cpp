@@ -87,6 +87,16 @@ std::optional<Pose> BagMotion::pose(FrameId frame, Stamp time) const {
   return tree_.transform(global_, frame, time);
 }
 
+std::optional<Duration> BagMotion::recordedPeriod(FrameId frame, Stamp time) const {
+  if (global_ == kNoFrame || frame == kNoFrame) return std::nullopt;
+  std::optional<Duration> shortest;
+  for (const FrameId link : tree_.connection(global_, frame, time).links) {
+    const Duration period = tree_.link(link).medianPeriod();
+    if (period.count() > 0 && (!shortest || period < *shortest)) shortest = period;
+  }
+  return shortest;
+}
+
 Timeline BagMotion::timeline(const std::vector<std::string>& frames,
                              const TimelineOptions& options) const {
   std::vector<std::string> errors = unknownFrames(tree_, globalFrame(), frames);

@@ -57,6 +57,8 @@ class BagMotion : public FrameSource {
   /// At times above 0: what is "the latest" to tf2 is no time here.
   [[nodiscard]] std::optional<Pose> pose(FrameId frame, Stamp time) const override;
 
+  [[nodiscard]] std::optional<Duration> recordedPeriod(FrameId frame, Stamp time) const override;
+
   /// Start: the first recording start + start_offset + k * period at which all can be transformed
   /// into the global frame; end: found in the same way backwards from the recording's end (or that
   /// of `duration`); scenes while time < end. In between, single scenes are left out, as the

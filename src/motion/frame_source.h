@@ -36,6 +36,15 @@ class FrameSource {
   /// @throws Error where it is not known
   [[nodiscard]] Pose knownPose(FrameId frame, Stamp time) const;
 
+  /// The time from one recorded transform to the next (median) of all that lead from a frame to the
+  /// global one at a time: of the most frequent. Nothing where all are static, or none are
+  /// recorded.
+  [[nodiscard]] virtual std::optional<Duration> recordedPeriod(FrameId frame, Stamp time) const {
+    static_cast<void>(frame);
+    static_cast<void>(time);
+    return std::nullopt;
+  }
+
   /// The times of the scenes, at each of which all of these frames are known.
   /// @throws ErrorList when there is none, saying why: frames that it does not have, options that
   ///     leave no time, ...

@@ -42,6 +42,11 @@ bool PlacedFrames::isOfOthers(FrameId frame) const {
   return static_cast<std::size_t>(frame) < others_->names().all().size();
 }
 
+std::optional<Duration> PlacedFrames::recordedPeriod(FrameId frame, Stamp time) const {
+  if (placed_.count(frame) != 0 || !isOfOthers(frame)) return std::nullopt;
+  return others_->recordedPeriod(frame, time);
+}
+
 void PlacedFrames::report(const std::vector<FrameId>& frames, base::Diagnostics& found) const {
   std::vector<FrameId> theirs;
   std::copy_if(frames.begin(), frames.end(), std::back_inserter(theirs),

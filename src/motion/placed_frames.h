@@ -30,6 +30,7 @@ class PlacedFrames : public FrameSource {
 
   [[nodiscard]] const FrameNames& names() const override { return *names_; }
   [[nodiscard]] std::optional<Pose> pose(FrameId frame, Stamp time) const override;
+  [[nodiscard]] std::optional<Duration> recordedPeriod(FrameId frame, Stamp time) const override;
   [[nodiscard]] Timeline timeline(const std::vector<std::string>& frames,
                                   const TimelineOptions& options) const override;
   [[nodiscard]] std::string title() const override { return others_->title(); }

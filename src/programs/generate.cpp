@@ -11,14 +11,17 @@
 #include <ros/master.h>
 #include <ros/node_handle.h>
 
-#include "config/settings_file.h"
+#include "base/json_text.h"
+#include "programs/check/check_report.h"
 #include "programs/console/command_line.h"
 #include "programs/console/console_reporter.h"
 #include "programs/console/heap.h"
 #include "programs/console/live_map.h"
 #include "programs/console/parallel_run.h"
 #include "programs/console/ros_parameters.h"
+#include "programs/console/settings_source.h"
 #include "programs/console/stop_signals.h"
+#include "programs/settings/documented_settings.h"
 #include "run/generator.h"
 #include "run/setup/ros_packages.h"
 #include "synthetic_dataset/errors.h"
@@ -29,16 +32,8 @@ using namespace synthetic_dataset;
 
 constexpr int kDone = 0;
 constexpr int kFailed = 1;
+constexpr int kOdd = 3;            // of --check
 constexpr int kInterrupted = 128;  // plus the signal's number, as shells have it
-
-/// Neither master nor ROS's log folder is needed: rosconsole alone works without ros::init.
-Value settingsWithoutMaster(const programs::CommandLine& command_line) {
-  Value::Map settings = config::loadSettings(*command_line.config, run::rosPackageFinder());
-  for (const auto& [name, text] : command_line.settings) {
-    config::overlay(settings, config::settingOf(name, text));
-  }
-  return settings;
-}
 
 /// Whether this is a node now, with a parameter server to ask; says why not.
 bool startNode(int argc, char** argv) {
@@ -52,6 +47,13 @@ bool startNode(int argc, char** argv) {
   std::cerr << "generate: no ROS master answers at ROS_MASTER_URI; use `generate --config FILE`, "
                "which needs none, or `roslaunch synthetic_dataset generate.launch config:=FILE`\n";
   return false;
+}
+
+/// All settings, for people or for editors.
+std::string settingsText(bool as_json) {
+  const std::string& document = programs::settingsDocument();
+  if (!as_json) return document;
+  return base::jsonText(programs::settingsSchema(programs::documentedSettings(document))) + "\n";
 }
 
 int stopped(run::Reporter& reporter) {
@@ -71,7 +73,14 @@ int generateHere(const Value& settings, run::Reporter& reporter) {
   return kDone;
 }
 
-int generate(const Value& settings) {
+/// Whether something is odd is no failure, but scripts may want to know.
+int check(const Value& settings, const programs::CommandLine& command_line) {
+  const bool is_fine = programs::checkAndPrint(settings, command_line.out.value_or("."), std::cout);
+  return is_fine ? kDone : kOdd;
+}
+
+int generate(const Value& settings, const programs::CommandLine& command_line) {
+  if (command_line.wants_check) return check(settings, command_line);
   programs::ConsoleReporter reporter;
   const programs::ParallelRun run(settings);
   if (!run.isPossible()) return generateHere(settings, reporter);
@@ -83,9 +92,9 @@ int generate(const Value& settings) {
 
 /// Makes the dataset of the settings that `read_settings` finds; reports what is wrong with them.
 template <class ReadSettings>
-int generateOrReport(ReadSettings read_settings) {
+int generateOrReport(const programs::CommandLine& command_line, ReadSettings read_settings) {
   try {
-    return generate(read_settings());
+    return generate(read_settings(), command_line);
   } catch (const ErrorList& errors) {
     for (const std::string& message : errors.messages()) programs::ConsoleReporter::fatal(message);
     const std::size_t count = errors.messages().size();
@@ -113,16 +122,20 @@ int main(int argc, char** argv) {
     std::cout << programs::usage();
     return kDone;
   }
+  if (command_line.wants_settings) {
+    std::cout << settingsText(command_line.as_json);
+    return kDone;
+  }
   // Messages appear when they are made, also in files: a program that is stopped at once loses
   // none.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   stop_signals::install();
   if (command_line.config) {
-    return generateOrReport([&] { return settingsWithoutMaster(command_line); });
+    return generateOrReport(command_line, [&] { return programs::settingsOf(command_line); });
   }
   if (!startNode(argc, argv)) return kFailed;
   std::optional<ros::NodeHandle> node;  // to the end: without it, rosconsole prints nothing
-  return generateOrReport([&] {
+  return generateOrReport(command_line, [&] {
     Value settings = programs::readRosParameters(run::rosPackageFinder());
     if (programs::wantsLiveMap(settings)) {
       programs::ConsoleReporter reporter;

@@ -39,6 +39,7 @@ std::vector<output::Warning> DatasetSink::add(const FinishedScene& finished) {
   output::SceneFacts facts = finished.facts;
   facts.warnings.insert(facts.warnings.end(), warnings.begin(), warnings.end());
   store_->commitScene(facts, written.files);
+  statistics_.add(finished.scene);
   return warnings;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/dataset_store.h"
+#include "run/check/scene_statistics.h"
 #include "run/scene_sink.h"
 #include "run/setup/run_setup.h"
 
@@ -16,7 +17,7 @@ namespace synthetic_dataset::run {
 class DatasetSink : public SceneSink {
  public:
   /// @param setup  has to outlive this
-  explicit DatasetSink(const RunSetup& setup) : setup_(setup) {}
+  explicit DatasetSink(const RunSetup& setup) : setup_(setup), statistics_(setup.config.labels) {}
 
   [[nodiscard]] Requirements requirements() const override;
 
@@ -33,6 +34,9 @@ class DatasetSink : public SceneSink {
   /// How many scenes the dataset, its shard or the choice of `only_scenes` has.
   [[nodiscard]] std::int64_t plannedCount() const;
 
+  /// Of the scenes that this run has made.
+  [[nodiscard]] const SceneStatistics& statistics() const { return statistics_; }
+
   /// What is there; after `begin`.
   [[nodiscard]] const output::DatasetStore& store() const { return *store_; }
 
@@ -41,6 +45,7 @@ class DatasetSink : public SceneSink {
   [[nodiscard]] std::int64_t cameraCount() const;
 
   const RunSetup& setup_;
+  SceneStatistics statistics_;
   std::unique_ptr<output::DatasetStore> store_;
 };
 

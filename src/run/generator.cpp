@@ -29,6 +29,7 @@ struct Generator::Impl {
     summary.files = store.counts().files;
     summary.bytes = store.counts().bytes;
     summary.warnings = store.warningCounts();
+    for (const Finding& odd : dataset.statistics().findings()) reporter.warning(odd.message());
     summary.objects = labelCounts(store, setup.config.objects);
     const config::Config& config = setup.config;
     if (summary.stopped || config.output.shard || !config.only_scenes.empty()) return;

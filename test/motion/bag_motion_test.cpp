@@ -33,6 +33,21 @@ TEST(BagMotion, InterpolatesPositionsLinearlyAndRotationsByAngle) {
   EXPECT_NEAR(yawOf(X), 0.5, 1e-12);
 }
 
+TEST(BagMotion, KnowsHowOftenAFrameIsRecorded) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    bag.fix("map", "stone", milliseconds(1000));
+    for (int i = 0; i <= 20; ++i) {
+      if (i % 10 == 0) bag.move("map", "odom", milliseconds(1000 + 50 * i));
+      bag.move("odom", "alpha", milliseconds(1000 + 50 * i), poseAt(i, 0, 0));
+    }
+  });
+  const Stamp time = milliseconds(1500);
+  EXPECT_EQ(motion.recordedPeriod(*motion.find("alpha"), time), milliseconds(50))
+      << "its own transform, the most frequent one on the way";
+  EXPECT_EQ(motion.recordedPeriod(*motion.find("odom"), time), milliseconds(500));
+  EXPECT_EQ(motion.recordedPeriod(*motion.find("stone"), time), std::nullopt);
+}
+
 TEST(BagMotion, TakesTheShorterWayBetweenRotationsInSpace) {
   const Eigen::Quaterniond q1 = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
   const Eigen::Quaterniond q2 = Eigen::Quaterniond(-0.6, 0.4, -0.5, 0.1).normalized();

@@ -23,6 +23,7 @@ using test::StoppingReporter;
 using test::TinyRun;
 using ::testing::AllOf;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -179,6 +180,45 @@ TEST_F(GeneratorTest, StopsBetweenScenesWhenAsked) {
 }
 
 // --- Bad input: each with its message ---
+
+TEST_F(GeneratorTest, NamesACalibrationThatIsMissingBesideAWorldThatIs) {
+  parameters["world"] = Value((run.folder() / "gone.world").string());
+  (*parameters.at("camera").as<Value::Map>())["info_file"] =
+      Value((run.folder() / "gone.yaml").string());
+  EXPECT_THAT(errors(), AllOf(Contains(HasSubstr("gone.world")), Contains(HasSubstr("gone.yaml"))));
+  parameters["bag_file"] = Value((run.folder() / "gone.bag").string());
+  EXPECT_THAT(errors(), AllOf(Contains(HasSubstr("gone.bag")), Contains(HasSubstr("gone.yaml"))));
+}
+
+TEST_F(GeneratorTest, NamesAWrongPoseOnce) {
+  (*parameters.at("camera").as<Value::Map>())["pose"] = Value(Value::List{Value(1.0), Value(2.0)});
+  EXPECT_THAT(errors(), ElementsAre(HasSubstr("camera/pose: found 2 numbers")));
+}
+
+TEST_F(GeneratorTest, SaysWhereRelativePathsStart) {
+  parameters["bag_file"] = Value("recordings/gone.bag");
+  EXPECT_THAT(errors(),
+              ElementsAre(AllOf(HasSubstr("gone.bag: no such file"),
+                                HasSubstr("'recordings/gone.bag' starts at the current "
+                                          "folder: \"$(dirname)/recordings/gone.bag\""))));
+}
+
+TEST_F(GeneratorTest, PassesOverTheSettingsOfFormatsThatWritersDoesNotName) {
+  parameters["writers"] = Value(Value::List{
+      Value(Value::Map{{"name", Value("labels")}, {"type", Value("synthetic_dataset/Coco")}})});
+  parameters["pascal_voc"] = Value(Value::Map{{"layout", Value("flat")}});
+  struct Notes : Reporter {
+    void info(const std::string& message) override { messages.push_back(message); }
+    std::vector<std::string> messages;
+  } reporter;
+  (void)generate(reporter);
+  EXPECT_THAT(reporter.messages,
+              AllOf(Contains("yolo: its settings are not used, as `writers` does not name it"),
+                    Contains(HasSubstr("bounding_shape: its settings are not used")),
+                    Contains(HasSubstr("pascal_voc: its settings are not used"))));
+  parameters["yollo"] = Value(Value::Map{{"main_list", Value("list.txt")}});
+  EXPECT_THAT(errors(), Contains(HasSubstr("yollo: unknown parameter")));
+}
 
 TEST_F(GeneratorTest, NamesABagThatIsMissing) {
   parameters["bag_file"] = Value("/nowhere/a.bag");

@@ -1,11 +1,14 @@
 #include "programs/console/command_line.h"
 
+#include <utility>
+
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
 namespace {
 
 const std::string kConfig = "--config";
+const std::string kOut = "--out";
 
 bool startsWith(const std::string& text, const std::string& start) {
   return text.rfind(start, 0) == 0;
@@ -15,7 +18,9 @@ class Parser {
  public:
   CommandLine parse(const std::vector<std::string>& arguments) {
     for (const std::string& argument : arguments) read(argument);
-    if (file_is_next_) throw Error("--config: no file follows");
+    if (awaited_) throw Error(*awaited_ + ": no name follows");
+    if (result_.as_json && !result_.wants_settings) throw Error("--json: found without --settings");
+    if (result_.out && !result_.wants_check) throw Error("--out: found without --check");
     if (!result_.config) result_.settings.clear();  // remappings, which ROS reads
     for (const auto& [name, value] : result_.settings) {
       if (value.empty()) throw Error(name + ":=: no value follows ('' is an empty text)");
@@ -25,13 +30,20 @@ class Parser {
 
  private:
   void read(const std::string& argument) {
-    if (file_is_next_) {
-      setConfig(argument);
-      file_is_next_ = false;
-    } else if (argument == kConfig) {
-      file_is_next_ = true;
-    } else if (startsWith(argument, kConfig + "=")) {
-      setConfig(argument.substr(kConfig.size() + 1));
+    const std::size_t sign = argument.find('=');
+    const std::string name = argument.substr(0, sign);
+    if (awaited_) {
+      setName(*std::exchange(awaited_, std::nullopt), argument);
+    } else if (argument == kConfig || argument == kOut) {
+      awaited_ = argument;
+    } else if (name == kConfig || name == kOut) {
+      setName(name, argument.substr(sign + 1));
+    } else if (argument == "--check") {
+      result_.wants_check = true;
+    } else if (argument == "--settings") {
+      result_.wants_settings = true;
+    } else if (argument == "--json") {
+      result_.as_json = true;
     } else if (argument == "--help" || argument == "-h") {
       result_.wants_help = true;
     } else {
@@ -39,10 +51,12 @@ class Parser {
     }
   }
 
-  void setConfig(const std::string& file) {
-    if (file.empty()) throw Error("--config: found an empty name; it should be a file's");
-    if (result_.config) throw Error("--config: found '" + file + "', a second settings file");
-    result_.config = file;
+  void setName(const std::string& option, const std::string& name) {
+    std::optional<std::string>& given = option == kConfig ? result_.config : result_.out;
+    const std::string kind = option == kConfig ? "settings file" : "folder";
+    if (name.empty()) throw Error(option + ": found an empty name; it should be a " + kind + "'s");
+    if (given) throw Error(option + ": found '" + name + "', a second " + kind);
+    given = name;
   }
 
   void readSetting(const std::string& argument) {
@@ -57,7 +71,7 @@ class Parser {
   }
 
   CommandLine result_;
-  bool file_is_next_ = false;
+  std::optional<std::string> awaited_;  ///< the option whose name comes next
 };
 
 }  // namespace
@@ -66,21 +80,65 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   return Parser().parse(arguments);
 }
 
+CommandLine parseCheckLine(const std::vector<std::string>& arguments) {
+  std::vector<std::string> as_of_generate = {"--check"};
+  bool is_of_option = false;
+  bool has_file = false;
+  for (const std::string& argument : arguments) {
+    const bool is_file = !is_of_option && !has_file && !startsWith(argument, "-") &&
+                         argument.find(":=") == std::string::npos;
+    if (is_file) as_of_generate.push_back(kConfig);
+    has_file = has_file || is_file;
+    is_of_option = argument == kOut;
+    as_of_generate.push_back(argument);
+  }
+  const CommandLine line = parseCommandLine(as_of_generate);
+  if (!line.config && !line.wants_help) throw Error("found no settings file; one is needed");
+  return line;
+}
+
 std::string usage() {
-  return "usage: generate --config FILE [NAME:=VALUE ...]\n"
-         "       generate [ROS remappings]\n"
-         "\n"
-         "Makes a dataset. With --config, the settings are those of a YAML file, as\n"
-         "config/params.yaml documents them, and no ROS master is needed; without it, they are\n"
-         "the node's private parameters.\n"
-         "\n"
-         "  NAME:=VALUE  stands over the file: a setting's name, such as output_folder or\n"
-         "               shard/index, and its value in YAML ('' is an empty text)\n"
-         "  --help       prints this\n"
-         "\n"
-         "The same command again goes on where a run was stopped.\n"
-         "Exit codes: 0 done, 1 failed, 128 + N after signal N (130 SIGINT, 143 SIGTERM,\n"
-         "129 SIGHUP).\n";
+  return R"(usage: generate --config FILE [NAME:=VALUE ...] [--check [--out DIR]]
+       generate [ROS remappings] [--check [--out DIR]]
+       generate --settings [--json]
+
+Makes a dataset. With --config, the settings are those of a YAML file, as
+config/params.yaml documents them, and no ROS master is needed; without it, they are
+the node's private parameters.
+
+  NAME:=VALUE  stands over the file: a setting's name, such as output_folder or
+               shard/index, and its value in YAML ('' is an empty text)
+  --check      makes no dataset: prints what the run would be and what is odd about it,
+               and leaves check.png (some scenes with their labels) and map.png (the
+               world from above) in DIR, or in the current folder
+  --settings   prints every setting with its default; with --json as a JSON schema
+  --help       prints this
+
+  generate --config my.yaml output_folder:=/data/run_7
+
+The same command again goes on where a run was stopped.
+Exit codes: 0 done (the last line says if labels are missing), 1 refused or failed,
+128 + N after signal N (130 SIGINT, 143 SIGTERM, 129 SIGHUP); of --check, 3 if
+something is odd.
+)";
+}
+
+std::string checkUsage() {
+  return R"(usage: check FILE [NAME:=VALUE ...] [--out DIR]
+
+Looks at the run of a settings file before it is made: prints its times, scenes,
+cameras and formats, what it takes of disk, time and memory, and what is odd about it,
+each with its figure and what mends it. Makes some nine scenes, and no dataset. Leaves
+check.png (these scenes with their labels) and map.png (the world, the ways of objects
+and the cameras from above) in DIR, or in the current folder.
+
+  NAME:=VALUE  stands over the file, as with generate
+  --help       prints this
+
+  check my.yaml --out /tmp/look
+
+Exit codes: 0 nothing is odd, 3 something is, 1 there could be no such run.
+)";
 }
 
 }  // namespace synthetic_dataset::programs

@@ -10,6 +10,10 @@ namespace synthetic_dataset::programs {
 /// What the arguments of `generate` ask for.
 struct CommandLine {
   bool wants_help = false;
+  bool wants_check = false;        ///< to look at the run before it is made
+  bool wants_settings = false;     ///< to know all settings
+  bool as_json = false;            ///< these as a JSON schema
+  std::optional<std::string> out;  ///< the folder for the pictures of that; else the current one
   /// The settings file; without one, the settings are on the ROS parameter server.
   std::optional<std::string> config;
   /// `name:=value` in order, values as YAML. Only with `config`: else they are for ROS.
@@ -20,7 +24,13 @@ struct CommandLine {
 /// @throws Error for what is not known
 [[nodiscard]] CommandLine parseCommandLine(const std::vector<std::string>& arguments);
 
+/// The same of `check`, which names the file without an option.
+[[nodiscard]] CommandLine parseCheckLine(const std::vector<std::string>& arguments);
+
 /// What `generate --help` prints.
 [[nodiscard]] std::string usage();
+
+/// What `check --help` prints.
+[[nodiscard]] std::string checkUsage();
 
 }  // namespace synthetic_dataset::programs

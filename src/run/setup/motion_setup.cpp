@@ -189,13 +189,19 @@ class MotionBuilder {
 
   void setUpCameras() {
     static const std::vector<world::LinkInstance> kNoLinks;
-    if (!setup_.frames || !sensors_) return;
+    static const std::vector<world::CameraSensor> kNoSensors;
     for (const scene::CameraOptions& camera : config().cameras) {
       const bool two_sources = camera.info_file && camera.info_topic;
       const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
       if (two_sources || no_source) continue;  // reported already
+      if (!setup_.frames || (!sensors_ && camera.sensor)) {
+        // What it needs besides is reported; its calibration may be wrong, too.
+        (void)found().attempt([&] { scene::checkInfoFile(camera); });
+        continue;
+      }
       auto rig = found().attempt([&] {
-        return scene::makeCameraRig(camera, config().motion.bag_files, *sensors_,
+        return scene::makeCameraRig(camera, config().motion.bag_files,
+                                    sensors_ ? *sensors_ : kNoSensors,
                                     setup_.world ? setup_.world->links() : kNoLinks,
                                     config().objects, *setup_.frames, found());
       });

@@ -1,6 +1,7 @@
 #include "run/setup/run_setup.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 #include <set>
@@ -8,8 +9,10 @@
 
 #include "config/motion_list.h"
 #include "label/pixel_labeller.h"
+#include "run/check/motion_checks.h"
 #include "run/setup/dataset_description.h"
 #include "run/setup/motion_errors.h"
+#include "run/setup/relative_paths.h"
 #include "run/setup/run_record.h"
 #include "run/setup/scene_plan.h"
 #include "run/setup/scene_shares.h"
@@ -52,6 +55,7 @@ class Builder {
     noteSubtraction();
     noteUnseen();
     const std::vector<std::string> unused = unusedSettings(list_.entries, roots_);
+    passOverFormats();
     throwErrors();
     describe(unused);
     return std::move(setup_);
@@ -213,6 +217,34 @@ class Builder {
     }
   }
 
+  /// The groups of formats that `writers` does not name now, as when it is set on the command line.
+  void passOverFormats() {
+    if (!setup_.writers) return;
+    std::set<std::string> formats;
+    for (const std::string& type : setup_.writers->typeNames()) {
+      formats.insert(plainName(type.substr(type.rfind('/') + 1)));
+    }
+    for (Parameters& root : roots_) {
+      for (const std::string& name : root.unknownNames()) {
+        const bool is_group = name.find('/') == std::string::npos &&
+                              formats.count(plainName(name)) &&
+                              root.maybe<Value>(name)->is<Value::Map>();
+        if (!is_group) continue;
+        root.ignore(name);
+        found().note(name, "its settings are not used, as `writers` does not name it");
+      }
+    }
+  }
+
+  /// "PascalVoc" and "pascal_voc" alike.
+  static std::string plainName(const std::string& name) {
+    std::string plain;
+    for (const char c : name) {
+      if (c != '_') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return plain;
+  }
+
   /// Writers that have been told of more scenes than there are, as only they know which frames they
   /// need, are loaded anew.
   void replan() {
@@ -267,7 +299,8 @@ class Builder {
     }
     addErrors(mergedErrors(of_motions));
     all.merge(found());
-    all.throwIfAny();
+    if (!all.hasErrors()) return;
+    throw ErrorList(explainRelativePaths(all.messages(base::Severity::kError), parameters_));
   }
 
   /// What the manifest has of the run, and the user at its start.
@@ -289,6 +322,7 @@ class Builder {
       found().merge(motion.found);
     }
     on_stage_("taking the checksums of " + std::to_string(inputs.size()) + " input files");
+    findOdd();
     run.inputs = describeInputs(inputs);
     describeContents(dataset(), run);
     std::int64_t in_gaps = 0;
@@ -305,6 +339,16 @@ class Builder {
     for (const base::Diagnostic& each : found().all()) {
       if (each.severity == base::Severity::kWarning)
         run.warnings.push_back({each.message(), "", each.count});
+    }
+  }
+
+  /// What is cheap to find out about every run.
+  void findOdd() {
+    for (const MotionSetup& motion : setup_.motions) {
+      std::vector<Finding> findings = checkSetup(motion);
+      nameMotion(motion, setup_.motions.size(), findings);
+      for (const Finding& each : findings) found().warning(each.about, each.what());
+      setup_.odd.insert(setup_.odd.end(), findings.begin(), findings.end());
     }
   }
 

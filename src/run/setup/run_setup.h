@@ -10,6 +10,7 @@
 #include "config/config.h"
 #include "output/manifest/run_description.h"
 #include "output/writers/writer_host.h"
+#include "run/check/finding.h"
 #include "run/setup/motion_setup.h"
 #include "run/setup/split_plan.h"
 #include "synthetic_dataset/value.h"
@@ -24,6 +25,7 @@ struct RunSetup {
   std::unique_ptr<output::WriterHost> writers;
   output::RunDescription description;       ///< for the manifest; with the warnings
   base::Diagnostics found;                  ///< warnings and notes
+  std::vector<Finding> odd;                 ///< what is odd, which `found` warns of, too
   std::vector<std::string> defaults_taken;  ///< "parameter: value"
 
   /// The times of all motions together.

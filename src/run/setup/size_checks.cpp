@@ -42,7 +42,8 @@ void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O, base::D
   for (const Eigen::Vector3d& point : object.keypoints_O) {
     farthest = std::max(farthest, distanceTo(box_O, point));
   }
-  if (farthest > model) {
+  constexpr double kOutside = 0.25;  // of the model's size; an antenna's tip may be left out of it
+  if (farthest > kOutside * model) {
     found.warning(object.name + "/keypoints",
                   "one is " + metres(farthest) + " away from the model, which reaches over " +
                       metres(model) + " (are they in metres, and in the frame of the object?)");

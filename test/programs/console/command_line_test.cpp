@@ -49,6 +49,24 @@ TEST(CommandLine, AsksForHelp) {
   EXPECT_FALSE(parseCommandLine({}).wants_help);
 }
 
+TEST(CommandLine, ChecksARunInsteadOfMakingIt) {
+  const CommandLine line = parseCommandLine({"--config", "my.yaml", "--check", "--out", "look"});
+  EXPECT_TRUE(line.wants_check);
+  EXPECT_EQ(line.out, "look");
+  EXPECT_TRUE(parseCommandLine({"--check", "__name:=generate"}).wants_check) << "as a node";
+  EXPECT_FALSE(parseCommandLine({"--config", "my.yaml"}).wants_check);
+}
+
+TEST(CheckLine, NamesTheFileWithoutAnOption) {
+  const CommandLine line = parseCheckLine({"--out", "look", "my.yaml", "rate:=5"});
+  EXPECT_EQ(line.config, "my.yaml");
+  EXPECT_EQ(line.out, "look");
+  EXPECT_THAT(line.settings, ElementsAre(Pair("rate", "5")));
+  EXPECT_TRUE(parseCheckLine({"--help"}).wants_help);
+  EXPECT_THAT(test::messagesOf([] { (void)parseCheckLine({"rate:=5"}); }),
+              ElementsAre(HasSubstr("found no settings file")));
+}
+
 struct Mistake {
   std::vector<std::string> arguments;
   std::string message;
@@ -58,8 +76,9 @@ TEST(CommandLine, RefusesWhatItDoesNotKnow) {
   const std::vector<Mistake> mistakes = {
       {{"--confg", "my.yaml"}, "found '--confg'"},
       {{"my.yaml"}, "found 'my.yaml'"},
-      {{"--config"}, "--config: no file follows"},
+      {{"--config"}, "--config: no name follows"},
       {{"--config="}, "--config: found an empty name"},
+      {{"--config", "a", "--out", "b"}, "--out: found without --check"},
       {{"--config", "a", "--config", "b"}, "--config: found 'b', a second settings file"},
       {{"--config", "a", ":=5"}, "found ':=5'; a name should stand before"},
       {{"--config", "a", "rate:="}, "rate:=: no value follows"},

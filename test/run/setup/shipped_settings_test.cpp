@@ -47,7 +47,8 @@ std::vector<std::string> errorsOf(const Value::Map& settings) {
 TEST(ShippedSettings, OfParamsLackNothingButTheirFiles) {
   const HomeElsewhere home("/nowhere");
   EXPECT_THAT(errorsOf(shipped("params.yaml")),
-              ElementsAre(HasSubstr("/nowhere/recording.bag"), HasSubstr("/nowhere/hall.world")));
+              ElementsAre(HasSubstr("/nowhere/recording.bag"), HasSubstr("/nowhere/hall.world"),
+                          HasSubstr("/nowhere/camera.yaml")));
 }
 
 TEST(ShippedSettings, OfTheExamplesAreRight) {

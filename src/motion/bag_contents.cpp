@@ -1,0 +1,236 @@
+#include "motion/bag_contents.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "motion/bag_reader.h"
+#include "motion/recorded_camera_info.h"
+#include "motion/ros_time.h"
+#include "motion/tf_topics.h"
+#include "motion/transform_recording.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::motion {
+namespace {
+
+/// What a frame's transforms have, message by message.
+struct Seen {
+  std::vector<Stamp> stamps;
+  std::set<std::string> publishers;
+  bool is_static = true;
+};
+
+using SeenFrames = std::map<std::string, Seen>;
+
+void noteTransform(const RecordedTransform& each, SeenFrames& frames) {
+  Seen& seen = frames[withoutLeadingSlashes(each.transform.child_frame_id)];
+  seen.stamps.push_back(toStamp(each.transform.header.stamp));
+  if (!each.publisher.empty()) seen.publishers.insert(each.publisher);
+  seen.is_static = seen.is_static && each.kind == TransformKind::kStatic;
+}
+
+/// Where a frame's chain of parents begins.
+FrameId rootOf(const FrameTree& tree, FrameId frame) {
+  std::set<FrameId> passed;
+  while (passed.insert(frame).second) {
+    const std::vector<FrameId> parents = tree.link(frame).parents();
+    if (parents.empty()) break;
+    frame = parents.front();
+  }
+  return frame;
+}
+
+int depthOf(const FrameTree& tree, FrameId frame) {
+  int depth = 0;
+  std::set<FrameId> passed;
+  for (; passed.insert(frame).second; ++depth) {
+    const std::vector<FrameId> parents = tree.link(frame).parents();
+    if (parents.empty()) break;
+    frame = parents.front();
+  }
+  return depth;
+}
+
+void measureTimes(const Seen& seen, const LinkHistory& link, RecordedFrame& frame) {
+  std::vector<Stamp> stamps = seen.stamps;
+  std::sort(stamps.begin(), stamps.end());
+  frame.count = static_cast<std::int64_t>(stamps.size());
+  frame.first = stamps.front();
+  frame.last = stamps.back();
+  frame.is_static = seen.is_static;
+  if (seen.is_static) return;
+  frame.period = link.medianPeriod();
+  const Duration longest = std::max<Duration>(std::chrono::seconds(10), 20 * frame.period);
+  for (std::size_t i = 1; i < stamps.size(); ++i) {
+    const Duration gap = stamps[i] - stamps[i - 1];
+    if (gap <= longest) continue;
+    ++frame.gap_count;
+    frame.longest_gap = std::max(frame.longest_gap, gap);
+  }
+}
+
+/// When a frame's origin first and last moves against the root.
+void measureMovement(const FrameTree& tree, FrameId root, FrameId id, const RecordedTimes& times,
+                     RecordedFrame& frame) {
+  constexpr int kSteps = 400;
+  constexpr double kMoves = 0.002;  // [m]
+  std::optional<Eigen::Vector3d> before;
+  Stamp stamp_before = times.start;
+  frame.moves_from = frame.moves_until = frame.first;
+  bool has_moved = false;
+  for (int i = 0; i <= kSteps; ++i) {
+    const Stamp stamp = times.start + (times.end - times.start) * i / kSteps;
+    const auto pose = tree.transform(root, id, stamp);
+    if (!pose) continue;
+    if (before && (pose->translation() - *before).norm() > kMoves) {
+      if (!has_moved) frame.moves_from = stamp_before;
+      has_moved = true;
+      frame.moves_until = stamp;
+    }
+    before = pose->translation();
+    stamp_before = stamp;
+  }
+}
+
+/// The box that a frame's origin stays in, in the root's frame, by some hundred times.
+void measureWay(const FrameTree& tree, FrameId root, FrameId id, const RecordedTimes& times,
+                RecordedFrame& frame) {
+  constexpr int kSteps = 200;
+  bool is_first = true;
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+  for (int i = 0; i <= kSteps; ++i) {
+    const auto pose =
+        tree.transform(root, id, times.start + (times.end - times.start) * i / kSteps);
+    if (!pose) continue;
+    const Eigen::Vector3d p_R = pose->translation();
+    low = is_first ? p_R : Eigen::Vector3d(low.cwiseMin(p_R));
+    high = is_first ? p_R : Eigen::Vector3d(high.cwiseMax(p_R));
+    is_first = false;
+  }
+  if (is_first) return;
+  measureMovement(tree, root, id, times, frame);
+  frame.extent = high - low;
+  frame.middle_R = 0.5 * (low + high);
+}
+
+/// From the first to the last stamp of what moves; record times may be of another clock.
+RecordedTimes stampedTimes(const SeenFrames& frames, const RecordedTimes& recorded) {
+  RecordedTimes times{Stamp::max(), Stamp::min()};
+  for (const auto& [name, seen] : frames) {
+    if (seen.is_static) continue;
+    const auto [first, last] = std::minmax_element(seen.stamps.begin(), seen.stamps.end());
+    times = {std::min(times.start, *first), std::max(times.end, *last)};
+  }
+  return times.start > times.end ? recorded : times;
+}
+
+std::vector<RecordedFrame> framesOf(const FrameTree& tree, const SeenFrames& seen,
+                                    const RecordedTimes& times) {
+  std::vector<std::pair<int, RecordedFrame>> found;
+  for (const auto& [name, of] : seen) {
+    const auto id = tree.names().find(name);
+    if (!id || tree.link(*id).parents().empty()) continue;  // all of it was left out
+    RecordedFrame frame;
+    frame.name = name;
+    const FrameId root = rootOf(tree, *id);
+    frame.root = tree.names().of(root);
+    for (const FrameId parent : tree.link(*id).parents()) {
+      frame.parents.push_back(tree.names().of(parent));
+    }
+    measureTimes(of, tree.link(*id), frame);
+    measureWay(tree, root, *id, times, frame);
+    frame.publishers.assign(of.publishers.begin(), of.publishers.end());
+    found.emplace_back(depthOf(tree, *id), std::move(frame));
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<RecordedFrame> frames;
+  for (auto& [depth, frame] : found) frames.push_back(std::move(frame));
+  return frames;
+}
+
+void readCameras(const std::vector<std::string>& bag_files, BagContents& contents) {
+  for (const BagTopic& topic : contents.topics) {
+    if (topic.type != "sensor_msgs/CameraInfo") continue;
+    try {
+      const RecordedCameraInfo info = readCameraInfo(bag_files, topic.name);
+      const auto numberIn = [&](const char* name) {
+        const auto* number = info.info.as<Value::Map>()->at(name).as<std::int64_t>();
+        return number == nullptr ? 0 : *number;
+      };
+      contents.cameras.push_back({topic.name, info.frame, numberIn("width"), numberIn("height")});
+      contents.notes.insert(contents.notes.end(), info.notes.begin(), info.notes.end());
+    } catch (const Error& error) {
+      contents.notes.emplace_back(topic.name + ": " + error.what());
+    }
+  }
+}
+
+std::string lastPartOf(const std::string& frame) { return frame.substr(frame.rfind('/') + 1); }
+
+}  // namespace
+
+BagContents readContents(const std::vector<std::string>& bag_files) {
+  BagReader bags(bag_files);
+  BagContents contents;
+  contents.topics = bags.topics();
+  std::sort(contents.topics.begin(), contents.topics.end(),
+            [](const BagTopic& a, const BagTopic& b) { return a.name < b.name; });
+  const TfTopics tf = findTfTopics(bags);
+  if (!tf.note.empty()) contents.notes.push_back(tf.note);
+  for (const std::string& topic : tf.ignored) {
+    contents.notes.push_back("TF in " + topic + " is not read (tf_topics names it)");
+  }
+  SeenFrames seen;
+  TransformRecording recording;
+  bags.read(tf.readers, [&](RecordedTransform each) {
+    noteTransform(each, seen);
+    recording.add(std::move(each));
+  });
+  contents.times = stampedTimes(seen, bags.times());
+  if (!recording.empty()) {
+    const FrameTree tree = recording.finish();
+    contents.frames = framesOf(tree, seen, contents.times);
+    const std::vector<std::string> notes = recording.notes();
+    contents.notes.insert(contents.notes.end(), notes.begin(), notes.end());
+    for (const FrameFinding& each : recording.findings()) contents.notes.push_back(each.message);
+  }
+  readCameras(bag_files, contents);
+  return contents;
+}
+
+std::vector<RobotFrame> robotFrames(const BagContents& contents) {
+  std::map<std::string, RobotFrame> by_prefix;
+  for (const char* const base : {"base_footprint", "base_link"}) {  // the second one counts
+    for (const RecordedFrame& frame : contents.frames) {
+      if (lastPartOf(frame.name) != base) continue;
+      const std::size_t slash = frame.name.rfind('/');
+      const std::string prefix = slash == std::string::npos ? "" : frame.name.substr(0, slash);
+      by_prefix[prefix] = {prefix.empty() ? "robot" : lastPartOf(prefix), prefix, frame.name};
+    }
+  }
+  std::vector<RobotFrame> robots;
+  for (auto& [prefix, robot] : by_prefix) robots.push_back(std::move(robot));
+  if (!robots.empty()) return robots;
+  constexpr double kMoves = 0.05;  // [m]
+  for (const RecordedFrame& frame : contents.frames) {
+    const bool is_first = frame.parents.front() == frame.root;
+    if (is_first && !frame.is_static && frame.extent.norm() > kMoves && frame.name != "odom") {
+      robots.push_back({lastPartOf(frame.name), "", frame.name});
+    }
+  }
+  return robots;
+}
+
+std::vector<std::string> cameraFrames(const BagContents& contents) {
+  std::vector<std::string> names;
+  for (const RecordedFrame& frame : contents.frames) {
+    if (frame.name.find("optical") != std::string::npos) names.push_back(frame.name);
+  }
+  return names;
+}
+
+}  // namespace synthetic_dataset::motion

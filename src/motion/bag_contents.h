@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "motion/bag_file.h"
+#include "motion/frame_tree.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::motion {
+
+/// A frame that transforms move.
+struct RecordedFrame {
+  std::string name;
+  std::vector<std::string> parents;  ///< in order of time; mostly one
+  std::string root;                  ///< of its tree
+  bool is_static = false;
+  std::int64_t count = 0;  ///< of its transforms
+  Duration period{0};      ///< from one to the next (median); 0: static
+  Stamp first{0};          ///< of its transforms' stamps
+  Stamp last{0};
+  std::int64_t gap_count = 0;           ///< longer than 10 s and 20 periods
+  Duration longest_gap{0};              ///< of these
+  Eigen::Vector3d middle_R{0, 0, 0};    ///< of the box that its origin stays in, in the root's
+                                        ///< frame [m]
+  Eigen::Vector3d extent{0, 0, 0};      ///< of that box [m]
+  Stamp moves_from{0};                  ///< when it leaves its first position; `first`: never
+  Stamp moves_until{0};                 ///< when it reaches its last one
+  std::vector<std::string> publishers;  ///< nodes that sent it
+};
+
+/// A camera's calibration that is recorded.
+struct RecordedCamera {
+  std::string topic;
+  std::string frame;
+  std::int64_t width = 0;   ///< [px]
+  std::int64_t height = 0;  ///< [px]
+};
+
+/// What there is in a recording.
+struct BagContents {
+  RecordedTimes times;
+  std::vector<RecordedFrame> frames;  ///< parents before children
+  std::vector<BagTopic> topics;       ///< by name
+  std::vector<RecordedCamera> cameras;
+  std::vector<std::string> notes;  ///< what was left out, other topics of TF, ...
+};
+
+/// Looks through bags that count as one recording.
+/// @throws ErrorList with what is wrong with each file; a recording without TF is none
+[[nodiscard]] BagContents readContents(const std::vector<std::string>& bag_files);
+
+/// A frame that may be a robot's: "jackal/base_link".
+struct RobotFrame {
+  std::string name;    ///< of the robot: the frame's prefix, else "robot"
+  std::string prefix;  ///< of its frames, without the slash; may be empty
+  std::string frame;
+};
+
+/// Frames named base_link or base_footprint, one for each prefix; where there are none, the frames
+/// that move against the root of their tree.
+[[nodiscard]] std::vector<RobotFrame> robotFrames(const BagContents& contents);
+
+/// Frames whose names say that they are a camera's optical frame.
+[[nodiscard]] std::vector<std::string> cameraFrames(const BagContents& contents);
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,35 @@
+/// The tool `check`: looks at the run of a settings file before it is made.
+///
+///   rosrun synthetic_dataset check FILE [NAME:=VALUE ...] [--out DIR]
+///
+/// Exit code 0 if nothing is odd, 3 if something is, 1 if there could be no such run.
+
+#include <exception>
+#include <iostream>
+
+#include "programs/check/check_report.h"
+#include "programs/console/command_line.h"
+#include "programs/console/heap.h"
+#include "programs/console/settings_source.h"
+#include "programs/console/tool.h"
+
+int main(int argc, char** argv) {
+  using namespace synthetic_dataset;
+  constexpr int kOdd = 3;
+  heap::prepare();
+  programs::CommandLine line;
+  try {
+    line = programs::parseCheckLine({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << "check: " << error.what() << '\n' << programs::checkUsage();
+    return 1;
+  }
+  if (line.wants_help) {
+    std::cout << programs::checkUsage();
+    return 0;
+  }
+  return programs::reportingErrors("check", [&] {
+    const Value settings = programs::settingsOf(line);
+    return programs::checkAndPrint(settings, line.out.value_or("."), std::cout) ? 0 : kOdd;
+  });
+}

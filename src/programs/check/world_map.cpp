@@ -1,0 +1,236 @@
+#include "programs/check/world_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <Eigen/Geometry>
+#include <opencv2/imgproc.hpp>
+
+#include "programs/check/map_paper.h"
+#include "run/check/moments.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::programs {
+namespace {
+
+const cv::Scalar kGroundInk(222, 226, 228);
+const cv::Scalar kStandingInk(168, 172, 178);
+const cv::Scalar kCameraInk(60, 40, 200);
+
+/// Colours that stay apart for the colour-blind (Okabe and Ito 2008), blue green red.
+const std::array<cv::Scalar, 5> kWayInks = {cv::Scalar(178, 114, 0), cv::Scalar(115, 158, 0),
+                                            cv::Scalar(167, 121, 204), cv::Scalar(0, 159, 230),
+                                            cv::Scalar(80, 60, 60)};
+
+/// Where an object was, and which way it went.
+struct Way {
+  std::string name;
+  std::vector<Eigen::Vector3d> points_G;
+};
+
+std::vector<Way> waysOf(const run::MotionSetup& motion, const std::vector<run::Moment>& moments) {
+  std::vector<Way> ways;
+  for (std::size_t i = 0; i < motion.config.objects.size(); ++i) {
+    Way way{motion.config.objects[i].name, {}};
+    for (const run::Moment& moment : moments) {
+      if (moment.X_GO[i]) way.points_G.push_back(moment.X_GO[i]->translation());
+    }
+    if (!way.points_G.empty()) ways.push_back(std::move(way));
+  }
+  return ways;
+}
+
+std::vector<const Scene*> scenesOfMotion(const run::MotionSetup& motion,
+                                         const std::vector<run::FinishedScene>& all) {
+  std::vector<const Scene*> scenes;
+  for (const run::FinishedScene& each : all) {
+    const std::int64_t index = each.scene.instant - motion.first_instant;
+    if (index >= 0 && index < motion.instantCount()) scenes.push_back(&each.scene);
+  }
+  return scenes;
+}
+
+/// All that has to be on the map.
+Eigen::AlignedBox2d extentOf(const std::vector<Way>& ways,
+                             const std::vector<const Scene*>& scenes) {
+  Eigen::AlignedBox2d extent;
+  for (const Way& way : ways) {
+    for (const Eigen::Vector3d& p_G : way.points_G) extent.extend(Eigen::Vector2d(p_G.head<2>()));
+  }
+  for (const Scene* scene : scenes) {
+    extent.extend(Eigen::Vector2d(scene->X_GC.translation().head<2>()));
+  }
+  if (extent.isEmpty()) extent.extend(Eigen::Vector2d(0, 0));
+  return extent;
+}
+
+/// With what is around it of the world, as far as that is no more than as large again.
+Eigen::AlignedBox2d withSurroundings(Eigen::AlignedBox2d extent, const world::World& world) {
+  const double margin = std::max(3.0, 0.6 * extent.diagonal().norm());
+  Eigen::AlignedBox2d most(extent.min() - Eigen::Vector2d(margin, margin),
+                           extent.max() + Eigen::Vector2d(margin, margin));
+  Eigen::AlignedBox2d seen = extent;
+  for (std::size_t i = 0; i < world.links().size(); ++i) {
+    if (world.links()[i].role != world::Role::kStatic) continue;
+    for (const world::Visual& visual : world.links()[i].link->visuals) {
+      const Pose X_GV = world.linkPoses()[i] * visual.X_LV;
+      for (const world::Surface& surface : visual.surfaces) {
+        for (const Eigen::Vector3f& p : surface.mesh->positions) {
+          seen.extend(Eigen::Vector2d((X_GV * Eigen::Vector3d(p.cast<double>())).head<2>()));
+        }
+      }
+    }
+  }
+  seen = seen.intersection(most);
+  constexpr double kEdge = 0.5;  // [m]
+  return {seen.min() - Eigen::Vector2d(kEdge, kEdge), seen.max() + Eigen::Vector2d(kEdge, kEdge)};
+}
+
+double groundOf(const run::MotionSetup& motion, const std::vector<run::Moment>& moments) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < motion.config.objects.size(); ++i) {
+    if (!motion.config.objects[i].takes_part || motion.config.objects[i].is_distractor) continue;
+    const double bottom = motion.shapes->boxesAtRest(i).front().low.z();
+    for (const run::Moment& moment : moments) {
+      if (moment.X_GO[i]) lowest = std::min(lowest, moment.X_GO[i]->translation().z() + bottom);
+    }
+  }
+  return std::isfinite(lowest) ? lowest : 0.0;
+}
+
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+/// Calls `see` with each triangle of what stands still.
+template <class See>
+void forTriangles(const world::World& world, const See& see) {
+  for (std::size_t i = 0; i < world.links().size(); ++i) {
+    const world::Role role = world.links()[i].role;
+    if (role != world::Role::kStatic && role != world::Role::kProp) continue;
+    for (const world::Visual& visual : world.links()[i].link->visuals) {
+      const Pose X_GV = world.linkPoses()[i] * visual.X_LV;
+      for (const world::Surface& surface : visual.surfaces) {
+        const world::Mesh& mesh = *surface.mesh;
+        for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
+          Triangle triangle;
+          for (std::size_t c = 0; c < 3; ++c) {
+            triangle[c] =
+                X_GV * Eigen::Vector3d(mesh.positions[mesh.indices[k + c]].cast<double>());
+          }
+          see(triangle);
+        }
+      }
+    }
+  }
+}
+
+/// The ground in light grey, and in darker grey what stands on it up to the height of a ceiling.
+void drawWorld(MapPaper& paper, const world::World& world, double ground) {
+  constexpr double kStep = 0.15;    // [m]; what is lower is the ground
+  constexpr double kCeiling = 2.2;  // [m]
+  const auto draw = [&](bool is_ground) {
+    forTriangles(world, [&](const Triangle& triangle) {
+      const auto [low, high] = std::minmax({triangle[0].z(), triangle[1].z(), triangle[2].z()});
+      const bool lies = high < ground + kStep;
+      if (lies != is_ground || low > ground + kCeiling) return;
+      paper.fill({triangle[0], triangle[1], triangle[2]}, is_ground ? kGroundInk : kStandingInk);
+    });
+  };
+  draw(true);
+  draw(false);
+}
+
+/// What a camera sees of the ground, or how wide it sees up to a distance.
+std::vector<Eigen::Vector3d> viewCone(const Scene& scene, double ground, double reach) {
+  const Eigen::Vector3d eye_G = scene.X_GC.translation();
+  std::vector<Eigen::Vector3d> cone;
+  constexpr int kSteps = 8;  // an edge of the image
+  const double w = scene.camera.width() - 1.0;
+  const double h = scene.camera.height() - 1.0;
+  const std::array<Eigen::Vector2d, 5> corners = {
+      Eigen::Vector2d(0, 0), {w, 0}, {w, h}, {0, h}, {0, 0}};
+  for (std::size_t edge = 0; edge < 4; ++edge) {
+    for (int i = 0; i < kSteps; ++i) {
+      const double t = static_cast<double>(i) / kSteps;
+      const auto ray_C = scene.camera.ray((1.0 - t) * corners[edge] + t * corners[edge + 1]);
+      if (!ray_C) continue;
+      const Eigen::Vector3d ray_G = scene.X_GC.linear() * *ray_C;
+      const double fall = (ground - eye_G.z()) / ray_G.z();
+      const double across = ray_G.head<2>().norm();
+      const bool meets = fall > 0.0 && fall * across < reach;
+      const double far = meets ? fall : reach / std::max(across, 1e-3);
+      cone.emplace_back(eye_G + far * ray_G);
+    }
+  }
+  return cone;
+}
+
+/// How far a cone is drawn: somewhat past the nearest object, or far over the map.
+double reachOf(const Scene& scene, const MapPaper& paper) {
+  double reach = 0.6 * paper.extent().diagonal().norm();
+  for (const SceneObject& object : scene.objects) {
+    constexpr double kPast = 1.6;
+    if (object.pixels.visible() > 0) reach = std::min(reach, kPast * object.distance());
+  }
+  return reach;
+}
+
+/// So far that another cone shows something new.
+bool hasMoved(const Pose& one, const Pose& other) {
+  constexpr double kFar = 1.0;   // [m]
+  constexpr double kWide = 0.3;  // [rad]
+  return (one.translation() - other.translation()).norm() > kFar ||
+         Eigen::AngleAxisd(one.linear().transpose() * other.linear()).angle() > kWide;
+}
+
+void drawCameras(MapPaper& paper, const std::vector<const Scene*>& scenes, double ground) {
+  constexpr std::size_t kMostCones = 6;
+  std::set<std::string> named;
+  std::optional<Pose> last;
+  std::size_t cones = 0;
+  for (const Scene* scene : scenes) {
+    const bool is_new = !last || hasMoved(*last, scene->X_GC);
+    if (is_new) last = scene->X_GC;
+    if (is_new && cones++ < kMostCones)
+      paper.shade(viewCone(*scene, ground, reachOf(*scene, paper)), kCameraInk);
+  }
+  for (const Scene* scene : scenes) {
+    const Eigen::Vector3d eye_G = scene->X_GC.translation();
+    const Eigen::Vector3d ahead = scene->X_GC.linear().col(2);
+    const Eigen::Vector3d tip_G = eye_G + 0.05 * paper.extent().diagonal().norm() * ahead;
+    paper.line({eye_G, tip_G}, kCameraInk);
+    paper.dot(eye_G, kCameraInk);
+    if (named.insert(scene->camera_name).second) paper.name(scene->camera_name, eye_G, kCameraInk);
+  }
+}
+
+}  // namespace
+
+cv::Mat worldMap(const run::MotionSetup& motion, const std::vector<run::FinishedScene>& all) {
+  const std::vector<const Scene*> scenes = scenesOfMotion(motion, all);
+  const std::vector<run::Moment> moments = run::momentsOf(motion, scenes);
+  const std::vector<Way> ways = waysOf(motion, moments);
+  const double ground = groundOf(motion, moments);
+  MapPaper paper(withSurroundings(extentOf(ways, scenes), *motion.world));
+  drawWorld(paper, *motion.world, ground);
+  paper.grid();
+  drawCameras(paper, scenes, ground);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const cv::Scalar& ink = kWayInks[i % kWayInks.size()];
+    if (motion.timeline.is_recorded) paper.line(ways[i].points_G, ink);
+    if (!motion.timeline.is_recorded) {
+      for (const Eigen::Vector3d& p_G : ways[i].points_G) paper.dot(p_G, ink);
+    }
+    paper.dot(ways[i].points_G.front(), ink);
+    paper.name(ways[i].name, ways[i].points_G.front(), ink);
+  }
+  return paper.finish({"motion '" + motion.entry.name + "' from above, in " +
+                           motion.frames->globalFrame() + ": x to the right, y up",
+                       "dots: where ways begin, and cameras with what they see"});
+}
+
+}  // namespace synthetic_dataset::programs

@@ -1,0 +1,16 @@
+#include "programs/console/settings_source.h"
+
+#include "config/settings_file.h"
+#include "run/setup/ros_packages.h"
+
+namespace synthetic_dataset::programs {
+
+Value settingsOf(const CommandLine& command_line) {
+  Value::Map settings = config::loadSettings(*command_line.config, run::rosPackageFinder());
+  for (const auto& [name, text] : command_line.settings) {
+    config::overlay(settings, config::settingOf(name, text));
+  }
+  return settings;
+}
+
+}  // namespace synthetic_dataset::programs

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "programs/console/command_line.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::programs {
+
+/// The settings of the file that a command line names, and over them its own. Neither a ROS master
+/// nor ROS's log folder is needed.
+/// @throws Error naming file and line, or the setting
+[[nodiscard]] Value settingsOf(const CommandLine& command_line);
+
+}  // namespace synthetic_dataset::programs

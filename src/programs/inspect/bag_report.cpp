@@ -1,0 +1,148 @@
+#include "programs/inspect/bag_report.h"
+
+#include <functional>
+#include <set>
+#include <sstream>
+
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::programs {
+namespace {
+
+using motion::BagContents;
+using motion::RecordedFrame;
+
+std::string joinedNames(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+std::string secondsOfStamp(Duration time) { return fixed(toSeconds(time), 3); }
+
+/// "20.0 Hz, 47.6 .. 108.8 s, travels 3.1 x 2.0 x 0.0 m, by /robot_state_publisher".
+std::string frameLine(const RecordedFrame& frame) {
+  std::string text = frame.is_static ? "static" : "";
+  if (!frame.is_static) {
+    const double rate = frame.period.count() > 0 ? 1.0 / toSeconds(frame.period) : 0.0;
+    text = (rate > 0.0 ? fixed(rate, 1) + " Hz" : "once") + ", " + secondsOfStamp(frame.first) +
+           " s to " + secondsOfStamp(frame.last) + " s";
+  }
+  if (frame.gap_count > 0) {
+    text += ", " + std::to_string(frame.gap_count) + (frame.gap_count == 1 ? " gap" : " gaps") +
+            " (longest " + secondsOfStamp(frame.longest_gap) + " s)";
+  }
+  constexpr double kStill = 0.005;  // [m]
+  if (frame.extent.norm() > kStill) {
+    text += ", travels in " + fixed(frame.extent.x(), 2) + " x " + fixed(frame.extent.y(), 2) +
+            " x " + fixed(frame.extent.z(), 2) + " m";
+  }
+  if (frame.parents.size() > 1) text += ", parents " + joinedNames(frame.parents);
+  if (!frame.publishers.empty()) text += ", by " + joinedNames(frame.publishers);
+  return text;
+}
+
+/// The frames below one, each with what is below it.
+void printTree(const BagContents& contents, const std::string& parent, const std::string& indent,
+               std::set<std::string>& printed, std::ostream& out) {
+  for (const RecordedFrame& frame : contents.frames) {
+    if (frame.parents.front() != parent || !printed.insert(frame.name).second) continue;
+    out << indent << frame.name << "  (" << frameLine(frame) << ")\n";
+    printTree(contents, frame.name, indent + "  ", printed, out);
+  }
+}
+
+Value namesValue(const std::vector<std::string>& names) {
+  Value::List list;
+  for (const std::string& name : names) list.emplace_back(name);
+  return Value(list);
+}
+
+Value pointValue(const Eigen::Vector3d& point) {
+  return Value(Value::List{Value(point.x()), Value(point.y()), Value(point.z())});
+}
+
+Value frameValue(const RecordedFrame& frame) {
+  Value::Map map = {
+      {"name", Value(frame.name)},          {"parents", namesValue(frame.parents)},
+      {"root", Value(frame.root)},          {"static", Value(frame.is_static)},
+      {"transforms", Value(frame.count)},   {"middle", pointValue(frame.middle_R)},
+      {"extent", pointValue(frame.extent)}, {"publishers", namesValue(frame.publishers)}};
+  if (frame.is_static) return Value(map);
+  map["first"] = Value(toSeconds(frame.first));
+  map["last"] = Value(toSeconds(frame.last));
+  map["gaps"] = Value(frame.gap_count);
+  map["longest_gap"] = Value(toSeconds(frame.longest_gap));
+  if (frame.period.count() > 0) map["rate"] = Value(1.0 / toSeconds(frame.period));
+  return Value(map);
+}
+
+std::set<std::string> rootsOf(const BagContents& contents) {
+  std::set<std::string> roots;
+  for (const RecordedFrame& frame : contents.frames) roots.insert(frame.root);
+  return roots;
+}
+
+}  // namespace
+
+std::string bagText(const BagContents& contents) {
+  std::ostringstream out;
+  out << "times: " << secondsOfStamp(contents.times.start) << " s to "
+      << secondsOfStamp(contents.times.end) << " s ("
+      << fixed(toSeconds(contents.times.end - contents.times.start), 1) << " s)\n";
+  out << "frames:" << (contents.frames.empty() ? " none\n" : "\n");
+  std::set<std::string> printed;
+  for (const std::string& root : rootsOf(contents)) {
+    out << "  " << root << "  (root)\n";
+    printTree(contents, root, "    ", printed, out);
+  }
+  out << "topics:\n";
+  for (const motion::BagTopic& topic : contents.topics) {
+    out << "  " << topic.name << "  (" << topic.type << ")\n";
+  }
+  for (const motion::RecordedCamera& camera : contents.cameras) {
+    out << "camera: " << camera.topic << ", " << camera.width << " x " << camera.height
+        << ", in the frame '" << camera.frame << "' (camera/info_topic)\n";
+  }
+  for (const std::string& frame : motion::cameraFrames(contents)) {
+    out << "camera frame: " << frame << " (camera_frame_id)\n";
+  }
+  for (const motion::RobotFrame& robot : motion::robotFrames(contents)) {
+    out << "robot: " << robot.name << ", whose frame is '" << robot.frame << "'\n";
+  }
+  for (const std::string& each : contents.notes) out << "note: " << each << '\n';
+  return out.str();
+}
+
+Value bagValue(const BagContents& contents) {
+  Value::List frames;
+  for (const RecordedFrame& frame : contents.frames) frames.push_back(frameValue(frame));
+  Value::List topics;
+  for (const motion::BagTopic& topic : contents.topics) {
+    topics.emplace_back(Value::Map{{"name", Value(topic.name)}, {"type", Value(topic.type)}});
+  }
+  Value::List cameras;
+  for (const motion::RecordedCamera& camera : contents.cameras) {
+    cameras.emplace_back(Value::Map{{"topic", Value(camera.topic)},
+                                    {"frame", Value(camera.frame)},
+                                    {"width", Value(camera.width)},
+                                    {"height", Value(camera.height)}});
+  }
+  Value::List robots;
+  for (const motion::RobotFrame& robot : motion::robotFrames(contents)) {
+    robots.emplace_back(Value::Map{{"name", Value(robot.name)},
+                                   {"prefix", Value(robot.prefix)},
+                                   {"frame", Value(robot.frame)}});
+  }
+  return Value(Value::Map{{"kind", Value("recording")},
+                          {"start", Value(toSeconds(contents.times.start))},
+                          {"end", Value(toSeconds(contents.times.end))},
+                          {"frames", Value(frames)},
+                          {"topics", Value(topics)},
+                          {"cameras", Value(cameras)},
+                          {"camera_frames", namesValue(motion::cameraFrames(contents))},
+                          {"robots", Value(robots)},
+                          {"notes", namesValue(contents.notes)}});
+}
+
+}  // namespace synthetic_dataset::programs

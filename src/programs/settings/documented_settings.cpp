@@ -1,0 +1,167 @@
+#include "programs/settings/documented_settings.h"
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <utility>
+
+#include "base/yaml_value.h"
+#include "programs/settings/settings_document.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::programs {
+namespace {
+
+/// A line of the file that is a setting.
+struct SettingLine {
+  std::size_t indentation = 0;
+  bool is_active = false;
+  bool begins_entry = false;  ///< of a list: "- name: hall"
+  std::string name;
+  std::string value;
+};
+
+std::optional<SettingLine> settingIn(const std::string& line) {
+  static const std::regex kSetting(R"(( *)(# )?(- )?([a-z_][a-z_0-9]*):( +(.*))?)");
+  std::smatch match;
+  if (!std::regex_match(line, match, kSetting)) return std::nullopt;
+  SettingLine setting;
+  setting.begins_entry = match[3].matched;
+  setting.indentation = match[1].str().size() + (setting.begins_entry ? 2U : 0U);
+  setting.is_active = !match[2].matched;
+  setting.name = match[4].str();
+  setting.value = match[6].str();
+  return setting;
+}
+
+/// The text of a comment's line, if it is one.
+std::optional<std::string> commentIn(const std::string& line) {
+  const std::size_t begin = line.find_first_not_of(' ');
+  if (begin == std::string::npos || line[begin] != '#') return std::nullopt;
+  return line.substr(std::min(begin + 2, line.size()));
+}
+
+bool isComplete(const std::string& value) {
+  return std::count(value.begin(), value.end(), '[') == std::count(value.begin(), value.end(), ']');
+}
+
+class DocumentReader {
+ public:
+  std::vector<DocumentedSetting> read(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) take(line);
+    return std::move(settings_);
+  }
+
+ private:
+  void take(const std::string& line) {
+    if (!settings_.empty() && !isComplete(settings_.back().value)) {
+      settings_.back().value +=
+          " " + line.substr(std::min(line.find_first_not_of(' '), line.size()));
+      return;
+    }
+    if (const auto setting = settingIn(line)) {
+      add(*setting);
+      return;
+    }
+    if (const auto comment = commentIn(line)) {
+      const bool is_heading = comment->rfind("---", 0) == 0;
+      if (!is_heading) comment_ += (comment_.empty() ? "" : " ") + *comment;
+    } else {
+      comment_.clear();  // an empty line: what stood above it was about more than one setting
+    }
+  }
+
+  void add(const SettingLine& line) {
+    while (!above_.empty() && above_.back().first >= line.indentation) above_.pop_back();
+    std::string path;
+    for (const auto& [indentation, name] : above_) path += name + "/";
+    if (indented_list_ && line.indentation > 0 && path == *indented_list_) path += "-/";
+    if (line.begins_entry) {
+      indented_list_ = path;
+      if (path.size() < 2 || path.substr(path.size() - 2) != "-/") path += "-/";
+    }
+    const std::string full = path + line.name;
+    const bool is_known =
+        std::any_of(settings_.begin(), settings_.end(),
+                    [&](const DocumentedSetting& each) { return each.path == full; });
+    if (!is_known) settings_.push_back({full, comment_, line.value, line.is_active});
+    comment_.clear();
+    if (line.value.empty()) above_.emplace_back(line.indentation, line.name);
+  }
+
+  std::vector<DocumentedSetting> settings_;
+  std::string comment_;
+  std::vector<std::pair<std::size_t, std::string>> above_;  ///< groups with their indentations
+  std::optional<std::string> indented_list_;                ///< the path of the list last seen
+};
+
+/// The schema of a path's last part, made on the way.
+Value::Map& nodeOf(Value::Map& root, const std::string& path) {
+  Value::Map* node = &root;
+  std::istringstream parts(path);
+  for (std::string part; std::getline(parts, part, '/');) {
+    if (part == "-") {
+      Value& items = (*node)["items"];
+      if (items.isNull()) items = Value::Map{};
+      node = items.as<Value::Map>();
+      continue;
+    }
+    Value& properties = (*node)["properties"];
+    if (properties.isNull()) properties = Value::Map{};
+    Value& child = (*properties.as<Value::Map>())[part];
+    if (child.isNull()) child = Value::Map{};
+    node = child.as<Value::Map>();
+  }
+  return *node;
+}
+
+std::optional<Value> parsed(const std::string& value) {
+  try {
+    return base::parseSettings(value, "the settings' document");
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+/// Groups whose names are all known: those in which another one is misspelt.
+void closeGroups(Value::Map& root) {
+  for (const char* path : {"placement", "world", "camera", "camera/sample", "camera/effects",
+                           "labels", "masks", "background_subtractor", "physics", "rendering",
+                           "image", "randomize", "randomize/sensor", "randomize/background"}) {
+    nodeOf(root, path)["additionalProperties"] = Value(false);
+  }
+}
+
+}  // namespace
+
+std::vector<DocumentedSetting> documentedSettings(const std::string& text) {
+  return DocumentReader().read(text);
+}
+
+const std::string& settingsDocument() {
+  static const std::string kText = kSettingsDocument;
+  return kText;
+}
+
+Value settingsSchema(const std::vector<DocumentedSetting>& settings) {
+  Value::Map root = {{"$schema", Value("http://json-schema.org/draft-07/schema#")},
+                     {"title", Value("Settings of synthetic_dataset")},
+                     {"type", Value("object")}};
+  for (const DocumentedSetting& setting : settings) {
+    Value::Map& node = nodeOf(root, setting.path);
+    if (!setting.description.empty()) node["description"] = Value(setting.description);
+    const auto value = setting.value.empty() ? std::nullopt : parsed(setting.value);
+    if (!value || value->isNull()) continue;
+    if (setting.is_active && !setting.isRequired()) {
+      node["default"] = *value;
+    } else {
+      node["examples"] = Value(Value::List{*value});
+    }
+  }
+  closeGroups(root);
+  return Value(root);
+}
+
+}  // namespace synthetic_dataset::programs

@@ -1,0 +1,148 @@
+/// The tool `start`: a settings file for a recording.
+///
+///   rosrun synthetic_dataset start BAG... [--world WORLD] [--model NAME=FILE ...] [-o FILE]
+///
+/// Exit code 0, also with gaps that are marked; 1 when a file cannot be read or written.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "programs/console/tool.h"
+#include "programs/gallery/model_portrait.h"
+#include "programs/inspect/world_report.h"
+#include "programs/start/settings_draft.h"
+#include "programs/start/start_line.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/nearest_name.h"
+
+namespace {
+
+using namespace synthetic_dataset;
+namespace fs = std::filesystem;
+
+bool isOnTerminal() { return ::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1; }
+
+/// What the user answers, or the default where nothing is answered.
+std::string ask(const std::string& question, const std::string& fallback) {
+  std::cerr << question << " [" << fallback << "] " << std::flush;
+  std::string answer;
+  std::getline(std::cin, answer);
+  return answer.empty() ? fallback : answer;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string absoluteFile(const std::string& name) {
+  const bool is_uri = name.find("://") != std::string::npos;
+  if (!is_uri && !fs::exists(name)) throw Error("'" + name + "': no such file");
+  return is_uri ? name : fs::absolute(name).lexically_normal().string();
+}
+
+/// The largest side of a model; 0 where it cannot be read, which the run's check will explain.
+double sizeOf(const std::string& model) {
+  try {
+    const auto bounds = programs::visibleBounds(programs::readForInspection(model));
+    return bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
+  } catch (const std::exception&) {
+    return 0.0;
+  }
+}
+
+void addObjects(const programs::StartLine& line, programs::DraftInputs& inputs) {
+  for (const auto& [name, model] : line.models) {
+    const std::string file = absoluteFile(model);
+    inputs.objects.push_back({name, file, sizeOf(file)});
+  }
+  if (!inputs.objects.empty()) return;
+  std::vector<std::string> names;
+  for (const motion::RobotFrame& robot : motion::robotFrames(inputs.contents)) {
+    names.push_back(robot.name);
+  }
+  if (isOnTerminal()) {
+    names = programs::wordsIn(ask("Which objects are labelled?", joined(names)));
+  }
+  for (const std::string& name : names) {
+    inputs.objects.push_back({name, std::nullopt, 0.0});
+    if (!isOnTerminal()) continue;
+    const std::string model = ask("The model of " + name + " (URDF, xacro or SDF)?", "leave open");
+    if (model == "leave open") continue;
+    inputs.objects.back().model = absoluteFile(model);
+    inputs.objects.back().size = sizeOf(*inputs.objects.back().model);
+  }
+}
+
+std::vector<std::string> formatsOf(const programs::StartLine& line) {
+  std::vector<std::string> formats = {"coco", "ultralytics"};
+  std::vector<std::string> known;
+  for (const auto& [name, type] : programs::knownFormats()) known.push_back(name);
+  if (line.formats) {
+    formats = *line.formats;
+  } else if (isOnTerminal()) {
+    formats = programs::wordsIn(ask("Which formats (of " + joined(known) + ")?", joined(formats)));
+  }
+  for (const std::string& format : formats) {
+    if (std::find(known.begin(), known.end(), format) != known.end()) continue;
+    throw Error("--formats: found '" + format + "'; it should be of " + joined(known) +
+                didYouMean(format, known));
+  }
+  return formats;
+}
+
+/// Never over a file.
+void writeNew(const std::string& file, const std::string& text) {
+  if (fs::exists(fs::symlink_status(file))) {
+    throw Error("-o: '" + file + "' is there already; another name would be right");
+  }
+  std::ofstream stream(file);
+  if (!(stream << text << std::flush)) throw Error("-o: '" + file + "' cannot be written");
+}
+
+int start(const programs::StartLine& line) {
+  programs::DraftInputs inputs;
+  for (const std::string& bag : line.bag_files) inputs.bag_files.push_back(absoluteFile(bag));
+  inputs.contents = motion::readContents(inputs.bag_files);
+  if (line.world) {
+    inputs.world = absoluteFile(*line.world);
+    inputs.model_folders = programs::modelFoldersAround(*inputs.world);
+  }
+  if (line.camera_info) inputs.camera_info = absoluteFile(*line.camera_info);
+  addObjects(line, inputs);
+  inputs.formats = formatsOf(line);
+  const programs::SettingsDraft draft = programs::draftSettings(inputs);
+  if (line.output) {
+    writeNew(*line.output, draft.text);
+    std::cerr << "start: wrote " << *line.output << '\n';
+  } else {
+    std::cout << draft.text;
+  }
+  for (const std::string& gap : draft.gaps) std::cerr << "start: TODO: " << gap << '\n';
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  programs::StartLine line;
+  try {
+    line = programs::parseStartLine({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << "start: " << error.what() << '\n' << programs::startUsage();
+    return 1;
+  }
+  if (line.wants_help) {
+    std::cout << programs::startUsage();
+    return 0;
+  }
+  return programs::reportingErrors("start", [&] { return start(line); });
+}

@@ -1,0 +1,287 @@
+#include "programs/start/settings_draft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::programs {
+namespace {
+
+using motion::RecordedFrame;
+
+constexpr double kUnknownSize = 0.8;  // [m] of an object without a model
+
+/// In YAML's double quotes.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+const RecordedFrame* findFrame(const motion::BagContents& contents, const std::string& name) {
+  const auto found = std::find_if(contents.frames.begin(), contents.frames.end(),
+                                  [&](const RecordedFrame& each) { return each.name == name; });
+  return found == contents.frames.end() ? nullptr : &*found;
+}
+
+/// The largest of 1, 2, 5, 10, ... that is not above a rate.
+double roundRate(double rate) {
+  const double power = std::pow(10.0, std::floor(std::log10(rate)));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * power <= rate * (1.0 + 1e-9)) return factor * power;
+  }
+  return power;
+}
+
+class DraftWriter {
+ public:
+  explicit DraftWriter(const DraftInputs& inputs) : inputs_(inputs) {
+    for (const DraftInputs::Object& object : inputs.objects) {
+      robots_.push_back(robotNamed(object.name, inputs.contents));
+    }
+    if (!robots_.empty() && robots_.front()) {
+      followed_ = findFrame(inputs.contents, robots_.front()->frame);
+    }
+  }
+
+  SettingsDraft write() {
+    out_ << "# Settings of synthetic_dataset. `check THIS_FILE` says what the run would be and "
+            "what is odd,\n"
+            "# `generate --config THIS_FILE` makes it; config/params.yaml documents every "
+            "setting.\n\n";
+    writeRecording();
+    writeWorld();
+    writeCamera();
+    writeObjects();
+    writeFormats();
+    return {out_.str(), gaps_};
+  }
+
+ private:
+  /// A line that the user has to complete.
+  void gap(const std::string& line, const std::string& what) {
+    out_ << line << "  # TODO: " << what << '\n';
+    gaps_.push_back(what);
+  }
+
+  void writeRecording() {
+    out_ << "# The recording.\n";
+    if (inputs_.bag_files.size() == 1) {
+      out_ << "bag_file: " << quoted(inputs_.bag_files.front()) << '\n';
+    } else {
+      out_ << "bag_file:\n";
+      for (const std::string& file : inputs_.bag_files) out_ << "  - " << quoted(file) << '\n';
+    }
+    writeWindow();
+    out_ << "# The frame in which everything moves; the world's origin is put there.\n";
+    if (followed_ != nullptr) {
+      out_ << "global_frame: " << quoted(followed_->root) << '\n';
+    } else {
+      gap("global_frame: map", "which frame is the world's? `inspect BAG` lists them");
+    }
+    out_ << '\n';
+  }
+
+  /// As many scenes as a first dataset needs, while the first object moves.
+  void writeWindow() {
+    if (followed_ == nullptr) return;
+    constexpr double kScenes = 200.0;
+    constexpr double kStanding = 0.1;  // of the recording
+    const motion::RecordedTimes& times = inputs_.contents.times;
+    const double all = toSeconds(times.end - times.start);
+    const double begin = toSeconds(followed_->moves_from - times.start);
+    const double moving = toSeconds(followed_->moves_until - followed_->moves_from);
+    double used = all;
+    if (moving > 0.0 && moving < (1.0 - kStanding) * all) {
+      used = moving;
+      out_ << "# " << robots_.front()->name << " stands still before and after this part [s].\n"
+           << "start_offset: " << fixed(std::max(begin, 0.0), 1) << '\n'
+           << "duration: " << fixed(std::max(moving, 0.1), 1) << '\n';
+    }
+    const double recorded = fastest();
+    const double rate =
+        roundRate(std::max(1e-3, std::min(kScenes / std::max(used, 1e-3), recorded)));
+    out_ << "# Scenes per second of the recording, whose frames move with " << fixed(recorded, 1)
+         << " Hz.\n"
+         << "simulated_rate: " << fixed(rate, rate < 1.0 ? 3 : 1) << '\n';
+  }
+
+  /// The rate of the most frequent frame between the first object and the root [Hz].
+  [[nodiscard]] double fastest() const {
+    double rate = 0.0;
+    const RecordedFrame* frame = followed_;
+    for (std::size_t i = 0; frame != nullptr && i < inputs_.contents.frames.size(); ++i) {
+      if (frame->period.count() > 0) rate = std::max(rate, 1.0 / toSeconds(frame->period));
+      frame = findFrame(inputs_.contents, frame->parents.front());
+    }
+    return rate > 0.0 ? rate : 1.0;
+  }
+
+  void writeWorld() {
+    if (inputs_.world) {
+      out_ << "# The surroundings.\nworld:\n  file: " << quoted(*inputs_.world) << '\n';
+      if (!inputs_.model_folders.empty()) {
+        out_ << "  # Where its models are.\n  model_folders:\n";
+        for (const std::string& folder : inputs_.model_folders) {
+          out_ << "    - " << quoted(folder) << '\n';
+        }
+      }
+      out_ << '\n';
+      return;
+    }
+    out_ << "# The surroundings: a plain ground and the sun. `--world` names one of your own.\n"
+            "world: \"$(find synthetic_dataset)/worlds/ground.sdf\"\n\n";
+  }
+
+  void writeCamera() {
+    out_ << "# The camera.\ncamera:\n";
+    if (inputs_.camera_info) {
+      out_ << "  info_file: " << quoted(*inputs_.camera_info) << '\n';
+    } else if (!inputs_.contents.cameras.empty()) {
+      out_ << "  # As it was recorded.\n  info_topic: "
+           << quoted(inputs_.contents.cameras.front().topic) << '\n';
+    } else {
+      gap("  info_file: \"$(find synthetic_dataset)/worlds/pinhole.yaml\"",
+          "a pinhole of 640 x 480 stands in for your camera's calibration");
+    }
+    writeAim();
+    const auto frames = motion::cameraFrames(inputs_.contents);
+    if (!frames.empty()) {
+      out_ << "  # Instead of this, `frame_id: " << frames.front()
+           << "` puts the camera where the recording has this frame.\n";
+    }
+    out_ << '\n';
+  }
+
+  /// Beside the way of the first object; where there may be walls, or the way is long, near it.
+  void writeAim() {
+    if (followed_ == nullptr) {
+      gap("  pose: {position: [-4, -3, 2], look_at: [0, 0, 0]}",
+          "where does the camera stand, and what does it look at?");
+      return;
+    }
+    constexpr double kFar = 15.0;  // sizes of the object, from where little is seen of it
+    const DraftInputs::Object& object = inputs_.objects.front();
+    const double size = object.size > 0.0 ? object.size : kUnknownSize;
+    const double distance = std::max(4.0 * size, 0.75 * followed_->extent.norm() + 2.5 * size);
+    if (inputs_.world || distance > kFar * size) {
+      out_ << "  # Somewhere else for each scene, never inside of anything. `pose: {position: [x, "
+              "y, z],\n"
+              "  # look_at: "
+           << object.name << "}` instead lets it stand and follow with its eye.\n"
+           << "  sample: {look_at: any, distance: {uniform: [" << fixed(3.0 * size, 1) << ", "
+           << fixed(8.0 * size, 1) << "]}, elevation: {uniform: [deg(8), deg(45)]}}\n";
+      return;
+    }
+    const Eigen::Vector3d p_G = followed_->middle_R + distance * Eigen::Vector3d(-0.75, -0.53, 0.4);
+    out_ << "  # Beside the way of " << object.name << ", which it follows with its eye.\n"
+         << "  pose: {position: [" << fixed(p_G.x(), 2) << ", " << fixed(p_G.y(), 2) << ", "
+         << fixed(p_G.z(), 2) << "], look_at: " << quoted(object.name) << "}\n";
+  }
+
+  void writeObjects() {
+    out_ << "# The objects: what moves and is labelled.\nrobot_list: [";
+    for (std::size_t i = 0; i < inputs_.objects.size(); ++i) {
+      out_ << (i == 0 ? "" : ", ") << quoted(inputs_.objects[i].name);
+    }
+    out_ << "]";
+    if (inputs_.objects.empty()) {
+      out_ << "  # TODO: which?\n";
+      gaps_.emplace_back(
+          "the recording has no frame that looks like a robot's: robot_list is empty");
+    }
+    out_ << '\n';
+    for (std::size_t i = 0; i < inputs_.objects.size(); ++i) {
+      writeObject(inputs_.objects[i], robots_[i]);
+    }
+    out_ << '\n';
+  }
+
+  void writeObject(const DraftInputs::Object& object,
+                   const std::optional<motion::RobotFrame>& robot) {
+    out_ << quoted(object.name) << ":\n"
+         << "  class: " << quoted(object.name) << "  # what a network learns to recognise\n"
+         << "  id: " << quoted(object.name) << "\n";
+    if (robot) {
+      out_ << "  frame: " << quoted(robot->frame) << '\n';
+      if (robot->prefix != object.name) {
+        const std::string before = robot->prefix.empty() ? "" : robot->prefix + "/";
+        out_ << "  link_frames: " << quoted(before + "{link}") << "  # the frames of its links\n";
+      }
+    } else {
+      gap("  frame: base_link", "which frame of the recording is " + object.name + "?");
+    }
+    if (object.model) {
+      out_ << "  model: " << quoted(*object.model) << '\n';
+    } else {
+      gap("  # model: /path/to/" + object.name + ".urdf",
+          "a model of " + object.name +
+              " (URDF, xacro or SDF), unless the world has one of this name");
+    }
+  }
+
+  void writeFormats() {
+    out_ << "# Where the dataset goes, and in which formats (docs/formats.md).\n"
+            "output_folder: \"$(dirname)/dataset\"\nwriters:\n";
+    for (const auto& [name, type] : knownFormats()) {
+      if (std::find(inputs_.formats.begin(), inputs_.formats.end(), name) ==
+          inputs_.formats.end()) {
+        continue;
+      }
+      out_ << "  - {name: " << name << ", type: synthetic_dataset/" << type << "}\n";
+    }
+    for (const std::string& name : inputs_.formats) {
+      if (name == "ultralytics") out_ << "ultralytics: {task: detect}\n";
+      if (name == "yolo") out_ << "yolo: {main_list: list.txt}\n";
+      if (name == "bounding_shape") {
+        out_ << "bounding_shape: {output_frame: "
+             << quoted(followed_ != nullptr ? followed_->root : "map") << "}\n";
+      }
+    }
+  }
+
+  const DraftInputs& inputs_;
+  std::vector<std::optional<motion::RobotFrame>> robots_;  ///< of the objects
+  const RecordedFrame* followed_ = nullptr;                ///< of the first object
+  std::ostringstream out_;
+  std::vector<std::string> gaps_;
+};
+
+}  // namespace
+
+SettingsDraft draftSettings(const DraftInputs& inputs) { return DraftWriter(inputs).write(); }
+
+std::optional<motion::RobotFrame> robotNamed(const std::string& name,
+                                             const motion::BagContents& contents) {
+  const std::vector<motion::RobotFrame> robots = motion::robotFrames(contents);
+  for (const motion::RobotFrame& robot : robots) {
+    if (robot.name == name || robot.prefix == name || robot.frame == name) return robot;
+  }
+  if (robots.size() == 1) return robots.front();
+  return std::nullopt;
+}
+
+const std::vector<std::pair<std::string, std::string>>& knownFormats() {
+  static const std::vector<std::pair<std::string, std::string>> kFormats = {
+      {"bop", "Bop"},
+      {"bounding_shape", "BoundingShape"},
+      {"cityscapes", "Cityscapes"},
+      {"coco", "Coco"},
+      {"dope", "Dope"},
+      {"image_folder", "ImageFolder"},
+      {"kitti", "Kitti"},
+      {"pascal_voc", "PascalVoc"},
+      {"pvnet", "PvNet"},
+      {"ros_bag", "RosBag"},
+      {"stvnet", "StvNet"},
+      {"ultralytics", "UltralyticsYolo"},
+      {"yolo", "Yolo"}};
+  return kFormats;
+}
+
+}  // namespace synthetic_dataset::programs

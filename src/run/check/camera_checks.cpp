@@ -1,0 +1,149 @@
+#include "run/check/camera_checks.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+using Links = std::set<std::size_t>;
+
+/// Links all around objects too, as a hall is that is modelled as one shell: to be inside of these
+/// is right.
+Links shellsAround(const NamedRays& rays, const std::vector<const Scene*>& scenes) {
+  Links shells;
+  for (const Scene* scene : scenes) {
+    for (const SceneObject& object : scene->objects) {
+      const Links around = rays.around(object.X_GO * object.cuboid_O.centre());
+      shells.insert(around.begin(), around.end());
+    }
+  }
+  return shells;
+}
+
+/// What a point is inside of, other than the shells.
+std::optional<std::string> modelAround(const NamedRays& rays, const Links& shells,
+                                       const Eigen::Vector3d& p_G) {
+  for (const std::size_t link : rays.around(p_G)) {
+    if (shells.count(link) == 0) return rays.modelOf(link);
+  }
+  return std::nullopt;
+}
+
+/// The model of an infinite plane below which a point is.
+std::optional<std::string> groundAbove(const world::World& world, const Eigen::Vector3d& p_G) {
+  for (std::size_t i = 0; i < world.links().size(); ++i) {
+    const world::LinkInstance& link = world.links()[i];
+    if (link.role != world::Role::kStatic) continue;
+    for (const world::Collision& collision : link.link->collisions) {
+      const auto* plane = std::get_if<world::PlaneShape>(&collision.shape);
+      if (plane == nullptr) continue;
+      const Eigen::Vector3d p_C = (world.linkPoses()[i] * collision.X_LC).inverse() * p_G;
+      if (p_C.dot(plane->normal) < 0.0) return link.model;
+    }
+  }
+  return std::nullopt;
+}
+
+/// What is so near before most of the lens that there is little else to see.
+std::optional<std::string> modelBefore(const NamedRays& rays, const Scene& scene) {
+  constexpr double kNear = 0.15;  // [m]
+  constexpr int kSteps = 5;       // a side of a grid of pixels
+  std::map<std::string, int> counts;
+  for (int i = 0; i < kSteps; ++i) {
+    for (int j = 0; j < kSteps; ++j) {
+      const auto ray_C = scene.camera.ray({(i + 0.5) / kSteps * scene.camera.width() - 0.5,
+                                           (j + 0.5) / kSteps * scene.camera.height() - 0.5});
+      if (!ray_C) continue;
+      const auto hit = rays.cast(scene.X_GC.translation(), scene.X_GC.linear() * *ray_C, kNear);
+      if (hit) ++counts[hit->model];
+    }
+  }
+  for (const auto& [model, count] : counts) {
+    if (2 * count > kSteps * kSteps) return model;
+  }
+  return std::nullopt;
+}
+
+/// The object of which nearly all of a picture is.
+std::optional<std::string> objectBefore(const Scene& scene) {
+  constexpr double kNearlyAll = 0.9;
+  const double pixels = static_cast<double>(scene.camera.width()) * scene.camera.height();
+  for (const SceneObject& object : scene.objects) {
+    if (static_cast<double>(object.pixels.visible()) > kNearlyAll * pixels) return object.name;
+  }
+  return std::nullopt;
+}
+
+/// What is wrong with a camera's place in a scene, in words.
+std::optional<std::string> wrongPlace(const MotionSetup& motion, const NamedRays& rays,
+                                      const Links& shells, const Scene& scene) {
+  const Eigen::Vector3d p_G = scene.X_GC.translation();
+  if (const auto model = modelAround(rays, shells, p_G)) return "is inside of '" + *model + "'";
+  if (const auto model = groundAbove(*motion.world, p_G)) return "is below '" + *model + "'";
+  if (const auto model = modelBefore(rays, scene)) {
+    return "has '" + *model + "' less than 0.15 m before most of its lens";
+  }
+  if (const auto object = objectBefore(scene)) {
+    return "sees nothing but '" + *object + "', or is inside of it";
+  }
+  return std::nullopt;
+}
+
+std::string pointText(const Eigen::Vector3d& p_G) {
+  return "[" + fixed(p_G.x(), 2) + ", " + fixed(p_G.y(), 2) + ", " + fixed(p_G.z(), 2) + "]";
+}
+
+}  // namespace
+
+std::vector<Finding> checkCameras(const MotionSetup& motion, const NamedRays& rays,
+                                  const std::vector<const Scene*>& scenes) {
+  struct Places {
+    int count = 0;
+    std::string first;
+  };
+  const Links shells = shellsAround(rays, scenes);
+  std::map<std::pair<std::string, std::string>, Places> wrong;  // by camera and words
+  for (const Scene* scene : scenes) {
+    const auto words = wrongPlace(motion, rays, shells, *scene);
+    if (!words) continue;
+    Places& places = wrong[{scene->camera_name, *words}];
+    if (places.count++ == 0) places.first = pointText(scene->X_GC.translation());
+  }
+  std::vector<Finding> findings;
+  for (const auto& [where, places] : wrong) {
+    const std::string& camera = where.first;
+    findings.push_back({"camera's place", camera == "camera" ? camera : "camera " + camera,
+                        where.second + " in " + std::to_string(places.count) + " of " +
+                            std::to_string(scenes.size()) + " scenes, first at " + places.first,
+                        "the map shows where it stands; its pose, or its frame in the recording, "
+                        "should be another"});
+  }
+  return findings;
+}
+
+std::vector<Finding> checkLights(const MotionSetup& motion, const NamedRays& rays,
+                                 const std::vector<const Scene*>& scenes) {
+  const Links shells = shellsAround(rays, scenes);
+  std::vector<Finding> findings;
+  for (const world::Light& light : motion.world->description().lights) {
+    // Of the others, point lights cast no shadows in any case.
+    if (light.type != world::LightType::kSpot || !light.casts_shadow) continue;
+    const Eigen::Vector3d p_G = light.X_WL.translation();
+    const auto model = modelAround(rays, shells, p_G);
+    if (!model) continue;
+    findings.push_back({"light inside", "light " + light.name,
+                        "at " + pointText(p_G) + " it is inside of '" + *model +
+                            "', and casts shadows: none of its light gets out",
+                        "its <pose> in the world should be outside, or <cast_shadows> false"});
+  }
+  return findings;
+}
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "run/check/finding.h"
+#include "run/check/named_rays.h"
+#include "run/setup/motion_setup.h"
+#include "synthetic_dataset/scene.h"
+
+namespace synthetic_dataset::run {
+
+/// Cameras inside of something, below the ground, right before a wall, or that see one object
+/// alone.
+/// @param rays  of the motion's world
+/// @param scenes  of this motion, with visible masks
+[[nodiscard]] std::vector<Finding> checkCameras(const MotionSetup& motion, const NamedRays& rays,
+                                                const std::vector<const Scene*>& scenes);
+
+/// Spot lights that cast shadows and are inside of something, so that none of their light gets out.
+[[nodiscard]] std::vector<Finding> checkLights(const MotionSetup& motion, const NamedRays& rays,
+                                               const std::vector<const Scene*>& scenes);
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,193 @@
+#include "run/check/motion_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "run/check/moments.h"
+#include "scene/camera_rig.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+/// Frames that are nearer together than this have not moved; localisation jitters by more.
+constexpr double kStill = 1e-4;  // [m] and [rad]
+
+bool isSamePlace(const Pose& one, const Pose& other) {
+  return (one.translation() - other.translation()).norm() < kStill &&
+         Eigen::AngleAxisd(one.linear().transpose() * other.linear()).angle() < kStill;
+}
+
+/// A frame of the recording that scenes follow.
+struct FollowedFrame {
+  std::string owner;  ///< the object or camera
+  std::string name;
+  motion::FrameId id = motion::kNoFrame;
+  bool is_objects = false;
+};
+
+std::vector<FollowedFrame> followedFrames(const MotionSetup& motion) {
+  std::vector<FollowedFrame> frames;
+  for (const scene::ObjectOptions& object : motion.config.objects) {
+    if (!object.takes_part || object.is_distractor) continue;
+    if (const auto id = motion.frames->find(object.frame)) {
+      frames.push_back({object.name, object.frame, *id, true});
+    }
+  }
+  for (const scene::CameraRig& camera : motion.cameras) {
+    if (camera.followsFrame()) frames.push_back({camera.name, camera.frame, camera.followed});
+  }
+  return frames;
+}
+
+std::string hertz(double rate) { return fixed(rate, rate < 10.0 ? 2 : 0) + " Hz"; }
+
+/// The shortest time from one transform to the next of any of the frames.
+std::optional<Duration> shortestRecorded(const MotionSetup& motion,
+                                         const std::vector<FollowedFrame>& frames) {
+  const auto& stamps = motion.timeline.stamps;
+  std::optional<Duration> shortest;
+  for (const FollowedFrame& frame : frames) {
+    const auto period = motion.frames->recordedPeriod(frame.id, stamps[stamps.size() / 2]);
+    if (period && (!shortest || *period < *shortest)) shortest = period;
+  }
+  return shortest;
+}
+
+void checkRate(const MotionSetup& motion, const std::vector<FollowedFrame>& frames,
+               std::vector<Finding>& findings) {
+  constexpr double kDense = 2.5;  // between two transforms there is nothing new but noise
+  const auto recorded = shortestRecorded(motion, frames);
+  if (!recorded || motion.timeline.stamps.size() < 2) return;
+  const double rate = 1.0 / toSeconds(*recorded);
+  if (motion.config.motion.rate < kDense * rate) return;
+  findings.push_back(
+      {"too dense", "simulated_rate",
+       "makes " + hertz(motion.config.motion.rate) + " of a recording whose frames move with " +
+           hertz(rate) + " at most: what lies between is interpolated, and scenes are nearly equal",
+       "`simulated_rate: " + fixed(rate, rate < 10.0 ? 1 : 0) + "` or less"});
+}
+
+/// Whether a frame is where it was at all of these times.
+bool standsStill(const MotionSetup& motion, motion::FrameId frame,
+                 const std::vector<std::size_t>& times) {
+  const auto& stamps = motion.timeline.stamps;
+  const auto first = motion.frames->pose(frame, stamps[times.front()]);
+  return first && std::all_of(times.begin(), times.end(), [&](std::size_t i) {
+           const auto pose = motion.frames->pose(frame, stamps[i]);
+           return pose && isSamePlace(*first, *pose);
+         });
+}
+
+/// What is static on purpose is no mistake; what is published again and again should move.
+void checkStandingStill(const MotionSetup& motion, const std::vector<FollowedFrame>& frames,
+                        std::vector<Finding>& findings) {
+  const auto& stamps = motion.timeline.stamps;
+  const std::vector<std::size_t> times = evenlySpread(stamps.size(), 50);
+  for (const FollowedFrame& frame : frames) {
+    if (!frame.is_objects || times.size() < 2) continue;
+    if (!motion.frames->recordedPeriod(frame.id, stamps[stamps.size() / 2])) continue;
+    if (!standsStill(motion, frame.id, times)) continue;
+    findings.push_back({"never moves", frame.owner,
+                        "its frame '" + frame.name + "' is recorded, and does not move in the " +
+                            fixed(toSeconds(stamps.back() - stamps.front()), 1) + " s of the run",
+                        "`frame:` may have to name another, and global_frame the one that it moves "
+                        "in; if it stands there on purpose, all is well"});
+  }
+}
+
+/// Whether a scene differs from the one before by what is drawn for it.
+bool variesByItself(const MotionSetup& motion) {
+  const randomize::Randomization& drawn = motion.config.randomization;
+  const bool is_sampled =
+      std::any_of(motion.cameras.begin(), motion.cameras.end(),
+                  [](const scene::CameraRig& camera) { return camera.sampled; });
+  return is_sampled || drawn.changesLook() || !drawn.objects.empty() || drawn.distractors ||
+         drawn.sensor.exposure || drawn.sensor.blur || drawn.sensor.field_of_view;
+}
+
+/// The frames of the links that move against their objects, too.
+std::vector<motion::FrameId> allFrames(const MotionSetup& motion,
+                                       const std::vector<FollowedFrame>& frames) {
+  std::vector<motion::FrameId> ids;
+  for (const FollowedFrame& frame : frames) ids.push_back(frame.id);
+  for (const std::vector<scene::DrivenLinks>& object : motion.driven_links) {
+    for (const scene::DrivenLinks& variant : object) {
+      for (const scene::DrivenLink& link : variant) ids.push_back(link.frame);
+    }
+  }
+  return ids;
+}
+
+void checkEqualScenes(const MotionSetup& motion, const std::vector<motion::FrameId>& frames,
+                      std::vector<Finding>& findings) {
+  constexpr double kMany = 0.5;  // of all: a robot may wait now and then
+  const auto& stamps = motion.timeline.stamps;
+  if (stamps.size() < 3 || variesByItself(motion)) return;
+  const std::vector<std::size_t> befores = evenlySpread(stamps.size() - 1, 200);
+  std::size_t equal = 0;
+  for (const std::size_t i : befores) {
+    const bool is_equal = std::all_of(frames.begin(), frames.end(), [&](motion::FrameId frame) {
+      const auto before = motion.frames->pose(frame, stamps[i]);
+      const auto after = motion.frames->pose(frame, stamps[i + 1]);
+      return (!before && !after) || (before && after && isSamePlace(*before, *after));
+    });
+    equal += is_equal ? 1 : 0;
+  }
+  const double share = static_cast<double>(equal) / static_cast<double>(befores.size());
+  if (share < kMany) return;
+  findings.push_back({"equal scenes", "scenes",
+                      "in " + fixed(100.0 * share, 0) +
+                          " % of the scenes neither an object nor a camera has moved since the "
+                          "scene before",
+                      "`start_offset` and `duration` choose the part in which something moves, a "
+                      "lower simulated_rate or randomize makes scenes differ"});
+}
+
+void checkObjectSizes(const MotionSetup& motion, std::vector<Finding>& findings) {
+  constexpr double kLargest = 60.0;    // [m]; a jet or a crane
+  constexpr double kSmallest = 0.004;  // [m]; a screw
+  for (std::size_t i = 0; i < motion.config.objects.size(); ++i) {
+    const scene::ObjectOptions& object = motion.config.objects[i];
+    if (!object.takes_part || object.is_distractor || motion.variants[i].all().size() > 1) continue;
+    const Eigen::Vector3d size = motion.shapes->boxesAtRest(i).front().size();
+    const double largest = size.maxCoeff();
+    if (largest >= kSmallest && largest <= kLargest) continue;
+    const bool is_large = largest > kLargest;
+    const int decimals = is_large ? 1 : 5;
+    findings.push_back({"size", object.name,
+                        "its model is " + fixed(size.x(), decimals) + " x " +
+                            fixed(size.y(), decimals) + " x " + fixed(size.z(), decimals) + " m",
+                        is_large
+                            ? "of a mesh in millimetres, the file's <scale> should be "
+                              "`0.001 0.001 0.001`"
+                            : "its mesh may have been scaled twice: <scale> in the file and in "
+                              "the mesh's own unit"});
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> checkSetup(const MotionSetup& motion) {
+  std::vector<Finding> findings;
+  checkObjectSizes(motion, findings);
+  if (!motion.timeline.is_recorded || motion.timeline.stamps.empty()) return findings;
+  const std::vector<FollowedFrame> frames = followedFrames(motion);
+  checkRate(motion, frames, findings);
+  checkStandingStill(motion, frames, findings);
+  checkEqualScenes(motion, allFrames(motion, frames), findings);
+  return findings;
+}
+
+void nameMotion(const MotionSetup& motion, std::size_t motion_count,
+                std::vector<Finding>& findings) {
+  if (motion_count == 1) return;
+  for (Finding& each : findings) {
+    each.about = "motion '" + motion.entry.name + "': " + each.about;
+  }
+}
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,156 @@
+#include "run/check/run_check.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <utility>
+
+#include "run/check/camera_checks.h"
+#include "run/check/check_sink.h"
+#include "run/check/moments.h"
+#include "run/check/motion_checks.h"
+#include "run/check/named_rays.h"
+#include "run/check/standing_checks.h"
+#include "run/check/visibility_checks.h"
+#include "run/scene_loop.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+/// Passes reports on, and measures how long the times of a run take: the loop asks before each.
+class Stopwatch : public Reporter {
+ public:
+  explicit Stopwatch(Reporter& user) : user_(user) {}
+
+  void info(const std::string& message) override { user_.info(message); }
+  void warning(const std::string& message) override { user_.warning(message); }
+  [[nodiscard]] bool stopRequested() const override {
+    asked_.push_back(std::chrono::steady_clock::now());
+    return user_.stopRequested();
+  }
+
+  /// From each question to the next [s].
+  [[nodiscard]] std::vector<double> times() const {
+    std::vector<double> times;
+    for (std::size_t i = 1; i < asked_.size(); ++i) {
+      times.push_back(std::chrono::duration<double>(asked_[i] - asked_[i - 1]).count());
+    }
+    return times;
+  }
+
+ private:
+  Reporter& user_;
+  mutable std::vector<std::chrono::steady_clock::time_point> asked_;
+};
+
+/// Some nine scenes, at four times of each motion at least.
+std::set<std::int64_t> chosenInstants(const RunSetup& setup) {
+  constexpr std::size_t kScenes = 9;
+  constexpr std::size_t kLeast = 4;
+  const std::size_t wanted = kScenes / (setup.motions.size() * setup.config.cameras.size());
+  std::set<std::int64_t> instants;
+  for (const MotionSetup& motion : setup.motions) {
+    const auto count = static_cast<std::size_t>(motion.instantCount());
+    for (const std::size_t i : evenlySpread(count, std::max<std::size_t>(wanted, kLeast))) {
+      instants.insert(motion.first_instant + static_cast<std::int64_t>(i));
+    }
+  }
+  return instants;
+}
+
+double medianTime(std::vector<double> times) {
+  if (times.empty()) return 0.0;
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
+}
+
+/// Drawing and writing go on side by side; what lies between scenes is simulated in any case.
+double secondsOf(const RunSetup& setup, const CheckSink& sink, std::vector<double> times) {
+  const std::size_t made =
+      std::min(sink.writingTimes().size() / setup.config.cameras.size(), times.size());
+  // The times at which scenes were made are those that took longest.
+  std::sort(times.rbegin(), times.rend());
+  const std::vector<double> drawing(times.begin(),
+                                    times.begin() + static_cast<std::ptrdiff_t>(made));
+  double simulation = 0.0;
+  for (std::size_t i = made; i < times.size(); ++i) simulation += times[i];
+  const auto cameras = static_cast<double>(setup.config.cameras.size());
+  const double an_instant =
+      std::max(medianTime(drawing), cameras * medianTime(sink.writingTimes()));
+  const auto instants = static_cast<double>(setup.instantCount());
+  return simulation + an_instant * instants / std::max(1, setup.config.processes);
+}
+
+RunFigures figuresOf(const RunSetup& setup, const CheckSink& sink,
+                     const std::vector<double>& times) {
+  RunFigures figures;
+  const auto made = static_cast<double>(std::max<std::size_t>(sink.scenes().size(), 1));
+  figures.bytes = static_cast<std::int64_t>(static_cast<double>(sink.bytes()) / made *
+                                            static_cast<double>(setup.description.scene_count));
+  figures.free_disk = freeDisk(setup.config.output.folder);
+  figures.seconds = secondsOf(setup, sink, times);
+  figures.memory = peakMemory() * std::max(1, setup.config.processes);
+  figures.memory_limit = memoryLimit();
+  return figures;
+}
+
+void append(std::vector<Finding>& all, const std::vector<Finding>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+std::vector<const Scene*> scenesOfMotion(const MotionSetup& motion,
+                                         const std::vector<FinishedScene>& all) {
+  std::vector<const Scene*> scenes;
+  for (const FinishedScene& each : all) {
+    const std::int64_t index = each.scene.instant - motion.first_instant;
+    if (index >= 0 && index < motion.instantCount()) scenes.push_back(&each.scene);
+  }
+  return scenes;
+}
+
+std::vector<Finding> checkScenes(const MotionSetup& motion,
+                                 const std::vector<const Scene*>& scenes) {
+  const NamedRays rays(*motion.world);
+  std::vector<Finding> findings = checkVisibility(motion, rays, scenes);
+  append(findings, checkCameras(motion, rays, scenes));
+  append(findings, checkLights(motion, rays, scenes));
+  append(findings, checkStanding(motion, rays, momentsOf(motion, scenes)));
+  return findings;
+}
+
+/// What was found at set-up: what is odd, and all else that the user is warned of.
+std::vector<Finding> setupFindings(const RunSetup& setup) {
+  std::vector<Finding> findings = setup.odd;
+  for (const base::Diagnostic& each : setup.found.all()) {
+    if (each.severity != base::Severity::kWarning) continue;
+    const bool is_known = std::any_of(setup.odd.begin(), setup.odd.end(), [&](const Finding& odd) {
+      return odd.message() == each.message();
+    });
+    if (!is_known) findings.push_back({"warning", each.where, each.what, ""});
+  }
+  return findings;
+}
+
+}  // namespace
+
+RunCheck checkRun(const Value& parameters, Reporter& reporter,
+                  const std::vector<std::string>& plugin_xml_files) {
+  RunCheck check{setUpRun(parameters, plugin_xml_files), {}, {}, {}};
+  CheckSink sink(check.setup, chosenInstants(check.setup));
+  Stopwatch stopwatch(reporter);
+  SceneLoop(check.setup, sink, stopwatch).run();
+  check.scenes = sink.scenes();
+  check.figures = figuresOf(check.setup, sink, stopwatch.times());
+  check.findings = setupFindings(check.setup);
+  for (const MotionSetup& motion : check.setup.motions) {
+    std::vector<Finding> findings = checkScenes(motion, scenesOfMotion(motion, check.scenes));
+    nameMotion(motion, check.setup.motions.size(), findings);
+    append(check.findings, findings);
+  }
+  append(check.findings, sink.statistics().findings());
+  append(check.findings, checkFigures(check.figures));
+  return check;
+}
+
+}  // namespace synthetic_dataset::run

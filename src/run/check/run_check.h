@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "run/check/finding.h"
+#include "run/check/run_figures.h"
+#include "run/reporter.h"
+#include "run/scene_sink.h"
+#include "run/setup/run_setup.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::run {
+
+/// What a run would be, and what is odd about it.
+struct RunCheck {
+  RunSetup setup;
+  std::vector<FinishedScene> scenes;  ///< some of the run's, spread over it
+  RunFigures figures;
+  std::vector<Finding> findings;
+};
+
+/// Sets a run up, makes some nine of its scenes and judges them. Writes nothing.
+///
+/// OpenGL belongs to the calling thread.
+/// @param reporter  gets what the scenes warn of
+/// @throws ErrorList with all that keeps the run from beginning
+/// @throws Error when a scene cannot be made
+[[nodiscard]] RunCheck checkRun(const Value& parameters, Reporter& reporter,
+                                const std::vector<std::string>& plugin_xml_files = {});
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,136 @@
+#include "run/check/standing_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+/// An object as it stands, seen from the side.
+struct Standing {
+  double top = 0.0;     ///< z of its model's highest corner [m]
+  double bottom = 0.0;  ///< [m]
+  Eigen::Vector3d middle_G{0, 0, 0};
+};
+
+Standing standingOf(const Cuboid& box_O, const Pose& X_GO) {
+  Standing standing{-std::numeric_limits<double>::infinity(),
+                    std::numeric_limits<double>::infinity(), X_GO * box_O.centre()};
+  for (const Eigen::Vector3d& corner_O : box_O.corners()) {
+    const double z = (X_GO * corner_O).z();
+    standing.top = std::max(standing.top, z);
+    standing.bottom = std::min(standing.bottom, z);
+  }
+  return standing;
+}
+
+/// What an object has below it over a motion.
+struct Below {
+  std::size_t moments = 0;
+  std::vector<std::size_t> without_ground;  ///< moments
+  std::vector<double> gaps;                 ///< from its bottom to the ground [m]; below 0: in it
+  double height = 0.0;                      ///< of the object [m]
+  std::string ground;                       ///< the model that was there last
+};
+
+/// From the ground under an object, or above it where the object is buried, up to its bottom.
+void lookBelow(const Standing& standing, const NamedRays& rays, std::size_t moment, Below& below) {
+  constexpr double kDeepest = 100.0;  // [m]
+  Eigen::Vector3d top_G = standing.middle_G;
+  top_G.z() = standing.top + 1e-3;
+  ++below.moments;
+  below.height = standing.top - standing.bottom;
+  if (const auto hit = rays.cast(top_G, -Eigen::Vector3d::UnitZ(), kDeepest)) {
+    below.gaps.push_back(standing.bottom - (top_G.z() - hit->distance));
+    below.ground = hit->model;
+    return;
+  }
+  if (const auto hit = rays.cast(top_G, Eigen::Vector3d::UnitZ(), below.height)) {
+    below.gaps.push_back(standing.bottom - (top_G.z() + hit->distance));
+    below.ground = hit->model;
+    return;
+  }
+  below.without_ground.push_back(moment);
+}
+
+std::string lengthText(double length) { return fixed(length, length < 0.1 ? 3 : 2) + " m"; }
+
+Finding noGround(const std::string& object, const Below& below, const Moment& first,
+                 const Pose& X_GO) {
+  return {
+      "no ground", object,
+      "nothing of the world is below it at " + std::to_string(below.without_ground.size()) +
+          " of " + std::to_string(below.moments) + " times, first at " +
+          fixed(toSeconds(first.stamp), 3) + " s, where it stands at [" +
+          fixed(X_GO.translation().x(), 2) + ", " + fixed(X_GO.translation().y(), 2) + ", " +
+          fixed(X_GO.translation().z(), 2) + "]",
+      "the ground may end there (a larger one in the world, `duration` or `start_offset` help), "
+      "or the world's origin not be that of global_frame"};
+}
+
+double medianGap(std::vector<double> numbers) {
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+/// Whether it is about as high above the ground nearly all the time: what flies is not.
+bool isSteady(const std::vector<double>& gaps, double median) {
+  constexpr double kSteady = 0.015;  // [m]
+  constexpr double kNearlyAll = 0.8;
+  const auto steady = std::count_if(gaps.begin(), gaps.end(),
+                                    [&](double gap) { return std::abs(gap - median) < kSteady; });
+  return static_cast<double>(steady) >= kNearlyAll * static_cast<double>(gaps.size());
+}
+
+void checkGap(const std::string& object, const Below& below, std::vector<Finding>& findings) {
+  constexpr double kLeast = 0.03;  // [m]; wheels sink as much into what recordings call the ground
+  constexpr double kHover = 0.75;  // of its height; what is higher is meant to fly
+  if (below.gaps.empty()) return;
+  const double gap = medianGap(below.gaps);
+  if (!isSteady(below.gaps, gap)) return;
+  const std::string cure =
+      "its frame may stand at another height than its model's origin (base_link and "
+      "base_footprint differ by a wheel's radius: `frame_id` chooses), or the world's ground";
+  if (gap > kLeast && gap < kHover * below.height) {
+    findings.push_back(
+        {"floats", object,
+         "floats " + lengthText(gap) + " above '" + below.ground + "' nearly all the time", cure});
+  } else if (gap < -std::max(kLeast, 0.05 * below.height)) {
+    findings.push_back(
+        {"sinks", object,
+         "stands " + lengthText(-gap) + " deep in '" + below.ground + "' nearly all the time",
+         cure});
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> checkStanding(const MotionSetup& motion, const NamedRays& rays,
+                                   const std::vector<Moment>& moments) {
+  std::vector<Finding> findings;
+  for (std::size_t i = 0; i < motion.config.objects.size(); ++i) {
+    const scene::ObjectOptions& object = motion.config.objects[i];
+    if (!object.takes_part || object.is_distractor) continue;
+    if (motion.variants[i].all().size() > 1) continue;  // which stand at several heights
+    const Cuboid box_O = motion.shapes->boxesAtRest(i).front();
+    Below below;
+    for (std::size_t at = 0; at < moments.size(); ++at) {
+      const auto& X_GO = moments[at].X_GO[i];
+      if (X_GO) lookBelow(standingOf(box_O, *X_GO), rays, at, below);
+    }
+    if (!below.without_ground.empty()) {
+      const Moment& first = moments[below.without_ground.front()];
+      findings.push_back(noGround(object.name, below, first, *first.X_GO[i]));
+    }
+    checkGap(object.name, below, findings);
+  }
+  return findings;
+}
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "run/check/finding.h"
+#include "run/check/named_rays.h"
+#include "run/setup/motion_setup.h"
+#include "synthetic_dataset/scene.h"
+
+namespace synthetic_dataset::run {
+
+/// Objects that are seen in none of a motion's scenes, or in next to none, and why not.
+/// @param rays  of the motion's world
+/// @param scenes  of this motion, with silhouettes, visible masks and visibility
+[[nodiscard]] std::vector<Finding> checkVisibility(const MotionSetup& motion, const NamedRays& rays,
+                                                   const std::vector<const Scene*>& scenes);
+
+}  // namespace synthetic_dataset::run

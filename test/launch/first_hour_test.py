@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+"""From files to a dataset as docs/first_hour.md has it, and the programs' exit codes."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import rosunit
+
+from dataset_reading import Manifest
+import ros_programs
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLE = REPOSITORY / 'config' / 'example.yaml'
+BAG = REPOSITORY / 'worlds' / 'example.bag'
+ROVER = REPOSITORY / 'worlds' / 'models' / 'rover' / 'model.sdf'
+PROGRAMS = ('generate', 'check', 'inspect', 'start', 'merge', 'verify', 'contact_sheet')
+
+
+class FirstHour(unittest.TestCase):
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix='synthetic_dataset_')
+        self.addCleanup(scratch.cleanup)
+        self.scratch = pathlib.Path(scratch.name)
+
+    def run_program(self, program, *arguments):
+        """Exit code, standard output and standard error; without a master and a terminal."""
+        environ = {name: value for name, value in os.environ.items() if name != 'ROS_MASTER_URI'}
+        done = subprocess.run([ros_programs.path_of(program), *map(str, arguments)], env=environ,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, universal_newlines=True, cwd=self.scratch,
+                              timeout=ros_programs.TIMEOUT, check=False)
+        return done.returncode, done.stdout, done.stderr
+
+    def test_every_program_says_how_it_is_used(self):
+        for program in PROGRAMS:
+            for option in ('--help', '-h'):
+                code, out, _ = self.run_program(program, option)
+                self.assertEqual(code, 0, program)
+                self.assertIn(f'usage: {program}', out)
+                self.assertIn('--help', out, program)
+                self.assertIn(f'\n  {program} ', out, 'an example')
+                self.assertIn('Exit codes: 0', out, program)
+
+    def test_from_a_recording_to_a_dataset(self):
+        code, out, err = self.run_program('inspect', BAG)
+        self.assertEqual(code, 0, err)
+        self.assertIn("robot: rover_1, whose frame is 'rover_1/base_footprint'", out)
+        code, out, err = self.run_program('inspect', '--json', BAG)
+        frames = {frame['name']: frame for frame in json.loads(out)['frames']}
+        self.assertEqual(frames['rover_1/base_footprint']['root'], 'map')
+        self.assertGreater(frames['rover_1/base_footprint']['extent'][0], 1.0)
+
+        code, out, err = self.run_program('start', BAG, '--model', f'rover_1={ROVER}', '-o',
+                                          'my.yaml')
+        self.assertEqual((code, out), (0, ''), err)
+        self.assertIn('start: TODO: a pinhole of 640 x 480 stands in', err)
+        settings = (self.scratch / 'my.yaml').read_text(encoding='utf-8')
+        code, _, err = self.run_program('start', BAG, '-o', 'my.yaml')
+        self.assertEqual(code, 1)
+        self.assertIn("'my.yaml' is there already", err)
+        self.assertEqual((self.scratch / 'my.yaml').read_text(encoding='utf-8'), settings)
+
+        code, out, err = self.run_program('check', 'my.yaml', '--out', 'look')
+        self.assertEqual(code, 0, out + err)
+        self.assertIn('9 scenes were made to look at: nothing is odd', out)
+        for picture in ('check.png', 'map.png'):
+            self.assertGreater((self.scratch / 'look' / picture).stat().st_size, 10000)
+        self.assertFalse((self.scratch / 'dataset').exists())
+
+        code, out, err = self.run_program('generate', '--config', 'my.yaml', 'simulated_rate:=0.5')
+        self.assertEqual(code, 0, out + err)
+        self.assertRegex(out, r'done\n$')
+        self.assertEqual(Manifest(self.scratch / 'dataset').state, 'complete')
+
+    def test_exit_codes_tell_odd_from_wrong(self):
+        config = self.scratch / 'my.yaml'
+        config.write_text(f'include: "{EXAMPLE}"\noutput_folder: "$(dirname)/dataset"\n'
+                          'camera: {pose: {position: [0, 0, 2], look_at: [0, 0, 9]}}\n'
+                          'simulated_rate: 0.5\n', encoding='utf-8')
+        code, out, err = self.run_program('generate', '--config', config, '--check')
+        self.assertEqual(code, 3, out + err)
+        self.assertIn('odd: rover_1: seen in none of', out)
+        self.assertFalse((self.scratch / 'dataset').exists())
+        # With nothing labelled, a run is done all the same, and says so.
+        code, out, err = self.run_program('generate', '--config', config)
+        self.assertEqual(code, 0, out + err)
+        self.assertIn('done, but NOTHING is labelled', out)
+        for program, arguments in (('check', ['no.yaml']), ('generate', ['--config', 'no.yaml']),
+                                   ('generate', ['--config', config, 'simulated_rate:=-1']),
+                                   ('inspect', ['no.bag']), ('inspect', ['no.world']),
+                                   ('start', ['no.bag']), ('start', [BAG, '--world', 'no'])):
+            code, out, err = self.run_program(program, *arguments)
+            self.assertEqual(code, 1, f'{program} {arguments}: {out}{err}')
+
+    def test_all_settings_are_listed_for_people_and_editors(self):
+        code, out, _ = self.run_program('generate', '--settings')
+        self.assertEqual(code, 0)
+        self.assertEqual(out, (REPOSITORY / 'config' / 'params.yaml').read_text(encoding='utf-8'))
+        code, out, _ = self.run_program('generate', '--settings', '--json')
+        self.assertEqual(code, 0)
+        schema = json.loads(out)
+        self.assertEqual(schema['properties']['camera']['properties']['near']['default'], 0.05)
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('synthetic_dataset', 'first_hour', '__main__')

@@ -1,0 +1,137 @@
+#include "programs/settings/documented_settings.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "base/json_text.h"
+#include "base/yaml_value.h"
+#include "config/config.h"
+
+namespace synthetic_dataset::programs {
+namespace documented_settings_test {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+std::vector<std::string> pathsOf(const std::vector<DocumentedSetting>& settings) {
+  std::vector<std::string> paths;
+  for (const DocumentedSetting& each : settings) paths.push_back(each.path);
+  return paths;
+}
+
+TEST(DocumentedSettings, AreReadWhetherTheyStandBehindACommentOrNot) {
+  const auto settings = documentedSettings(
+      "# A heading.\n\n"
+      "# REQUIRED. The bag,\n# or a list.\nbag_file: a.bag\n"
+      "# placement:\n  # `map` or not.\n  # mode: map\n"
+      "camera:\n  # [m].\n  near: 0.05\n  # effects:\n    # blur: 0.6\nseed: 0\n");
+  EXPECT_THAT(pathsOf(settings),
+              ElementsAre("bag_file", "placement", "placement/mode", "camera", "camera/near",
+                          "camera/effects", "camera/effects/blur", "seed"));
+  EXPECT_EQ(settings[0].description, "REQUIRED. The bag, or a list.");
+  EXPECT_TRUE(settings[0].isRequired() && settings[0].is_active);
+  EXPECT_FALSE(settings[2].is_active);
+  EXPECT_EQ(settings[2].value, "map");
+}
+
+TEST(DocumentedSettings, OfAListAreThoseOfItsEntries) {
+  EXPECT_THAT(
+      pathsOf(documentedSettings("# motions:\n  # - name: hall\n    # Its share.\n    "
+                                 "# weight: 1.0\n  # - name: yard\n    # world: y\nseed: 0\n")),
+      ElementsAre("motions", "motions/-/name", "motions/-/weight", "motions/-/world", "seed"));
+}
+
+/// A tree with one setting, in a settings file of which it is a part.
+Value with(const DocumentedSetting& setting, const std::string& mode) {
+  const Value value = setting.value.empty() ? Value(Value::Map{})
+                                            : base::parseSettings(setting.value, setting.path);
+  std::vector<std::string> parts;
+  std::istringstream stream(setting.path);
+  for (std::string part; std::getline(stream, part, '/');) parts.push_back(part);
+  Value tree = value;
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    Value::Map group = {{*part, tree}};
+    if (*part == "placement" && tree.is<Value::Map>()) {
+      group["motion"] = Value("placement");
+      group.at("placement").as<Value::Map>()->emplace("mode", Value(mode));
+    }
+    if (*part == "distractors") group.at(*part).as<Value::Map>()->emplace("mode", Value("drop"));
+    tree = Value(group);
+  }
+  auto& root = *tree.as<Value::Map>();
+  if (parts.front() == "scenes") root["motion"] = Value("placement");
+  if (parts.front() != "robot_list") root.emplace("robot_list", Value(Value::List{Value("alpha")}));
+  return tree;
+}
+
+/// Whether anybody reads a setting, in one way at least in which scenes are placed.
+bool isRead(const DocumentedSetting& setting) {
+  for (const std::string mode : {"map", "volume", "drop"}) {
+    Parameters root(with(setting, mode));
+    (void)config::readConfig(root);
+    const std::vector<std::string> unknown = root.unknownNames();
+    if (std::find(unknown.begin(), unknown.end(), setting.path) == unknown.end()) return true;
+  }
+  return false;
+}
+
+/// Read by others than the configuration: the file's reader, the list of motions, writers.
+bool isOfOthers(const std::string& path) {
+  static const std::set<std::string> kGroups = {"include", "motions", "cameras", "yolo",
+                                                "bounding_shape"};
+  return kGroups.count(path.substr(0, path.find('/'))) != 0;
+}
+
+TEST(SettingsDocument, ListsNoSettingThatNobodyReads) {
+  std::vector<std::string> unread;
+  for (const DocumentedSetting& each : documentedSettings(settingsDocument())) {
+    if (!isOfOthers(each.path) && !each.value.empty() && !isRead(each)) unread.push_back(each.path);
+  }
+  EXPECT_THAT(unread, IsEmpty());
+}
+
+TEST(SettingsDocument, ListsEverySettingThatIsReadInAGroupOfIts) {
+  const auto settings = documentedSettings(settingsDocument());
+  const std::vector<std::string> listed = pathsOf(settings);
+  // Kept by the program itself.
+  std::set<std::string> missing;
+  for (const DocumentedSetting& each : settings) {
+    if (isOfOthers(each.path) || each.value.empty()) continue;
+    for (const std::string mode : {"map", "volume", "drop"}) {
+      Parameters root(with(each, mode));
+      (void)config::readConfig(root);
+      const std::size_t slash = each.path.rfind('/');
+      const std::string group = slash == std::string::npos ? "" : each.path.substr(0, slash + 1);
+      for (const std::string& name : root.knownNeighbours(each.path)) missing.insert(group + name);
+    }
+  }
+  for (const std::string& each : listed) missing.erase(each);
+  missing.erase("placement/received_map");  // which the program sets itself
+  EXPECT_THAT(missing, IsEmpty());
+}
+
+TEST(SettingsSchema, TellsEditorsWhatThereIs) {
+  const Value schema = settingsSchema(documentedSettings(settingsDocument()));
+  const Value read = base::parseYaml(base::jsonText(schema), "schema");
+  const auto property = [](const Value& node, const std::string& name) {
+    return node.as<Value::Map>()->at("properties").as<Value::Map>()->at(name);
+  };
+  const Value near = property(property(read, "camera"), "near");
+  EXPECT_EQ(near.as<Value::Map>()->at("default"), Value(0.05));
+  EXPECT_EQ(property(read, "camera").as<Value::Map>()->at("additionalProperties"), Value(false));
+  EXPECT_THAT(*property(read, "bag_file").as<Value::Map>()->at("description").as<std::string>(),
+              HasSubstr("REQUIRED"));
+  EXPECT_EQ(property(read, "bag_file").as<Value::Map>()->count("default"), 0U);
+  const Value entry = property(read, "motions").as<Value::Map>()->at("items");
+  EXPECT_EQ(entry.as<Value::Map>()->at("properties").as<Value::Map>()->count("weight"), 1U);
+}
+
+}  // namespace documented_settings_test
+}  // namespace synthetic_dataset::programs

@@ -1,0 +1,295 @@
+/// Runs that are odd on purpose, each by one mistake that a user made, and such as are not.
+
+#include "run/check/run_check.h"
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "config/settings_file.h"
+#include "run/run_fixture.h"
+#include "support/bag_builder.h"
+#include "support/writers/plugin_environment.h"
+
+namespace synthetic_dataset::run {
+namespace run_check_test {
+
+using test::milliseconds;
+using test::poseAt;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+
+constexpr const char* kCrate =
+    "<model name='crate'><static>true</static><pose>%POSE%</pose><link name='body'>"
+    "<visual name='v'><geometry><box><size>%SIZE%</size></box></geometry></visual></link></model>";
+
+class RunCheckTest : public test::RunFixture {
+ protected:
+  RunCheckTest() { parameters["masks"] = Value(Value::Map{{"method", Value("exact")}}); }
+
+  [[nodiscard]] RunCheck check() const {
+    Reporter silent;
+    return checkRun(Value(parameters), silent, {test::pluginXml()});
+  }
+
+  /// "<kind> | <message>" of all that is odd.
+  [[nodiscard]] std::vector<std::string> odd() const {
+    std::vector<std::string> lines;
+    for (const Finding& each : check().findings)
+      lines.push_back(each.kind + " | " + each.message());
+    return lines;
+  }
+
+  Value::Map& camera() { return *parameters.at("camera").as<Value::Map>(); }
+
+  static Value vector(double x, double y, double z) {
+    return Value(Value::List{Value(x), Value(y), Value(z)});
+  }
+
+  /// A camera somewhere that looks at alpha, or at a point.
+  void look(const Value& from, const Value& at = Value("alpha")) {
+    camera()["pose"] = Value(Value::Map{{"position", from}, {"look_at", at}});
+  }
+
+  void replaceInWorld(const std::string& what, const std::string& by) {
+    std::string world = test::readFile(run.folder() / "tiny.world");
+    ASSERT_NE(world.find(what), std::string::npos) << what;
+    for (std::size_t at = world.find(what); at != std::string::npos;
+         at = world.find(what, at + by.size())) {
+      world.replace(at, what.size(), by);
+    }
+    run.folder().write("tiny.world", world);
+  }
+
+  void addToWorld(const std::string& what) { replaceInWorld("</world>", what + "</world>"); }
+
+  void addCrate(const std::string& pose, const std::string& size) {
+    std::string crate = kCrate;
+    crate.replace(crate.find("%POSE%"), 6, pose);
+    crate.replace(crate.find("%SIZE%"), 6, size);
+    addToWorld(crate);
+  }
+
+  /// A second of a recording, in which alpha is somewhere at each time and bravo goes along.
+  void record(const std::function<Pose(double seconds)>& alpha) {
+    test::BagBuilder bag(run.folder() / "tiny.bag");
+    for (int i = 0; i <= 20; ++i) {
+      const Stamp time = milliseconds(1000 + 50 * i);
+      bag.move("map", "alpha/base_link", time, alpha(0.05 * i));
+      bag.move("map", "bravo/base_link", time, poseAt(0.0, 1.0 + 0.02 * i, 0.0));
+    }
+    bag.close();
+  }
+};
+
+TEST_F(RunCheckTest, ASoundRunHasNothingOddAndLeavesNoDataset) {
+  const RunCheck found = check();
+  EXPECT_THAT(odd(), IsEmpty());
+  EXPECT_THAT(found.scenes, SizeIs(4)) << "all that there are";
+  EXPECT_THAT(planLines(found.setup, found.figures),
+              AllOf(Contains(HasSubstr("4 times from 1.000 s to 1.750 s")),
+                    Contains(HasSubstr("scenes: 4, of camera (160 x 120)")),
+                    Contains(HasSubstr("formats: ")), Contains(HasSubstr("of disk"))));
+  EXPECT_GT(found.figures.bytes, 1000);
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST_F(RunCheckTest, AWallBeforeTheCameraIsNamed) {
+  addCrate("-1.5 0 0.5 0 0 0", "0.1 6 4");
+  EXPECT_THAT(odd(),
+              Contains(AllOf(HasSubstr("not seen | alpha: seen in none of 4 scenes: hidden by "
+                                       "'crate' in 4"),
+                             HasSubstr("look_at: alpha"))));
+}
+
+TEST_F(RunCheckTest, ACameraThatLooksAwayIsNamed) {
+  look(vector(-3.0, 0.2, 0.5), vector(-6.0, 0.2, 0.5));
+  EXPECT_THAT(odd(), Contains(HasSubstr("not seen | alpha: seen in none of 4 scenes: behind the "
+                                        "camera in 4")));
+  look(vector(-3.0, 0.2, 0.5), vector(-3.0, 0.2, 5.0));
+  EXPECT_THAT(odd(), Contains(HasSubstr("plain | pictures: 4 of 4 scenes are of one colour")));
+}
+
+TEST_F(RunCheckTest, AnObjectTooFarAwayIsNamed) {
+  look(vector(-150.0, 0.2, 20.0));
+  EXPECT_THAT(odd(), Contains(HasSubstr("smaller than a pixel")));
+}
+
+TEST_F(RunCheckTest, TinyLabelsAreNamedWithTheirCure) {
+  look(vector(-16.0, 0.5, 1.0));
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("tiny labels | labels: "),
+                                    HasSubstr("`labels/min_pixels: 25`"))));
+  parameters["labels"] = Value(Value::Map{{"min_pixels", Value(25)}});
+  EXPECT_THAT(odd(), Not(Contains(HasSubstr("tiny labels"))));
+}
+
+TEST_F(RunCheckTest, AModelInAnotherUnitIsNamed) {
+  replaceInWorld("0.4 0.4 0.4", "390 390 390");
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("size | alpha: its model is 390.0 x 390.0 x 390.0 m"),
+                                    HasSubstr("0.001 0.001 0.001"))));
+  replaceInWorld("390 390 390", "0.0004 0.0004 0.0004");
+  EXPECT_THAT(odd(), Contains(HasSubstr("size | alpha: its model is 0.00040 x ")));
+}
+
+TEST_F(RunCheckTest, KeypointsOutsideOfTheModelAreNamed) {
+  Value::Map& alpha = *parameters.at("alpha").as<Value::Map>();
+  alpha["keypoints"] = Value(Value::List{vector(0.2, 0.0, 0.9)});
+  EXPECT_THAT(odd(), Contains(HasSubstr("alpha/keypoints: one is 0.500 m away from the model")));
+}
+
+TEST_F(RunCheckTest, ACameraInsideOfSomethingIsNamed) {
+  addCrate("-3 0.2 0.5 0 0 0", "1 1 1");
+  EXPECT_THAT(odd(), Contains(HasSubstr("camera's place | camera: is inside of 'crate' in 4 of 4 "
+                                        "scenes, first at [-3.00, 0.20, 0.50]")));
+}
+
+TEST_F(RunCheckTest, ACameraRightBeforeAWallIsNamed) {
+  addCrate("-2.85 0.2 0.5 0 0 0", "0.1 6 4");
+  EXPECT_THAT(odd(), Contains(HasSubstr("has 'crate' less than 0.15 m before most of its lens")));
+}
+
+TEST_F(RunCheckTest, ACameraBelowTheGroundIsNamed) {
+  addToWorld(
+      "<model name='earth'><static>true</static><pose>0 0 -0.5 0 0 0</pose><link name='l'>"
+      "<collision name='c'><geometry><plane><normal>0 0 1</normal></plane></geometry></collision>"
+      "</link></model>");
+  look(vector(-3.0, 0.2, -0.8));
+  EXPECT_THAT(odd(), Contains(HasSubstr("camera: is below 'earth'")));
+}
+
+TEST_F(RunCheckTest, ARoomThatIsOneShellIsNoThingToBeInsideOf) {
+  addCrate("0 0 2 0 0 0", "20 20 8");
+  EXPECT_THAT(odd(), Not(Contains(HasSubstr("camera's place"))));
+}
+
+TEST_F(RunCheckTest, AWorldWithoutLightIsNamed) {
+  replaceInWorld("<light name=\"sun\"",
+                 "<scene><ambient>0 0 0 1</ambient><background>0 0 0 1"
+                 "</background></scene><light name=\"sun\"");
+  replaceInWorld("<diffuse>0.8 0.8 0.8 1</diffuse></light>",
+                 "<diffuse>0 0 0 1</diffuse><specular>0 0 0 1</specular></light>");
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("dark | pictures: 4 of 4 scenes are nearly black"),
+                                    HasSubstr("may lack a light"))));
+}
+
+TEST_F(RunCheckTest, PicturesThatAreWhiteAreNamed) {
+  camera()["effects"] = Value(Value::Map{{"exposure", Value(10.0)}});
+  EXPECT_THAT(odd(), Contains(HasSubstr("bright | pictures: 4 of 4 scenes are nearly white")));
+}
+
+TEST_F(RunCheckTest, AGroundThatEndsIsNamed) {
+  record([](double t) { return poseAt(0.0, 2.9 + 2.0 * t, 0.0); });
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("no ground | alpha: nothing of the world is below it "
+                                              "at 1 of 4 times, first at 1.750 s, where it stands "
+                                              "at [0.00, 4.40, 0.00]"),
+                                    HasSubstr("the ground may end there"))));
+}
+
+TEST_F(RunCheckTest, WhatSinksOrFloatsIsNamed) {
+  record([](double t) { return poseAt(0.0, -0.5 + t, -0.12); });
+  EXPECT_THAT(
+      odd(),
+      Contains(HasSubstr("sinks | alpha: stands 0.12 m deep in 'floor' nearly all the time")));
+  record([](double t) { return poseAt(0.0, -0.5 + t, 0.13); });
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("floats | alpha: floats 0.13 m above 'floor'"),
+                                    HasSubstr("base_footprint"))));
+  record([](double t) { return poseAt(0.0, -0.5 + t, 0.1 + 0.2 * t); });
+  EXPECT_THAT(odd(), Not(Contains(HasSubstr("floats |")))) << "it flies";
+}
+
+TEST_F(RunCheckTest, ALightInsideOfSomethingIsNamed) {
+  addCrate("1 2 3 0 0 0", "1 1 1");
+  addToWorld(
+      "<light name='lamp' type='spot'><pose>1 2 3.2 0 0 0</pose><cast_shadows>true</cast_shadows>"
+      "<diffuse>1 1 1 1</diffuse><attenuation><range>10</range></attenuation><spot>"
+      "<inner_angle>0.5</inner_angle><outer_angle>0.9</outer_angle><falloff>1</falloff></spot>"
+      "</light>");
+  EXPECT_THAT(odd(),
+              Contains(AllOf(HasSubstr("light inside | light lamp: at [1.00, 2.00, 3.20] it is "
+                                       "inside of 'crate'"))));
+}
+
+TEST_F(RunCheckTest, ScenesCloserTogetherThanTheRecordingAreNamed) {
+  record([](double t) { return poseAt(0.0, -0.5 + t, 0.0); });
+  parameters["simulated_rate"] = Value(200.0);
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("too dense | simulated_rate: makes 200 Hz of a "
+                                              "recording whose frames move with 20 Hz at most"),
+                                    HasSubstr("`simulated_rate: 20` or less"))));
+}
+
+TEST_F(RunCheckTest, WhatNeverMovesIsNamed) {
+  record([](double) { return poseAt(0.0, -0.5, 0.0); });
+  EXPECT_THAT(odd(), Contains(HasSubstr("never moves | alpha: its frame 'alpha/base_link' is "
+                                        "recorded, and does not move in the 0.8 s of the run")));
+}
+
+TEST_F(RunCheckTest, ScenesThatAreEqualAreNamed) {
+  test::BagBuilder bag(run.folder() / "tiny.bag");
+  bag.fix("map", "alpha/base_link", milliseconds(1000), poseAt(0.0, -0.5, 0.0));
+  bag.fix("map", "bravo/base_link", milliseconds(1000), poseAt(0.0, 1.0, 0.0));
+  bag.move("map", "other", milliseconds(1000)).move("map", "other", milliseconds(2000));
+  bag.close();
+  EXPECT_THAT(odd(), Contains(HasSubstr("equal scenes | scenes: in 100 % of the scenes neither an "
+                                        "object nor a camera has moved")));
+}
+
+TEST_F(RunCheckTest, WhatIsCheapIsWarnedOfInEveryRun) {
+  record([](double) { return poseAt(0.0, -0.5, 0.0); });
+  look(vector(-16.0, 0.5, 1.0));
+  parameters["writers"] = Value(Value::List{
+      Value(Value::Map{{"name", Value("coco")}, {"type", Value("synthetic_dataset/Coco")}})});
+  struct Warnings : Reporter {
+    void warning(const std::string& message) override { messages.push_back(message); }
+    std::vector<std::string> messages;
+  } reporter;
+  (void)generate(reporter);
+  EXPECT_THAT(reporter.messages, Contains(HasSubstr("alpha: its frame 'alpha/base_link' is "
+                                                    "recorded, and does not move")));
+  EXPECT_THAT(reporter.messages, Contains(HasSubstr("labels are of fewer than 25 visible pixels")));
+}
+
+TEST(CheckFigures, NameADiskAndAMemoryThatAreTooSmall) {
+  RunFigures figures;
+  figures.bytes = 9'000'000'000;
+  figures.free_disk = 2'000'000'000;
+  figures.memory = 64'000'000'000;
+  figures.memory_limit = 16'000'000'000;
+  const std::vector<Finding> findings = checkFigures(figures);
+  ASSERT_THAT(findings, SizeIs(2));
+  EXPECT_THAT(findings[0].message(), HasSubstr("about 9 GB, and 2 GB are free"));
+  EXPECT_THAT(findings[1].message(), HasSubstr("about 64 GB of memory, and 16 GB are there"));
+  figures.free_disk = std::nullopt;
+  figures.memory = 0;
+  EXPECT_THAT(checkFigures(figures), IsEmpty());
+}
+
+/// The bundled examples.
+class ExampleCheck : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ExampleCheck, FindsNothingOdd) {
+  test::preparePluginEnvironment();
+  const std::string file = test::sourceFolder() + "/config/" + GetParam();
+  const Value settings =
+      config::loadSettings(file, [](const std::string&) { return test::sourceFolder(); });
+  Reporter silent;
+  std::vector<std::string> lines;
+  for (const Finding& each : checkRun(settings, silent, {test::pluginXml()}).findings) {
+    lines.push_back(each.message());
+  }
+  EXPECT_THAT(lines, IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(RunCheck, ExampleCheck,
+                         ::testing::Values("example.yaml", "example_placement.yaml",
+                                           "example_motions.yaml"));
+
+}  // namespace run_check_test
+}  // namespace synthetic_dataset::run
