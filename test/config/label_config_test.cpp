@@ -138,7 +138,7 @@ TEST(ReadSplit, ReadsAGapBetweenBlocksAlone) {
   EXPECT_EQ(readSplit(settings("split: {train: 1, gap: 2.5}")).gap, 2.5);
   Parameters negative = settings("split: {train: 1, gap: -1}");
   (void)readSplit(negative);
-  EXPECT_THAT(negative.errors(), ElementsAre(HasSubstr("split/gap: found -1; it should be")));
+  EXPECT_THAT(negative.errors(), ElementsAre(HasSubstr("split/gap: found -1.0; it should be")));
   Parameters drawn = settings("split: {train: 1, gap: 1, by: scenes}");
   (void)readSplit(drawn);
   EXPECT_THAT(drawn.errors(), ElementsAre(HasSubstr("between blocks alone")));
