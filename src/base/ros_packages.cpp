@@ -9,6 +9,9 @@
 
 #include <tinyxml2.h>
 
+#include "base/input_file.h"
+#include "synthetic_dataset/errors.h"
+
 namespace synthetic_dataset::base {
 namespace {
 
@@ -89,7 +92,14 @@ class Search {
  private:
   void read(const fs::path& folder, const fs::path& manifest) {
     tinyxml2::XMLDocument document;
-    const bool is_xml = document.LoadFile(manifest.c_str()) == tinyxml2::XML_SUCCESS;
+    std::string text;
+    try {
+      text = readInput(manifest);
+    } catch (const Error& error) {
+      found.broken.emplace_back(folder, error.what());
+      return;
+    }
+    const bool is_xml = document.Parse(text.c_str(), text.size()) == tinyxml2::XML_SUCCESS;
     const tinyxml2::XMLElement* root = document.RootElement();
     const std::string_view kind = root != nullptr ? root->Name() : "";
     if (!is_xml) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -13,6 +11,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "base/angle_expression.h"
+#include "base/input_file.h"
 #include "base/yaml_scalar.h"
 #include "synthetic_dataset/errors.h"
 
@@ -305,19 +304,10 @@ Value parseYaml(const std::string& text, const std::string& origin) {
   return parse(text, origin, Rules::kAnyFile);
 }
 
-Value loadYamlFile(const std::string& file) { return parseYaml(readTextFile(file), file); }
+Value loadYamlFile(const std::string& file) { return parseYaml(readInput(file), file); }
 
 Value parseSettings(const std::string& text, const std::string& origin) {
   return parse(text, origin, Rules::kSettings);
-}
-
-std::string readTextFile(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::error_code unknown;
-  if (!stream || std::filesystem::is_directory(file, unknown)) {
-    throw Error(file + ": no such file, or it cannot be read");
-  }
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace synthetic_dataset::base

@@ -23,8 +23,4 @@ namespace synthetic_dataset::base {
 /// tags that nobody knows, a second document.
 [[nodiscard]] Value parseSettings(const std::string& text, const std::string& origin);
 
-/// A file's bytes.
-/// @throws Error naming the file when it cannot be read
-[[nodiscard]] std::string readTextFile(const std::string& file);
-
 }  // namespace synthetic_dataset::base

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/input_file.h"
 #include "base/yaml_value.h"
 #include "synthetic_dataset/errors.h"
 
@@ -136,7 +137,7 @@ Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
     throw Error(file + ": include: found a file that includes itself");
   }
   above.push_back(place);
-  const std::string text = withPlainLineEnds(base::readTextFile(file));
+  const std::string text = withPlainLineEnds(base::readInput(file));
   Value::Map own =
       asParameters(base::parseSettings(substitute(text, {file, package_folder}), file), file);
   Value::Map settings;

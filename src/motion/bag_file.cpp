@@ -5,6 +5,7 @@
 #include <fstream>
 #include <utility>
 
+#include "base/input_file.h"
 #include "motion/ros2_bag.h"
 #include "motion/ros_time.h"
 #include "synthetic_dataset/errors.h"
@@ -24,10 +25,7 @@ void checkIsBag(const std::string& file) {
   if (!fs::exists(status)) throw Error("bag " + file + ": no such file");
   if (isRos2Bag(file)) throw Error("bag " + file + ": " + convertAdvice(file));
   if (fs::is_directory(status)) throw Error("bag " + file + ": is a folder; a bag file is needed");
-  if (!fs::is_regular_file(status)) throw Error("bag " + file + ": is no file but a device");
-
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error("bag " + file + ": cannot be opened for reading");
+  std::ifstream stream = base::openInput(file);
   // http://wiki.ros.org/Bags/Format: every bag starts with "#ROSBAG V2.0\n" (V1.2: an older one).
   const std::string magic = "#ROSBAG V";
   std::string line(magic.size() + 3, '\0');

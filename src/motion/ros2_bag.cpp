@@ -1,5 +1,7 @@
 #include "motion/ros2_bag.h"
 
+#include "base/input_file.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -11,7 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 bool beginsWith(const fs::path& file, const std::string& magic) {
-  std::ifstream stream(file, std::ios::binary);
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return false;
+  std::ifstream stream = base::openInput(file);
   std::string start(magic.size(), '\0');
   stream.read(start.data(), static_cast<std::streamsize>(start.size()));
   return stream.gcount() == static_cast<std::streamsize>(magic.size()) && start == magic;

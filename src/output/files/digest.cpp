@@ -9,6 +9,7 @@
 
 #include <openssl/evp.h>
 
+#include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -23,6 +24,8 @@ constexpr std::int64_t kPart = 32 * kMebibyte;       // at either end
 }
 
 std::ifstream opened(const std::string& path, std::int64_t& size) {
+  const std::string fault = base::inputFault(path);
+  if (!fault.empty()) throw Error("cannot read '" + path + "': it " + fault);
   errno = 0;
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   if (!stream) failToRead(path);

@@ -4,14 +4,13 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include <opencv2/core.hpp>
 
 #include "base/image/picture_decoder.h"
+#include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::randomize {
@@ -29,21 +28,12 @@ bool isPicture(const fs::path& file) {
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
-Bytes bytesOf(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) throw Error("cannot be opened");
-  Bytes bytes(static_cast<std::size_t>(stream.tellg()));
-  stream.seekg(0);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!stream) throw Error("cannot be read");
-  return bytes;
-}
-
 /// Does something with a picture's file; what it throws names the file.
 template <class Work>
 auto withFile(const std::string& file, const Work& work) {
+  const Bytes bytes = base::readInputBytes(file);
   try {
-    return work(bytesOf(file));
+    return work(bytes);
   } catch (const Error& error) {
     throw Error("picture '" + file + "' " + error.what());
   }

@@ -3,14 +3,13 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
 
 #include "base/image/picture_decoder.h"
+#include "base/input_file.h"
 #include "randomize/placement/map_file.h"
 #include "synthetic_dataset/errors.h"
 
@@ -69,14 +68,11 @@ std::vector<Cell> cellsOf(const cv::Mat& picture, const MapFile& file) {
 
 cv::Mat readPicture(const std::string& file) {
   std::error_code unknown;
-  if (!std::filesystem::is_regular_file(file, unknown)) {
+  if (const std::string fault = base::inputFault(file); !fault.empty()) throw Error(fault);
+  if (!std::filesystem::exists(file, unknown)) {
     throw Error("is no file; a relative path starts at the folder of the YAML file");
   }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error("cannot be opened");
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream),
-                                        std::istreambuf_iterator<char>()};
-  return base::decodePixels(bytes, file);
+  return base::decodePixels(base::readInputBytes(file), file);
 }
 
 }  // namespace

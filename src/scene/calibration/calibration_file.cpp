@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/diagnostics.h"
+#include "base/input_file.h"
 #include "base/yaml_value.h"
 #include "scene/calibration/calibration_format.h"
 #include "synthetic_dataset/errors.h"
@@ -73,7 +74,7 @@ CalibratedCamera parseCalibration(const std::string& text, const std::string& fi
 
 CalibratedCamera readCalibration(const std::string& file, const CalibrationChoice& choice,
                                  const CalibrationUse& use) {
-  return parseCalibration(base::readTextFile(file), file, choice, use);
+  return parseCalibration(base::readInput(file), file, choice, use);
 }
 
 }  // namespace synthetic_dataset::scene

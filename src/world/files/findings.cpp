@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/input_file.h"
+
 namespace synthetic_dataset::world {
 namespace {
 
@@ -38,6 +40,7 @@ void Findings::addNote(const Place& place, const std::string& remark) {
 }
 
 void Findings::addMissing(const Place& place, const std::string& thing) {
+  if (base::isAboutPipe(thing)) return addError(place.prefix() + thing);  // it is there, and wrong
   const bool is_error = on_missing_asset == OnMissingAsset::kError;
   add(place.prefix(), thing, "wanted ", is_error ? "" : " (left out)", missing_,
       is_error ? errors : notes);

@@ -211,11 +211,11 @@ std::vector<std::string> ResourceFinder::mediaFolders() const {
 }
 
 std::optional<fs::path> ResourceFinder::at(const fs::path& path) const {
-  std::error_code ignored;  // neither of what is not there nor of a device, which may never end
+  std::error_code ignored;  // of what is not there
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_regular_file(status)) found_.insert(path);
-  if (fs::is_regular_file(status) || fs::is_directory(status)) return path;
-  return std::nullopt;
+  // A pipe or a device is named where it would be opened (base/input_file.h).
+  return fs::exists(status) ? std::optional(path) : std::nullopt;
 }
 
 std::optional<fs::path> ResourceFinder::find(const std::string& uri, const fs::path& folder) const {

@@ -1,11 +1,10 @@
 #include "world/material/material_scripts.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
+#include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 #include "world/material/ogre_inheritance.h"
 
@@ -80,9 +79,8 @@ const OgreScript& MaterialScripts::read(const fs::path& file) {
   auto found = scripts_.find(file.string());
   if (found == scripts_.end()) {
     std::variant<OgreScript, std::string> content;
-    std::ifstream stream(file, std::ios::binary);
     try {
-      content = parseOgreScript({std::istreambuf_iterator<char>(stream), {}});
+      content = parseOgreScript(base::readInput(file));
     } catch (const Error& error) {
       content = file.string() + ": " + error.what();
     }

@@ -1,8 +1,6 @@
 #include "world/material/texture_loader.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -12,6 +10,7 @@
 
 #include "base/image/picture_channels.h"
 #include "base/image/picture_decoder.h"
+#include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/text.h"
 #include "world/material/gazebo_pictures.h"
@@ -20,11 +19,6 @@ namespace synthetic_dataset::world {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::uint8_t> readBytes(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 /// Of a picture without a file: no path begins like it.
 std::string embeddedKey(const EmbeddedPicture& picture) {
@@ -79,7 +73,7 @@ std::optional<fs::path> TextureLoader::lookUp(const TextureReference& reference)
   const fs::path name = fs::path(uri).filename();
   const auto fileAt = [&](const std::optional<fs::path>& path) {
     std::error_code ignored;
-    return path && fs::is_regular_file(*path, ignored) ? path : std::nullopt;
+    return path && !fs::is_directory(*path, ignored) ? path : std::nullopt;
   };
   if (auto file = fileAt(finder_.find(uri, reference.folder))) return file;
   std::vector<fs::path> paths = {reference.folder / name,
@@ -137,7 +131,7 @@ void TextureLoader::decodeAhead(const std::vector<TextureReference>& references)
     try {
       const std::string file = find(reference).string();
       const bool is_known = files.count(file) > 0 || pixels_.count(file) > 0;
-      if (!is_known) files.emplace(file, readBytes(file));
+      if (!is_known) files.emplace(file, base::readInputBytes(file));
     } catch (const Error&) {
       continue;  // reported when it is loaded
     }
@@ -164,8 +158,9 @@ std::shared_ptr<const Texture> TextureLoader::load(const TextureReference& refer
   if (embedded != nullptr) embedded_.push_back(reference.embedded);
   cv::Mat content;
   try {
-    content = contentOf(pixels(key, [&] { return embedded ? embedded->bytes : readBytes(file); }),
-                        reference.content);
+    content = contentOf(
+        pixels(key, [&] { return embedded ? embedded->bytes : base::readInputBytes(file); }),
+        reference.content);
   } catch (const Error& error) {
     throw Error("texture '" + file + "': " + error.what());
   }

@@ -4,6 +4,7 @@
 
 #include <tinyxml2.h>
 
+#include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/text.h"
 
@@ -107,7 +108,7 @@ bool saysYUp(const XMLElement& root) {
 
 ColladaText prepareCollada(const std::filesystem::path& file) {
   tinyxml2::XMLDocument document;
-  if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) {
+  if (document.Parse(base::readInput(file).c_str()) != tinyxml2::XML_SUCCESS) {
     throw Error("cannot be read: line " + std::to_string(document.ErrorLineNum()) +
                 " is not XML (" + document.ErrorName() + ")");
   }

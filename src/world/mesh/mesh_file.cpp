@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <exception>
 #include <fstream>
 #include <new>
@@ -20,6 +19,7 @@
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
+#include "base/input_file.h"
 #include "base/sandbox/sandboxed_process.h"
 #include "synthetic_dataset/errors.h"
 #include "world/material/colour_encoding.h"
@@ -85,7 +85,7 @@ const aiScene* tryImport(Assimp::Importer& importer, const std::filesystem::path
 
 /// assimp (5.2) reads on for ever in a PLY file whose header does not end.
 void checkPly(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream = base::openInput(file);
   std::string line;
   while (std::getline(stream, line)) {
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();

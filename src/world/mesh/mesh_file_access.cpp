@@ -1,14 +1,13 @@
 #include "world/mesh/mesh_file_access.h"
 
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/MemoryIOWrapper.h>
 
+#include "base/input_file.h"
 #include "world/files/fuel.h"
 #include "world/files/resource_finder.h"
 #include "world/files/text.h"
@@ -35,11 +34,6 @@ fs::path modelRootOf(const fs::path& file) {
     }
   }
   return own;
-}
-
-std::string contentOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace
@@ -82,8 +76,7 @@ bool MeshFileAccess::allows(const fs::path& file) {
   }
   if (fs::is_regular_file(status)) return true;
   if (!fault_) {
-    fault_ = "names '" + file.string() + "', which is " +
-             (fs::is_directory(status) ? "a folder" : "a pipe or a device") + "; a file is needed";
+    fault_ = "names '" + file.string() + "', which " + base::inputFault(file);
   }
   return false;
 }
@@ -94,11 +87,11 @@ const std::string* MeshFileAccess::textOf(const fs::path& file) {
   const std::string extension = extensionOf(file);
   std::optional<std::string> text;
   if (extension == ".obj") {
-    text = repairedObj(contentOf(file));
+    text = repairedObj(base::readInput(file));
     libraries_ = librariesOfObj(*text);
   }
   if (extension == ".mtl") {
-    text = repairedMtl(contentOf(file));
+    text = repairedMtl(base::readInput(file));
     for (std::string& name : materialsOfMtl(*text)) materials_.insert(std::move(name));
   }
   if (!text) return nullptr;

@@ -6,6 +6,7 @@
 
 #include <tinyxml2.h>
 
+#include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/resource_finder.h"
 #include "world/sdf/sdf_version.h"
@@ -31,7 +32,7 @@ fs::path configOf(const fs::path& folder) {
 
 std::vector<Listed> listedIn(const fs::path& config) {
   tinyxml2::XMLDocument document;
-  if (document.LoadFile(config.c_str()) != tinyxml2::XML_SUCCESS) {
+  if (document.Parse(base::readInput(config).c_str()) != tinyxml2::XML_SUCCESS) {
     throw Error("'" + config.string() + "' is not XML: " + document.ErrorStr());
   }
   const tinyxml2::XMLElement* model = document.FirstChildElement("model");

@@ -1,10 +1,8 @@
 #include "world/sdf/sdf_file.h"
 
-#include <fstream>
-#include <iterator>
-#include <system_error>
 #include <utility>
 
+#include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 #include "world/sdf/gz_plugins.h"
 #include "world/sdf/xml_repair.h"
@@ -13,20 +11,6 @@ namespace synthetic_dataset::world {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Opening anything else may wait for ever.
-void requireFile(const fs::path& file) {
-  std::error_code ignored;
-  if (fs::is_regular_file(file, ignored)) return;
-  throw Error(file.string() + ": is " + (fs::is_directory(file, ignored) ? "a folder" : "no file") +
-              "; a file is needed");
-}
-
-std::string contentOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error(file.string() + ": cannot be opened");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 void parseXml(const std::string& text, SdfFile& file) {
   if (file.document.Parse(text.c_str(), text.size()) == tinyxml2::XML_SUCCESS) return;
@@ -94,10 +78,7 @@ std::unique_ptr<SdfFile> parsed(const fs::path& name, std::string text) {
 }  // namespace
 
 const SdfFile& SdfFiles::read(const fs::path& file) {
-  return keep(file.string(), file, [&] {
-    requireFile(file);
-    return contentOf(file);
-  });
+  return keep(file.string(), file, [&] { return base::readInput(file); });
 }
 
 const SdfFile& SdfFiles::readText(const fs::path& name, const std::string& text) {

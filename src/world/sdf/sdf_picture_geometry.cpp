@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 #include <vector>
 
+#include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 #include "world/sdf/sdf_values.h"
 
@@ -73,9 +73,8 @@ std::optional<std::filesystem::path> findFile(const std::string& kind, const std
                                reading.finder.searchedPlaces(uri, folder));
     return std::nullopt;
   }
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(*file, ignored)) {
-    reading.missing(place, kind + " '" + file->string() + "': is a folder or no file");
+  if (const std::string fault = base::inputFault(*file); !fault.empty()) {
+    reading.missing(place, kind + " '" + file->string() + "': " + fault);
     return std::nullopt;
   }
   return file;

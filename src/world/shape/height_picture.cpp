@@ -1,24 +1,21 @@
 #include "world/shape/height_picture.h"
 
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
 
 #include "base/image/picture_decoder.h"
+#include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::world {
 
 cv::Mat readNumbers(const std::filesystem::path& file) {
   const std::string name = "picture '" + file.string() + "': ";
-  std::ifstream stream(file, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream),
-                                        std::istreambuf_iterator<char>()};
-  if (bytes.empty()) throw Error(name + "is empty or cannot be opened");
+  const std::vector<std::uint8_t> bytes = base::readInputBytes(file);
+  if (bytes.empty()) throw Error(name + "is empty");
   cv::Mat picture;
   try {
     picture = base::decodePixels(bytes, file.string());

@@ -1,6 +1,7 @@
 #include "world/files/resource_finder.h"
 
 #include <cstdlib>
+#include <filesystem>
 
 #include <gmock/gmock.h>
 
@@ -37,10 +38,10 @@ TEST(ResourceFinder, FindsModelsInItsFolders) {
   EXPECT_THAT(finder.find("model://table/", "/"), Optional(file.parent_path()));
 }
 
-TEST(ResourceFinder, TakesNoDeviceForAFile) {
+TEST(ResourceFinder, LeavesItToThoseWhoOpenADeviceToNameIt) {
   const ResourceFinder finder({}, nullptr);
-  EXPECT_EQ(finder.find("file:///dev/zero", "/"), std::nullopt);
-  EXPECT_EQ(finder.find("/dev/null", "/"), std::nullopt);
+  EXPECT_THAT(finder.find("file:///dev/zero", "/"), Optional(std::filesystem::path("/dev/zero")));
+  EXPECT_THAT(finder.find("/dev/null", "/"), Optional(std::filesystem::path("/dev/null")));
 }
 
 TEST(ResourceFinder, PrefersItsOwnFoldersToTheEnvironments) {

@@ -1,7 +1,10 @@
+#include <sys/stat.h>
+
 #include <filesystem>
 
 #include <gmock/gmock.h>
 
+#include "support/error_messages.h"
 #include "world/sdf/sdf_loader_support.h"
 #include "world/world_loader.h"
 
@@ -117,12 +120,28 @@ TEST(MalformedSdf, HasIncludesThatAreNone) {
   fs::create_directories(folder / "empty");
   for (const std::string include :
        {"<include/>", "<include><uri/></include>", "<include><uri> </uri></include>",
-        "<include><uri>empty</uri></include>", "<include><uri>/dev/null</uri></include>"}) {
+        "<include><uri>empty</uri></include>"}) {
     EXPECT_THAT(errorsOf(folder, worldFile(include)), ElementsAre(HasSubstr("world.sdf: line 1: ")))
         << include;
     EXPECT_THAT(loadWithoutMissing(folder, worldFile(include)).notes,
                 ElementsAre(HasSubstr("(left out)")))
         << include;
+  }
+}
+
+TEST(MalformedSdf, HasDevicesForFilesWhichAreNeverLeftOut) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe.obj").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+  const std::string texture =
+      "<model name='m'><link name='l'><visual name='v'><geometry><box><size>1 1 1</size></box>"
+      "</geometry><material><pbr><metal><albedo_map>pipe.png</albedo_map></metal></pbr></material>"
+      "</visual></link></model>";
+  for (const std::string& world : {worldFile("<include><uri>/dev/zero</uri></include>"),
+                                   worldWithAll({meshElement("pipe.obj")}), worldFile(texture)}) {
+    EXPECT_THAT(test::messagesOf([&] { (void)loadWithoutMissing(folder, world); }),
+                ElementsAre(HasSubstr("is a pipe or a device; a file is needed")))
+        << world;
   }
 }
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The one way to files that are read: reading from a pipe or a device may never end.
+namespace synthetic_dataset::base {
+
+/// @throws Error "<file>: no such file ...", "<file>: is a folder; a file is needed", "<file>: is a
+///     pipe or a device; a file is needed"
+[[nodiscard]] std::ifstream openInput(const std::filesystem::path& file);
+
+/// A file's bytes.
+/// @throws Error as openInput does
+[[nodiscard]] std::string readInput(const std::filesystem::path& file);
+[[nodiscard]] std::vector<std::uint8_t> readInputBytes(const std::filesystem::path& file);
+
+/// What is wrong with a path that is there and is no file, "is a folder; a file is needed"; empty
+/// for a file, and for what is not there.
+[[nodiscard]] std::string inputFault(const std::filesystem::path& file);
+
+/// Whether a message says that something is a pipe or a device: such a path is never left out, like
+/// a file that is missing, since something is wrong with the whole setup. (Messages of sandboxed
+/// processes are texts.)
+[[nodiscard]] bool isAboutPipe(std::string_view message);
+
+}  // namespace synthetic_dataset::base

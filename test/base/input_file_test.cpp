@@ -1,0 +1,50 @@
+#include "base/input_file.h"
+
+#include <sys/stat.h>
+
+#include <gmock/gmock.h>
+
+#include "support/error_messages.h"
+#include "support/temporary_folder.h"
+
+namespace synthetic_dataset::base {
+namespace input_file_test {
+
+using testing::ElementsAre;
+
+TEST(InputFile, IsRead) {
+  const test::TemporaryFolder folder;
+  const std::string bytes("a\0b\r\n", 5);
+  const auto file = folder.write("file", bytes);
+  EXPECT_EQ(readInput(file), bytes);
+  EXPECT_EQ(readInputBytes(file).size(), 5U);
+  EXPECT_EQ(inputFault(file), "");
+}
+
+TEST(InputFile, ThatIsNotThereIsNamed) {
+  EXPECT_THAT(test::messagesOf([] { (void)readInput("/no/such/file"); }),
+              ElementsAre("/no/such/file: no such file, or it cannot be read"));
+  EXPECT_EQ(inputFault("/no/such/file"), "");
+}
+
+TEST(InputFile, IsNoFolder) {
+  const test::TemporaryFolder folder;
+  const std::string name = folder.path().string();
+  EXPECT_THAT(test::messagesOf([&] { (void)openInput(name); }),
+              ElementsAre(name + ": is a folder; a file is needed"));
+}
+
+TEST(InputFile, IsNeitherAPipeNorADevice) {
+  const test::TemporaryFolder folder;
+  const std::string pipe = (folder / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& name : {pipe, std::string("/dev/zero")}) {
+    const std::string message = name + ": is a pipe or a device; a file is needed";
+    EXPECT_THAT(test::messagesOf([&] { (void)readInput(name); }), ElementsAre(message));
+    EXPECT_TRUE(isAboutPipe("mesh '" + message));
+  }
+  EXPECT_FALSE(isAboutPipe("no such file"));
+}
+
+}  // namespace input_file_test
+}  // namespace synthetic_dataset::base
