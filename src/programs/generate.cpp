@@ -12,6 +12,7 @@
 #include <ros/node_handle.h>
 
 #include "base/json_text.h"
+#include "base/printable_text.h"
 #include "programs/check/check_report.h"
 #include "programs/console/command_line.h"
 #include "programs/console/console_reporter.h"
@@ -111,6 +112,7 @@ int generateOrReport(const programs::CommandLine& command_line, ReadSettings rea
 
 int main(int argc, char** argv) {
   heap::prepare();
+  base::printUtf8();
   programs::CommandLine command_line;
   try {
     command_line = programs::parseCommandLine({argv + 1, argv + argc});

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/printable_text.h"
 #include "programs/console/console_reporter.h"
 #include "programs/console/stop_signals.h"
 #include "run/merger.h"
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
     (wants_help ? std::cout : std::cerr) << kUsage;
     return wants_help ? 0 : 1;
   }
+  base::printUtf8();
   stop_signals::ignoreFailedWriting();
   programs::ConsoleReporter reporter;
   try {

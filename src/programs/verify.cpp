@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/printable_text.h"
 #include "output/verify/dataset_verifier.h"
 
 namespace {
@@ -49,7 +50,7 @@ class Console : public output::VerificationListener {
  private:
   void say(const std::string& line) {
     clearProgress();
-    std::cout << line << std::endl;
+    std::cout << base::printable(line) << std::endl;
   }
 
   static constexpr const char* kEraseRest = "\033[K";  // of the line: ECMA-48, EL

@@ -6,6 +6,7 @@
 #include <ros/console.h>
 #include <unistd.h>
 
+#include "base/printable_text.h"
 #include "programs/console/stop_signals.h"
 
 namespace synthetic_dataset::programs {
@@ -18,11 +19,17 @@ double secondsNow() {
 
 }  // namespace
 
-void ConsoleReporter::info(const std::string& message) { ROS_INFO_STREAM(message); }
+void ConsoleReporter::info(const std::string& message) {
+  ROS_INFO_STREAM(base::printable(message));
+}
 
-void ConsoleReporter::warning(const std::string& message) { ROS_WARN_STREAM(message); }
+void ConsoleReporter::warning(const std::string& message) {
+  ROS_WARN_STREAM(base::printable(message));
+}
 
-void ConsoleReporter::fatal(const std::string& message) { ROS_FATAL_STREAM(message); }
+void ConsoleReporter::fatal(const std::string& message) {
+  ROS_FATAL_STREAM(base::printable(message));
+}
 
 void ConsoleReporter::stage(const std::string& what) {
   if (is_started_) return;

@@ -1,0 +1,55 @@
+#include "base/printable_text.h"
+
+#include <algorithm>
+#include <clocale>
+#include <cstddef>
+
+namespace synthetic_dataset::base {
+namespace {
+
+unsigned byteAt(std::string_view text, std::size_t at) {
+  return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
+}
+
+/// How many bytes the character has that begins there; 0 where none does (RFC 3629, section 4).
+std::size_t lengthOfCharacter(std::string_view text, std::size_t at) {
+  const unsigned first = byteAt(text, at);
+  if (first < 0x80U) return 1;
+  const std::size_t length = first >= 0xC2U && first <= 0xDFU   ? 2
+                             : first >= 0xE0U && first <= 0xEFU ? 3
+                             : first >= 0xF0U && first <= 0xF4U ? 4
+                                                                : 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byteAt(text, at + i) & 0xC0U) != 0x80U) return 0;
+  }
+  const unsigned second = byteAt(text, at + 1);
+  const bool is_overlong = (first == 0xE0U && second < 0xA0U) || (first == 0xF0U && second < 0x90U);
+  const bool is_none = (first == 0xEDU && second >= 0xA0U) || (first == 0xF4U && second >= 0x90U);
+  return is_overlong || is_none ? 0 : length;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = lengthOfCharacter(text, at);
+    if (length > 0) {
+      result += text.substr(at, length);
+    } else {
+      const unsigned byte = byteAt(text, at);
+      result += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 0xFU]};
+    }
+    at += std::max<std::size_t>(length, 1);
+  }
+  return result;
+}
+
+void printUtf8() {
+  for (const char* locale : {"C.UTF-8", "C.utf8", "en_US.UTF-8"}) {
+    if (std::setlocale(LC_CTYPE, locale) != nullptr) return;
+  }
+}
+
+}  // namespace synthetic_dataset::base
