@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "output/files/file_name_rules.h"
+#include "output/writers/exit_guard.h"
 #include "output/writers/writer_loader.h"
 #include "output/writers/writer_outputs.h"
 #include "synthetic_dataset/errors.h"
@@ -28,6 +29,7 @@ ReadyWriter makeReady(WriterLoader& loader, const WriterOptions& choice,
     throw Error("writer '" + choice.name + "': " + error.what());
   }
   WriterParameters parameters(choice.parameters, choice.name, choice.output_folder);
+  const WriterAtWork at_work(choice.name);
   // These name the writer themselves when they fail.
   instance->initialize(parameters, dataset);
   Requirements requirements = instance->requirements();
@@ -104,6 +106,7 @@ WriterHost::SceneResult WriterHost::writeScene(const Scene& scene) const {
     const ReadyWriter& writer = impl_->writers[i];
     GatheringSceneOutput output(i, writer.parameters, result.files, result.warnings);
     try {
+      const WriterAtWork at_work(writer.parameters.writerName());
       writer.instance->writeScene(scene, output);
     } catch (const Error& error) {
       throw Error("scene " + scene.name + ": " + error.what());
@@ -116,6 +119,7 @@ void WriterHost::finalize(output::DatasetStore& store) const {
   for (std::size_t i = 0; i < impl_->writers.size(); ++i) {
     const ReadyWriter& writer = impl_->writers[i];
     StoringDatasetOutput output(i, writer.parameters, store);
+    const WriterAtWork at_work(writer.parameters.writerName());
     writer.instance->finalize(*store.records(i), output);
   }
 }

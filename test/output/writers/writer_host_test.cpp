@@ -92,6 +92,13 @@ TEST_F(WriterHostTest, GathersFilesRecordsAndWarningsOfAllWriters) {
               ElementsAre("writer 'a': alpha: strange", "writer 'b': alpha: strange"));
 }
 
+TEST_F(WriterHostTest, NamesAWriterThatEndsTheProgram) {
+  testing::FLAGS_gtest_death_test_style = "fast";
+  const WriterHost host = makeHost({choice("bad", {{"fault", "exit"}})});
+  EXPECT_EXIT((void)host.writeScene(emptyScene()), testing::ExitedWithCode(1),
+              "writer 'bad': its plugin has ended the program by a call of exit");
+}
+
 TEST_F(WriterHostTest, MergesRequirements) {
   const WriterHost host =
       makeHost({choice("a", {{"frames", Value::List{"odom", "base"}}}),

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <ostream>
 #include <stdexcept>
 
@@ -28,6 +29,7 @@ class MisbehavingWriter : public LabelWriter {
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     if (fault_ == "throw") throw std::out_of_range("vector::at");
+    if (fault_ == "exit") std::exit(0);
     if (fault_ == "throw a number") throw 42;
     if (fault_ == "leave the folder") output.addText("../outside.txt", "");
     if (fault_ == "same path twice") output.addImage("same.png", scene.image);
