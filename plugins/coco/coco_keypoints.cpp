@@ -1,23 +1,30 @@
 #include "plugins/coco/coco_keypoints.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
 
 namespace synthetic_dataset {
 namespace {
 
-/// The place in `names` of each of an object's names; those that lack there are added. A name that
-/// an object has twice stands there twice.
-std::vector<std::size_t> placesIn(std::vector<std::string>& names,
+/// A class's keypoints while its objects' are gathered. A name that an object has for the second
+/// time is another keypoint than the first of this name.
+struct Gathered {
+  std::map<std::pair<std::string, int>, std::size_t> places;  ///< by name, and which of this name
+  std::set<std::array<std::size_t, 2>> lines;
+};
+
+/// The place in `names` of each of an object's names; those that lack there are added.
+std::vector<std::size_t> placesIn(ClassKeypoints& keypoints, Gathered& gathered,
                                   const std::vector<std::string>& of_object) {
+  std::map<std::string, int> counts;
   std::vector<std::size_t> places;
   for (const std::string& name : of_object) {
-    std::size_t place = 0;
-    while (place < names.size() && (names[place] != name || std::find(places.begin(), places.end(),
-                                                                      place) != places.end())) {
-      ++place;
-    }
-    if (place == names.size()) names.push_back(name);
-    places.push_back(place);
+    const auto [known, is_new] =
+        gathered.places.try_emplace({name, counts[name]++}, keypoints.names.size());
+    if (is_new) keypoints.names.push_back(name);
+    places.push_back(known->second);
   }
   return places;
 }
@@ -26,6 +33,7 @@ std::vector<std::size_t> placesIn(std::vector<std::string>& names,
 
 CocoKeypoints::CocoKeypoints(const DatasetInfo& dataset, const std::vector<std::string>& of_classes,
                              bool is_padded) {
+  std::map<int, Gathered> gathered;
   for (const ObjectInfo& object : dataset.objects) {
     class_of_object_.push_back(object.class_id);
     name_places_.emplace_back();
@@ -38,11 +46,11 @@ CocoKeypoints::CocoKeypoints(const DatasetInfo& dataset, const std::vector<std::
         });
     if (!is_asked_for) continue;
     ClassKeypoints& keypoints = classes_[object.class_id];
-    const std::vector<std::size_t> places = placesIn(keypoints.names, object.keypoint_names);
+    Gathered& of_class = gathered[object.class_id];
+    const std::vector<std::size_t> places = placesIn(keypoints, of_class, object.keypoint_names);
     for (const auto& [from, to] : object.skeleton) {
       const std::array<std::size_t, 2> line = {places[from], places[to]};
-      auto& lines = keypoints.skeleton;
-      if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+      if (of_class.lines.insert(line).second) keypoints.skeleton.push_back(line);
     }
     name_places_.back() = places;
   }
