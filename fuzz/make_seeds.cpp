@@ -11,6 +11,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include "output/manifest/manifest_schema.h"
 #include "output/manifest/sqlite.h"
+#include "output/manifest/truth_tables.h"
 
 namespace {
 
@@ -90,6 +91,7 @@ void writeManifest(const fs::path& file) {
   const SqliteDatabase database(file.string(), SqliteDatabase::Mode::kCreate);
   database.execute("PRAGMA page_size = 512");
   database.execute(synthetic_dataset::output::kManifestTables);
+  database.execute(synthetic_dataset::output::kTruthTables);
   database.execute(std::string("INSERT INTO run VALUES ('format_version', '") +
                    synthetic_dataset::output::kManifestVersion + R"('), ('state', 'unfinished'),
         ('scene_count', '2'), ('shard', '0/2');

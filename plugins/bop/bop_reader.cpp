@@ -4,8 +4,10 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/bop/bop_values.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/format.h"
+#include "plugins/readback/json_document.h"
 #include "plugins/readback/json_file.h"
 #include "plugins/readback/json_text.h"
 #include "synthetic_dataset/cuboid.h"
@@ -54,17 +56,10 @@ fs::path imageOf(const WrittenScene& scene) {
   throw Error("'" + scene.folder.string() + "': scene " + scene.name + " has no file in rgb/");
 }
 
-struct Document {
-  explicit Document(const fs::path& file)
-      : content(readJson(file, [](const Json& json) { return json; })) {}
-
-  Json content;
-};
-
 /// What `read` makes of a file that is kept.
 template <class Read>
 auto reading(const fs::path& file, KeptFiles& kept, const Read& read) {
-  const auto document = kept.get<Document>(file);
+  const auto document = kept.get<JsonDocument>(file);
   return readingJson(file, [&] { return read(document->content); });
 }
 
@@ -173,6 +168,6 @@ Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Bop", true, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/Bop", true, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::bop

@@ -10,6 +10,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/bop/bop_models.h"
+#include "plugins/bop/bop_options.h"
 #include "plugins/bop/bop_scenes.h"
 #include "plugins/shared/json.h"
 #include "plugins/shared/mask_rle.h"
@@ -25,15 +26,6 @@ constexpr int kGreatestDepth = 65535;  // that a pixel can hold
 
 /// Of visibility: the toolkit's smallest for a target, and below which it ignores a detection.
 constexpr double kFewestVisible = 0.1;
-
-/// A tenth of a millimetre where that reaches the far plane, as in BOP's rendered images; else a
-/// millimetre, as most depth cameras have it.
-double depthScaleFor(const DatasetInfo& dataset) {
-  double far = 0.0;
-  for (const CameraDescription& camera : dataset.cameras) far = std::max(far, camera.model.far());
-  constexpr double kFine = 0.1;
-  return far * kMillimetres <= kFine * kGreatestDepth ? kFine : 1.0;
-}
 
 struct DepthImage {
   cv::Mat pixels;           ///< CV_16UC1, times the scale: z [mm]; 0 where there is none
@@ -122,28 +114,7 @@ class BopWriter : public LabelWriter {
     dataset.refuseVaryingModels("mesh in models/");
     dataset_ = dataset;
     models_ = readBopModels(parameters, dataset);
-    train_folder_ = "train";
-    const auto type = parameters.optional<std::string>("train_type", "");
-    if (!type.empty()) train_folder_ += "_" + safeFileName(type);
-    images_per_scene_ = parameters.optional<std::int64_t>("images_per_scene", 1000);
-    if (images_per_scene_ < 1) {
-      parameters.addError("images_per_scene", "found " + std::to_string(images_per_scene_) +
-                                                  "; it should be a whole number from 1");
-      images_per_scene_ = 1;
-    }
-    depth_scale_ = parameters.optional("depth_scale", depthScaleFor(dataset));
-    if (!(depth_scale_ > 0.0)) {
-      parameters.addError("depth_scale", "found " + Value(depth_scale_).text() +
-                                             "; it should be greater than 0 [mm]");
-      depth_scale_ = 1.0;
-    }
-    has_coco_ = parameters.optional("coco", true);
-    if (parameters.has("image_format")) {
-      image_format_ = train_format_ =
-          "." + parameters.requiredChoice("image_format", {"png", "jpg"});
-    } else if (type == "pbr") {
-      train_format_ = ".jpg";  // as bop_toolkit's dataset_params.py opens it in train_pbr
-    }
+    options_ = readBopOptions(parameters, dataset);
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -159,8 +130,9 @@ class BopWriter : public LabelWriter {
     warnOfDistortion(scene.camera, output);
     BopImage image = placeOf(scene);
     const std::string name = sixDigits(image.im_id);
-    output.addImage(image.folder + "/rgb/" + name + formatOf(scene), scene.image);
-    const DepthImage depth = depthImage(scene.depth(), depth_scale_);
+    output.addImage(image.folder + "/rgb/" + name + options_.formatOf(scene.splitFolder()),
+                    scene.image);
+    const DepthImage depth = depthImage(scene.depth(), options_.depth_scale);
     output.addImage(image.folder + "/depth/" + name + ".png", depth.pixels);
     if (depth.is_cut_off) {
       output.addWarning(
@@ -176,7 +148,7 @@ class BopWriter : public LabelWriter {
       output.addMask(image.folder + "/mask_visib" + end, object.visible_mask());
       image.poses.push_back(poseOf(object, i));
       image.infos.push_back(infoOf(object, depth.pixels));
-      if (has_coco_) addAnnotation(object, i, scene.camera, image);
+      if (options_.coco) addAnnotation(object, i, scene.camera, image);
       if (object.visibility() >= kFewestVisible) ++target_counts[models_.obj_ids.at(i)];
     }
     for (const auto& [obj_id, count] : target_counts) {
@@ -189,7 +161,7 @@ class BopWriter : public LabelWriter {
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
-    addBopSceneFiles(records, has_coco_ ? cocoHeader() : Json(), output);
+    addBopSceneFiles(records, options_.coco ? cocoHeader() : Json(), output);
     for (const SplitInfo& split : dataset_.splits) {
       if (split.name == "test") addBopTargets(records, split.name, output);
     }
@@ -202,14 +174,10 @@ class BopWriter : public LabelWriter {
     addJson(output, "dataset_info.json", datasetInfo());
   }
 
-  /// The extension of a scene's image.
-  [[nodiscard]] const std::string& formatOf(const Scene& scene) const {
-    return scene.splitFolder() == "train" ? train_format_ : image_format_;
-  }
-
   /// A number for each camera in each series of images.
   [[nodiscard]] std::int64_t sceneId(const Scene& scene) const {
-    return scene.instant / images_per_scene_ * static_cast<std::int64_t>(dataset_.cameras.size()) +
+    return scene.instant / options_.images_per_scene *
+               static_cast<std::int64_t>(dataset_.cameras.size()) +
            static_cast<std::int64_t>(scene.camera_index);
   }
 
@@ -217,19 +185,20 @@ class BopWriter : public LabelWriter {
   [[nodiscard]] BopImage placeOf(const Scene& scene) const {
     BopImage image;
     image.split = scene.splitFolder();
-    image.folder =
-        (image.split == "train" ? train_folder_ : image.split) + "/" + sixDigits(sceneId(scene));
-    image.series = scene.instant / images_per_scene_;
-    image.im_id = scene.instant % images_per_scene_;
+    image.folder = (image.split == "train" ? options_.train_folder : image.split) + "/" +
+                   sixDigits(sceneId(scene));
+    image.series = scene.instant / options_.images_per_scene;
+    image.im_id = scene.instant % options_.images_per_scene;
     const Pose X_CG = scene.X_GC.inverse();
     image.camera = {{"cam_K", cameraMatrix(scene.camera.intrinsics())},
                     {"cam_R_w2c", rotationMatrix(X_CG)},
                     {"cam_t_w2c", millimetres(X_CG.translation())},
-                    {"depth_scale", depth_scale_}};
-    image.coco_image = {{"id", image.im_id},
-                        {"file_name", "rgb/" + sixDigits(image.im_id) + formatOf(scene)},
-                        {"width", scene.camera.width()},
-                        {"height", scene.camera.height()}};
+                    {"depth_scale", options_.depth_scale}};
+    image.coco_image = {
+        {"id", image.im_id},
+        {"file_name", "rgb/" + sixDigits(image.im_id) + options_.formatOf(scene.splitFolder())},
+        {"width", scene.camera.width()},
+        {"height", scene.camera.height()}};
     image.poses = image.infos = image.annotations = image.targets = Json::array();
     return image;
   }
@@ -294,7 +263,7 @@ class BopWriter : public LabelWriter {
             {"cy", k.cy},
             {"width", camera.width()},
             {"height", camera.height()},
-            {"depth_scale", depth_scale_}};
+            {"depth_scale", options_.depth_scale}};
   }
 
   /// What the format has no place for: which object has which obj_id, where its model's origin is
@@ -318,17 +287,12 @@ class BopWriter : public LabelWriter {
     }
     return {{"objects", std::move(objects)},
             {"cameras", std::move(cameras)},
-            {"images_per_scene", images_per_scene_}};
+            {"images_per_scene", options_.images_per_scene}};
   }
 
   DatasetInfo dataset_;
   BopModels models_;
-  std::string train_folder_;
-  std::int64_t images_per_scene_ = 1000;
-  double depth_scale_ = 1.0;  ///< [mm] of a depth image's 1
-  bool has_coco_ = true;
-  std::string image_format_ = ".png";
-  std::string train_format_ = ".png";
+  BopOptions options_;
 };
 
 }  // namespace synthetic_dataset

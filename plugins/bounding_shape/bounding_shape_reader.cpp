@@ -1,5 +1,6 @@
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/bounding_shape/bounding_shape_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "synthetic_dataset/errors.h"
@@ -7,13 +8,13 @@
 namespace synthetic_dataset::formats::bounding_shape {
 namespace {
 
-/// `id x y z x y z ...`. The id may be several words, or none: coordinates have a point and come in
-/// threes.
+/// `id x y z x y z ...`. The id may be several words, or none: coordinates come in threes.
 DrawnLabel labelOf(const std::string& line, const std::filesystem::path& file) {
+  constexpr std::size_t kDecimals = 5;  // of coordinates; an id may have a point, too
   const auto words = wordsOf(line);
   const std::size_t shortest_id = line.front() == ' ' ? 0 : 1;
   std::size_t first = words.size();
-  while (first > shortest_id && words[first - 1].find('.') != std::string::npos) --first;
+  while (first > shortest_id && hasDecimals(words[first - 1], kDecimals)) --first;
   first += (words.size() - first) % 3;
   for (std::size_t i = first; i < words.size(); ++i) (void)numberOf(words[i], file);
   DrawnLabel label;
@@ -46,6 +47,8 @@ Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/BoundingShape", false, readScene, expectation}; }
+Format format() {
+  return {"synthetic_dataset/BoundingShape", false, readScene, expectation, valueCheck};
+}
 
 }  // namespace synthetic_dataset::formats::bounding_shape

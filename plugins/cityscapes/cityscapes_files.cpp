@@ -44,12 +44,16 @@ std::string cameraJson(const Scene& scene) {
   const Eigen::Matrix3d R_GB = scene.X_GC.linear() * R_CB;
   const Eigen::Vector3d p_G = scene.X_GC.translation();
   const Intrinsics& intrinsics = scene.camera.intrinsics();
+  // Straight up or down, roll and yaw turn about one axis: all of it is yaw.
+  constexpr double kUpright = 1e-9;
+  const bool is_upright = std::hypot(R_GB(2, 1), R_GB(2, 2)) < kUpright;
   const Json extrinsic = {{"x", p_G.x()},
                           {"y", p_G.y()},
                           {"z", p_G.z()},
-                          {"roll", std::atan2(R_GB(2, 1), R_GB(2, 2))},
+                          {"roll", is_upright ? 0.0 : std::atan2(R_GB(2, 1), R_GB(2, 2))},
                           {"pitch", -std::asin(std::clamp(R_GB(2, 0), -1.0, 1.0))},
-                          {"yaw", std::atan2(R_GB(1, 0), R_GB(0, 0))}};
+                          {"yaw", is_upright ? std::atan2(-R_GB(0, 1), R_GB(1, 1))
+                                             : std::atan2(R_GB(1, 0), R_GB(0, 0))}};
   const Json intrinsic = {
       {"fx", intrinsics.fx}, {"fy", intrinsics.fy}, {"u0", intrinsics.cx}, {"v0", intrinsics.cy}};
   return indentedJson({{"extrinsic", extrinsic}, {"intrinsic", intrinsic}});

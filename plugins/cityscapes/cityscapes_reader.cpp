@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/cityscapes/cityscapes_options.h"
+#include "plugins/cityscapes/cityscapes_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
@@ -74,6 +75,8 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& cl
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Cityscapes", true, readScene, expectation}; }
+Format format() {
+  return {"synthetic_dataset/Cityscapes", true, readScene, expectation, valueCheck};
+}
 
 }  // namespace synthetic_dataset::formats::cityscapes

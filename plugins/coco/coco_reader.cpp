@@ -10,6 +10,7 @@
 #include "plugins/coco/coco_index.h"
 #include "plugins/coco/coco_options.h"
 #include "plugins/coco/coco_rle.h"
+#include "plugins/coco/coco_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
@@ -155,6 +156,6 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Coco", true, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/Coco", true, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::coco

@@ -3,6 +3,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/dope/dope_options.h"
+#include "plugins/dope/dope_values.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
 #include "plugins/readback/json_text.h"
@@ -85,6 +86,6 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Dope", false, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/Dope", false, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::dope

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <map>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/image_folder/image_folder_options.h"
+#include "plugins/image_folder/image_folder_values.h"
+#include "plugins/image_folder/line_index.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/cuboid_lines.h"
 #include "plugins/readback/files.h"
@@ -21,43 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-/// Where in a file of JSON lines each image's line begins.
-class LineIndex {
- public:
-  /// @throws Error where a line is no JSON with a `file_name`
-  explicit LineIndex(const fs::path& file) : file_(file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw Error("'" + file.string() + "': cannot be read");
-    std::int64_t begin = 0;
-    readingJson(file, [&] {
-      for (std::string text; std::getline(stream, text);) {
-        if (!text.empty()) {
-          begins_.emplace(json::parse(text).at("file_name").get<std::string>(), begin);
-        }
-        begin += static_cast<std::int64_t>(text.size()) + 1;
-      }
-    });
-  }
-
-  /// @throws Error where there is no line of this `file_name`
-  [[nodiscard]] json line(const std::string& file_name) const {
-    const auto found = begins_.find(file_name);
-    if (found == begins_.end()) {
-      throw Error("'" + file_.string() + "': no line of '" + file_name + "'");
-    }
-    std::ifstream stream(file_, std::ios::binary);
-    std::string text;
-    if (!stream.seekg(found->second) || !std::getline(stream, text)) {
-      throw Error("'" + file_.string() + "': cannot be read");
-    }
-    return readingJson(file_, [&] { return json::parse(text); });
-  }
-
- private:
-  fs::path file_;
-  std::map<std::string, std::int64_t> begins_;
-};
 
 CameraModel cameraOf(const json& line) {
   constexpr double kNear = 1e-3;  // the line has no range of sight
@@ -160,6 +124,8 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/ImageFolder", true, readScene, expectation}; }
+Format format() {
+  return {"synthetic_dataset/ImageFolder", true, readScene, expectation, valueCheck};
+}
 
 }  // namespace synthetic_dataset::formats::image_folder

@@ -1,6 +1,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/kitti/kitti_expectation.h"
+#include "plugins/kitti/kitti_values.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
@@ -43,6 +44,6 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& cl
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Kitti", false, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/Kitti", false, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::kitti

@@ -7,6 +7,7 @@
 
 #include "plugins/pascal_voc/pascal_voc_options.h"
 #include "plugins/pascal_voc/pascal_voc_pictures.h"
+#include "plugins/pascal_voc/pascal_voc_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "synthetic_dataset/errors.h"
@@ -124,6 +125,8 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/PascalVoc", false, readScene, expectation}; }
+Format format() {
+  return {"synthetic_dataset/PascalVoc", false, readScene, expectation, valueCheck};
+}
 
 }  // namespace synthetic_dataset::formats::pascal_voc

@@ -3,6 +3,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/pvnet/pvnet_values.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
@@ -103,6 +104,6 @@ Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/PvNet", true, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/PvNet", true, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::pvnet

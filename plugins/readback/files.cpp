@@ -116,6 +116,12 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+bool hasDecimals(const std::string& word, std::size_t count) {
+  const std::size_t point = word.find('.');
+  return point != std::string::npos && word.size() == point + 1 + count &&
+         word.find_first_not_of("0123456789", point + 1) == std::string::npos;
+}
+
 double numberOf(const std::string& word, const std::filesystem::path& file) {
   std::istringstream stream(word);
   stream.imbue(std::locale::classic());

@@ -20,6 +20,9 @@ namespace synthetic_dataset::formats {
 /// Words with a space between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 
+/// Whether a word ends in a point and so many digits, as numbers of a format do.
+[[nodiscard]] bool hasDecimals(const std::string& word, std::size_t count);
+
 /// @throws Error when the word is no number
 [[nodiscard]] double numberOf(const std::string& word, const std::filesystem::path& file);
 

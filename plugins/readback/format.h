@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "plugins/readback/drawn_label.h"
 #include "plugins/readback/expected_labels.h"
+#include "plugins/readback/found_files.h"
 #include "plugins/readback/written_scene.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -29,6 +31,12 @@ struct Format {
   /// @param parameters  the writer's, which it has accepted
   Expectation (*expectation)(Parameters& parameters,
                              const std::vector<ClassInfo>& classes) = nullptr;
+
+  /// Holds all values of the files against the truth; null where nobody has said what they should
+  /// be.
+  /// @param parameters  the writer's, which it has accepted
+  std::unique_ptr<ValueCheck> (*values)(Parameters& parameters,
+                                        const DatasetInfo& dataset) = nullptr;
 };
 
 /// The format of a type of writer; null where it is none of this package's.

@@ -6,8 +6,12 @@ namespace synthetic_dataset::formats {
 
 std::string asJsonHasIt(const std::string& text) {
   using nlohmann::json;
-  const std::string written = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
-  return json::parse(written).get<std::string>();
+  return json::parse(quotedInJson(text)).get<std::string>();
+}
+
+std::string quotedInJson(const std::string& text) {
+  using nlohmann::json;
+  return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace synthetic_dataset::formats

@@ -8,4 +8,7 @@ namespace synthetic_dataset::formats {
 /// U+FFFD then.
 [[nodiscard]] std::string asJsonHasIt(const std::string& text);
 
+/// The text as JSON, with its quotes.
+[[nodiscard]] std::string quotedInJson(const std::string& text);
+
 }  // namespace synthetic_dataset::formats

@@ -10,6 +10,7 @@
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/ros_bag/bag_scene.h"
+#include "plugins/ros_bag/ros_bag_values.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::ros_bag {
@@ -168,6 +169,6 @@ Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/RosBag", true, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/RosBag", true, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::ros_bag

@@ -4,6 +4,7 @@
 #include "plugins/readback/format.h"
 #include "plugins/shared/pixel_origin.h"
 #include "plugins/stvnet/stvnet_folder.h"
+#include "plugins/stvnet/stvnet_values.h"
 
 namespace synthetic_dataset::formats::stvnet {
 namespace {
@@ -11,15 +12,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// `id x y x y ...` as fractions of the image. The id is at least one word, and may be several:
-/// coordinates have a point and come in pairs.
+/// coordinates come in pairs.
 std::vector<cv::Point2d> readKeypoints(const fs::path& file, const cv::Size& image,
                                        const PixelOrigin& origin) {
+  constexpr std::size_t kDecimals = 5;  // of coordinates; an id may have a point, too
   std::vector<cv::Point2d> keypoints;
   const auto lines = readLines(file);
   if (lines.empty()) return keypoints;
   const auto words = wordsOf(lines.front());
   std::size_t first = words.size();
-  while (first > 1 && words[first - 1].find('.') != std::string::npos) --first;
+  while (first > 1 && hasDecimals(words[first - 1], kDecimals)) --first;
   first += (words.size() - first) % 2;
   for (std::size_t i = first; i + 1 < words.size(); i += 2) {
     keypoints.emplace_back(numberOf(words[i], file) * image.width - origin.offset,
@@ -70,6 +72,6 @@ Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/StvNet", false, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/StvNet", false, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::stvnet

@@ -9,6 +9,7 @@
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_text.h"
 #include "plugins/ultralytics/ultralytics_options.h"
+#include "plugins/ultralytics/ultralytics_values.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::ultralytics {
@@ -145,6 +146,8 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/UltralyticsYolo", true, readScene, expectation}; }
+Format format() {
+  return {"synthetic_dataset/UltralyticsYolo", true, readScene, expectation, valueCheck};
+}
 
 }  // namespace synthetic_dataset::formats::ultralytics

@@ -9,6 +9,7 @@
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/yolo/yolo_options.h"
+#include "plugins/yolo/yolo_values.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::yolo {
@@ -79,6 +80,6 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Yolo", false, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/Yolo", false, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::yolo

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "output/earlier_dataset.h"
+#include "output/files/file_places.h"
 #include "output/preflight.h"
 #include "output/unfinished_scenes.h"
 #include "synthetic_dataset/errors.h"
@@ -51,6 +52,9 @@ std::vector<std::string> reasonsNotToResume(const ManifestContent& earlier,
 void requireSameRun(const ManifestContent& earlier, const std::string& folder,
                     const std::vector<StoreWriter>& writers, const RunDescription& run) {
   std::vector<std::string> reasons = reasonsNotToResume(earlier, writers, run);
+  if (reasons.empty() && !earlier.has_truth) {
+    reasons.emplace_back("its manifest has another format version");
+  }
   if (reasons.empty()) return;
   const std::string state = earlier.complete ? "is complete" : "was begun";
   for (std::string& reason : reasons) {
@@ -118,8 +122,19 @@ bool isWhole(const ManifestContent& dataset) {
          });
 }
 
+/// A run that goes on with a dataset removes and replaces files of it.
+void refuseForeignFiles(const ManifestContent& earlier, const std::string& folder,
+                        const std::vector<StoreWriter>& writers) {
+  const std::vector<std::string> foreign = foreignFilesOf(earlier, folder, writers);
+  if (foreign.empty()) return;
+  throw Error("the dataset in '" + folder + "' lists files outside of it that are none of this " +
+              "run's (" + firstNames(foreign) +
+              "); remove that dataset by hand, or choose another output_folder");
+}
+
 OpenedDataset resume(const StoreOptions& options, const std::vector<StoreWriter>& writers,
                      const ManifestContent& earlier) {
+  refuseForeignFiles(earlier, options.folder, writers);
   OpenedDataset opened{manifestFile(options.folder, options.shard), nullptr, nullptr};
   if (isWhole(earlier)) {
     removeLeftLock(opened.file);

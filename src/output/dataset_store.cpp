@@ -38,6 +38,30 @@ std::vector<ManifestFile> manifestFiles(const std::vector<OutputFile>& files,
   return listed;
 }
 
+/// What the manifest has of the scene's own pictures: of their pixels, and of the JPEG files made
+/// of them, from whose pixels nobody can tell any more.
+std::vector<PictureFacts> pictureFactsOf(const SceneFacts& scene,
+                                         const std::vector<OutputFile>& files,
+                                         const std::vector<SceneContent>& contents) {
+  std::vector<PictureFacts> facts;
+  for (const auto& [name, pixels] : scene.pictures) {
+    facts.push_back(pictureFacts(name, pixels));
+    if (name == "normals") {
+      facts.push_back({"normals.colours", digestOfPixels(normalColours(pixels)), {}});
+    }
+    const auto isJpeg = [&, picture = pixels](std::size_t i) {
+      return files[i].pixels.data == picture.data && files[i].pixels.size() == picture.size() &&
+             base::imageFormat(files[i].path) == base::ImageFormat::kJpeg;
+    };
+    const auto jpeg =
+        std::find_if(contents.begin(), contents.end(), [&](const SceneContent& content) {
+          return std::any_of(content.files.begin(), content.files.end(), isJpeg);
+        });
+    if (jpeg != contents.end()) facts.push_back({name + ".jpg", digestOf(jpeg->bytes()), {}});
+  }
+  return facts;
+}
+
 /// Writes all files before the first one gets its name.
 std::vector<PendingFile> publish(const std::vector<OutputFile>& files,
                                  const std::vector<SceneContent>& contents) {
@@ -194,7 +218,7 @@ void DatasetStore::commitScene(const SceneFacts& scene, const SceneFiles& files)
     try {
       std::vector<PendingFile> pending = publish(files.files, contents);
       impl_->requireManifest();
-      manifest.listScene(scene, files.records);
+      manifest.listScene(scene, pictureFactsOf(scene, files.files, contents), files.records);
       for (PendingFile& file : pending) file.keep();
     } catch (...) {
       withdrawAfterFailure(manifest, [&] { manifest.withdrawScene(scene.index); });

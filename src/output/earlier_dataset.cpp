@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "output/files/file_name_rules.h"
+#include "output/files/file_places.h"
 #include "output/files/pending_file.h"
 #include "output/files/run_lock.h"
 #include "output/preflight.h"
@@ -18,20 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kNamedFiles = 3;  // of a folder, in a message
-
 bool isThere(const std::string& path) {
   std::error_code error;
   return fs::exists(fs::symlink_status(path, error));
-}
-
-/// "'a', 'b', 'c' and more"
-std::string quotedList(const std::vector<std::string>& names) {
-  std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), kNamedFiles); ++i) {
-    list += (i == 0 ? "'" : ", '") + names[i] + "'";
-  }
-  return names.size() > kNamedFiles ? list + " and more" : list;
 }
 
 /// A manifest with what SQLite keeps beside it, and its lock.
@@ -53,6 +43,21 @@ void removeEmptyFolders(fs::path folder, const ManifestContent& content) {
 }
 
 }  // namespace
+
+std::vector<std::string> foreignFilesOf(const ManifestContent& content, const std::string& folder,
+                                        const std::vector<StoreWriter>& writers) {
+  std::vector<std::string> folders = {folder};
+  std::set<std::string> user_files;
+  for (const StoreWriter& writer : writers) {
+    folders.push_back(writer.output_folder);
+    user_files.insert(writer.user_files.begin(), writer.user_files.end());
+  }
+  std::vector<std::string> files;
+  for (const std::string& file : content.files) {
+    if (user_files.count(file) == 0) files.push_back(file);
+  }
+  return filesOutside(files, folders);
+}
 
 EarlierDataset::EarlierDataset(const std::string& folder, const std::optional<Shard>& shard)
     : folder_(folder), shard_(shard) {
@@ -128,7 +133,7 @@ std::vector<std::string> EarlierDataset::obstacles(const std::vector<StoreWriter
   if (if_exists == IfExists::kOverwrite && !foreign.empty()) {
     obstacles.push_back("the dataset in '" + folder_ +
                         "' lists files outside of it that are none " + "of this run's (" +
-                        quotedList(foreign) +
+                        firstNames(foreign) +
                         "); remove that dataset by hand, or choose another output_folder");
   }
   for (const StoreWriter& writer : writers) {
@@ -137,7 +142,7 @@ std::vector<std::string> EarlierDataset::obstacles(const std::vector<StoreWriter
     if (shard_ && !shardManifests(folder_).empty()) unlisted.clear();
     if (!unlisted.empty()) {
       obstacles.push_back("writer '" + writer.name + "': the folder '" + writer.output_folder +
-                          "' holds files that no manifest lists (" + quotedList(unlisted) +
+                          "' holds files that no manifest lists (" + firstNames(unlisted) +
                           "); choose another output_folder, or move them away "
                           "(`if_exists: overwrite` replaces only what a manifest lists)");
     }
@@ -159,18 +164,10 @@ std::vector<std::string> EarlierDataset::obstacles(const std::vector<StoreWriter
 
 std::vector<std::string> EarlierDataset::foreignFiles(
     const std::vector<StoreWriter>& writers) const {
-  const auto isOfThisRun = [&](const std::string& file) {
-    return liesWithin(file, folder_) ||
-           std::any_of(writers.begin(), writers.end(), [&](const StoreWriter& writer) {
-             const auto& user_files = writer.user_files;
-             return liesWithin(file, writer.output_folder) ||
-                    std::find(user_files.begin(), user_files.end(), file) != user_files.end();
-           });
-  };
   std::vector<std::string> foreign;
   for (const Listed& listed : replaced_) {
-    for (const std::string& file : listed.content.files) {
-      if (!isOfThisRun(file)) foreign.push_back(file);
+    for (std::string& file : foreignFilesOf(listed.content, folder_, writers)) {
+      foreign.push_back(std::move(file));
     }
   }
   return foreign;

@@ -11,6 +11,13 @@
 
 namespace synthetic_dataset::output {
 
+/// Files that a manifest lists where a run of these writers has no business: outside of the
+/// dataset's folder and the writers', and none that the user has named.
+/// @param folder  the dataset's, absolute
+[[nodiscard]] std::vector<std::string> foreignFilesOf(const ManifestContent& content,
+                                                      const std::string& folder,
+                                                      const std::vector<StoreWriter>& writers);
+
 /// What earlier runs left where a new one is to write: their manifests, and files that none lists.
 class EarlierDataset {
  public:

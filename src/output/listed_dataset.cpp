@@ -4,6 +4,7 @@
 
 #include "output/files/pending_file.h"
 #include "output/manifest/manifest_paths.h"
+#include "output/manifest/truth_tables.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -126,6 +127,7 @@ void ListedDataset::addMeasures(SceneFacts& scene) const {
   for (warnings.start(scene.index); warnings.step();) {
     scene.warnings.push_back({warnings.text(0), warnings.text(1), warnings.integer(2)});
   }
+  if (content_.has_truth) readTruth(database_, scene);
 }
 
 void ListedDataset::forEachFileOf(const std::optional<std::int64_t>& scene,

@@ -38,6 +38,10 @@ std::vector<output::Warning> DatasetSink::add(const FinishedScene& finished) {
   for (const std::string& warning : written.warnings) warnings.push_back({warning});
   output::SceneFacts facts = finished.facts;
   facts.warnings.insert(facts.warnings.end(), warnings.begin(), warnings.end());
+  const std::string& global = setup_.description.global_frame;
+  for (const std::string& frame : setup_.writers->requirements().frames) {
+    facts.frames.emplace(frame, finished.scene.transform(global, frame));
+  }
   store_->commitScene(facts, written.files);
   statistics_.add(finished.scene);
   return warnings;

@@ -9,7 +9,9 @@
 
 #include "base/json_text.h"
 #include "config/settings_text.h"
+#include "output/earlier_dataset.h"
 #include "output/files/file_name_rules.h"
+#include "output/files/file_places.h"
 #include "output/manifest/manifest_content.h"
 #include "run/label_counts.h"
 #include "run/open_output.h"
@@ -68,6 +70,11 @@ bool writeAlike(const FoundShard& one, const FoundShard& other) {
   });
 }
 
+/// Files that a shard lists outside of its folder and its writers'.
+std::vector<std::string> foreignFiles(const FoundShard& shard) {
+  return output::foreignFilesOf(shard.content, shard.place.folder, shard.content.writers);
+}
+
 /// What keeps shards from being one run.
 std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
   std::vector<std::string> problems;
@@ -84,6 +91,14 @@ std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
       problems.push_back(named(each) + " is not complete: it has " +
                          std::to_string(each.content.scene_count) +
                          " scenes so far; run it again to go on with it");
+    }
+    if (!each.content.has_truth) {
+      problems.push_back(named(each) + " has a manifest of another format version; merge it with " +
+                         "the software that made it");
+    }
+    if (const auto foreign = foreignFiles(each); !foreign.empty()) {
+      problems.push_back(named(each) + " lists files outside of it (" +
+                         output::firstNames(foreign) + "); a shard's files lie in its own folders");
     }
     if (!writeAlike(first, each)) {
       problems.push_back(named(first) + " and " + named(each) +

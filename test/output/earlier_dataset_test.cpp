@@ -145,7 +145,7 @@ TEST_F(EarlierDatasetTest, AnotherVersionsManifestIsAnError) {
   (void)query("UPDATE run SET value = '99' WHERE key = 'format_version'");
   EXPECT_THAT(
       errors(IfExists::kOverwrite),
-      ElementsAre(HasSubstr("format version is '99', and this software reads versions 4 and 5")));
+      ElementsAre(HasSubstr("format version is '99', and this software reads versions 4 to 6")));
 }
 
 TEST_F(EarlierDatasetTest, OfTheVersionBeforeIsRemovedWhenOverwriting) {
@@ -194,6 +194,37 @@ TEST_F(EarlierDatasetTest, AManifestThatListsSomebodyElsesFilesRemovesNothing) {
   EXPECT_THAT(errors(IfExists::kOverwrite),
               Contains(AllOf(HasSubstr("lists files outside of it"), HasSubstr(precious))));
   EXPECT_TRUE(fs::exists(precious));
+}
+
+TEST_F(EarlierDatasetTest, IsNotGoneOnWithWhereItListsSomebodyElsesFiles) {
+  earlierRun();
+  fs::remove(path("a/deep/1.txt"));  // something is to be done
+  const test::TemporaryFolder home;
+  const std::string precious = home.write("precious.txt", "").string();
+  (void)query("UPDATE file SET path = '" + precious + "' WHERE path = 'b/0'");
+  EXPECT_THAT(errors(IfExists::kResume),
+              ElementsAre(AllOf(HasSubstr("lists files outside of it"), HasSubstr(precious))));
+  EXPECT_TRUE(fs::exists(precious));
+}
+
+TEST_F(EarlierDatasetTest, IsNeitherGoneOnWithNorRemovedThroughALinkToAFolder) {
+  earlierRun();
+  const test::TemporaryFolder home;
+  (void)home.write("1.txt", "precious");
+  fs::remove_all(path("a/deep"));
+  fs::create_directory_symlink(home.path(), path("a/deep"));
+  fs::remove(path("b/0"));  // something is to be done
+  for (const IfExists if_exists : {IfExists::kResume, IfExists::kOverwrite}) {
+    EXPECT_THAT(errors(if_exists), Contains(HasSubstr("lists files outside of it")));
+    EXPECT_EQ(test::readFile((home / "1.txt").string()), "precious");
+  }
+}
+
+TEST_F(EarlierDatasetTest, OfAnEarlierFormatVersionIsNotGoneOnWith) {
+  earlierRun();
+  (void)query("UPDATE run SET value = '5' WHERE key = 'format_version'");
+  EXPECT_THAT(errors(IfExists::kResume),
+              ElementsAre(HasSubstr("its manifest has another format version")));
 }
 
 TEST_F(EarlierDatasetTest, CanBeMovedAndThenOverwritten) {

@@ -17,6 +17,7 @@ namespace merger_test {
 namespace fs = std::filesystem;
 using test::AllAtOnceRun;
 using test::StoppingReporter;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -116,6 +117,30 @@ TEST_F(MergerTest, RefusesShardsOfAnotherVersionOfTheSoftware) {
       .execute("UPDATE software SET version = '0.1.0' WHERE name = 'synthetic_dataset'");
   EXPECT_THAT(errorsOfMerging(run.folder()),
               ElementsAre(HasSubstr("software synthetic_dataset: then 0.1.0, now ")));
+}
+
+TEST_F(MergerTest, RefusesAShardThatListsFilesElsewhere) {
+  (void)run.runShard(0, 1, run.folder());
+  const std::string manifest = output::manifestFile(run.folder(), output::Shard{0, 1});
+  const output::SqliteDatabase database(manifest, output::SqliteDatabase::Mode::kExisting);
+  const std::string first = "(SELECT min(path) FROM file)";
+  const std::string precious = run.input("precious.txt");
+  database.execute("UPDATE file SET path = '" + precious + "' WHERE path = " + first);
+  EXPECT_THAT(errorsOfMerging(run.folder()),
+              Contains(AllOf(HasSubstr("lists files outside of it"), HasSubstr(precious))));
+  database.execute("UPDATE file SET path = '../precious.txt' WHERE path = '" + precious + "'");
+  EXPECT_THAT(errorsOfMerging(run.folder()),
+              Contains(HasSubstr("lists the path '../precious.txt'")));
+}
+
+TEST_F(MergerTest, RefusesAShardWhoseFolderIsALink) {
+  (void)run.runShard(0, 1, run.folder());
+  const fs::path images = fs::path(run.folder()) / "link";
+  fs::create_directory_symlink(run.input(""), images);
+  const output::SqliteDatabase database(output::manifestFile(run.folder(), output::Shard{0, 1}),
+                                        output::SqliteDatabase::Mode::kExisting);
+  database.execute("UPDATE file SET path = 'link/a.png' WHERE path = (SELECT min(path) FROM file)");
+  EXPECT_THAT(errorsOfMerging(run.folder()), Contains(HasSubstr("lists files outside of it")));
 }
 
 TEST_F(MergerTest, TellsThatThereAreNoShards) {

@@ -44,6 +44,7 @@ void insertRun(const SqliteDatabase& database, const std::optional<Shard>& shard
   fact.run(std::string("format_version"), std::string(kManifestVersion));
   fact.run(std::string("scene_count"), std::to_string(run.scene_count));
   fact.run(std::string("settings_digest"), settingsDigest(run));
+  fact.run(std::string("global_frame"), run.global_frame);
   if (shard) fact.run(std::string("shard"), shardText(*shard));
   fact.run(std::string("state"), std::string("running"));
   SqliteStatement setting(database, "INSERT INTO setting VALUES (?, ?, ?)");
@@ -104,8 +105,10 @@ void fillDatabase(const std::string& file, const std::string& folder,
   database.execute("PRAGMA synchronous = OFF");
   SqliteTransaction transaction(database);
   database.execute(kManifestTables);
+  database.execute(kTruthTables);
   insertRun(database, shard, run);
   insertContents(database, folder, writers, run);
+  insertTruth(database, run);
   SqliteStatement warning(database, "INSERT INTO warning VALUES (?, ?, ?, ?, ?)");
   insertWarnings(warning, kWholeRun, run.warnings);
   transaction.commit();
@@ -197,7 +200,8 @@ Manifest::Manifest(const std::string& folder, const std::optional<Shard>& shard,
                      "INSERT INTO scene_object VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
                      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_record_(database_, "INSERT INTO record VALUES (?, ?, ?, ?)"),
-      insert_warning_(database_, "INSERT INTO warning VALUES (?, ?, ?, ?, ?)") {}
+      insert_warning_(database_, "INSERT INTO warning VALUES (?, ?, ?, ?, ?)"),
+      truth_(database_) {}
 
 std::string Manifest::listedPath(const std::string& path) const {
   return output::listedPath(folder_, path);
@@ -250,8 +254,12 @@ void Manifest::announce(const ManifestFile& file) {
 
 void Manifest::withdrawScene(std::int64_t index) {
   SqliteTransaction transaction(database_);
+  std::vector<std::string> tables = truthTablesOfScenes();
   for (const char* table : {"scene_object", "contact", "draw", "file", "record", "warning"}) {
-    SqliteStatement(database_, std::string("DELETE FROM ") + table + " WHERE scene = ?").run(index);
+    tables.emplace_back(table);
+  }
+  for (const std::string& table : tables) {
+    SqliteStatement(database_, "DELETE FROM " + table + " WHERE scene = ?").run(index);
   }
   SqliteStatement(database_, "DELETE FROM scene WHERE \"index\" = ?").run(index);
   transaction.commit();
@@ -285,9 +293,11 @@ void Manifest::insertMeasures(const SceneFacts& scene) {
   insertWarnings(insert_warning_, scene.index, scene.warnings);
 }
 
-void Manifest::listScene(const SceneFacts& scene, const std::vector<SceneFiles::Record>& records) {
+void Manifest::listScene(const SceneFacts& scene, const std::vector<PictureFacts>& pictures,
+                         const std::vector<SceneFiles::Record>& records) {
   SqliteTransaction transaction(database_);
   insertMeasures(scene);
+  truth_.insert(scene, pictures);
   std::vector<std::int64_t> sequences;  // by writer
   for (const SceneFiles::Record& record : records) {
     if (record.writer >= sequences.size()) sequences.resize(record.writer + 1, 0);

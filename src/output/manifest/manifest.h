@@ -12,6 +12,7 @@
 #include "output/manifest/run_description.h"
 #include "output/manifest/scene_facts.h"
 #include "output/manifest/sqlite.h"
+#include "output/manifest/truth_tables.h"
 #include "output/output_options.h"
 #include "output/store_types.h"
 
@@ -62,7 +63,9 @@ class Manifest {
   void withdraw(const std::string& path);
 
   /// Counts a scene as written.
-  void listScene(const SceneFacts& scene, const std::vector<SceneFiles::Record>& records);
+  /// @param pictures  what is known of the scene's own
+  void listScene(const SceneFacts& scene, const std::vector<PictureFacts>& pictures,
+                 const std::vector<SceneFiles::Record>& records);
 
   /// All written scenes are safe from a power cut now.
   void markComplete();
@@ -128,6 +131,7 @@ class Manifest {
   SqliteStatement insert_object_;
   SqliteStatement insert_record_;
   SqliteStatement insert_warning_;
+  TruthInserter truth_;
 };
 
 }  // namespace synthetic_dataset::output

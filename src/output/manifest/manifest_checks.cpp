@@ -5,6 +5,7 @@
 
 #include "output/manifest/manifest_schema.h"
 #include "output/manifest/row_checks.h"
+#include "output/manifest/truth_tables.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -49,6 +50,7 @@ void checkKinds(const SqliteDatabase& database, std::vector<std::string>& proble
                        "' are of another kind; they should be " +
                        (kind == "real"   ? "finite numbers"
                         : kind == "text" ? "texts"
+                        : kind == "blob" ? "bytes"
                                          : "integers"));
   }
 }
@@ -70,6 +72,7 @@ std::vector<std::string> findStructureProblems(const SqliteDatabase& database) {
   requireKnownVersion(version);
   const SqliteDatabase empty(":memory:", SqliteDatabase::Mode::kCreate);
   empty.execute(kManifestTables);
+  if (version == kManifestVersion) empty.execute(kTruthTables);
   const auto parts = version == kUncheckedVersion ? &columnsOf : &schemaOf;
   if (parts(database) != parts(empty)) {
     return {"its tables are not those of version " + version};
@@ -94,7 +97,8 @@ void checkRun(const SqliteDatabase& database, const std::string& manifest,
   check("settings_digest", settingsDigest(content.run));
   const auto shard = shardOfManifest(std::filesystem::path(manifest).filename().string());
   check("shard", shard ? shardText(*shard) : "");
-  for (const char* known : {"format_version", "state", "scene_count", "settings_digest", "shard"}) {
+  for (const char* known :
+       {"format_version", "state", "scene_count", "settings_digest", "shard", "global_frame"}) {
     facts.erase(known);
   }
   for (const auto& [key, value] : facts)

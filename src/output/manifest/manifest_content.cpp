@@ -8,6 +8,7 @@
 #include "output/manifest/manifest_paths.h"
 #include "output/manifest/row_checks.h"
 #include "output/manifest/sqlite.h"
+#include "output/manifest/truth_tables.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -21,12 +22,14 @@ void forEachRow(const SqliteDatabase& database, const char* sql, const Visit& vi
   while (statement.step()) visit(statement);
 }
 
-void checkVersion(const SqliteDatabase& database) {
+std::string versionOf(const SqliteDatabase& database) {
   std::string version;
   forEachRow(database, "SELECT value FROM run WHERE key = 'format_version'",
              [&](const SqliteStatement& row) { version = row.text(0); });
-  requireKnownVersion(version);
+  return version;
 }
+
+bool hasTruth(const SqliteDatabase& database) { return versionOf(database) == kManifestVersion; }
 
 void checkWholeness(const SqliteDatabase& database) {
   std::string finding;
@@ -37,10 +40,15 @@ void checkWholeness(const SqliteDatabase& database) {
     throw Error("it is damaged: " + finding);
   }
   // A table that is gone is damage, too, even where nobody asks for it now.
+  std::vector<std::string> tables = truthTablesOfScenes();
+  if (!hasTruth(database)) tables.clear();
   for (const char* table :
        {"run", "setting", "software", "input", "writer", "class", "motion", "camera", "object",
         "scene", "scene_object", "contact", "draw", "file", "record", "warning"}) {
-    const SqliteStatement asks(database, std::string("SELECT 1 FROM ") + table);
+    tables.emplace_back(table);
+  }
+  for (const std::string& table : tables) {
+    const SqliteStatement asks(database, "SELECT 1 FROM " + table);
   }
 }
 
@@ -49,6 +57,7 @@ void readRun(const SqliteDatabase& database, ManifestContent& content) {
     const std::string key = row.text(0);
     const std::string value = row.text(1);
     if (key == "state") content.complete = value == "complete";
+    if (key == "global_frame") content.run.global_frame = value;
     try {
       if (key == "scene_count") content.run.scene_count = std::stoll(value);
       if (key == "shard") {
@@ -126,6 +135,8 @@ ManifestContent readWithoutFiles(const SqliteDatabase& database, const std::stri
   ManifestContent content;
   readRun(database, content);
   readDescription(database, content.run);
+  content.has_truth = hasTruth(database);
+  if (content.has_truth) readTruth(database, content.run);
   content.writers = readWriters(database, folder);
   return content;
 }
@@ -135,7 +146,7 @@ ManifestContent readManifest(const std::string& file) {
   try {
     const SqliteDatabase database(file, SqliteDatabase::Mode::kExisting);
     database.execute("PRAGMA busy_timeout = 20000");
-    checkVersion(database);
+    requireKnownVersion(versionOf(database));
     checkWholeness(database);
     ManifestContent content = readWithoutFiles(database, folder);
     checkFacts(database, content.run);

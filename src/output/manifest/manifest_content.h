@@ -15,6 +15,7 @@ namespace synthetic_dataset::output {
 /// What an earlier run's manifest says, read at once.
 struct ManifestContent {
   bool complete = false;
+  bool has_truth = false;        ///< whether it has what labels are held against
   std::int64_t scene_count = 0;  ///< that are there
   std::optional<Shard> shard;
   RunDescription run;

@@ -1,6 +1,7 @@
 /// Taking the scenes of shards in.
 
-#include <array>
+#include <string>
+#include <vector>
 
 #include "output/manifest/manifest.h"
 #include "output/manifest/manifest_paths.h"
@@ -9,9 +10,13 @@
 namespace synthetic_dataset::output {
 namespace {
 
-// Tables that say more of scenes, by their column `scene`.
-constexpr std::array<const char*, 5> kMeasures = {"scene_object", "contact", "draw", "record",
-                                                  "warning"};
+/// Tables that say more of scenes, by their column `scene`.
+std::vector<std::string> measures() {
+  std::vector<std::string> tables = {"scene_object", "contact", "draw", "record", "warning"};
+  const std::vector<std::string>& truth = truthTablesOfScenes();
+  tables.insert(tables.end(), truth.begin(), truth.end());
+  return tables;
+}
 
 std::string copying(const std::string& table, const std::string& condition) {
   return "INSERT INTO main." + table + " SELECT * FROM shard." + table + " WHERE " + condition;
@@ -45,7 +50,7 @@ void Manifest::takeIn(const std::string& shard_folder, const Shard& shard, const
   if (shard_folder == folder_) {
     // All files are in their places: one change from nothing to all.
     SqliteTransaction transaction(database_);
-    for (const char* table : kMeasures) {
+    for (const std::string& table : measures()) {
       database_.execute(copying(table, "scene >= 0 AND scene " + missing));
     }
     database_.execute(copying("file", "scene " + missing));
@@ -91,7 +96,7 @@ void Manifest::takeInSceneOf(const std::string& shard_folder, std::int64_t index
   for (const Move& move : moves) place(move.source, move.target);
   SqliteTransaction transaction(database_);
   for (const ManifestFile& file : in_place) insertFile(index, file);
-  for (const char* table : kMeasures) {
+  for (const std::string& table : measures()) {
     SqliteStatement(database_, copying(table, "scene = ?")).run(index);
   }
   set_state_.run(std::string("written"), index);

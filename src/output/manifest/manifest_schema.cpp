@@ -100,9 +100,11 @@ const char* const kManifestTables = R"sql(
 )sql";
 
 void requireKnownVersion(const std::string& version) {
-  if (version == kManifestVersion || version == kUncheckedVersion) return;
+  for (const char* known : {kManifestVersion, kVersionWithoutTruth, kUncheckedVersion}) {
+    if (version == known) return;
+  }
   throw Error("its format version is '" + version + "', and this software reads versions " +
-              kUncheckedVersion + " and " + kManifestVersion);
+              kUncheckedVersion + " to " + kManifestVersion);
 }
 
 std::string manifestFile(const std::string& folder, const std::optional<Shard>& shard) {

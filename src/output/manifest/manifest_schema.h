@@ -8,16 +8,18 @@
 namespace synthetic_dataset::output {
 
 /// The version of the manifest's tables; docs/manifest.md describes them.
-constexpr const char* kManifestVersion = "5";
+constexpr const char* kManifestVersion = "6";
 
-/// The version before, which is read as well: the same columns, without constraints.
+/// The versions before, which are read as well: without the truth that labels are held against,
+/// and without constraints, too.
+constexpr const char* kVersionWithoutTruth = "5";
 constexpr const char* kUncheckedVersion = "4";
 
-/// @throws Error with both versions, where the software does not read this one
+/// @throws Error with the versions, where the software does not read this one
 void requireKnownVersion(const std::string& version);
 
-/// The tables of an empty manifest, as SQL. SQLite refuses rows that break their constraints; a
-/// constraint's name says what is wrong with such a row.
+/// The tables of an empty manifest, as SQL, but for those of truth_tables.h. SQLite refuses rows
+/// that break their constraints; a constraint's name says what is wrong with such a row.
 extern const char* const kManifestTables;
 
 /// Where a dataset's manifest lies, or that of a shard of it.

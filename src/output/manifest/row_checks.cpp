@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "output/manifest/manifest_schema.h"
+#include "output/manifest/truth_tables.h"
 
 namespace synthetic_dataset::output {
 namespace {
@@ -112,16 +113,20 @@ class RowChecker {
     copy_.execute("PRAGMA journal_mode = MEMORY");
     copy_.execute("PRAGMA synchronous = OFF");
     copy_.execute(kManifestTables);
-    copy_.execute("BEGIN");
-    for (const std::string& name :
-         textsOf(copy_, "SELECT name FROM sqlite_master WHERE type = 'table'")) {
-      tables_.push_back(describe(copy_, name));
+    tables_ = describeAll();
+    with_constraints_ = tables_;
+    const std::vector<std::string> truth =
+        textsOf(database, "SELECT 1 FROM sqlite_master WHERE name = 'scene_shape'");
+    if (!truth.empty()) {
+      copy_.execute(kTruthTables);  // large, and without constraints of their own
+      tables_ = describeAll();
     }
+    copy_.execute("BEGIN");
   }
 
   /// Finds the rows that cannot be copied into tables that have this version's constraints.
   void checkConstraints() {
-    for (const Table& table : tables_) {
+    for (const Table& table : with_constraints_) {
       const std::vector<std::string> values(table.columns.size(), "?");
       SqliteStatement insert(
           copy_, "INSERT INTO " + table.name + " VALUES (" + joined(values, ", ") + ")");
@@ -178,9 +183,19 @@ class RowChecker {
   [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
  private:
+  [[nodiscard]] std::vector<Table> describeAll() const {
+    std::vector<Table> tables;
+    for (const std::string& name :
+         textsOf(copy_, "SELECT name FROM sqlite_master WHERE type = 'table'")) {
+      tables.push_back(describe(copy_, name));
+    }
+    return tables;
+  }
+
   const SqliteDatabase& database_;
   SqliteDatabase copy_;
   std::vector<Table> tables_;
+  std::vector<Table> with_constraints_;
   std::vector<std::string> problems_;
 };
 

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset::output {
 
@@ -38,11 +42,19 @@ struct RunDescription {
     std::string frame;  ///< in the first motion
     int width = 0;      ///< in the first motion [px]
     int height = 0;     ///< in the first motion [px]
+
+    std::optional<CameraModel> model = {};  ///< as CameraDescription
+    bool intrinsics_vary = false;           ///< as CameraDescription
   };
   struct Object {
     std::string name;
     int class_id = 0;
     std::string id;
+
+    std::vector<std::string> keypoint_names = {};           ///< as ObjectInfo
+    std::vector<std::array<std::size_t, 2>> skeleton = {};  ///< as ObjectInfo
+    bool model_varies = false;                              ///< as ObjectInfo
+    std::optional<ObjectModel> model = {};                  ///< where a writer has asked for it
   };
 
   std::map<std::string, Setting> settings = {};      ///< by full name
@@ -52,9 +64,14 @@ struct RunDescription {
   std::vector<Motion> motions = {};  ///< in the order of their scenes
   std::vector<Camera> cameras = {};
   std::vector<Object> objects = {};
+  std::vector<SplitInfo> splits = {};
+  std::string global_frame = {};
   std::int64_t scene_count = 0;        ///< of the whole run, all shards together
   std::vector<Warning> warnings = {};  ///< of the run as a whole
 };
+
+/// What writers know of the dataset, without the models.
+void describeContents(const DatasetInfo& dataset, RunDescription& run);
 
 /// SHA-256 over what decides the dataset: the settings that were given, and the inputs.
 [[nodiscard]] std::string settingsDigest(const RunDescription& run);

@@ -1,16 +1,29 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "output/manifest/run_description.h"
 #include "synthetic_dataset/box.h"
+#include "synthetic_dataset/camera_model.h"
+#include "synthetic_dataset/cuboid.h"
+#include "synthetic_dataset/mask.h"
 #include "synthetic_dataset/pose.h"
 #include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset::output {
+
+/// One of an object's keypoints as the camera has it.
+struct KeypointFacts {
+  Eigen::Vector3d p_O = Eigen::Vector3d::Zero();  ///< [m]
+  std::optional<Eigen::Vector2d> pixel = {};
+  std::optional<KeypointState> state = {};
+};
 
 /// What was measured of an object in a scene; what nobody asked for is nothing. The members are
 /// those of SceneObject.
@@ -29,7 +42,25 @@ struct ObjectFacts {
 
   /// Intersection over union of its visible mask by background subtraction with the exact one.
   std::optional<double> mask_agreement = {};
+
+  Cuboid cuboid_O = {};
+  std::vector<Eigen::Vector3d> bounding_shape_O = {};
+  std::vector<KeypointFacts> keypoints = {};
+  std::optional<std::int64_t> silhouette_in_image = {};  ///< [px]
+  std::optional<Mask> silhouette = {};
+  std::optional<Mask> visible_mask = {};
 };
+
+/// What is known of one of a scene's pictures without its pixels.
+struct PictureFacts {
+  std::string name;         ///< as in Scene: "image", "depth"; "image.jpg" stands for its JPEG file
+  std::string digest = "";  ///< SHA-256 of its pixels, row by row; of a file's bytes
+  std::vector<float> cells = {};  ///< of depth: see kDepthCell
+};
+
+/// Depth is summed up in squares of so many pixels, row by row from the top left: the sum of the
+/// depths, the least and the greatest [m].
+constexpr int kDepthCell = 32;  // [px]
 
 /// Two things that are inside one another.
 struct ContactFacts {
@@ -59,7 +90,22 @@ struct SceneFacts {
   std::vector<ContactFacts> contacts = {};
   std::vector<DrawFacts> draws = {};
   std::vector<Warning> warnings = {};
+
+  std::optional<CameraModel> camera_model = {};
+  std::map<std::string, Pose> frames = {};        ///< X_GF of frames that writers ask for
+  std::map<std::string, cv::Mat> pictures = {};   ///< that were drawn, by their names in Scene
+  std::vector<PictureFacts> known_pictures = {};  ///< where it was read from a manifest
 };
+
+/// What the manifest has of a picture.
+[[nodiscard]] PictureFacts pictureFacts(const std::string& name, const cv::Mat& pixels);
+
+/// Unit normals as the colours of 8 bits that stand for them: red, green and blue are x, y and z
+/// from -1 (0) to 1 (255); black where there is nothing.
+[[nodiscard]] cv::Mat normalColours(const cv::Mat& normals);
+
+/// SHA-256 of a picture's pixels, row by row.
+[[nodiscard]] std::string digestOfPixels(const cv::Mat& pixels);
 
 /// What a scene knows of an object, but for `mask_agreement`.
 [[nodiscard]] ObjectFacts objectFacts(const SceneObject& object);

@@ -127,6 +127,12 @@ std::string SqliteStatement::text(int column) const {
   return bytes == nullptr ? std::string() : std::string(bytes, bytes + size);
 }
 
+std::string SqliteStatement::blob(int column) const {
+  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(handle_.get(), column));
+  const int size = sqlite3_column_bytes(handle_.get(), column);
+  return bytes == nullptr ? std::string() : std::string(bytes, bytes + size);
+}
+
 void SqliteStatement::bind(int index, std::int64_t value) {
   if (sqlite3_bind_int64(handle_.get(), index, value) != SQLITE_OK) database_.fail();
 }
@@ -138,6 +144,13 @@ void SqliteStatement::bind(int index, double value) {
 void SqliteStatement::bind(int index, const std::string& value) {
   if (sqlite3_bind_text64(handle_.get(), index, value.data(), value.size(), SQLITE_TRANSIENT,
                           SQLITE_UTF8) != SQLITE_OK) {
+    database_.fail();
+  }
+}
+
+void SqliteStatement::bind(int index, const Blob& value) {
+  if (sqlite3_bind_blob64(handle_.get(), index, value.bytes.data(), value.bytes.size(),
+                          SQLITE_TRANSIENT) != SQLITE_OK) {
     database_.fail();
   }
 }

@@ -40,6 +40,11 @@ class SqliteDatabase {
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
+/// Bytes that are no text.
+struct Blob {
+  std::string bytes;
+};
+
 /// A prepared statement. Must not outlive its database.
 class SqliteStatement {
  public:
@@ -76,12 +81,14 @@ class SqliteStatement {
   [[nodiscard]] std::int64_t integer(int column) const;
   [[nodiscard]] double real(int column) const;
   [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] std::string blob(int column) const;
   [[nodiscard]] bool isNull(int column) const;
 
  private:
   void bind(int index, std::int64_t value);
   void bind(int index, double value);
   void bind(int index, const std::string& value);
+  void bind(int index, const Blob& value);
   template <class T>
   void bind(int index, const std::optional<T>& value) {
     if (value) {

@@ -97,6 +97,7 @@ class Verification {
       verifier.verifyScene(scene);
       listener_.progress(++done, count);
     });
+    verifier.verifyDatasetValues();
   }
 
   void findStrayFiles() {

@@ -5,6 +5,8 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "output/files/digest.h"
+#include "output/files/file_name_rules.h"
 #include "output/manifest/manifest_paths.h"
 #include "output/verify/label_checks.h"
 #include "plugins/readback/files.h"
@@ -24,6 +26,20 @@ std::string text(const cv::Size& size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
+/// Whether labels show classes of the world, or parts of objects: the manifest does not hold where
+/// they are seen.
+bool hasClassesOfWorldOrParts(const RunDescription& run) {
+  const auto isSet = [&](const std::string& group) {
+    const auto next = run.settings.lower_bound(group + "/");
+    return run.settings.count(group) != 0 ||
+           (next != run.settings.end() && next->first.rfind(group + "/", 0) == 0);
+  };
+  return isSet("world_classes") || std::any_of(run.objects.begin(), run.objects.end(),
+                                               [&](const RunDescription::Object& each) {
+                                                 return isSet(each.name + "/parts");
+                                               });
+}
+
 /// As Scene::name: with the camera's folder where there are several.
 std::string sceneName(const output::SceneFacts& scene, std::size_t camera_count) {
   return (camera_count > 1 ? scene.camera + "/" : "") + sceneNumber(scene.instant);
@@ -37,7 +53,8 @@ SceneVerifier::SceneVerifier(const output::ListedDataset& dataset, VerificationD
       depth_(depth),
       listener_(listener),
       counts_(counts),
-      measured_(dataset.content().run) {
+      measured_(dataset.content().run),
+      true_(dataset.content().run) {
   const output::ManifestContent& content = dataset.content();
   std::string unread;
   for (const output::StoreWriter& writer : content.writers) {
@@ -45,6 +62,14 @@ SceneVerifier::SceneVerifier(const output::ListedDataset& dataset, VerificationD
     if (labels_.back().format == nullptr && formats::formatOf(writer.type) != nullptr) {
       unread += (unread.empty() ? "'" : ", '") + writer.name + "'";
     }
+  }
+  if (!content.has_truth && depth_ == VerificationDepth::kLabels) {
+    listener_.remark("'" + dataset.manifest() + "': its format version is an earlier one: boxes, " +
+                     "masks and poses are checked, and no other values of labels");
+  }
+  if (hasClassesOfWorldOrParts(content.run) && depth_ == VerificationDepth::kLabels) {
+    listener_.remark("'" + dataset.manifest() + "': it has world_classes or parts: boxes, masks " +
+                     "and poses are checked, and no other values of labels");
   }
   if (unread.empty() || depth_ != VerificationDepth::kLabels || content.scene_count == 0) return;
   listener_.remark("'" + dataset.manifest() + "': the labels of " + unread +
@@ -61,6 +86,14 @@ SceneVerifier::Labels SceneVerifier::labelsOf(const output::StoreWriter& writer)
   labels.format = format;
   labels.expected = format->expectation(parameters, measured_.classes());
   labels.settings = measured_.settingsOf(writer);
+  // A camera that cannot be is named among the manifest's rows.
+  const bool has_cameras =
+      std::all_of(content.run.cameras.begin(), content.run.cameras.end(),
+                  [](const RunDescription::Camera& each) { return each.model.has_value(); });
+  if (format->values != nullptr && content.has_truth && has_cameras &&
+      !hasClassesOfWorldOrParts(content.run)) {
+    labels.values = format->values(parameters, true_.dataset());
+  }
   return labels;
 }
 
@@ -72,6 +105,7 @@ void SceneVerifier::verifyDatasetFiles() {
     verifyFile(file, files);
     if (files.are_whole || depth_ != VerificationDepth::kLabels) return;
     Labels& labels = labels_.at(file.writer);
+    labels.is_right = false;
     if (labels.format == nullptr || !labels.format->needs_dataset_files) return;
     labels.format = nullptr;
     listener_.remark("'" + dataset_.manifest() + "': the labels of '" +
@@ -113,6 +147,7 @@ void SceneVerifier::verifyScene(const output::SceneFacts& scene) {
   if (depth_ != VerificationDepth::kLabels) return;
   const cv::Size size(scene.width, scene.height);
   for (std::size_t i = 0; i < writers.size(); ++i) {
+    if (!files[i].are_whole) labels_[i].is_right = false;
     if (!files[i].are_readable) continue;
     const std::string origin =
         "scene " + std::to_string(scene.index) + ", writer '" + writers[i].name + "': ";
@@ -120,6 +155,7 @@ void SceneVerifier::verifyScene(const output::SceneFacts& scene) {
       verifyPictures(writers[i], files[i], size);
       if (labels_[i].format != nullptr) verifyLabels(origin, scene, i, files[i]);
     } catch (const std::exception& error) {
+      labels_[i].is_right = false;
       listener_.problem(origin + error.what());
     }
   }
@@ -152,17 +188,69 @@ void SceneVerifier::verifyLabels(const std::string& origin, const output::SceneF
                                       kept_,
                                       labels_[writer].settings};
   const formats::ExpectedLabels expected = labels_[writer].expected(measured_.scene(scene, of));
-  if (written.files.empty()) {
-    // Formats with a folder for each object have none of a scene without labels.
-    for (const std::string& problem : labelProblems({}, expected)) {
-      listener_.problem(origin + problem);
-    }
+  formats::LabelledPicture picture;
+  // Formats with a folder for each object have none of a scene without labels.
+  if (!written.files.empty()) picture = labels_[writer].format->read(written);
+  counts_.labels += static_cast<std::int64_t>(picture.labels.size());
+  const std::vector<std::string> problems = labelProblems(picture, expected);
+  for (const std::string& problem : problems) {
+    labels_[writer].is_right = false;
+    listener_.problem(origin + problem);
+  }
+  // The rest of what is wrong with a wrong label would be found once more in other words.
+  if (problems.empty() && files.are_whole) verifyValues(origin, scene, writer, files);
+}
+
+formats::FoundFiles SceneVerifier::foundFiles(std::size_t writer,
+                                              const std::vector<std::string>& paths) const {
+  const std::string& folder = dataset_.content().writers[writer].output_folder;
+  std::vector<std::string> names;
+  for (const std::string& path : paths) {
+    names.push_back(liesWithin(path, folder) ? path.substr(folder.size()) : path);
+  }
+  return {folder, names, digestOfPixels, [](const std::string& bytes) { return digestOf(bytes); },
+          kept_};
+}
+
+void SceneVerifier::verifyValues(const std::string& origin, const output::SceneFacts& scene,
+                                 std::size_t writer, const WrittenFiles& files) {
+  Labels& labels = labels_[writer];
+  if (labels.values == nullptr) return;
+  if (!scene.camera_model) {
+    labels.is_right = false;
+    listener_.problem(origin + "the manifest does not say with which camera it was made");
     return;
   }
-  const formats::LabelledPicture picture = labels_[writer].format->read(written);
-  counts_.labels += static_cast<std::int64_t>(picture.labels.size());
-  for (const std::string& problem : labelProblems(picture, expected)) {
+  formats::FoundFiles found = foundFiles(writer, files.paths);
+  labels.values->checkScene(true_.scene(scene, dataset_.content().writers[writer]), found);
+  for (const std::string& problem : found.problems()) {
+    labels.is_right = false;
     listener_.problem(origin + problem);
+  }
+}
+
+void SceneVerifier::verifyDatasetValues() {
+  const output::ManifestContent& content = dataset_.content();
+  if (depth_ != VerificationDepth::kLabels || !content.complete || content.shard) return;
+  std::vector<std::vector<std::string>> paths(content.writers.size());
+  dataset_.forEachFileOf(std::nullopt, [&](const output::ListedFile& file) {
+    if (file.writer < paths.size() && pathProblem(file, dataset_).empty()) {
+      paths[file.writer].push_back(absoluteFrom(dataset_.folder(), file.path));
+    }
+  });
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    // What is wrong with a scene is wrong with the whole, too, and is reported already.
+    if (labels_[i].format == nullptr || labels_[i].values == nullptr || !labels_[i].is_right) {
+      continue;
+    }
+    const std::string origin = "writer '" + content.writers[i].name + "': ";
+    try {
+      formats::FoundFiles found = foundFiles(i, paths[i]);
+      labels_[i].values->checkDataset(found);
+      for (const std::string& problem : found.problems()) listener_.problem(origin + problem);
+    } catch (const std::exception& error) {
+      listener_.problem(origin + error.what());
+    }
   }
 }
 

@@ -12,6 +12,7 @@
 #include "output/listed_dataset.h"
 #include "output/verify/dataset_verifier.h"
 #include "output/verify/measured_scenes.h"
+#include "output/verify/true_scenes.h"
 #include "plugins/readback/format.h"
 
 namespace synthetic_dataset::output {
@@ -28,6 +29,9 @@ class SceneVerifier {
 
   void verifyScene(const output::SceneFacts& scene);
 
+  /// What the files of the dataset as a whole hold, after all scenes.
+  void verifyDatasetValues();
+
  private:
   /// What one writer made of a scene, or of the dataset as a whole.
   struct WrittenFiles {
@@ -41,7 +45,9 @@ class SceneVerifier {
   struct Labels {
     const formats::Format* format = nullptr;  ///< null: nothing that can be checked
     formats::Expectation expected;
-    Value::Map settings;  ///< the writer's
+    Value::Map settings;                          ///< the writer's
+    std::unique_ptr<formats::ValueCheck> values;  ///< null: nobody knows what they should be
+    bool is_right = true;                         ///< nothing wrong has been found yet
   };
 
   [[nodiscard]] Labels labelsOf(const output::StoreWriter& writer) const;
@@ -50,12 +56,17 @@ class SceneVerifier {
                       const cv::Size& size);
   void verifyLabels(const std::string& origin, const output::SceneFacts& scene, std::size_t writer,
                     const WrittenFiles& files);
+  void verifyValues(const std::string& origin, const output::SceneFacts& scene, std::size_t writer,
+                    const WrittenFiles& files);
+  [[nodiscard]] formats::FoundFiles foundFiles(std::size_t writer,
+                                               const std::vector<std::string>& paths) const;
 
   const output::ListedDataset& dataset_;
   VerificationDepth depth_;
   VerificationListener& listener_;
   VerificationCounts& counts_;
   const MeasuredScenes measured_;
+  const TrueScenes true_;
   std::vector<Labels> labels_;  ///< of each writer
   std::shared_ptr<formats::KeptFiles> kept_ = std::make_shared<formats::KeptFiles>();
 };

@@ -94,18 +94,4 @@ std::map<std::string, output::RunDescription::Input> describeInputs(
   return inputs;
 }
 
-void describeContents(const DatasetInfo& dataset, output::RunDescription& run) {
-  for (const ClassInfo& each : dataset.classes) run.classes.push_back({each.id, each.name});
-  for (const MotionInfo& each : dataset.motions) {
-    run.motions.push_back({each.name, each.first_instant, each.instant_count});
-  }
-  for (const CameraDescription& each : dataset.cameras) {
-    run.cameras.push_back({each.name, each.frame, each.model.width(), each.model.height()});
-  }
-  for (const ObjectInfo& each : dataset.objects) {
-    run.objects.push_back({each.name, each.class_id, each.id});
-  }
-  run.scene_count = dataset.scene_count;
-}
-
 }  // namespace synthetic_dataset::run

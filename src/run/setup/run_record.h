@@ -32,7 +32,4 @@ namespace synthetic_dataset::run {
 [[nodiscard]] std::map<std::string, output::RunDescription::Input> describeInputs(
     const std::set<std::string>& files);
 
-/// Classes, motions, cameras, objects, and how many scenes there are.
-void describeContents(const DatasetInfo& dataset, output::RunDescription& run);
-
 }  // namespace synthetic_dataset::run

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -196,8 +197,15 @@ class Builder {
   void loadWriters() {
     if (config().writers.empty() || !setup_.splits) return;
     on_stage_("preparing the writers");
+    DatasetInfo info = dataset();
+    // The manifest holds the models that a writer asks for.
+    info.setModels([of_worlds = info, models = models_](std::size_t object) {
+      const auto known = models->find(object);
+      if (known != models->end()) return known->second;
+      return models->emplace(object, of_worlds.model(object)).first->second;
+    });
     auto made = found().attempt([&] {
-      return std::make_unique<output::WriterHost>(config().writers, dataset(), plugin_xml_files_);
+      return std::make_unique<output::WriterHost>(config().writers, info, plugin_xml_files_);
     });
     if (made) setup_.writers = std::move(*made);
   }
@@ -324,7 +332,8 @@ class Builder {
     on_stage_("taking the checksums of " + std::to_string(inputs.size()) + " input files");
     findOdd();
     run.inputs = describeInputs(inputs);
-    describeContents(dataset(), run);
+    output::describeContents(dataset(), run);
+    for (const auto& [object, model] : *models_) run.objects.at(object).model = model;
     std::int64_t in_gaps = 0;
     std::int64_t in_split_gaps = 0;
     std::int64_t unknown = 0;
@@ -369,6 +378,11 @@ class Builder {
   std::vector<std::string> writer_errors_;                ///< of the writers' settings
   std::vector<std::vector<std::int64_t>> blocks_;         ///< of the motions; empty: by the shares
   WorldCache worlds_;
+
+  /// By object, those that writers have asked for.
+  std::shared_ptr<std::map<std::size_t, ObjectModel>> models_ =
+      std::make_shared<std::map<std::size_t, ObjectModel>>();
+
   RunSetup setup_;
 };
 

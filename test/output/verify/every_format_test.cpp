@@ -70,6 +70,24 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithAHugeLooseBox) {
   EXPECT_THAT(problems(), IsEmpty());
 }
 
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithOddNames) {
+  const std::string long_name(5000, 'n');
+  dataset_.classes = {{0, ".."}, {1, long_name}};
+  Scene scene = sceneOfBoth(0);
+  const std::vector<std::string> names = {"..", ".x.tmp"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    ObjectInfo& info = dataset_.objects[i];
+    info.name = scene.objects[i].name = names[i];
+    info.id = scene.objects[i].id = i == 0 ? long_name : ". 1.5 ..";
+    info.class_name = scene.objects[i].class_name = dataset_.classes[i].name;
+    scene.objects[i].class_text = info.class_name;
+  }
+  Value::Map parameters = GetParam().parameters;
+  parameters.erase("class_names");  // of classes that are not there
+  write({scene}, parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
 TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoCamerasAndSplits) {
   const std::vector<Scene> scenes =
       ofTwoCamerasAndSplits([this](std::int64_t index) { return sceneOfBoth(index); });

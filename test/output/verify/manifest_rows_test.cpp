@@ -34,17 +34,17 @@ TEST_P(VerifyManifest, TellsOf) {
 }
 
 const Change kStructure[] = {
-    {"Version", "UPDATE run SET value = '6' WHERE key = 'format_version'",
-     "it cannot be read: its format version is '6', and this software reads versions 4 and 5"},
+    {"Version", "UPDATE run SET value = '7' WHERE key = 'format_version'",
+     "it cannot be read: its format version is '7', and this software reads versions 4 to 6"},
     {"AnEarlierVersion",
      "UPDATE run SET value = '3' WHERE key = 'format_version'; DROP TABLE motion",
-     "it cannot be read: its format version is '3', and this software reads versions 4 and 5"},
+     "it cannot be read: its format version is '3', and this software reads versions 4 to 6"},
     {"NoVersion", "DELETE FROM run", "it cannot be read: its format version is ''"},
-    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 5"},
-    {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 5"},
-    {"LackingMotions", "DROP TABLE motion", "its tables are not those of version 5"},
+    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 6"},
+    {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 6"},
+    {"LackingMotions", "DROP TABLE motion", "its tables are not those of version 6"},
     {"MoreTables", "CREATE VIEW more AS SELECT * FROM file",
-     "its tables are not those of version 5"},
+     "its tables are not those of version 6"},
     {"TextForNumber", "UPDATE scene SET stamp_ns = 'soon'",
      "scene: 4 values of 'stamp_ns' are of another kind; they should be integers"},
     {"Infinity", "UPDATE scene_object SET x = 9e999 WHERE scene = 0",
@@ -54,7 +54,7 @@ const Change kStructure[] = {
     {"Null",
      "PRAGMA writable_schema = ON; UPDATE sqlite_master SET sql = replace(sql, 'bytes INTEGER NOT "
      "NULL', 'bytes INTEGER') WHERE name = 'file'",
-     "its tables are not those of version 5"},
+     "its tables are not those of version 6"},
 };
 
 const Change kRun[] = {

@@ -35,6 +35,10 @@ TEST_F(VerifyShard, TellsOfAMissingScene) {
       "DELETE FROM draw WHERE scene = 4; DELETE FROM file WHERE scene = 4; "
       "DELETE FROM record WHERE scene = 4",
       manifest_);
+  for (const char* table :
+       {"scene_camera", "scene_frame", "scene_picture", "scene_shape", "scene_keypoint"}) {
+    change("DELETE FROM " + std::string(table) + " WHERE scene = 4", manifest_);
+  }
   std::filesystem::remove(path("images/00000004.png"));
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("scene: missing: 4 (of shard 0/2 of 8)")));
 }

@@ -53,6 +53,7 @@ Scene VerificationTest::sceneOfBoth(std::int64_t index) const {
         makePose({0.1 * static_cast<double>(index), 0.2, 10.0},
                  Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Eigen::Vector3d(1.0, 2.0, 2.0) / 3.0)));
     object.keypoints_O = {Eigen::Vector3d::Zero()};
+    object.bounding_shape_O = {{-0.5, -0.4, -0.3}, {0.5, 0.4, 0.3}};
     Keypoint keypoint;
     keypoint.pixel = Eigen::Vector2d(320.0, 240.0);
     keypoint.depth = 10.0;
@@ -68,13 +69,8 @@ output::RunDescription VerificationTest::description(const Value::Map& parameter
   for (const auto& [name, text] : config::flatSettings(Value(Value::Map{{"w", parameters}}))) {
     run.settings[name] = {text, false};
   }
-  for (const ClassInfo& each : dataset_.classes) run.classes.push_back({each.id, each.name});
-  for (const CameraDescription& each : dataset_.cameras) {
-    run.cameras.push_back({each.name, each.frame, each.model.width(), each.model.height()});
-  }
-  for (const ObjectInfo& each : dataset_.objects) {
-    run.objects.push_back({each.name, each.class_id, each.id});
-  }
+  output::describeContents(dataset_, run);
+  for (std::size_t i = 0; i < run.objects.size(); ++i) run.objects[i].model = dataset_.model(i);
   run.scene_count = static_cast<std::int64_t>(scenes);
   run.motions = {{"walk", 0, run.scene_count / static_cast<std::int64_t>(run.cameras.size())}};
   return run;
@@ -91,6 +87,9 @@ output::SceneFacts VerificationTest::factsOf(const Scene& scene) const {
     of_object.visibility = object.visibility();
     of_object.truncation = object.truncation();
     facts.objects.push_back(of_object);
+  }
+  for (const std::string& frame : host_->requirements().frames) {
+    facts.frames.emplace(frame, scene.transform(dataset_.global_frame, frame));
   }
   return facts;
 }

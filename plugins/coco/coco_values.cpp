@@ -1,0 +1,366 @@
+#include "plugins/coco/coco_values.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <opencv2/core.hpp>
+
+#include "plugins/coco/coco_index.h"
+#include "plugins/coco/coco_options.h"
+#include "plugins/coco/coco_rle.h"
+#include "plugins/readback/json_file.h"
+#include "plugins/readback/json_text.h"
+#include "plugins/readback/mask_shapes.h"
+#include "plugins/shared/colour_map.h"
+
+namespace synthetic_dataset::formats::coco {
+namespace {
+
+using nlohmann::json;
+
+int categoryOf(int class_id) { return class_id + 1; }
+
+json boxJson(const Box& box) {
+  return {box.left + 0.5, box.top + 0.5, box.right - box.left, box.bottom - box.top};
+}
+
+/// The keypoints of classes: a name that an object has for the second time is another keypoint than
+/// the first of this name.
+class KeypointColumns {
+ public:
+  KeypointColumns(const DatasetInfo& dataset, const CocoOptions& options) {
+    const std::vector<std::string>& asked_for = options.keypoint_classes;
+    for (const ObjectInfo& object : dataset.objects) {
+      of_objects_.emplace_back();
+      const bool is_asked_for =
+          asked_for.empty() ||
+          std::find(asked_for.begin(), asked_for.end(), object.class_name) != asked_for.end();
+      if (!options.keypoints || !is_asked_for) continue;
+      Columns& of_class = classes_[object.class_id];
+      std::map<std::string, int> counts;
+      std::vector<std::size_t> columns;
+      for (const std::string& name : object.keypoint_names) {
+        const auto [known, is_new] =
+            of_class.places.try_emplace({name, counts[name]++}, of_class.names.size());
+        if (is_new) of_class.names.push_back(name);
+        columns.push_back(known->second);
+      }
+      for (const auto& [from, to] : object.skeleton) {
+        const std::pair<std::size_t, std::size_t> line(columns.at(from) + 1, columns.at(to) + 1);
+        if (of_class.known_lines.insert(line).second) {
+          of_class.lines.push_back({line.first, line.second});
+        }
+      }
+      of_objects_.back() = std::move(columns);
+    }
+    if (options.keypoints && options.pad_keypoints) pad(dataset);
+  }
+
+  [[nodiscard]] bool any() const {
+    return std::any_of(classes_.begin(), classes_.end(),
+                       [](const auto& each) { return !each.second.names.empty(); });
+  }
+
+  /// The members of a category.
+  void addTo(json& category, int class_id) const {
+    const auto found = classes_.find(class_id);
+    if (found == classes_.end() || found->second.names.empty()) return;
+    category["keypoints"] = json::array();
+    for (const std::string& name : found->second.names) {
+      category["keypoints"].push_back(asJsonHasIt(name));
+    }
+    category["skeleton"] = found->second.lines;
+  }
+
+  /// The members of an annotation.
+  void addTo(json& annotation, const SceneObject& object) const {
+    const std::vector<std::size_t>& columns =
+        of_objects_.at(static_cast<std::size_t>(object.instance - 1));
+    const auto of_class = classes_.find(object.class_id);
+    const std::size_t count = of_class == classes_.end() ? 0 : of_class->second.names.size();
+    json numbers = json::array();
+    for (std::size_t i = 0; i < count; ++i) numbers.insert(numbers.end(), {0.0, 0.0, 0});
+    int in_image = 0;
+    for (std::size_t i = 0; i < std::min(columns.size(), object.keypoints.size()); ++i) {
+      const Keypoint& keypoint = object.keypoints[i];
+      if (!keypoint.pixel || keypoint.state() == KeypointState::kOutside) continue;
+      ++in_image;
+      const std::size_t at = 3 * columns[i];
+      numbers[at] = keypoint.pixel->x();
+      numbers[at + 1] = keypoint.pixel->y();
+      numbers[at + 2] = keypoint.state() == KeypointState::kVisible ? 2 : 1;
+    }
+    annotation["keypoints"] = std::move(numbers);
+    annotation["num_keypoints"] = in_image;
+  }
+
+ private:
+  /// With names for what no object of a class has.
+  void pad(const DatasetInfo& dataset) {
+    std::size_t most = 0;
+    for (const auto& [id, columns] : classes_) most = std::max(most, columns.names.size());
+    for (const ClassInfo& each : dataset.classes) {
+      std::vector<std::string>& names = classes_[each.id].names;
+      for (std::size_t i = names.size(); i < most; ++i) {
+        names.push_back("unused_" + std::to_string(i));
+      }
+    }
+  }
+
+  struct Columns {
+    std::map<std::pair<std::string, int>, std::size_t> places;
+    std::vector<std::string> names;
+    std::set<std::pair<std::size_t, std::size_t>> known_lines;
+    json lines = json::array();
+  };
+  std::map<int, Columns> classes_;
+  std::vector<std::vector<std::size_t>> of_objects_;
+};
+
+class CocoValues : public ValueCheck {
+ public:
+  CocoValues(CocoOptions options, const DatasetInfo& dataset)
+      : options_(std::move(options)), dataset_(dataset), keypoints_(dataset, options_) {}
+
+  void checkScene(const TrueScene& truth, FoundFiles& files) override {
+    const Scene& scene = truth.scene;
+    const std::string split = scene.splitFolder();
+    const std::string file_name = scene.name + "." + options_.image_format;
+    files.compareWithScene("images/" + (dataset_.splits.empty() ? "" : split + "/") + file_name,
+                           truth);
+    json annotations = json::array();
+    json segments = json::array();
+    std::vector<const Mask*> masks;
+    for (const SceneObject& object : scene.objects) {
+      const auto box = boxOf(object, options_.box, scene.camera);
+      if (!object.labelled() || !object.visible_box() || !box) continue;
+      annotations.push_back(annotationOf(scene, object, *box));
+      masks.push_back(&object.visible_mask());
+      segments.push_back({{"id", object.instance},
+                          {"category_id", categoryOf(object.class_id)},
+                          {"area", object.visible_mask().count()},
+                          {"bbox", boxJson(*object.visible_box())},
+                          {"iscrowd", 0}});
+    }
+    const auto index = indexOf(instancesOf(split), files);
+    compareImage(*index, scene, file_name, files);
+    compareAnnotations(*index, scene, annotations, masks, files);
+    counts_[instancesOf(split)].images += 1;
+    counts_[instancesOf(split)].annotations += annotations.size();
+    if (options_.panoptic) comparePanoptic(scene, segments, files);
+  }
+
+  void checkDataset(FoundFiles& files) override {
+    for (const std::string& split : dataset_.splitFolders()) {
+      compareRest(instancesOf(split), instanceCategories(), files);
+      if (options_.panoptic) compareRest("panoptic_" + split, panopticCategories(), files);
+    }
+  }
+
+ private:
+  struct Counts {
+    std::size_t images = 0;
+    std::size_t annotations = 0;
+  };
+
+  static std::string pathOf(const std::string& name) { return "annotations/" + name + ".json"; }
+
+  static std::shared_ptr<const CocoIndex> indexOf(const std::string& name,
+                                                  const FoundFiles& files) {
+    return files.kept().get<CocoIndex>(files.folder() / pathOf(name));
+  }
+
+  /// All members but `segmentation`.
+  [[nodiscard]] json annotationOf(const Scene& scene, const SceneObject& object,
+                                  const Box& box) const {
+    const auto count = static_cast<std::int64_t>(dataset_.objects.size());
+    json annotation = {{"id", scene.index * count + object.instance}, {"image_id", scene.index + 1},
+                       {"category_id", categoryOf(object.class_id)},  {"bbox", boxJson(box)},
+                       {"area", object.visible_mask().count()},       {"iscrowd", 0}};
+    if (keypoints_.any()) keypoints_.addTo(annotation, object);
+    json more = {{"object", asJsonHasIt(object.name)},
+                 {"id", asJsonHasIt(object.id)},
+                 {"visibility", object.visibility()},
+                 {"truncation", object.truncation()}};
+    if (object.silhouette_box()) more["amodal_bbox"] = boxJson(*object.silhouette_box());
+    annotation["synthetic_dataset"] = std::move(more);
+    return annotation;
+  }
+
+  static void compareImage(const CocoIndex& index, const Scene& scene, const std::string& file_name,
+                           FoundFiles& files) {
+    const json right = {{"id", scene.index + 1},
+                        {"file_name", asJsonHasIt(file_name)},
+                        {"width", scene.camera.width()},
+                        {"height", scene.camera.height()},
+                        {"synthetic_dataset",
+                         {{"camera", asJsonHasIt(scene.camera_name)},
+                          {"instant", scene.instant},
+                          {"stamp_ns", scene.stamp.count()}}}};
+    const std::string where = "the image '" + file_name + "'";
+    const auto found = index.image(asJsonHasIt(file_name));
+    if (found) {
+      compareJson(*found, right, where, files.differences());
+    } else {
+      files.differences().add(where + " is not listed");
+    }
+  }
+
+  void compareAnnotations(const CocoIndex& index, const Scene& scene, const json& annotations,
+                          const std::vector<const Mask*>& masks, FoundFiles& files) const {
+    std::vector<json> found = index.annotationsOf(scene.index + 1);
+    for (std::size_t i = 0; i < annotations.size(); ++i) {
+      const json& right = annotations[i];
+      const std::string where =
+          "the annotation of '" + right["synthetic_dataset"]["object"].get<std::string>() + "'";
+      const auto same = std::find_if(found.begin(), found.end(), [&](const json& each) {
+        return each.is_object() && each.value("id", json()) == right["id"];
+      });
+      if (same == found.end()) {
+        files.differences().add(where + " has another id than " + right["id"].dump());
+        continue;
+      }
+      compareSegmentation(*same, *masks[i], where, files.differences());
+      same->erase("segmentation");
+      compareJson(*same, right, where, files.differences());
+      found.erase(same);
+    }
+    for (const json& each : found) {
+      files.differences().add("found an annotation of no object: " + each.dump().substr(0, 100));
+    }
+  }
+
+  void compareSegmentation(const json& annotation, const Mask& mask, const std::string& where,
+                           Differences& differences) const {
+    const json& found = annotation.at("segmentation");
+    cv::Mat pixels;
+    if (options_.as_polygons) {
+      pixels = maskOfEdges(found, mask.imageSize());
+    } else {
+      const json rest = {{"size", {mask.imageSize().height, mask.imageSize().width}},
+                         {"counts", found.at("counts")}};
+      compareJson(found, rest, where + "/segmentation", differences);
+      pixels = maskOfCocoCounts(found.at("counts").get<std::string>(), mask.imageSize());
+    }
+    if (cv::countNonZero(pixels != mask.whole()) > 0) {
+      differences.add(where + ": its segmentation is not its visible mask");
+    }
+  }
+
+  void comparePanoptic(const Scene& scene, json segments, FoundFiles& files) {
+    const std::string split = scene.splitFolder();
+    const std::string file_name = scene.name + ".png";
+    cv::Mat ids(scene.camera.height(), scene.camera.width(), CV_8UC3, cv::Scalar::all(0));
+    if (!options_.background.empty()) addWorld(scene, segments, ids);
+    for (const SceneObject& object : scene.objects) {
+      const bool is_segment = std::any_of(segments.begin(), segments.end(), [&](const json& each) {
+        return each["id"] == object.instance;
+      });
+      if (!is_segment) continue;
+      ids.setTo(colourOf(object.instance), object.visible_mask().whole());
+    }
+    files.comparePicture("annotations/panoptic_" + split + "/" + file_name, ids);
+    const auto index = indexOf("panoptic_" + split, files);
+    const std::vector<json> found = index->annotationsOf(scene.index + 1);
+    const json right = {{"image_id", scene.index + 1},
+                        {"file_name", asJsonHasIt(file_name)},
+                        {"segments_info", segments}};
+    const std::string where = "the panoptic annotation of '" + file_name + "'";
+    if (found.size() != 1) {
+      files.differences().add(where, std::to_string(found.size()) + " of them", "one");
+    } else {
+      compareJson(found.front(), right, where, files.differences());
+    }
+    compareImage(*index, scene, scene.name + "." + options_.image_format, files);
+    counts_["panoptic_" + split].images += 1;
+    counts_["panoptic_" + split].annotations += 1;
+  }
+
+  /// An id is red + 256 green + 256^2 blue.
+  static cv::Scalar colourOf(int id) { return cv::Scalar(id / 65536, id / 256 % 256, id % 256); }
+
+  /// The segment of what is no object.
+  void addWorld(const Scene& scene, json& segments, cv::Mat& ids) const {
+    cv::Mat world(ids.size(), CV_8UC1, cv::Scalar(255));
+    for (const SceneObject& object : scene.objects) {
+      world.setTo(0, object.visible_mask().whole());
+    }
+    const Mask mask(world);
+    if (mask.empty()) return;
+    const int id = static_cast<int>(scene.objects.size()) + 1;
+    ids.setTo(colourOf(id), world);
+    const cv::Rect bounds = mask.bounds();
+    segments.push_back({{"id", id},
+                        {"category_id", backgroundCategory()},
+                        {"area", mask.count()},
+                        {"bbox", {bounds.x, bounds.y, bounds.width, bounds.height}},
+                        {"iscrowd", 0}});
+  }
+
+  [[nodiscard]] int backgroundCategory() const {
+    return categoryOf(dataset_.classes.back().id + 1);
+  }
+
+  [[nodiscard]] std::string instancesOf(const std::string& split) const {
+    return options_.annotation_file + "_" + split;
+  }
+
+  void compareRest(const std::string& name, const json& categories, FoundFiles& files) {
+    if (!files.take(pathOf(name))) return;
+    const auto index = indexOf(name, files);
+    json found = index->rest();
+    found["categories"] = index->categories();
+    found["images"] = index->imageCount();
+    found["annotations"] = index->annotationCount();
+    const json right = {
+        {"info", {{"description", "Made by synthetic_dataset"}, {"version", "1.0"}}},
+        {"licenses", json::array()},
+        {"categories", categories},
+        {"images", counts_[name].images},
+        {"annotations", counts_[name].annotations}};
+    compareJson(found, right, pathOf(name), files.differences());
+  }
+
+  [[nodiscard]] json instanceCategories() const {
+    json categories = json::array();
+    for (const ClassInfo& each : dataset_.classes) {
+      json category = {{"id", categoryOf(each.id)},
+                       {"name", asJsonHasIt(each.name)},
+                       {"supercategory", "object"}};
+      keypoints_.addTo(category, each.id);
+      categories.push_back(std::move(category));
+    }
+    return categories;
+  }
+
+  [[nodiscard]] json panopticCategories() const {
+    const std::vector<cv::Vec3b> colours = vocColourMap();
+    json categories = json::array();
+    const auto add = [&](int id, const std::string& name, const std::string& kind) {
+      const cv::Vec3b& colour = colours[1 + categories.size() % (colours.size() - 1)];
+      categories.push_back({{"id", id},
+                            {"name", asJsonHasIt(name)},
+                            {"supercategory", kind},
+                            {"isthing", kind == "object" ? 1 : 0},
+                            {"color", {colour[2], colour[1], colour[0]}}});
+    };
+    for (const ClassInfo& each : dataset_.classes) add(categoryOf(each.id), each.name, "object");
+    if (!options_.background.empty()) add(backgroundCategory(), options_.background, "world");
+    return categories;
+  }
+
+  CocoOptions options_;
+  DatasetInfo dataset_;
+  KeypointColumns keypoints_;
+  std::map<std::string, Counts> counts_;  ///< by annotation file
+};
+
+}  // namespace
+
+std::unique_ptr<ValueCheck> valueCheck(Parameters& parameters, const DatasetInfo& dataset) {
+  return std::make_unique<CocoValues>(readCocoOptions(parameters), dataset);
+}
+
+}  // namespace synthetic_dataset::formats::coco

@@ -1,0 +1,158 @@
+#include "output/verify/true_scenes.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <opencv2/core.hpp>
+
+#include "base/yaml_value.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+std::string classTextOf(const RunDescription& run, const ObjectInfo& object) {
+  const auto setting = run.settings.find(object.name + "/class");
+  if (setting == run.settings.end()) return object.class_name;
+  return base::parseYaml(setting->second.value, "setting '" + object.name + "/class'").text();
+}
+
+/// What the facts say of an object; what they do not say stays unknown.
+void addMeasures(const ObjectFacts& facts, SceneObject& object) {
+  object.X_GO = facts.X_GO;
+  object.in_view = facts.in_view;
+  object.dropped = facts.dropped;
+  object.loose_box = facts.loose_box;
+  object.cuboid_O = facts.cuboid_O;
+  object.bounding_shape_O = facts.bounding_shape_O;
+  for (const KeypointFacts& each : facts.keypoints) {
+    object.keypoints_O.push_back(each.p_O);
+    Keypoint keypoint;
+    keypoint.pixel = each.pixel;
+    keypoint.depth = (object.X_CO * each.p_O).z();
+    if (each.state) keypoint.state = *each.state;
+    object.keypoints.push_back(std::move(keypoint));
+  }
+  if (facts.silhouette_pixels) {
+    object.pixels.silhouette = *facts.silhouette_pixels;
+    object.silhouette_box = facts.silhouette_box;
+  }
+  if (facts.silhouette_in_image) object.pixels.silhouette_in_image = *facts.silhouette_in_image;
+  if (facts.visible_pixels) object.pixels.visible = *facts.visible_pixels;
+  if (facts.visibility) object.visibility = *facts.visibility;
+  if (facts.truncation) object.truncation = *facts.truncation;
+  if (facts.silhouette) object.silhouette = *facts.silhouette;
+  if (facts.visible_mask) {
+    object.visible_mask = *facts.visible_mask;
+    object.visible_box = facts.visible_box;
+  }
+}
+
+/// Masks that are parts of one map, put together again.
+cv::Mat instanceMapOf(const Scene& scene) {
+  cv::Mat map(scene.camera.height(), scene.camera.width(), CV_16UC1, cv::Scalar(0));
+  for (const SceneObject& object : scene.objects) {
+    const Mask& mask = object.visible_mask();
+    if (!mask.empty()) map(mask.bounds()).setTo(object.instance, mask.pixels());
+  }
+  return map;
+}
+
+}  // namespace
+
+TrueScenes::TrueScenes(const RunDescription& run) {
+  std::map<int, std::string> class_names;
+  for (const auto& each : run.classes) {
+    dataset_.classes.push_back({each.id, each.name});
+    class_names[each.id] = each.name;
+  }
+  auto models = std::make_shared<std::vector<std::optional<ObjectModel>>>();
+  for (const auto& each : run.objects) {
+    ObjectInfo object;
+    object.name = each.name;
+    object.class_id = each.class_id;
+    object.class_name = class_names[each.class_id];
+    object.id = each.id;
+    object.keypoint_names = each.keypoint_names;
+    object.keypoint_count = each.keypoint_names.size();
+    object.skeleton = each.skeleton;
+    object.model_varies = each.model_varies;
+    class_texts_.push_back(classTextOf(run, object));
+    dataset_.objects.push_back(std::move(object));
+    models->push_back(each.model);
+  }
+  for (const auto& each : run.cameras) {
+    if (each.model) {
+      dataset_.cameras.push_back({each.name, each.frame, *each.model, each.intrinsics_vary});
+    }
+  }
+  for (const auto& each : run.motions) {
+    dataset_.motions.push_back({each.name, each.first_instant, each.instant_count});
+  }
+  dataset_.splits = run.splits;
+  dataset_.scene_count = run.scene_count;
+  dataset_.global_frame = run.global_frame;
+  dataset_.setModels([models](std::size_t object) {
+    if (models->at(object)) return *models->at(object);
+    throw Error("the manifest has no model of object " + std::to_string(object));
+  });
+}
+
+formats::TrueScene TrueScenes::scene(const SceneFacts& facts, const StoreWriter& writer) const {
+  formats::TrueScene truth(facts.camera_model.value());
+  Scene& scene = truth.scene;
+  scene.index = facts.index;
+  scene.instant = facts.instant;
+  const auto camera =
+      std::find_if(dataset_.cameras.begin(), dataset_.cameras.end(),
+                   [&](const CameraDescription& each) { return each.name == facts.camera; });
+  scene.camera_index = static_cast<std::size_t>(camera - dataset_.cameras.begin());
+  scene.name = (dataset_.cameras.size() > 1 ? facts.camera + "/" : "") + sceneNumber(facts.instant);
+  scene.camera_name = facts.camera;
+  scene.split = facts.split;
+  scene.stamp = facts.stamp;
+  scene.X_GC = facts.X_GC;
+  bool has_masks = true;
+  for (std::size_t i = 0; i < std::min(facts.objects.size(), dataset_.objects.size()); ++i) {
+    const ObjectInfo& info = dataset_.objects[i];
+    SceneObject object;
+    object.name = info.name;
+    object.class_name = info.class_name;
+    object.class_text = class_texts_[i];
+    object.id = info.id;
+    object.class_id = info.class_id;
+    object.instance = static_cast<int>(i) + 1;
+    object.X_CO = facts.X_GC.inverse() * facts.objects[i].X_GO;
+    addMeasures(facts.objects[i], object);
+    has_masks = has_masks && object.visible_mask.isKnown();
+    scene.objects.push_back(std::move(object));
+  }
+  if (has_masks) scene.instance_map = instanceMapOf(scene);
+  scene.setTransforms([frames = facts.frames, global = dataset_.global_frame](
+                          const std::string& target, const std::string& source) -> Pose {
+    const auto inGlobal = [&](const std::string& frame) -> Pose {
+      if (frame == global) return Pose::Identity();
+      const auto found = frames.find(frame);
+      if (found == frames.end()) throw Error("the manifest does not say where '" + frame + "' is");
+      return found->second;
+    };
+    return inGlobal(target).inverse() * inGlobal(source);
+  });
+  for (const PictureFacts& each : facts.known_pictures) {
+    truth.digests[each.name] = each.digest;
+    if (each.name == "depth") truth.depth_cells = each.cells;
+  }
+  const std::string of_writer = "writer '" + writer.name + "': ";
+  for (const Warning& each : facts.warnings) {
+    if (each.kind.rfind(of_writer, 0) == 0) {
+      truth.warned_of.insert(each.kind.substr(of_writer.size()));
+    }
+  }
+  return truth;
+}
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,311 @@
+/// Every value of every format is changed, one after another, with the right size and digest in the
+/// manifest; `verify` has to see each. Values are taken from the files themselves, so that a new
+/// one is changed as well.
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "output/verify/verification_fixture.h"
+#include "plugins/format_cases.h"
+
+namespace synthetic_dataset::output {
+namespace tampered_values_test {
+
+using nlohmann::json;
+using testing::IsEmpty;
+
+/// A file's content with one value changed.
+struct Tampered {
+  std::string what;  ///< which value
+  std::string content;
+};
+
+/// Values that `verify` says it does not check (docs/verify.md).
+bool isUnchecked(const std::string& format, const std::string& what) {
+  struct Exception {
+    std::string format;
+    std::regex what;
+  };
+  static const std::vector<Exception> kExceptions = {
+      // Tells caches apart; it follows from all pictures and labels, which are checked.
+      {"ImageFolder", std::regex(R"(README\.md, line 4, word 3)")},
+      // A point once more: the polygon is the same.
+      {"Cityscapes", std::regex(R"(.*_polygons\.json/objects/\d+/polygon)")},
+      // Messages for people who play the bag; pictures and labels are checked.
+      {"RosBag", std::regex(R"(dataset\.bag.*)")},
+  };
+  return std::any_of(kExceptions.begin(), kExceptions.end(), [&](const Exception& each) {
+    return format.rfind(each.format, 0) == 0 && std::regex_match(what, each.what);
+  });
+}
+
+/// Another number with as many decimals, far enough away to matter.
+std::string otherNumber(const std::string& word) {
+  std::istringstream stream(word);
+  stream.imbue(std::locale::classic());
+  double number = 0.0;
+  stream >> number;
+  const std::size_t point = word.find('.');
+  if (point == std::string::npos) return std::to_string(static_cast<long long>(number) + 1);
+  const auto decimals = static_cast<int>(word.size() - point - 1);
+  const double several_steps = 5.0 * std::pow(10.0, -decimals);
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.setf(std::ios::fixed);
+  text.precision(decimals);
+  text << number + std::max(several_steps, 0.02 * (1.0 + std::abs(number)));
+  return text.str();
+}
+
+std::string otherWord(const std::string& word) {
+  static const std::regex kNumber(R"(-?\d+(\.\d+)?)");
+  return std::regex_match(word, kNumber) ? otherNumber(word) : word + "x";
+}
+
+json otherValue(const json& value) {
+  if (value.is_boolean()) return !value.get<bool>();
+  if (value.is_number_integer()) return value.get<std::int64_t>() + 1;
+  if (value.is_number()) {
+    const auto number = value.get<double>();
+    return number + 0.02 * (1.0 + std::abs(number));
+  }
+  if (value.is_string()) return value.get<std::string>() + "x";
+  return 0;  // of nothing
+}
+
+/// Each leaf changed, and a member added to each object and an entry to each list.
+std::vector<Tampered> ofJson(const std::string& text, const std::string& name) {
+  const json whole = json::parse(text);
+  std::vector<Tampered> all;
+  const std::function<void(const json&, const json::json_pointer&)> visit =
+      [&](const json& value, const json::json_pointer& place) {
+        json changed = whole;
+        json& here = changed[place];
+        if (value.is_object()) {
+          here["more"] = 1;
+        } else if (value.is_array()) {
+          here.push_back(value.empty() ? json(1) : value.back());
+        } else {
+          here = otherValue(value);
+        }
+        const std::string what = name + place.to_string();
+        all.push_back({what, changed.dump()});
+        for (const auto& each : value.items()) {
+          if (value.is_object()) visit(each.value(), place / each.key());
+        }
+        for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) {
+          // Of many alike, some: a run length, say.
+          if (value.size() > 40 && i % 7 != 0) continue;
+          visit(value[i], place / i);
+        }
+      };
+  visit(whole, json::json_pointer());
+  return all;
+}
+
+/// The same of each line of a file.
+std::vector<Tampered> ofJsonLines(const std::string& text, const std::string& name) {
+  std::vector<Tampered> all;
+  std::size_t begin = 0;
+  for (int line = 1; begin < text.size(); ++line) {
+    const std::size_t end = text.find('\n', begin);
+    for (const Tampered& each :
+         ofJson(text.substr(begin, end - begin), name + ", line " + std::to_string(line))) {
+      all.push_back({each.what, text.substr(0, begin) + each.content + text.substr(end)});
+    }
+    begin = end + 1;
+  }
+  return all;
+}
+
+/// Each word changed, and each line left out.
+std::vector<Tampered> ofText(const std::string& text, const std::string& name) {
+  std::vector<Tampered> all;
+  std::size_t begin = 0;
+  for (int line = 1; begin < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    const std::string place = name + ", line " + std::to_string(line);
+    const bool is_one_of_many = text.size() > 3000 && line % 7 != 0;
+    if (!is_one_of_many) all.push_back({place, text.substr(0, begin) + text.substr(end)});
+    int word = 0;
+    for (std::size_t at = begin; at < end && !is_one_of_many;) {
+      const auto isGap = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+      const bool is_xml = text[begin] == '<' || text[begin] == '\t';
+      const auto ends = [&](char c) { return isGap(c) || (is_xml && (c == '<' || c == '>')); };
+      if (ends(text[at])) {
+        ++at;
+        continue;
+      }
+      std::size_t word_end = at;
+      while (word_end < end && !ends(text[word_end])) ++word_end;
+      all.push_back(
+          {place + ", word " + std::to_string(++word),
+           text.substr(0, at) + otherWord(text.substr(at, word_end - at)) + text.substr(word_end)});
+      at = word_end;
+    }
+    begin = end;
+  }
+  return all;
+}
+
+/// Pixels of a square changed, in a picture of any kind.
+std::vector<Tampered> ofPicture(const std::string& bytes, const std::string& name) {
+  const std::vector<uchar> encoded(bytes.begin(), bytes.end());
+  std::vector<Tampered> all;
+  // On the one object, on the other, and on neither.
+  for (const cv::Rect& square :
+       {cv::Rect(14, 14, 8, 8), cv::Rect(209, 34, 8, 8), cv::Rect(80, 70, 8, 8)}) {
+    cv::Mat picture = cv::imdecode(encoded, cv::IMREAD_UNCHANGED);
+    cv::Mat part = picture(square);
+    if (picture.depth() == CV_32F) {
+      part += cv::Scalar::all(0.25);
+    } else {
+      part = cv::Scalar::all(255) - part;
+    }
+    std::vector<uchar> changed;
+    cv::imencode(std::filesystem::path(name).extension().string(), picture, changed);
+    all.push_back(
+        {name + ", pixels at " + std::to_string(square.x), {changed.begin(), changed.end()}});
+  }
+  return all;
+}
+
+/// The numbers of an array of doubles, which stand at the file's end.
+std::vector<Tampered> ofNumbers(const std::string& bytes, const std::string& name) {
+  std::vector<Tampered> all;
+  for (std::size_t i = 1; i <= 12; ++i) {
+    std::string changed = bytes;
+    double number = 0.0;
+    char* const place = changed.data() + changed.size() - i * sizeof number;
+    std::memcpy(&number, place, sizeof number);
+    number += 0.01;
+    std::memcpy(place, &number, sizeof number);
+    all.push_back({name + ", number " + std::to_string(i) + " from its end", changed});
+  }
+  return all;
+}
+
+/// The coordinates of points of 16 bytes, and a point more and one less.
+std::vector<Tampered> ofPoints(const std::string& bytes, const std::string& name) {
+  constexpr std::size_t kPoint = 4 * sizeof(float);
+  std::vector<Tampered> all = {{name + ", the last point", bytes.substr(0, bytes.size() - kPoint)},
+                               {name + ", a point more", bytes + bytes.substr(0, kPoint)}};
+  for (std::size_t at = 0; at < bytes.size(); at += sizeof(float)) {
+    if (at / kPoint % 499 != 0) continue;  // some of many
+    std::string changed = bytes;
+    float number = 0.0F;
+    std::memcpy(&number, changed.data() + at, sizeof number);
+    number += 0.1F;
+    std::memcpy(changed.data() + at, &number, sizeof number);
+    all.push_back({name + ", byte " + std::to_string(at), changed});
+  }
+  return all;
+}
+
+std::vector<Tampered> allOf(const std::string& bytes, const std::string& name) {
+  const std::string kind = std::filesystem::path(name).extension().string();
+  if (kind == ".json") return ofJson(bytes, name);
+  if (kind == ".jsonl") return ofJsonLines(bytes, name);
+  if (kind == ".png" || kind == ".jpg" || kind == ".tiff") return ofPicture(bytes, name);
+  if (kind == ".npy") return ofNumbers(bytes, name);
+  if (kind == ".bin") return ofPoints(bytes, name);
+  if (kind == ".bag") return {{name, bytes + "x"}};
+  return ofText(bytes, name);
+}
+
+class TamperedValues : public VerificationTest, public testing::WithParamInterface<FormatCase> {
+ protected:
+  TamperedValues() : VerificationTest(GetParam().type) {}
+
+  /// The part of the scene with both objects in it: small pictures are looked at sooner.
+  Scene smallScene() {
+    const cv::Rect part(96, 96, 240, 88);
+    const Scene whole = sceneOfBoth(0);
+    Scene scene(CameraModel(part.width, part.height, {500.0, 510.0, 120.0, 44.0}, 0.05, 100.0));
+    dataset_.cameras = {{"camera", "camera/optical_link", scene.camera}};
+    scene.name = whole.name;
+    scene.camera_name = whole.camera_name;
+    scene.stamp = whole.stamp;
+    scene.X_GC = makePose({0.1, 0.2, 0.3}, Eigen::Quaterniond(0.9, 0.1, -0.2, 0.3).normalized());
+    scene.image = whole.image(part).clone();
+    scene.instance_map = whole.instance_map()(part).clone();
+    scene.class_map = whole.class_map()(part).clone();
+    scene.depth = whole.depth()(part).clone();
+    scene.setTransforms([](const std::string&, const std::string&) { return Pose::Identity(); });
+    const auto moved = [&](const std::optional<Box>& box) -> std::optional<Box> {
+      if (!box) return std::nullopt;
+      return Box{box->left - part.x, box->top - part.y, box->right - part.x, box->bottom - part.y};
+    };
+    for (SceneObject object : whole.objects) {
+      object.X_CO = object.X_GO;
+      object.X_GO = scene.X_GC * object.X_CO;
+      object.silhouette = Mask(object.silhouette().whole()(part).clone());
+      object.visible_mask = Mask(object.visible_mask().whole()(part).clone());
+      object.loose_box = moved(object.loose_box);
+      object.silhouette_box = moved(object.silhouette_box());
+      object.visible_box = moved(object.visible_box());
+      object.keypoints.front().pixel = Eigen::Vector2d(21.5, 30.25);
+      scene.objects.push_back(std::move(object));
+    }
+    return scene;
+  }
+
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& each : std::filesystem::recursive_directory_iterator(folder())) {
+      if (each.is_regular_file()) names.push_back(each.path().string().substr(folder().size()));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+};
+
+TEST_P(TamperedValues, AreAllSeen) {
+  write({smallScene()}, GetParam().parameters);
+  change("UPDATE file SET linked_to = NULL");  // each name is changed alone
+  ASSERT_THAT(problems(), IsEmpty());
+  std::vector<std::string> unseen;
+  std::size_t count = 0;
+  for (const std::string& file : files()) {
+    const std::string right = read(file);
+    for (const Tampered& each : allOf(right, file)) {
+      replace(file, each.content);
+      ++count;
+      const bool is_seen = !problems().empty();
+      if (!is_seen && !isUnchecked(GetParam().name, each.what)) unseen.push_back(each.what);
+    }
+    replace(file, right);
+  }
+  EXPECT_THAT(unseen, IsEmpty());
+  EXPECT_GE(count, 10U);
+  RecordProperty("values", static_cast<int>(count));
+}
+
+/// All but those whose values `verify` does not compare yet (docs/verify.md).
+std::vector<FormatCase> checkedCases() {
+  const std::vector<std::string> unchecked = {"KittiTracking", "LabelMe", "Mot"};
+  std::vector<FormatCase> cases;
+  for (const FormatCase& each : formatCases()) {
+    if (std::find(unchecked.begin(), unchecked.end(), each.type) == unchecked.end()) {
+      cases.push_back(each);
+    }
+  }
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, TamperedValues, testing::ValuesIn(checkedCases()),
+                         [](const auto& format) { return format.param.name; });
+
+}  // namespace tampered_values_test
+}  // namespace synthetic_dataset::output
