@@ -20,17 +20,19 @@ cmake --install "$workspace/build" --strip >/dev/null
 cmake -DCMAKE_INSTALL_PREFIX="$workspace/install" "$workspace/build" >/dev/null
 
 # The packages of the libraries that programs and plugins name; apt-get adds what these need in
-# turn. setup.sh and describe_dataset.py are in Python.
+# turn. setup.sh and describe_dataset.py are in Python; ROS finds packages by a hook of setup.sh.
 mapfile -t libraries < <(find "$folder" -type f -perm -u+r -exec objdump -p {} + 2>/dev/null |
   awk '$1 == "NEEDED" { print $2 }' | sort -u)
-package_of() {  # LIBRARY
-  { dpkg-query -S "*/$(gcc -print-multiarch)/$1" "/opt/ros/*/lib/$1" 2>/dev/null || true; } |
-    sed 's/:.*//' | grep . || { echo "no package has $1" >&2; return 1; }
+package_of() {  # PATTERNS of a file
+  { dpkg-query -S "$@" 2>/dev/null || true; } | sed 's/:.*//' | grep . ||
+    { echo "no package has $*" >&2; return 1; }
 }
 {
   echo python3
+  package_of '*/etc/catkin/profile.d/1.ros_package_path.sh'
   for library in "${libraries[@]}"; do
-    [ -n "$(find "$folder" -name "$library")" ] || package_of "$library"
+    [ -n "$(find "$folder" -name "$library")" ] ||
+      package_of "*/$(gcc -print-multiarch)/$library" "/opt/ros/*/lib/$library"
   done
 } | sort -u >"$folder/packages.txt"
 echo "$folder: $(du -sh "$folder" | cut -f1), and $(wc -l <"$folder/packages.txt") packages of packages.txt"
