@@ -151,7 +151,7 @@ TEST_F(MapReader, NamesAPictureThatIsNotThere) {
                                "' is no file; a relative path starts at the folder of the YAML "
                                "file");
   std::filesystem::create_directory(folder / "none.pgm");
-  EXPECT_THAT(errorOf(file), HasSubstr("is no file"));
+  EXPECT_THAT(errorOf(file), HasSubstr("is a folder; a file is needed"));
 }
 
 TEST_F(MapReader, NamesWhatIsNoPicture) {
