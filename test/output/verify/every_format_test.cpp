@@ -83,7 +83,9 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithOddNames) {
     scene.objects[i].class_text = info.class_name;
   }
   Value::Map parameters = GetParam().parameters;
-  parameters.erase("class_names");  // of classes that are not there
+  for (const char* of_classes : {"class_names", "class_ids", "label_ids"}) {
+    parameters.erase(of_classes);  // which are not there
+  }
   write({scene}, parameters);
   EXPECT_THAT(problems(), IsEmpty());
 }
