@@ -224,6 +224,18 @@ TEST_F(Cityscapes, WritesTheCamera) {
   EXPECT_NEAR(json["extrinsic"]["roll"].get<double>(), 0.0, 1e-12);
 }
 
+TEST_F(Cityscapes, TurnsACameraThatLooksStraightDownByItsYaw) {
+  load({});
+  Scene posed = scene(0, {});
+  posed.X_GC.linear().col(0) = Eigen::Vector3d(1.0, 0.0, 0.0);   // right
+  posed.X_GC.linear().col(1) = Eigen::Vector3d(0.0, -1.0, 0.0);  // down
+  posed.X_GC.linear().col(2) = Eigen::Vector3d(0.0, 0.0, -1.0);  // ahead
+  const auto json = jsonOf(posed, "camera/train/camera/camera_000000_000019_camera.json");
+  EXPECT_NEAR(json["extrinsic"]["yaw"].get<double>(), 0.5 * M_PI, 1e-12);
+  EXPECT_NEAR(json["extrinsic"]["pitch"].get<double>(), 0.5 * M_PI, 1e-12);
+  EXPECT_NEAR(json["extrinsic"]["roll"].get<double>(), 0.0, 1e-12);
+}
+
 TEST_F(Cityscapes, WarnsOfALensThatTheCameraFileCannotHold) {
   const output::WriterHost& host = load({});
   Scene bent = scene(0, {});
