@@ -1,6 +1,5 @@
 #include "run/generator.h"
 
-#include <chrono>
 #include <memory>
 
 #include "run/dataset_sink.h"
@@ -8,6 +7,7 @@
 #include "run/plan_report.h"
 #include "run/scene_loop.h"
 #include "run/setup/run_setup.h"
+#include "run/stage_times.h"
 
 namespace synthetic_dataset::run {
 
@@ -19,6 +19,7 @@ struct Generator::Impl {
         dataset(setup),
         loop(setup, dataset, reporter) {
     reportPlan(setup, dataset, loop.sceneCount(), reporter);
+    setup_seconds = watch.seconds();
   }
 
   /// What the whole dataset holds, for the end of the run.
@@ -37,10 +38,12 @@ struct Generator::Impl {
     for (const std::string& message : summary.missing_labels) reporter.warning(message);
   }
 
+  StageWatch watch;  ///< first: it measures what makes the others
   Reporter& reporter;
   RunSetup setup;
   DatasetSink dataset;
   SceneLoop loop;
+  double setup_seconds = 0.0;
 };
 
 Generator::Generator(const Value& parameters, Reporter& reporter,
@@ -54,10 +57,12 @@ RunSummary Generator::run() {
   summary.manifest = impl_->dataset.store().manifestPath();
   summary.was_complete = impl_->dataset.store().wasComplete();
   if (summary.was_complete) return summary;
-  const auto begin = std::chrono::steady_clock::now();
+  const StageWatch watch;
   const SceneLoop::Result made = impl_->loop.run();
-  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  summary.seconds = watch.seconds();
   summary.scenes = made.scenes;
+  summary.times = made.times;
+  summary.times.setup = impl_->setup_seconds;
   summary.stopped = made.end == RunEnd::kStopped;
   impl_->summarizeDataset(summary);
   return summary;

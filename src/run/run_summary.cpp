@@ -6,6 +6,18 @@
 
 namespace synthetic_dataset::run {
 
+namespace {
+
+/// The program `report` reads it, too.
+std::string timeLine(const StageTimes& times) {
+  return "time: set-up " + fixed(times.setup, 1) + " s; side by side drawing " +
+         fixed(times.drawing, 1) + " s, labels " + fixed(times.labels, 1) + " s, writing " +
+         fixed(times.writing, 1) + " s; files of the whole dataset " +
+         fixed(times.dataset_files, 1) + " s";
+}
+
+}  // namespace
+
 std::vector<std::string> summaryLines(const RunSummary& summary) {
   std::vector<std::string> lines;
   if (summary.was_complete) return {"manifest: " + summary.manifest};
@@ -19,6 +31,7 @@ std::vector<std::string> summaryLines(const RunSummary& summary) {
   }
   lines.push_back(made + "; " + std::to_string(summary.files) + " files, " +
                   fixed(static_cast<double>(summary.bytes) / 1e6, 1) + " MB");
+  if (summary.scenes > 0) lines.push_back(timeLine(summary.times));
   for (const RunSummary::Object& object : summary.objects) {
     std::string line = "object " + object.name + ": in view in " +
                        std::to_string(object.scenes_in_view) + " scenes";

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "run/stage_times.h"
+
 namespace synthetic_dataset::run {
 
 /// What a run made, for the report at its end.
@@ -28,6 +30,7 @@ struct RunSummary {
   bool was_complete = false;  ///< there was nothing to do, and all else but `manifest` is empty
   std::int64_t scenes = 0;    ///< made by this run
   double seconds = 0.0;       ///< that they took
+  StageTimes times;
 
   // Of the whole dataset, or of the shard, whichever runs made it.
   std::int64_t dataset_scenes = 0;

@@ -28,9 +28,14 @@ WorkPlan SceneLoop::begin() {
 
 SceneLoop::Result SceneLoop::run() {
   ScenePipeline pipeline(sink_, reporter_, work_.sceneCount());
+  const StageWatch of_scenes;
   const RunEnd end = makeScenes(pipeline);
+  StageTimes times = pipeline.times();
+  times.drawing = of_scenes.seconds() - pipeline.waited();
+  const StageWatch of_files;
   sink_.finish(end);
-  return {pipeline.addedCount(), end};
+  times.dataset_files = of_files.seconds();
+  return {pipeline.addedCount(), end, times};
 }
 
 RunEnd SceneLoop::makeScenes(ScenePipeline& pipeline) {

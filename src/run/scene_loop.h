@@ -7,6 +7,7 @@
 #include "run/reporter.h"
 #include "run/scene_sink.h"
 #include "run/setup/run_setup.h"
+#include "run/stage_times.h"
 #include "run/work_plan.h"
 
 namespace synthetic_dataset::run {
@@ -28,6 +29,7 @@ class SceneLoop {
   struct Result {
     std::int64_t scenes = 0;  ///< that the sink has taken
     RunEnd end = RunEnd::kAllMade;
+    StageTimes times;
   };
 
   /// Makes all scenes, and lets the sink finish.

@@ -24,9 +24,10 @@ ScenePipeline::ScenePipeline(SceneSink& sink, Reporter& reporter, std::int64_t s
 }
 
 void ScenePipeline::add(PendingScene scene, std::int64_t pixel_count) {
+  const StageWatch watch;
   try {
     finisher_.add([this, scene = std::move(scene)] {
-      adder_.add([this, finished = std::make_shared<const FinishedScene>(scene())] {
+      adder_.add([this, finished = std::make_shared<const FinishedScene>(finishScene(scene))] {
         addToSink(*finished);
       });
     });
@@ -35,10 +36,12 @@ void ScenePipeline::add(PendingScene scene, std::int64_t pixel_count) {
     adder_.finish();  // the scenes before are added, or one of them has failed first
     throw;
   }
+  waited_ += watch.seconds();
   report();
 }
 
 void ScenePipeline::finish() {
+  const StageWatch watch;
   try {
     finisher_.finish();
   } catch (...) {
@@ -46,15 +49,26 @@ void ScenePipeline::finish() {
     throw;
   }
   adder_.finish();
+  waited_ += watch.seconds();
   report();
 }
 
+FinishedScene ScenePipeline::finishScene(const PendingScene& scene) {
+  const StageWatch watch;
+  FinishedScene finished = scene();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  times_.labels += watch.seconds();
+  return finished;
+}
+
 void ScenePipeline::addToSink(const FinishedScene& finished) {
+  const StageWatch watch;
   std::vector<output::Warning> warnings = finished.facts.warnings;
   const std::vector<output::Warning> of_sink = sink_.add(finished);
   warnings.insert(warnings.end(), of_sink.begin(), of_sink.end());
   const std::lock_guard<std::mutex> lock(mutex_);
   unreported_.push_back(std::move(warnings));
+  times_.writing += watch.seconds();
 }
 
 void ScenePipeline::report() {

@@ -8,6 +8,7 @@
 #include "output/background_worker.h"
 #include "run/reporter.h"
 #include "run/scene_sink.h"
+#include "run/stage_times.h"
 
 namespace synthetic_dataset::run {
 
@@ -37,7 +38,14 @@ class ScenePipeline {
   /// How many scenes the sink has taken, as far as it was reported.
   [[nodiscard]] std::int64_t addedCount() const { return added_count_; }
 
+  /// How long scenes were finished and added, after finish().
+  [[nodiscard]] StageTimes times() const { return times_; }
+
+  /// How long the caller has waited in add() and finish() [s].
+  [[nodiscard]] double waited() const { return waited_; }
+
  private:
+  [[nodiscard]] FinishedScene finishScene(const PendingScene& scene);
   void addToSink(const FinishedScene& finished);
   void report();
 
@@ -45,8 +53,10 @@ class ScenePipeline {
   Reporter& reporter_;
   std::int64_t scene_count_;
   std::int64_t added_count_ = 0;
+  double waited_ = 0.0;
   std::mutex mutex_;
   std::vector<std::vector<output::Warning>> unreported_;  ///< of each scene that was added
+  StageTimes times_;
   output::BackgroundWorker adder_;
   output::BackgroundWorker finisher_;  ///< last: its jobs use all of the above
 };

@@ -108,6 +108,23 @@ class Report(DatasetCase):
         code, text = run('verify', self.folder)
         self.assertEqual(code, 0, text)
 
+    def test_shows_the_times_in_the_runs_log(self):
+        log = self.scratch / 'run.log'
+        code, text = self.generate(f'output_folder:={self.scratch}/again')
+        self.assertEqual(code, 0, text)
+        log.write_text('an older run: time: set-up 9.0 s; side by side drawing 9.0 s, labels 9.0 s, '
+                       'writing 9.0 s; files of the whole dataset 9.0 s\n' + text, 'utf-8')
+        page = self.scratch / 'timed.html'
+        code, text = run('report', self.scratch / 'again', page, '--log', log)
+        self.assertEqual(code, 0, text)
+        self.assertRegex(Page(page.read_text('utf-8')).text,
+                         r'Time by stage set-up [0-8]\.\d s drawing [\d.]+ s labels [\d.]+ s writing '
+                         r'[\d.]+ s files of the whole dataset [\d.]+ s')
+        log.write_text('nothing of it', 'utf-8')
+        code, text = run('report', self.scratch / 'again', page, '--log', log)
+        self.assertEqual(code, 1)
+        self.assertIn("run.log': has no line with the times of a run", text)
+
     def test_is_never_in_place_of_the_datasets_files(self):
         image = self.folder / 'coco/images/train/00000003.png'
         before = image.read_bytes()

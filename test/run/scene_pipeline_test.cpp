@@ -64,6 +64,15 @@ TEST_F(ScenePipelineTest, AddsAllScenesInTheirOrder) {
               ElementsAre(Pair(0, 4), Pair(1, 4), Pair(2, 4), Pair(3, 4), Pair(4, 4)));
 }
 
+TEST_F(ScenePipelineTest, MeasuresHowLongScenesTook) {
+  ScenePipeline pipeline(sink, reporter, 2);
+  for (const std::int64_t index : {0, 1}) pipeline.add(pending(index), kSmall);
+  pipeline.finish();
+  EXPECT_GT(pipeline.times().labels, 0.0);
+  EXPECT_GT(pipeline.times().writing, 0.0);
+  EXPECT_GT(pipeline.waited(), 0.0);
+}
+
 TEST_F(ScenePipelineTest, HasFinishedALargeSceneBeforeTheNextOneIsDrawn) {
   ScenePipeline pipeline(sink, reporter, 1);
   std::atomic<bool> is_finished = false;

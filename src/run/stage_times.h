@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+
+namespace synthetic_dataset::run {
+
+/// How long a run worked [s], by stage. Drawing, labels and writing go on side by side, in a thread
+/// each, so that together they are more than the run took.
+struct StageTimes {
+  double setup = 0.0;          ///< reading and checking all that it needs
+  double drawing = 0.0;        ///< moving the world, and drawing
+  double labels = 0.0;         ///< finishing pictures, and measuring labels
+  double writing = 0.0;        ///< formatting, encoding, and writing scenes
+  double dataset_files = 0.0;  ///< writing the files of the dataset as a whole
+};
+
+/// Measures time. No file depends on it.
+class StageWatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace synthetic_dataset::run
