@@ -70,6 +70,7 @@ class DocumentReader {
       if (!is_heading) comment_ += (comment_.empty() ? "" : " ") + *comment;
     } else {
       comment_.clear();  // an empty line: what stood above it was about more than one setting
+      block_.reset();
     }
   }
 
@@ -77,22 +78,27 @@ class DocumentReader {
     while (!above_.empty() && above_.back().first >= line.indentation) above_.pop_back();
     std::string path;
     for (const auto& [indentation, name] : above_) path += name + "/";
-    if (indented_list_ && line.indentation > 0 && path == *indented_list_) path += "-/";
-    if (line.begins_entry) {
-      indented_list_ = path;
-      if (path.size() < 2 || path.substr(path.size() - 2) != "-/") path += "-/";
-    }
+    if (line.begins_entry) indented_list_ = path;
+    if (indented_list_ && path == *indented_list_ && line.indentation > 0) path += "-/";
     const std::string full = path + line.name;
     const bool is_known =
         std::any_of(settings_.begin(), settings_.end(),
                     [&](const DocumentedSetting& each) { return each.path == full; });
-    if (!is_known) settings_.push_back({full, comment_, line.value, line.is_active});
+    if (!is_known) settings_.push_back({full, descriptionOf(path), line.value, line.is_active});
     comment_.clear();
+    block_ = is_known ? std::nullopt : std::optional(path);
     if (line.value.empty()) above_.emplace_back(line.indentation, line.name);
+  }
+
+  /// A comment is that of all settings that follow it, up to the next one.
+  [[nodiscard]] std::string descriptionOf(const std::string& path) const {
+    const bool goes_on = comment_.empty() && block_ == path && !settings_.empty();
+    return goes_on ? settings_.back().description : comment_;
   }
 
   std::vector<DocumentedSetting> settings_;
   std::string comment_;
+  std::optional<std::string> block_;  ///< the group of the setting before; none: an empty line
   std::vector<std::pair<std::size_t, std::string>> above_;  ///< groups with their indentations
   std::optional<std::string> indented_list_;                ///< the path of the list last seen
 };

@@ -48,6 +48,12 @@ TEST(DocumentedSettings, OfAListAreThoseOfItsEntries) {
       ElementsAre("motions", "motions/-/name", "motions/-/weight", "motions/-/world", "seed"));
 }
 
+TEST(DocumentedSettings, ShareTheCommentAboveThem) {
+  const auto settings = documentedSettings("# Of both.\na: 1\nb: 2\n\nc: 3\n");
+  EXPECT_EQ(settings[1].description, "Of both.");
+  EXPECT_EQ(settings[2].description, "");
+}
+
 /// A tree with one setting, in a settings file of which it is a part.
 Value with(const DocumentedSetting& setting, const std::string& mode) {
   const Value value = setting.value.empty() ? Value(Value::Map{})
@@ -100,7 +106,6 @@ TEST(SettingsDocument, ListsNoSettingThatNobodyReads) {
 TEST(SettingsDocument, ListsEverySettingThatIsReadInAGroupOfIts) {
   const auto settings = documentedSettings(settingsDocument());
   const std::vector<std::string> listed = pathsOf(settings);
-  // Kept by the program itself.
   std::set<std::string> missing;
   for (const DocumentedSetting& each : settings) {
     if (isOfOthers(each.path) || each.value.empty()) continue;
