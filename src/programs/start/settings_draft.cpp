@@ -237,7 +237,7 @@ class DraftWriter {
     }
     for (const std::string& name : inputs_.formats) {
       if (name == "ultralytics") out_ << "ultralytics: {task: detect}\n";
-      if (name == "yolo") out_ << "yolo: {main_list: list.txt}\n";
+      if (name == "yolo") out_ << "yolo: {main_list: list.txt, class: number}\n";
       if (name == "bounding_shape") {
         out_ << "bounding_shape: {output_frame: "
              << quoted(followed_ != nullptr ? followed_->root : "map") << "}\n";
