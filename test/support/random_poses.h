@@ -10,7 +10,7 @@ namespace synthetic_dataset::test {
 [[nodiscard]] inline Eigen::Quaterniond randomOrientation(std::mt19937& random) {
   std::normal_distribution<double> normal;
   Eigen::Vector4d q;
-  for (double& entry : q) entry = normal(random);
+  for (int i = 0; i < 4; ++i) q[i] = normal(random);
   q.normalize();
   return {q[3], q[0], q[1], q[2]};
 }
@@ -19,7 +19,7 @@ namespace synthetic_dataset::test {
 [[nodiscard]] inline Eigen::Vector3d randomPoint(std::mt19937& random, double reach) {
   std::uniform_real_distribution<double> uniform(-reach, reach);
   Eigen::Vector3d point;
-  for (double& entry : point) entry = uniform(random);
+  for (int i = 0; i < 3; ++i) point[i] = uniform(random);
   return point;
 }
 
