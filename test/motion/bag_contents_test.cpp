@@ -22,7 +22,7 @@ class BagContentsTest : public ::testing::Test {
  protected:
   BagContentsTest() {
     BagBuilder bag(folder / "a.bag");
-    bag.fix("jackal/base_link", "jackal/eye_optical", milliseconds(0), poseAt(0, 0, 0.5));
+    bag.fix("jackal/base_link", "jackal/eye_optical", milliseconds(1000), poseAt(0, 0, 0.5));
     for (int i = 0; i <= 200; ++i) {
       const double x = 0.04 * std::clamp(i - 50, 0, 100);
       const Stamp stamp = milliseconds(1000 + 100 * i);
