@@ -143,7 +143,7 @@ TEST_F(GeneratorTest, ComputesNoMasksWhenNoWriterAsks) {
   parameters["writers"] = Value(Value::List{
       Value(Value::Map{{"name", Value("yolo")}, {"type", Value("synthetic_dataset/Yolo")}})});
   parameters.erase("bounding_shape");
-  EXPECT_EQ(generate().files, 4 * 2 + 1);
+  EXPECT_EQ(generate().files, 4 * 2 + 1 + 3);  // Darknet's names, data and list
 }
 
 TEST_F(GeneratorTest, LeavesOutAndCountsScenesAcrossGaps) {
