@@ -10,13 +10,9 @@ namespace {
 
 /// `id x y z x y z ...`. The id may be several words, or none: coordinates come in threes.
 DrawnLabel labelOf(const std::string& line, const std::filesystem::path& file) {
-  constexpr std::size_t kDecimals = 5;  // of coordinates; an id may have a point, too
   const auto words = wordsOf(line);
   const std::size_t shortest_id = line.front() == ' ' ? 0 : 1;
-  std::size_t first = words.size();
-  while (first > shortest_id && hasDecimals(words[first - 1], kDecimals)) --first;
-  first += (words.size() - first) % 3;
-  for (std::size_t i = first; i < words.size(); ++i) (void)numberOf(words[i], file);
+  const std::size_t first = firstCoordinate(words, shortest_id, 3, file);
   DrawnLabel label;
   label.object_name = joined({words.begin(), words.begin() + static_cast<std::ptrdiff_t>(first)});
   label.caption =

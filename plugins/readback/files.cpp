@@ -116,10 +116,26 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-bool hasDecimals(const std::string& word, std::size_t count) {
+namespace {
+
+bool isCoordinate(const std::string& word) {
+  constexpr std::size_t kDecimals = 5;
   const std::size_t point = word.find('.');
-  return point != std::string::npos && word.size() == point + 1 + count &&
+  return point != std::string::npos && word.size() == point + 1 + kDecimals &&
          word.find_first_not_of("0123456789", point + 1) == std::string::npos;
+}
+
+}  // namespace
+
+std::size_t firstCoordinate(const std::vector<std::string>& words, std::size_t shortest_id,
+                            std::size_t group, const std::filesystem::path& file) {
+  std::size_t first = words.size();
+  while (first > shortest_id && isCoordinate(words[first - 1])) --first;
+  const bool is_between = first > shortest_id + 1 && isCoordinate(words[first - 2]);
+  if (is_between) (void)numberOf(words[first - 1], file);
+  first += (words.size() - first) % group;
+  for (std::size_t i = first; i < words.size(); ++i) (void)numberOf(words[i], file);
+  return first;
 }
 
 double numberOf(const std::string& word, const std::filesystem::path& file) {

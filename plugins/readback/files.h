@@ -20,8 +20,13 @@ namespace synthetic_dataset::formats {
 /// Words with a space between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 
-/// Whether a word ends in a point and so many digits, as numbers of a format do.
-[[nodiscard]] bool hasDecimals(const std::string& word, std::size_t count);
+/// Where a line's coordinates begin, behind an id of several words, which may have points as well.
+/// Coordinates have five decimals, and come in groups of so many.
+/// @param shortest_id  [words]
+/// @throws Error naming the file and a word among coordinates that is no number
+[[nodiscard]] std::size_t firstCoordinate(const std::vector<std::string>& words,
+                                          std::size_t shortest_id, std::size_t group,
+                                          const std::filesystem::path& file);
 
 /// @throws Error when the word is no number
 [[nodiscard]] double numberOf(const std::string& word, const std::filesystem::path& file);

@@ -51,7 +51,7 @@ cv::Mat maskOfEdges(const nlohmann::json& polygons, const cv::Size& size) {
     for (int row = 0; row < size.height; ++row) {
       uchar is_inside = 0;
       for (int column = 0; column < size.width; ++column) {
-        is_inside ^= parity.at<uchar>(row, column);
+        is_inside = static_cast<uchar>(is_inside ^ parity.at<uchar>(row, column));
         if (is_inside != 0) mask.at<uchar>(row, column) = 255;
       }
     }

@@ -15,15 +15,11 @@ namespace fs = std::filesystem;
 /// coordinates come in pairs.
 std::vector<cv::Point2d> readKeypoints(const fs::path& file, const cv::Size& image,
                                        const PixelOrigin& origin) {
-  constexpr std::size_t kDecimals = 5;  // of coordinates; an id may have a point, too
   std::vector<cv::Point2d> keypoints;
   const auto lines = readLines(file);
   if (lines.empty()) return keypoints;
   const auto words = wordsOf(lines.front());
-  std::size_t first = words.size();
-  while (first > 1 && hasDecimals(words[first - 1], kDecimals)) --first;
-  first += (words.size() - first) % 2;
-  for (std::size_t i = first; i + 1 < words.size(); i += 2) {
+  for (std::size_t i = firstCoordinate(words, 1, 2, file); i + 1 < words.size(); i += 2) {
     keypoints.emplace_back(numberOf(words[i], file) * image.width - origin.offset,
                            numberOf(words[i + 1], file) * image.height - origin.offset);
   }

@@ -109,9 +109,12 @@ std::vector<label::ObjectShape> ObjectShapes::at(const std::vector<Pose>& X_WO) 
 
 label::ObjectShape ObjectShapes::shapeOf(const Variant& variant, const Pose& X_WO) const {
   label::ObjectShape shape = variant.given;
+  const Pose X_OW = X_WO.inverse();
   std::vector<Pose> X_OL;
   for (const std::size_t link : variant.links) {
-    X_OL.push_back(X_WO.inverse() * world_.linkPoses()[link]);
+    // What is absent lies where it was last put, which depends on the scenes before this one.
+    const bool is_present = world_.presentLinks()[link];
+    X_OL.push_back(is_present ? X_OW * world_.linkPoses()[link] : world_.links()[link].link->X_ML);
   }
   const bool is_seen = !variant.geometry.isEmpty();
   if (is_seen && shape.bounding_shape_O.empty()) {

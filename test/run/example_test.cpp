@@ -53,7 +53,7 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   label::MaskOptions subtraction = setup.config.masks;
   subtraction.method = label::MaskMethod::kMog2;
   scene::SceneMaker maker(*setup.world, renderer, *setup.frames, setup.cameras, *setup.shapes,
-                          masks, {subtraction, {}, {}});
+                          masks, {subtraction, {}, {}, {}, {}});
   scene::ObjectMotion motion(*setup.frames, objects, setup.world->links(), setup.driven_links);
   std::vector<double> worst(objects.size(), 1.0);
   std::vector<double> sum(objects.size(), 0.0);

@@ -308,9 +308,8 @@ TEST_F(GeneratorTest, TellsOfAPoseThatIsNoNumber) {
   parameters["bag_file"] = Value(bag.close());
   const RunSummary summary = generate();
   EXPECT_EQ(summary.scenes, 4) << "tf2 interpolates over the transform that is left out";
-  ASSERT_THAT(summary.warnings, SizeIs(1));
-  EXPECT_THAT(summary.warnings.begin()->first,
-              AllOf(HasSubstr("alpha/base_link"), HasSubstr("NaN")));
+  EXPECT_THAT(summary.warnings,
+              Contains(testing::Key(AllOf(HasSubstr("alpha/base_link"), HasSubstr("NaN")))));
 }
 
 TEST_F(GeneratorTest, NamesAFrameThatOnlyAWriterAsksFor) {

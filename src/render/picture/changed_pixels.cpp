@@ -67,7 +67,7 @@ void ChangedPixels::markMoving(const SeenGeometry& seen, cv::Mat& pixels) const 
     const int* parts = seen.images.parts.ptr<int>(row);
     auto* marked = pixels.ptr<std::uint8_t>(seen.place.y + row, seen.place.x);
     for (int column = 0; column < seen.place.width; ++column) {
-      marked[column] |= moves[static_cast<std::size_t>(parts[column])];
+      if (moves[static_cast<std::size_t>(parts[column])] != 0) marked[column] = 255;
     }
   }
 }

@@ -47,7 +47,9 @@ TEST(MaskOfEdges, TakesNoCornerThatIsMoved) {
         const cv::Mat found = maskOfEdges(polygons, {80, 60});
         EXPECT_GT(cv::countNonZero(found != twoParts()), 0) << part << " " << i;
       });
-      if (!messages.empty()) EXPECT_THAT(messages, ElementsAre(HasSubstr("slanted edge")));
+      if (!messages.empty()) {
+        EXPECT_THAT(messages, ElementsAre(HasSubstr("slanted edge")));
+      }
     }
   }
 }
