@@ -52,6 +52,18 @@ def print_motions(database):
         print(f"  motion '{name}': {scenes} scenes, numbers {first} to {last}")
 
 
+def print_credits(database):
+    """Whose work is in the pictures; not known of datasets of older versions."""
+    if not database.execute("SELECT 1 FROM sqlite_master WHERE name = 'credit'").fetchone():
+        return
+    for author, license_text, count in database.execute(
+            'SELECT author, license, count(*) FROM input LEFT JOIN credit ON credit.path = '
+            "input.path GROUP BY coalesce(author, ''), coalesce(license, '') "
+            'ORDER BY count(*) DESC, 1, 2'):
+        print(f"  {count} input files: author {author or 'not named'}, licence "
+              f"{license_text or 'not named'}")
+
+
 def opened(manifest):
     """Of an unfinished run, also where nobody can write: there SQLite reads none that may change."""
     name = urllib.parse.quote(str(manifest))
@@ -86,6 +98,7 @@ def main():
             ' FROM writer ORDER BY "index"'):
         print(f'  {name} ({kind}): {files} files in {(folder / output_folder).resolve()}')
     print_motions(database)
+    print_credits(database)
     print_draws(database)
     return 0 if state == 'complete' else 1
 

@@ -1,6 +1,5 @@
 """A dataset that synthetic_dataset has made."""
 import collections
-import functools
 import json
 import os
 
@@ -117,25 +116,5 @@ class Dataset:
             found.append((of, os.path.relpath(file, of.folder), file))
         return found
 
-    def coco_annotations(self, scene):
-        """What a COCO writer's file says of a scene; None where there is none."""
-        for writer in self.writers:
-            if writer.type == 'synthetic_dataset/Coco':
-                file = os.path.join(writer.folder, 'annotations',
-                                    f'instances_{scene.split or "train"}.json')
-                if os.path.exists(file):
-                    return _coco_by_image(file).get(scene.index + 1, [])
-        return None
-
     def __repr__(self):
         return f"<Dataset '{self.folder}': {len(self)} scenes>"
-
-
-@functools.lru_cache(maxsize=3)  # as many as there are splits
-def _coco_by_image(file):
-    with open(file, encoding='utf-8') as stream:
-        annotations = json.load(stream)['annotations']
-    by_image = collections.defaultdict(list)
-    for each in annotations:
-        by_image[each['image_id']].append(each)
-    return dict(by_image)

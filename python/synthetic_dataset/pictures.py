@@ -74,30 +74,3 @@ def depth(files):
             pixels *= np.float32(cameras[str(int(file.stem))]['depth_scale'] / 1000)
         return np.nan_to_num(pixels, nan=0.0)
     return None
-
-
-def mask_of_counts(counts, height, width):
-    """A mask from COCO's run lengths: packed as pycocotools packs them, or a list of them."""
-    lengths = counts if isinstance(counts, list) else _unpacked(counts)
-    values = np.arange(len(lengths)) % 2 == 1
-    return np.repeat(values, lengths).reshape(width, height).T
-
-
-def _unpacked(text):
-    """Six bits a letter: five of the number, the lowest first, and whether more follow.
-
-    From the third on, it is the difference to the length before the last one.
-    """
-    lengths = []
-    number, shift = 0, 0
-    for letter in text.encode('ascii'):
-        bits = letter - 48
-        number |= (bits & 31) << shift
-        shift += 5
-        if bits & 32:
-            continue
-        if bits & 16:
-            number -= 1 << shift
-        lengths.append(number + (lengths[-2] if len(lengths) > 2 else 0))
-        number, shift = 0, 0
-    return lengths

@@ -171,22 +171,7 @@ class Scene:
             return found
         found = pictures.instances(self.files)
         if found is None:
-            found = self._instances_of_coco()
-        if found is None:
-            raise self._lacking('masks', 'ImageFolder, RosBag and Coco')
-        return found
-
-    def _instances_of_coco(self):
-        annotations = self._dataset.coco_annotations(self)
-        if annotations is None:
-            return None
-        numbers = {each.name: each.index + 1 for each in self.objects}
-        found = np.zeros((self.height, self.width), np.uint16)
-        for each in annotations:
-            if not isinstance(each['segmentation'], dict):
-                return None  # polygons, which pycocotools fills
-            mask = pictures.mask_of_counts(each['segmentation']['counts'], self.height, self.width)
-            found[mask] = numbers[each['synthetic_dataset']['object']]
+            raise self._lacking('masks', 'ImageFolder and RosBag')
         return found
 
     def _lacking(self, what, formats):

@@ -13,7 +13,6 @@ import rosunit
 
 from example_dataset import DatasetCase, SCENES
 from synthetic_dataset import Dataset, DatasetError
-from synthetic_dataset.pictures import mask_of_counts
 from synthetic_dataset.truth import mask_of_bytes
 
 
@@ -107,6 +106,31 @@ class Scenes(DatasetCase):
                 found += 1
         self.assertGreater(found, 0)
 
+    def test_have_keypoints_and_cameras_as_formats_write_them(self):
+        states = {'outside': 0, 'hidden by another': 1, 'hidden by itself': 1, 'visible': 2}
+        found = 0
+        for line in (self.folder / 'folder/train/metadata.jsonl').read_text('utf-8').splitlines():
+            entry = json.loads(line)
+            scene = self.dataset[entry['instant']]
+            np.testing.assert_allclose(scene.K.ravel(), entry['camera']['K'])
+            objects = entry['objects']
+            by_name = {each.name: each for each in scene.objects}
+            for row, each in enumerate(by_name[name] for name in objects['names']):
+                np.testing.assert_allclose(each.keypoints, objects['keypoints'][row], atol=1e-9)
+                self.assertEqual([states[state] for state in each.keypoint_states],
+                                 objects['keypoint_visibility'][row])
+                np.testing.assert_allclose(each.cuboid.ravel(), objects['cuboid'][row])
+                points = np.c_[each.keypoints_O, np.ones(len(each.keypoints_O))] @ each.X_CO.T
+                pixels = points[:, :3] @ scene.K.T
+                np.testing.assert_allclose(pixels[:, :2] / pixels[:, 2:], each.keypoints, atol=1e-6)
+                found += 1
+        self.assertGreater(found, 0)
+
+    def test_have_silhouettes_that_contain_masks(self):
+        for _, each in self.seen():
+            self.assertFalse(np.any(each.mask & ~each.silhouette))
+        self.assertTrue(any(each.silhouette.sum() > each.mask.sum() for _, each in self.seen()))
+
     def test_have_what_was_drawn(self):
         rows = self.query("SELECT scene, value FROM draw WHERE name = 'sensor/exposure'").fetchall()
         self.assertEqual({scene.index: scene.draws['sensor/exposure'] for scene in self.dataset},
@@ -143,7 +167,7 @@ class OfCocoAlone(DatasetCase):
 
     WRITERS = 'writers: [{name: coco, type: synthetic_dataset/Coco}]\n'
 
-    def test_masks_come_from_run_lengths(self):
+    def test_masks_come_from_the_manifest(self):
         for scene in Dataset(self.folder):
             for each in scene.objects:
                 self.assertEqual(np.count_nonzero(each.mask), each.visible_pixels)
@@ -184,13 +208,6 @@ class Faults(unittest.TestCase):
             Dataset('/no/such')
         with self.assertRaisesRegex(DatasetError, 'no dataset is there'):
             Dataset(os.path.dirname(__file__))
-
-    def test_run_lengths_are_read_both_ways(self):
-        expected = np.zeros((3, 4), bool)
-        expected[1:, 1] = expected[0, 2] = expected[2, 3] = True
-        np.testing.assert_array_equal(mask_of_counts([4, 3, 4, 1], 3, 4), expected)
-        # As pycocotools packs these: 4, 3, 4, and 1 as its difference to 3.
-        np.testing.assert_array_equal(mask_of_counts('434N', 3, 4), expected)
 
     def test_masks_of_the_manifest_are_read(self):
         expected = np.zeros((4, 300), bool)

@@ -78,6 +78,13 @@ class Report(DatasetCase):
             self.assertIn(title, page.text)
         self.assertIn('sensor/exposure', page.text)
 
+    def test_says_whose_work_is_in_the_pictures(self):
+        self.assertRegex(self.page.text, r'Authors and licences .* synthetic_dataset maintainers '
+                         r'.*BSD-3-Clause')
+        code, text = run('describe_dataset.py', self.folder)
+        self.assertEqual(code, 0, text)
+        self.assertIn('author synthetic_dataset maintainers, licence BSD-3-Clause', text)
+
     def test_needs_no_other_file_and_no_network(self):
         self.assertGreater(len(self.page.tags), 500)
         for tag, attributes in self.page.tags:

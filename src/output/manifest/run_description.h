@@ -28,6 +28,13 @@ struct RunDescription {
     std::int64_t bytes = 0;
     std::string digest;
   };
+  /// Who made an input, and what may be done with it, with the files that say so.
+  struct Credit {
+    std::string author;
+    std::string author_in;
+    std::string license;
+    std::string license_in;
+  };
   struct Class {
     int id = 0;
     std::string name;
@@ -60,6 +67,7 @@ struct RunDescription {
   std::map<std::string, Setting> settings = {};      ///< by full name
   std::map<std::string, std::string> software = {};  ///< name to version
   std::map<std::string, Input> inputs = {};          ///< by absolute path
+  std::map<std::string, Credit> credits = {};        ///< of inputs, where a file says something
   std::vector<Class> classes = {};
   std::vector<Motion> motions = {};  ///< in the order of their scenes
   std::vector<Camera> cameras = {};

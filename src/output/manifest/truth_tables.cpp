@@ -14,6 +14,9 @@
 namespace synthetic_dataset::output {
 
 const char* const kTruthTables = R"sql(
+  CREATE TABLE credit (path TEXT PRIMARY KEY REFERENCES input (path), author TEXT NOT NULL,
+                       author_in TEXT NOT NULL, license TEXT NOT NULL,
+                       license_in TEXT NOT NULL) WITHOUT ROWID;
   CREATE TABLE split ("index" INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE,
                       scene_count INTEGER NOT NULL);
   CREATE TABLE camera_model (
@@ -203,6 +206,10 @@ std::optional<Blob> cellBytes(const std::vector<float>& cells) {
 }  // namespace
 
 void insertTruth(const SqliteDatabase& database, const RunDescription& run) {
+  SqliteStatement credit(database, "INSERT INTO credit VALUES (?, ?, ?, ?, ?)");
+  for (const auto& [path, named] : run.credits) {
+    credit.run(path, named.author, named.author_in, named.license, named.license_in);
+  }
   SqliteStatement split(database, "INSERT INTO split VALUES (?, ?, ?)");
   for (std::size_t i = 0; i < run.splits.size(); ++i) {
     split.run(signedIndex(i), run.splits[i].name, run.splits[i].scene_count);

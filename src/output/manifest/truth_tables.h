@@ -8,7 +8,8 @@
 #include "output/manifest/scene_facts.h"
 #include "output/manifest/sqlite.h"
 
-/// The tables that hold what labels are held against: cameras, shapes, keypoints, masks, pictures.
+/// The tables that hold what labels are held against: cameras, shapes, keypoints, masks, pictures;
+/// and who made the inputs.
 namespace synthetic_dataset::output {
 
 /// The tables, as SQL.

@@ -8,6 +8,7 @@
 #include "output/files/digest.h"
 #include "randomize/appearance/picture_folder.h"
 #include "randomize/placement/map_file.h"
+#include "run/setup/credit.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -92,6 +93,19 @@ std::map<std::string, output::RunDescription::Input> describeInputs(
     inputs[file] = {found.bytes, found.digest};
   }
   return inputs;
+}
+
+std::map<std::string, output::RunDescription::Credit> describeCredits(
+    const std::map<std::string, output::RunDescription::Input>& inputs) {
+  CreditFinder finder;
+  std::map<std::string, output::RunDescription::Credit> credits;
+  for (const auto& [path, input] : inputs) {
+    const Credit found = finder.creditOf(path);
+    if (found.author.empty() && found.license.empty()) continue;
+    credits[path] = {found.author, found.author_in.string(), found.license,
+                     found.license_in.string()};
+  }
+  return credits;
 }
 
 }  // namespace synthetic_dataset::run

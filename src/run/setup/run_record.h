@@ -32,4 +32,8 @@ namespace synthetic_dataset::run {
 [[nodiscard]] std::map<std::string, output::RunDescription::Input> describeInputs(
     const std::set<std::string>& files);
 
+/// Who made these files, where a file says so.
+[[nodiscard]] std::map<std::string, output::RunDescription::Credit> describeCredits(
+    const std::map<std::string, output::RunDescription::Input>& inputs);
+
 }  // namespace synthetic_dataset::run

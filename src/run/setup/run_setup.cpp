@@ -332,6 +332,7 @@ class Builder {
     on_stage_("taking the checksums of " + std::to_string(inputs.size()) + " input files");
     findOdd();
     run.inputs = describeInputs(inputs);
+    run.credits = describeCredits(run.inputs);
     output::describeContents(dataset(), run);
     for (const auto& [object, model] : *models_) run.objects.at(object).model = model;
     std::int64_t in_gaps = 0;

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "support/temporary_folder.h"
+
 namespace synthetic_dataset::run {
 namespace run_record_test {
 
@@ -26,6 +28,18 @@ TEST(UsedSettings, LeaveOutWhereFilesGoAndWhatNobodyReads) {
   EXPECT_EQ(settings.at("bag_file").value, "\"a.bag\"");
   EXPECT_FALSE(settings.at("yolo/box").is_default);
   EXPECT_TRUE(settings.at("image/jpeg_quality").is_default);
+}
+
+TEST(DescribedCredits, AreThoseThatFilesName) {
+  const test::TemporaryFolder folder;
+  (void)folder.write("m/model.config", "<model><author><name>Ada</name></author></model>");
+  const std::string mesh = folder.write("m/a.stl", "").string();
+  const std::string bag = folder.write("b/a.bag", "").string();
+  const auto credits = describeCredits({{mesh, {}}, {bag, {}}});
+  EXPECT_THAT(credits, ElementsAre(Key(mesh)));
+  EXPECT_EQ(credits.at(mesh).author, "Ada");
+  EXPECT_EQ(credits.at(mesh).author_in, (folder / "m/model.config").string());
+  EXPECT_EQ(credits.at(mesh).license, "");
 }
 
 TEST(SoftwareVersions, NameWhatShapesTheBytes) {
