@@ -28,7 +28,9 @@ class Shape:
     def __init__(self, row, keypoints):
         self.cuboid = np.array([[row[f'{end}_{axis}'] for axis in 'xyz'] for end in ('low', 'high')],
                                float)
-        self.visible_mask, self.silhouette = row['visible_mask'], row['silhouette']
+        self.visible_mask, self.silhouette = (
+            row[name] if isinstance(row[name], bytes) else None  # NaN where nobody asked for it
+            for name in ('visible_mask', 'silhouette'))
         self.keypoints_O = np.array([each[:3] for each in keypoints], float).reshape(-1, 3)
         self.keypoints = np.array([each[3:5] for each in keypoints], float).reshape(-1, 2)
         self.keypoint_states = [each[5] for each in keypoints]

@@ -124,9 +124,10 @@ class InstallSpace(unittest.TestCase):
     def test_boxes_lie_within_those_of_yolo(self):
         """Yolo's are loose, in fractions that count from the first pixel's centre."""
         loose = {}
+        names = (self.dataset / 'yolo' / 'obj.names').read_text(encoding='utf-8').splitlines()
         for file, boxes in self.yolo_labels():
-            for class_name, x, y, width, height in boxes:
-                loose.setdefault((f'images/{file.stem}.png', class_name), []).append(
+            for number, x, y, width, height in boxes:
+                loose.setdefault((f'images/{file.stem}.png', names[int(number)]), []).append(
                     ((x - width / 2) * WIDTH, (y - height / 2) * HEIGHT,
                      (x + width / 2) * WIDTH, (y + height / 2) * HEIGHT))
         for row in self.table():

@@ -48,7 +48,7 @@ class FirstHour(unittest.TestCase):
     def test_from_a_recording_to_a_dataset(self):
         code, out, err = self.run_program('inspect', BAG)
         self.assertEqual(code, 0, err)
-        self.assertIn("robot: rover_1, whose frame is 'rover_1/base_footprint'", out)
+        self.assertIn("robot: rover_1, whose frame is 'rover_1/base_link'", out)
         code, out, err = self.run_program('inspect', '--json', BAG)
         frames = {frame['name']: frame for frame in json.loads(out)['frames']}
         self.assertEqual(frames['rover_1/base_footprint']['root'], 'map')
@@ -73,7 +73,7 @@ class FirstHour(unittest.TestCase):
 
         code, out, err = self.run_program('generate', '--config', 'my.yaml', 'simulated_rate:=0.5')
         self.assertEqual(code, 0, out + err)
-        self.assertRegex(out, r'done\n$')
+        self.assertRegex(out, r'done(\x1b\[0m)?\n$')
         self.assertEqual(Manifest(self.scratch / 'dataset').state, 'complete')
 
     def test_exit_codes_tell_odd_from_wrong(self):

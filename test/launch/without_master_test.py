@@ -138,12 +138,19 @@ class Signals(Case):
         self.assertNotIn('stopped by', log)
 
     def test_stop_at_once_before_the_first_scene(self):
+        # A program that expands a model and does not end keeps the run from its first scene.
+        pipe = self.scratch / 'pipe'
+        os.mkfifo(pipe)
+        xacro = self.scratch / 'xacro'
+        xacro.write_text(f'#!/bin/sh\nexec cat {pipe}\n', encoding='utf-8')
+        xacro.chmod(0o755)
+        self.environ = {**self.environ, 'PATH': f'{self.scratch}:{self.environ["PATH"]}'}
+        model = self.scratch / 'robot.urdf.xacro'
+        model.write_text('<robot/>', encoding='utf-8')
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
             with self.subTest(number=number):
-                config = self.scratch / f'{number.name}.yaml'
-                os.mkfifo(config)
-                node = self.start('--config', config)
-                with open(config, 'w', encoding='utf-8'):  # which waits for the reader
+                node = self.start_example(1.0, f'rover_1/model:={model}')
+                with open(pipe, 'w', encoding='utf-8'):  # which waits for the reader
                     node.send_signal(number)
                     answer, log = self.finish(node)
                 self.assertEqual(answer, code, log)
