@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/name_list.h"
 #include "motion/pose_topics.h"
 #include "motion/ros_time.h"
 #include "motion/tf_topics.h"
@@ -28,7 +29,7 @@ std::string noSceneLeft(const Timeline& timeline, const TimelineOptions& options
 }
 
 std::string ignoredTopics(const std::vector<std::string>& topics) {
-  return "the recording has TF in topics that are not read: " + listed(topics) +
+  return "the recording has TF in topics that are not read: " + base::listed(topics) +
          " (tf_topics names them)";
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "base/name_list.h"
 #include "motion/time_text.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -102,7 +103,7 @@ std::optional<FrameFinding> findFight(const FrameNames& names, FrameId child,
   }
   if (what.empty()) return std::nullopt;
   const std::string who =
-      publishers.size() > 1 ? "; its publishers are " + listed(publishers) : std::string();
+      publishers.size() > 1 ? "; its publishers are " + base::listed(publishers) : std::string();
   return FrameFinding{child, "two publishers seem to fight over the frame " + quoted(names, child) +
                                  ": it " + what + who + "; its poses are as unsteady as that"};
 }

@@ -58,12 +58,6 @@ std::string didYouMeanFrame(const std::string& name, const std::vector<std::stri
   return "; did you mean " + choice + "?";
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 FrameId FrameNames::findOrAdd(const std::string& name) {
   const std::string plain = withoutLeadingSlashes(name);
   const auto [entry, added] = ids_.try_emplace(plain, static_cast<FrameId>(names_.size()));

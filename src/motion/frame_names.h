@@ -25,9 +25,6 @@ constexpr FrameId kNoFrame{-1};
 [[nodiscard]] std::string didYouMeanFrame(const std::string& name,
                                           const std::vector<std::string>& frames);
 
-/// "odom, base_link".
-[[nodiscard]] std::string listed(const std::vector<std::string>& names);
-
 /// The names of frames. Leading slashes do not count.
 class FrameNames {
  public:

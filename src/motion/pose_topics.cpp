@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/name_list.h"
 #include "motion/checked_messages.h"
 #include "motion/frame_names.h"
 #include "synthetic_dataset/errors.h"
@@ -23,11 +24,7 @@ std::string described(const BagTopic& topic) { return topic.name + " (" + topic.
 /// The first of many.
 std::string someOf(const std::set<std::string>& names) {
   constexpr std::size_t kMost = 12;
-  std::vector<std::string> some(names.begin(), names.end());
-  some.resize(std::min(some.size(), kMost));
-  return listed(some) + (names.size() > kMost
-                             ? " and " + std::to_string(names.size() - kMost) + " more"
-                             : std::string());
+  return base::listed({names.begin(), names.end()}, kMost);
 }
 
 const PoseMessage* messageOf(const BagTopic& topic) {
@@ -44,7 +41,7 @@ bool isJointState(const BagTopic& topic) {
 std::string readableTypes() {
   std::vector<std::string> types{"sensor_msgs/JointState"};
   for (const PoseMessage& message : poseMessages()) types.push_back(message.type);
-  return listed(types);
+  return base::listed(types);
 }
 
 }  // namespace
@@ -112,7 +109,8 @@ void PoseTopics::nameTopic(const PoseTopic& named, const std::vector<JointedRobo
   throw Error("found '" + named.topic +
               "', a topic that the recording does not have; of those "
               "that can be read it has " +
-              (readable.empty() ? "none" : listed(readable)) + didYouMean(named.topic, readable));
+              (readable.empty() ? "none" : base::listed(readable)) +
+              didYouMean(named.topic, readable));
 }
 
 std::vector<PoseTopics::Source> PoseTopics::unreadSources() const {
@@ -197,7 +195,7 @@ void PoseTopics::choose(const std::string& frame, const std::vector<Source>& sou
   }
   std::vector<std::string> topics;
   for (const Source& source : sources) topics.push_back(source.topic.name);
-  hints_.push_back("several topics give the frame '" + frame + "': " + listed(topics) +
+  hints_.push_back("several topics give the frame '" + frame + "': " + base::listed(topics) +
                    "; pose_topics should name one, as in pose_topics: [" + topics.front() + "]");
 }
 
@@ -269,8 +267,8 @@ void PoseTopics::readJoints(const std::vector<JointedRobot>& robots) {
       if (!frames.empty() && !has_tf) topics.push_back(topic.name);
     }
     if (topics.size() > 1) {
-      notes_.push_back("several topics have joints of '" + robot.object + "': " + listed(topics) +
-                       "; none is taken, pose_topics should name one");
+      notes_.push_back("several topics have joints of '" + robot.object + "': " +
+                       base::listed(topics) + "; none is taken, pose_topics should name one");
     }
     if (topics.size() != 1) continue;
     readJoints(topics.front(), {robot});

@@ -56,11 +56,12 @@ AfterStepBack follow(const Stamps& stamps, std::size_t at, Stamp latest) {
 std::vector<Arrival> stepsBack(const Stamps& stamps) {
   std::vector<Arrival> steps;
   if (stamps.empty()) return steps;
-  const Duration least = std::max(kLeastStepBack, 3 * medianPeriod(stamps));
+  const Duration period = medianPeriod(stamps);
   std::size_t returns = 0;
   Stamp latest = stamps.front().stamp;
   for (std::size_t i = 1; i < stamps.size();) {
-    if (stamps[i].stamp > latest - least) {
+    const Duration back = latest - stamps[i].stamp;
+    if (back < kLeastStepBack || back / 3 < period) {
       latest = std::max(latest, stamps[i].stamp);
       ++i;
       continue;

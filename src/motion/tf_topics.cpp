@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/name_list.h"
 #include "motion/checked_messages.h"
 #include "motion/frame_names.h"
 #include "synthetic_dataset/errors.h"
@@ -76,7 +77,7 @@ TopicReaders namedTopics(const BagReader& bags, const std::vector<std::string>& 
     }
     if (found > 0) continue;
     errors.push_back("tf_topics: found '" + name + "', a topic of TF that the recording does not " +
-                     "have; it has " + (all.empty() ? "none" : listed(all)) +
+                     "have; it has " + (all.empty() ? "none" : base::listed(all)) +
                      didYouMean(name, all));
   }
   if (!errors.empty()) throw ErrorList(errors);
@@ -117,13 +118,14 @@ std::string addNamespace(const BagReader& bags, TopicReaders& readers) {
   if (spaces.size() > 1) {
     if (!readers.empty()) return "";
     std::string list;
-    for (const auto& [space, topics] : spaces) list += (list.empty() ? "" : ", ") + listed(topics);
+    for (const auto& [space, topics] : spaces)
+      list += (list.empty() ? "" : ", ") + base::listed(topics);
     throw ErrorList({"tf_topics: the recording has no /tf, and TF of several namespaces: " + list +
                      "; tf_topics should list those to read: tf_topics: [" +
-                     listed(spaces.begin()->second) + "]"});
+                     base::listed(spaces.begin()->second) + "]"});
   }
   for (const std::string& topic : spaces.begin()->second) add(topic, readers);
-  return "TF is taken from " + listed(spaces.begin()->second) +
+  return "TF is taken from " + base::listed(spaces.begin()->second) +
          ", as the recording has no /tf and no other namespace has TF";
 }
 

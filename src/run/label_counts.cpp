@@ -1,20 +1,24 @@
 #include "run/label_counts.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "base/name_list.h"
 
 namespace synthetic_dataset::run {
 namespace {
 
+constexpr std::size_t kMostNamed = 10;
+
 std::string whyNot(const RunSummary::Object& object) {
-  if (object.scenes_in_view == 0) return "it is in view in none of them";
-  const std::string in_view = "all " + std::to_string(object.scenes_in_view);
+  if (object.scenes_in_view == 0) return "never in view";
+  const std::string in_view = "the " + std::to_string(object.scenes_in_view) + " scenes";
   if (object.scenes_counted > 0 && object.scenes_seen == 0) {
-    return "not a pixel of it is seen in " + in_view +
-           " in which its box is in view (does something stand before the camera, is the camera "
+    return "not a pixel is seen in " + in_view +
+           " in which the box is in view (does something stand before the camera, is the camera "
            "inside of a model, or the object too small?)";
   }
-  return "too little of it is seen in " + in_view +
-         " in which it is in view (labels/min_pixels, labels/min_visibility)";
+  return "too little is seen in " + in_view + " in view (labels/min_pixels, labels/min_visibility)";
 }
 
 }  // namespace
@@ -43,9 +47,23 @@ std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& co
                        " has an object a label (does the camera " +
                        "stand where it should, and are its pose and TF in metres?)");
   }
+  std::vector<std::pair<std::string, std::vector<std::string>>> unlabelled;  // by reason
   for (const RunSummary::Object& object : counts) {
     if (hasLabel(object) || object.is_distractor) continue;
-    messages.push_back("object " + object.name + " has a label " + where + ": " + whyNot(object));
+    const std::string reason = whyNot(object);
+    const auto alike = std::find_if(unlabelled.begin(), unlabelled.end(),
+                                    [&](const auto& each) { return each.first == reason; });
+    if (alike == unlabelled.end()) {
+      unlabelled.push_back({reason, {object.name}});
+    } else {
+      alike->second.push_back(object.name);
+    }
+  }
+  for (const auto& [reason, names] : unlabelled) {
+    messages.push_back((names.size() == 1 ? "object " + names.front() + " has"
+                                          : std::to_string(names.size()) + " objects (" +
+                                                base::listed(names, kMostNamed) + ") have") +
+                       " a label " + where + ": " + reason);
   }
   return messages;
 }

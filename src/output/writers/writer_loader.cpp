@@ -5,6 +5,7 @@
 #include <console_bridge/console.h>
 #include <pluginlib/class_loader.hpp>
 
+#include "base/name_list.h"
 #include "output/writers/package_path.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -33,12 +34,6 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 void refuseMissingFiles(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     std::error_code error;
@@ -52,7 +47,7 @@ std::string unknownType(const std::string& type, const std::vector<std::string>&
   const bool has_package = type.find('/') != std::string::npos;
   return "there is no writer type '" + type + "'" +
          didYouMean(has_package ? type : "synthetic_dataset/" + type, types) +
-         " (types that there are: " + joined(types) + ")";
+         " (types that there are: " + base::listed(types) + ")";
 }
 
 using PluginLoader = pluginlib::ClassLoader<LabelWriter>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace synthetic_dataset::run {
 
@@ -17,5 +18,8 @@ struct Finding {
   /// "<about>: <found>; <cure>"
   [[nodiscard]] std::string message() const { return (about.empty() ? "" : about + ": ") + what(); }
 };
+
+/// Where more than four are of one kind, the first one speaks for the others and names them.
+[[nodiscard]] std::vector<Finding> joinAlike(const std::vector<Finding>& findings);
 
 }  // namespace synthetic_dataset::run

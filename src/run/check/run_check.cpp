@@ -116,7 +116,7 @@ std::vector<Finding> checkScenes(const MotionSetup& motion,
   append(findings, checkCameras(motion, rays, scenes));
   append(findings, checkLights(motion, rays, scenes));
   append(findings, checkStanding(motion, rays, momentsOf(motion, scenes)));
-  return findings;
+  return joinAlike(findings);
 }
 
 /// What was found at set-up: what is odd, and all else that the user is warned of.

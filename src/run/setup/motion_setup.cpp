@@ -214,7 +214,7 @@ class MotionBuilder {
       noteFarAxis(camera, *rig);
       setup_.cameras.push_back(std::move(*rig));
     }
-    scene::placeStereoPairs(setup_.cameras, *setup_.frames, found());
+    if (setup_.frames) scene::placeStereoPairs(setup_.cameras, *setup_.frames, found());
     scene::notePictureFrames(setup_.cameras, found());
   }
 

@@ -355,7 +355,7 @@ class Builder {
   /// What is cheap to find out about every run.
   void findOdd() {
     for (const MotionSetup& motion : setup_.motions) {
-      std::vector<Finding> findings = checkSetup(motion);
+      std::vector<Finding> findings = joinAlike(checkSetup(motion));
       nameMotion(motion, setup_.motions.size(), findings);
       for (const Finding& each : findings) found().warning(each.about, each.what());
       setup_.odd.insert(setup_.odd.end(), findings.begin(), findings.end());
