@@ -144,6 +144,31 @@ void readRange(Parameters& group, scene::CameraOptions& camera) {
   }
 }
 
+/// What the last part of a topic's name says, as image_proc names its topics: image_rect,
+/// image_rect_color/compressed.
+bool isRectifiedTopic(const std::string& topic) {
+  return topic.find("/image_rect") != std::string::npos;
+}
+
+/// The recorded pictures, and how their clock and frame differ from TF's.
+void readTwin(Parameters& group, scene::CameraOptions& camera) {
+  constexpr double kLongestOffset = 10.0;  // [s]
+  camera.image_topic = group.maybe<std::string>("image_topic");
+  const auto offset = maybeBetween(group, "time_offset", -kLongestOffset, kLongestOffset);
+  if (offset && !camera.image_topic) {
+    group.addError("time_offset", "found without image_topic, of whose pictures it speaks");
+  }
+  camera.time_offset = base::fromSeconds(offset.value_or(0.0));
+  if (group.has("correction")) camera.X_FD = readPose(group, "correction");
+  if (camera.X_FD && camera.sample) {
+    group.addError("correction", "found together with sample, whose cameras stand where it says");
+  }
+  if (camera.image_topic && camera.sample) {
+    group.addError("sample",
+                   "found together with image_topic; a recorded picture was taken from one place");
+  }
+}
+
 /// The members that a camera has whether it is the only one or not.
 scene::CameraOptions readCamera(Parameters group, const std::string& name,
                                 std::optional<std::string> frame) {
@@ -169,7 +194,9 @@ scene::CameraOptions readCamera(Parameters group, const std::string& name,
                    "found together with pose or mounted_on; a camera stands somewhere, or is "
                    "put somewhere else for each scene");
   }
-  camera.rectified = group.maybe<bool>("rectified").value_or(false);
+  readTwin(group, camera);
+  const bool is_rectified = camera.image_topic && isRectifiedTopic(*camera.image_topic);
+  camera.rectified = group.maybe<bool>("rectified").value_or(is_rectified);
   if (group.has("stereo_frame")) camera.stereo_frame = readStereoFrame(group, camera.rectified);
   readRange(group, camera);
   if (group.has("effects")) readEffects(group.group("effects"), camera);

@@ -1,5 +1,6 @@
 #include "config/config.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "config/placement_config.h"
 #include "config/randomization.h"
 #include "config/topic_config.h"
+#include "config/twin_config.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
@@ -45,6 +47,17 @@ std::optional<double> readLongestGap(Parameters& root) {
   return maybeSeconds(root, "max_tf_gap");
 }
 
+/// The camera in `camera`, or some of those in `cameras`.
+bool hasPictures(Parameters& root) {
+  Parameters camera = root.group("camera");
+  if (camera.has("image_topic")) return true;
+  Parameters cameras = root.group("cameras");
+  const std::vector<std::string> names = cameras.names();
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return cameras.maybe<Value>(name)->is<Value::Map>() && cameras.group(name).has("image_topic");
+  });
+}
+
 motion::MotionOptions readMotion(Parameters& root) {
   motion::MotionOptions motion;
   motion.source = readSource(root);
@@ -63,7 +76,10 @@ motion::MotionOptions readMotion(Parameters& root) {
     root.addError("bag_file", "found an empty list; it should name at least one bag");
   }
   for (std::string& file : motion.bag_files) file = absolutePath(file);
-  motion.rate = numberAbove(root, "simulated_rate", motion.rate, 0.0);
+  // Scenes at the times of pictures have no rate that anybody sets.
+  if (root.has("simulated_rate") || !hasPictures(root)) {
+    motion.rate = numberAbove(root, "simulated_rate", motion.rate, 0.0);
+  }
   constexpr double kHighestRate = 1e9;  // a period of one nanosecond
   if (motion.rate > kHighestRate) {
     root.addError("simulated_rate", "found " + Value(motion.rate).text() + " Hz; at most 1e9");
@@ -221,6 +237,7 @@ Config readConfig(Parameters root) {
   config.world = readWorld(root);
   config.cameras = readCameras(root);
   config.randomization = readRandomization(root);
+  config.twin = readTwinOptions(root, config);
   config.objects = readObjects(root);
   addLabelledDistractors(root, config.randomization.distractors, config.objects);
   checkObjectCount(root, config.objects.size());

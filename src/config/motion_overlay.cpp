@@ -81,7 +81,7 @@ const std::set<std::string>& settingsOfMotions() {
       "bag_file",   "camera", "camera_frame_id", "cameras",      "duration",
       "max_tf_gap", "motion", "physics",         "placement",    "pose_topics",
       "randomize",  "scenes", "simulated_rate",  "start_offset", "stretch",
-      "tf_topics",  "world",  "world_file"};
+      "tf_topics",  "twin",   "world",           "world_file"};
   return kNames;
 }
 

@@ -21,6 +21,12 @@ namespace {
 std::string noSceneLeft(const Timeline& timeline, const TimelineOptions& options) {
   const std::string longest = options.max_tf_gap ? secondsText(*options.max_tf_gap)
                                                  : "by default 10 s or 20 median periods";
+  if (options.stamps && timeline.left_out_unknown + timeline.left_out_gap == 0) {
+    const std::vector<Stamp>& all = *options.stamps;
+    return "no picture is in the window: there are " + std::to_string(all.size()) + ", from " +
+           secondsText(all.front()) + " to " + secondsText(all.back()) +
+           "; start_offset and duration say which part of the recording is used";
+  }
   return "no scene is left: of those in the window, " + std::to_string(timeline.left_out_unknown) +
          " are left out because a transform is not known and " +
          std::to_string(timeline.left_out_gap) +

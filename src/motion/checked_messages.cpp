@@ -72,6 +72,26 @@ void checkJoints(ros::serialization::IStream stream) {
   passList(stream, sizeof(double), "efforts");
 }
 
+void checkImage(ros::serialization::IStream stream) {
+  std_msgs::Header header;
+  std::string encoding;
+  std::uint8_t is_bigendian = 0;
+  stream.next(header);
+  stream.advance(2 * sizeof(std::uint32_t));  // height and width
+  stream.next(encoding);
+  stream.next(is_bigendian);
+  stream.advance(sizeof(std::uint32_t));  // step
+  static_cast<void>(checkList(stream, sizeof(std::uint8_t), "pixels"));
+}
+
+void checkImageFile(ros::serialization::IStream stream) {
+  std_msgs::Header header;
+  std::string format;
+  stream.next(header);
+  stream.next(format);
+  static_cast<void>(checkList(stream, sizeof(std::uint8_t), "bytes"));
+}
+
 void checkStates(ros::serialization::IStream stream) {
   passTexts(stream, "names");
   passList(stream, 7 * sizeof(double), "poses");

@@ -7,6 +7,8 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/serialization.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -30,6 +32,14 @@ struct RecordedJoints {
   sensor_msgs::JointState message;
 };
 
+struct RecordedImage {
+  sensor_msgs::Image message;
+};
+
+struct RecordedImageFile {
+  sensor_msgs::CompressedImage message;
+};
+
 /// What gazebo_msgs/ModelStates and gazebo_msgs/LinkStates hold alike, without their velocities.
 struct RecordedStates {
   std::vector<std::string> names;
@@ -44,6 +54,8 @@ void checkTransforms(ros::serialization::IStream stream);
 void checkCalibration(ros::serialization::IStream stream);
 void checkGrid(ros::serialization::IStream stream);
 void checkJoints(ros::serialization::IStream stream);
+void checkImage(ros::serialization::IStream stream);
+void checkImageFile(ros::serialization::IStream stream);
 void checkStates(ros::serialization::IStream stream);
 
 }  // namespace synthetic_dataset::motion
@@ -62,6 +74,13 @@ struct MD5Sum<synthetic_dataset::motion::RecordedGrid> : MD5Sum<nav_msgs::Occupa
 
 template <>
 struct MD5Sum<synthetic_dataset::motion::RecordedJoints> : MD5Sum<sensor_msgs::JointState> {};
+
+template <>
+struct MD5Sum<synthetic_dataset::motion::RecordedImage> : MD5Sum<sensor_msgs::Image> {};
+
+template <>
+struct MD5Sum<synthetic_dataset::motion::RecordedImageFile> : MD5Sum<sensor_msgs::CompressedImage> {
+};
 
 /// Of both types, whose fields are the same: string[] name, Pose[] pose, Twist[] twist.
 template <>
@@ -104,6 +123,22 @@ template <>
 struct Serializer<synthetic_dataset::motion::RecordedJoints> {
   static void read(IStream& stream, synthetic_dataset::motion::RecordedJoints& into) {
     synthetic_dataset::motion::checkJoints(stream);
+    stream.next(into.message);
+  }
+};
+
+template <>
+struct Serializer<synthetic_dataset::motion::RecordedImage> {
+  static void read(IStream& stream, synthetic_dataset::motion::RecordedImage& into) {
+    synthetic_dataset::motion::checkImage(stream);
+    stream.next(into.message);
+  }
+};
+
+template <>
+struct Serializer<synthetic_dataset::motion::RecordedImageFile> {
+  static void read(IStream& stream, synthetic_dataset::motion::RecordedImageFile& into) {
+    synthetic_dataset::motion::checkImageFile(stream);
     stream.next(into.message);
   }
 };

@@ -11,7 +11,8 @@
 
 namespace synthetic_dataset::motion {
 
-/// When scenes are made: at regular times; of a recording, from its start + start_offset on.
+/// When scenes are made: at regular times, or at those that are given; of a recording, from its
+/// start + start_offset on.
 struct TimelineOptions {
   Duration period{0};                ///< between scenes, > 0
   Duration start_offset{0};          ///< left out at the recording's start, >= 0
@@ -20,6 +21,9 @@ struct TimelineOptions {
   /// Scenes interpolated across a longer gap are left out, unless the pose is the same at both
   /// ends. Nothing: of each frame the larger of 10 s and 20 median periods.
   std::optional<Duration> max_tf_gap;
+
+  /// Instead of regular times, those at which there is something recorded; ascending.
+  std::optional<std::vector<Stamp>> stamps;
 
   std::int64_t scenes = 0;  ///< how many, where no recording has a start and an end
 

@@ -92,6 +92,44 @@ std::optional<Stamp> lastKnown(Connections& connections, Stamp time, Stamp limit
   return std::nullopt;
 }
 
+/// Leaves scenes out at whose time something is not known, or that a hole forbids.
+class TimeFilter {
+ public:
+  TimeFilter(const FrameTree& tree, Connections& connections, const TimelineOptions& options)
+      : connections_(connections), holes_(tree, options) {}
+
+  /// @return whether there is a scene then; else it is counted
+  [[nodiscard]] bool passes(Stamp time, Timeline& timeline) {
+    if (!connections_.allKnownAt(time)) {
+      ++timeline.left_out_unknown;
+      return false;
+    }
+    if (holes_.forbid(connections_.linksAt(time), time)) {
+      ++timeline.left_out_gap;
+      return false;
+    }
+    return true;
+  }
+
+  void report(base::Diagnostics& found) const { holes_.report(found); }
+
+ private:
+  Connections& connections_;
+  Holes holes_;
+};
+
+/// Those of the given times that are in the part.
+Timeline timelineOf(const std::vector<Stamp>& stamps, const RecordedTimes& part,
+                    TimeFilter& filter) {
+  Timeline timeline;
+  for (const Stamp time : stamps) {
+    const bool is_inside = time >= part.start && time <= part.end;
+    if (is_inside && filter.passes(time, timeline)) timeline.stamps.push_back(time);
+  }
+  filter.report(timeline.found);
+  return timeline;
+}
+
 void checkCount(std::int64_t scenes, Duration period) {
   if (scenes <= kMostScenes) return;
   throw ErrorList({"one scene every " + secondsText(period) + " makes " + std::to_string(scenes) +
@@ -139,7 +177,8 @@ std::optional<Timeline> findTimeline(const FrameTree& tree, const FramesToKnow& 
                                      const RecordedTimes& part, const TimelineOptions& options) {
   const Duration period = options.period;
   Connections connections(tree, wanted);
-  Holes holes(tree, options);
+  TimeFilter filter(tree, connections, options);
+  if (options.stamps) return timelineOf(*options.stamps, part, filter);
   const auto start = firstKnown(connections, part.start, part.end, period);
   if (!start) return std::nullopt;
   const auto end = lastKnown(connections, part.end, *start, period);
@@ -153,16 +192,11 @@ std::optional<Timeline> findTimeline(const FrameTree& tree, const FramesToKnow& 
   for (std::int64_t i = 0; i < scenes; ++i) {
     const Duration jitter = options.jitter ? options.jitter(first + i) : Duration{0};
     const Stamp time = *start + i * period + jitter;
-    if (!connections.allKnownAt(time)) {
-      ++timeline.left_out_unknown;
-    } else if (holes.forbid(connections.linksAt(time), time)) {
-      ++timeline.left_out_gap;
-    } else {
-      timeline.stamps.push_back(time);
-      if (options.jitter) timeline.jitter.push_back(jitter);
-    }
+    if (!filter.passes(time, timeline)) continue;
+    timeline.stamps.push_back(time);
+    if (options.jitter) timeline.jitter.push_back(jitter);
   }
-  holes.report(timeline.found);
+  filter.report(timeline.found);
   return timeline;
 }
 

@@ -19,8 +19,8 @@ std::string withoutSlash(const std::string& topic) {
 
 }  // namespace
 
-TopicSearch::TopicSearch(std::string topic, std::string type, std::string md5sum)
-    : topic_(std::move(topic)), type_(std::move(type)), md5sum_(std::move(md5sum)) {}
+TopicSearch::TopicSearch(std::string topic, Types types)
+    : topic_(std::move(topic)), types_(std::move(types)) {}
 
 void TopicSearch::in(const std::string& file,
                      const std::function<void(rosbag::View& messages)>& see) {
@@ -42,7 +42,7 @@ void TopicSearch::show(const std::string& file,
   rosbag::View all(bag);
   std::vector<std::string> names;
   for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
-    const bool right_type = connection->md5sum == md5sum_;
+    const bool right_type = types_.count(connection->md5sum) != 0;
     if (right_type) topics_.insert(connection->topic);
     if (withoutSlash(connection->topic) != name) continue;
     if (right_type) {
@@ -60,14 +60,16 @@ Error TopicSearch::notFound() const {
   if (!has_bag_) {
     return Error("found '" + topic_ + "', a topic of a recording; bag_file should name its bags");
   }
+  std::string type;
+  for (const auto& [md5sum, name] : types_) type += (type.empty() ? "" : " or ") + name;
   if (!other_type_.empty()) {
     return Error("found '" + topic_ + "', whose messages are " + other_type_ + "; they should be " +
-                 type_);
+                 type);
   }
   std::string there;
   for (const std::string& topic : topics_) there += (there.empty() ? "" : ", ") + topic;
-  return Error("found '" + topic_ + "', a topic that the recording does not have; of type " +
-               type_ + " it has " + (there.empty() ? "none" : there) +
+  return Error("found '" + topic_ + "', a topic that the recording does not have; of type " + type +
+               " it has " + (there.empty() ? "none" : there) +
                didYouMean(topic_, {topics_.begin(), topics_.end()}));
 }
 

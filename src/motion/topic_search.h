@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 
@@ -13,11 +14,13 @@ namespace synthetic_dataset::motion {
 /// Looks for a topic's messages in one bag after another, and remembers what there is instead.
 class TopicSearch {
  public:
+  /// For messages of one of these types.
   /// @param topic  with or without a leading slash
-  template <class Message>
+  template <class... Messages>
   [[nodiscard]] static TopicSearch of(const std::string& topic) {
-    return {topic, ros::message_traits::DataType<Message>::value(),
-            ros::message_traits::MD5Sum<Message>::value()};
+    return {topic,
+            {{ros::message_traits::MD5Sum<Messages>::value(),
+              ros::message_traits::DataType<Messages>::value()}...}};
   }
 
   /// Shows a bag's messages of the topic, in the order of their times; nothing when it has none.
@@ -29,15 +32,16 @@ class TopicSearch {
   [[nodiscard]] Error notFound() const;
 
  private:
-  TopicSearch(std::string topic, std::string type, std::string md5sum);
+  using Types = std::map<std::string, std::string>;  ///< names by their checksums
+
+  TopicSearch(std::string topic, Types types);
 
   void show(const std::string& file, const std::function<void(rosbag::View& messages)>& see);
 
   std::string topic_;
-  std::string type_;
-  std::string md5sum_;
+  Types types_;
   bool has_bag_ = false;          ///< whether there was any to look in
-  std::set<std::string> topics_;  ///< that are of the type
+  std::set<std::string> topics_;  ///< that are of the types
   std::string other_type_;        ///< that of the topic, where it is not the one that was wanted
 };
 

@@ -213,7 +213,7 @@ void DatasetStore::commitScene(const SceneFacts& scene, const SceneFiles& files)
     Manifest& manifest = *impl_->manifest;
     impl_->requireManifest();
     const base::ImageQuality quality{impl_->options.png_compression, impl_->options.jpeg_quality};
-    const std::vector<SceneContent> contents = encodeScene(files.files, quality);
+    const std::vector<SceneContent> contents = encodeScene(files.files, quality, files.recorded);
     manifest.announceScene(scene, manifestFiles(files.files, contents));
     try {
       std::vector<PendingFile> pending = publish(files.files, contents);

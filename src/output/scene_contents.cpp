@@ -133,7 +133,8 @@ SceneContent encoded(const OutputFile& file, const base::ImageQuality& quality) 
 /// Collects what files hold.
 class SceneEncoder {
  public:
-  explicit SceneEncoder(const base::ImageQuality& quality) : quality_(quality) {}
+  SceneEncoder(const base::ImageQuality& quality, const RecordedJpeg& recorded)
+      : quality_(quality), recorded_(recorded) {}
 
   void addText(const OutputFile& file, std::size_t index) {
     contents_.push_back({{}, file.text, {index}});
@@ -188,11 +189,15 @@ class SceneEncoder {
   std::size_t addPicture(const OutputFile& file, base::ImageFormat format) {
     const std::size_t next = contents_.size();
     if (const auto equal = equal_.find(file, format, next)) return *equal;
-    contents_.push_back(encoded(file, quality_));
+    const bool is_recorded = !recorded_.bytes.empty() && format == base::ImageFormat::kJpeg &&
+                             areSame(file.pixels, recorded_.pixels);
+    contents_.push_back(is_recorded ? SceneContent{recorded_.bytes, {}, {}}
+                                    : encoded(file, quality_));
     return next;
   }
 
   base::ImageQuality quality_;
+  const RecordedJpeg& recorded_;
   GivenImages given_;
   EqualImages equal_;
   std::vector<SceneContent> contents_;
@@ -209,8 +214,9 @@ std::string_view SceneContent::bytes() const {
 }
 
 std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
-                                      const base::ImageQuality& quality) {
-  SceneEncoder encoder(quality);
+                                      const base::ImageQuality& quality,
+                                      const RecordedJpeg& recorded) {
+  SceneEncoder encoder(quality, recorded);
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].pixels.empty() && !isMask(files[i])) {
       encoder.addText(files[i], i);

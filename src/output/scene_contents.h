@@ -19,8 +19,10 @@ struct SceneContent {
 
 /// What the files of a scene hold, in the order of their first mention: of those that hold the same
 /// image in the same format, once.
+/// @param recorded  a picture whose JPEG files have its bytes
 /// @throws Error naming the file whose image cannot be encoded
 [[nodiscard]] std::vector<SceneContent> encodeScene(const std::vector<OutputFile>& files,
-                                                    const base::ImageQuality& quality);
+                                                    const base::ImageQuality& quality,
+                                                    const RecordedJpeg& recorded = {});
 
 }  // namespace synthetic_dataset::output

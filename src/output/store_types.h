@@ -28,6 +28,12 @@ struct OutputFile {
   Mask mask = {};                       ///< of no image unless the file is one of it
 };
 
+/// A picture that was a JPEG file before: where it is to be one again, it is that file.
+struct RecordedJpeg {
+  cv::Mat pixels;
+  std::vector<std::uint8_t> bytes;  ///< empty: it was none
+};
+
 /// All that the writers want for one scene.
 struct SceneFiles {
   struct Record {
@@ -37,6 +43,7 @@ struct SceneFiles {
   };
   std::vector<OutputFile> files;
   std::vector<Record> records;
+  RecordedJpeg recorded = {};
 };
 
 /// What a dataset holds so far.

@@ -33,7 +33,8 @@ std::int64_t DatasetSink::cameraCount() const {
 }
 
 std::vector<output::Warning> DatasetSink::add(const FinishedScene& finished) {
-  const output::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
+  output::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
+  written.files.recorded = {finished.scene.image, finished.image_file};
   std::vector<output::Warning> warnings;
   for (const std::string& warning : written.warnings) warnings.push_back({warning});
   output::SceneFacts facts = finished.facts;

@@ -88,6 +88,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   const auto develop = [&] {
     for (DrawnScene& each : scenes) {
       const Scene& scene = each.seen.scene;
+      if (motion_.pictures) continue;  // read when the scene is finished
       each.image = picture_taker_.develop(scene.camera_index, scene.index);
     }
     // Warnings go to the instant's first scene.
@@ -107,7 +108,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
       if (is_wanted) X_GO = object_motion_.objectPoses(stamp);
     }
     for (std::size_t camera = 0; is_wanted && camera < motion_.cameras.size(); ++camera) {
-      picture_taker_.expose(camera, stamp, offset);
+      if (!motion_.pictures) picture_taker_.expose(camera, stamp, offset);
       if (offset == Duration{0}) scenes.push_back(look(camera, instant, stamp, X_GO));
       if (!waits) develop();
     }
@@ -197,9 +198,15 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
   drawn.seen.pixels.surface = {};
   // What labels and image are made of is not needed any more.
   const label::MaskAgreement agreement = std::exchange(drawn.seen.pixels.labels, {})(scene);
-  scene.image = std::exchange(drawn.image, {})();
+  scene::TakenPicture taken;
+  if (motion_.pictures) {
+    taken = motion_.pictures->take(scene.camera_index, scene.stamp);
+  } else {
+    taken.pixels = std::exchange(drawn.image, {})();
+  }
+  scene.image = taken.pixels;
   output::SceneFacts facts = factsOf(drawn, agreement);
-  return {std::move(scene), std::move(facts)};
+  return {std::move(scene), std::move(facts), std::move(taken.jpeg)};
 }
 
 output::SceneFacts MotionRun::factsOf(const DrawnScene& drawn,

@@ -15,6 +15,10 @@ std::string startOf(const MotionSetup& motion) {
 
 std::string whenMade(const MotionSetup& motion) {
   if (!motion.timeline.is_recorded) return ", placed";
+  if (motion.pictures) {
+    return " at the times of recorded pictures from " + startOf(motion) + " s on, one every " +
+           fixed(1.0 / motion.config.motion.rate, 4) + " s (median)";
+  }
   return " from " + startOf(motion) + " s on, every " + fixed(1.0 / motion.config.motion.rate, 4) +
          " s" + (motion.timeline.jitter.empty() ? "" : " but for randomize/time/jitter");
 }

@@ -14,6 +14,7 @@ namespace synthetic_dataset::run {
 struct FinishedScene {
   Scene scene;
   output::SceneFacts facts;
+  std::vector<std::uint8_t> image_file = {};  ///< the JPEG that its image was decoded from, if any
 };
 
 /// How a run ends.

@@ -48,11 +48,14 @@ struct CameraOptions {
   scene::CalibrationChoice info_choice;             ///< of the file's cameras
   std::optional<std::string> info_topic;            ///< of the bag
   std::optional<std::string> sensor;                ///< "model::link::sensor"
+  std::optional<std::string> image_topic;           ///< of the bag: the pictures that it has taken
+  Duration time_offset{0};                          ///< what its stamps lack to TF's clock
   std::optional<Pose> X_GC;                         ///< with `mounted_on`, in that object's frame
   std::optional<CameraAim> aim;                     ///< instead of X_GC
   std::optional<std::string> on;                    ///< the object that it is mounted on
   std::optional<randomize::CameraSampling> sample;  ///< drawn for each scene instead
   bool rectified = false;
+  std::optional<Pose> X_FD;  ///< of the true optical frame (D) in the one that TF has
   StereoFrame stereo_frame = StereoFrame::kAuto;
   std::optional<double> near;  ///< [m]; none: as the world has it of its `sensor`
   std::optional<double> far;   ///< [m]; none: as the world has it of its `sensor`

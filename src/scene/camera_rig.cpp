@@ -235,6 +235,27 @@ Eigen::Vector3d middleOf(const FollowedObject& object, const world::World& world
   return X_GO * object.centres_O[world.variant(object.object)];
 }
 
+/// X_GF as the sources have it.
+Pose sourcePose(const CameraRig& camera, const world::World& world,
+                const motion::FrameSource& frames, Stamp instant, Duration offset) {
+  if (camera.X_GC) return *camera.X_GC;
+  if (camera.link) return world.linkPoses()[*camera.link] * camera.X_LC;
+  Pose X_GF = camera.followed == motion::kNoFrame
+                  ? Pose::Identity()
+                  : poseAround(camera.followed, frames, instant, offset);
+  if (camera.is_carried || camera.looks_at) X_GF = X_GF * camera.X_LC;
+  if (!camera.looks_at) return X_GF;
+  const Eigen::Vector3d position_G = X_GF.translation();
+  const Eigen::Vector3d target_G = middleOf(
+      *camera.looks_at, world, poseAround(camera.looks_at->frame, frames, instant, offset));
+  constexpr double kNoDirection = 1e-9;  // [m]
+  if ((target_G - position_G).norm() > kNoDirection) {
+    return randomize::lookingAt(position_G, target_G, 0.0);
+  }
+  throw Error("camera " + camera.name + ": at " + fixed(toSeconds(instant + offset), 3) +
+              " s it stands in the middle of what it looks at (pose/look_at)");
+}
+
 }  // namespace
 
 CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::string>& bag_files,
@@ -250,6 +271,7 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
   CameraRig rig{config.name, camera.model, frameOf(config, camera, frames)};
   findPose(config, sensor, links, objects, frames, rig);
   placeInFrame(config, camera, rig);
+  rig.X_FD = config.X_FD;
   rig.shutter = config.shutter;
   rig.effects = effectsOf(config, sensor);
   return rig;
@@ -277,22 +299,8 @@ double seenShare(const CameraModel& camera) {
 
 Pose framePose(const CameraRig& camera, const world::World& world,
                const motion::FrameSource& frames, Stamp instant, Duration offset) {
-  if (camera.X_GC) return *camera.X_GC;
-  if (camera.link) return world.linkPoses()[*camera.link] * camera.X_LC;
-  Pose X_GF = camera.followed == motion::kNoFrame
-                  ? Pose::Identity()
-                  : poseAround(camera.followed, frames, instant, offset);
-  if (camera.is_carried || camera.looks_at) X_GF = X_GF * camera.X_LC;
-  if (!camera.looks_at) return X_GF;
-  const Eigen::Vector3d position_G = X_GF.translation();
-  const Eigen::Vector3d target_G = middleOf(
-      *camera.looks_at, world, poseAround(camera.looks_at->frame, frames, instant, offset));
-  constexpr double kNoDirection = 1e-9;  // [m]
-  if ((target_G - position_G).norm() > kNoDirection) {
-    return randomize::lookingAt(position_G, target_G, 0.0);
-  }
-  throw Error("camera " + camera.name + ": at " + fixed(toSeconds(instant + offset), 3) +
-              " s it stands in the middle of what it looks at (pose/look_at)");
+  const Pose X_GF = sourcePose(camera, world, frames, instant, offset);
+  return camera.X_FD ? Pose(X_GF * *camera.X_FD) : X_GF;
 }
 
 Pose cameraPose(const CameraRig& camera, const world::World& world,

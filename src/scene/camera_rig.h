@@ -38,6 +38,9 @@ struct CameraRig {
   std::optional<FollowedObject> looks_at = std::nullopt;
   bool sampled = false;  ///< its frame is placed for each scene
 
+  /// Of the true optical frame in the one that the sources have, which is corrected by it.
+  std::optional<Pose> X_FD = std::nullopt;
+
   /// Of the picture's optical frame (C) in `frame`: of a rectified camera, which is turned, and of
   /// the second one of a stereo pair, which has its place in the frame of the first.
   Pose X_FC = Pose::Identity();

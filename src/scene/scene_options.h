@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -11,6 +12,7 @@
 #include "randomize/placement/placement_options.h"
 #include "scene/camera_options.h"
 #include "scene/object_options.h"
+#include "scene/twin_options.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::scene {
@@ -19,6 +21,12 @@ namespace synthetic_dataset::scene {
 struct SceneOptions {
   /// Whether scenes are placed at random, not recorded.
   [[nodiscard]] bool isPlaced() const { return motion.source == motion::MotionSource::kPlacement; }
+
+  /// Whether the cameras' pictures are recorded ones.
+  [[nodiscard]] bool isTwin() const {
+    return std::any_of(cameras.begin(), cameras.end(),
+                       [](const CameraOptions& each) { return each.image_topic.has_value(); });
+  }
 
   /// How many objects are followed or placed, and no distractors.
   [[nodiscard]] std::size_t robotCount() const {
@@ -32,6 +40,7 @@ struct SceneOptions {
   randomize::PlacementOptions placement;  ///< of MotionSource::kPlacement
   randomize::Randomization randomization;
   std::vector<CameraOptions> cameras;  ///< at least one
+  TwinOptions twin;                    ///< of cameras with an image_topic
   std::vector<ObjectOptions> objects;
   label::MaskOptions masks;
   label::LabelOptions labels;

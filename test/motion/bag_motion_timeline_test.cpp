@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/recorded.h"
+#include "support/error_messages.h"
 
 namespace synthetic_dataset::motion {
 namespace bag_motion_timeline_test {
@@ -23,6 +24,28 @@ TEST(Timeline, GoesFromTheRecordingsStartAndStopsBeforeItsEnd) {
                                            milliseconds(1500), milliseconds(1750)));
   EXPECT_EQ(timeline.left_out_unknown, 0);
   EXPECT_EQ(timeline.left_out_gap, 0);
+}
+
+TEST(Timeline, IsAtTheTimesThatAreGiven) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
+  TimelineOptions options = everyMilliseconds(250);
+  options.stamps = {milliseconds(900), milliseconds(1003), milliseconds(1500), milliseconds(2000),
+                    milliseconds(2100)};
+  const Timeline timeline = motion.timeline({"alpha"}, options);
+  EXPECT_THAT(timeline.stamps,
+              ElementsAre(milliseconds(1003), milliseconds(1500), milliseconds(2000)));
+  EXPECT_EQ(timeline.left_out_unknown, 0) << "those are outside of the recording";
+}
+
+TEST(Timeline, SaysWhenNoneOfTheGivenTimesIsInTheWindow) {
+  const BagMotion motion =
+      recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
+  TimelineOptions options = everyMilliseconds(250);
+  options.stamps = {milliseconds(2100)};
+  EXPECT_THAT(test::messagesOf([&] { (void)motion.timeline({"alpha"}, options); }),
+              ElementsAre(HasSubstr("no picture is in the window: there are 1, from "
+                                    "2.100000000 s")));
 }
 
 TEST(Timeline, StartsOnItsGridWhenTheLastFrameAppears) {

@@ -10,6 +10,8 @@
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
@@ -237,6 +239,40 @@ BagBuilder& BagBuilder::calibrate(const std::string& topic, const std::string& f
   info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   info.P = {focal_length, 0, 79.5, 0, 0, focal_length, 59.5, 0, 0, 0, 1, 0};
   impl_->bag.write(topic, toRosTime(recorded), info);
+  return *this;
+}
+
+BagBuilder& BagBuilder::picture(const std::string& topic, Stamp stamp, const cv::Mat& pixels,
+                                const std::string& encoding) {
+  sensor_msgs::Image image;
+  image.header.stamp = toRosTime(stamp);
+  image.width = static_cast<std::uint32_t>(pixels.cols);
+  image.height = static_cast<std::uint32_t>(pixels.rows);
+  image.encoding = encoding;
+  image.step = static_cast<std::uint32_t>(pixels.step[0]);
+  image.data.assign(pixels.datastart, pixels.dataend);
+  impl_->bag.write(topic, image.header.stamp, image);
+  return *this;
+}
+
+BagBuilder& BagBuilder::pictureAt(const std::string& topic, Stamp recorded, Stamp stamp) {
+  sensor_msgs::Image image;
+  image.header.stamp = toRosTime(stamp);
+  image.width = image.height = image.step = 1;
+  image.encoding = "mono8";
+  image.data = {100};
+  impl_->bag.write(topic, toRosTime(recorded), image);
+  return *this;
+}
+
+BagBuilder& BagBuilder::pictureFile(const std::string& topic, Stamp stamp,
+                                    const std::string& format,
+                                    const std::vector<std::uint8_t>& bytes) {
+  sensor_msgs::CompressedImage image;
+  image.header.stamp = toRosTime(stamp);
+  image.format = format;
+  image.data = bytes;
+  impl_->bag.write(topic, image.header.stamp, image);
   return *this;
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::test {
@@ -77,6 +79,18 @@ class BagBuilder {
 
   /// Calibrations from now on are of images of this size [px].
   BagBuilder& resizeCamera(std::uint32_t width, std::uint32_t height);
+
+  /// A sensor_msgs/Image of such pixels, recorded at its stamp.
+  /// @param encoding  of sensor_msgs/image_encodings.h, as the pixels' type is
+  BagBuilder& picture(const std::string& topic, Stamp stamp, const cv::Mat& pixels,
+                      const std::string& encoding);
+
+  /// A picture of one grey pixel with a stamp of its own.
+  BagBuilder& pictureAt(const std::string& topic, Stamp recorded, Stamp stamp);
+
+  /// A sensor_msgs/CompressedImage, recorded at its stamp.
+  BagBuilder& pictureFile(const std::string& topic, Stamp stamp, const std::string& format,
+                          const std::vector<std::uint8_t>& bytes);
 
   /// A map in cells.
   struct Map {

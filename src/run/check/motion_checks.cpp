@@ -62,6 +62,7 @@ void checkRate(const MotionSetup& motion, const std::vector<FollowedFrame>& fram
   constexpr double kDense = 2.5;  // between two transforms there is nothing new but noise
   const auto recorded = shortestRecorded(motion, frames);
   if (!recorded || motion.timeline.stamps.size() < 2) return;
+  if (motion.pictures) return;  // which are there as they are
   const double rate = 1.0 / toSeconds(*recorded);
   if (motion.config.motion.rate < kDense * rate) return;
   findings.push_back(

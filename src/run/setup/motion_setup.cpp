@@ -45,8 +45,10 @@ class MotionBuilder {
     openSource();
     loadWorld();
     setUpCameras();
+    findPictures();
     arrangeScenes();
     planScenes();
+    checkPictures();
     reportSource();
     return std::move(setup_);
   }
@@ -218,6 +220,26 @@ class MotionBuilder {
     scene::notePictureFrames(setup_.cameras, found());
   }
 
+  /// Scenes of recorded pictures are at their times, whatever the setting of the rate.
+  void findPictures() {
+    if (!config().isTwin() || !setup_.frames || setup_.cameras.size() != config().cameras.size()) {
+      return;
+    }
+    on_stage_("looking through the recorded pictures");
+    setup_.pictures = attempt([&] {
+      return std::make_unique<scene::CameraPictures>(config().cameras, config().twin,
+                                                     config().motion.bag_files, found());
+    });
+    if (!setup_.pictures) return;
+    setup_.config.motion.rate = setup_.pictures->rate().value_or(config().motion.rate);
+  }
+
+  void checkPictures() {
+    if (!setup_.pictures) return;
+    found().add(base::Severity::kError,
+                setup_.pictures->problems(setup_.timeline.stamps, setup_.cameras));
+  }
+
   /// Of the boxes around an object's variants, in its frame.
   [[nodiscard]] std::vector<Eigen::Vector3d> middlesOf(std::size_t object) const {
     std::vector<Eigen::Vector3d> middles;
@@ -299,8 +321,12 @@ class MotionBuilder {
 
   void planScenes() {
     if (!setup_.frames || config().objects.empty()) return;
+    if (config().isTwin() && !setup_.pictures) return;  // reported already
     auto timeline = found().attempt([&] {
-      return run::planScenes(*setup_.frames, config(), setup_.cameras, setup_.driven_links);
+      std::optional<std::vector<Stamp>> stamps;
+      if (setup_.pictures) stamps = setup_.pictures->stamps();
+      return run::planScenes(*setup_.frames, config(), setup_.cameras, setup_.driven_links,
+                             std::move(stamps));
     });
     if (!timeline) return;
     found().merge(timeline->found);

@@ -81,9 +81,12 @@ std::string cureOf(const scene::ObjectOptions& object, const motion::FrameSource
 
 /// @throws ErrorList as FrameSource::timeline, and what would mend it
 motion::Timeline findTimeline(const std::vector<std::string>& names,
-                              const motion::FrameSource& frames, const config::Config& config) {
+                              const motion::FrameSource& frames, const config::Config& config,
+                              std::optional<std::vector<Stamp>> stamps) {
+  motion::TimelineOptions options = timelineOptions(config);
+  options.stamps = std::move(stamps);
   try {
-    return frames.timeline(names, timelineOptions(config));
+    return frames.timeline(names, options);
   } catch (const ErrorList& errors) {
     std::vector<std::string> messages = errors.messages();
     for (const scene::ObjectOptions& object : config.objects) {
@@ -99,7 +102,8 @@ motion::Timeline findTimeline(const std::vector<std::string>& names,
 
 motion::Timeline planScenes(const motion::FrameSource& frames, const config::Config& config,
                             const std::vector<scene::CameraRig>& cameras,
-                            const std::vector<std::vector<scene::DrivenLinks>>& driven_links) {
+                            const std::vector<std::vector<scene::DrivenLinks>>& driven_links,
+                            std::optional<std::vector<Stamp>> stamps) {
   std::vector<std::string> names;
   Duration open{0};
   for (const scene::ObjectOptions& object : config.objects) names.push_back(object.frame);
@@ -107,7 +111,7 @@ motion::Timeline planScenes(const motion::FrameSource& frames, const config::Con
     if (camera.followsFrame()) names.push_back(camera.frame);
     open = std::max(open, scene::openTime(camera.shutter));
   }
-  motion::Timeline timeline = findTimeline(names, frames, config);
+  motion::Timeline timeline = findTimeline(names, frames, config, std::move(stamps));
   if (open.count() == 0) return timeline;
   std::vector<motion::FrameId> ids;
   for (const std::string& name : names) ids.push_back(*frames.find(name));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,13 @@ namespace synthetic_dataset::run {
 
 /// The times at which scenes are made: those of the timeline at which all objects and cameras are
 /// known, over the whole exposure of each picture.
+/// @param stamps  the times of recorded pictures, which take the place of regular ones
 /// @throws ErrorList when there is none, saying why
 [[nodiscard]] motion::Timeline planScenes(
     const motion::FrameSource& frames, const config::Config& config,
     const std::vector<scene::CameraRig>& cameras,
-    const std::vector<std::vector<scene::DrivenLinks>>& driven_links);
+    const std::vector<std::vector<scene::DrivenLinks>>& driven_links,
+    std::optional<std::vector<Stamp>> stamps = std::nullopt);
 
 /// The least time that there may be from one scene to the next.
 [[nodiscard]] Duration shortestPeriod(const config::Config& config);

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/image/raw_picture.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::motion {
+
+/// A picture as a file: sensor_msgs/CompressedImage.
+struct PictureFile {
+  std::string format;  ///< as the message has it: "jpeg", "rgb8; jpeg compressed bgr8"
+  std::vector<std::uint8_t> bytes;
+};
+
+using RecordedPicture = std::variant<base::RawPicture, PictureFile>;
+
+/// What is known of a picture without keeping its pixels.
+struct PictureHead {
+  Stamp stamp{0};            ///< that its message's header has
+  std::uint32_t width = 0;   ///< [px]; 0 where there is a problem
+  std::uint32_t height = 0;  ///< [px]; 0 where there is a problem
+  std::string problem = {};  ///< why it cannot be read: "has the encoding 'x', which ..."
+};
+
+/// The pictures of a topic of type sensor_msgs/Image or sensor_msgs/CompressedImage, in bags that
+/// count as one recording.
+class RecordedPictures {
+ public:
+  /// Reads all messages of the topic, and keeps where they are.
+  /// @param bag_files  bags that can be read
+  /// @throws Error when no bag has such a topic, it has messages of another type, its messages have
+  ///     no stamps, or their time goes back
+  RecordedPictures(const std::vector<std::string>& bag_files, const std::string& topic);
+  ~RecordedPictures();
+  RecordedPictures(RecordedPictures&&) noexcept;
+  RecordedPictures& operator=(RecordedPictures&&) noexcept;
+
+  [[nodiscard]] const std::string& topic() const;
+
+  /// Of all pictures by their stamps, of equal ones the first that was recorded; at least one.
+  [[nodiscard]] const std::vector<PictureHead>& heads() const;
+
+  /// How many were left out since they have the stamp of another one.
+  [[nodiscard]] std::int64_t repeatedCount() const;
+
+  /// A picture of heads(), in any thread.
+  /// @throws Error naming the bag that cannot be read any more
+  [[nodiscard]] RecordedPicture read(std::size_t index) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// "the picture of '/camera/image_raw' at 12.340000000 s", for messages.
+[[nodiscard]] std::string pictureName(const std::string& topic, Stamp stamp);
+
+}  // namespace synthetic_dataset::motion
