@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Makes docs/images/run.gif: the bundled example's scenes with the labels of their COCO files.
-#   ./scripts/draw_run.sh [FILE.gif]
+# Makes the README's pictures: docs/images/run.gif, the bundled example's scenes with the labels of their
+# COCO files, and docs/randomize.jpg, the scenes of config/example_placement.yaml.
+#   ./scripts/draw_run.sh [FOLDER]    puts them into FOLDER (docs)
 # Built and sourced before: the workspace, as by demo.sh.
 set -euo pipefail
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-file=${1:-$repository/docs/images/run.gif}
+folder=${1:-$repository/docs}
+mkdir -p "$folder/images"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -12,6 +14,11 @@ rosrun synthetic_dataset generate --config "$repository/config/example.yaml" \
   output_folder:="$scratch/dataset"
 rosrun synthetic_dataset draw_labels --video "$scratch/run.mp4" "$scratch/dataset" coco
 # A palette of the film's own colours; of a still camera, only what changes is stored.
-ffmpeg -v error -y -i "$scratch/run.mp4" -vf "fps=8,scale=400:-1:flags=lanczos,split[a][b];\
-[a]palettegen=max_colors=128:stats_mode=diff[p];\
-[b][p]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle" "$file"
+ffmpeg -v error -y -i "$scratch/run.mp4" -vf "fps=5,scale=360:-1:flags=lanczos,split[a][b];\
+[a]palettegen=max_colors=96:stats_mode=diff[p];\
+[b][p]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle" "$folder/images/run.gif"
+
+rosrun synthetic_dataset generate --config "$repository/config/example_placement.yaml" \
+  output_folder:="$scratch/placed"
+ffmpeg -v error -y -pattern_type glob -i "$scratch/placed/coco/images/*.png" -frames:v 1 -q:v 4 \
+  -vf "scale=256:-1:flags=area,tile=5x5:padding=4:margin=2:color=white" "$folder/randomize.jpg"
