@@ -95,6 +95,14 @@ struct MotionInfo {
   double rate = 0.0;               ///< its times in a second [Hz]; 0 where scenes are placed
 };
 
+/// Who made files that scenes are made of (the world's, models', textures'), and what may be done
+/// with them, as far as files say so. Who publishes the dataset has to name them.
+struct CreditInfo {
+  std::string author;              ///< several are divided by "; "; empty: not said
+  std::string license;             ///< as it is written; empty: not said
+  std::vector<std::string> files;  ///< folder and name of each: "rover/model.sdf"
+};
+
 /// What is known of the dataset before the first scene.
 struct DatasetInfo {
   std::vector<ObjectInfo> objects;  ///< in the order of `robot_list`
@@ -105,6 +113,7 @@ struct DatasetInfo {
   std::vector<std::string> world_classes;  ///< names for parts of the world: of Scene::world_map
   std::vector<SplitInfo> splits;           ///< in the order train, val, test; empty: none asked for
   std::vector<MotionInfo> motions;         ///< at least one, in the order of their scenes
+  std::vector<CreditInfo> credits;         ///< each author and licence once
 
   /// The surface of an object, with its links as its model file places them. Made anew at each
   /// call.

@@ -316,11 +316,25 @@ class CocoValues : public ValueCheck {
     found["annotations"] = index->annotationCount();
     const json right = {
         {"info", {{"description", "Made by synthetic_dataset"}, {"version", "1.0"}}},
-        {"licenses", json::array()},
+        {"licenses", licenses()},
         {"categories", categories},
         {"images", counts_[name].images},
         {"annotations", counts_[name].annotations}};
     compareJson(found, right, pathOf(name), files.differences());
+  }
+
+  [[nodiscard]] json licenses() const {
+    json all = json::array();
+    for (const CreditInfo& credit : dataset_.credits) {
+      json files = json::array();
+      for (const std::string& each : credit.files) files.push_back(asJsonHasIt(each));
+      all.push_back(
+          {{"id", all.size() + 1},
+           {"name", asJsonHasIt(credit.license)},
+           {"url", ""},
+           {"synthetic_dataset", {{"author", asJsonHasIt(credit.author)}, {"files", files}}}});
+    }
+    return all;
   }
 
   [[nodiscard]] json instanceCategories() const {

@@ -59,6 +59,7 @@ class CocoWriter : public LabelWriter {
     object_count_ = static_cast<std::int64_t>(dataset.objects.size());
     has_splits_ = !dataset.splits.empty();
     splits_ = dataset.splitFolders();
+    licenses_ = jsonText(licensesOf(dataset.credits));
   }
 
   void checkNames(WriterParameters& parameters, const DatasetInfo& dataset) const {
@@ -297,9 +298,22 @@ class CocoWriter : public LabelWriter {
     return categories;
   }
 
-  static void writeAnnotationFile(const std::string& name, const std::string& split,
-                                  const std::string& annotation_list, const Json& categories,
-                                  const SceneRecords& records, DatasetOutput& output) {
+  /// Of what scenes are made of. Images name none of them: each shows several.
+  [[nodiscard]] static Json licensesOf(const std::vector<CreditInfo>& credits) {
+    Json licenses = Json::array();
+    for (const CreditInfo& credit : credits) {
+      licenses.push_back(
+          {{"id", licenses.size() + 1},
+           {"name", credit.license},
+           {"url", ""},
+           {"synthetic_dataset", {{"author", credit.author}, {"files", credit.files}}}});
+    }
+    return licenses;
+  }
+
+  void writeAnnotationFile(const std::string& name, const std::string& split,
+                           const std::string& annotation_list, const Json& categories,
+                           const SceneRecords& records, DatasetOutput& output) const {
     const auto writeList = [&](std::ostream& file, const std::string& list) {
       const char* separator = "\n";
       const std::string channel = channelOf(list, split);
@@ -310,7 +324,8 @@ class CocoWriter : public LabelWriter {
     };
     output.addFile("annotations/" + name + ".json", [&](std::ostream& file) {
       const Json info = {{"description", "Made by synthetic_dataset"}, {"version", "1.0"}};
-      file << "{\"info\":" << jsonText(info) << ",\n\"licenses\":[],\n\"images\":[";
+      file << "{\"info\":" << jsonText(info) << ",\n\"licenses\":" << licenses_
+           << ",\n\"images\":[";
       writeList(file, kImages);
       file << "],\n\"annotations\":[";
       writeList(file, annotation_list);
@@ -327,6 +342,7 @@ class CocoWriter : public LabelWriter {
   std::int64_t object_count_ = 0;
   bool has_splits_ = false;
   std::vector<std::string> splits_;
+  std::string licenses_;  ///< JSON
 };
 
 }  // namespace synthetic_dataset

@@ -41,6 +41,22 @@ Each split's folder packs into a WebDataset shard:
     tar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --exclude=metadata.jsonl -cf train.tar -C train .
 )";
 
+/// A list, each with the files: who publishes the dataset has to name them.
+void writeCredits(std::ostream& file, const std::vector<CreditInfo>& credits) {
+  if (credits.empty()) return;
+  file << "\nMade of these files, as far as they say who made them and under which licence:\n\n";
+  const auto said = [](const std::string& text) {
+    return text.empty() ? std::string("not said") : "`" + jsonText(text) + "`";
+  };
+  for (const CreditInfo& each : credits) {
+    file << "- licence " << said(each.license) << ", author " << said(each.author) << ": ";
+    for (std::size_t i = 0; i < each.files.size(); ++i) {
+      file << (i == 0 ? "" : ", ") << "`" << jsonText(each.files[i]) << "`";
+    }
+    file << "\n";
+  }
+}
+
 }  // namespace
 
 void writeCard(std::ostream& file, const DatasetCard& card) {
@@ -59,6 +75,7 @@ void writeCard(std::ostream& file, const DatasetCard& card) {
   for (const ClassInfo& each : card.classes) {
     file << "- " << each.id << ": `" << jsonText(each.name) << "`\n";
   }
+  writeCredits(file, card.credits);
   if (card.webdataset) file << kPacking;
 }
 

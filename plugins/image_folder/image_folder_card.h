@@ -13,6 +13,7 @@ struct DatasetCard {
   std::vector<ClassInfo> classes;
   std::vector<SplitInfo> splits;        ///< that have images
   std::vector<std::string> extensions;  ///< of its pictures
+  std::vector<CreditInfo> credits;
 
   /// Of all images and labels. Hugging Face's loader keeps what it has read of a folder by the
   /// folder's name and its card's header: another content has to have another header.

@@ -160,6 +160,7 @@ class ImageFolderValues : public ValueCheck {
     const std::string found = readText(*file);
     DatasetCard card;
     card.classes = dataset_.classes;
+    card.credits = dataset_.credits;
     for (const auto& split : dataset_.splitFolders()) {
       if (counts_.at(split) > 0) card.splits.push_back({split, 0});
     }

@@ -94,6 +94,7 @@ class ImageFolderWriter : public LabelWriter {
     has_keypoints_ = std::any_of(dataset.objects.begin(), dataset.objects.end(),
                                  [](const ObjectInfo& each) { return each.keypoint_count > 0; });
     card_.classes = dataset.classes;
+    card_.credits = dataset.credits;
     // Hugging Face's loader refuses splits without images.
     std::copy_if(dataset.splits.begin(), dataset.splits.end(), std::back_inserter(card_.splits),
                  [](const SplitInfo& each) { return each.scene_count > 0; });

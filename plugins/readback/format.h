@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plugins/readback/drawn_label.h"
@@ -38,6 +39,10 @@ struct Format {
   std::unique_ptr<ValueCheck> (*values)(Parameters& parameters,
                                         const DatasetInfo& dataset) = nullptr;
 };
+
+/// The name of each format's folder, under which users know it ("pascal_voc"), and its writer's
+/// type.
+[[nodiscard]] const std::vector<std::pair<std::string, std::string>>& formatNames();
 
 /// The format of a type of writer; null where it is none of this package's.
 [[nodiscard]] const Format* formatOf(const std::string& writer_type);

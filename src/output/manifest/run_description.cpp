@@ -1,6 +1,8 @@
 #include "output/manifest/run_description.h"
 
+#include <filesystem>
 #include <set>
+#include <utility>
 
 #include "output/files/digest.h"
 
@@ -59,6 +61,20 @@ void describeContents(const DatasetInfo& dataset, RunDescription& run) {
   run.splits = dataset.splits;
   run.global_frame = dataset.global_frame;
   run.scene_count = dataset.scene_count;
+}
+
+std::vector<CreditInfo> creditInfos(const std::map<std::string, RunDescription::Credit>& credits) {
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> files;
+  for (const auto& [path, credit] : credits) {
+    const std::filesystem::path file(path);
+    files[{credit.license, credit.author}].insert(
+        (file.parent_path().filename() / file.filename()).string());
+  }
+  std::vector<CreditInfo> infos;
+  for (const auto& [named, of] : files) {
+    infos.push_back({named.second, named.first, {of.begin(), of.end()}});
+  }
+  return infos;
 }
 
 std::string settingsDigest(const RunDescription& run) {

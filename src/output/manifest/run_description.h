@@ -81,6 +81,11 @@ struct RunDescription {
 /// What writers know of the dataset, without the models.
 void describeContents(const DatasetInfo& dataset, RunDescription& run);
 
+/// As writers know credits: each author and licence once, with the files by folder and name, so
+/// that they do not depend on where the inputs lie.
+[[nodiscard]] std::vector<CreditInfo> creditInfos(
+    const std::map<std::string, RunDescription::Credit>& credits);
+
 /// SHA-256 over what decides the dataset: the settings that were given, and the inputs.
 [[nodiscard]] std::string settingsDigest(const RunDescription& run);
 

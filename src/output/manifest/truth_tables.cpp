@@ -293,6 +293,12 @@ void TruthInserter::insertObject(std::int64_t scene, std::int64_t object,
 }
 
 void readTruth(const SqliteDatabase& database, RunDescription& run) {
+  SqliteStatement credits(database,
+                          "SELECT path, author, author_in, license, license_in FROM credit");
+  while (credits.step()) {
+    run.credits[credits.text(0)] = {credits.text(1), credits.text(2), credits.text(3),
+                                    credits.text(4)};
+  }
   SqliteStatement splits(database, "SELECT name, scene_count FROM split ORDER BY \"index\"");
   while (splits.step()) run.splits.push_back({splits.text(0), splits.integer(1)});
   SqliteStatement cameras(database,

@@ -93,6 +93,7 @@ TrueScenes::TrueScenes(const RunDescription& run) {
   for (const auto& each : run.motions) {
     dataset_.motions.push_back({each.name, each.first_instant, each.instant_count});
   }
+  dataset_.credits = creditInfos(run.credits);
   dataset_.splits = run.splits;
   dataset_.scene_count = run.scene_count;
   dataset_.global_frame = run.global_frame;

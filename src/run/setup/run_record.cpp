@@ -9,6 +9,7 @@
 #include "randomize/appearance/picture_folder.h"
 #include "randomize/placement/map_file.h"
 #include "run/setup/credit.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -95,17 +96,34 @@ std::map<std::string, output::RunDescription::Input> describeInputs(
   return inputs;
 }
 
-std::map<std::string, output::RunDescription::Credit> describeCredits(
-    const std::map<std::string, output::RunDescription::Input>& inputs) {
+std::set<std::string> inputsOf(const std::vector<MotionSetup>& motions) {
+  std::set<std::string> files;
+  for (const MotionSetup& motion : motions) {
+    const std::set<std::string> named = inputsNamedBy(motion.config);
+    files.insert(named.begin(), named.end());
+    files.insert(motion.inputs.begin(), motion.inputs.end());
+  }
+  return files;
+}
+
+Credits describeCredits(const std::set<std::string>& files) {
   CreditFinder finder;
-  std::map<std::string, output::RunDescription::Credit> credits;
-  for (const auto& [path, input] : inputs) {
+  Credits credits;
+  for (const std::string& path : files) {
     const Credit found = finder.creditOf(path);
     if (found.author.empty() && found.license.empty()) continue;
     credits[path] = {found.author, found.author_in.string(), found.license,
                      found.license_in.string()};
   }
   return credits;
+}
+
+Credits creditsOf(const std::vector<MotionSetup>& motions) {
+  try {
+    return describeCredits(inputsOf(motions));
+  } catch (const Error&) {
+    return {};
+  }
 }
 
 }  // namespace synthetic_dataset::run

@@ -7,6 +7,7 @@
 
 #include "config/config.h"
 #include "output/manifest/run_description.h"
+#include "run/setup/motion_setup.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/value.h"
 
@@ -32,8 +33,17 @@ namespace synthetic_dataset::run {
 [[nodiscard]] std::map<std::string, output::RunDescription::Input> describeInputs(
     const std::set<std::string>& files);
 
+/// All files that the scenes of these motions are made of.
+[[nodiscard]] std::set<std::string> inputsOf(const std::vector<MotionSetup>& motions);
+
+/// By the path of an input.
+using Credits = std::map<std::string, output::RunDescription::Credit>;
+
 /// Who made these files, where a file says so.
-[[nodiscard]] std::map<std::string, output::RunDescription::Credit> describeCredits(
-    const std::map<std::string, output::RunDescription::Input>& inputs);
+[[nodiscard]] Credits describeCredits(const std::set<std::string>& files);
+
+/// Who made the inputs of these motions; nobody where one cannot be read, which is reported by who
+/// needs it.
+[[nodiscard]] Credits creditsOf(const std::vector<MotionSetup>& motions);
 
 }  // namespace synthetic_dataset::run

@@ -194,10 +194,16 @@ class Builder {
     return describeDataset(config(), setup_.motions, *setup_.splits);
   }
 
+  const Credits& credits() {
+    if (!credits_) credits_ = creditsOf(setup_.motions);
+    return *credits_;
+  }
+
   void loadWriters() {
     if (config().writers.empty() || !setup_.splits) return;
     on_stage_("preparing the writers");
     DatasetInfo info = dataset();
+    info.credits = output::creditInfos(credits());
     // The manifest holds the models that a writer asks for.
     info.setModels([of_worlds = info, models = models_](std::size_t object) {
       const auto known = models->find(object);
@@ -322,30 +328,20 @@ class Builder {
     }
     run.settings = usedSettings(parameters_, config(), unused, defaults);
     run.software = softwareVersions();
-    std::set<std::string> inputs;
-    for (const MotionSetup& motion : setup_.motions) {
-      const std::set<std::string> named = inputsNamedBy(motion.config);
-      inputs.insert(named.begin(), named.end());
-      inputs.insert(motion.inputs.begin(), motion.inputs.end());
-      found().merge(motion.found);
-    }
+    const std::set<std::string> inputs = inputsOf(setup_.motions);
+    for (const MotionSetup& motion : setup_.motions) found().merge(motion.found);
     on_stage_("taking the checksums of " + std::to_string(inputs.size()) + " input files");
     findOdd();
     run.inputs = describeInputs(inputs);
-    run.credits = describeCredits(run.inputs);
+    run.credits = credits();
     output::describeContents(dataset(), run);
     for (const auto& [object, model] : *models_) run.objects.at(object).model = model;
-    std::int64_t in_gaps = 0;
-    std::int64_t in_split_gaps = 0;
-    std::int64_t unknown = 0;
-    for (const MotionSetup& motion : setup_.motions) {
-      in_gaps += motion.timeline.left_out_gap;
-      in_split_gaps += motion.timeline.left_out_split;
-      unknown += motion.timeline.left_out_unknown;
-    }
-    countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap", in_gaps);
-    countLeftOut("scene left out: in the gap between two splits", in_split_gaps);
-    countLeftOut("scene left out: a transform is not known at its time", unknown);
+    countLeftOut("scene left out: TF would be interpolated across more than max_tf_gap",
+                 &motion::Timeline::left_out_gap);
+    countLeftOut("scene left out: in the gap between two splits",
+                 &motion::Timeline::left_out_split);
+    countLeftOut("scene left out: a transform is not known at its time",
+                 &motion::Timeline::left_out_unknown);
     for (const base::Diagnostic& each : found().all()) {
       if (each.severity == base::Severity::kWarning)
         run.warnings.push_back({each.message(), "", each.count});
@@ -362,8 +358,10 @@ class Builder {
     }
   }
 
-  void countLeftOut(const std::string& kind, std::int64_t count) {
-    if (count > 0) found().warning("", kind, count);
+  void countLeftOut(const std::string& kind, std::int64_t motion::Timeline::*count) {
+    std::int64_t all = 0;
+    for (const MotionSetup& motion : setup_.motions) all += motion.timeline.*count;
+    if (all > 0) found().warning("", kind, all);
   }
 
   static void addOnce(std::vector<std::string>& texts, const std::string& text) {
@@ -379,6 +377,7 @@ class Builder {
   std::vector<std::string> writer_errors_;                ///< of the writers' settings
   std::vector<std::vector<std::int64_t>> blocks_;         ///< of the motions; empty: by the shares
   WorldCache worlds_;
+  std::optional<Credits> credits_;  ///< found when they are first asked for
 
   /// By object, those that writers have asked for.
   std::shared_ptr<std::map<std::size_t, ObjectModel>> models_ =

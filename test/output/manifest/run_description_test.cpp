@@ -42,6 +42,20 @@ TEST(RunDescription, TellsOfAnotherNumberOfScenesWhereNothingElseDoes) {
               ElementsAre("the number of scenes: then 3, now 4"));
 }
 
+TEST(CreditInfos, AreTheSameWhereverTheFilesLie) {
+  const auto of = [](const std::string& folder) {
+    return creditInfos({{folder + "/m/b.png", {"Ada", folder + "/m/model.config", "MIT", folder}},
+                        {folder + "/m/a.dae", {"Ada", "", "MIT", ""}},
+                        {folder + "/w/w.world", {"", "", "LICENSE", folder + "/LICENSE"}}});
+  };
+  const auto infos = of("/here");
+  ASSERT_EQ(infos.size(), 2U);
+  EXPECT_EQ(infos[0].license, "LICENSE");
+  EXPECT_EQ(infos[1].author, "Ada");
+  EXPECT_THAT(infos[1].files, ElementsAre("m/a.dae", "m/b.png"));
+  EXPECT_EQ(of("/there")[1].files, infos[1].files);
+}
+
 TEST(RunDescription, DigestFollowsTheGivenSettingsAndInputs) {
   RunDescription other = someRun();
   other.settings["seed"].value = "1";  // a default: the software's version tells of it

@@ -141,6 +141,20 @@ TEST_F(Coco, HasTheListsOfTheFormatWithoutAnyScene) {
   EXPECT_TRUE(file["info"].is_object());
 }
 
+TEST_F(Coco, ListsTheLicencesOfWhatScenesAreMadeOf) {
+  dataset_.credits = {{"Ada", "MIT", {"m/model.sdf", "m/skin.png"}},
+                      {"", "LICENSE", {"w/w.world"}}};
+  load({});
+  runAll({});
+  const json licenses = written("instances_train")["licenses"];
+  ASSERT_EQ(licenses.size(), 2U);
+  EXPECT_EQ(licenses[0]["id"], 1);
+  EXPECT_EQ(licenses[0]["name"], "MIT");
+  EXPECT_EQ(licenses[0]["synthetic_dataset"],
+            json({{"author", "Ada"}, {"files", {"m/model.sdf", "m/skin.png"}}}));
+  EXPECT_EQ(licenses[1]["name"], "LICENSE");
+}
+
 TEST_F(Coco, MeasuresABoxFromTheImagesEdge) {
   load({});
   const json annotations = annotationsOf({sceneOf(0, {{10, 20, 30, 40}})});

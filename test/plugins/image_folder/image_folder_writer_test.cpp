@@ -209,6 +209,20 @@ TEST_F(ImageFolder, TellsTheLoaderOfSplitsThatHaveImages) {
                     Not(HasSubstr("split: test")), HasSubstr("- 2: `\"fork | \\\"lift\\\"\"`\n")));
 }
 
+TEST_F(ImageFolder, NamesAuthorsAndLicencesInTheCard) {
+  dataset_.credits = {{"Ada", "MIT", {"m/model.sdf", "m/skin.png"}}, {"Bob", "", {"w/w.world"}}};
+  load({});
+  runAll({});
+  EXPECT_THAT(fileAt("README.md"),
+              AllOf(HasSubstr("- licence `\"MIT\"`, author `\"Ada\"`: `\"m/model.sdf\"`, "
+                              "`\"m/skin.png\"`\n"),
+                    HasSubstr("- licence not said, author `\"Bob\"`: `\"w/w.world\"`\n")));
+  dataset_.credits.clear();
+  load({});
+  runAll({});
+  EXPECT_THAT(fileAt("README.md"), Not(HasSubstr("licence")));
+}
+
 TEST_F(ImageFolder, GivesAnotherContentAnotherCard) {
   load({});
   const auto cardOf = [&](int grey, const std::string& object) {

@@ -35,7 +35,7 @@ TEST(DescribedCredits, AreThoseThatFilesName) {
   (void)folder.write("m/model.config", "<model><author><name>Ada</name></author></model>");
   const std::string mesh = folder.write("m/a.stl", "").string();
   const std::string bag = folder.write("b/a.bag", "").string();
-  const auto credits = describeCredits({{mesh, {}}, {bag, {}}});
+  const auto credits = describeCredits({mesh, bag});
   EXPECT_THAT(credits, ElementsAre(Key(mesh)));
   EXPECT_EQ(credits.at(mesh).author, "Ada");
   EXPECT_EQ(credits.at(mesh).author_in, (folder / "m/model.config").string());
