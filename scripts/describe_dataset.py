@@ -1,7 +1,13 @@
 #!/usr/bin/env python3
-"""Says what is in a dataset, from its manifest; exit code 1 when the dataset is not complete.
+"""usage: describe_dataset.py FOLDER
 
-    rosrun synthetic_dataset describe_dataset.py FOLDER
+Says what is in a dataset, from its manifest: FOLDER is that of the run's manifest.
+
+  --help  prints this
+
+  describe_dataset.py datasets/example
+
+Exit codes: 0 the dataset is complete, 1 it is not, or cannot be read, 2 a wrong usage.
 """
 import collections
 import itertools
@@ -78,8 +84,12 @@ def opened(manifest):
 
 
 def main():
+    if sys.argv[1:] in (['--help'], ['-h']):
+        print(__doc__.strip())
+        return 0
     if len(sys.argv) != 2:
-        sys.exit(__doc__.strip())
+        print(__doc__.strip(), file=sys.stderr)
+        return 2
     folder = pathlib.Path(sys.argv[1])
     manifest = folder / 'manifest.sqlite'
     if not folder.is_dir():

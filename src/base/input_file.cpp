@@ -1,5 +1,6 @@
 #include "base/input_file.h"
 
+#include <array>
 #include <iterator>
 #include <system_error>
 
@@ -19,6 +20,36 @@ std::string inputFault(const fs::path& file) {
   const fs::file_status status = fs::status(file, ignored);
   if (!fs::exists(status) || fs::is_regular_file(status)) return "";
   return fs::is_directory(status) ? "is a folder; a file is needed" : kPipe;
+}
+
+std::string compressionFault(std::string_view start) {
+  struct Kind {
+    std::string_view start;
+    const char* program;
+  };
+  static constexpr std::array<Kind, 5> kKinds = {{{"\x1f\x8b", "gunzip"},
+                                                  {"BZh", "bunzip2"},
+                                                  {"\xfd"
+                                                   "7zXZ",
+                                                   "unxz"},
+                                                  {"\x28\xb5\x2f\xfd", "unzstd"},
+                                                  {"PK\x03\x04", "unzip"}}};
+  for (const Kind& kind : kKinds) {
+    if (start.substr(0, kind.start.size()) == kind.start) {
+      return std::string("is compressed; `") + kind.program + "` unpacks it";
+    }
+  }
+  return "";
+}
+
+std::string textFault(std::string_view bytes) {
+  const std::string compressed = compressionFault(bytes);
+  if (!compressed.empty()) return compressed;
+  const std::string_view mark = bytes.substr(0, 2);
+  if (mark == "\xff\xfe" || mark == "\xfe\xff") {
+    return "is UTF-16; it should be UTF-8, as which editors can save it";
+  }
+  return bytes.find('\0') == std::string_view::npos ? "" : "is no text file";
 }
 
 bool isAboutPipe(std::string_view message) { return message.find(kPipe) != std::string_view::npos; }

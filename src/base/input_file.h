@@ -23,6 +23,14 @@ namespace synthetic_dataset::base {
 /// for a file, and for what is not there.
 [[nodiscard]] std::string inputFault(const std::filesystem::path& file);
 
+/// Why a file that should be a text is none, by how it begins: "is compressed; `gunzip` unpacks
+/// it"; empty: it may be one.
+/// @param start  the first bytes, four at least where there are as many
+[[nodiscard]] std::string compressionFault(std::string_view start);
+
+/// The same, and "is UTF-16; ..." and "is no text file".
+[[nodiscard]] std::string textFault(std::string_view bytes);
+
 /// Whether a message says that something is a pipe or a device: such a path is never left out, like
 /// a file that is missing, since something is wrong with the whole setup. (Messages of sandboxed
 /// processes are texts.)

@@ -266,6 +266,7 @@ int lineWithTab(const std::string& text) {
 /// What yaml-cpp says of a text that is no YAML, and what is most often the cause.
 [[noreturn]] void failToParse(const YAML::Exception& error, const std::string& text,
                               const Reader& reader) {
+  if (const std::string fault = textFault(text); !fault.empty()) reader.fail({}, fault);
   if (const int line = lineWithTab(text); line > 0) {
     YAML::Mark mark;
     mark.line = line - 1;

@@ -83,6 +83,10 @@ class DistributionReader {
       return entry_.refuse(found, "[mean, stddev], stddev not below 0");
     }
     if (!isInRange(mean)) return entry_.refuse(found, rangeText());
+    if (range_.is_angle && !isOrdered(stddev, {kHalfTurn})) {
+      return entry_.refuse(
+          found, "[mean, stddev], stddev at most half a turn of 3.142" + std::string(kAngleUnit));
+    }
     auto low = bound(given, "min", range_.low);
     auto high = bound(given, "max", range_.high);
     if (!low || !high) return std::nullopt;

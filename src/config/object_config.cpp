@@ -266,6 +266,25 @@ scene::ObjectOptions labelledDistractor(int number, const std::string& label_cla
 
 }  // namespace
 
+bool isSettingGroup(const std::string& name) {
+  static const std::set<std::string> kSettings = {"background_subtractor",
+                                                  "camera",
+                                                  "cameras",
+                                                  "classes",
+                                                  "image",
+                                                  "labels",
+                                                  "masks",
+                                                  "physics",
+                                                  "placement",
+                                                  "randomize",
+                                                  "rendering",
+                                                  "split",
+                                                  "world",
+                                                  "world_classes",
+                                                  "writers"};
+  return kSettings.count(name) != 0;
+}
+
 std::string readLabel(Parameters group, const std::string& name) {
   const Value value = group.required<Value>(name);
   std::string text = value.text();
@@ -296,28 +315,12 @@ std::vector<scene::ObjectOptions> readObjects(Parameters root) {
   if (isEmptyList(root, "robot_list")) {
     root.addError("robot_list", "found an empty list; it should name at least one object");
   }
-  // An object's group has its name, as these have.
-  static const std::set<std::string> kSettings = {"background_subtractor",
-                                                  "camera",
-                                                  "cameras",
-                                                  "classes",
-                                                  "image",
-                                                  "labels",
-                                                  "masks",
-                                                  "physics",
-                                                  "placement",
-                                                  "randomize",
-                                                  "rendering",
-                                                  "split",
-                                                  "world",
-                                                  "world_classes",
-                                                  "writers"};
   std::vector<scene::ObjectOptions> objects;
   std::set<std::string> seen;
   std::map<std::string, std::string> ids;
   for (std::string name : names) {
     if (!name.empty() && name.front() == '/') name.erase(0, 1);
-    if (kSettings.count(name) != 0) {
+    if (isSettingGroup(name)) {
       root.addError("robot_list", "found '" + name +
                                       "', which is also a setting; the object should have another "
                                       "name");

@@ -10,6 +10,10 @@
 
 namespace synthetic_dataset::config {
 
+/// Whether a group of settings has this name, which no object can have then: its own group would be
+/// called the same.
+[[nodiscard]] bool isSettingGroup(const std::string& name);
+
 /// Reads `robot_list` and the group of each object in it.
 [[nodiscard]] std::vector<scene::ObjectOptions> readObjects(Parameters root);
 

@@ -137,7 +137,10 @@ Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
     throw Error(file + ": include: found a file that includes itself");
   }
   above.push_back(place);
-  const std::string text = withPlainLineEnds(base::readInput(file));
+  const std::string bytes = base::readInput(file);
+  const std::string fault = base::textFault(bytes);
+  if (!fault.empty()) throw Error(file + ": " + fault);
+  const std::string text = withPlainLineEnds(bytes);
   Value::Map own =
       asParameters(base::parseSettings(substitute(text, {file, package_folder}), file), file);
   Value::Map settings;

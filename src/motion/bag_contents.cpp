@@ -2,13 +2,20 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <regex>
 #include <set>
 #include <utility>
 
+#include <std_msgs/String.h>
+
 #include "motion/bag_reader.h"
+#include "motion/frame_names.h"
+#include "motion/pose_messages.h"
 #include "motion/recorded_camera_info.h"
 #include "motion/ros_time.h"
 #include "motion/tf_topics.h"
+#include "motion/topic_search.h"
 #include "motion/transform_recording.h"
 #include "synthetic_dataset/errors.h"
 
@@ -29,6 +36,50 @@ void noteTransform(const RecordedTransform& each, SeenFrames& frames) {
   seen.stamps.push_back(toStamp(each.transform.header.stamp));
   if (!each.publisher.empty()) seen.publishers.insert(each.publisher);
   seen.is_static = seen.is_static && each.kind == TransformKind::kStatic;
+}
+
+/// How a topic says where frames are; null: it does not.
+const PoseMessage* poseMessageOf(const BagTopic& topic) {
+  const std::vector<PoseMessage>& all = poseMessages();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const PoseMessage& message) {
+    return message.md5sum == topic.md5sum;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// Reads odometry and the like, as runs do where there is no TF.
+void readPoses(BagReader& bags, const std::vector<BagTopic>& topics, SeenFrames& seen,
+               TransformRecording& recording, std::vector<std::string>& notes) {
+  for (const BagTopic& topic : topics) {
+    const PoseMessage* const message = poseMessageOf(topic);
+    if (message == nullptr) continue;
+    const std::string named = topic.name + " (" + topic.type + ")";
+    if (!message->names_frames) {
+      notes.push_back(named +
+                      " has poses of a frame that it does not name: pose_topics: [{topic: " +
+                      topic.name + ", frame: NAME}]");
+      continue;
+    }
+    std::vector<RecordedTransform> transforms;
+    const TopicReaders readers{
+        {topic.name, {TransformKind::kMoving, [&](const rosbag::MessageInstance& each) {
+                        return message->read(each, "");
+                      }}}};
+    bags.read(readers, [&](RecordedTransform each) { transforms.push_back(std::move(each)); });
+    const bool is_known =
+        std::any_of(transforms.begin(), transforms.end(), [&](const RecordedTransform& each) {
+          return seen.count(withoutLeadingSlashes(each.transform.child_frame_id)) != 0;
+        });
+    notes.push_back(is_known ? named +
+                                   " moves a frame that another topic moves: pose_topics should "
+                                   "name one of them"
+                             : "without TF, frames come from " + named);
+    for (RecordedTransform& each : transforms) {
+      if (is_known) break;
+      noteTransform(each, seen);
+      recording.add(std::move(each));
+    }
+  }
 }
 
 /// Where a frame's chain of parents begins.
@@ -169,6 +220,37 @@ void readCameras(const std::vector<std::string>& bag_files, BagContents& content
   }
 }
 
+/// The first model that a topic has; none where its texts are no URDF.
+std::optional<RecordedDescription> readDescription(const std::vector<std::string>& bag_files,
+                                                   const std::string& topic) {
+  auto search = TopicSearch::of<std_msgs::String>(topic);
+  std::optional<RecordedDescription> found;
+  for (const std::string& file : bag_files) {
+    search.in(file, [&](rosbag::View& messages) {
+      for (auto message = messages.begin(); message != messages.end() && !found; ++message) {
+        const auto text = message->instantiate<std_msgs::String>();
+        const std::string robot = text ? robotOf(text->data) : "";
+        if (!robot.empty()) found = {topic, robot, text->data};
+      }
+    });
+  }
+  return found;
+}
+
+void readDescriptions(const std::vector<std::string>& bag_files, BagContents& contents) {
+  for (const BagTopic& topic : contents.topics) {
+    const bool is_description = topic.type == "std_msgs/String" &&
+                                topic.name.find("robot_description") != std::string::npos;
+    if (!is_description) continue;
+    try {
+      const auto found = readDescription(bag_files, topic.name);
+      if (found) contents.descriptions.push_back(*found);
+    } catch (const Error& error) {
+      contents.notes.emplace_back(topic.name + ": " + error.what());
+    }
+  }
+}
+
 std::string lastPartOf(const std::string& frame) { return frame.substr(frame.rfind('/') + 1); }
 
 }  // namespace
@@ -190,6 +272,7 @@ BagContents readContents(const std::vector<std::string>& bag_files) {
     noteTransform(each, seen);
     recording.add(std::move(each));
   });
+  if (recording.empty()) readPoses(bags, contents.topics, seen, recording, contents.notes);
   contents.times = stampedTimes(seen, bags.times());
   if (!recording.empty()) {
     const FrameTree tree = recording.finish();
@@ -199,6 +282,7 @@ BagContents readContents(const std::vector<std::string>& bag_files) {
     for (const FrameFinding& each : recording.findings()) contents.notes.push_back(each.message);
   }
   readCameras(bag_files, contents);
+  readDescriptions(bag_files, contents);
   return contents;
 }
 
@@ -223,6 +307,16 @@ std::vector<RobotFrame> robotFrames(const BagContents& contents) {
     }
   }
   return robots;
+}
+
+std::string robotOf(const std::string& urdf) {
+  const std::size_t tag = urdf.find("<robot");
+  const std::size_t end = tag == std::string::npos ? tag : urdf.find('>', tag);
+  if (end == std::string::npos) return "";
+  static const std::regex kName(R"(\sname\s*=\s*["']([^"']*)["'])");
+  std::smatch found;
+  const std::string opening = urdf.substr(tag, end - tag);
+  return std::regex_search(opening, found, kName) ? found[1].str() : "robot";
 }
 
 std::vector<std::string> cameraFrames(const BagContents& contents) {

@@ -41,12 +41,20 @@ struct RecordedCamera {
   std::int64_t height = 0;  ///< [px]
 };
 
+/// A robot's model that is recorded: a text on a topic robot_description.
+struct RecordedDescription {
+  std::string topic;
+  std::string robot;  ///< its name in the model
+  std::string urdf;
+};
+
 /// What there is in a recording.
 struct BagContents {
   RecordedTimes times;
   std::vector<RecordedFrame> frames;  ///< parents before children
   std::vector<BagTopic> topics;       ///< by name
   std::vector<RecordedCamera> cameras;
+  std::vector<RecordedDescription> descriptions;
   std::vector<std::string> notes;  ///< what was left out, other topics of TF, ...
 };
 
@@ -64,6 +72,9 @@ struct RobotFrame {
 /// Frames named base_link or base_footprint, one for each prefix; where there are none, the frames
 /// that move against the root of their tree.
 [[nodiscard]] std::vector<RobotFrame> robotFrames(const BagContents& contents);
+
+/// The name of the robot that a URDF describes; empty: it is none.
+[[nodiscard]] std::string robotOf(const std::string& urdf);
 
 /// Frames whose names say that they are a camera's optical frame.
 [[nodiscard]] std::vector<std::string> cameraFrames(const BagContents& contents);

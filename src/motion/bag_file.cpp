@@ -33,7 +33,9 @@ void checkIsBag(const std::string& file) {
   line.resize(static_cast<std::size_t>(stream.gcount()));
   if (line.empty()) throw Error("bag " + file + ": the file is empty");
   if (line.compare(0, magic.size(), magic) != 0) {
-    throw Error("bag " + file + ": is not a bag: a bag starts with \"#ROSBAG V2.0\"");
+    const std::string fault = base::compressionFault(line);
+    throw Error("bag " + file + ": " +
+                (fault.empty() ? "is not a bag: a bag starts with \"#ROSBAG V2.0\"" : fault));
   }
   const std::string version = line.substr(magic.size());
   if (version.size() == 3 && version != "2.0" && version != "1.2") {

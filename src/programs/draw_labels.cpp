@@ -35,8 +35,11 @@ Draws the labels that the files of a dataset contain on its images.
   --all     a picture of each scene, in FOLDER, which is made or empty
   --video   a film of all scenes, by ffmpeg
   --rate    pictures a second of the film, 10 by default
+  --help    prints this
 
-example: rosrun synthetic_dataset draw_labels --video run.mp4 datasets/example coco
+  draw_labels --video run.mp4 datasets/example coco
+
+Exit codes: 0 done, 1 something cannot be read or written, 2 a wrong usage.
 )";
 
 struct Arguments {

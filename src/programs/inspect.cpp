@@ -13,6 +13,7 @@
 #include "base/json_text.h"
 #include "programs/console/tool.h"
 #include "programs/inspect/bag_report.h"
+#include "programs/inspect/server_descriptions.h"
 #include "programs/inspect/world_report.h"
 #include "synthetic_dataset/errors.h"
 
@@ -24,13 +25,15 @@ constexpr const char* kUsage =
     R"(usage: inspect [--json] BAG...
        inspect [--json] WORLD
        inspect [--json] MODEL
+       inspect --urdf BAG...
 
 Prints what there is in recordings (the frames with their rates, times and gaps, and how
-far each travels; topics; which frames look like robots and cameras), in a world (models,
-sizes, lights, cameras) or in a model (links and joints): an SDF, URDF or xacro file, or
-a folder with a model.config.
+far each travels; topics; which frames look like robots and cameras; robot_description
+there and on the parameter server), in a world (models, sizes, lights, cameras) or in a
+model (links and joints): an SDF, URDF or xacro file, or a folder with a model.config.
 
   --json  for programs; lengths in metres, times in seconds
+  --urdf  the robot's model that a recording has on a topic robot_description
   --help  prints this
 
   inspect my.bag
@@ -44,11 +47,35 @@ bool isBag(const std::string& name) {
   return path.extension() == ".bag" || path.extension() == ".db3" || path.extension() == ".mcap";
 }
 
-int inspect(const std::vector<std::string>& files, bool as_json) {
-  if (std::all_of(files.begin(), files.end(), isBag)) {
+struct Options {
+  bool as_json = false;
+  bool urdf = false;
+};
+
+void printUrdf(const motion::BagContents& contents) {
+  if (contents.descriptions.empty()) {
+    throw Error("--urdf: the recording has no URDF on a topic robot_description");
+  }
+  std::cout << contents.descriptions.front().urdf << '\n';
+  for (std::size_t i = 1; i < contents.descriptions.size(); ++i) {
+    std::cerr << "inspect: that of " << contents.descriptions.front().topic << "; "
+              << contents.descriptions[i].topic << " has another one\n";
+  }
+}
+
+int inspect(const std::vector<std::string>& files, const Options& options) {
+  const bool as_json = options.as_json;
+  const bool are_bags = std::all_of(files.begin(), files.end(), isBag);
+  if (options.urdf && !are_bags) throw Error("--urdf: found what is no bag (.bag)");
+  if (are_bags) {
     const motion::BagContents contents = motion::readContents(files);
-    std::cout << (as_json ? base::jsonText(programs::bagValue(contents)) + "\n"
-                          : programs::bagText(contents));
+    if (options.urdf) {
+      printUrdf(contents);
+      return 0;
+    }
+    const auto on_server = programs::descriptionsOnServer();
+    std::cout << (as_json ? base::jsonText(programs::bagValue(contents, on_server)) + "\n"
+                          : programs::bagText(contents, on_server));
     return 0;
   }
   if (files.size() > 1) {
@@ -76,7 +103,9 @@ int main(int argc, char** argv) {
     std::cout << kUsage;
     return 0;
   }
-  const bool as_json = take("--json");
+  Options options;
+  options.as_json = take("--json");
+  options.urdf = take("--urdf");
   const bool has_option = std::any_of(files.begin(), files.end(), [](const std::string& file) {
     return file.empty() || file.front() == '-';
   });
@@ -84,5 +113,5 @@ int main(int argc, char** argv) {
     std::cerr << kUsage;
     return 1;
   }
-  return programs::reportingErrors("inspect", [&] { return inspect(files, as_json); });
+  return programs::reportingErrors("inspect", [&] { return inspect(files, options); });
 }

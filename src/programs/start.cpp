@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "base/name_list.h"
+#include "plugins/readback/format.h"
 #include "programs/console/tool.h"
 #include "programs/gallery/model_portrait.h"
 #include "programs/inspect/world_report.h"
@@ -35,12 +37,6 @@ std::string ask(const std::string& question, const std::string& fallback) {
   std::string answer;
   std::getline(std::cin, answer);
   return answer.empty() ? fallback : answer;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 std::string absoluteFile(const std::string& name) {
@@ -67,10 +63,10 @@ void addObjects(const programs::StartLine& line, programs::DraftInputs& inputs) 
   if (!inputs.objects.empty()) return;
   std::vector<std::string> names;
   for (const motion::RobotFrame& robot : motion::robotFrames(inputs.contents)) {
-    names.push_back(robot.name);
+    names.push_back(programs::objectNameOf(robot));
   }
   if (isOnTerminal()) {
-    names = programs::wordsIn(ask("Which objects are labelled?", joined(names)));
+    names = programs::wordsIn(ask("Which objects are labelled?", base::listed(names)));
   }
   for (const std::string& name : names) {
     inputs.objects.push_back({name, std::nullopt, 0.0});
@@ -85,15 +81,16 @@ void addObjects(const programs::StartLine& line, programs::DraftInputs& inputs) 
 std::vector<std::string> formatsOf(const programs::StartLine& line) {
   std::vector<std::string> formats = {"coco", "ultralytics"};
   std::vector<std::string> known;
-  for (const auto& [name, type] : programs::knownFormats()) known.push_back(name);
+  for (const auto& [name, type] : formats::formatNames()) known.push_back(name);
   if (line.formats) {
     formats = *line.formats;
   } else if (isOnTerminal()) {
-    formats = programs::wordsIn(ask("Which formats (of " + joined(known) + ")?", joined(formats)));
+    formats = programs::wordsIn(
+        ask("Which formats (of " + base::listed(known) + ")?", base::listed(formats)));
   }
   for (const std::string& format : formats) {
     if (std::find(known.begin(), known.end(), format) != known.end()) continue;
-    throw Error("--formats: found '" + format + "'; it should be of " + joined(known) +
+    throw Error("--formats: found '" + format + "'; it should be of " + base::listed(known) +
                 didYouMean(format, known));
   }
   return formats;

@@ -125,7 +125,9 @@ void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
   // The scene before may wait for where things have gone.
   if (!is_wanted && drawn_.empty()) return;
   motion_.arranger->placeDistractors(instant, stamp);
-  motion_.arranger->placeCameras(instant, stamp);
+  for (output::Warning& each : motion_.arranger->placeCameras(instant, stamp)) {
+    pending_warnings_.push_back(std::move(each));
+  }
   motion_.variation->vary(instant, renderer_, motion_.cameras);
 }
 
@@ -159,11 +161,13 @@ std::vector<output::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64
 /// Objects that are inside something now; each a warning, too.
 std::vector<output::ContactFacts> MotionRun::findContacts(Stamp stamp) {
   std::vector<output::ContactFacts> contacts;
+  const std::string metres = fixed(motion_.config.physics.contact_tolerance, 3);
   for (const world::Interpenetration& pair : motion_.world->interpenetrations()) {
     contacts.push_back({pair.first, pair.second, pair.depth});
     pending_warnings_.push_back(
         {"'" + pair.first + "' and '" + pair.second + "' are inside one another",
-         "by " + fixed(pair.depth, 3) + " m at " + fixed(toSeconds(stamp), 3) + " s"});
+         "by " + fixed(pair.depth, 3) + " m at " + fixed(toSeconds(stamp), 3) +
+             " s; physics/contact_tolerance allows " + metres + " m"});
   }
   return contacts;
 }

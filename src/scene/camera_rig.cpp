@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "base/diagnostics.h"
+#include "base/name_list.h"
 #include "base/seconds.h"
 #include "motion/recorded_camera_info.h"
 #include "randomize/placement/camera_sampler.h"
@@ -102,6 +103,8 @@ std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
   return static_cast<std::size_t>(found - links.begin());
 }
 
+constexpr std::size_t kMostNamed = 8;  // objects, in messages
+
 /// The frame of the object that a camera is mounted on.
 std::string carrierOf(const CameraOptions& config, const std::vector<ObjectOptions>& objects) {
   std::vector<std::string> names;
@@ -111,7 +114,8 @@ std::string carrierOf(const CameraOptions& config, const std::vector<ObjectOptio
     names.push_back(object.name);
   }
   throw Error(config.group + "/mounted_on: found '" + *config.on +
-              "'; it should be an object of robot_list" + didYouMean(*config.on, names));
+              "'; it should be an object of robot_list (" + base::listed(names, kMostNamed) + ")" +
+              didYouMean(*config.on, names));
 }
 
 /// What it follows with its eye.
@@ -126,8 +130,8 @@ FollowedObject followedBy(const CameraOptions& config, const std::vector<ObjectO
     names.push_back(objects[i].name);
   }
   throw Error(config.group + "/pose/look_at: found '" + config.aim->look_at +
-              "'; it should be an object of robot_list or a point [x, y, z]" +
-              didYouMean(config.aim->look_at, names));
+              "'; it should be an object of robot_list (" + base::listed(names, kMostNamed) +
+              ") or a point [x, y, z]" + didYouMean(config.aim->look_at, names));
 }
 
 /// Of a camera that stands still in the frame of its position.

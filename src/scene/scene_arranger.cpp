@@ -168,6 +168,7 @@ void SceneArranger::setUpCameras(const SceneOptions& config,
                   didYouMean(look_at, targets));
     }
     cameras_.push_back({rig.followed,
+                        camera->group,
                         {*camera->sample, camera->group, world_, *surroundings_,
                          static_cast<std::uint64_t>(config.seed)}});
   }
@@ -195,8 +196,8 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
   }
 }
 
-void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
-  if (cameras_.empty()) return;
+std::vector<output::Warning> SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
+  if (cameras_.empty()) return {};
   std::vector<randomize::CameraTarget> targets;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!objects_[i].takes_part) continue;
@@ -205,9 +206,18 @@ void SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
     targets.push_back({objects_[i].name, frames_.knownPose(object_frames_[i], stamp) * centre_O,
                        world_.isPresent(i)});
   }
+  std::vector<output::Warning> warnings;
   for (const SampledCamera& camera : cameras_) {
-    frames_.place(camera.frame, camera.sampler.sample(instant, targets));
+    const randomize::SampledPose sampled = camera.sampler.sample(instant, targets);
+    frames_.place(camera.frame, sampled.X_GC);
+    if (sampled.hidden.empty()) continue;
+    warnings.push_back({camera.group +
+                            "/sample: something hides what the camera looks at from all positions "
+                            "that were tried, as an object that is inside of a wall; it was put at "
+                            "the first that was free",
+                        "of scene " + std::to_string(instant) + "'s, " + sampled.hidden});
   }
+  return warnings;
 }
 
 }  // namespace synthetic_dataset::scene

@@ -46,5 +46,23 @@ TEST(InputFile, IsNeitherAPipeNorADevice) {
   EXPECT_FALSE(isAboutPipe("no such file"));
 }
 
+TEST(TextFault, NamesWhatIsNoText) {
+  EXPECT_EQ(textFault(""), "");
+  EXPECT_EQ(textFault("bag_file: a.bag\n"), "");
+  EXPECT_EQ(textFault("\xef\xbb\xbf"
+                      "a: 1\n"),
+            "")
+      << "a mark of UTF-8";
+  EXPECT_EQ(textFault("\x1f\x8b\x08"), "is compressed; `gunzip` unpacks it");
+  EXPECT_EQ(textFault("BZh91AY"), "is compressed; `bunzip2` unpacks it");
+  EXPECT_EQ(textFault("PK\x03\x04"), "is compressed; `unzip` unpacks it");
+  EXPECT_EQ(textFault(std::string("\xff\xfe"
+                                  "a\0",
+                                  4)),
+            "is UTF-16; it should be UTF-8, as which editors can save it");
+  EXPECT_EQ(textFault(std::string("\x89PNG\r\n\0\0", 8)), "is no text file");
+  EXPECT_EQ(compressionFault(std::string("\x89PNG\r\n\0\0", 8)), "");
+}
+
 }  // namespace input_file_test
 }  // namespace synthetic_dataset::base

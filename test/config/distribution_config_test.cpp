@@ -250,6 +250,16 @@ TEST(MaybeDistribution, RefusesNormalOnesThatAreNone) {
             "not above max");
 }
 
+TEST(MaybeDistribution, TakesSpreadsOfMoreThanHalfATurnForDegrees) {
+  EXPECT_EQ(
+      errorOf("{normal: [0, 5]}", kTurnRange),
+      "found normal: [0, 5]; it should be [mean, stddev], stddev at most half a turn of 3.142 "
+      "rad (degrees are written deg(20))");
+  EXPECT_EQ(errorOf("{uniform: [-90, 90]}", kTurnRange),
+            "found uniform: [-90, 90]; it should be -6.283185307179586 to 6.283185307179586 rad "
+            "(degrees are written deg(20))");
+}
+
 TEST(MaybeDistribution, RefusesChoicesThatAreNone) {
   EXPECT_EQ(errorOf("{choice: []}"), "found choice: []; it should be a list, each entry a number");
   EXPECT_EQ(errorOf("{choice: 3}"), "found choice: 3; it should be a list, each entry a number");

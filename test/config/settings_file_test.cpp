@@ -116,6 +116,21 @@ TEST(LoadSettings, NamesAFileThatCannotBeRead) {
   EXPECT_THROW((void)loadSettings(folder.path().string(), noPackage), Error);
 }
 
+TEST(LoadSettings, NamesWhatIsNoText) {
+  const test::TemporaryFolder folder;
+  const auto errorOf = [&](const std::string& bytes) {
+    const std::string file = folder.write("my.yaml", bytes).string();
+    return test::messagesOf([&] { return loadSettings(file, noPackage); });
+  };
+  EXPECT_THAT(errorOf(std::string("\xff\xfe"
+                                  "a\0:\0 \0"
+                                  "1\0",
+                                  10)),
+              testing::ElementsAre(HasSubstr("my.yaml: is UTF-16; it should be UTF-8")));
+  EXPECT_THAT(errorOf("\x1f\x8b\x08"),
+              testing::ElementsAre(HasSubstr("my.yaml: is compressed; `gunzip` unpacks it")));
+}
+
 /// Settings files that lie below others.
 class IncludedSettings : public testing::Test {
  protected:

@@ -6,6 +6,7 @@ import pathlib
 import subprocess
 import tempfile
 import unittest
+import xmlrpc.client
 
 import rosunit
 
@@ -16,7 +17,8 @@ REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLE = REPOSITORY / 'config' / 'example.yaml'
 BAG = REPOSITORY / 'worlds' / 'example.bag'
 ROVER = REPOSITORY / 'worlds' / 'models' / 'rover' / 'model.sdf'
-PROGRAMS = ('generate', 'check', 'inspect', 'start', 'merge', 'verify', 'contact_sheet')
+PROGRAMS = ('generate', 'check', 'inspect', 'start', 'merge', 'verify', 'contact_sheet',
+            'draw_labels', 'report', 'describe_dataset.py')
 
 
 class FirstHour(unittest.TestCase):
@@ -26,9 +28,10 @@ class FirstHour(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.scratch = pathlib.Path(scratch.name)
 
-    def run_program(self, program, *arguments):
+    def run_program(self, program, *arguments, with_master=False):
         """Exit code, standard output and standard error; without a master and a terminal."""
-        environ = {name: value for name, value in os.environ.items() if name != 'ROS_MASTER_URI'}
+        environ = {name: value for name, value in os.environ.items()
+                   if with_master or name != 'ROS_MASTER_URI'}
         done = subprocess.run([ros_programs.path_of(program), *map(str, arguments)], env=environ,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, universal_newlines=True, cwd=self.scratch,
@@ -75,6 +78,20 @@ class FirstHour(unittest.TestCase):
         self.assertEqual(code, 0, out + err)
         self.assertRegex(out, r'done(\x1b\[0m)?\n$')
         self.assertEqual(Manifest(self.scratch / 'dataset').state, 'complete')
+
+    def test_models_on_the_parameter_server_are_named(self):
+        master = xmlrpc.client.ServerProxy(os.environ['ROS_MASTER_URI'])
+        master.setParam('/first_hour', '/husky/robot_description', '<robot name="husky"/>')
+        code, out, err = self.run_program('inspect', BAG, with_master=True)
+        self.assertEqual(code, 0, err)
+        self.assertIn("model on the parameter server: /husky/robot_description is a URDF of 'husky'",
+                      out)
+        code, out, err = self.run_program('inspect', BAG)
+        self.assertEqual(code, 0, err)
+        self.assertNotIn('parameter server', out)
+        code, out, err = self.run_program('inspect', '--urdf', BAG)
+        self.assertEqual((code, out), (1, ''))
+        self.assertIn('no URDF on a topic robot_description', err)
 
     def test_exit_codes_tell_odd_from_wrong(self):
         config = self.scratch / 'my.yaml'

@@ -203,6 +203,35 @@ TEST_F(GeneratorTest, SaysWhereRelativePathsStart) {
                                           "folder: \"$(dirname)/recordings/gone.bag\""))));
 }
 
+TEST_F(GeneratorTest, NamesAVariableOfAShellAsSettingsHaveIt) {
+  parameters["bag_file"] = Value("$HOME/gone.bag");
+  EXPECT_THAT(errors(), ElementsAre(HasSubstr("gone.bag: no such file; in settings, $(env HOME) is "
+                                              "what a shell calls $HOME")));
+}
+
+TEST_F(GeneratorTest, NamesWhatIsCompressedOrNoText) {
+  const auto write = [&](const std::string& name, const std::string& bytes) {
+    return Value(run.folder().write(name, bytes).string());
+  };
+  parameters["world"] = write("hall.world.gz", "\x1f\x8b\x08 and more");
+  parameters["bag_file"] = write("a.bag.bz2", "BZh91AY&SY and more");
+  (*parameters.at("camera").as<Value::Map>())["info_file"] =
+      write("a.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR:\t[", 20));
+  EXPECT_THAT(errors(), AllOf(Contains(HasSubstr("a.bag.bz2: is compressed; `bunzip2` unpacks it")),
+                              Contains(HasSubstr("a.png: line 1: is no text file"))));
+  parameters["bag_file"] = Value((run.folder() / "tiny.bag").string());
+  EXPECT_THAT(errors(), Contains(HasSubstr("hall.world.gz: is compressed; `gunzip` unpacks it")));
+}
+
+TEST_F(GeneratorTest, NamesTheObjectsThatACameraMayLookAt) {
+  Value::Map& camera = *parameters.at("camera").as<Value::Map>();
+  camera["pose"] =
+      Value(Value::Map{{"position", Value(Value::List{Value(-3.0), Value(0.2), Value(0.5)})},
+                       {"look_at", Value("husky")}});
+  EXPECT_THAT(errors(), ElementsAre(HasSubstr("camera/pose/look_at: found 'husky'; it should be an "
+                                              "object of robot_list (alpha, bravo) or a point")));
+}
+
 TEST_F(GeneratorTest, PassesOverTheSettingsOfFormatsThatWritersDoesNotName) {
   parameters["writers"] = Value(Value::List{
       Value(Value::Map{{"name", Value("labels")}, {"type", Value("synthetic_dataset/Coco")}})});

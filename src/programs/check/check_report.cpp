@@ -42,7 +42,7 @@ void writePictures(const run::RunCheck& check, const fs::path& folder, std::ostr
     const bool is_only = check.setup.motions.size() == 1;
     const std::string name =
         is_only ? "map.png" : "map_" + safeFileName(motion.entry.name) + ".png";
-    write(folder / name, worldMap(motion, check.scenes), out);
+    write(folder / name, worldMap(motion, is_only, check.scenes), out);
   }
 }
 

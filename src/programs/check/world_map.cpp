@@ -188,7 +188,7 @@ bool hasMoved(const Pose& one, const Pose& other) {
 }
 
 void drawCameras(MapPaper& paper, const std::vector<const Scene*>& scenes, double ground) {
-  constexpr std::size_t kMostCones = 6;
+  constexpr std::size_t kMostCones = 9;
   std::set<std::string> named;
   std::optional<Pose> last;
   std::size_t cones = 0;
@@ -210,7 +210,8 @@ void drawCameras(MapPaper& paper, const std::vector<const Scene*>& scenes, doubl
 
 }  // namespace
 
-cv::Mat worldMap(const run::MotionSetup& motion, const std::vector<run::FinishedScene>& all) {
+cv::Mat worldMap(const run::MotionSetup& motion, bool is_only,
+                 const std::vector<run::FinishedScene>& all) {
   const std::vector<const Scene*> scenes = scenesOfMotion(motion, all);
   const std::vector<run::Moment> moments = run::momentsOf(motion, scenes);
   const std::vector<Way> ways = waysOf(motion, moments);
@@ -228,8 +229,8 @@ cv::Mat worldMap(const run::MotionSetup& motion, const std::vector<run::Finished
     paper.dot(ways[i].points_G.front(), ink);
     paper.name(ways[i].name, ways[i].points_G.front(), ink);
   }
-  return paper.finish({"motion '" + motion.entry.name + "' from above, in " +
-                           motion.frames->globalFrame() + ": x to the right, y up",
+  return paper.finish({(is_only ? "From" : "Motion '" + motion.entry.name + "' from") +
+                           " above, in " + motion.frames->globalFrame() + ": x to the right, y up",
                        "dots: where ways begin, and cameras with what they see"});
 }
 

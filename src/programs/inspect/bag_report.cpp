@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/name_list.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::programs {
@@ -11,12 +12,6 @@ namespace {
 
 using motion::BagContents;
 using motion::RecordedFrame;
-
-std::string joinedNames(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 std::string secondsOfStamp(Duration time) { return fixed(toSeconds(time), 3); }
 
@@ -37,8 +32,8 @@ std::string frameLine(const RecordedFrame& frame) {
     text += ", travels in " + fixed(frame.extent.x(), 2) + " x " + fixed(frame.extent.y(), 2) +
             " x " + fixed(frame.extent.z(), 2) + " m";
   }
-  if (frame.parents.size() > 1) text += ", parents " + joinedNames(frame.parents);
-  if (!frame.publishers.empty()) text += ", by " + joinedNames(frame.publishers);
+  if (frame.parents.size() > 1) text += ", parents " + base::listed(frame.parents);
+  if (!frame.publishers.empty()) text += ", by " + base::listed(frame.publishers);
   return text;
 }
 
@@ -85,7 +80,7 @@ std::set<std::string> rootsOf(const BagContents& contents) {
 
 }  // namespace
 
-std::string bagText(const BagContents& contents) {
+std::string bagText(const BagContents& contents, const std::vector<ServerDescription>& on_server) {
   std::ostringstream out;
   out << "times: " << secondsOfStamp(contents.times.start) << " s to "
       << secondsOfStamp(contents.times.end) << " s ("
@@ -110,11 +105,20 @@ std::string bagText(const BagContents& contents) {
   for (const motion::RobotFrame& robot : motion::robotFrames(contents)) {
     out << "robot: " << robot.name << ", whose frame is '" << robot.frame << "'\n";
   }
+  for (const motion::RecordedDescription& each : contents.descriptions) {
+    out << "model: " << each.topic << " is a URDF of '" << each.robot << "' (`inspect --urdf BAG > "
+        << safeFileName(each.robot) << ".urdf` saves it)\n";
+  }
+  for (const ServerDescription& each : on_server) {
+    out << "model on the parameter server: " << each.parameter << " is a URDF of '" << each.robot
+        << "' (`rosparam get -p " << each.parameter << " > " << safeFileName(each.robot)
+        << ".urdf` saves it)\n";
+  }
   for (const std::string& each : contents.notes) out << "note: " << each << '\n';
   return out.str();
 }
 
-Value bagValue(const BagContents& contents) {
+Value bagValue(const BagContents& contents, const std::vector<ServerDescription>& on_server) {
   Value::List frames;
   for (const RecordedFrame& frame : contents.frames) frames.push_back(frameValue(frame));
   Value::List topics;
@@ -134,6 +138,14 @@ Value bagValue(const BagContents& contents) {
                                    {"prefix", Value(robot.prefix)},
                                    {"frame", Value(robot.frame)}});
   }
+  Value::List models;
+  for (const motion::RecordedDescription& each : contents.descriptions) {
+    models.emplace_back(Value::Map{{"topic", Value(each.topic)}, {"robot", Value(each.robot)}});
+  }
+  for (const ServerDescription& each : on_server) {
+    models.emplace_back(
+        Value::Map{{"parameter", Value(each.parameter)}, {"robot", Value(each.robot)}});
+  }
   return Value(Value::Map{{"kind", Value("recording")},
                           {"start", Value(toSeconds(contents.times.start))},
                           {"end", Value(toSeconds(contents.times.end))},
@@ -142,6 +154,7 @@ Value bagValue(const BagContents& contents) {
                           {"cameras", Value(cameras)},
                           {"camera_frames", namesValue(motion::cameraFrames(contents))},
                           {"robots", Value(robots)},
+                          {"models", Value(models)},
                           {"notes", namesValue(contents.notes)}});
 }
 

@@ -99,7 +99,8 @@ std::vector<std::string> modelFoldersAround(const fs::path& file) {
 }
 
 world::Description readForInspection(const fs::path& given) {
-  const fs::path file = fs::weakly_canonical(given);
+  const bool is_uri = given.string().find("://") != std::string::npos;
+  const fs::path file = is_uri ? given : fs::weakly_canonical(fs::absolute(given));
   const run::RosPackageIndex packages;
   std::vector<std::string> folders = modelFoldersAround(file);
   folders.push_back(file.parent_path().string());

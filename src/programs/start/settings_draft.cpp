@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "config/object_config.h"
+#include "plugins/readback/format.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::programs {
@@ -192,8 +194,9 @@ class DraftWriter {
     out_ << "]";
     if (inputs_.objects.empty()) {
       out_ << "  # TODO: which?\n";
-      gaps_.emplace_back(
-          "the recording has no frame that looks like a robot's: robot_list is empty");
+      std::string gap = "the recording has no frame that looks like a robot's: robot_list is empty";
+      for (const std::string& note : inputs_.contents.notes) gap += "; " + note;
+      gaps_.push_back(gap);
     }
     out_ << '\n';
     for (std::size_t i = 0; i < inputs_.objects.size(); ++i) {
@@ -221,19 +224,27 @@ class DraftWriter {
     } else {
       gap("  # model: /path/to/" + object.name + ".urdf",
           "a model of " + object.name +
-              " (URDF, xacro or SDF), unless the world has one of this name");
+              " (URDF, xacro or SDF), unless the world has one of this name" + recordedModel());
     }
+  }
+
+  [[nodiscard]] std::string recordedModel() const {
+    if (inputs_.contents.descriptions.empty()) return "";
+    const std::string file = safeFileName(inputs_.contents.descriptions.front().robot) + ".urdf";
+    return "; the recording has one: `inspect --urdf BAG > " + file + "`";
   }
 
   void writeFormats() {
     out_ << "# Where the dataset goes, and in which formats (docs/formats.md).\n"
-            "output_folder: \"$(dirname)/dataset\"\nwriters:\n";
-    for (const auto& [name, type] : knownFormats()) {
+            "output_folder: \"$(dirname)/dataset\"\n"
+            "# split: {train: 0.8, val: 0.2}  # stretches of the recording, to validate with\n"
+            "writers:\n";
+    for (const auto& [name, type] : formats::formatNames()) {
       if (std::find(inputs_.formats.begin(), inputs_.formats.end(), name) ==
           inputs_.formats.end()) {
         continue;
       }
-      out_ << "  - {name: " << name << ", type: synthetic_dataset/" << type << "}\n";
+      out_ << "  - {name: " << name << ", type: " << type << "}\n";
     }
     for (const std::string& name : inputs_.formats) {
       if (name == "ultralytics") out_ << "ultralytics: {task: detect}\n";
@@ -256,32 +267,19 @@ class DraftWriter {
 
 SettingsDraft draftSettings(const DraftInputs& inputs) { return DraftWriter(inputs).write(); }
 
+std::string objectNameOf(const motion::RobotFrame& robot) {
+  return robot.name + (config::isSettingGroup(robot.name) ? "_robot" : "");
+}
+
 std::optional<motion::RobotFrame> robotNamed(const std::string& name,
                                              const motion::BagContents& contents) {
   const std::vector<motion::RobotFrame> robots = motion::robotFrames(contents);
   for (const motion::RobotFrame& robot : robots) {
-    if (robot.name == name || robot.prefix == name || robot.frame == name) return robot;
+    const bool is_named = objectNameOf(robot) == name || robot.name == name;
+    if (is_named || robot.prefix == name || robot.frame == name) return robot;
   }
   if (robots.size() == 1) return robots.front();
   return std::nullopt;
-}
-
-const std::vector<std::pair<std::string, std::string>>& knownFormats() {
-  static const std::vector<std::pair<std::string, std::string>> kFormats = {
-      {"bop", "Bop"},
-      {"bounding_shape", "BoundingShape"},
-      {"cityscapes", "Cityscapes"},
-      {"coco", "Coco"},
-      {"dope", "Dope"},
-      {"image_folder", "ImageFolder"},
-      {"kitti", "Kitti"},
-      {"pascal_voc", "PascalVoc"},
-      {"pvnet", "PvNet"},
-      {"ros_bag", "RosBag"},
-      {"stvnet", "StvNet"},
-      {"ultralytics", "UltralyticsYolo"},
-      {"yolo", "Yolo"}};
-  return kFormats;
 }
 
 }  // namespace synthetic_dataset::programs

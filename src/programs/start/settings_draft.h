@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "motion/bag_contents.h"
@@ -16,7 +15,7 @@ struct DraftInputs {
   std::optional<std::string> world;        ///< absolute; none: a ground and a sun
   std::vector<std::string> model_folders;  ///< of the world's models
   std::optional<std::string> camera_info;  ///< absolute; none: a recorded one, or a pinhole
-  std::vector<std::string> formats;        ///< names of knownFormats()
+  std::vector<std::string> formats;        ///< names of formats::formatNames()
 
   struct Object {
     std::string name;
@@ -35,11 +34,12 @@ struct SettingsDraft {
 /// Writes the shortest settings that run, as far as the inputs tell, with comments.
 [[nodiscard]] SettingsDraft draftSettings(const DraftInputs& inputs);
 
+/// What an object is called that is a robot of the recording: by the robot, unless a group of
+/// settings has that name.
+[[nodiscard]] std::string objectNameOf(const motion::RobotFrame& robot);
+
 /// The robot of the recording that an object's name means: by the name itself, else the only one.
 [[nodiscard]] std::optional<motion::RobotFrame> robotNamed(const std::string& name,
                                                            const motion::BagContents& contents);
-
-/// The formats that a draft can name, each with its writer's type.
-[[nodiscard]] const std::vector<std::pair<std::string, std::string>>& knownFormats();
 
 }  // namespace synthetic_dataset::programs

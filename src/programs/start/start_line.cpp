@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plugins/readback/format.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
@@ -75,6 +76,13 @@ StartLine parseStartLine(const std::vector<std::string>& arguments) {
 }
 
 std::string startUsage() {
+  std::string formats;
+  for (const auto& [name, type] : formats::formatNames()) {
+    constexpr std::size_t kLineEnd = 66;  // that all lines of it end before
+    const std::size_t begin = formats.rfind('\n') == std::string::npos ? 0 : formats.rfind('\n');
+    const bool is_full = formats.size() - begin + name.size() > kLineEnd;
+    formats += (formats.empty() ? "" : is_full ? ",\n                     " : ", ") + name;
+  }
   return R"(usage: start BAG... [--world WORLD] [--model NAME=FILE ...] [--camera INFO]
              [--formats LIST] [-o FILE]
 
@@ -85,7 +93,9 @@ recording does not tell is marked with TODO, in the file and at the end.
   --model NAME=FILE  an object to label, by the name that it has in the recording
                      (jackal of jackal/base_link), and its URDF, xacro or SDF model
   --camera INFO      a calibration; without it, the recorded one, or a pinhole
-  --formats LIST     such as coco,yolo (default: coco,ultralytics)
+  --formats LIST     such as coco,yolo (default: coco,ultralytics); of
+                     )" +
+         formats + R"(
   -o FILE            where the settings go, never over a file; else to the standard
                      output
   --help             prints this

@@ -97,7 +97,7 @@ CameraSampler::Look CameraSampler::draw(base::RandomSource& source,
           lookingAt(position_G, aim_G, config_.roll.drawNumber(source))};
 }
 
-std::optional<std::string> CameraSampler::whyNot(const Look& look) const {
+std::optional<std::string> CameraSampler::whyNotFree(const Look& look) const {
   if ((look.aim_G - look.position_G).norm() < kNoDirection) {
     return "would have stood where they look";
   }
@@ -105,23 +105,28 @@ std::optional<std::string> CameraSampler::whyNot(const Look& look) const {
     const auto obstacle = world_.obstacleNear(look.position_G, config_.clearance);
     if (obstacle) return "were too near '" + *obstacle + "'";
   }
-  const Eigen::Vector3d ahead = look.target_G - look.position_G;
-  const double free = ahead.norm() - kNearTarget;
-  if (free > 0.0 && surroundings_.cast(look.position_G, ahead, free)) {
-    return "would not have seen what they look at";
-  }
   return std::nullopt;
 }
 
-Pose CameraSampler::sample(std::int64_t scene, const std::vector<CameraTarget>& targets) const {
+bool CameraSampler::seesTarget(const Look& look) const {
+  const Eigen::Vector3d ahead = look.target_G - look.position_G;
+  const double free = ahead.norm() - kNearTarget;
+  return free <= 0.0 || !surroundings_.cast(look.position_G, ahead, free);
+}
+
+SampledPose CameraSampler::sample(std::int64_t scene,
+                                  const std::vector<CameraTarget>& targets) const {
   base::RandomSource source(seed_, scene, group_ + "/sample");
   std::map<std::string, int> misses;
+  std::optional<Pose> first_free;
   for (int i = 0; i < config_.tries; ++i) {
     const Look look = draw(source, targets);
-    const auto reason = whyNot(look);
-    if (!reason) return look.X_GC;
-    ++misses[*reason];
+    const auto reason = whyNotFree(look);
+    if (!reason && seesTarget(look)) return {look.X_GC, ""};
+    if (!reason && !first_free) first_free = look.X_GC;
+    ++misses[reason.value_or("would not have seen what they look at")];
   }
+  if (first_free) return {*first_free, reasonsText(misses)};
   throw Error(group_ + "/sample: scene " + std::to_string(scene) + ": none of " +
               std::to_string(config_.tries) + " places was free: " + reasonsText(misses) +
               "; a larger shell or box, or a smaller clearance would help");

@@ -20,8 +20,17 @@ struct CameraTarget {
   bool is_present = true;  ///< what is not is looked at only by its name, or where nothing is
 };
 
+/// Where a camera was put.
+struct SampledPose {
+  Pose X_GC;  ///< of the optical frame
+
+  /// Why none of the positions that were tried sees what the camera looks at, as of an object that
+  /// is inside of a wall; empty: this one does.
+  std::string hidden;
+};
+
 /// Puts a camera somewhere at random, scene by scene, looking at objects; never inside anything,
-/// and never where a wall hides what it looks at.
+/// and where no wall hides what it looks at, if there is such a position.
 class CameraSampler {
  public:
   /// @param group  the camera's parameters, for messages: "camera"
@@ -29,11 +38,11 @@ class CameraSampler {
   CameraSampler(CameraSampling config, std::string group, const world::World& world,
                 Surroundings& surroundings, std::uint64_t seed);
 
-  /// X_GC of the optical frame in a scene, as the world stands now: a function of the seed, the
-  /// scene and the camera's name alone.
+  /// As the world stands now: a function of the seed, the scene and the camera's name alone.
   /// @param targets  the objects, where they stand
-  /// @throws Error where no place was found, and why
-  [[nodiscard]] Pose sample(std::int64_t scene, const std::vector<CameraTarget>& targets) const;
+  /// @throws Error where no free position was found, and why
+  [[nodiscard]] SampledPose sample(std::int64_t scene,
+                                   const std::vector<CameraTarget>& targets) const;
 
  private:
   /// What the camera is to look at, and where from.
@@ -46,7 +55,8 @@ class CameraSampler {
 
   [[nodiscard]] Look draw(base::RandomSource& source,
                           const std::vector<CameraTarget>& targets) const;
-  [[nodiscard]] std::optional<std::string> whyNot(const Look& look) const;
+  [[nodiscard]] std::optional<std::string> whyNotFree(const Look& look) const;
+  [[nodiscard]] bool seesTarget(const Look& look) const;
   [[nodiscard]] Eigen::Vector3d target(base::RandomSource& source,
                                        const std::vector<CameraTarget>& targets) const;
   [[nodiscard]] Eigen::Vector3d position(base::RandomSource& source,

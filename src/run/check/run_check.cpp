@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "output/preflight.h"
 #include "run/check/camera_checks.h"
 #include "run/check/check_sink.h"
 #include "run/check/moments.h"
@@ -13,6 +14,7 @@
 #include "run/check/standing_checks.h"
 #include "run/check/visibility_checks.h"
 #include "run/scene_loop.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -132,11 +134,20 @@ std::vector<Finding> setupFindings(const RunSetup& setup) {
   return findings;
 }
 
+/// That a run could write there; what it makes for a moment, it takes away again.
+void requireFolder(const std::string& folder) {
+  if (folder.empty()) return;  // each writer has one of its own
+  output::FolderProbe probe;
+  probe.tryFolder("output_folder", folder);
+  if (!probe.problems().empty()) throw ErrorList(probe.problems());
+}
+
 }  // namespace
 
 RunCheck checkRun(const Value& parameters, Reporter& reporter,
                   const std::vector<std::string>& plugin_xml_files) {
   RunCheck check{setUpRun(parameters, plugin_xml_files), {}, {}, {}};
+  requireFolder(check.setup.config.output.folder);
   CheckSink sink(check.setup, chosenInstants(check.setup));
   Stopwatch stopwatch(reporter);
   SceneLoop(check.setup, sink, stopwatch).run();

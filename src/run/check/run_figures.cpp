@@ -45,10 +45,10 @@ std::string timeText(double seconds) {
   return fixed(seconds / 3600.0, 1) + " h";
 }
 
-std::string windowOf(const MotionSetup& motion) {
+std::string windowOf(const MotionSetup& motion, bool is_only) {
   const auto& stamps = motion.timeline.stamps;
-  const std::string name = "motion '" + motion.entry.name + "': ";
-  const std::string count = std::to_string(stamps.size()) + " times";
+  const std::string name = is_only ? "times: " : "motion '" + motion.entry.name + "': ";
+  const std::string count = std::to_string(stamps.size()) + (is_only ? "" : " times");
   if (!motion.timeline.is_recorded) return name + count + ", placed";
   return name + count + " from " + fixed(toSeconds(stamps.front()), 3) + " s to " +
          fixed(toSeconds(stamps.back()), 3) + " s of the recording (" +
@@ -112,17 +112,16 @@ std::optional<std::int64_t> freeDisk(const std::string& folder) {
 
 std::vector<Finding> checkFigures(const RunFigures& figures) {
   std::vector<Finding> findings;
-  const auto gigabytes = [](std::int64_t bytes) { return std::to_string(bytes / 1'000'000'000); };
   if (figures.free_disk && figures.bytes > *figures.free_disk) {
     findings.push_back({"disk", "output_folder",
-                        "the dataset takes about " + gigabytes(figures.bytes) + " GB, and " +
-                            gigabytes(*figures.free_disk) + " GB are free",
+                        "the dataset takes about " + bytesText(figures.bytes) + ", and " +
+                            bytesText(*figures.free_disk) + " are free",
                         "another disk, fewer scenes or formats, or JPEG images would do"});
   }
   if (figures.memory > figures.memory_limit) {
     findings.push_back({"memory", "processes",
-                        "they take about " + gigabytes(figures.memory) + " GB of memory, and " +
-                            gigabytes(figures.memory_limit) + " GB are there",
+                        "they take about " + bytesText(figures.memory) + " of memory, and " +
+                            bytesText(figures.memory_limit) + " are there",
                         "fewer processes would do"});
   }
   return findings;
@@ -130,7 +129,9 @@ std::vector<Finding> checkFigures(const RunFigures& figures) {
 
 std::vector<std::string> planLines(const RunSetup& setup, const RunFigures& figures) {
   std::vector<std::string> lines;
-  for (const MotionSetup& motion : setup.motions) lines.push_back(windowOf(motion));
+  for (const MotionSetup& motion : setup.motions) {
+    lines.push_back(windowOf(motion, setup.motions.size() == 1));
+  }
   lines.push_back(scenesLine(setup));
   lines.push_back(formatsLine(setup));
   lines.push_back("takes about " + bytesText(figures.bytes) + " of disk" +

@@ -36,6 +36,8 @@ struct Below {
   std::vector<double> gaps;                 ///< from its bottom to the ground [m]; below 0: in it
   double height = 0.0;                      ///< of the object [m]
   std::string ground;                       ///< the model that was there last
+  std::vector<std::size_t> in_walls;        ///< moments
+  std::string wall;                         ///< the model of the first
 };
 
 /// From the ground under an object, or above it where the object is buried, up to its bottom.
@@ -58,6 +60,25 @@ void lookBelow(const Standing& standing, const NamedRays& rays, std::size_t mome
   below.without_ground.push_back(moment);
 }
 
+/// Whether something upright stands in the middle part of an object, from where it reaches aside as
+/// far as its narrower side.
+void lookAround(const Cuboid& box_O, const Pose& X_GO, const NamedRays& rays, std::size_t moment,
+                Below& below) {
+  constexpr int kDirections = 8;
+  constexpr double kWell = 0.7;  // of half of its width; what touches it is not in it
+  const double reach = kWell * 0.5 * box_O.size().head<2>().minCoeff();
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * M_PI * i / kDirections;
+    const Eigen::Vector3d aside_G =
+        X_GO.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    const auto hit = rays.cast(X_GO * box_O.centre(), aside_G, reach);
+    if (!hit) continue;
+    if (below.in_walls.empty()) below.wall = hit->model;
+    below.in_walls.push_back(moment);
+    return;
+  }
+}
+
 std::string lengthText(double length) { return fixed(length, length < 0.1 ? 3 : 2) + " m"; }
 
 Finding noGround(const std::string& object, const Below& below, const Moment& first,
@@ -71,6 +92,18 @@ Finding noGround(const std::string& object, const Below& below, const Moment& fi
           fixed(X_GO.translation().z(), 2) + "]",
       "the ground may end there (a larger one in the world, `duration` or `start_offset` help), "
       "or the world's origin not be that of global_frame"};
+}
+
+Finding inWalls(const std::string& object, const Below& below, const Moment& first,
+                const Pose& X_GO) {
+  return {"in walls", object,
+          "is inside of things of the world at " + std::to_string(below.in_walls.size()) + " of " +
+              std::to_string(below.moments) + " times, first of '" + below.wall + "' at " +
+              fixed(toSeconds(first.stamp), 3) + " s, where it stands at [" +
+              fixed(X_GO.translation().x(), 2) + ", " + fixed(X_GO.translation().y(), 2) + ", " +
+              fixed(X_GO.translation().z(), 2) + "]",
+          "the map shows its way; the recording may be of another world, or the world's origin not "
+          "be that of global_frame"};
 }
 
 double medianGap(std::vector<double> numbers) {
@@ -122,7 +155,13 @@ std::vector<Finding> checkStanding(const MotionSetup& motion, const NamedRays& r
     Below below;
     for (std::size_t at = 0; at < moments.size(); ++at) {
       const auto& X_GO = moments[at].X_GO[i];
-      if (X_GO) lookBelow(standingOf(box_O, *X_GO), rays, at, below);
+      if (!X_GO) continue;
+      lookBelow(standingOf(box_O, *X_GO), rays, at, below);
+      lookAround(box_O, *X_GO, rays, at, below);
+    }
+    if (!below.in_walls.empty()) {
+      const Moment& first = moments[below.in_walls.front()];
+      findings.push_back(inWalls(object.name, below, first, *first.X_GO[i]));
     }
     if (!below.without_ground.empty()) {
       const Moment& first = moments[below.without_ground.front()];

@@ -1,6 +1,7 @@
 #include "run/setup/relative_paths.h"
 
 #include <filesystem>
+#include <regex>
 #include <set>
 
 namespace synthetic_dataset::run {
@@ -21,6 +22,14 @@ void collectPaths(const Value& value, std::set<std::string>& paths) {
   }
 }
 
+/// The name of the variable of a shell that a path has, "HOME" of "$HOME/x" and "${HOME}/x"; empty:
+/// it has none.
+std::string shellVariableIn(const std::string& path) {
+  static const std::regex kVariable(R"(\$\{?([A-Za-z_][A-Za-z0-9_]*))");
+  std::smatch found;
+  return std::regex_search(path, found, kVariable) ? found[1].str() : "";
+}
+
 }  // namespace
 
 std::vector<std::string> explainRelativePaths(std::vector<std::string> messages,
@@ -32,6 +41,11 @@ std::vector<std::string> explainRelativePaths(std::vector<std::string> messages,
     for (const std::string& path : paths) {
       const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
       if (message.find(absolute) == std::string::npos) continue;
+      const std::string variable = shellVariableIn(path);
+      if (!variable.empty()) {
+        message += "; in settings, $(env " + variable + ") is what a shell calls $" + variable;
+        break;
+      }
       message += "; '" + path + "' starts at the current folder: \"$(dirname)/" + path +
                  "\" would lie beside the settings file";
       break;

@@ -19,7 +19,8 @@ void parseXml(const std::string& text, SdfFile& file) {
                              "cannot be read as XML (" + file.document.ErrorName() + ")";
   const std::string repaired = repairedXml(text);
   if (file.document.Parse(repaired.c_str(), repaired.size()) == tinyxml2::XML_SUCCESS) return;
-  throw Error(file.path.string() + ": " + reason);
+  const std::string fault = base::textFault(text);
+  throw Error(file.path.string() + ": " + (fault.empty() ? reason : fault));
 }
 
 /// SDF's oldest versions call their root <gazebo>.

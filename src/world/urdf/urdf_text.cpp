@@ -10,6 +10,7 @@
 
 #include <tinyxml2.h>
 
+#include "base/input_file.h"
 #include "world/files/text.h"
 
 namespace synthetic_dataset::world {
@@ -101,8 +102,10 @@ class Preparation {
   std::optional<UrdfText> run() {
     document_.Parse(model_.text.c_str(), model_.text.size());
     if (document_.Error()) {
+      const std::string fault = base::textFault(model_.text);
       addError(document_.ErrorLineNum(),
-               std::string("cannot be read as XML (") + document_.ErrorName() + ")");
+               fault.empty() ? std::string("cannot be read as XML (") + document_.ErrorName() + ")"
+                             : fault);
       return std::nullopt;
     }
     XMLElement& robot = *document_.RootElement();

@@ -5,6 +5,7 @@
 #include "programs/inspect/bag_report.h"
 #include "programs/inspect/world_report.h"
 #include "support/bag_builder.h"
+#include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::programs {
@@ -26,7 +27,7 @@ motion::BagContents contentsOfARecording(const test::TemporaryFolder& folder) {
 
 TEST(BagText, ShowsFramesAsATree) {
   const test::TemporaryFolder folder;
-  const std::string text = bagText(contentsOfARecording(folder));
+  const std::string text = bagText(contentsOfARecording(folder), {});
   EXPECT_THAT(text,
               HasSubstr("  odom  (root)\n"
                         "    base_link  (20.0 Hz, 1.000 s to 2.000 s, travels in 2.00 x 0.00 x "
@@ -39,7 +40,7 @@ TEST(BagText, ShowsFramesAsATree) {
 TEST(BagValue, IsTheSameForPrograms) {
   const test::TemporaryFolder folder;
   const Value value =
-      base::parseYaml(base::jsonText(bagValue(contentsOfARecording(folder))), "json");
+      base::parseYaml(base::jsonText(bagValue(contentsOfARecording(folder), {})), "json");
   const auto& map = *value.as<Value::Map>();
   const auto& frames = *map.at("frames").as<Value::List>();
   ASSERT_EQ(frames.size(), 2U);
@@ -47,6 +48,31 @@ TEST(BagValue, IsTheSameForPrograms) {
   EXPECT_EQ(base.at("name"), Value("base_link"));
   EXPECT_NEAR(*base.at("rate").as<double>(), 20.0, 1e-9);
   EXPECT_EQ(map.at("robots").as<Value::List>()->size(), 1U);
+}
+
+TEST(BagText, NamesRobotDescriptions) {
+  const test::TemporaryFolder folder;
+  const std::string urdf = "<?xml version='1.0'?><robot\n name = 'jackal'><link name='l'/></robot>";
+  test::BagBuilder bag(folder / "a.bag");
+  bag.move("odom", "base_link", milliseconds(1000));
+  bag.say("/robot_description", milliseconds(1000), urdf);
+  bag.say("/arm/robot_description", milliseconds(1000), "no URDF");
+  bag.say("/chatter", milliseconds(1000), urdf);
+  const auto contents = motion::readContents({bag.close()});
+  ASSERT_EQ(contents.descriptions.size(), 1U);
+  EXPECT_EQ(contents.descriptions[0].urdf, urdf);
+  EXPECT_THAT(bagText(contents, {{"/robot_description", "husky"}}),
+              AllOf(HasSubstr("model: /robot_description is a URDF of 'jackal' (`inspect --urdf "
+                              "BAG > jackal.urdf` saves it)\n"),
+                    HasSubstr("model on the parameter server: /robot_description is a URDF of "
+                              "'husky' (`rosparam get -p /robot_description > husky.urdf`")));
+  const Value value = bagValue(contents, {{"/robot_description", "husky"}});
+  EXPECT_EQ(value.as<Value::Map>()->at("models").as<Value::List>()->size(), 2U);
+}
+
+TEST(WorldText, OfAFileThatIsMissingIsAnError) {
+  EXPECT_THAT(test::messagesOf([] { (void)readForInspection("no_such.world"); }),
+              ::testing::ElementsAre(HasSubstr("no_such.world': no such file")));
 }
 
 constexpr const char* kWorld =

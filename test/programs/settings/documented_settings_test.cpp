@@ -1,6 +1,7 @@
 #include "programs/settings/documented_settings.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -10,6 +11,8 @@
 #include "base/json_text.h"
 #include "base/yaml_value.h"
 #include "config/config.h"
+#include "support/temporary_folder.h"
+#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::programs {
 namespace documented_settings_test {
@@ -141,6 +144,59 @@ TEST(SettingsSchema, TellsEditorsWhatThereIs) {
   EXPECT_EQ(property(read, "bag_file").as<Value::Map>()->count("default"), 0U);
   const Value entry = property(read, "motions").as<Value::Map>()->at("items");
   EXPECT_EQ(entry.as<Value::Map>()->at("properties").as<Value::Map>()->count("weight"), 1U);
+}
+
+/// What an editor that follows the schema underlines.
+void findUnknown(const Value& schema, const Value& value, const std::string& path,
+                 std::vector<std::string>& unknown) {
+  const auto& rules = *schema.as<Value::Map>();
+  const auto rule = [&](const std::string& name) {
+    const auto found = rules.find(name);
+    return found == rules.end() ? nullptr : &found->second;
+  };
+  for (const auto& [name, content] : rules) {
+    static const std::set<std::string> kKnown = {
+        "$schema", "title",    "type",       "description",         "default",
+        "items",   "examples", "properties", "additionalProperties"};
+    EXPECT_EQ(kKnown.count(name), 1U) << "this test does not know what '" << name << "' means";
+  }
+  if (const auto* list = value.as<Value::List>(); list != nullptr && rule("items") != nullptr) {
+    for (const Value& each : *list) findUnknown(*rule("items"), each, path + "[]", unknown);
+  }
+  const auto* map = value.as<Value::Map>();
+  if (map == nullptr || rule("properties") == nullptr) return;
+  const auto& properties = *rule("properties")->as<Value::Map>();
+  for (const auto& [name, content] : *map) {
+    const auto property = properties.find(name);
+    if (property != properties.end()) {
+      findUnknown(property->second, content, path + "/" + name, unknown);
+    } else if (rule("additionalProperties") != nullptr) {
+      EXPECT_EQ(*rule("additionalProperties"), Value(false));
+      unknown.push_back(path + "/" + name);
+    }
+  }
+}
+
+std::vector<std::string> unknownIn(const std::string& settings) {
+  const Value schema = settingsSchema(documentedSettings(settingsDocument()));
+  std::vector<std::string> unknown;
+  findUnknown(schema, base::parseSettings(settings, "settings"), "", unknown);
+  return unknown;
+}
+
+TEST(SettingsSchema, TakesAllSettingsThatAreShipped) {
+  int count = 0;
+  for (const auto& each : std::filesystem::directory_iterator(test::sourceFolder() + "/config")) {
+    if (each.path().extension() != ".yaml") continue;
+    ++count;
+    EXPECT_THAT(unknownIn(test::readFile(each.path())), IsEmpty()) << each.path();
+  }
+  EXPECT_GE(count, 5);
+}
+
+TEST(SettingsSchema, UnderlinesWhatIsMisspelt) {
+  EXPECT_THAT(unknownIn("camera: {naer: 0.1}\nrover_1: {class: rover}\nworld: {fiel: a}\n"),
+              ElementsAre("/camera/naer", "/world/fiel"));
 }
 
 }  // namespace documented_settings_test

@@ -6,8 +6,10 @@
 
 #include "base/yaml_value.h"
 #include "config/settings_file.h"
+#include "plugins/readback/format.h"
 #include "programs/start/start_line.h"
 #include "run/generator.h"
+#include "run/setup/run_setup.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
@@ -18,6 +20,7 @@ namespace settings_draft_test {
 
 using test::milliseconds;
 using test::poseAt;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -68,11 +71,25 @@ TEST_F(SettingsDraftTest, MakeADatasetAsTheyAre) {
   EXPECT_THAT(summary.warnings, IsEmpty());
 }
 
+TEST_F(SettingsDraftTest, AreRightWithEachFormatThatThereIs) {
+  inputs.formats.clear();
+  for (const auto& [name, type] : formats::formatNames()) inputs.formats.push_back(name);
+  EXPECT_THAT(inputs.formats, AllOf(Contains("mot"), Contains("kitti_tracking"),
+                                    Contains("labelme"), Contains("pascal_voc")));
+  const Value settings(this->settings(draftSettings(inputs)));
+  EXPECT_EQ(settings.as<Value::Map>()->at("writers").as<Value::List>()->size(),
+            formats::formatNames().size());
+  EXPECT_THAT(test::messagesOf([&] { (void)run::setUpRun(settings, {test::pluginXml()}); }),
+              IsEmpty());
+}
+
 TEST_F(SettingsDraftTest, MarkWhatIsNotKnown) {
   inputs.objects = {{"jackal", std::nullopt, 0.0}};
+  inputs.contents.descriptions = {{"/robot_description", "jackal", "<robot name='jackal'/>"}};
   const SettingsDraft draft = draftSettings(inputs);
   EXPECT_THAT(draft.text, HasSubstr("# model: /path/to/jackal.urdf  # TODO: a model of jackal"));
-  EXPECT_THAT(draft.gaps, Contains(HasSubstr("a model of jackal")));
+  EXPECT_THAT(draft.gaps, Contains(AllOf(HasSubstr("a model of jackal"),
+                                         HasSubstr("`inspect --urdf BAG > jackal.urdf`"))));
 }
 
 TEST_F(SettingsDraftTest, KeepTheRateOfTheRecordingAndLeaveOutWhereNothingMoves) {
@@ -109,6 +126,39 @@ TEST_F(SettingsDraftTest, TakeTheRecordedCalibrationAndNameOtherPrefixes) {
   EXPECT_THAT(draft.text, HasSubstr("info_topic: \"/eye/camera_info\""));
   EXPECT_THAT(draft.text, HasSubstr("frame: \"base_link\"\n  link_frames: \"{link}\""));
   EXPECT_THAT(draft.gaps, IsEmpty());
+}
+
+TEST_F(SettingsDraftTest, FollowOdometryWhereThereIsNoTf) {
+  test::BagBuilder bag(folder / "b.bag");
+  for (int i = 0; i <= 40; ++i) {
+    bag.drive("/odom", "odom", "base_footprint", milliseconds(1000 + 50 * i),
+              poseAt(0.05 * i, 0, 0));
+  }
+  inputs.bag_files = {bag.close()};
+  inputs.contents = motion::readContents(inputs.bag_files);
+  EXPECT_THAT(inputs.contents.notes,
+              ElementsAre("without TF, frames come from /odom (nav_msgs/Odometry)"));
+  const SettingsDraft draft = draftSettings(inputs);
+  EXPECT_THAT(draft.text,
+              AllOf(HasSubstr("frame: \"base_footprint\""), HasSubstr("global_frame: \"odom\"")));
+  const Value settings(this->settings(draft));
+  EXPECT_THAT(test::messagesOf([&] { (void)run::setUpRun(settings, {test::pluginXml()}); }),
+              IsEmpty());
+}
+
+TEST_F(SettingsDraftTest, SayHowPosesWithoutAFrameAreRead) {
+  test::BagBuilder bag(folder / "b.bag");
+  bag.locate("/mocap", "world", milliseconds(1000), poseAt(0, 0, 0));
+  inputs.bag_files = {bag.locate("/mocap", "world", milliseconds(2000), poseAt(1, 0, 0)).close()};
+  inputs.contents = motion::readContents(inputs.bag_files);
+  inputs.objects.clear();
+  EXPECT_THAT(draftSettings(inputs).gaps,
+              Contains(HasSubstr("pose_topics: [{topic: /mocap, frame: NAME}]")));
+}
+
+TEST(ObjectNames, AreNoSettings) {
+  EXPECT_EQ(objectNameOf({"jackal", "jackal", "jackal/base_link"}), "jackal");
+  EXPECT_EQ(objectNameOf({"camera", "camera", "camera/base_link"}), "camera_robot");
 }
 
 TEST(StartLine, NamesBagsAndWhatBelongsToThem) {

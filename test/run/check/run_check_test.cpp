@@ -13,6 +13,7 @@
 #include "config/settings_file.h"
 #include "run/run_fixture.h"
 #include "support/bag_builder.h"
+#include "support/error_messages.h"
 #include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::run {
@@ -46,6 +47,16 @@ class RunCheckTest : public test::RunFixture {
     for (const Finding& each : check().findings)
       lines.push_back(each.kind + " | " + each.message());
     return lines;
+  }
+
+  /// What its scenes warn of.
+  [[nodiscard]] std::vector<std::string> warnings() const {
+    struct Warnings : Reporter {
+      void warning(const std::string& message) override { messages.push_back(message); }
+      std::vector<std::string> messages;
+    } reporter;
+    (void)checkRun(Value(parameters), reporter, {test::pluginXml()});
+    return reporter.messages;
   }
 
   Value::Map& camera() { return *parameters.at("camera").as<Value::Map>(); }
@@ -95,7 +106,7 @@ TEST_F(RunCheckTest, ASoundRunHasNothingOddAndLeavesNoDataset) {
   EXPECT_THAT(odd(), IsEmpty());
   EXPECT_THAT(found.scenes, SizeIs(4)) << "all that there are";
   EXPECT_THAT(planLines(found.setup, found.figures),
-              AllOf(Contains(HasSubstr("4 times from 1.000 s to 1.750 s")),
+              AllOf(Contains(HasSubstr("times: 4 from 1.000 s to 1.750 s")),
                     Contains(HasSubstr("scenes: 4, of camera (160 x 120)")),
                     Contains(HasSubstr("formats: ")), Contains(HasSubstr("of disk"))));
   EXPECT_GT(found.figures.bytes, 1000);
@@ -116,6 +127,37 @@ TEST_F(RunCheckTest, ACameraThatLooksAwayIsNamed) {
                                         "camera in 4")));
   look(vector(-3.0, 0.2, 0.5), vector(-3.0, 0.2, 5.0));
   EXPECT_THAT(odd(), Contains(HasSubstr("plain | pictures: 4 of 4 scenes are of one colour")));
+}
+
+TEST_F(RunCheckTest, AnObjectBesideThePictureIsNamed) {
+  look(vector(-3.0, -3.0, 0.5), vector(-3.0, 5.0, 0.5));
+  EXPECT_THAT(odd(), Contains(HasSubstr("not seen | alpha: seen in none of 4 scenes: beside the "
+                                        "picture in 4")));
+}
+
+TEST_F(RunCheckTest, AnObjectBehindAnotherIsNamed) {
+  test::BagBuilder bag(run.folder() / "tiny.bag");
+  bag.fix("map", "alpha/base_link", milliseconds(1000), poseAt(0.0, 0.0, 0.0));
+  bag.fix("map", "bravo/base_link", milliseconds(1000), poseAt(-1.5, 0.0, 0.0));
+  bag.move("map", "other", milliseconds(1000)).move("map", "other", milliseconds(2000));
+  bag.close();
+  look(vector(-3.0, 0.0, 0.2));
+  EXPECT_THAT(odd(), Contains(HasSubstr("not seen | alpha: seen in none of 4 scenes: hidden by "
+                                        "'bravo' in 4")));
+}
+
+TEST_F(RunCheckTest, AnObjectBeyondTheFarPlaneIsNamed) {
+  camera()["far"] = Value(2.0);
+  EXPECT_THAT(odd(), Contains(HasSubstr("not seen | alpha: seen in none of 4 scenes: beyond "
+                                        "camera/far in 4")));
+}
+
+TEST_F(RunCheckTest, AnObjectThatIsHardlySeenIsNamed) {
+  record([](double t) { return poseAt(0.0, t < 0.03 ? 0.0 : 3.5, 0.0); });
+  parameters["simulated_rate"] = Value(20.0);
+  look(vector(-3.0, 0.2, 0.5), vector(0.0, 0.2, 0.2));
+  EXPECT_THAT(odd(), Contains(HasSubstr("not seen | alpha: seen in 1 of 9 scenes: beside the "
+                                        "picture in 8")));
 }
 
 TEST_F(RunCheckTest, AnObjectTooFarAwayIsNamed) {
@@ -193,6 +235,27 @@ TEST_F(RunCheckTest, AGroundThatEndsIsNamed) {
                                     HasSubstr("the ground may end there"))));
 }
 
+TEST_F(RunCheckTest, AGroundThatEndsIsNamedThoughItsCollisionHasNoEnd) {
+  // As Gazebo's own ground_plane: a picture of 100 m, and a plane for physics all over.
+  replaceInWorld("<geometry><box><size>8 8 0.2</size></box></geometry></collision>",
+                 "<geometry><plane><normal>0 0 1</normal><size>8 8</size></plane></geometry>"
+                 "</collision>");
+  record([](double t) { return poseAt(0.0, 2.9 + 2.0 * t, 0.0); });
+  EXPECT_THAT(odd(), Contains(HasSubstr("no ground | alpha: nothing of the world is below it at 1 "
+                                        "of 4 times")));
+}
+
+TEST_F(RunCheckTest, AWayThroughAWallIsNamed) {
+  addCrate("0 0 1 0 0 0", "4 0.1 2");
+  record([](double t) { return poseAt(0.0, -0.5 + t, 0.0); });
+  parameters["simulated_rate"] = Value(20.0);
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("in walls | alpha: is inside of things of the world "
+                                              "at "),
+                                    HasSubstr("of 20 times, first of 'crate'"))));
+  record([](double t) { return poseAt(0.0, -1.5 + t, 0.0); });
+  EXPECT_THAT(odd(), Not(Contains(HasSubstr("in walls")))) << "it is before the wall";
+}
+
 TEST_F(RunCheckTest, WhatSinksOrFloatsIsNamed) {
   record([](double t) { return poseAt(0.0, -0.5 + t, -0.12); });
   EXPECT_THAT(
@@ -241,6 +304,17 @@ TEST_F(RunCheckTest, ScenesThatAreEqualAreNamed) {
                                         "object nor a camera has moved")));
 }
 
+TEST_F(RunCheckTest, ACameraThatFindsNoViewOfAnObjectInAWallIsNamed) {
+  addCrate("0 0 0.5 0 0 0", "0.8 1.6 1.4");
+  camera().erase("pose");
+  camera()["sample"] = Value(Value::Map{
+      {"look_at", Value("alpha")},
+      {"distance", Value(Value::Map{{"uniform", Value(Value::List{Value(1.5), Value(3.0)})}})}});
+  EXPECT_THAT(warnings(), Contains(AllOf(HasSubstr("camera/sample: something hides what the camera "
+                                                   "looks at from all positions"),
+                                         HasSubstr("would not have seen what they look at"))));
+}
+
 TEST_F(RunCheckTest, WhatIsCheapIsWarnedOfInEveryRun) {
   record([](double) { return poseAt(0.0, -0.5, 0.0); });
   look(vector(-16.0, 0.5, 1.0));
@@ -256,6 +330,12 @@ TEST_F(RunCheckTest, WhatIsCheapIsWarnedOfInEveryRun) {
   EXPECT_THAT(reporter.messages, Contains(HasSubstr("labels are of fewer than 25 visible pixels")));
 }
 
+TEST_F(RunCheckTest, AFolderThatCannotBeMadeIsAnError) {
+  parameters["output_folder"] = Value((run.folder() / "tiny.world").string());
+  EXPECT_THAT(test::messagesOf([&] { (void)check(); }),
+              Contains(HasSubstr("output_folder: cannot make the folder")));
+}
+
 TEST(CheckFigures, NameADiskAndAMemoryThatAreTooSmall) {
   RunFigures figures;
   figures.bytes = 9'000'000'000;
@@ -264,8 +344,8 @@ TEST(CheckFigures, NameADiskAndAMemoryThatAreTooSmall) {
   figures.memory_limit = 16'000'000'000;
   const std::vector<Finding> findings = checkFigures(figures);
   ASSERT_THAT(findings, SizeIs(2));
-  EXPECT_THAT(findings[0].message(), HasSubstr("about 9 GB, and 2 GB are free"));
-  EXPECT_THAT(findings[1].message(), HasSubstr("about 64 GB of memory, and 16 GB are there"));
+  EXPECT_THAT(findings[0].message(), HasSubstr("about 9.0 GB, and 2.0 GB are free"));
+  EXPECT_THAT(findings[1].message(), HasSubstr("about 64.0 GB of memory, and 16.0 GB are there"));
   figures.free_disk = std::nullopt;
   figures.memory = 0;
   EXPECT_THAT(checkFigures(figures), IsEmpty());

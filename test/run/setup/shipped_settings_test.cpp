@@ -5,8 +5,10 @@
 #include <string>
 
 #include <gmock/gmock.h>
+#include <opencv2/core.hpp>
 
 #include "config/settings_file.h"
+#include "run/check/run_check.h"
 #include "run/setup/run_setup.h"
 #include "support/error_messages.h"
 #include "support/writers/plugin_environment.h"
@@ -61,6 +63,34 @@ TEST(ShippedSettings, OfThePresetGoBelowAnyOthers) {
   Value::Map settings = shipped("randomize_default.yaml");
   config::overlay(settings, shipped("example.yaml"));
   EXPECT_THAT(errorsOf(settings), IsEmpty());
+}
+
+/// The least of what an entry draws; of a normal distribution without bounds the mean.
+Value leastOf(const Value& entry) {
+  const auto* map = entry.as<Value::Map>();
+  if (map == nullptr) return entry;
+  if (map->count("uniform") != 0) return map->at("uniform").as<Value::List>()->front();
+  if (map->count("normal") != 0) {
+    return map->count("min") != 0 ? map->at("min") : map->at("normal").as<Value::List>()->front();
+  }
+  Value::Map least;
+  for (const auto& [name, value] : *map) least[name] = leastOf(value);
+  return Value(least);
+}
+
+TEST(ShippedSettings, OfThePresetLeaveTheDarkestSceneVisible) {
+  test::preparePluginEnvironment();
+  Value::Map settings = shipped("randomize_default.yaml");
+  config::overlay(settings, shipped("example.yaml"));
+  settings["randomize"] = leastOf(settings["randomize"]);
+  Value::Map& lights = *settings["randomize"].as<Value::Map>()->at("lights").as<Value::Map>();
+  (*lights.at("every").as<Value::Map>())["present"] = Value(0.0);  // all off, but for one
+  Reporter silent;
+  const RunCheck check = checkRun(Value(settings), silent, {test::pluginXml()});
+  for (const FinishedScene& each : check.scenes) {
+    EXPECT_GT(cv::mean(each.scene.image)[1], 20.0) << each.scene.name;
+  }
+  for (const Finding& each : check.findings) EXPECT_NE(each.kind, "dark") << each.message();
 }
 
 }  // namespace shipped_settings_test
