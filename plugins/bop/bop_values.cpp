@@ -134,7 +134,7 @@ class BopValues : public ValueCheck {
            static_cast<std::int64_t>(scene.camera_index);
   }
 
-  /// Holds a depth image against the sums that are known.
+  /// Holds a depth image against the one that is known in its unit, or the sums.
   cv::Mat checkDepth(const std::string& name, const TrueScene& truth, FoundFiles& files) const {
     const auto file = files.take(name);
     if (!file) return {};
@@ -145,6 +145,11 @@ class BopValues : public ValueCheck {
                               ": it should have one channel of 16 bits, as large as the "
                               "image");
       return {};
+    }
+    if (options_.depth_scale == 1.0 || options_.depth_scale == 0.1) {
+      files.comparePixels(name, depth, truth,
+                          options_.depth_scale == 1.0 ? "depth.0.001" : "depth.0.0001");
+      return depth;
     }
     const double unit = options_.depth_scale / kMillimetres;
     constexpr double kGreatest = 65534.0;  // that a pixel holds for certain

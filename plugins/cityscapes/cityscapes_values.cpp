@@ -12,18 +12,20 @@
 #include "plugins/readback/json_file.h"
 #include "plugins/readback/json_text.h"
 #include "plugins/readback/mask_shapes.h"
+#include "plugins/readback/true_parts.h"
 
 namespace synthetic_dataset::formats::cityscapes {
 namespace {
 
 using nlohmann::json;
 
-/// An object with a label in a picture.
+/// What has a label in a picture: a class of the world, or an object.
 struct Labelled {
-  const SceneObject* object = nullptr;
+  Mask mask;
   int label = 0;
-  int instance = 0;  ///< in the picture of instances
-  std::string name;  ///< in the polygons
+  int instance = 0;   ///< in the picture of instances
+  std::string name;   ///< in the polygons
+  std::string whose;  ///< for messages
 };
 
 class CityscapesValues : public ValueCheck {
@@ -54,6 +56,10 @@ class CityscapesValues : public ValueCheck {
  private:
   [[nodiscard]] std::vector<Labelled> labelledOf(const Scene& scene) const {
     std::vector<Labelled> labelled;
+    for (std::size_t i = 0; i < options_.world.size(); ++i) {
+      const auto& [name, id, class_id] = options_.world[i];
+      labelled.push_back({Mask(trueWorldClass(scene, i + 1)), id, id, name, "'" + name + "'"});
+    }
     std::map<int, int> counts;  // by label
     for (const SceneObject& object : scene.objects) {
       const auto label =
@@ -62,9 +68,9 @@ class CityscapesValues : public ValueCheck {
       if (!object.labelled() || label == options_.labels.end()) continue;
       const int count = counts[label->id]++;
       const bool is_single = count < kCityscapesInstances;
-      labelled.push_back({&object, label->id,
+      labelled.push_back({object.visible_mask(), label->id,
                           is_single ? label->id * kCityscapesInstances + count : label->id,
-                          label->name + (is_single ? "" : "group")});
+                          label->name + (is_single ? "" : "group"), "'" + object.name + "'"});
     }
     return labelled;
   }
@@ -79,8 +85,8 @@ class CityscapesValues : public ValueCheck {
       instances.setTo(0, object.visible_mask().whole());
     }
     for (const Labelled& each : labelled) {
-      labels.setTo(each.label, each.object->visible_mask().whole());
-      instances.setTo(each.instance, each.object->visible_mask().whole());
+      labels.setTo(each.label, each.mask.whole());
+      instances.setTo(each.instance, each.mask.whole());
     }
     cv::Mat train_ids(size, CV_8UC1, cv::Scalar(kCityscapesIgnored));
     cv::Mat picture(size, CV_8UC3, cv::Scalar::all(0));
@@ -106,26 +112,16 @@ class CityscapesValues : public ValueCheck {
                     {"objects", json::array()}};
       std::size_t i = 0;
       for (const Labelled& each : labelled) {
-        if (each.object->visible_mask().empty()) continue;
+        if (each.mask.empty()) continue;
         right["objects"].push_back({{"label", asJsonHasIt(each.name)}});
         if (i >= found.at("objects").size()) continue;
         json& object = found["objects"][i++];
-        comparePolygon(object.at("polygon"), each, name, files.differences());
+        const std::string problem = outlineProblem(object.at("polygon"), each.mask);
+        if (!problem.empty()) files.differences().add(name + ", " + each.whose + ": " + problem);
         object.erase("polygon");
       }
       compareJson(found, right, name, files.differences());
     });
-  }
-
-  static void comparePolygon(const json& points, const Labelled& of, const std::string& name,
-                             Differences& differences) {
-    std::vector<cv::Point> outline;
-    for (const json& point : points) {
-      if (point.size() != 2) differences.add(name, point.dump(), "[x, y]");
-      outline.emplace_back(integerOf(point.at(0)), integerOf(point.at(1)));
-    }
-    const std::string problem = outlineProblem(outline, of.object->visible_mask());
-    if (!problem.empty()) differences.add(name + ", object '" + of.object->name + "': " + problem);
   }
 
   static void compareCamera(const Scene& scene, const std::string& name, FoundFiles& files) {
@@ -210,8 +206,8 @@ class CityscapesValues : public ValueCheck {
 }  // namespace
 
 std::unique_ptr<ValueCheck> valueCheck(Parameters& parameters, const DatasetInfo& dataset) {
-  return std::make_unique<CityscapesValues>(readCityscapesOptions(parameters, dataset.classes, {}),
-                                            dataset);
+  return std::make_unique<CityscapesValues>(
+      readCityscapesOptions(parameters, dataset.classes, dataset.world_classes), dataset);
 }
 
 }  // namespace synthetic_dataset::formats::cityscapes

@@ -13,6 +13,7 @@
 #include "plugins/readback/json_file.h"
 #include "plugins/readback/json_text.h"
 #include "plugins/readback/mask_shapes.h"
+#include "plugins/readback/true_parts.h"
 #include "plugins/shared/colour_map.h"
 
 namespace synthetic_dataset::formats::coco {
@@ -122,7 +123,10 @@ class KeypointColumns {
 class CocoValues : public ValueCheck {
  public:
   CocoValues(CocoOptions options, const DatasetInfo& dataset)
-      : options_(std::move(options)), dataset_(dataset), keypoints_(dataset, options_) {}
+      : options_(std::move(options)), dataset_(dataset), keypoints_(dataset, options_) {
+    if (options_.panoptic) stuff_ = dataset_.world_classes;
+    if (!options_.background.empty()) stuff_.push_back(options_.background);
+  }
 
   void checkScene(const TrueScene& truth, FoundFiles& files) override {
     const Scene& scene = truth.scene;
@@ -130,14 +134,12 @@ class CocoValues : public ValueCheck {
     const std::string file_name = scene.name + "." + options_.image_format;
     files.compareWithScene("images/" + (dataset_.splits.empty() ? "" : split + "/") + file_name,
                            truth);
-    json annotations = json::array();
+    std::vector<Annotation> annotations;
     json segments = json::array();
-    std::vector<const Mask*> masks;
     for (const SceneObject& object : scene.objects) {
       const auto box = boxOf(object, options_.box, scene.camera);
       if (!object.labelled() || !object.visible_box() || !box) continue;
       annotations.push_back(annotationOf(scene, object, *box));
-      masks.push_back(&object.visible_mask());
       segments.push_back({{"id", object.instance},
                           {"category_id", categoryOf(object.class_id)},
                           {"area", object.visible_mask().count()},
@@ -146,7 +148,7 @@ class CocoValues : public ValueCheck {
     }
     const auto index = indexOf(instancesOf(split), files);
     compareImage(*index, scene, file_name, files);
-    compareAnnotations(*index, scene, annotations, masks, files);
+    compareAnnotations(*index, scene, annotations, files);
     counts_[instancesOf(split)].images += 1;
     counts_[instancesOf(split)].annotations += annotations.size();
     if (options_.panoptic) comparePanoptic(scene, segments, files);
@@ -160,6 +162,12 @@ class CocoValues : public ValueCheck {
   }
 
  private:
+  struct Annotation {
+    json members;  ///< all but what is a segmentation
+    const Mask* mask = nullptr;
+    std::vector<TruePart> parts;
+  };
+
   struct Counts {
     std::size_t images = 0;
     std::size_t annotations = 0;
@@ -172,9 +180,8 @@ class CocoValues : public ValueCheck {
     return files.kept().get<CocoIndex>(files.folder() / pathOf(name));
   }
 
-  /// All members but `segmentation`.
-  [[nodiscard]] json annotationOf(const Scene& scene, const SceneObject& object,
-                                  const Box& box) const {
+  [[nodiscard]] Annotation annotationOf(const Scene& scene, const SceneObject& object,
+                                        const Box& box) const {
     const auto count = static_cast<std::int64_t>(dataset_.objects.size());
     json annotation = {{"id", scene.index * count + object.instance}, {"image_id", scene.index + 1},
                        {"category_id", categoryOf(object.class_id)},  {"bbox", boxJson(box)},
@@ -185,8 +192,18 @@ class CocoValues : public ValueCheck {
                  {"visibility", object.visibility()},
                  {"truncation", object.truncation()}};
     if (object.silhouette_box()) more["amodal_bbox"] = boxJson(*object.silhouette_box());
+    std::vector<TruePart> parts;
+    if (!dataset_.objects.at(static_cast<std::size_t>(object.instance - 1)).part_names.empty()) {
+      parts = trueParts(scene, object, dataset_);
+      more["parts"] = json::array();
+      for (const TruePart& each : parts) {
+        more["parts"].push_back({{"name", asJsonHasIt(each.name)},
+                                 {"bbox", boxJson(each.box())},
+                                 {"area", each.mask.count()}});
+      }
+    }
     annotation["synthetic_dataset"] = std::move(more);
-    return annotation;
+    return {std::move(annotation), &object.visible_mask(), std::move(parts)};
   }
 
   static void compareImage(const CocoIndex& index, const Scene& scene, const std::string& file_name,
@@ -208,11 +225,11 @@ class CocoValues : public ValueCheck {
     }
   }
 
-  void compareAnnotations(const CocoIndex& index, const Scene& scene, const json& annotations,
-                          const std::vector<const Mask*>& masks, FoundFiles& files) const {
+  void compareAnnotations(const CocoIndex& index, const Scene& scene,
+                          const std::vector<Annotation>& annotations, FoundFiles& files) const {
     std::vector<json> found = index.annotationsOf(scene.index + 1);
-    for (std::size_t i = 0; i < annotations.size(); ++i) {
-      const json& right = annotations[i];
+    for (const Annotation& annotation : annotations) {
+      const json& right = annotation.members;
       const std::string where =
           "the annotation of '" + right["synthetic_dataset"]["object"].get<std::string>() + "'";
       const auto same = std::find_if(found.begin(), found.end(), [&](const json& each) {
@@ -222,8 +239,8 @@ class CocoValues : public ValueCheck {
         files.differences().add(where + " has another id than " + right["id"].dump());
         continue;
       }
-      compareSegmentation(*same, *masks[i], where, files.differences());
-      same->erase("segmentation");
+      compareSegmentation(*same, *annotation.mask, where, files.differences());
+      compareParts((*same)["synthetic_dataset"], annotation.parts, where, files.differences());
       compareJson(*same, right, where, files.differences());
       found.erase(same);
     }
@@ -232,9 +249,22 @@ class CocoValues : public ValueCheck {
     }
   }
 
-  void compareSegmentation(const json& annotation, const Mask& mask, const std::string& where,
+  /// @param more  the members that are not COCO's
+  void compareParts(json& more, const std::vector<TruePart>& parts, const std::string& where,
+                    Differences& differences) const {
+    const auto found = more.find("parts");
+    if (found == more.end()) return;  // seen among the members where it should be there
+    for (std::size_t i = 0; i < std::min(found->size(), parts.size()); ++i) {
+      compareSegmentation(found->at(i), parts[i].mask, where + "/parts/" + parts[i].name,
+                          differences);
+    }
+  }
+
+  /// @param holder  of the segmentation, which is taken out
+  void compareSegmentation(json& holder, const Mask& mask, const std::string& where,
                            Differences& differences) const {
-    const json& found = annotation.at("segmentation");
+    const json found = holder.at("segmentation");
+    holder.erase("segmentation");
     cv::Mat pixels;
     if (options_.as_polygons) {
       pixels = maskOfEdges(found, mask.imageSize());
@@ -253,7 +283,7 @@ class CocoValues : public ValueCheck {
     const std::string split = scene.splitFolder();
     const std::string file_name = scene.name + ".png";
     cv::Mat ids(scene.camera.height(), scene.camera.width(), CV_8UC3, cv::Scalar::all(0));
-    if (!options_.background.empty()) addWorld(scene, segments, ids);
+    for (std::size_t i = 0; i < stuff_.size(); ++i) addStuff(scene, i, segments, ids);
     for (const SceneObject& object : scene.objects) {
       const bool is_segment = std::any_of(segments.begin(), segments.end(), [&](const json& each) {
         return each["id"] == object.instance;
@@ -281,26 +311,26 @@ class CocoValues : public ValueCheck {
   /// An id is red + 256 green + 256^2 blue.
   static cv::Scalar colourOf(int id) { return cv::Scalar(id / 65536, id / 256 % 256, id % 256); }
 
-  /// The segment of what is no object.
-  void addWorld(const Scene& scene, json& segments, cv::Mat& ids) const {
-    cv::Mat world(ids.size(), CV_8UC1, cv::Scalar(255));
-    for (const SceneObject& object : scene.objects) {
-      world.setTo(0, object.visible_mask().whole());
-    }
-    const Mask mask(world);
+  /// The segment of a class of the world, or of the rest of it.
+  void addStuff(const Scene& scene, std::size_t index, json& segments, cv::Mat& ids) const {
+    const bool is_class = index < dataset_.world_classes.size();
+    const cv::Mat pixels = dataset_.world_classes.empty()
+                               ? trueWorld(scene)
+                               : trueWorldClass(scene, is_class ? index + 1 : 0);
+    const Mask mask(pixels);
     if (mask.empty()) return;
-    const int id = static_cast<int>(scene.objects.size()) + 1;
-    ids.setTo(colourOf(id), world);
+    const int id = static_cast<int>(scene.objects.size() + index) + 1;
+    ids.setTo(colourOf(id), pixels);
     const cv::Rect bounds = mask.bounds();
     segments.push_back({{"id", id},
-                        {"category_id", backgroundCategory()},
+                        {"category_id", stuffCategory(index)},
                         {"area", mask.count()},
                         {"bbox", {bounds.x, bounds.y, bounds.width, bounds.height}},
                         {"iscrowd", 0}});
   }
 
-  [[nodiscard]] int backgroundCategory() const {
-    return categoryOf(dataset_.classes.back().id + 1);
+  [[nodiscard]] int stuffCategory(std::size_t index) const {
+    return categoryOf(dataset_.classes.back().id + 1 + static_cast<int>(index));
   }
 
   [[nodiscard]] std::string instancesOf(const std::string& split) const {
@@ -361,13 +391,14 @@ class CocoValues : public ValueCheck {
                             {"color", {colour[2], colour[1], colour[0]}}});
     };
     for (const ClassInfo& each : dataset_.classes) add(categoryOf(each.id), each.name, "object");
-    if (!options_.background.empty()) add(backgroundCategory(), options_.background, "world");
+    for (std::size_t i = 0; i < stuff_.size(); ++i) add(stuffCategory(i), stuff_[i], "world");
     return categories;
   }
 
   CocoOptions options_;
   DatasetInfo dataset_;
   KeypointColumns keypoints_;
+  std::vector<std::string> stuff_;        ///< names of the world's classes, and of the rest
   std::map<std::string, Counts> counts_;  ///< by annotation file
 };
 

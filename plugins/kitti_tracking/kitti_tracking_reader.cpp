@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/kitti/kitti_expectation.h"
+#include "plugins/kitti_tracking/kitti_tracking_values.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
@@ -57,6 +58,8 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& cl
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/KittiTracking", true, readScene, expectation}; }
+Format format() {
+  return {"synthetic_dataset/KittiTracking", true, readScene, expectation, valueCheck};
+}
 
 }  // namespace synthetic_dataset::formats::kitti_tracking

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/labelme/labelme_options.h"
+#include "plugins/labelme/labelme_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
@@ -75,6 +76,6 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/LabelMe", false, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/LabelMe", false, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::labelme

@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/mot/mot_options.h"
+#include "plugins/mot/mot_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/sequence_files.h"
@@ -68,6 +69,6 @@ Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& cl
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Mot", true, readScene, expectation}; }
+Format format() { return {"synthetic_dataset/Mot", true, readScene, expectation, valueCheck}; }
 
 }  // namespace synthetic_dataset::formats::mot

@@ -10,6 +10,7 @@
 
 #include "plugins/pascal_voc/pascal_voc_options.h"
 #include "plugins/pascal_voc/pascal_voc_pictures.h"
+#include "plugins/readback/true_parts.h"
 #include "plugins/shared/colour_map.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -58,7 +59,7 @@ class PascalVocValues : public ValueCheck {
       const auto box = boxOf(object, options_.box, scene.camera);
       if (!object.labelled() || !box) continue;
       labelled.push_back(&object);
-      objects += elementOf(object, *box);
+      objects += elementOf(scene, object, *box);
       std::string& sign = signs.try_emplace(object.class_id, " 0").first->second;
       if (object.visibility() >= options_.difficult_below) sign = " 1";
     }
@@ -111,24 +112,43 @@ class PascalVocValues : public ValueCheck {
            line(1, "segmented", options_.segmentation ? 1 : 0) + objects + "</annotation>\n";
   }
 
-  [[nodiscard]] std::string elementOf(const SceneObject& object, const Box& box) const {
+  [[nodiscard]] std::string elementOf(const Scene& scene, const SceneObject& object,
+                                      const Box& box) const {
     const auto in_image = static_cast<double>(object.pixels.silhouette_in_image());
     const double hidden = in_image - static_cast<double>(object.pixels.visible());
     // The first and the last pixel that the box has a part of.
+    return "\t<object>\n" + line(2, "name", inXml(object.class_name)) +
+           line(2, "pose", "Unspecified") +
+           line(2, "truncated", object.truncation() > options_.truncated_above ? 1 : 0) +
+           line(2, "occluded", hidden > options_.occluded_above * in_image ? 1 : 0) +
+           line(2, "difficult", object.visibility() < options_.difficult_below ? 1 : 0) +
+           elementOfBox(box, 2) + partsOf(scene, object) + "\t</object>\n";
+  }
+
+  [[nodiscard]] std::string partsOf(const Scene& scene, const SceneObject& object) const {
+    std::string elements;
+    if (dataset_.objects.at(static_cast<std::size_t>(object.instance - 1)).part_names.empty()) {
+      return elements;
+    }
+    for (const TruePart& each : trueParts(scene, object, dataset_)) {
+      elements += "\t\t<part>\n" + line(3, "name", inXml(each.name)) + elementOfBox(each.box(), 3) +
+                  "\t\t</part>\n";
+    }
+    return elements;
+  }
+
+  /// Whole pixels, the last ones included.
+  [[nodiscard]] std::string elementOfBox(const Box& box, int depth) const {
     const auto first = [&](double edge) {
       return options_.first_pixel + static_cast<int>(std::floor(edge + 0.5));
     };
     const auto last = [&](double edge) {
       return options_.first_pixel + static_cast<int>(std::ceil(edge - 0.5));
     };
-    return "\t<object>\n" + line(2, "name", inXml(object.class_name)) +
-           line(2, "pose", "Unspecified") +
-           line(2, "truncated", object.truncation() > options_.truncated_above ? 1 : 0) +
-           line(2, "occluded", hidden > options_.occluded_above * in_image ? 1 : 0) +
-           line(2, "difficult", object.visibility() < options_.difficult_below ? 1 : 0) +
-           "\t\t<bndbox>\n" + line(3, "xmin", first(box.left)) + line(3, "ymin", first(box.top)) +
-           line(3, "xmax", last(box.right)) + line(3, "ymax", last(box.bottom)) +
-           "\t\t</bndbox>\n\t</object>\n";
+    const std::string tabs(static_cast<std::size_t>(depth), '\t');
+    return tabs + "<bndbox>\n" + line(depth + 1, "xmin", first(box.left)) +
+           line(depth + 1, "ymin", first(box.top)) + line(depth + 1, "xmax", last(box.right)) +
+           line(depth + 1, "ymax", last(box.bottom)) + tabs + "</bndbox>\n";
   }
 
   void comparePictures(const Scene& scene, const std::vector<const SceneObject*>& labelled,
@@ -140,6 +160,10 @@ class PascalVocValues : public ValueCheck {
       const cv::Mat mask = object.visible_mask().whole();
       classes.setTo(kVoid, mask);  // until it is found to have a label
       objects.setTo(kVoid, mask);
+    }
+    for (std::size_t i = 0; i < dataset_.world_classes.size(); ++i) {
+      const std::size_t index = dataset_.classes.size() + i + 1;
+      classes.setTo(static_cast<double>(index), trueWorldClass(scene, i + 1));
     }
     for (std::size_t i = 0; i < labelled.size(); ++i) {
       const cv::Mat mask = labelled[i]->visible_mask().whole();
@@ -176,8 +200,11 @@ class PascalVocValues : public ValueCheck {
   [[nodiscard]] std::string labelMap() const {
     const std::vector<cv::Vec3b> colours = vocColourMap();
     std::string text = "# label:color_rgb:parts:actions\nbackground:0,0,0::\n";
-    for (std::size_t i = 0; i < dataset_.classes.size(); ++i) {
-      std::string name = dataset_.classes[i].name;
+    std::vector<std::string> names;
+    for (const ClassInfo& each : dataset_.classes) names.push_back(each.name);
+    names.insert(names.end(), dataset_.world_classes.begin(), dataset_.world_classes.end());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      std::string name = names[i];
       std::replace_if(
           name.begin(), name.end(), [](char c) { return c == ':' || c == '\n' || c == '\r'; }, '_');
       if (!name.empty() && name.front() == '#') name.front() = '_';

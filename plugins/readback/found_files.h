@@ -28,7 +28,8 @@ struct TrueScene {
   Scene scene;
 
   /// SHA-256 of the pixels of those, by name; of "image.jpg" that of the JPEG file's bytes; of
-  /// "normals.colours" that of normals as colours of 8 bits.
+  /// "normals.colours" that of normals as colours of 8 bits; of "depth.0.001" and "depth.0.0001"
+  /// that of depth in whole numbers of this many metres, of 16 bits.
   std::map<std::string, std::string> digests;
 
   /// Of the depth image, for each square of kDepthCell pixels, row by row from the top left: the

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "plugins/readback/json_file.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats {
@@ -52,7 +53,9 @@ cv::Mat maskOfEdges(const nlohmann::json& polygons, const cv::Size& size) {
       uchar is_inside = 0;
       for (int column = 0; column < size.width; ++column) {
         is_inside = static_cast<uchar>(is_inside ^ parity.at<uchar>(row, column));
-        if (is_inside != 0) mask.at<uchar>(row, column) = 255;
+        if (is_inside == 0) continue;
+        if (mask.at<uchar>(row, column) != 0) throw Error("found polygons that overlap");
+        mask.at<uchar>(row, column) = 255;
       }
     }
   }
@@ -82,6 +85,18 @@ std::string outlineProblem(const std::vector<cv::Point>& outline, const Mask& ma
   if (cv::countNonZero(wrong) == 0) return "";
   return "found a polygon with " + std::to_string(cv::countNonZero(wrong)) +
          " pixels that are not of the mask";
+}
+
+std::string outlineProblem(const nlohmann::json& points, const Mask& mask) {
+  std::vector<cv::Point> outline;
+  for (const nlohmann::json& point : points) {
+    if (point.size() != 2) return "found the point " + point.dump() + "; it should be [x, y]";
+    outline.emplace_back(integerOf(point.at(0)), integerOf(point.at(1)));
+    if (!cv::Rect({}, mask.imageSize()).contains(outline.back())) {
+      return "found the point " + point.dump() + "; it should be a pixel of the image";
+    }
+  }
+  return outlineProblem(outline, mask);
 }
 
 }  // namespace synthetic_dataset::formats

@@ -38,6 +38,12 @@ std::vector<ManifestFile> manifestFiles(const std::vector<OutputFile>& files,
   return listed;
 }
 
+/// Whether one of the pictures may be depth in whole numbers.
+bool hasWholeNumbers(const std::vector<OutputFile>& files) {
+  return std::any_of(files.begin(), files.end(),
+                     [](const OutputFile& file) { return file.pixels.type() == CV_16UC1; });
+}
+
 /// What the manifest has of the scene's own pictures: of their pixels, and of the JPEG files made
 /// of them, from whose pixels nobody can tell any more.
 std::vector<PictureFacts> pictureFactsOf(const SceneFacts& scene,
@@ -48,6 +54,10 @@ std::vector<PictureFacts> pictureFactsOf(const SceneFacts& scene,
     facts.push_back(pictureFacts(name, pixels));
     if (name == "normals") {
       facts.push_back({"normals.colours", digestOfPixels(normalColours(pixels)), {}});
+    }
+    if (name == "depth" && hasWholeNumbers(files)) {
+      facts.push_back({"depth.0.001", digestOfPixels(depthNumbers(pixels, 1000.0)), {}});
+      facts.push_back({"depth.0.0001", digestOfPixels(depthNumbers(pixels, 10000.0)), {}});
     }
     const auto isJpeg = [&, picture = pixels](std::size_t i) {
       return files[i].pixels.data == picture.data && files[i].pixels.size() == picture.size() &&

@@ -16,6 +16,7 @@
 #include "output/files/file_system.h"
 #include "output/files/pending_file.h"
 #include "output/manifest/manifest_paths.h"
+#include "output/manifest/raw_numbers.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
@@ -35,7 +36,6 @@ void applySettings(const SqliteDatabase& database, const std::string& folder, Sy
                                           : "PRAGMA synchronous = FULL");
 }
 
-std::int64_t signedIndex(std::size_t index) { return static_cast<std::int64_t>(index); }
 std::int64_t flag(bool value) { return value ? 1 : 0; }
 
 void insertRun(const SqliteDatabase& database, const std::optional<Shard>& shard,

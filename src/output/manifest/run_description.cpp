@@ -48,16 +48,23 @@ std::string shortened(const std::string& text) {
 void describeContents(const DatasetInfo& dataset, RunDescription& run) {
   for (const ClassInfo& each : dataset.classes) run.classes.push_back({each.id, each.name});
   for (const MotionInfo& each : dataset.motions) {
-    run.motions.push_back({each.name, each.first_instant, each.instant_count});
+    run.motions.push_back({each.name, each.first_instant, each.instant_count, each.rate});
   }
   for (const CameraDescription& each : dataset.cameras) {
     run.cameras.push_back({each.name, each.frame, each.model.width(), each.model.height(),
                            each.model, each.intrinsics_vary});
   }
   for (const ObjectInfo& each : dataset.objects) {
-    run.objects.push_back(
-        {each.name, each.class_id, each.id, each.keypoint_names, each.skeleton, each.model_varies});
+    run.objects.push_back({each.name,
+                           each.class_id,
+                           each.id,
+                           each.keypoint_names,
+                           each.skeleton,
+                           each.model_varies,
+                           {},
+                           each.part_names});
   }
+  run.world_classes = dataset.world_classes;
   run.splits = dataset.splits;
   run.global_frame = dataset.global_frame;
   run.scene_count = dataset.scene_count;

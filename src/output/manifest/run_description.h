@@ -43,6 +43,7 @@ struct RunDescription {
     std::string name;
     std::int64_t first_instant = 0;
     std::int64_t instant_count = 0;
+    double rate = 0.0;  ///< as MotionInfo
   };
   struct Camera {
     std::string name;
@@ -62,6 +63,7 @@ struct RunDescription {
     std::vector<std::array<std::size_t, 2>> skeleton = {};  ///< as ObjectInfo
     bool model_varies = false;                              ///< as ObjectInfo
     std::optional<ObjectModel> model = {};                  ///< where a writer has asked for it
+    std::vector<std::string> part_names = {};               ///< as ObjectInfo
   };
 
   std::map<std::string, Setting> settings = {};      ///< by full name
@@ -69,7 +71,8 @@ struct RunDescription {
   std::map<std::string, Input> inputs = {};          ///< by absolute path
   std::map<std::string, Credit> credits = {};        ///< of inputs, where a file says something
   std::vector<Class> classes = {};
-  std::vector<Motion> motions = {};  ///< in the order of their scenes
+  std::vector<std::string> world_classes = {};  ///< as DatasetInfo
+  std::vector<Motion> motions = {};             ///< in the order of their scenes
   std::vector<Camera> cameras = {};
   std::vector<Object> objects = {};
   std::vector<SplitInfo> splits = {};

@@ -1,6 +1,8 @@
 #include "output/manifest/scene_facts.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <string_view>
 
 #include <opencv2/core.hpp>
@@ -82,13 +84,16 @@ SceneFacts sceneFacts(const Scene& scene) {
   facts.X_GC = scene.X_GC;
   facts.camera_model = scene.camera;
   if (!scene.image.empty()) facts.pictures["image"] = scene.image;
-  const auto add = [&](const char* name, const Required<cv::Mat>& picture) {
-    if (picture.isKnown()) facts.pictures[name] = picture();
+  const auto add = [](const char* name, const Required<cv::Mat>& picture,
+                      std::map<std::string, cv::Mat>& known) {
+    if (picture.isKnown()) known[name] = picture();
   };
-  add("class_map", scene.class_map);
-  add("depth", scene.depth);
-  add("normals", scene.normals);
-  add("optical_flow", scene.optical_flow);
+  add("class_map", scene.class_map, facts.pictures);
+  add("depth", scene.depth, facts.pictures);
+  add("normals", scene.normals, facts.pictures);
+  add("optical_flow", scene.optical_flow, facts.pictures);
+  add("world_map", scene.world_map, facts.link_maps);
+  add("part_map", scene.part_map, facts.link_maps);
   return facts;
 }
 
@@ -109,6 +114,17 @@ cv::Mat normalColours(const cv::Mat& normals) {
     return is_nothing ? cv::Vec3b() : cv::Vec3b(byteOf(n[2]), byteOf(n[1]), byteOf(n[0]));
   });
   return colours;
+}
+
+cv::Mat depthNumbers(const cv::Mat& depth, double per_metre) {
+  constexpr double kGreatest = 65535.0;
+  const cv::Mat_<float> from = depth;
+  cv::Mat_<std::uint16_t> numbers(from.size());
+  std::transform(from.begin(), from.end(), numbers.begin(), [&](float z) -> std::uint16_t {
+    const double number = std::floor(double{z} * per_metre + 0.5);
+    return number > 0.0 && number <= kGreatest ? static_cast<std::uint16_t>(number) : 0;
+  });
+  return numbers;
 }
 
 std::string digestOfPixels(const cv::Mat& pixels) {

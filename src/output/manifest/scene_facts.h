@@ -94,6 +94,7 @@ struct SceneFacts {
   std::optional<CameraModel> camera_model = {};
   std::map<std::string, Pose> frames = {};        ///< X_GF of frames that writers ask for
   std::map<std::string, cv::Mat> pictures = {};   ///< that were drawn, by their names in Scene
+  std::map<std::string, cv::Mat> link_maps = {};  ///< "world_map" and "part_map", as in Scene
   std::vector<PictureFacts> known_pictures = {};  ///< where it was read from a manifest
 };
 
@@ -103,6 +104,10 @@ struct SceneFacts {
 /// Unit normals as the colours of 8 bits that stand for them: red, green and blue are x, y and z
 /// from -1 (0) to 1 (255); black where there is nothing.
 [[nodiscard]] cv::Mat normalColours(const cv::Mat& normals);
+
+/// Depths as whole numbers of 16 bits; 0 where they have none: behind the camera, or too far.
+/// @param per_metre  how many they are in a metre
+[[nodiscard]] cv::Mat depthNumbers(const cv::Mat& depth, double per_metre);
 
 /// SHA-256 of a picture's pixels, row by row.
 [[nodiscard]] std::string digestOfPixels(const cv::Mat& pixels);

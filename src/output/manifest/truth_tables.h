@@ -34,6 +34,7 @@ class TruthInserter {
   SqliteStatement camera_;
   SqliteStatement frame_;
   SqliteStatement picture_;
+  SqliteStatement link_map_;
   SqliteStatement shape_;
   SqliteStatement keypoint_;
 };

@@ -26,20 +26,6 @@ std::string text(const cv::Size& size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
-/// Whether labels show classes of the world, or parts of objects: the manifest does not hold where
-/// they are seen.
-bool hasClassesOfWorldOrParts(const RunDescription& run) {
-  const auto isSet = [&](const std::string& group) {
-    const auto next = run.settings.lower_bound(group + "/");
-    return run.settings.count(group) != 0 ||
-           (next != run.settings.end() && next->first.rfind(group + "/", 0) == 0);
-  };
-  return isSet("world_classes") || std::any_of(run.objects.begin(), run.objects.end(),
-                                               [&](const RunDescription::Object& each) {
-                                                 return isSet(each.name + "/parts");
-                                               });
-}
-
 /// As Scene::name: with the camera's folder where there are several.
 std::string sceneName(const output::SceneFacts& scene, std::size_t camera_count) {
   return (camera_count > 1 ? scene.camera + "/" : "") + sceneNumber(scene.instant);
@@ -67,10 +53,6 @@ SceneVerifier::SceneVerifier(const output::ListedDataset& dataset, VerificationD
     listener_.remark("'" + dataset.manifest() + "': its format version is an earlier one: boxes, " +
                      "masks and poses are checked, and no other values of labels");
   }
-  if (hasClassesOfWorldOrParts(content.run) && depth_ == VerificationDepth::kLabels) {
-    listener_.remark("'" + dataset.manifest() + "': it has world_classes or parts: boxes, masks " +
-                     "and poses are checked, and no other values of labels");
-  }
   if (unread.empty() || depth_ != VerificationDepth::kLabels || content.scene_count == 0) return;
   listener_.remark("'" + dataset.manifest() + "': the labels of " + unread +
                    " are not checked: they need files that only a whole, complete dataset has");
@@ -90,8 +72,7 @@ SceneVerifier::Labels SceneVerifier::labelsOf(const output::StoreWriter& writer)
   const bool has_cameras =
       std::all_of(content.run.cameras.begin(), content.run.cameras.end(),
                   [](const RunDescription::Camera& each) { return each.model.has_value(); });
-  if (format->values != nullptr && content.has_truth && has_cameras &&
-      !hasClassesOfWorldOrParts(content.run)) {
+  if (format->values != nullptr && content.has_truth && has_cameras) {
     labels.values = format->values(parameters, true_.dataset());
   }
   return labels;

@@ -62,6 +62,14 @@ cv::Mat instanceMapOf(const Scene& scene) {
   return map;
 }
 
+/// A map of links' classes or parts; 0 all over where none of them is seen.
+cv::Mat linkMapOf(const SceneFacts& facts, const std::string& name) {
+  const auto known = facts.link_maps.find(name);
+  return known != facts.link_maps.end()
+             ? known->second
+             : cv::Mat(facts.height, facts.width, CV_16UC1, cv::Scalar(0));
+}
+
 }  // namespace
 
 TrueScenes::TrueScenes(const RunDescription& run) {
@@ -80,6 +88,8 @@ TrueScenes::TrueScenes(const RunDescription& run) {
     object.keypoint_names = each.keypoint_names;
     object.keypoint_count = each.keypoint_names.size();
     object.skeleton = each.skeleton;
+    object.part_names = each.part_names;
+    has_parts_ = has_parts_ || !each.part_names.empty();
     object.model_varies = each.model_varies;
     class_texts_.push_back(classTextOf(run, object));
     dataset_.objects.push_back(std::move(object));
@@ -91,9 +101,10 @@ TrueScenes::TrueScenes(const RunDescription& run) {
     }
   }
   for (const auto& each : run.motions) {
-    dataset_.motions.push_back({each.name, each.first_instant, each.instant_count});
+    dataset_.motions.push_back({each.name, each.first_instant, each.instant_count, each.rate});
   }
   dataset_.credits = creditInfos(run.credits);
+  dataset_.world_classes = run.world_classes;
   dataset_.splits = run.splits;
   dataset_.scene_count = run.scene_count;
   dataset_.global_frame = run.global_frame;
@@ -133,6 +144,8 @@ formats::TrueScene TrueScenes::scene(const SceneFacts& facts, const StoreWriter&
     scene.objects.push_back(std::move(object));
   }
   if (has_masks) scene.instance_map = instanceMapOf(scene);
+  if (!dataset_.world_classes.empty()) scene.world_map = linkMapOf(facts, "world_map");
+  if (has_parts_) scene.part_map = linkMapOf(facts, "part_map");
   scene.setTransforms([frames = facts.frames, global = dataset_.global_frame](
                           const std::string& target, const std::string& source) -> Pose {
     const auto inGlobal = [&](const std::string& frame) -> Pose {

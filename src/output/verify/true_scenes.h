@@ -23,6 +23,7 @@ class TrueScenes {
  private:
   DatasetInfo dataset_;
   std::vector<std::string> class_texts_;  ///< of each object
+  bool has_parts_ = false;                ///< whether an object has named parts
 };
 
 }  // namespace synthetic_dataset::output

@@ -98,6 +98,24 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoCamerasAndSplits) {
   EXPECT_EQ(counts_.labels, 4 * GetParam().labels_of_a_scene);
 }
 
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithClassesOfTheWorldAndParts) {
+  dataset_.world_classes = {"floor", "wall"};
+  dataset_.objects[1].part_names = {"handle", "lid"};
+  Scene scene = sceneOfBoth(0);
+  cv::Mat(scene.world_map())(cv::Rect(0, 300, 640, 100)).setTo(2);
+  cv::Mat(scene.part_map()).setTo(2, scene.instance_map() == 2);
+  write({scene}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+  EXPECT_THAT(remarks_, IsEmpty());
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoMotions) {
+  if (GetParam().type == "RosBag") GTEST_SKIP() << "a bag has one time line";
+  dataset_.motions = {{"walk", 0, 2, 10.0}, {"still", 2, 1, 0.0}};
+  write({sceneOfBoth(0), sceneOfBoth(1), sceneOfBoth(2)}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
 TEST_P(VerifyEveryFormat, SeesALabelOfAnObjectThatIsNotThere) {
   write({sceneOfBoth(0), sceneOfBoth(1)}, GetParam().parameters);
   // The second object is nowhere in scene 1, as the manifest has it now.

@@ -72,7 +72,9 @@ output::RunDescription VerificationTest::description(const Value::Map& parameter
   output::describeContents(dataset_, run);
   for (std::size_t i = 0; i < run.objects.size(); ++i) run.objects[i].model = dataset_.model(i);
   run.scene_count = static_cast<std::int64_t>(scenes);
-  run.motions = {{"walk", 0, run.scene_count / static_cast<std::int64_t>(run.cameras.size())}};
+  if (run.motions.empty()) {
+    run.motions = {{"walk", 0, run.scene_count / static_cast<std::int64_t>(run.cameras.size())}};
+  }
   return run;
 }
 
