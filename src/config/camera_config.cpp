@@ -9,6 +9,7 @@
 #include "base/seconds.h"
 #include "config/camera_sampling.h"
 #include "config/checked_values.h"
+#include "config/depth_noise_config.h"
 #include "config/distribution_config.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -200,6 +201,7 @@ scene::CameraOptions readCamera(Parameters group, const std::string& name,
   if (group.has("stereo_frame")) camera.stereo_frame = readStereoFrame(group, camera.rectified);
   readRange(group, camera);
   if (group.has("effects")) readEffects(group.group("effects"), camera);
+  camera.depth_noise = readDepthNoise(group);
   camera.frame = group.maybe<std::string>("frame_id");
   if (!camera.frame) camera.frame = std::move(frame);
   camera.frame_is_given = camera.frame.has_value();

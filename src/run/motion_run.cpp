@@ -209,6 +209,7 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
     taken.pixels = std::exchange(drawn.image, {})();
   }
   scene.image = taken.pixels;
+  picture_taker_.measureDepth(scene);  // all labels are of the exact one
   output::SceneFacts facts = factsOf(drawn, agreement);
   return {std::move(scene), std::move(facts), std::move(taken.jpeg)};
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "randomize/placement/sampling_options.h"
+#include "render/sensor/depth_noise_options.h"
 #include "render/sensor/sensor_options.h"
 #include "scene/calibration/calibration_options.h"
 #include "synthetic_dataset/pose.h"
@@ -63,6 +64,7 @@ struct CameraOptions {
   render::SensorEffects effects;       ///< but for the noise
   std::optional<double> noise_mean;    ///< of the full scale; none: as the world's sensor says
   std::optional<double> noise_stddev;  ///< of the full scale; none: as the world's sensor says
+  render::DepthNoise depth_noise;
 };
 
 }  // namespace synthetic_dataset::scene

@@ -278,6 +278,7 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
   rig.X_FD = config.X_FD;
   rig.shutter = config.shutter;
   rig.effects = effectsOf(config, sensor);
+  rig.depth_noise = config.depth_noise;
   return rig;
 }
 

@@ -49,6 +49,7 @@ struct CameraRig {
   StereoFrame stereo_frame = StereoFrame::kAuto;
   Shutter shutter = {};
   render::SensorEffects effects = {};
+  render::DepthNoise depth_noise = {};
 
   /// Whether its pose is that of its own frame, which the source of motion has.
   [[nodiscard]] bool followsFrame() const {

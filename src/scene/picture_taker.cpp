@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/random/random_seed.h"
+#include "render/sensor/depth_noise.h"
 
 namespace synthetic_dataset::scene {
 
@@ -62,6 +63,13 @@ render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t sc
           seed = base::randomSeed(seed_, scene_index, "sensor noise")] {
     return render::applyEffects(picture(), effects, seed);
   };
+}
+
+void PictureTaker::measureDepth(Scene& scene) const {
+  if (!scene.depth.isKnown()) return;
+  scene.depth =
+      render::measuredDepth(scene.depth(), scene.camera, cameras_[scene.camera_index].depth_noise,
+                            base::randomSeed(seed_, scene.index, "depth noise"));
 }
 
 }  // namespace synthetic_dataset::scene

@@ -10,6 +10,7 @@
 #include "render/sensor/linear_accumulator.h"
 #include "scene/camera_rig.h"
 #include "scene/shutter.h"
+#include "synthetic_dataset/scene.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::scene {
@@ -36,6 +37,10 @@ class PictureTaker {
   /// green red. Its sensor is dark again then.
   /// @param scene_index  its noise belongs to this scene
   [[nodiscard]] render::PendingPicture develop(std::size_t camera, std::int64_t scene_index);
+
+  /// Puts what the camera measures in the place of a scene's depth, where that is known; in any
+  /// thread.
+  void measureDepth(Scene& scene) const;
 
  private:
   /// A camera's plan, and what has fallen on its sensor so far.

@@ -133,9 +133,10 @@ std::optional<Value> parsed(const std::string& value) {
 
 /// Groups whose names are all known: those in which another one is misspelt.
 void closeGroups(Value::Map& root) {
-  for (const char* path : {"placement", "world", "camera", "camera/sample", "camera/effects",
-                           "labels", "masks", "background_subtractor", "physics", "rendering",
-                           "image", "randomize", "randomize/sensor", "randomize/background"}) {
+  for (const char* path :
+       {"placement", "world", "camera", "camera/sample", "camera/effects", "camera/depth_noise",
+        "labels", "masks", "background_subtractor", "physics", "rendering", "image", "randomize",
+        "randomize/sensor", "randomize/background"}) {
     nodeOf(root, path)["additionalProperties"] = Value(false);
   }
 }

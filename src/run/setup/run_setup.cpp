@@ -55,6 +55,7 @@ class Builder {
     if (setup_.splits) noteEmptySplits();
     noteSubtraction();
     noteUnseen();
+    noteUnusedDepthNoise();
     const std::vector<std::string> unused = unusedSettings(list_.entries, roots_);
     passOverFormats();
     throwErrors();
@@ -283,6 +284,16 @@ class Builder {
     found().warning("",
                     "masks are found by background subtraction since background_subtractor is set; "
                     "masks/method: exact gives exact ones");
+  }
+
+  /// Noise of a picture that no format of this run has is a mistake.
+  void noteUnusedDepthNoise() {
+    if (!setup_.writers || setup_.writers->requirements().depth) return;
+    for (const scene::CameraOptions& camera : config().cameras) {
+      if (camera.depth_noise.model == render::DepthModel::kExact) continue;
+      found().warning(camera.group + "/depth_noise",
+                      "no format of this run writes depth, so it has no effect");
+    }
   }
 
   /// What hides an object is found by those writers alone that ask for it.

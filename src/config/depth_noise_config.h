@@ -1,0 +1,12 @@
+#pragma once
+
+#include "render/sensor/depth_noise_options.h"
+#include "synthetic_dataset/parameters.h"
+
+namespace synthetic_dataset::config {
+
+/// Reads a camera's `depth_noise`; exact where it is not there.
+/// @param camera  the group above it
+[[nodiscard]] render::DepthNoise readDepthNoise(Parameters& camera);
+
+}  // namespace synthetic_dataset::config
