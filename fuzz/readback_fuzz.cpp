@@ -69,6 +69,12 @@ const std::vector<Format> kFormats = {
      "scenes/000000.png",
      {"train/camera/img1/000001.png"},
      {"frames.txt", "train/camera/gt/gt.txt", "train/camera/gt/labels.txt"}},
+    {"NuScenes",
+     "samples/CAM_FRONT/000000.png",
+     {},
+     {"v1.0-trainval/image_annotations.json", "v1.0-trainval/sample_annotation.json",
+      "v1.0-trainval/sample_data.json", "v1.0-trainval/calibrated_sensor.json",
+      "v1.0-trainval/ego_pose.json"}},
 };
 
 std::string png(int type) {

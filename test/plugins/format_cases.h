@@ -46,6 +46,8 @@ inline std::vector<FormatCase> formatCases() {
       {"LabelMeRectangles", "LabelMe", {{"shape", "rectangle"}, {"box", "silhouette"}}},
       {"Mot", "Mot"},
       {"MotPng", "Mot", {{"image_format", "png"}, {"class_ids", Value::Map{{"cup", 3}}}}},
+      {"NuScenes", "NuScenes"},
+      {"NuScenesPng", "NuScenes", {{"image_format", "png"}, {"version", "v1.0-mini"}}},
       {"PascalVoc", "PascalVoc", {{"segmentation", true}}, 4},  // a mask apart from each box
       {"PascalVocFromZero", "PascalVoc", {{"coordinates", "zero_based"}, {"box", "loose"}}, 4},
       {"PvNet", "PvNet"},

@@ -72,9 +72,6 @@ output::RunDescription VerificationTest::description(const Value::Map& parameter
   output::describeContents(dataset_, run);
   for (std::size_t i = 0; i < run.objects.size(); ++i) run.objects[i].model = dataset_.model(i);
   run.scene_count = static_cast<std::int64_t>(scenes);
-  if (run.motions.empty()) {
-    run.motions = {{"walk", 0, run.scene_count / static_cast<std::int64_t>(run.cameras.size())}};
-  }
   return run;
 }
 
@@ -104,6 +101,7 @@ void VerificationTest::commit(output::DatasetStore& store, const std::vector<Sce
 
 void VerificationTest::write(const std::vector<Scene>& scenes, const Value::Map& parameters,
                              const std::optional<output::Shard>& shard) {
+  nameMotion(shard ? 2 * scenes.size() : scenes.size());
   load(parameters);
   output::StoreOptions options;
   options.folder = folder_.path().string();
@@ -115,7 +113,13 @@ void VerificationTest::write(const std::vector<Scene>& scenes, const Value::Map&
   store.complete();
 }
 
+void VerificationTest::nameMotion(std::size_t scenes) {
+  if (!dataset_.motions.empty()) return;
+  dataset_.motions = {{"walk", 0, static_cast<std::int64_t>(scenes / dataset_.cameras.size())}};
+}
+
 void VerificationTest::writeUnfinished(const std::vector<Scene>& scenes) {
+  nameMotion(scenes.size() + 1);
   load({});
   output::StoreOptions options;
   options.folder = folder_.path().string();

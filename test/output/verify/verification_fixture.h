@@ -50,6 +50,8 @@ class VerificationTest : public PluginTest {
   std::vector<output::Warning> warnings_;  ///< that each scene written gets
 
  private:
+  /// Every run has a motion; one that the test has not named is of all scenes.
+  void nameMotion(std::size_t scenes);
   [[nodiscard]] output::RunDescription description(const Value::Map& parameters,
                                                    std::size_t scenes) const;
   [[nodiscard]] output::SceneFacts factsOf(const Scene& scene) const;

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "synthetic_dataset/box.h"
+#include "synthetic_dataset/label_writer.h"
+
+/// What the writer keeps of scenes for nuScenes' tables.
+namespace synthetic_dataset::nuscenes {
+
+using Quaternion = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;  ///< w, x, y, z
+
+/// A pose as the tables have it.
+struct Placement {
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< [m]
+  Quaternion rotation = Quaternion::Zero();
+};
+
+[[nodiscard]] Placement placementOf(const Pose& pose);
+
+/// An object that a camera sees.
+struct SeenObject {
+  std::int64_t object = 0;                         ///< its index
+  Placement X_GB;                                  ///< of its box
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< width, length, height [m]
+  double visibility = 0.0;
+  std::int64_t pixels = 0;
+  Box box;  ///< in which the image spans 0 to its width [px]
+};
+
+/// What one camera sees at one instant.
+struct Frame {
+  std::int64_t scene = 0;  ///< Scene::index
+  std::int64_t instant = 0;
+  std::int64_t microseconds = 0;
+  std::int64_t sequence = 0;
+  std::int64_t camera = 0;
+  std::string file;
+  Placement X_GE;  ///< of the ego frame: the camera's, x ahead, y left, z up
+  std::vector<SeenObject> objects;
+};
+
+/// A frame as a record, and back.
+[[nodiscard]] std::string recordOf(const Frame& frame);
+[[nodiscard]] Frame frameOf(std::int64_t scene, const std::string& record);
+
+}  // namespace synthetic_dataset::nuscenes

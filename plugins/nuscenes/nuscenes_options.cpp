@@ -1,0 +1,63 @@
+#include "plugins/nuscenes/nuscenes_options.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset {
+
+NuScenesOptions readNuScenesOptions(Parameters& parameters) {
+  NuScenesOptions options;
+  options.version = parameters.optional("version", options.version);
+  if (options.version.empty() || options.version.front() == '.' ||
+      safeFileName(options.version) != options.version) {
+    parameters.addError("version", "found '" + options.version +
+                                       "'; it should be the name of a folder, as v1.0-trainval");
+    options.version = NuScenesOptions().version;
+  }
+  options.box = readBoxChoice(parameters);
+  options.image_format = parameters.optionalChoice("image_format", {"jpg", "png"}, "jpg");
+  return options;
+}
+
+std::string nuScenesToken(NuScenesTable table, std::int64_t first, std::int64_t second) {
+  std::array<char, 40> digits{};
+  std::snprintf(digits.data(), digits.size(), "%04x%014llx%014llx", static_cast<unsigned>(table),
+                static_cast<unsigned long long>(first), static_cast<unsigned long long>(second));
+  return digits.data();
+}
+
+std::string nuScenesChannel(const std::vector<CameraDescription>& cameras, std::size_t camera) {
+  if (cameras.size() == 1) return "CAM_FRONT";
+  std::string name = safeFileName(cameras.at(camera).name);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  // Names that differ in case alone are other channels.
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    std::string other = safeFileName(cameras[i].name);
+    std::transform(other.begin(), other.end(), other.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    if (i != camera && other == name) return "CAM_" + safeFileName(cameras[camera].name);
+  }
+  return "CAM_" + name;
+}
+
+std::size_t nuScenesSequence(const DatasetInfo& dataset, const Scene& scene) {
+  const std::vector<std::string> splits = dataset.splitFolders();
+  const auto split = std::find(splits.begin(), splits.end(), scene.splitFolder());
+  if (split == splits.end()) throw Error("the scene is in a split that the dataset has not");
+  const std::vector<MotionInfo>& motions = dataset.motions;
+  std::size_t motion = 0;
+  while (motion + 1 < motions.size() && motions[motion + 1].first_instant <= scene.instant) {
+    ++motion;
+  }
+  return static_cast<std::size_t>(split - splits.begin()) *
+             std::max<std::size_t>(motions.size(), 1) +
+         motion;
+}
+
+}  // namespace synthetic_dataset

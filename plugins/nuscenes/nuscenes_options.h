@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "synthetic_dataset/box_choice.h"
+
+namespace synthetic_dataset {
+
+/// The settings of a NuScenes writer.
+struct NuScenesOptions {
+  std::string version = "v1.0-trainval";  ///< the folder of the tables
+  BoxChoice box = BoxChoice::kVisible;    ///< in image_annotations
+  std::string image_format = "jpg";
+};
+
+[[nodiscard]] NuScenesOptions readNuScenesOptions(Parameters& parameters);
+
+/// Kinds of records that refer to one another.
+enum class NuScenesTable {
+  kCategory = 1,
+  kSensor,
+  kCalibratedSensor,
+  kLog,
+  kMap,
+  kScene,
+  kSample,
+  kSampleData,
+  kEgoPose,
+  kInstance,
+  kSampleAnnotation,
+};
+
+/// A record's token: 32 digits, which are the same whatever other records there are.
+[[nodiscard]] std::string nuScenesToken(NuScenesTable table, std::int64_t first,
+                                        std::int64_t second = 0);
+
+/// What a camera is called: CAM_FRONT where it is the only one, else CAM_ and its name.
+[[nodiscard]] std::string nuScenesChannel(const std::vector<CameraDescription>& cameras,
+                                          std::size_t camera);
+
+/// Which nuScenes scene, which is a sequence of samples, a scene belongs to: its split's and
+/// motion's.
+[[nodiscard]] std::size_t nuScenesSequence(const DatasetInfo& dataset, const Scene& scene);
+
+/// The picture that stands for the map, which nobody has.
+inline constexpr const char* kNuScenesMap = "maps/empty.png";
+
+}  // namespace synthetic_dataset

@@ -1,0 +1,358 @@
+#include "plugins/nuscenes/nuscenes_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "plugins/nuscenes/nuscenes_options.h"
+
+namespace synthetic_dataset::nuscenes {
+namespace {
+
+std::string token(NuScenesTable table, std::int64_t first, std::int64_t second = 0) {
+  return nuScenesToken(table, first, second);
+}
+
+Json listOf(const Quaternion& q) { return {q(0), q(1), q(2), q(3)}; }
+
+/// nuScenes' bins: 0 to 40, 60, 80 and 100 per cent.
+std::string visibilityToken(double visibility) {
+  if (visibility < 0.4) return "1";
+  if (visibility < 0.6) return "2";
+  return visibility < 0.8 ? "3" : "4";
+}
+
+/// What is known of an object at an instant, by all cameras that see it.
+struct Annotation {
+  const SeenObject* seen = nullptr;  ///< by the first of them
+  double visibility = 0.0;           ///< the greatest
+  std::int64_t pixels = 0;           ///< of all
+  std::string prev;
+  std::string next;
+};
+
+/// What is before and after each of several chains' links.
+class Chain {
+ public:
+  /// @return  the token of the link before; empty for none
+  std::string add(std::int64_t first, std::int64_t second, std::string& next,
+                  const std::string& token) {
+    auto& [last_token, last_next] = last_[{first, second}];
+    if (last_next != nullptr) *last_next = token;
+    last_next = &next;
+    return std::exchange(last_token, token);
+  }
+
+ private:
+  std::map<std::pair<std::int64_t, std::int64_t>, std::pair<std::string, std::string*>> last_;
+};
+
+/// All cameras' frames of one instant.
+struct Sample {
+  std::vector<const Frame*> frames;
+  std::vector<std::pair<std::string, std::string>> data;  ///< of the frames: before, after
+  std::map<std::int64_t, Annotation> annotations;         ///< by object
+  std::string prev;
+  std::string next;
+
+  [[nodiscard]] const Frame& first() const { return *frames.front(); }
+  [[nodiscard]] std::string token() const {
+    return nuScenesToken(NuScenesTable::kSample, first().instant);
+  }
+  [[nodiscard]] std::string tokenOf(std::int64_t object) const {
+    return nuScenesToken(NuScenesTable::kSampleAnnotation, first().instant, object);
+  }
+};
+
+/// The samples of a dataset, each linked with those before and after it.
+class Samples {
+ public:
+  explicit Samples(const std::vector<Frame>& frames) {
+    for (const Frame& frame : frames) {
+      if (all_.empty() || all_.back()->first().instant != frame.instant) {
+        all_.push_back(std::make_unique<Sample>());
+      }
+      Sample& sample = *all_.back();
+      sample.frames.push_back(&frame);
+      for (const SeenObject& each : frame.objects) {
+        Annotation& annotation = sample.annotations[each.object];
+        if (annotation.seen == nullptr) annotation.seen = &each;
+        annotation.visibility = std::max(annotation.visibility, each.visibility);
+        annotation.pixels += each.pixels;
+      }
+    }
+    for (const auto& sample : all_) link(*sample);
+  }
+
+  [[nodiscard]] const std::vector<std::unique_ptr<Sample>>& all() const { return all_; }
+
+ private:
+  void link(Sample& sample) {
+    const std::int64_t sequence = sample.first().sequence;
+    sample.prev = samples_.add(sequence, 0, sample.next, sample.token());
+    sample.data.resize(sample.frames.size());
+    for (std::size_t i = 0; i < sample.frames.size(); ++i) {
+      const Frame& frame = *sample.frames[i];
+      sample.data[i].first = data_.add(sequence, frame.camera, sample.data[i].second,
+                                       token(NuScenesTable::kSampleData, frame.scene));
+    }
+    for (auto& [object, annotation] : sample.annotations) {
+      annotation.prev = annotations_.add(sequence, object, annotation.next, sample.tokenOf(object));
+    }
+  }
+
+  std::vector<std::unique_ptr<Sample>> all_;
+  Chain samples_;
+  Chain data_;
+  Chain annotations_;
+};
+
+/// What of a sample's annotation stands in two tables.
+Json annotationOf(const Sample& sample, std::int64_t object, const Annotation& annotation) {
+  return {{"instance_token", token(NuScenesTable::kInstance, sample.first().sequence, object)},
+          {"visibility_token", visibilityToken(annotation.visibility)},
+          {"attribute_tokens", Json::array()},
+          {"prev", annotation.prev},
+          {"next", annotation.next},
+          {"num_lidar_pts", annotation.pixels},
+          {"num_radar_pts", 0}};
+}
+
+/// A sequence of samples, or of an object's annotations.
+struct Extent {
+  std::int64_t count = 0;
+  std::string first;
+  std::string last;
+
+  void add(const std::string& token) {
+    if (count++ == 0) first = token;
+    last = token;
+  }
+};
+
+class Maker {
+ public:
+  Maker(const DatasetInfo& dataset, const std::vector<Frame>& frames, std::string extension)
+      : dataset_(dataset), samples_(frames), extension_(std::move(extension)) {}
+
+  void category(const AddRecord& add) const {
+    for (const ClassInfo& each : dataset_.classes) {
+      add({{"token", token(NuScenesTable::kCategory, each.id)},
+           {"name", each.name},
+           {"description", ""}});
+    }
+  }
+
+  static void visibility(const AddRecord& add) {
+    const std::array<std::array<const char*, 2>, 4> levels = {
+        {{"0", "40"}, {"40", "60"}, {"60", "80"}, {"80", "100"}}};
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const auto& [from, to] = levels[i];
+      add({{"token", std::to_string(i + 1)},
+           {"level", std::string("v") + from + "-" + to},
+           {"description",
+            std::string("visibility of whole object is between ") + from + " and " + to + "%"}});
+    }
+  }
+
+  void sensor(const AddRecord& add) const {
+    for (std::size_t i = 0; i < dataset_.cameras.size(); ++i) {
+      add({{"token", token(NuScenesTable::kSensor, static_cast<std::int64_t>(i))},
+           {"channel", nuScenesChannel(dataset_.cameras, i)},
+           {"modality", "camera"}});
+    }
+  }
+
+  void calibratedSensor(const AddRecord& add) const {
+    for (std::size_t i = 0; i < dataset_.cameras.size(); ++i) {
+      const Intrinsics& k = dataset_.cameras[i].model.intrinsics();
+      const auto index = static_cast<std::int64_t>(i);
+      add({{"token", token(NuScenesTable::kCalibratedSensor, index)},
+           {"sensor_token", token(NuScenesTable::kSensor, index)},
+           {"translation", {0.0, 0.0, 0.0}},
+           // The optical frame in one with x ahead, y left and z up.
+           {"rotation", {0.5, -0.5, 0.5, -0.5}},
+           {"camera_intrinsic", {{k.fx, 0.0, k.cx}, {0.0, k.fy, k.cy}, {0.0, 0.0, 1.0}}}});
+    }
+  }
+
+  void egoPose(const AddRecord& add) const {
+    for (const auto& sample : samples_.all()) {
+      for (const Frame* frame : sample->frames) {
+        add({{"token", token(NuScenesTable::kEgoPose, frame->scene)},
+             {"timestamp", frame->microseconds},
+             {"rotation", listOf(frame->X_GE.rotation)},
+             {"translation", numbersOf(frame->X_GE.translation)}});
+      }
+    }
+  }
+
+  void log(const AddRecord& add) const {
+    for (std::size_t i = 0; i < motionCount(); ++i) {
+      add({{"token", token(NuScenesTable::kLog, static_cast<std::int64_t>(i))},
+           {"logfile", motionName(i)},
+           {"vehicle", "synthetic_dataset"},
+           {"date_captured", ""},
+           {"location", "synthetic_dataset"}});
+    }
+  }
+
+  void map(const AddRecord& add) const {
+    Json logs = Json::array();
+    for (std::size_t i = 0; i < motionCount(); ++i) {
+      logs.push_back(token(NuScenesTable::kLog, static_cast<std::int64_t>(i)));
+    }
+    add({{"token", token(NuScenesTable::kMap, 0)},
+         {"category", "semantic_prior"},
+         {"filename", kNuScenesMap},
+         {"log_tokens", std::move(logs)}});
+  }
+
+  void scene(const AddRecord& add) const {
+    std::map<std::int64_t, Extent> extents;  // by sequence
+    for (const auto& sample : samples_.all()) {
+      extents[sample->first().sequence].add(sample->token());
+    }
+    const auto motions = static_cast<std::int64_t>(motionCount());
+    const std::vector<std::string> splits = dataset_.splitFolders();
+    for (const auto& [sequence, extent] : extents) {
+      std::array<char, 32> name{};
+      std::snprintf(name.data(), name.size(), "scene-%04lld", static_cast<long long>(sequence + 1));
+      const std::string& split = splits.at(static_cast<std::size_t>(sequence / motions));
+      const std::string motion = motionName(static_cast<std::size_t>(sequence % motions));
+      add({{"token", token(NuScenesTable::kScene, sequence)},
+           {"log_token", token(NuScenesTable::kLog, sequence % motions)},
+           {"nbr_samples", extent.count},
+           {"first_sample_token", extent.first},
+           {"last_sample_token", extent.last},
+           {"name", name.data()},
+           {"description", motion.empty() ? split : split + ", " + motion}});
+    }
+  }
+
+  void sample(const AddRecord& add) const {
+    for (const auto& sample : samples_.all()) {
+      add({{"token", sample->token()},
+           {"timestamp", sample->first().microseconds},
+           {"prev", sample->prev},
+           {"next", sample->next},
+           {"scene_token", token(NuScenesTable::kScene, sample->first().sequence)}});
+    }
+  }
+
+  void sampleData(const AddRecord& add) const {
+    for (const auto& sample : samples_.all()) {
+      for (std::size_t i = 0; i < sample->frames.size(); ++i) {
+        const Frame& frame = *sample->frames[i];
+        const CameraModel& camera =
+            dataset_.cameras.at(static_cast<std::size_t>(frame.camera)).model;
+        add({{"token", token(NuScenesTable::kSampleData, frame.scene)},
+             {"sample_token", sample->token()},
+             {"ego_pose_token", token(NuScenesTable::kEgoPose, frame.scene)},
+             {"calibrated_sensor_token", token(NuScenesTable::kCalibratedSensor, frame.camera)},
+             {"timestamp", frame.microseconds},
+             {"fileformat", extension_},
+             {"is_key_frame", true},
+             {"height", camera.height()},
+             {"width", camera.width()},
+             {"filename", frame.file},
+             {"prev", sample->data[i].first},
+             {"next", sample->data[i].second}});
+      }
+    }
+  }
+
+  void sampleAnnotation(const AddRecord& add) const {
+    for (const auto& sample : samples_.all()) {
+      for (const auto& [object, annotation] : sample->annotations) {
+        Json record = {{"token", sample->tokenOf(object)},
+                       {"sample_token", sample->token()},
+                       {"translation", numbersOf(annotation.seen->X_GB.translation)},
+                       {"size", numbersOf(annotation.seen->size)},
+                       {"rotation", listOf(annotation.seen->X_GB.rotation)}};
+        record.update(annotationOf(*sample, object, annotation));
+        add(record);
+      }
+    }
+  }
+
+  void instance(const AddRecord& add) const {
+    std::map<std::pair<std::int64_t, std::int64_t>, Extent> extents;  // by sequence and object
+    for (const auto& sample : samples_.all()) {
+      for (const auto& [object, annotation] : sample->annotations) {
+        extents[{sample->first().sequence, object}].add(sample->tokenOf(object));
+      }
+    }
+    for (const auto& [key, extent] : extents) {
+      add({{"token", token(NuScenesTable::kInstance, key.first, key.second)},
+           {"category_token", token(NuScenesTable::kCategory, objectAt(key.second).class_id)},
+           {"nbr_annotations", extent.count},
+           {"first_annotation_token", extent.first},
+           {"last_annotation_token", extent.last}});
+    }
+  }
+
+  /// As the devkit's export_2d_annotations_as_json.py makes it.
+  void imageAnnotations(const AddRecord& add) const {
+    for (const auto& sample : samples_.all()) {
+      for (const Frame* frame : sample->frames) {
+        for (const SeenObject& seen : frame->objects) {
+          Json record = {
+              {"sample_annotation_token", sample->tokenOf(seen.object)},
+              {"sample_data_token", token(NuScenesTable::kSampleData, frame->scene)},
+              {"bbox_corners", {seen.box.left, seen.box.top, seen.box.right, seen.box.bottom}},
+              {"category_name", objectAt(seen.object).class_name},
+              {"filename", frame->file}};
+          record.update(annotationOf(*sample, seen.object, sample->annotations.at(seen.object)));
+          add(record);
+        }
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] const ObjectInfo& objectAt(std::int64_t object) const {
+    return dataset_.objects.at(static_cast<std::size_t>(object));
+  }
+
+  [[nodiscard]] std::size_t motionCount() const {
+    return std::max<std::size_t>(dataset_.motions.size(), 1);
+  }
+
+  [[nodiscard]] std::string motionName(std::size_t motion) const {
+    return dataset_.motions.empty() ? "" : dataset_.motions[motion].name;
+  }
+
+  const DatasetInfo& dataset_;
+  Samples samples_;
+  std::string extension_;
+};
+
+}  // namespace
+
+std::vector<Table> tablesOf(const DatasetInfo& dataset, const std::vector<Frame>& frames,
+                            const std::string& extension) {
+  const auto maker = std::make_shared<const Maker>(dataset, frames, extension);
+  const auto made = [&](void (Maker::*table)(const AddRecord&) const) {
+    return [maker, table](const AddRecord& add) { ((*maker).*table)(add); };
+  };
+  return {{"category", made(&Maker::category)},
+          {"attribute", [](const AddRecord& /*add*/) {}},
+          {"visibility", &Maker::visibility},
+          {"sensor", made(&Maker::sensor)},
+          {"calibrated_sensor", made(&Maker::calibratedSensor)},
+          {"ego_pose", made(&Maker::egoPose)},
+          {"log", made(&Maker::log)},
+          {"map", made(&Maker::map)},
+          {"scene", made(&Maker::scene)},
+          {"sample", made(&Maker::sample)},
+          {"sample_data", made(&Maker::sampleData)},
+          {"sample_annotation", made(&Maker::sampleAnnotation)},
+          {"instance", made(&Maker::instance)},
+          {"image_annotations", made(&Maker::imageAnnotations)}};
+}
+
+}  // namespace synthetic_dataset::nuscenes

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "plugins/nuscenes/nuscenes_frames.h"
+#include "plugins/shared/json.h"
+#include "synthetic_dataset/label_writer.h"
+
+/// nuScenes' tables, of the frames of a whole dataset.
+namespace synthetic_dataset::nuscenes {
+
+/// Takes the records of a table.
+using AddRecord = std::function<void(const Json& record)>;
+
+/// A table's name, and what makes it.
+struct Table {
+  std::string name;
+  std::function<void(const AddRecord& add)> make;
+};
+
+/// All tables.
+/// @param dataset, frames  have to outlive the result; frames are in the order of their scenes
+/// @param extension  of the images: "jpg"
+[[nodiscard]] std::vector<Table> tablesOf(const DatasetInfo& dataset,
+                                          const std::vector<Frame>& frames,
+                                          const std::string& extension);
+
+}  // namespace synthetic_dataset::nuscenes

@@ -1,0 +1,120 @@
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "plugins/plugin_harness.h"
+
+namespace synthetic_dataset {
+namespace nuscenes_writer_test {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class NuScenes : public PluginTest {
+ protected:
+  NuScenes() : PluginTest("synthetic_dataset/NuScenes") {
+    dataset_.classes = {{0, "rover"}, {2, "fork lift"}};
+    for (const std::string name : {"a", "b"}) {
+      ObjectInfo info;
+      info.name = name;
+      info.class_id = name == "a" ? 0 : 2;
+      info.class_name = name == "a" ? "rover" : "fork lift";
+      dataset_.objects.push_back(info);
+    }
+    dataset_.motions = {{"walk", 0, 4, 5.0}};
+  }
+
+  [[nodiscard]] json table(const std::string& name) const {
+    return json::parse(test::readFile(folder() + "v1.0-trainval/" + name + ".json"));
+  }
+
+  [[nodiscard]] json recordOf(const std::string& name, const json& token) const {
+    for (const json& each : table(name)) {
+      if (each["token"] == token) return each;
+    }
+    ADD_FAILURE() << name << " has no " << token;
+    return {};
+  }
+};
+
+TEST_F(NuScenes, GivesBoxesInTheGlobalFrame) {
+  SceneObject object = seen("a", {10, 20, 30, 40});
+  object.cuboid_O = {{-1.0, -0.5, 0.0}, {3.0, 0.5, 2.0}};
+  object.X_GO = makePose({4.0, 5.0, 6.0},
+                         Eigen::Quaterniond(Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ())));
+  load({});
+  runAll({scene(0, {object, seen("b", {100, 50, 20, 10})})});
+  const json annotation = table("sample_annotation")[0];
+  EXPECT_EQ(annotation["size"], json({1.0, 4.0, 2.0})) << "width, length, height";
+  // The middle is 1 m ahead of the object, whose x is the global y, and 1 m up.
+  EXPECT_NEAR(annotation["translation"][0].get<double>(), 4.0, 1e-12);
+  EXPECT_NEAR(annotation["translation"][1].get<double>(), 6.0, 1e-12);
+  EXPECT_NEAR(annotation["translation"][2].get<double>(), 7.0, 1e-12);
+  EXPECT_NEAR(annotation["rotation"][0].get<double>(), std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(annotation["rotation"][3].get<double>(), std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(annotation["num_lidar_pts"], 30 * 40);
+  EXPECT_EQ(annotation["visibility_token"], "4");
+  const json instance = recordOf("instance", annotation["instance_token"]);
+  EXPECT_EQ(recordOf("category", instance["category_token"])["name"], "rover");
+}
+
+TEST_F(NuScenes, PutsTheEgoFrameWhereTheCameraIs) {
+  load({});
+  runAll({scene(0, {seen("a", {10, 20, 30, 40})})});
+  // The camera looks along the global z: with x ahead, y left and z up, that is a turn.
+  const json ego = table("ego_pose")[0];
+  const Eigen::Quaterniond q(ego["rotation"][0].get<double>(), ego["rotation"][1].get<double>(),
+                             ego["rotation"][2].get<double>(), ego["rotation"][3].get<double>());
+  EXPECT_LT((q * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+  EXPECT_LT((q * Eigen::Vector3d::UnitZ() + Eigen::Vector3d::UnitY()).norm(), 1e-12);
+  const json sensor = table("calibrated_sensor")[0];
+  EXPECT_EQ(sensor["rotation"], json({0.5, -0.5, 0.5, -0.5})) << "as nuScenes' own front camera";
+  EXPECT_EQ(sensor["camera_intrinsic"],
+            json({{500.0, 0.0, 320.0}, {0.0, 500.0, 240.0}, {0.0, 0.0, 1.0}}));
+}
+
+TEST_F(NuScenes, ChainsSamplesAndTracks) {
+  load({});
+  runAll({scene(0, {seen("a", {10, 20, 30, 40}), object("b")}),
+          scene(1, {object("a"), seen("b", {10, 20, 30, 40})}),
+          scene(2, {seen("a", {10, 20, 30, 40}), object("b")})});
+  const json samples = table("sample");
+  ASSERT_EQ(samples.size(), 3U);
+  EXPECT_EQ(samples[0]["prev"], "");
+  EXPECT_EQ(samples[0]["next"], samples[1]["token"]);
+  EXPECT_EQ(samples[2]["prev"], samples[1]["token"]);
+  const json annotations = table("sample_annotation");
+  ASSERT_EQ(annotations.size(), 3U);
+  EXPECT_EQ(annotations[0]["next"], annotations[2]["token"]) << "of the same object";
+  EXPECT_EQ(annotations[1]["next"], "");
+  EXPECT_EQ(table("instance")[0]["nbr_annotations"], 2);
+  const json of_split = table("scene")[0];
+  EXPECT_EQ(of_split["nbr_samples"], 3);
+  EXPECT_EQ(of_split["description"], "train, walk");
+}
+
+TEST_F(NuScenes, HasOneAnnotationOfWhatSeveralCamerasSee) {
+  int made = 0;
+  const std::vector<Scene> scenes = ofTwoCamerasAndSplits([&](std::int64_t index) {
+    SceneObject one = seen("a", {10, 20, 30, 40});
+    if (made++ % 2 == 0) one.visibility = 0.3;
+    return scene(index, {one});
+  });
+  load({});
+  runAll(scenes);
+  const json annotations = table("sample_annotation");
+  ASSERT_EQ(annotations.size(), 2U);
+  EXPECT_EQ(annotations[0]["visibility_token"], "4") << "the greatest of both";
+  EXPECT_EQ(annotations[0]["num_lidar_pts"], 2 * 30 * 40);
+  EXPECT_EQ(annotations[0]["next"], "") << "the other one is in another split";
+  EXPECT_EQ(table("image_annotations").size(), 4U);
+  EXPECT_EQ(table("sample_data")[1]["filename"], "samples/CAM_RIGHT/right_00000000.jpg");
+}
+
+TEST_F(NuScenes, RefusesCamerasWhoseCalibrationChanges) {
+  dataset_.cameras[0].intrinsics_vary = true;
+  EXPECT_THROW(load({}), std::exception);
+}
+
+}  // namespace nuscenes_writer_test
+}  // namespace synthetic_dataset
