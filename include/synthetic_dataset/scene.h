@@ -166,9 +166,9 @@ struct Scene {
   /// The z of what is seen, in the optical frame [m]; 0 where nothing is; CV_32FC1. Negative beside
   /// and behind a lens that sees past 90 degrees.
   ///
-  /// With the parameter `camera/depth_noise`, as a depth camera measures it: with its noise (Nguyen,
-  /// Izadi and Lovell 2012; Matthies and Shafer 1987), and 0 where it measures nothing. No other
-  /// member depends on that.
+  /// With the parameter `camera/depth_noise`, as a depth camera measures it: with its noise
+  /// (Nguyen, Izadi and Lovell 2012; Matthies and Shafer 1987), and 0 where it measures nothing. No
+  /// other member depends on that.
   Required<cv::Mat> depth{"Scene::depth", "depth"};
 
   /// The unit normal of the surface that is seen, in the optical frame, towards the camera; 0 where
