@@ -30,7 +30,9 @@ const SequenceFrame& FrameList::of(const std::string& image) const {
 
 SequenceLabels::SequenceLabels(const std::filesystem::path& file) {
   for (std::string line : readLines(file)) {
-    std::replace(line.begin(), line.end(), ',', ' ');
+    const std::size_t end_of_frame = line.find_first_of(", ");
+    const bool has_commas = end_of_frame != std::string::npos && line[end_of_frame] == ',';
+    if (has_commas) std::replace(line.begin(), line.end(), ',', ' ');
     std::vector<std::string> words = wordsOf(line);
     if (words.empty()) continue;
     const std::string frame = words.front();

@@ -36,7 +36,8 @@ class SequenceLabels {
  public:
   explicit SequenceLabels(const std::filesystem::path& file);
 
-  /// The words of each of a frame's lines, the frame left out; they are separated by `,` or blanks.
+  /// The words of each of a frame's lines, the frame left out. They are separated by `,` where the
+  /// frame is, else by blanks.
   [[nodiscard]] const std::vector<std::vector<std::string>>& of(const std::string& frame) const;
 
  private:
