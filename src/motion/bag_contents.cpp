@@ -48,9 +48,10 @@ const PoseMessage* poseMessageOf(const BagTopic& topic) {
 }
 
 /// Reads odometry and the like, as runs do where there is no TF.
-void readPoses(BagReader& bags, const std::vector<BagTopic>& topics, SeenFrames& seen,
-               TransformRecording& recording, std::vector<std::string>& notes) {
-  for (const BagTopic& topic : topics) {
+void readPoses(BagReader& bags, SeenFrames& seen, TransformRecording& recording,
+               BagContents& contents) {
+  std::vector<std::string>& notes = contents.notes;
+  for (const BagTopic& topic : contents.topics) {
     const PoseMessage* const message = poseMessageOf(topic);
     if (message == nullptr) continue;
     const std::string named = topic.name + " (" + topic.type + ")";
@@ -74,8 +75,9 @@ void readPoses(BagReader& bags, const std::vector<BagTopic>& topics, SeenFrames&
                                    " moves a frame that another topic moves: pose_topics should "
                                    "name one of them"
                              : "without TF, frames come from " + named);
+    if (is_known) continue;
+    contents.pose_topics.push_back(topic.name);
     for (RecordedTransform& each : transforms) {
-      if (is_known) break;
       noteTransform(each, seen);
       recording.add(std::move(each));
     }
@@ -272,7 +274,7 @@ BagContents readContents(const std::vector<std::string>& bag_files) {
     noteTransform(each, seen);
     recording.add(std::move(each));
   });
-  if (recording.empty()) readPoses(bags, contents.topics, seen, recording, contents.notes);
+  if (recording.empty()) readPoses(bags, seen, recording, contents);
   contents.times = stampedTimes(seen, bags.times());
   if (!recording.empty()) {
     const FrameTree tree = recording.finish();

@@ -55,7 +55,8 @@ struct BagContents {
   std::vector<BagTopic> topics;       ///< by name
   std::vector<RecordedCamera> cameras;
   std::vector<RecordedDescription> descriptions;
-  std::vector<std::string> notes;  ///< what was left out, other topics of TF, ...
+  std::vector<std::string> pose_topics;  ///< that the frames come from, where there is no TF
+  std::vector<std::string> notes;        ///< what was left out, other topics of TF, ...
 };
 
 /// Looks through bags that count as one recording.

@@ -95,13 +95,16 @@ TEST_F(BagReaderTest, ReadsBagsOfVersion12) {
 
 TEST_F(BagReaderTest, NamesAllFilesThatCannotBeRead) {
   const std::string missing = folder / "missing.bag";
-  const std::string garbage = folder.write("garbage.bag", "PK\x03\x04 is a zip file");
+  const std::string garbage = folder.write("garbage.bag", "GIF89a is a picture");
+  const std::string packed = folder.write("packed.bag", "PK\x03\x04 is a zip file");
   const std::string empty = folder.write("empty.bag", "");
-  EXPECT_THAT(errorsOf({missing, smallBag("good.bag"), garbage, empty, folder.path().string()}),
-              ElementsAre(AllOf(HasSubstr(missing), HasSubstr("no such file")),
-                          AllOf(HasSubstr(garbage), HasSubstr("is not a bag")),
-                          AllOf(HasSubstr(empty), HasSubstr("the file is empty")),
-                          AllOf(HasSubstr(folder.path().string()), HasSubstr("is a folder"))));
+  EXPECT_THAT(
+      errorsOf({missing, smallBag("good.bag"), garbage, packed, empty, folder.path().string()}),
+      ElementsAre(AllOf(HasSubstr(missing), HasSubstr("no such file")),
+                  AllOf(HasSubstr(garbage), HasSubstr("is not a bag")),
+                  AllOf(HasSubstr(packed), HasSubstr("is compressed; `unzip` unpacks it")),
+                  AllOf(HasSubstr(empty), HasSubstr("the file is empty")),
+                  AllOf(HasSubstr(folder.path().string()), HasSubstr("is a folder"))));
 }
 
 TEST_F(BagReaderTest, AsksForAFile) {

@@ -204,7 +204,10 @@ void drawCameras(MapPaper& paper, const std::vector<const Scene*>& scenes, doubl
     const Eigen::Vector3d tip_G = eye_G + 0.05 * paper.extent().diagonal().norm() * ahead;
     paper.line({eye_G, tip_G}, kCameraInk);
     paper.dot(eye_G, kCameraInk);
-    if (named.insert(scene->camera_name).second) paper.name(scene->camera_name, eye_G, kCameraInk);
+  }
+  for (const Scene* scene : scenes) {
+    if (!named.insert(scene->camera_name).second) continue;
+    paper.name(scene->camera_name, scene->X_GC.translation(), kCameraInk);
   }
 }
 

@@ -79,6 +79,7 @@ class DraftWriter {
       out_ << "bag_file:\n";
       for (const std::string& file : inputs_.bag_files) out_ << "  - " << quoted(file) << '\n';
     }
+    writePoseTopics();
     writeWindow();
     out_ << "# The frame in which everything moves; the world's origin is put there.\n";
     if (followed_ != nullptr) {
@@ -87,6 +88,15 @@ class DraftWriter {
       gap("global_frame: map", "which frame is the world's? `inspect BAG` lists them");
     }
     out_ << '\n';
+  }
+
+  void writePoseTopics() {
+    const std::vector<std::string>& topics = inputs_.contents.pose_topics;
+    if (topics.empty()) return;
+    out_ << "# Without TF, frames come from these topics.\npose_topics: [";
+    for (std::size_t i = 0; i < topics.size(); ++i)
+      out_ << (i == 0 ? "" : ", ") << quoted(topics[i]);
+    out_ << "]\n";
   }
 
   /// As many scenes as a first dataset needs, while the first object moves.

@@ -140,10 +140,10 @@ TEST_F(SettingsDraftTest, FollowOdometryWhereThereIsNoTf) {
               ElementsAre("without TF, frames come from /odom (nav_msgs/Odometry)"));
   const SettingsDraft draft = draftSettings(inputs);
   EXPECT_THAT(draft.text,
-              AllOf(HasSubstr("frame: \"base_footprint\""), HasSubstr("global_frame: \"odom\"")));
-  const Value settings(this->settings(draft));
-  EXPECT_THAT(test::messagesOf([&] { (void)run::setUpRun(settings, {test::pluginXml()}); }),
-              IsEmpty());
+              AllOf(HasSubstr("frame: \"base_footprint\""), HasSubstr("global_frame: \"odom\""),
+                    HasSubstr("pose_topics: [\"/odom\"]")));
+  const run::RunSetup setup = run::setUpRun(Value(settings(draft)), {test::pluginXml()});
+  EXPECT_THAT(setup.found.messages(base::Severity::kWarning), IsEmpty());
 }
 
 TEST_F(SettingsDraftTest, SayHowPosesWithoutAFrameAreRead) {
