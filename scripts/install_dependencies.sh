@@ -39,10 +39,12 @@ fi
 install_missing \
   build-essential cmake pkg-config catkin \
   libroscpp-dev libroslib-dev librosbag-storage-dev libtf2-dev libtf2-ros-dev libtf2-msgs-dev \
-  libgeometry-msgs-dev libnav-msgs-dev libsensor-msgs-dev libstd-msgs-dev libvisualization-msgs-dev \
+  libdiagnostic-msgs-dev libgeometry-msgs-dev libnav-msgs-dev libsensor-msgs-dev libstd-msgs-dev \
+  libstd-srvs-dev libvisualization-msgs-dev \
   libxmlrpcpp-dev pluginlib-dev rosbash \
   librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools \
-  python3-geometry-msgs python3-tf2-msgs \
+  python3-diagnostic-msgs python3-geometry-msgs python3-sensor-msgs python3-std-srvs python3-tf2-msgs \
+  python3-visualization-msgs \
   python3-setuptools python3-numpy python3-pil python3-matplotlib python3-jinja2 ffmpeg \
   libopencv-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev \
   libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev \

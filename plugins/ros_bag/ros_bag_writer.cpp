@@ -1,7 +1,8 @@
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <sensor_msgs/image_encodings.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -13,26 +14,6 @@
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
-namespace {
-
-bool isTopicLetter(char letter) {
-  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '/';
-}
-
-/// A camera's topics below the root; names of ROS have letters, digits, `_` and `/`.
-/// http://wiki.ros.org/Names
-std::string topicName(const std::string& camera, std::set<std::string>& taken) {
-  std::string name = camera;
-  std::replace_if(
-      name.begin(), name.end(), [](char letter) { return !isTopicLetter(letter); }, '_');
-  std::string unique = name;
-  for (int count = 2; !taken.insert(unique).second; ++count) {
-    unique = name + "_" + std::to_string(count);
-  }
-  return unique;
-}
-
-}  // namespace
 
 /// A ROS bag of all scenes, to be played over the recording that they come from: images, camera
 /// info, depth, instances, poses, boxes. The pictures that it is made of lie beside it.
@@ -61,11 +42,13 @@ class RosBagWriter : public LabelWriter {
 
   /// Poses that several cameras share come with the first one.
   void addCameras(const std::vector<CameraDescription>& cameras, const std::string& root) {
-    std::set<std::string> topics;
+    std::vector<std::string> names;
+    for (const CameraDescription& camera : cameras) names.push_back(camera.name);
+    const std::vector<std::string> topics = ros_messages::topicNames(names);
     std::set<std::string> frames;
     for (const CameraDescription& camera : cameras) {
       const bool is_first = cameras_.empty();
-      cameras_.push_back({root + "/" + topicName(camera.name, topics),
+      cameras_.push_back({root + "/" + topics[cameras_.size()],
                           camera.model.distortion().model == DistortionModel::kNone,
                           {camera.frame, frames.insert(camera.frame).second, is_first}});
     }
@@ -101,7 +84,7 @@ class RosBagWriter : public LabelWriter {
   /// What stands before all topics: "" or "/a/b".
   static std::string readRoot(WriterParameters& parameters) {
     const std::string prefix = parameters.optional<std::string>("topic_prefix", "");
-    if (!std::all_of(prefix.begin(), prefix.end(), isTopicLetter)) {
+    if (!std::all_of(prefix.begin(), prefix.end(), ros_messages::isTopicLetter)) {
       parameters.addError("topic_prefix", "found '" + prefix +
                                               "'; names of topics have letters, digits, '_' and "
                                               "'/' only");

@@ -20,6 +20,7 @@
 #include "programs/console/live_map.h"
 #include "programs/console/parallel_run.h"
 #include "programs/console/ros_parameters.h"
+#include "programs/console/run_topics.h"
 #include "programs/console/settings_source.h"
 #include "programs/console/stop_signals.h"
 #include "programs/settings/documented_settings.h"
@@ -57,6 +58,26 @@ std::string settingsText(bool as_json) {
   return base::jsonText(programs::settingsSchema(programs::documentedSettings(document))) + "\n";
 }
 
+/// How a run ended, for scripts: the last line on stdout.
+void printEnd(const programs::CommandLine& command_line, const std::string& result,
+              Value::Map value) {
+  if (!command_line.as_json) return;
+  value["result"] = Value(result);
+  std::cout << base::jsonText(Value(value)) << std::endl;
+}
+
+void printErrors(const programs::CommandLine& command_line,
+                 const std::vector<std::string>& errors) {
+  Value::List texts;
+  for (const std::string& each : errors) {
+    programs::ConsoleReporter::fatal(each);
+    texts.emplace_back(each);
+  }
+  programs::ConsoleReporter::fatal("failed: " + std::to_string(errors.size()) +
+                                   (errors.size() == 1 ? " error" : " errors"));
+  printEnd(command_line, "failed", {{"errors", Value(texts)}});
+}
+
 int stopped(run::Reporter& reporter) {
   const int signal = stop_signals::requested();
   reporter.warning(std::string("stopped by ") + stop_signals::name(signal) +
@@ -65,12 +86,18 @@ int stopped(run::Reporter& reporter) {
   return kInterrupted + signal;
 }
 
-int generateHere(const Value& settings, run::Reporter& reporter) {
+int generateHere(const Value& settings, const programs::CommandLine& command_line,
+                 run::Reporter& reporter) {
   run::Generator generator(settings, reporter);
   const run::RunSummary summary = generator.run();
   for (const std::string& line : run::summaryLines(summary)) reporter.info(line);
-  if (summary.stopped) return stopped(reporter);
+  if (summary.stopped) {
+    const int code = stopped(reporter);
+    printEnd(command_line, "stopped", run::summaryValue(summary));
+    return code;
+  }
   reporter.info(run::lastLine(summary));
+  printEnd(command_line, "done", run::summaryValue(summary));
   return kDone;
 }
 
@@ -80,30 +107,32 @@ int check(const Value& settings, const programs::CommandLine& command_line) {
   return is_fine ? kDone : kOdd;
 }
 
-int generate(const Value& settings, const programs::CommandLine& command_line) {
+int generate(const Value& settings, const programs::CommandLine& command_line,
+             run::Reporter& reporter) {
   if (command_line.wants_check) return check(settings, command_line);
-  programs::ConsoleReporter reporter;
   const programs::ParallelRun run(settings);
-  if (!run.isPossible()) return generateHere(settings, reporter);
+  if (!run.isPossible()) return generateHere(settings, command_line, reporter);
   const auto summary = run.make(reporter);
-  if (!summary) return stopped(reporter);
+  if (!summary) {
+    const int code = stopped(reporter);
+    printEnd(command_line, "stopped", {});
+    return code;
+  }
   reporter.info(run::lastLine(*summary));
+  printEnd(command_line, "done", run::summaryValue(*summary));
   return kDone;
 }
 
 /// Makes the dataset of the settings that `read_settings` finds; reports what is wrong with them.
 template <class ReadSettings>
-int generateOrReport(const programs::CommandLine& command_line, ReadSettings read_settings) {
+int generateOrReport(const programs::CommandLine& command_line, run::Reporter& reporter,
+                     ReadSettings read_settings) {
   try {
-    return generate(read_settings(), command_line);
+    return generate(read_settings(), command_line, reporter);
   } catch (const ErrorList& errors) {
-    for (const std::string& message : errors.messages()) programs::ConsoleReporter::fatal(message);
-    const std::size_t count = errors.messages().size();
-    programs::ConsoleReporter::fatal("failed: " + std::to_string(count) +
-                                     (count == 1 ? " error" : " errors"));
+    printErrors(command_line, errors.messages());
   } catch (const std::exception& error) {
-    programs::ConsoleReporter::fatal(error.what());
-    programs::ConsoleReporter::fatal("failed: 1 error");
+    printErrors(command_line, {error.what()});
   }
   return kFailed;
 }
@@ -133,14 +162,16 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   stop_signals::install();
   if (command_line.config) {
-    return generateOrReport(command_line, [&] { return programs::settingsOf(command_line); });
+    programs::ConsoleReporter reporter;
+    return generateOrReport(command_line, reporter,
+                            [&] { return programs::settingsOf(command_line); });
   }
   if (!startNode(argc, argv)) return kFailed;
   std::optional<ros::NodeHandle> node;  // to the end: without it, rosconsole prints nothing
-  return generateOrReport(command_line, [&] {
+  programs::RunTopics reporter(node);
+  return generateOrReport(command_line, reporter, [&] {
     Value settings = programs::readRosParameters(run::rosPackageFinder());
     if (programs::wantsLiveMap(settings)) {
-      programs::ConsoleReporter reporter;
       programs::takeLiveMap(settings, node.emplace(), reporter);
     }
     return settings;

@@ -55,6 +55,30 @@ std::vector<std::string> summaryLines(const RunSummary& summary) {
   return lines;
 }
 
+Value::Map summaryValue(const RunSummary& summary) {
+  Value::Map value = {{"manifest", Value(summary.manifest)},
+                      {"was_complete", Value(summary.was_complete)}};
+  if (summary.was_complete) return value;
+  value["scenes"] = Value(summary.scenes);
+  value["seconds"] = Value(summary.seconds);
+  value["dataset_scenes"] = Value(summary.dataset_scenes);
+  value["planned_scenes"] = Value(summary.planned_scenes);
+  value["files"] = Value(summary.files);
+  value["bytes"] = Value(summary.bytes);
+  Value::List objects;
+  for (const RunSummary::Object& object : summary.objects) {
+    objects.emplace_back(Value::Map{{"name", Value(object.name)},
+                                    {"scenes_in_view", Value(object.scenes_in_view)},
+                                    {"scenes_seen", Value(object.scenes_seen)},
+                                    {"scenes_labelled", Value(object.scenes_labelled)}});
+  }
+  value["objects"] = Value(objects);
+  Value::Map warnings;
+  for (const auto& [kind, count] : summary.warnings) warnings[kind] = Value(count);
+  value["warnings"] = Value(warnings);
+  return value;
+}
+
 std::string lastLine(const RunSummary& summary) {
   const std::vector<std::string>& missing_labels = summary.missing_labels;
   if (summary.was_complete) {

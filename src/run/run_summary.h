@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "run/stage_times.h"
+#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::run {
 
@@ -45,6 +46,9 @@ struct RunSummary {
 
 /// The summary as lines of text.
 [[nodiscard]] std::vector<std::string> summaryLines(const RunSummary& summary);
+
+/// The same for programs: counts, seconds, bytes, and of each object and warning how often.
+[[nodiscard]] Value::Map summaryValue(const RunSummary& summary);
 
 /// The last line of a run that is done: it says what is missing, or that nothing had to be made.
 [[nodiscard]] std::string lastLine(const RunSummary& summary);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """`generate --config`, which no ROS master helps, and what signals do to it."""
 import hashlib
+import json
 import os
 import pathlib
 import signal
@@ -84,6 +85,17 @@ class WithoutMaster(Case):
     def test_leaves_no_files_of_ros(self):
         self.finish(self.start('--config', 'no_such.yaml'))
         self.assertEqual(list(self.scratch.iterdir()), [])
+
+    def test_ends_with_a_line_for_scripts(self):
+        node = self.start_example(1, '--json', 'only_scenes:=[0]')
+        code, log = self.finish(node)
+        end = json.loads(log.splitlines()[-1])
+        self.assertEqual((code, end['result'], end['scenes']), (0, 'done', 1))
+        self.assertTrue(end['manifest'].endswith('manifest.sqlite'))
+        code, log = self.finish(self.start_example(1, '--json', 'world:=/no/such.world'))
+        end = json.loads(log.splitlines()[-1])
+        self.assertEqual((code, end['result']), (1, 'failed'))
+        self.assertIn('/no/such.world', ' '.join(end['errors']))
 
     def test_tells_all_errors(self):
         config = self.scratch / 'my.yaml'

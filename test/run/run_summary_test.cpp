@@ -30,5 +30,18 @@ TEST(RunSummary, HasNoTimesOfScenesThatItDidNotMake) {
   EXPECT_THAT(summaryLines(ofScenes(0)), Each(Not(HasSubstr("time:"))));
 }
 
+TEST(RunSummary, IsForPrograms) {
+  RunSummary summary = ofScenes(8);
+  summary.manifest = "/data/manifest.sqlite";
+  summary.warnings = {{"dark", 3}};
+  summary.objects.push_back({"rover", 8, 7, 0, 8, 7});
+  const Value::Map value = summaryValue(summary);
+  EXPECT_EQ(*value.at("scenes").as<std::int64_t>(), 8);
+  EXPECT_EQ(*value.at("manifest").as<std::string>(), "/data/manifest.sqlite");
+  EXPECT_EQ(*value.at("warnings").as<Value::Map>()->at("dark").as<std::int64_t>(), 3);
+  const auto& rover = *value.at("objects").as<Value::List>()->front().as<Value::Map>();
+  EXPECT_EQ(*rover.at("scenes_labelled").as<std::int64_t>(), 7);
+}
+
 }  // namespace run_summary_test
 }  // namespace synthetic_dataset::run

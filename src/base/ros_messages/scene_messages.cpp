@@ -1,6 +1,7 @@
 #include "base/ros_messages/scene_messages.h"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -122,6 +123,24 @@ std::string withoutSlash(const std::string& frame) {
 }
 
 }  // namespace
+
+bool isTopicLetter(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '/';
+}
+
+std::vector<std::string> topicNames(const std::vector<std::string>& names) {
+  std::vector<std::string> topics;
+  for (std::string name : names) {
+    std::replace_if(
+        name.begin(), name.end(), [](char letter) { return !isTopicLetter(letter); }, '_');
+    std::string unique = name;
+    for (int count = 2; std::count(topics.begin(), topics.end(), unique) != 0; ++count) {
+      unique = name + "_" + std::to_string(count);
+    }
+    topics.push_back(unique);
+  }
+  return topics;
+}
 
 SceneFrames::SceneFrames(const std::string& global_frame, const std::string& prefix)
     : global_frame_(withoutSlash(global_frame)), prefix_(withoutSlash(prefix)) {}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <sensor_msgs/CameraInfo.h>
 #include <std_msgs/Header.h>
@@ -11,6 +12,13 @@
 
 /// Scenes as ROS messages, for bags and for topics; no ROS master is needed.
 namespace synthetic_dataset::ros_messages {
+
+/// Whether names of topics have it: letters, digits, `_` and `/`. http://wiki.ros.org/Names
+[[nodiscard]] bool isTopicLetter(char letter);
+
+/// Names that topics may have, each once: with `_` for what they have not, and a number at the end
+/// of those that would be twice.
+[[nodiscard]] std::vector<std::string> topicNames(const std::vector<std::string>& names);
 
 /// Frames of scenes as messages name them: beside those of the recording, not in their place.
 class SceneFrames {

@@ -6,8 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "plugins/readback/cuboid_lines.h"
-#include "plugins/readback/label_overlay.h"
+#include "programs/drawing/scene_picture.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::programs {
@@ -17,36 +16,9 @@ constexpr int kCellWidth = 640;    // [px]
 constexpr int kSceneCaption = 24;  // [px]
 constexpr double kSceneFont = 0.5;
 
-cv::Point2d pointOf(const Eigen::Vector2d& pixel) { return {pixel.x(), pixel.y()}; }
-
-/// What an object has, as far as the camera sees something of it.
-formats::DrawnLabel labelOf(const Scene& scene, const SceneObject& object) {
-  formats::DrawnLabel label;
-  label.caption = object.name + ", " + std::to_string(object.pixels.visible()) + " px, " +
-                  fixed(object.distance(), 1) + " m";
-  label.mask = object.visible_mask().whole();
-  label.box = object.visible_box();
-  label.lines = formats::cuboidLines(object.cuboid_O, object.X_CO, scene.camera);
-  for (const Keypoint& keypoint : object.keypoints) {
-    if (!keypoint.pixel) continue;
-    const bool is_hidden = keypoint.state.isKnown() && keypoint.state() != KeypointState::kVisible;
-    (is_hidden ? label.hidden_keypoints : label.keypoints).push_back(pointOf(*keypoint.pixel));
-  }
-  return label;
-}
-
-cv::Mat pictureOf(const Scene& scene) {
-  formats::LabelledPicture picture;
-  picture.image = scene.image;
-  for (const SceneObject& object : scene.objects) {
-    if (object.pixels.visible() > 0) picture.labels.push_back(labelOf(scene, object));
-  }
-  return formats::drawLabels(picture);
-}
-
 cv::Mat cellOf(const run::FinishedScene& finished) {
   const Scene& scene = finished.scene;
-  cv::Mat picture = pictureOf(scene);
+  cv::Mat picture = pictureWithLabels(scene);
   if (picture.cols > kCellWidth) {
     const int height = std::max(1, picture.rows * kCellWidth / picture.cols);
     cv::resize(picture, picture, {kCellWidth, height}, 0, 0, cv::INTER_AREA);

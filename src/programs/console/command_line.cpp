@@ -19,7 +19,7 @@ class Parser {
   CommandLine parse(const std::vector<std::string>& arguments) {
     for (const std::string& argument : arguments) read(argument);
     if (awaited_) throw Error(*awaited_ + ": no name follows");
-    if (result_.as_json && !result_.wants_settings) throw Error("--json: found without --settings");
+    if (result_.as_json && result_.wants_check) throw Error("--json: found with --check");
     if (result_.out && !result_.wants_check) throw Error("--out: found without --check");
     if (!result_.config) result_.settings.clear();  // remappings, which ROS reads
     for (const auto& [name, value] : result_.settings) {
@@ -98,8 +98,8 @@ CommandLine parseCheckLine(const std::vector<std::string>& arguments) {
 }
 
 std::string usage() {
-  return R"(usage: generate --config FILE [NAME:=VALUE ...] [--check [--out DIR]]
-       generate [ROS remappings] [--check [--out DIR]]
+  return R"(usage: generate --config FILE [NAME:=VALUE ...] [--json | --check [--out DIR]]
+       generate [ROS remappings] [--json | --check [--out DIR]]
        generate --settings [--json]
 
 Makes a dataset. With --config, the settings are those of a YAML file, as
@@ -111,6 +111,8 @@ the node's private parameters.
   --check      makes no dataset: prints what the run would be and what is odd about it,
                and leaves check.png (some scenes with their labels) and map.png (the
                world from above) in DIR, or in the current folder
+  --json       prints a last line for scripts: the result (done, stopped or failed), what
+               was made, the warnings and the errors
   --settings   prints every setting with its default; with --json as a JSON schema
   --help       prints this
 

@@ -12,7 +12,7 @@ struct CommandLine {
   bool wants_help = false;
   bool wants_check = false;        ///< to look at the run before it is made
   bool wants_settings = false;     ///< to know all settings
-  bool as_json = false;            ///< these as a JSON schema
+  bool as_json = false;            ///< these as a JSON schema, or the run's end as a line of JSON
   std::optional<std::string> out;  ///< the folder for the pictures of that; else the current one
   /// The settings file; without one, the settings are on the ROS parameter server.
   std::optional<std::string> config;

@@ -1,0 +1,41 @@
+#include "programs/drawing/scene_picture.h"
+
+#include <string>
+
+#include "plugins/readback/cuboid_lines.h"
+#include "plugins/readback/label_overlay.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::programs {
+namespace {
+
+cv::Point2d imagePoint(const Eigen::Vector2d& pixel) { return {pixel.x(), pixel.y()}; }
+
+/// What an object has, as far as the camera sees something of it.
+formats::DrawnLabel labelOf(const Scene& scene, const SceneObject& object) {
+  formats::DrawnLabel label;
+  label.caption = object.name + ", " + std::to_string(object.pixels.visible()) + " px, " +
+                  fixed(object.distance(), 1) + " m";
+  label.mask = object.visible_mask().whole();
+  label.box = object.visible_box();
+  label.lines = formats::cuboidLines(object.cuboid_O, object.X_CO, scene.camera);
+  for (const Keypoint& keypoint : object.keypoints) {
+    if (!keypoint.pixel) continue;
+    const bool is_hidden = keypoint.state.isKnown() && keypoint.state() != KeypointState::kVisible;
+    (is_hidden ? label.hidden_keypoints : label.keypoints).push_back(imagePoint(*keypoint.pixel));
+  }
+  return label;
+}
+
+}  // namespace
+
+cv::Mat pictureWithLabels(const Scene& scene) {
+  formats::LabelledPicture picture;
+  picture.image = scene.image;
+  for (const SceneObject& object : scene.objects) {
+    if (object.pixels.visible() > 0) picture.labels.push_back(labelOf(scene, object));
+  }
+  return formats::drawLabels(picture);
+}
+
+}  // namespace synthetic_dataset::programs

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/service_server.h>
+#include <ros/subscriber.h>
+#include <std_msgs/Float64.h>
+#include <std_msgs/Int64.h>
+#include <std_msgs/Time.h>
+
+#include "programs/preview/preview_control.h"
+#include "programs/preview/scene_topics.h"
+#include "run/reporter.h"
+#include "run/setup/run_setup.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::programs {
+
+/// The node `preview`: makes the scenes of a run and publishes them instead of writing them.
+///
+/// Its services and topics are those of docs/preview.md. Callbacks may come in any thread; scenes
+/// are made in the thread that calls run().
+class PreviewNode {
+ public:
+  /// @param node  below whose name all topics are
+  /// @param read_settings  reads them anew
+  PreviewNode(ros::NodeHandle& node, std::function<Value()> read_settings);
+
+  /// Shows scenes until ROS shuts down.
+  void run();
+
+ private:
+  void offer(const std::string& service, std::function<void()> command);
+  void jumpToTime(const std_msgs::Time& message);
+  void setRate(const std_msgs::Float64& message);
+  void carryOut(const PreviewControl::Order& order);
+  void keepTimes(const run::RunSetup& setup);
+  void show(const Scene& scene);
+  void publishStatus(const std::string& error = "");
+
+  ros::NodeHandle& node_;
+  std::function<Value()> read_settings_;
+  Value settings_;
+  PreviewControl control_;
+  SceneTopics topics_;
+  std::mutex mutex_;            ///< of what follows
+  std::vector<Stamp> times_;    ///< of the run's instants
+  std::optional<Scene> shown_;  ///< without its pictures
+  ros::Publisher status_;
+  std::vector<ros::ServiceServer> services_;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+}  // namespace synthetic_dataset::programs

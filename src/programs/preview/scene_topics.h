@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <std_msgs/Header.h>
+#include <visualization_msgs/Marker.h>
+
+#include "base/ros_messages/scene_messages.h"
+#include "run/setup/run_setup.h"
+#include "synthetic_dataset/label_writer.h"
+#include "synthetic_dataset/scene.h"
+
+namespace synthetic_dataset::programs {
+
+/// The topics of a preview: below the node's name those of each camera (`CAMERA/image_raw`,
+/// `camera_info`, `image_labels`, `depth/image_raw`, `depth/camera_info`, `instances`) and
+/// `labels`, `views`, `ways` for RViz; `/tf`. All but the latter are latched, so who comes late
+/// sees what is shown.
+class SceneTopics {
+ public:
+  /// @param on_missing  called, in the thread of callbacks, when somebody subscribes to what was
+  /// not
+  ///     made
+  SceneTopics(ros::NodeHandle& node, const std::string& frame_prefix,
+              std::function<void()> on_missing);
+
+  /// Makes the topics of a run's cameras, and shows the objects' ways.
+  void open(const run::RunSetup& setup);
+
+  /// What has to be made of each scene for those who listen now. It is what is made from now on.
+  [[nodiscard]] Requirements takeRequirements();
+
+  /// Publishes what was made of a scene, as of now: at the wall's time, as a preview goes back,
+  /// too, which listeners to TF do not bear.
+  void show(const Scene& scene);
+
+ private:
+  struct Camera {
+    std::string name;
+    ros_messages::CameraFrame frame;
+    ros::Publisher image;
+    ros::Publisher info;
+    ros::Publisher labelled;
+    ros::Publisher depth;
+    ros::Publisher depth_info;
+    ros::Publisher instances;
+  };
+
+  template <class Message>
+  [[nodiscard]] ros::Publisher advertise(const std::string& topic,
+                                         bool Requirements::*needs = nullptr);
+  void addCamera(const std::string& name, const std::string& topic,
+                 const ros_messages::CameraFrame& frame);
+  void showLabels(const Scene& scene, const Camera& camera, const std_msgs::Header& header);
+
+  ros::NodeHandle& node_;
+  std::string frame_prefix_;
+  std::function<void()> on_missing_;
+  ros_messages::SceneFrames frames_;
+  std::vector<Camera> cameras_;
+  std::mutex mutex_;
+  Requirements made_;                              ///< of the scenes
+  std::vector<visualization_msgs::Marker> views_;  ///< of the cameras at the instant
+  ros::Publisher transforms_;
+  ros::Publisher labels_;
+  ros::Publisher view_markers_;
+  ros::Publisher ways_;
+};
+
+}  // namespace synthetic_dataset::programs
