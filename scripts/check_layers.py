@@ -54,7 +54,7 @@ CONFINED = [
     ('assimp', re.compile(r'assimp/'), {'src/world'}),
     ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/base'}),
     ('rosbag', re.compile(r'rosbag/'), {'src/motion', 'plugins'}),
-    ('tf2', re.compile(r'tf2(_\w+)?/'), {'src/motion', 'src/base', 'plugins'}),
+    ('tf2', re.compile(r'tf2(_(?!msgs)\w+)?/'), {'src/motion', 'src/base', 'plugins'}),
     ('yaml-cpp', re.compile(r'yaml-cpp/'), {'src/base'}),
     ('JSON for Modern C++', re.compile(r'nlohmann/'), {'plugins'}),
     ('OpenSSL', re.compile(r'openssl/'), {'src/output'}),
