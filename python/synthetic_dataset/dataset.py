@@ -106,6 +106,19 @@ class Dataset:
                             self.objects[int(index)])
                 for row, index in enumerate(found['object'])]
 
+    def alignment_of(self, scene):
+        found = self._rows_of('scene_alignment', 'alignment', scene)
+        return found[0][0] if found else None
+
+    def alignments_of(self, scene):
+        return dict(self._rows_of('object_alignment', 'object, alignment', scene))
+
+    def _rows_of(self, table, columns, scene):
+        """Of a table that manifests before version 6 do not have."""
+        if table not in self.manifest.tables():
+            return []
+        return self.manifest.rows(f'SELECT {columns} FROM {table} WHERE scene = ?', (scene.index,))
+
     def files_of(self, scene):
         found = []
         for path, writer in self.manifest.rows(

@@ -36,6 +36,12 @@ class SceneObject:
         return poses.inverse(self._scene.X_GC) @ self.X_GO
 
     @property
+    def alignment(self):
+        """How well its outline meets the edges of a recorded picture, 0 to 1; None where nothing is
+        known of it."""
+        return self._scene.alignments.get(self.index)
+
+    @property
     def is_labelled(self):
         """Whether most formats have a label of it: at least one pixel is visible, enough is."""
         return bool(self.visible_pixels) and not self.dropped
@@ -112,6 +118,16 @@ class Scene:
         if self._objects is None:
             self._objects = self._dataset.objects_of(self)
         return self._objects
+
+    @property
+    def alignment(self):
+        """How well all labels meet the edges of a recorded picture, 0 to 1, or None."""
+        return self._dataset.alignment_of(self)
+
+    @property
+    def alignments(self):
+        """The same of each object that has one, by its index."""
+        return self._dataset.alignments_of(self)
 
     @property
     def draws(self):

@@ -1,29 +1,30 @@
 #include "config/twin_config.h"
 
+#include <cstdint>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "base/seconds.h"
+#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
 
 /// All cameras have pictures, or none: a scene is of one time.
-void checkCameras(Parameters& root, const scene::SceneOptions& scenes) {
+void checkCameras(Parameters& root, const scene::SceneOptions& scenes, scene::TwinOutput output) {
   for (const scene::CameraOptions& camera : scenes.cameras) {
     if (!camera.image_topic) {
       root.addError(camera.group,
                     "has no image_topic, and another camera has; all cameras of a motion should "
                     "have recorded pictures, or none");
+      continue;
     }
-    const bool is_named_in_group = camera.group == "camera";
+    const bool is_only_one = camera.group == "camera";
     Parameters group =
-        is_named_in_group ? root.group("camera") : root.group("cameras").group(camera.name);
-    if (camera.image_topic && group.has("effects")) {
+        is_only_one ? root.group("camera") : root.group("cameras").group(camera.name);
+    if (output == scene::TwinOutput::kReal && group.has("effects")) {
       group.addError("effects",
                      "found together with image_topic; a recorded picture has the effects of its "
-                     "own camera");
+                     "own camera (with twin/output: both or synthetic, drawn ones have these)");
     }
   }
 }
@@ -40,14 +41,44 @@ void checkRandomization(Parameters& root, const randomize::Randomization& random
   if (randomization.sensor.field_of_view) group.group("sensor").addError("field_of_view", reason);
 }
 
+/// `both` is two runs, of which each has one of the others.
+scene::TwinOutput readOutput(Parameters& group) {
+  const std::string output = group.maybe<std::string>("output").value_or("real");
+  if (output == "both") {
+    group.addError("output",
+                   "found both, which makes two datasets of a whole run; beside `motions`, or in "
+                   "the settings of one of them, it should be real or synthetic");
+  } else if (output != "real" && output != "synthetic") {
+    group.addError("output", "found '" + output + "'; it should be real, synthetic or both" +
+                                 didYouMean(output, {"real", "synthetic", "both"}));
+  }
+  return output == "synthetic" ? scene::TwinOutput::kSynthetic : scene::TwinOutput::kReal;
+}
+
+scene::TwinOptions readGroup(Parameters group) {
+  constexpr std::int64_t kMost = 1000000;
+  constexpr double kLongest = 1.0;  // [s]
+  scene::TwinOptions twin;
+  twin.output = readOutput(group);
+  if (group.has("every")) twin.every = group.optionalBetween<std::int64_t>("every", 1, 1, kMost);
+  if (group.has("min_alignment")) {
+    twin.min_alignment = group.optionalBetween("min_alignment", 0.0, 0.0, 1.0);
+  }
+  if (group.has("same_time")) {
+    twin.same_time = base::fromSeconds(
+        group.optionalBetween("same_time", toSeconds(twin.same_time), 0.0, kLongest));
+  }
+  return twin;
+}
+
 }  // namespace
 
 scene::TwinOptions readTwinOptions(Parameters root, const scene::SceneOptions& scenes) {
-  scene::TwinOptions twin;
+  const scene::TwinOptions twin = readGroup(root.group("twin"));
   if (!scenes.isTwin()) {
-    if (!root.has("twin")) return twin;
-    root.ignore("twin");
-    root.addError("twin", "found without a camera's image_topic, of whose pictures it speaks");
+    if (root.has("twin")) {
+      root.addError("twin", "found without a camera's image_topic, of whose pictures it speaks");
+    }
     return twin;
   }
   if (scenes.isPlaced()) {
@@ -55,16 +86,8 @@ scene::TwinOptions readTwinOptions(Parameters root, const scene::SceneOptions& s
                   "found placement, and a camera with an image_topic; recorded pictures are "
                   "labelled by the recording's TF (motion: bag)");
   }
-  checkCameras(root, scenes);
+  checkCameras(root, scenes, twin.output);
   checkRandomization(root, scenes.randomization);
-  Parameters group = root.group("twin");
-  constexpr std::int64_t kMost = 1000000;
-  if (group.has("every")) twin.every = group.optionalBetween<std::int64_t>("every", 1, 1, kMost);
-  constexpr double kLongest = 1.0;  // [s]
-  if (group.has("same_time")) {
-    twin.same_time = base::fromSeconds(
-        group.optionalBetween("same_time", toSeconds(twin.same_time), 0.0, kLongest));
-  }
   return twin;
 }
 

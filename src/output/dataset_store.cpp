@@ -242,6 +242,14 @@ void DatasetStore::commitScene(const SceneFacts& scene, const SceneFiles& files)
   }
 }
 
+void DatasetStore::leaveOutScene(const SceneFacts& scene) {
+  impl_->requireManifest();
+  impl_->manifest->leaveOutScene(scene);
+  impl_->know(scene.index);
+  ++impl_->unsafe_scenes;
+  impl_->flushInTime();
+}
+
 void DatasetStore::takeIn(const ShardPlace& shard) {
   impl_->manifest->takeIn(shard.folder, shard.shard,
                           [this](const std::string& source, const ManifestFile& target) {

@@ -49,6 +49,10 @@ class DatasetStore {
   /// @throws Error: what could not be written and why (a full disk, ...); the scene does not count
   void commitScene(const SceneFacts& scene, const SceneFiles& files);
 
+  /// Lists a scene without files, whose labels are not good enough: it is made, and not there.
+  /// @throws Error as commitScene does
+  void leaveOutScene(const SceneFacts& scene);
+
   /// Takes in the scenes of a shard. Its files stay where they are; where they lie in another
   /// folder, they are linked or copied.
   void takeIn(const ShardPlace& shard);

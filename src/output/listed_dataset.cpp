@@ -96,7 +96,7 @@ void ListedDataset::forEachScene(const std::function<void(const SceneFacts&)>& v
   SqliteStatement rows(
       database_,
       "SELECT \"index\", stamp_ns, instant, camera, split, seed, x, y, z, qx, qy, qz, qw, width, "
-      "height FROM scene WHERE state <> 'begun' ORDER BY \"index\"");
+      "height FROM scene WHERE state IN ('written', 'complete') ORDER BY \"index\"");
   while (rows.step()) {
     SceneFacts scene;
     scene.index = rows.integer(0);

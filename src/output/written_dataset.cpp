@@ -53,18 +53,19 @@ WrittenDataset::WrittenDataset(const std::filesystem::path& folder)
 }
 
 std::vector<std::int64_t> WrittenDataset::scenes() const {
-  SqliteStatement rows(database_,
-                       "SELECT \"index\" FROM scene WHERE state <> 'begun' ORDER BY \"index\"");
+  SqliteStatement rows(
+      database_,
+      "SELECT \"index\" FROM scene WHERE state IN ('written', 'complete') ORDER BY \"index\"");
   std::vector<std::int64_t> scenes;
   for (rows.start(); rows.step();) scenes.push_back(rows.integer(0));
   return scenes;
 }
 
 std::int64_t WrittenDataset::middleScene() const {
-  SqliteStatement scenes(
-      database_,
-      "SELECT \"index\" FROM scene WHERE state <> 'begun' ORDER BY \"index\" LIMIT 1 OFFSET "
-      "(SELECT count(*) / 2 FROM scene WHERE state <> 'begun')");
+  SqliteStatement scenes(database_,
+                         "SELECT \"index\" FROM scene WHERE state IN ('written', 'complete') ORDER "
+                         "BY \"index\" LIMIT 1 OFFSET "
+                         "(SELECT count(*) / 2 FROM scene WHERE state IN ('written', 'complete'))");
   scenes.start();
   if (!scenes.step()) throw Error("'" + folder_.string() + "': the dataset has no scenes");
   return scenes.integer(0);
@@ -73,7 +74,7 @@ std::int64_t WrittenDataset::middleScene() const {
 WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
   SqliteStatement scenes(database_,
                          "SELECT camera, instant, stamp_ns FROM scene WHERE \"index\" = ? AND "
-                         "state <> 'begun'");
+                         "state IN ('written', 'complete')");
   scenes.start(index);
   if (!scenes.step()) {
     (void)middleScene();  // throws for a dataset without scenes

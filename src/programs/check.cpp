@@ -7,6 +7,7 @@
 #include <exception>
 #include <iostream>
 
+#include "config/twin_runs.h"
 #include "programs/check/check_report.h"
 #include "programs/console/command_line.h"
 #include "programs/console/heap.h"
@@ -30,6 +31,9 @@ int main(int argc, char** argv) {
   }
   return programs::reportingErrors("check", [&] {
     const Value settings = programs::settingsOf(line);
-    return programs::checkAndPrint(settings, line.out.value_or("."), std::cout) ? 0 : kOdd;
+    return programs::checkAndPrint(config::twinRuns(settings).front(), line.out.value_or("."),
+                                   std::cout)
+               ? 0
+               : kOdd;
   });
 }

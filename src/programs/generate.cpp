@@ -13,6 +13,7 @@
 
 #include "base/json_text.h"
 #include "base/printable_text.h"
+#include "config/twin_runs.h"
 #include "programs/check/check_report.h"
 #include "programs/console/command_line.h"
 #include "programs/console/console_reporter.h"
@@ -107,9 +108,8 @@ int check(const Value& settings, const programs::CommandLine& command_line) {
   return is_fine ? kDone : kOdd;
 }
 
-int generate(const Value& settings, const programs::CommandLine& command_line,
-             run::Reporter& reporter) {
-  if (command_line.wants_check) return check(settings, command_line);
+int generateOne(const Value& settings, const programs::CommandLine& command_line,
+                run::Reporter& reporter) {
   const programs::ParallelRun run(settings);
   if (!run.isPossible()) return generateHere(settings, command_line, reporter);
   const auto summary = run.make(reporter);
@@ -120,6 +120,17 @@ int generate(const Value& settings, const programs::CommandLine& command_line,
   }
   reporter.info(run::lastLine(*summary));
   printEnd(command_line, "done", run::summaryValue(*summary));
+  return kDone;
+}
+
+int generate(const Value& settings, const programs::CommandLine& command_line,
+             run::Reporter& reporter) {
+  const std::vector<Value> runs = config::twinRuns(settings);
+  if (command_line.wants_check) return check(runs.front(), command_line);
+  for (const Value& each : runs) {
+    const int code = generateOne(each, command_line, reporter);
+    if (code != kDone) return code;
+  }
   return kDone;
 }
 

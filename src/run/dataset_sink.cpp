@@ -33,6 +33,10 @@ std::int64_t DatasetSink::cameraCount() const {
 }
 
 std::vector<output::Warning> DatasetSink::add(const FinishedScene& finished) {
+  if (finished.is_left_out) {
+    store_->leaveOutScene(finished.facts);
+    return {};
+  }
   output::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
   written.files.recorded = {finished.scene.image, finished.image_file};
   std::vector<output::Warning> warnings;

@@ -7,10 +7,17 @@
 #include "base/json_text.h"
 #include "base/random/random_seed.h"
 #include "base/seconds.h"
+#include "label/alignment.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {
 namespace {
+
+/// With what recorded pictures are held against.
+Requirements labelRequirements(Requirements requirements, const MotionSetup& motion) {
+  if (motion.pictures) requirements.visible_masks = true;
+  return requirements;
+}
 
 label::PixelLabelOptions labelOptions(const MotionSetup& motion) {
   const config::Config& config = motion.config;
@@ -32,7 +39,7 @@ MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Require
       splits_(splits),
       renderer_(motion.world->description(), motion.world->links(), motion.config.rendering),
       scene_maker_(*motion.world, renderer_, *motion.frames, motion.cameras, *motion.shapes,
-                   requirements, labelOptions(motion)),
+                   labelRequirements(requirements, motion), labelOptions(motion)),
       picture_taker_(*motion.world, renderer_, *motion.frames, motion.cameras, motion.config.seed),
       object_motion_(*motion.frames, motion.config.objects, motion.world->links(),
                      motion.driven_links) {
@@ -88,7 +95,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   const auto develop = [&] {
     for (DrawnScene& each : scenes) {
       const Scene& scene = each.seen.scene;
-      if (motion_.pictures) continue;  // read when the scene is finished
+      if (motion_.config.hasRecordedImages()) continue;  // read when the scene is finished
       each.image = picture_taker_.develop(scene.camera_index, scene.index);
     }
     // Warnings go to the instant's first scene.
@@ -108,7 +115,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
       if (is_wanted) X_GO = object_motion_.objectPoses(stamp);
     }
     for (std::size_t camera = 0; is_wanted && camera < motion_.cameras.size(); ++camera) {
-      if (!motion_.pictures) picture_taker_.expose(camera, stamp, offset);
+      if (!motion_.config.hasRecordedImages()) picture_taker_.expose(camera, stamp, offset);
       if (offset == Duration{0}) scenes.push_back(look(camera, instant, stamp, X_GO));
       if (!waits) develop();
     }
@@ -202,16 +209,35 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
   drawn.seen.pixels.surface = {};
   // What labels and image are made of is not needed any more.
   const label::MaskAgreement agreement = std::exchange(drawn.seen.pixels.labels, {})(scene);
-  scene::TakenPicture taken;
-  if (motion_.pictures) {
-    taken = motion_.pictures->take(scene.camera_index, scene.stamp);
-  } else {
-    taken.pixels = std::exchange(drawn.image, {})();
-  }
-  scene.image = taken.pixels;
+  scene::TakenPicture recorded;
+  if (motion_.pictures) recorded = motion_.pictures->take(scene.camera_index, scene.stamp);
+  const bool is_recorded = motion_.config.hasRecordedImages();
+  scene.image = is_recorded ? recorded.pixels : std::exchange(drawn.image, {})();
   picture_taker_.measureDepth(scene);  // all labels are of the exact one
   output::SceneFacts facts = factsOf(drawn, agreement);
-  return {std::move(scene), std::move(facts), std::move(taken.jpeg)};
+  FinishedScene finished{std::move(scene), std::move(facts)};
+  if (motion_.pictures) compare(recorded.pixels, finished);
+  if (is_recorded) finished.image_file = std::move(recorded.jpeg);
+  return finished;
+}
+
+/// Holds the labels against the picture that was recorded.
+void MotionRun::compare(const cv::Mat& recorded, FinishedScene& finished) const {
+  output::SceneFacts& facts = finished.facts;
+  const std::vector<label::Alignment> alignments = label::alignmentsOf(finished.scene, recorded);
+  label::Alignment all;
+  for (std::size_t i = 0; i < alignments.size(); ++i) {
+    facts.objects[i].alignment = alignments[i].score();
+    all += alignments[i];
+  }
+  facts.alignment = all.score();
+  const double least = motion_.config.twin.min_alignment;
+  finished.is_left_out = facts.alignment.value_or(1.0) < least;
+  if (finished.is_left_out) {
+    facts.warnings.push_back(
+        {"scene left out: its alignment is below twin/min_alignment",
+         "of " + fixed(*facts.alignment, 3) + " at " + fixed(toSeconds(facts.stamp), 3) + " s"});
+  }
 }
 
 output::SceneFacts MotionRun::factsOf(const DrawnScene& drawn,

@@ -62,6 +62,7 @@ class MotionRun {
   void warnOfFallen(Stamp stamp);
   void passOn(std::optional<Stamp> now, ScenePipeline& pipeline);
   [[nodiscard]] FinishedScene finish(DrawnScene& drawn) const;
+  void compare(const cv::Mat& recorded, FinishedScene& finished) const;
   [[nodiscard]] output::SceneFacts factsOf(const DrawnScene& drawn,
                                            const label::MaskAgreement& agreement) const;
 

@@ -14,6 +14,7 @@ namespace synthetic_dataset::run {
 struct FinishedScene {
   Scene scene;
   output::SceneFacts facts;
+  bool is_left_out = false;  ///< its labels do not fit its recorded picture well enough
   std::vector<std::uint8_t> image_file = {};  ///< the JPEG that its image was decoded from, if any
 };
 

@@ -1,9 +1,12 @@
 #include "scene/camera_pictures.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <variant>
+
+#include <opencv2/core.hpp>
 
 #include "base/image/picture_decoder.h"
 #include "base/image/raw_picture.h"
@@ -171,8 +174,15 @@ std::vector<std::string> CameraPictures::problems(const std::vector<Stamp>& time
   return messages;
 }
 
+void CameraPictures::shift(Duration later) {
+  std::map<Stamp, std::vector<std::size_t>> shifted;
+  for (auto& [time, pictures] : at_) shifted.emplace(time + later, std::move(pictures));
+  at_ = std::move(shifted);
+  for (Duration& offset : offsets_) offset += later;
+}
+
 TakenPicture CameraPictures::take(std::size_t camera, Stamp time) const {
-  const std::size_t picture = at_.at(time).at(camera);
+  const std::size_t picture = std::prev(at_.upper_bound(time))->second.at(camera);
   const motion::RecordedPictures& pictures = pictures_[camera];
   try {
     return developed(pictures.read(picture), pictures.topic());

@@ -45,8 +45,12 @@ class CameraPictures {
   [[nodiscard]] std::vector<std::string> problems(const std::vector<Stamp>& times,
                                                   const std::vector<CameraRig>& rigs) const;
 
+  /// Lets all times be later, or earlier if negative, as if the cameras' time offsets were so much
+  /// larger.
+  void shift(Duration later);
+
   /// The picture of a scene, in any thread.
-  /// @param time  one of stamps()
+  /// @param time  one of stamps(); of one between two, the picture is that of the earlier
   /// @throws Error naming topic and stamp where it cannot be decoded
   [[nodiscard]] TakenPicture take(std::size_t camera, Stamp time) const;
 

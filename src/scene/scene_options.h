@@ -22,7 +22,12 @@ struct SceneOptions {
   /// Whether scenes are placed at random, not recorded.
   [[nodiscard]] bool isPlaced() const { return motion.source == motion::MotionSource::kPlacement; }
 
-  /// Whether the cameras' pictures are recorded ones.
+  /// Whether the scenes' images are recorded ones.
+  [[nodiscard]] bool hasRecordedImages() const {
+    return isTwin() && twin.output == TwinOutput::kReal;
+  }
+
+  /// Whether scenes are at the times of recorded pictures.
   [[nodiscard]] bool isTwin() const {
     return std::any_of(cameras.begin(), cameras.end(),
                        [](const CameraOptions& each) { return each.image_topic.has_value(); });

@@ -18,7 +18,7 @@ EXAMPLE = REPOSITORY / 'config' / 'example.yaml'
 BAG = REPOSITORY / 'worlds' / 'example.bag'
 ROVER = REPOSITORY / 'worlds' / 'models' / 'rover' / 'model.sdf'
 PROGRAMS = ('generate', 'check', 'inspect', 'start', 'merge', 'verify', 'contact_sheet',
-            'draw_labels', 'report', 'describe_dataset.py')
+            'draw_labels', 'report', 'describe_dataset.py', 'align')
 
 
 class FirstHour(unittest.TestCase):

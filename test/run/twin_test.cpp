@@ -9,6 +9,7 @@
 
 #include "all_at_once_run.h"
 #include "base/yaml_value.h"
+#include "config/twin_runs.h"
 #include "output/manifest/sqlite.h"
 #include "output/verify/dataset_verifier.h"
 #include "run_fixture.h"
@@ -180,6 +181,68 @@ TEST_F(Twin, GivesTheSameBytesWhenItGoesOn) {
   EXPECT_LT(files().size(), made.size());
   (void)generate();
   EXPECT_TRUE(files() == made);
+}
+
+TEST_F(Twin, MeasuresHowWellLabelsMeetPictures) {
+  recordRaw();
+  (void)filesAnew();
+  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                        output::SqliteDatabase::Mode::kReadOnly);
+  output::SqliteStatement rows(manifest, "SELECT alignment FROM scene_alignment ORDER BY scene");
+  int count = 0;
+  for (; rows.step(); ++count) EXPECT_GT(rows.real(0), 0.85);
+  EXPECT_EQ(count, 4);
+  output::SqliteStatement objects(manifest, "SELECT count(*) FROM object_alignment");
+  ASSERT_TRUE(objects.step());
+  EXPECT_EQ(objects.integer(0), 8);
+}
+
+TEST_F(Twin, LeavesOutScenesWhoseLabelsDoNotMeetThePicture) {
+  record([&](BagBuilder& bag, Stamp stamp, std::size_t scene) {
+    // In the third picture, alpha is where it was in the first.
+    bag.picture("/eye/image_raw", stamp, picture(scene == 2 ? 0 : scene), "bgr8");
+  });
+  parameters["twin"] = yaml("{min_alignment: 0.8}");
+  fs::remove_all(folder);
+  const RunSummary summary = generate();
+  EXPECT_EQ(summary.warnings.at("scene left out: its alignment is below twin/min_alignment"), 1);
+  const Files made = files();
+  const std::string labels = "boxes/labels/train/";
+  EXPECT_EQ(below(labels, made).size(), 3U);
+  EXPECT_EQ(made.count(labels + number(2) + ".txt"), 0U);
+  EXPECT_EQ(made.at(labels + number(3) + ".txt"), truth.at(labels + number(3) + ".txt"));
+  Problems problems;
+  (void)output::verifyDataset(folder, output::VerificationDepth::kLabels, problems);
+  EXPECT_THAT(problems.all, IsEmpty());
+  EXPECT_TRUE(generate().was_complete);
+  fs::remove_all(folder);
+  test::StoppingReporter stopping(3);
+  (void)generate(stopping);
+  (void)generate();
+  EXPECT_TRUE(files() == made) << "also when a run goes on behind it";
+}
+
+TEST_F(Twin, DrawsTheSameInstants) {
+  recordRaw(milliseconds(20));
+  setCamera("time_offset", Value(-0.02));
+  setCamera("effects", yaml("{exposure: 1.0}"));
+  parameters["twin"] = yaml("{output: both}");
+  const std::vector<Value> runs = config::twinRuns(Value(parameters));
+  ASSERT_EQ(runs.size(), 2U);
+  std::map<std::string, Files> made;
+  for (const Value& each : runs) {
+    parameters = *each.as<Value::Map>();
+    (void)generate();
+    const std::string output = *parameters.at("output_folder").as<std::string>();
+    made[fs::path(output).filename().string()] = test::AllAtOnceRun::files(output);
+  }
+  for (const std::string output : {"real", "synthetic"}) {
+    EXPECT_EQ(below("boxes/labels/", made.at(output)), below("boxes/labels/", truth)) << output;
+  }
+  EXPECT_EQ(below("boxes/images/", made.at("real")), below("boxes/images/", truth));
+  const std::string first = "boxes/images/train/" + number(0) + ".png";
+  EXPECT_GT(cv::mean(decoded(made.at("synthetic").at(first)))[0], 1.2 * cv::mean(picture(0))[0])
+      << "effects are those of the drawn pictures";
 }
 
 TEST_F(Twin, RefusesPicturesThatDoNotFitBeforeTheFirstScene) {

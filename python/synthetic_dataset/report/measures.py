@@ -27,6 +27,7 @@ class Measures:
         row_of_scene = {index: row for row, index in enumerate(self.scene_index)}
         all_scenes = np.array([row_of_scene[each] for each in rows['scene']], int)
 
+        self.alignment = _alignments(dataset, self.scene_index)
         self.has_pixels = _is_known(rows['visible_pixels'])
         seen = rows['visible_pixels'] > 0 if self.has_pixels else rows['in_view'] == 1
         self.dropped = int(np.count_nonzero(seen & (rows['dropped'] == 1)))
@@ -62,6 +63,14 @@ class Measures:
             of_split = self.label_class[self.split == split]
             table[:, column] = np.bincount(of_split, minlength=len(self.class_names))
         return table
+
+
+def _alignments(dataset, scenes):
+    """How well labels meet recorded pictures, of the scenes of which it is known."""
+    if 'scene_alignment' not in dataset.manifest.tables():
+        return np.zeros(0)
+    found = dataset.manifest.columns('scene_alignment')
+    return found['alignment'].astype(float)[np.isin(found['scene'], scenes)]
 
 
 def _is_known(column):

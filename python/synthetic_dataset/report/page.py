@@ -156,6 +156,10 @@ def _charts(measures, splits, counts):
     found.append(('Distance', charts.histogram(
         measures, measures.distance, 'distance from the camera [m]',
         np.linspace(0, measures.distance.max() * 1.001, 41)), ''))
+    if len(measures.alignment):
+        found.append(('Alignment with recorded pictures', charts.plain_histogram(
+            100 * measures.alignment, 'alignment [%]', 'images', np.linspace(0, 100, 41)),
+            'How well the outlines of labels meet the edges of the pictures.'))
     return [{'title': title, 'svg': svg, 'note': note} for title, svg, note in found]
 
 

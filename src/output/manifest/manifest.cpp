@@ -308,6 +308,15 @@ void Manifest::listScene(const SceneFacts& scene, const std::vector<PictureFacts
   transaction.commit();
 }
 
+void Manifest::leaveOutScene(const SceneFacts& scene) {
+  announceScene(scene, {});
+  SqliteTransaction transaction(database_);
+  truth_.insertAlignment(scene);
+  insertWarnings(insert_warning_, scene.index, scene.warnings);
+  set_state_.run(std::string("left out"), scene.index);
+  transaction.commit();
+}
+
 void Manifest::markComplete() {
   database_.execute("UPDATE scene SET state = 'complete' WHERE state = 'written'");
 }

@@ -30,7 +30,7 @@ struct ManifestFile {
 /// From a row of path, writer, bytes, digest, linked_to of a manifest in this folder.
 [[nodiscard]] ManifestFile fileOf(const SqliteStatement& row, const std::string& folder);
 
-/// How far a scene has come.
+/// How far a scene has come. One that is left out has no files, and is complete.
 enum class SceneState {
   kBegun,     ///< its files may be missing
   kWritten,   ///< all its files are there
@@ -66,6 +66,9 @@ class Manifest {
   /// @param pictures  what is known of the scene's own
   void listScene(const SceneFacts& scene, const std::vector<PictureFacts>& pictures,
                  const std::vector<SceneFiles::Record>& records);
+
+  /// Lists a scene of which there are no files, as its labels are not good enough.
+  void leaveOutScene(const SceneFacts& scene);
 
   /// All written scenes are safe from a power cut now.
   void markComplete();

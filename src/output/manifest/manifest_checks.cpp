@@ -163,7 +163,8 @@ void checkScenes(const SqliteDatabase& database, const ManifestContent& content,
   }
   if (!content.complete) return;
   const std::string unsafe = firstRows(
-      database, "SELECT \"index\" FROM scene WHERE state <> 'complete' ORDER BY \"index\"");
+      database,
+      "SELECT \"index\" FROM scene WHERE state NOT IN ('complete', 'left out') ORDER BY \"index\"");
   if (!unsafe.empty()) {
     problems.push_back("scene: the run is complete, and these are not: " + unsafe);
   }

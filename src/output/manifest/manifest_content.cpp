@@ -71,7 +71,7 @@ void readRun(const SqliteDatabase& database, ManifestContent& content) {
       throw Error("it is damaged: its " + key + " is '" + value + "'");
     }
   });
-  forEachRow(database, "SELECT count(*) FROM scene WHERE state <> 'begun'",
+  forEachRow(database, "SELECT count(*) FROM scene WHERE state IN ('written', 'complete')",
              [&](const SqliteStatement& row) { content.scene_count = row.integer(0); });
 }
 

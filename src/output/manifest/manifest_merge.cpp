@@ -99,7 +99,10 @@ void Manifest::takeInSceneOf(const std::string& shard_folder, std::int64_t index
   for (const std::string& table : measures()) {
     SqliteStatement(database_, copying(table, "scene = ?")).run(index);
   }
-  set_state_.run(std::string("written"), index);
+  SqliteStatement state(database_, "SELECT state FROM shard.scene WHERE \"index\" = ?");
+  state.start(index);
+  const bool is_left_out = state.step() && state.text(0) == "left out";
+  set_state_.run(std::string(is_left_out ? "left out" : "written"), index);
   transaction.commit();
 }
 

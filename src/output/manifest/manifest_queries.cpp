@@ -7,7 +7,7 @@ namespace synthetic_dataset::output {
 namespace {
 
 SceneState stateOf(const std::string& text) {
-  if (text == "complete") return SceneState::kComplete;
+  if (text == "complete" || text == "left out") return SceneState::kComplete;
   return text == "written" ? SceneState::kWritten : SceneState::kBegun;
 }
 
@@ -61,7 +61,8 @@ std::vector<ManifestFile> Manifest::filesOfScene(std::optional<std::int64_t> sce
 
 StoreCounts Manifest::counts() const {
   StoreCounts counts;
-  SqliteStatement scenes(database_, "SELECT count(*) FROM scene WHERE state <> 'begun'");
+  SqliteStatement scenes(database_,
+                         "SELECT count(*) FROM scene WHERE state IN ('written', 'complete')");
   scenes.step();
   counts.scenes = scenes.integer(0);
   SqliteStatement files(

@@ -39,8 +39,8 @@ const char* const kManifestTables = R"sql(
       CHECK (width BETWEEN 1 AND 1000000 AND height BETWEEN 1 AND 1000000),
     CONSTRAINT "poses that are no turn and shift (the quaternion's length is not 1)"
       CHECK (abs(qx * qx + qy * qy + qz * qz + qw * qw - 1) <= 1e-6),
-    CONSTRAINT "states that are none of begun, written, complete"
-      CHECK (state IN ('begun', 'written', 'complete')));
+    CONSTRAINT "states that are none of begun, written, complete, left out"
+      CHECK (state IN ('begun', 'written', 'complete', 'left out')));
   CREATE TABLE scene_object (
     scene INTEGER NOT NULL REFERENCES scene ("index"),
     object INTEGER NOT NULL REFERENCES object ("index"), x REAL NOT NULL, y REAL NOT NULL,

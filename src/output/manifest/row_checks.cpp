@@ -17,7 +17,8 @@ struct Query {
 
 constexpr Query kQueries[] = {
     {"scene: not as many rows in scene_object as there are objects",
-     "SELECT 'scene ' || \"index\" FROM scene s WHERE state <> 'begun' AND (SELECT count(*) FROM "
+     "SELECT 'scene ' || \"index\" FROM scene s WHERE state IN ('written', 'complete') AND (SELECT "
+     "count(*) FROM "
      "scene_object WHERE scene = s.\"index\") <> (SELECT count(*) FROM object)"},
     {"scene: instants that do not follow from index and number of cameras",
      "SELECT 'scene ' || \"index\" FROM scene WHERE instant <> \"index\" / (SELECT max(1, "

@@ -43,6 +43,9 @@ struct ObjectFacts {
   /// Intersection over union of its visible mask by background subtraction with the exact one.
   std::optional<double> mask_agreement = {};
 
+  /// How well its outline meets the edges of a recorded picture, 0 .. 1 (label::Alignment).
+  std::optional<double> alignment = {};
+
   Cuboid cuboid_O = {};
   std::vector<Eigen::Vector3d> bounding_shape_O = {};
   std::vector<KeypointFacts> keypoints = {};
@@ -90,6 +93,7 @@ struct SceneFacts {
   std::vector<ContactFacts> contacts = {};
   std::vector<DrawFacts> draws = {};
   std::vector<Warning> warnings = {};
+  std::optional<double> alignment = {};  ///< that of all outlines together
 
   std::optional<CameraModel> camera_model = {};
   std::map<std::string, Pose> frames = {};        ///< X_GF of frames that writers ask for

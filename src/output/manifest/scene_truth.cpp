@@ -74,7 +74,17 @@ TruthInserter::TruthInserter(const SqliteDatabase& database)
       picture_(database, "INSERT INTO scene_picture VALUES (?, ?, ?, ?)"),
       link_map_(database, "INSERT INTO scene_link_map VALUES (?, ?, ?, ?)"),
       shape_(database, "INSERT INTO scene_shape VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      keypoint_(database, "INSERT INTO scene_keypoint VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)") {}
+      keypoint_(database, "INSERT INTO scene_keypoint VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      alignment_(database, "INSERT INTO scene_alignment VALUES (?, ?)"),
+      object_alignment_(database, "INSERT INTO object_alignment VALUES (?, ?, ?)") {}
+
+void TruthInserter::insertAlignment(const SceneFacts& scene) {
+  if (scene.alignment) alignment_.run(scene.index, *scene.alignment);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const std::optional<double>& of_object = scene.objects[i].alignment;
+    if (of_object) object_alignment_.run(scene.index, signedIndex(i), *of_object);
+  }
+}
 
 void TruthInserter::insert(const SceneFacts& scene, const std::vector<PictureFacts>& pictures) {
   if (scene.camera_model) {
@@ -100,6 +110,7 @@ void TruthInserter::insert(const SceneFacts& scene, const std::vector<PictureFac
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     insertObject(scene.index, signedIndex(i), scene.objects[i]);
   }
+  insertAlignment(scene);
 }
 
 void TruthInserter::insertObject(std::int64_t scene, std::int64_t object,

@@ -60,12 +60,20 @@ const char* const kTruthTables = R"sql(
     object INTEGER NOT NULL REFERENCES object ("index"), sequence INTEGER NOT NULL,
     x REAL NOT NULL, y REAL NOT NULL, z REAL NOT NULL, u REAL, v REAL, state TEXT,
     PRIMARY KEY (scene, object, sequence)) WITHOUT ROWID;
+  CREATE TABLE scene_alignment (
+    scene INTEGER PRIMARY KEY REFERENCES scene ("index"), alignment REAL NOT NULL,
+    CONSTRAINT "alignments that are not 0 to 1" CHECK (alignment BETWEEN 0 AND 1));
+  CREATE TABLE object_alignment (
+    scene INTEGER NOT NULL REFERENCES scene ("index"),
+    object INTEGER NOT NULL REFERENCES object ("index"), alignment REAL NOT NULL,
+    PRIMARY KEY (scene, object),
+    CONSTRAINT "alignments that are not 0 to 1" CHECK (alignment BETWEEN 0 AND 1)) WITHOUT ROWID;
 )sql";
 
 const std::vector<std::string>& truthTablesOfScenes() {
-  static const std::vector<std::string> kTables = {"scene_camera",  "scene_frame",
-                                                   "scene_picture", "scene_link_map",
-                                                   "scene_shape",   "scene_keypoint"};
+  static const std::vector<std::string> kTables = {
+      "scene_camera", "scene_frame",    "scene_picture",   "scene_link_map",
+      "scene_shape",  "scene_keypoint", "scene_alignment", "object_alignment"};
   return kTables;
 }
 

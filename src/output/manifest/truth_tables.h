@@ -28,6 +28,9 @@ class TruthInserter {
 
   void insert(const SceneFacts& scene, const std::vector<PictureFacts>& pictures);
 
+  /// How well labels meet the recorded picture, and nothing else.
+  void insertAlignment(const SceneFacts& scene);
+
  private:
   void insertObject(std::int64_t scene, std::int64_t object, const ObjectFacts& facts);
 
@@ -37,6 +40,8 @@ class TruthInserter {
   SqliteStatement link_map_;
   SqliteStatement shape_;
   SqliteStatement keypoint_;
+  SqliteStatement alignment_;
+  SqliteStatement object_alignment_;
 };
 
 /// Adds to a run's description what its manifest knows of it.

@@ -211,7 +211,7 @@ class MotionBuilder {
       if (rig->sampled && isTaken(rig->frame, camera)) continue;
       if (rig->sampled) rig->followed = placeSomewhere(rig->frame);
       if (rig->looks_at) rig->looks_at->centres_O = middlesOf(rig->looks_at->object);
-      checkShutter(camera, *rig);
+      if (!config().isTwin()) checkShutter(camera, *rig);
       noteBlindLens(camera, *rig);
       noteFarAxis(camera, *rig);
       setup_.cameras.push_back(std::move(*rig));
@@ -236,8 +236,26 @@ class MotionBuilder {
 
   void checkPictures() {
     if (!setup_.pictures) return;
+    checkOpenTimes();
     found().add(base::Severity::kError,
                 setup_.pictures->problems(setup_.timeline.stamps, setup_.cameras));
+  }
+
+  /// As checkShutter, of pictures that are drawn at the times of recorded ones.
+  void checkOpenTimes() {
+    Duration shortest = Duration::max();
+    const std::vector<Stamp>& stamps = setup_.timeline.stamps;
+    for (std::size_t i = 1; i < stamps.size(); ++i) {
+      shortest = std::min(shortest, stamps[i] - stamps[i - 1]);
+    }
+    for (std::size_t i = 0; i < setup_.cameras.size(); ++i) {
+      const Duration open = scene::openTime(setup_.cameras[i].shutter);
+      if (open <= shortest) continue;
+      found().error(config().cameras[i].group + "/effects",
+                    "found exposure_time + readout_time of " + fixed(toSeconds(open), 4) +
+                        " s; it should be at most the " + fixed(toSeconds(shortest), 4) +
+                        " s between two recorded pictures");
+    }
   }
 
   /// Of the boxes around an object's variants, in its frame.

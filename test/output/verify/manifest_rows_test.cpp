@@ -86,7 +86,7 @@ const Change kScenes[] = {
     {"ASceneThatIsNotSafe", "UPDATE scene SET state = 'written' WHERE \"index\" = 2",
      "scene: the run is complete, and these are not: 2"},
     {"AStateThatIsNone", "UPDATE scene SET state = 'good' WHERE \"index\" = 2",
-     "scene: states that are none of begun, written, complete: scene 2"},
+     "scene: states that are none of begun, written, complete, left out: scene 2"},
     {"AnInstant", "UPDATE scene SET instant = 7 WHERE \"index\" = 2",
      "scene: instants that do not follow from index and number of cameras: scene 2"},
     {"AnUnknownCamera", "UPDATE scene SET camera = 'rear'",

@@ -1,0 +1,63 @@
+/// The tool `align`: finds how a camera's clock and frame differ from those of TF.
+///
+///   rosrun synthetic_dataset align FILE [NAME:=VALUE ...]
+///
+/// Exit code 0 with settings on the standard output, 3 where the recording does not tell, 1 for a
+/// failure.
+
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "programs/align/align_report.h"
+#include "programs/console/command_line.h"
+#include "programs/console/console_reporter.h"
+#include "programs/console/heap.h"
+#include "programs/console/settings_source.h"
+#include "programs/console/tool.h"
+#include "run/align/aligner.h"
+#include "synthetic_dataset/errors.h"
+
+namespace {
+
+constexpr const char* kUsage = R"(usage: align FILE [NAME:=VALUE ...]
+
+Finds how a camera's clock and frame differ from those of TF, from 60 of its recorded
+pictures. FILE has the settings of a run with `camera/image_topic` (docs/twin.md). Prints
+the settings camera/time_offset and camera/correction, with their standard deviations.
+
+  --help  prints this
+
+  align settings.yaml > aligned.yaml
+
+Exit codes: 0 settings are found, 3 the recording does not tell, 1 a failure.
+)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace synthetic_dataset;
+  constexpr int kDoesNotTell = 3;
+  constexpr std::size_t kScenes = 60;
+  heap::prepare();
+  programs::CommandLine line;
+  try {
+    line = programs::parseCheckLine({argv + 1, argv + argc});
+    if (line.out) throw Error("found --out; align writes no files");
+  } catch (const std::exception& error) {
+    std::cerr << "align: " << error.what() << '\n' << kUsage;
+    return 1;
+  }
+  if (line.wants_help) {
+    std::cout << kUsage;
+    return 0;
+  }
+  return programs::reportingErrors("align", [&] {
+    run::Reporter silent;
+    const run::CameraAlignment found =
+        run::alignCamera(programs::settingsOf(line), kScenes, silent);
+    for (const std::string& text : programs::alignmentLines(found)) std::cout << text << '\n';
+    return programs::isFound(found) ? 0 : kDoesNotTell;
+  });
+}

@@ -1,0 +1,204 @@
+#include "run/align/aligner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "base/seconds.h"
+#include "config/motion_list.h"
+#include "label/alignment.h"
+#include "run/align/camera_fit.h"
+#include "run/motion_run.h"
+#include "run/scene_pipeline.h"
+#include "run/scene_sink.h"
+#include "run/setup/motion_setup.h"
+#include "run/setup/scene_plan.h"
+#include "run/setup/split_plan.h"
+#include "run/work_plan.h"
+#include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+/// A second scene follows each so much later, so that its optical flow tells how all moves.
+constexpr Duration kProbe = std::chrono::milliseconds(5);
+constexpr double kVagueTime = 0.01;  // [s] a larger standard deviation tells nothing
+constexpr int kMostRounds = 12;
+constexpr double kNearest = 4.0;  // [px] edges are looked for in the last rounds
+
+/// What is seen of all scenes.
+struct SeenEdges {
+  std::vector<std::vector<OutlineEdge>> edges;  ///< of each scene
+  label::Alignment alignment;
+};
+
+/// Takes the edges of each scene, but for the probes behind them.
+class EdgeSink : public SceneSink {
+ public:
+  EdgeSink(double reach, Pose X_FC) : reach_(reach), X_FC_(std::move(X_FC)) {}
+
+  [[nodiscard]] Requirements requirements() const override {
+    Requirements all;
+    all.visible_masks = all.depth = all.optical_flow = true;
+    return all;
+  }
+  void begin(const DatasetInfo& /*dataset*/) override {}
+  [[nodiscard]] bool wants(std::int64_t /*scene*/) const override { return true; }
+  void finish(RunEnd /*end*/) override {}
+
+  [[nodiscard]] std::vector<output::Warning> add(const FinishedScene& finished) override {
+    const Scene& scene = finished.scene;
+    if (last_ && scene.stamp - last_->stamp == kProbe) {
+      seen_.edges.push_back(findEdges(*last_, {reach_, X_FC_, toSeconds(kProbe)}));
+      for (const label::Alignment& each : label::alignmentsOf(*last_, last_->image)) {
+        seen_.alignment += each;
+      }
+      last_.reset();
+    } else {
+      last_ = scene;
+    }
+    return {};
+  }
+
+  [[nodiscard]] const SeenEdges& seen() const { return seen_; }
+
+ private:
+  SeenEdges seen_;
+  double reach_;
+  Pose X_FC_;
+  std::optional<Scene> last_;
+};
+
+MotionSetup setUp(const Value& parameters, Reporter& reporter) {
+  config::MotionList list = config::readMotions(parameters);
+  if (!list.errors.empty()) throw ErrorList(list.errors);
+  if (list.entries.size() > 1) {
+    throw ErrorList({"motions: found " + std::to_string(list.entries.size()) +
+                     "; align takes the settings of one recording"});
+  }
+  const base::OnStage on_stage = [&](const std::string& stage) { reporter.stage(stage); };
+  WorldCache worlds(on_stage);
+  Parameters root(list.entries.front().settings);
+  config::Config config = config::readConfig(root);
+  base::Diagnostics found;
+  found.add(base::Severity::kError, root.errors());
+  if (config.cameras.size() > 1) {
+    found.error("cameras", "found " + std::to_string(config.cameras.size()) +
+                               "; align takes the settings of one camera");
+  }
+  if (!config.isTwin()) {
+    found.error("camera/image_topic", "is missing; it names the pictures that are aligned");
+  }
+  found.throwIfAny();
+  MotionSetup setup = setUpMotion(list.entries.front(), std::move(config), worlds, on_stage);
+  setup.found.throwIfAny();
+  return setup;
+}
+
+/// So many of a list, evenly spread.
+std::vector<Stamp> spread(const std::vector<Stamp>& all, std::size_t count) {
+  std::vector<Stamp> some;
+  const std::size_t taken = std::min(count, all.size());
+  for (std::size_t i = 0; i < taken; ++i) some.push_back(all[i * all.size() / taken]);
+  return some;
+}
+
+class Aligner {
+ public:
+  Aligner(MotionSetup setup, std::size_t scene_count)
+      : setup_(std::move(setup)),
+        stamps_(spread(setup_.timeline.stamps, scene_count)),
+        X_FD_(rig().X_FD.value_or(Pose::Identity())),
+        time_offset_(setup_.config.cameras.front().time_offset) {
+    setup_.config.twin.min_alignment = 0.0;
+    setup_.config.twin.output = scene::TwinOutput::kReal;
+  }
+
+  CameraAlignment run(Reporter& reporter) {
+    CameraAlignment found;
+    constexpr double kShrink = 0.5;
+    constexpr std::size_t kFew = 3;  // a third of the scenes is enough far from the end
+    double reach = std::max(12.0, rig().model.width() / 16.0);
+    for (int round = 0; round < kMostRounds; ++round) {
+      const bool is_near = reach <= kNearest;
+      const SeenEdges seen = look(reach, round == 0 || reach <= 2.0 * kNearest ? 1 : kFew);
+      if (round == 0) found.before = seen.alignment.score();
+      if (reporter.stopRequested()) throw Error("stopped");
+      CameraFit fit = fitCamera(seen.edges, reach, true);
+      found.knows_time = fit.stddev[6] <= kVagueTime;
+      if (!found.knows_time) fit = fitCamera(seen.edges, reach, false);
+      found.stddev = fit.stddev;
+      found.scenes = seen.edges.size();
+      move(fit.change);
+      reporter.progress(round + 1, kMostRounds);
+      // What is left is a fifth of what is known.
+      const bool is_still =
+          (fit.change.cwiseAbs().array() <= 0.2 * fit.stddev.array() + 1e-9).all();
+      if (is_near && is_still) break;
+      reach = std::max(kNearest, kShrink * reach);
+    }
+    found.after = look(kNearest, 1).alignment.score();
+    found.time_offset = time_offset_;
+    found.X_FD = X_FD_;
+    return found;
+  }
+
+ private:
+  [[nodiscard]] scene::CameraRig& rig() { return setup_.cameras.front(); }
+
+  /// Draws scenes with camera and time as they are now.
+  /// @param every  all, or every n-th
+  SeenEdges look(double reach, std::size_t every) {
+    std::vector<Stamp> times;
+    for (std::size_t i = 0; i < stamps_.size(); i += every) {
+      times.push_back(stamps_[i] + moved_);
+      times.push_back(stamps_[i] + moved_ + kProbe);
+    }
+    setup_.timeline = planScenes(*setup_.frames, setup_.config, setup_.cameras, setup_.driven_links,
+                                 std::move(times));
+    rig().X_FD = X_FD_;
+    setup_.world->restart();
+    const std::int64_t count = setup_.instantCount();
+    const SplitPlan no_splits({}, 0, {{count, std::nullopt, {}}});
+    const Pose X_FC = rig().optical_frame == rig().frame ? Pose::Identity() : rig().X_FC;
+    EdgeSink sink(reach, X_FC);
+    Reporter silent;
+    MotionRun run(setup_, no_splits, sink.requirements());
+    ScenePipeline pipeline(sink, silent, count);
+    (void)run.run({count, 1, [](std::int64_t /*scene*/) { return true; }}, pipeline, silent);
+    pipeline.finish();
+    return sink.seen();
+  }
+
+  void move(const AlignmentVector& change) {
+    const Eigen::Vector3d turn = change.segment<3>(3);
+    const double angle = turn.norm();
+    constexpr double kNoTurn = 1e-12;  // [rad]
+    const Eigen::Quaterniond rotation(
+        Eigen::AngleAxisd(angle, angle > kNoTurn ? Eigen::Vector3d(turn / angle)
+                                                 : Eigen::Vector3d(Eigen::Vector3d::UnitX())));
+    X_FD_ = X_FD_ * makePose(change.head<3>(), rotation);
+    const Duration later = base::fromSeconds(change[6]);
+    moved_ += later;
+    time_offset_ += later;
+    setup_.pictures->shift(later);
+  }
+
+  MotionSetup setup_;
+  std::vector<Stamp> stamps_;  ///< of the scenes, with the offset that was set
+  Pose X_FD_;
+  Duration time_offset_;
+  Duration moved_{0};  ///< of time_offset_, since then
+};
+
+}  // namespace
+
+CameraAlignment alignCamera(const Value& parameters, std::size_t scene_count, Reporter& reporter) {
+  return Aligner(setUp(parameters, reporter), scene_count).run(reporter);
+}
+
+}  // namespace synthetic_dataset::run

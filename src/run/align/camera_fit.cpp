@@ -1,0 +1,87 @@
+#include "run/align/camera_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace synthetic_dataset::run {
+namespace {
+
+using Matrix7 = Eigen::Matrix<double, 7, 7>;
+
+constexpr double kAlike = 20.0;  // edges that say the same, as neighbours of an outline do
+constexpr int kReweightings = 10;
+
+/// What is known without any edge: nobody needs more.
+AlignmentVector farthest() {
+  constexpr double kShift = 0.5;  // [m]
+  constexpr double kTurn = 0.2;   // [rad]
+  constexpr double kTime = 1.0;   // [s]
+  AlignmentVector change;
+  change << kShift, kShift, kShift, kTurn, kTurn, kTurn, kTime;
+  return change;
+}
+
+/// Weighted sums over edges.
+struct Normal {
+  Matrix7 matrix = Matrix7::Zero();
+  AlignmentVector vector = AlignmentVector::Zero();
+
+  void add(const AlignmentVector& change, double distance, double weight) {
+    matrix += weight * change * change.transpose();
+    vector += weight * distance * change;
+  }
+};
+
+/// Of an edge that is so far from the outline after the change.
+double weightOf(double rest, double scale) {
+  const double share = 1.0 + rest * rest / (scale * scale);
+  return 1.0 / (share * share);
+}
+
+AlignmentVector usedChange(const OutlineEdge& edge, bool may_move_time) {
+  AlignmentVector change = edge.change;
+  if (!may_move_time) change[6] = 0.0;
+  return change;
+}
+
+}  // namespace
+
+CameraFit fitCamera(const std::vector<std::vector<OutlineEdge>>& scenes, double reach,
+                    bool may_move_time) {
+  const Matrix7 prior =
+      AlignmentVector(farthest().cwiseAbs2().cwiseInverse() * kAlike).asDiagonal();
+  CameraFit fit;
+  Matrix7 inverse = Matrix7::Zero();
+  double scale = reach;
+  const double finest = std::max(1.0, reach / 8.0);
+  for (int i = 0; i < kReweightings; ++i, scale = std::max(finest, 0.7 * scale)) {
+    Normal normal;
+    normal.matrix = prior;
+    for (const auto& edges : scenes) {
+      for (const OutlineEdge& edge : edges) {
+        const AlignmentVector change = usedChange(edge, may_move_time);
+        const double rest = edge.distance - change.dot(fit.change);
+        normal.add(change, edge.distance, weightOf(rest, scale));
+      }
+    }
+    inverse = normal.matrix.ldlt().solve(Matrix7::Identity());
+    fit.change = inverse * normal.vector;
+  }
+  Matrix7 spread = Matrix7::Zero();
+  for (const auto& edges : scenes) {
+    AlignmentVector pull = AlignmentVector::Zero();
+    for (const OutlineEdge& edge : edges) {
+      const AlignmentVector change = usedChange(edge, may_move_time);
+      const double rest = edge.distance - change.dot(fit.change);
+      pull += weightOf(rest, scale) * rest * change;
+    }
+    spread += pull * pull.transpose();
+  }
+  const Matrix7 robust = inverse * spread * inverse;
+  fit.stddev = robust.diagonal().cwiseMax(kAlike * inverse.diagonal()).cwiseMax(0.0).cwiseSqrt();
+  return fit;
+}
+
+}  // namespace synthetic_dataset::run
