@@ -208,8 +208,8 @@ TEST_F(CamerasTest, ACameraIsAimedAtAPointOrByAngles) {
 TEST_F(CamerasTest, ALookAtAnObjectThatIsNotThereIsRefused) {
   aim({{"position", vector(-3.0, 0.2, 0.5)}, {"look_at", Value("alpa")}});
   EXPECT_THAT(errors(), Contains(HasSubstr("camera/pose/look_at: found 'alpa'; it should be an "
-                                           "object of robot_list or a point [x, y, z]; did you "
-                                           "mean 'alpha'?")));
+                                           "object of robot_list (alpha, bravo) or a point "
+                                           "[x, y, z]; did you mean 'alpha'?")));
 }
 
 TEST_F(CamerasTest, AListOfCamerasIsRefused) {

@@ -75,6 +75,10 @@ Value with(const DocumentedSetting& setting, const std::string& mode) {
     if (*part == "background" && tree.is<Value::Map>()) {
       group.at(*part).as<Value::Map>()->emplace("pictures", Value("pictures"));
     }
+    if (*part == "depth_noise" && tree.is<Value::Map>()) {
+      group.at(*part).as<Value::Map>()->emplace(
+          "model", Value(mode == "map" ? "stereo" : "structured_light"));
+    }
     if (*part == "distractors") group.at(*part).as<Value::Map>()->emplace("mode", Value("drop"));
     tree = Value(group);
   }
@@ -84,7 +88,8 @@ Value with(const DocumentedSetting& setting, const std::string& mode) {
   return tree;
 }
 
-/// Whether anybody reads a setting, in one way at least in which scenes are placed.
+/// Whether anybody reads a setting, in one way at least in which scenes are placed and depth
+/// is measured.
 bool isRead(const DocumentedSetting& setting) {
   for (const std::string mode : {"map", "volume", "drop"}) {
     Parameters root(with(setting, mode));
