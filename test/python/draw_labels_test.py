@@ -83,7 +83,7 @@ class DrawLabels(DatasetCase):
     def test_explains_itself(self):
         code, text = run('draw_labels', '--help')
         self.assertEqual(code, 0)
-        for option in ('--all', '--video', '--rate', 'example: rosrun'):
+        for option in ('--all', '--video', '--rate', 'draw_labels --video run.mp4'):
             self.assertIn(option, text)
         for wrong in ([], ['--al', 'a', 'b'], ['a'], ['--all', 'a']):
             code, text = run('draw_labels', *wrong)
