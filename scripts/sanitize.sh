@@ -17,9 +17,9 @@ threaded=(test_output)
 # Thousands of runs of readers that other tests run too, and comparisons by brute force: under a
 # sanitizer they take half of the time and show nothing that the others do not.
 export GTEST_FILTER='-*TamperedValues*:ShadowRaster.HasTheLeastDepth*:*LensRendering.MarkersLie*'
-# test_render takes longest, so it starts first.
-mapfile -t every < <(echo test_render; grep -rhoP '^synthetic_dataset_test\(\K\w+' "$repository/test" \
-  --include=CMakeLists.txt | sed 's/^/test_/' | sort | grep -vx test_render)
+# These two take longest, so they start first.
+mapfile -t every < <(printf "%s\n" test_render test_run; grep -rhoP '^synthetic_dataset_test\(\K\w+' "$repository/test" \
+  --include=CMakeLists.txt | sed 's/^/test_/' | sort | grep -vxE 'test_(render|run)')
 
 "$here/install_dependencies.sh" clang libclang-rt-14-dev llvm-14
 # What users' machines have in these must not change the result.
