@@ -110,7 +110,7 @@ class Samples {
   Chain annotations_;
 };
 
-/// What of a sample's annotation stands in two tables.
+/// What `sample_annotation` and `image_annotations` both have of an object in a sample.
 Json annotationOf(const Sample& sample, std::int64_t object, const Annotation& annotation) {
   return {{"instance_token", token(NuScenesTable::kInstance, sample.first().sequence, object)},
           {"visibility_token", visibilityToken(annotation.visibility)},

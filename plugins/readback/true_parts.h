@@ -9,7 +9,8 @@
 #include "synthetic_dataset/box.h"
 #include "synthetic_dataset/label_writer.h"
 
-/// What the truth says of classes of the world and of parts of objects.
+/// What the truth says of classes of the world and of parts of objects. On purpose not by what the
+/// writers use (shared/seen_parts.h), which `verify` checks.
 namespace synthetic_dataset::formats {
 
 /// What is seen of one of an object's parts.

@@ -32,8 +32,8 @@ void checkCameras(Parameters& root, const scene::SceneOptions& scenes, scene::Tw
 /// What is in the picture is what was there.
 void checkRandomization(Parameters& root, const randomize::Randomization& randomization) {
   const std::string reason =
-      "found together with image_topic; recorded pictures show what was there. Where the other "
-      "motions of a list need it, it should stand in them";
+      "found together with image_topic; recorded pictures show what was there. In a list of "
+      "motions, give it to the others alone";
   Parameters group = root.group("randomize");
   if (!randomization.objects.empty()) group.addError("objects", reason);
   if (randomization.distractors) group.addError("distractors", reason);

@@ -65,7 +65,7 @@ PictureHead headOf(Stamp stamp, const RecordedPicture& picture, const std::strin
   return head;
 }
 
-/// Pictures of two times that both are "12.3 s" cannot be told apart.
+/// Refuses stamps that go back, as then two pictures of different moments may have the same stamp.
 void checkOrder(std::vector<FoundPicture>& found) {
   constexpr Duration kLate = std::chrono::seconds(1);  // what only came late
   std::stable_sort(found.begin(), found.end(), [](const FoundPicture& a, const FoundPicture& b) {

@@ -257,7 +257,7 @@ Pose sourcePose(const CameraRig& camera, const world::World& world,
     return randomize::lookingAt(position_G, target_G, 0.0);
   }
   throw Error("camera " + camera.name + ": at " + fixed(toSeconds(instant + offset), 3) +
-              " s it stands in the middle of what it looks at (pose/look_at)");
+              " s it is in the middle of what it looks at (pose/look_at)");
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ struct OutlineSearch {
 };
 
 /// The edges of a scene's picture along the outlines of its objects: of each point the strongest,
-/// rather a near one. Points without an edge that stands out are left out, and so are outlines of
-/// what stands in front.
+/// rather a near one. Points without a clear edge are left out, and so are those where something
+/// else hides the object.
 /// @param scene  with its recorded image, visible masks, depth and optical flow
 [[nodiscard]] std::vector<OutlineEdge> findEdges(const Scene& scene, const OutlineSearch& search);
 

@@ -60,8 +60,8 @@ void lookBelow(const Standing& standing, const NamedRays& rays, std::size_t mome
   below.without_ground.push_back(moment);
 }
 
-/// Whether something upright stands in the middle part of an object, from where it reaches aside as
-/// far as its narrower side.
+/// Looks for walls inside of an object: sideways from its middle, as far as half of its narrower
+/// side.
 void lookAround(const Cuboid& box_O, const Pose& X_GO, const NamedRays& rays, std::size_t moment,
                 Below& below) {
   constexpr int kDirections = 8;

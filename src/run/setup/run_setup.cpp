@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "config/motion_list.h"
-#include "label/pixel_labeller.h"
 #include "run/check/motion_checks.h"
 #include "run/setup/dataset_description.h"
 #include "run/setup/motion_errors.h"
@@ -17,6 +16,7 @@
 #include "run/setup/run_record.h"
 #include "run/setup/scene_plan.h"
 #include "run/setup/scene_shares.h"
+#include "run/setup/setup_notes.h"
 #include "run/setup/split_gap.h"
 
 namespace synthetic_dataset::run {
@@ -52,10 +52,7 @@ class Builder {
     leaveOutSplitGaps();
     if (countInstants() < told_count) replan();
     checkOnlyScenes();
-    if (setup_.splits) noteEmptySplits();
-    noteSubtraction();
-    noteUnseen();
-    noteUnusedDepthNoise();
+    noteWhatMaySurprise(setup_);
     const std::vector<std::string> unused = unusedSettings(list_.entries, roots_);
     passOverFormats();
     throwErrors();
@@ -266,44 +263,6 @@ class Builder {
     if (!setup_.splits) return;  // reported already
     planSplits();
     if (setup_.writers && writer_errors_.empty()) loadWriters();
-  }
-
-  /// When it is known how many scenes there are.
-  void noteEmptySplits() {
-    if (setup_.instantCount() == 0) return;
-    for (const SplitInfo& split : setup_.splits->splits(config().cameras.size())) {
-      if (split.scene_count == 0) found().warning("split/" + split.name, "no scene falls into it");
-    }
-  }
-
-  /// Users of nn_data_collection's settings may not know that there are exact masks.
-  void noteSubtraction() {
-    const label::MaskOptions& masks = config().masks;
-    if (masks.method == label::MaskMethod::kExact || masks.method_is_given) return;
-    if (!setup_.writers || !setup_.writers->requirements().visible_masks) return;
-    found().warning("",
-                    "masks are found by background subtraction since background_subtractor is set; "
-                    "masks/method: exact gives exact ones");
-  }
-
-  /// Noise of a picture that no format of this run has is a mistake.
-  void noteUnusedDepthNoise() {
-    if (!setup_.writers || setup_.writers->requirements().depth) return;
-    for (const scene::CameraOptions& camera : config().cameras) {
-      if (camera.depth_noise.model == render::DepthModel::kExact) continue;
-      found().warning(camera.group + "/depth_noise",
-                      "no format of this run writes depth, so it has no effect");
-    }
-  }
-
-  /// What hides an object is found by those writers alone that ask for it.
-  void noteUnseen() {
-    if (!setup_.writers) return;
-    if (label::looksAtPixels(setup_.writers->requirements(), config().masks, config().labels))
-      return;
-    found().note("",
-                 "no writer of this run asks which pixels show an object: one that something hides "
-                 "is labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
   }
 
   void throwErrors() {

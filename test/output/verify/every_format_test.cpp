@@ -2,6 +2,7 @@
 
 #include "output/verify/verification_fixture.h"
 #include "plugins/format_cases.h"
+#include "support/error_messages.h"
 
 namespace synthetic_dataset::output {
 namespace every_format_test {
@@ -111,9 +112,16 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithClassesOfTheWorldAndParts) {
 }
 
 TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoMotions) {
-  if (GetParam().type == "RosBag") GTEST_SKIP() << "a bag has one time line";
   dataset_.motions = {{"walk", 0, 2, 10.0}, {"still", 2, 1, 0.0}};
-  write({sceneOfBoth(0), sceneOfBoth(1), sceneOfBoth(2)}, GetParam().parameters);
+  const auto writeAll = [this] {
+    write({sceneOfBoth(0), sceneOfBoth(1), sceneOfBoth(2)}, GetParam().parameters);
+  };
+  if (GetParam().type == "RosBag") {
+    EXPECT_THAT(test::messagesOf(writeAll),
+                testing::Contains(testing::HasSubstr("a bag has one time line")));
+    return;
+  }
+  writeAll();
   EXPECT_THAT(problems(), IsEmpty());
 }
 

@@ -1,0 +1,55 @@
+#include "run/setup/setup_notes.h"
+
+#include "label/pixel_labeller.h"
+
+namespace synthetic_dataset::run {
+namespace {
+
+void noteEmptySplits(RunSetup& setup) {
+  if (setup.instantCount() == 0) return;
+  for (const SplitInfo& split : setup.splits->splits(setup.config.cameras.size())) {
+    if (split.scene_count > 0) continue;
+    setup.found.warning("split/" + split.name, "no scene falls into it");
+  }
+}
+
+/// Users of nn_data_collection's settings may not know that there are exact masks.
+void noteSubtraction(RunSetup& setup) {
+  const label::MaskOptions& masks = setup.config.masks;
+  if (masks.method == label::MaskMethod::kExact || masks.method_is_given) return;
+  if (!setup.writers->requirements().visible_masks) return;
+  setup.found.warning("",
+                      "masks are found by background subtraction since background_subtractor is "
+                      "set; masks/method: exact gives exact ones");
+}
+
+/// What hides an object is found by those writers alone that ask for it.
+void noteUnseen(RunSetup& setup) {
+  const config::Config& config = setup.config;
+  if (label::looksAtPixels(setup.writers->requirements(), config.masks, config.labels)) return;
+  setup.found.note("",
+                   "no writer of this run asks which pixels show an object: one that something "
+                   "hides is labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
+}
+
+/// Noise of a picture that no format of this run has is a mistake.
+void noteUnusedDepthNoise(RunSetup& setup) {
+  if (setup.writers->requirements().depth) return;
+  for (const scene::CameraOptions& camera : setup.config.cameras) {
+    if (camera.depth_noise.model == render::DepthModel::kExact) continue;
+    setup.found.warning(camera.group + "/depth_noise",
+                        "no format of this run writes depth, so it has no effect");
+  }
+}
+
+}  // namespace
+
+void noteWhatMaySurprise(RunSetup& setup) {
+  if (setup.splits) noteEmptySplits(setup);
+  if (!setup.writers) return;
+  noteSubtraction(setup);
+  noteUnseen(setup);
+  noteUnusedDepthNoise(setup);
+}
+
+}  // namespace synthetic_dataset::run
