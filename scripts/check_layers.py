@@ -29,8 +29,9 @@ MAY_INCLUDE = {
     'src/output': {API, 'output', 'base', 'plugins'},  # of plugins, what verify reads
     'src/scene': {API, 'scene', 'base', 'motion', 'world', 'randomize', 'render', 'label', 'output'},
     'src/config': {API, 'config', 'base'},  # and the options of all rooms
+    # of plugins, masks as polygons and colours of numbers
     'src/run': {API, 'run', 'base', 'motion', 'world', 'randomize', 'render', 'label', 'scene',
-                'output', 'config'},
+                'output', 'config', 'plugins'},
     'src/programs': {API, 'programs', 'base', 'motion', 'world', 'randomize', 'render', 'output',
                      'config', 'run', 'plugins'},
 }

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "run/check/finding.h"
+#include "run/setup/run_setup.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::run {
+
+/// Something about the settings that the user should know.
+struct LiveProblem {
+  base::Severity severity = base::Severity::kError;
+  std::string about;              ///< a setting's full name, an object, a file; empty: the run
+  std::vector<std::string> path;  ///< of the setting that it is about; empty where it names none
+  std::string found;
+  std::string cure = {};  ///< empty where `found` says it
+};
+
+/// What settings amount to.
+struct LiveSetup {
+  bool ready = false;  ///< whether a run could begin
+  std::vector<LiveProblem> problems;
+
+  // Of a run that could begin:
+  std::vector<Stamp> stamps;         ///< of its instants
+  std::vector<std::string> cameras;  ///< their names
+  std::vector<std::string> objects;
+  std::int64_t scenes = 0;  ///< of all cameras
+  std::vector<SplitInfo> splits;
+  std::string output_folder;
+};
+
+/// @param message  "<setting or file>: <found>; <cure>"
+[[nodiscard]] LiveProblem problemOf(base::Severity severity, const std::string& message);
+
+[[nodiscard]] LiveProblem problemOf(const Finding& finding);
+
+/// What a run that could begin amounts to.
+[[nodiscard]] LiveSetup describeSetup(const RunSetup& setup);
+
+/// What keeps a run from beginning.
+[[nodiscard]] LiveSetup describeErrors(const ErrorList& errors);
+
+/// For programs.
+[[nodiscard]] Value::Map setupValue(const LiveSetup& setup);
+
+/// Severity, about, path, found, cure.
+[[nodiscard]] Value problemValue(const LiveProblem& problem);
+
+}  // namespace synthetic_dataset::run
