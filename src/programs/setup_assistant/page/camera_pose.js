@@ -1,0 +1,121 @@
+// The camera's pose in the settings: which form it has, and how an orbit is written back in that form.
+import {scene} from './scene_loader.js';
+import {effective, objectNames} from './store.js';
+import {currentCamera} from './view_state.js';
+import {rounded} from './fields.js';
+import {
+  add, bodyOfOptical, distance, inFrame, matrixOfQuaternion, matrixOfRpy, opticalOfBody, orbitOf, positionOf,
+  quaternionOfMatrix, rpyOfMatrix,
+} from './pose_math.js';
+
+export function cameraPath(name = currentCamera()) {
+  return effective(['cameras']) === undefined ? ['camera'] : ['cameras', name];
+}
+
+// In docs/cameras.md's order: the first that is given counts.
+export function wayOf(path) {
+  const has = (key) => effective([...path, key]) !== undefined;
+  if (has('sample')) return 'sample';
+  if (has('mounted_on')) return 'mounted_on';
+  if (has('pose')) return 'pose';
+  return has('sensor') && !frameOf(path) ? 'sensor' : 'frame';
+}
+
+export function framePath(path) {
+  return path[0] === 'camera' && effective([...path, 'frame_id']) === undefined ? ['camera_frame_id'] : [...path, 'frame_id'];
+}
+
+function frameOf(path) {
+  return effective([...path, 'frame_id']) ?? (path[0] === 'camera' ? effective(['camera_frame_id']) : undefined);
+}
+
+export function formOf(pose) {
+  if (Array.isArray(pose)) return 'optical';
+  if (pose?.look_at !== undefined) return Array.isArray(pose.look_at) ? 'point' : 'object';
+  return 'rpy';
+}
+
+// Angles in settings may be text, deg(20).
+export function numberOf(value) {
+  if (typeof value === 'number') return value;
+  const degrees = /^deg\((.*)\)$/.exec(String(value ?? '').trim());
+  const number = degrees ? Number(degrees[1]) * Math.PI / 180 : Number(value);
+  return Number.isFinite(number) ? number : 0;
+}
+
+const numbers = (list, count) => Array.from({length: count}, (unused, index) => numberOf(list?.[index]));
+
+// The pose of the picture that is shown, in the frame in which the settings give it, as position and rpy.
+export function shownPose(path) {
+  const pose = scene.value?.camera?.pose;
+  if (!pose) return null;
+  const parent = parentPose(path);
+  let body = bodyOfOptical(matrixOfQuaternion(pose.slice(3)));
+  let position = pose.slice(0, 3);
+  if (parent) {
+    const rows = matrixOfQuaternion(parent.slice(3));
+    const turned = [0, 1, 2].map((row) => [0, 1, 2].map((at) => rows.reduce((sum, each, k) => sum + each[row] * body[k][at], 0)));
+    body = turned;
+    position = inFrame(parent, position);
+  }
+  return {position, rpy: rpyOfMatrix(body)};
+}
+
+// The pose of the object that it is mounted on, in the scene that is shown.
+function parentPose(path) {
+  if (wayOf(path) !== 'mounted_on') return null;
+  const name = String(effective([...path, 'mounted_on']));
+  return scene.value?.labels?.objects?.find((each) => each.name === name)?.pose ?? null;
+}
+
+export function roundedPose({position, rpy}) {
+  return {position: position.map((each) => rounded(each, 3)), rpy: rpy.map((each) => rounded(each, 4))};
+}
+
+// Around what the camera is dragged: what it looks at, else what is in the picture's middle.
+export function orbitOfSettings(path) {
+  const pose = effective([...path, 'pose']);
+  const form = formOf(pose);
+  const seen = shownPose(path);
+  if (form === 'optical' && Array.isArray(pose)) {
+    const body = bodyOfOptical(matrixOfQuaternion(numbers(pose.slice(3), 4)));
+    const position = numbers(pose, 3);
+    return orbitOf(position, rpyOfMatrix(body), lengthAhead(path, position));
+  }
+  const position = pose?.position ? numbers(pose.position, 3) : seen?.position ?? [0, 0, 0];
+  if (form === 'rpy') return orbitOf(position, pose?.rpy ? numbers(pose.rpy, 3) : seen?.rpy ?? [0, 0, 0], lengthAhead(path, position));
+  if (form === 'point') return lookingFrom(position, numbers(pose.look_at, 3));
+  return orbitOf(position, seen?.rpy ?? [0, 0, 0], distanceTo(pose.look_at) ?? lengthAhead(path, position));
+}
+
+function lookingFrom(position, point) {
+  const ahead = add(point, position, -1);
+  const rpy = [0, Math.atan2(-ahead[2], Math.hypot(ahead[0], ahead[1])), Math.atan2(ahead[1], ahead[0])];
+  return {centre: point, rpy, length: Math.max(distance(point, position), 0.05)};
+}
+
+function distanceTo(name) {
+  return scene.value?.labels?.objects?.find((each) => each.name === name)?.distance;
+}
+
+function lengthAhead(path, position) {
+  const target = scene.value?.camera?.target;
+  const parent = parentPose(path);
+  if (target) return Math.max(distance(parent ? inFrame(parent, target) : target, position), 0.2);
+  const nearest = (scene.value?.labels?.objects ?? []).map((each) => each.distance).filter((each) => each > 0);
+  return nearest.length ? Math.min(...nearest) : 3;
+}
+
+// `isPanned`: it no longer looks at the object that it looked at.
+export function poseOfOrbit(orbit, before, isPanned = false) {
+  const {position, rpy} = roundedPose({position: positionOf(orbit), rpy: orbit.rpy});
+  const form = formOf(before);
+  if (form === 'optical') {
+    const quaternion = quaternionOfMatrix(opticalOfBody(matrixOfRpy(orbit.rpy)));
+    return [...position, ...quaternion.map((each) => rounded(each, 6))];
+  }
+  if (form === 'rpy') return {position, rpy};
+  const isObject = form === 'object' && objectNames().includes(String(before.look_at));
+  const look_at = isObject && !isPanned ? before.look_at : orbit.centre.map((each) => rounded(each, 3));
+  return {position, look_at};
+}

@@ -1,0 +1,128 @@
+// Draws the page whenever what the server has said, or what the page shows, has changed.
+import {h, patch} from './dom.js';
+import {answerOutside, changed, redo, start, store, undo, watch} from './store.js';
+import {problemsBelow, allProblems, count as countOf} from './problems.js';
+import {count, fileName} from './numbers.js';
+import {drawStage, redrawBitmap} from './stage.js';
+import {drawYaml} from './yaml_editor.js';
+import {loadAgain} from './scene_loader.js';
+import {show, view} from './view_state.js';
+import {focusField, panes} from './panes.js';
+
+function drawHeader() {
+  const {state} = store;
+  const all = countOf(allProblems());
+  document.title = state ? `${fileName(state.file)} \u2013 Setup assistant` : 'Setup assistant';
+  patch(document.getElementById('header'), [
+    h('h1', {}, 'Setup assistant'),
+    h('span', {class: 'file', title: state?.file}, fileName(state?.file)),
+    h('button', {
+      type: 'button', class: `verdict ${verdictClass(all)}`, onclick: () => goTo('problems'), title: 'To the problems',
+    }, verdict(all)),
+    h('div', {class: 'history'},
+      h('button', {type: 'button', class: 'quiet', disabled: !state?.can_undo, onclick: undo, title: 'Undo (Ctrl+Z)', 'aria-keyshortcuts': 'Control+Z'}, 'Undo'),
+      h('button', {type: 'button', class: 'quiet', disabled: !state?.can_redo, onclick: redo, title: 'Redo (Ctrl+Shift+Z)', 'aria-keyshortcuts': 'Control+Shift+Z'}, 'Redo')),
+  ]);
+}
+
+function verdictClass({error, warning}) {
+  if (store.state?.error || error) return 'error';
+  return warning ? 'warning' : 'fine';
+}
+
+function verdict({error, warning}) {
+  if (!store.setup) return 'reading\u2026';
+  if (store.state?.error) return 'no YAML';
+  if (error) return count(error, 'error');
+  if (warning) return count(warning, 'warning');
+  return store.setup.ready === false ? 'reading\u2026' : 'ready to run';
+}
+
+function drawBanners() {
+  const {state, connection, notice} = store;
+  patch(document.getElementById('banners'), [
+    connection === 'lost' ? h('div', {key: 'lost', class: 'banner'}, 'No answer from setup_assistant. Start it again; this page waits.') : null,
+    connection === 'refused' ? h('div', {key: 'refused', class: 'banner error'}, 'setup_assistant was started anew, with a new token. Open the address that it has printed.') : null,
+    state?.outside ? h('div', {key: 'outside', class: 'banner', role: 'alertdialog', 'aria-label': 'The file was changed'},
+      h('span', {}, `Another program has changed ${fileName(state.file)}.`),
+      h('button', {type: 'button', class: 'primary', onclick: () => answerOutside(true)}, 'Load its text'),
+      h('button', {type: 'button', onclick: () => answerOutside(false)}, 'Keep this page\u2019s')) : null,
+    notice ? h('div', {key: 'notice', class: 'banner error', role: 'alert'},
+      h('span', {}, notice.text),
+      h('button', {type: 'button', class: 'quiet', 'aria-label': 'Close', onclick: () => { store.notice = null; changed(); }}, '\u00d7')) : null,
+  ]);
+}
+
+function drawNav() {
+  patch(document.getElementById('nav'), [h('ul', {}, panes.map((pane) => h('li', {key: pane.id}, navLink(pane))))]);
+}
+
+function navLink(pane) {
+  const isHere = pane.id === view.pane;
+  const counts = pane.id === 'problems' ? countOf(allProblems()) : countOf(pane.paths().flatMap(problemsBelow));
+  const worst = counts.error ? 'error' : counts.warning ? 'warning' : null;
+  const number = counts.error || counts.warning;
+  return h('a', {href: `#${pane.id}`, 'aria-current': isHere ? 'page' : null, class: 'step'},
+    h('span', {class: 'step-title'}, pane.title),
+    h('span', {class: 'step-summary'}, store.state ? pane.summary() : ''),
+    h('span', {class: `badge ${worst ?? ''}`, hidden: !worst, 'aria-label': worst ? count(number, worst) : null}, worst ? number : ''));
+}
+
+function drawPane() {
+  const pane = panes.find((each) => each.id === view.pane) ?? panes[0];
+  document.body.dataset.pane = pane.id;
+  patch(document.getElementById('pane'), [
+    h('div', {key: pane.id, class: 'pane'},
+      h('header', {class: 'pane-head'}, h('h1', {}, pane.title), h('p', {}, pane.text)),
+      store.state && store.setup ? h('div', {class: 'pane-body'}, pane.draw()) : h('p', {class: 'empty'}, 'Reading the settings\u2026')),
+  ]);
+}
+
+watch(() => {
+  drawHeader();
+  drawBanners();
+  drawNav();
+  drawPane();
+  drawStage();
+  redrawBitmap();
+  drawYaml();
+});
+
+let connectionBefore = null;
+watch(() => {
+  if (connectionBefore === 'lost' && store.connection === 'live') loadAgain();
+  connectionBefore = store.connection;
+});
+
+function readAddress() {
+  const [id, ...rest] = decodeURIComponent(location.hash.slice(1)).split(':');
+  const pane = panes.find((each) => each.id === id);
+  if (!pane) return;
+  const isOther = pane.id !== view.pane;
+  show({pane: pane.id});
+  if (isOther) {
+    document.getElementById('pane').scrollTop = 0;
+    document.querySelector('#nav [aria-current]')?.scrollIntoView({block: 'nearest', inline: 'nearest'});
+  }
+  if (rest.length) requestAnimationFrame(() => focusField(rest.join(':')));
+}
+
+function goTo(id) {
+  location.hash = id;
+}
+
+function onKey(event) {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey || !'zy'.includes(event.key.toLowerCase())) return;
+  // A field in which something is typed has an undo of its own.
+  if (document.activeElement?.isEdited) return;
+  event.preventDefault();
+  document.activeElement?.matches?.('input, textarea') && (document.activeElement.isEdited = false);
+  if (event.key.toLowerCase() === 'y' || event.shiftKey) redo();
+  else undo();
+}
+
+addEventListener('hashchange', readAddress);
+addEventListener('keydown', onKey);
+readAddress();
+changed();
+start();

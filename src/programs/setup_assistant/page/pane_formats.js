@@ -1,0 +1,84 @@
+import {h} from './dom.js';
+import {answer, change, effective} from './store.js';
+import {flowField, problemList, textField} from './fields.js';
+import {problemsAt} from './problems.js';
+import {freeName} from './paths.js';
+
+export const formatsPane = {
+  id: 'formats',
+  title: 'Formats',
+  text: 'Each format is written to a folder of its own, all from the same scenes.',
+  paths: () => [['writers'], ...writers().map((each) => [String(each.name)])],
+  summary: () => writers().map((each) => each.name).join(', '),
+  draw,
+};
+
+function writers() {
+  const list = effective(['writers']);
+  return Array.isArray(list) ? list.filter((each) => each && typeof each === 'object') : [];
+}
+
+function draw() {
+  const {value, error} = answer('/api/formats');
+  if (!value) return h('p', {class: 'empty'}, error ?? 'Reading the formats\u2026');
+  const known = new Set(value.formats.map((each) => each.name));
+  const strange = writers().filter((each) => !known.has(each.type));
+  return [
+    h('div', {class: 'field', 'data-path': 'writers'}, problemList(problemsAt(['writers']))),
+    writers().length === 0 ? h('p', {class: 'hint unfolded'}, 'No list of formats is set: bounding_shape, yolo and stvnet are written.') : null,
+    h('ul', {class: 'formats'}, [
+      ...strange.map((each) => h('li', {key: `strange ${each.name}`, class: 'format chosen'}, h('div', {class: 'format-head'}, h('strong', {}, String(each.type)), h('span', {class: 'problems'}, 'is no format of the installed plugins')))),
+      ...value.formats.map(format),
+    ]),
+  ];
+}
+
+function format(each) {
+  const used = writers().filter((writer) => writer.type === each.name);
+  const short = each.name.split('/').pop();
+  const package_ = each.name.includes('/') ? each.name.split('/')[0] : '';
+  return h('li', {key: each.name, class: used.length ? 'format chosen' : 'format'},
+    h('div', {class: 'format-head'},
+      h('label', {class: 'toggle plain'}, h('input', {
+        type: 'checkbox', checked: used.length > 0, onchange: (event) => (event.target.checked ? add(each.name) : remove(each.name)),
+      }), h('strong', {}, short)),
+      package_ && package_ !== 'synthetic_dataset' ? h('span', {class: 'muted'}, package_) : null,
+      h('span', {class: 'format-text'}, each.text ?? '')),
+    used.map((writer) => options(writer, each)));
+}
+
+function add(type) {
+  const name = freeName(snakeCase(type.split('/').pop()), writers().map((each) => each.name));
+  const writer = {name, type};
+  const changes = [[['writers'], [...writers(), writer]]];
+  const needed = {'synthetic_dataset/Yolo': {main_list: 'list.txt', class: 'number'}}[type];
+  if (needed && effective([name]) === undefined) changes.push([[name], needed]);
+  change(changes);
+}
+
+function snakeCase(name) {
+  return name.replace(/([a-z0-9])([A-Z])/g, '$1_$2').toLowerCase();
+}
+
+function remove(type) {
+  const rest = writers().filter((each) => each.type !== type);
+  const names = writers().filter((each) => each.type === type).map((each) => each.name);
+  change([[['writers'], rest.length ? rest : undefined], ...names.filter((each) => effective([each]) !== undefined).map((each) => [[each], undefined])]);
+}
+
+function options(writer, {options: list = []}) {
+  const name = String(writer.name);
+  const isSet = effective([name]) !== undefined;
+  return h('details', {key: name, class: 'options', created: (node) => { node.open = problemsAt([name]).length > 0; }},
+    h('summary', {}, 'Options', isSet ? h('span', {class: 'muted'}, ` ${Object.entries(effective([name])).map(([key, value]) => `${key}: ${value}`).join(', ')}`) : null),
+    h('div', {class: 'field', 'data-path': name},
+      problemList(problemsAt([name])),
+      list.map((each) => field(name, each)),
+      list.length ? null : flowField([name], {label: 'Its settings', hint: 'docs/formats.md has them.'})));
+}
+
+function field(name, {name: option, default: fallback, text}) {
+  const options = {label: option, hint: text, fallback: fallback ?? undefined};
+  const isText = fallback === null || fallback === undefined || typeof fallback === 'string';
+  return isText ? textField([name, option], options) : flowField([name, option], options);
+}

@@ -1,0 +1,59 @@
+import {h} from './dom.js';
+import {changed, checkAll, store} from './store.js';
+import {allProblems, SEVERITIES, sentence} from './problems.js';
+import {keyOf} from './paths.js';
+import {count} from './numbers.js';
+import {goToLine} from './yaml_editor.js';
+
+const checking = {isOn: false};
+
+export const problemsPane = {
+  id: 'problems',
+  title: 'Problems',
+  text: 'What is wrong or odd about these settings. Each entry leads to its field.',
+  paths: () => [],
+  summary: () => (store.state?.error ? 'no YAML' : ''),
+  draw,
+};
+
+function draw() {
+  const {error} = store.state;
+  const problems = allProblems();
+  return [
+    h('p', {class: 'buttons'},
+      h('button', {type: 'button', class: 'primary', disabled: checking.isOn || Boolean(error), onclick: check}, checking.isOn ? 'Checking\u2026' : 'Check with nine scenes'),
+      h('span', {class: 'muted'}, 'Makes scenes all over the run and looks for what is odd about them.')),
+    error ? h('ul', {class: 'problems all'}, h('li', {class: 'error'}, h('span', {class: 'severity'}, 'error'), ' ',
+      h('button', {type: 'button', class: 'link', onclick: () => goToLine(error.line ?? 1)}, `The text is no YAML: line ${error.line}`), ` ${error.message}`)) : null,
+    h('div', {}, SEVERITIES.map((severity) => list(severity, problems.filter((each) => each.severity === severity)))),
+    problems.length || error ? null : h('p', {class: 'empty'}, 'Nothing is wrong.'),
+  ];
+}
+
+async function check() {
+  checking.isOn = true;
+  changed();
+  await checkAll();
+  checking.isOn = false;
+  changed();
+}
+
+function list(severity, problems) {
+  if (!problems.length) return null;
+  return h('section', {class: 'group', key: severity}, h('h2', {}, count(problems.length, severity)),
+    h('ul', {class: 'problems all'}, problems.map((each) => h('li', {class: severity},
+      h('span', {class: 'about'}, link(each)), h('span', {class: 'found'}, sentence(each)), each.cure ? h('span', {class: 'cure'}, each.cure) : null))));
+}
+
+function link(problem) {
+  const pane = problem.path && paneWith(problem.path);
+  if (!pane) return problem.about ?? '';
+  return h('a', {href: `#${pane.id}:${encodeURIComponent(keyOf(problem.path))}`}, problem.about || keyOf(problem.path));
+}
+
+// panes.js imports this file, so it says who has a setting.
+let paneWith = () => null;
+
+export function findPanesBy(find) {
+  paneWith = find;
+}

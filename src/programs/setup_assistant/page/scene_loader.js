@@ -1,0 +1,54 @@
+// The scene under the time slider. One request at a time: what is wanted when it is answered is asked for next, so
+// that dragging shows as many pictures as the server can draw, and the last one always.
+import {get} from './api.js';
+import {changed, store, watch} from './store.js';
+import {currentCamera, currentInstant, view} from './view_state.js';
+
+export const scene = {value: null, bitmap: null, error: null, isLoading: false, count: 0};
+
+// Set while a camera is dragged: smaller pictures, which are drawn faster.
+export const draft = {width: null};
+
+let asked = null;
+let shown = null;
+
+function wanted() {
+  if (!store.state || store.state.error) return null;
+  return JSON.stringify([
+    currentInstant(), currentCamera(), store.state.revision, draft.width, view.layer, store.setup?.ready,
+  ]);
+}
+
+watch(load);
+
+async function load() {
+  const key = wanted();
+  if (asked || key === null || key === shown) return;
+  asked = key;
+  scene.isLoading = true;
+  try {
+    const value = await get('/api/scene', {
+      instant: currentInstant(), camera: currentCamera(), revision: store.state.revision, width: draft.width,
+    });
+    const url = view.layer === 'picture' ? value.picture : value[view.layer] ?? value.picture;
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`The picture cannot be had (${response.status}).`);
+    scene.bitmap?.close();
+    scene.bitmap = await createImageBitmap(await response.blob());
+    Object.assign(scene, {value, error: null, count: scene.count + 1});
+  } catch (error) {
+    scene.error = error.message;
+  }
+  // A newer server has settings of its own; its first answers make another key.
+  shown = key;
+  asked = null;
+  scene.isLoading = wanted() !== shown;
+  changed();
+  load();
+}
+
+// As when the server was away.
+export function loadAgain() {
+  shown = null;
+  load();
+}

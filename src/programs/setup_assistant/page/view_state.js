@@ -1,0 +1,42 @@
+// What this page shows, which is of no file: the pane, the instant, the camera, the labels.
+import {answer, changed, effective, store} from './store.js';
+
+export const view = {
+  pane: 'recording',
+  instant: 0,
+  camera: null,
+  object: null,
+  shown: {boxes: true, masks: false, keypoints: true, cuboids: false, names: true},
+  layer: 'picture',  // or depth, instances
+  isYamlOpen: true,
+};
+
+export function show(changes) {
+  Object.assign(view, changes);
+  changed();
+}
+
+export function cameraNames() {
+  const names = store.setup?.cameras ?? [];
+  return names.length ? names : ['camera'];
+}
+
+export function currentCamera() {
+  return cameraNames().includes(view.camera) ? view.camera : cameraNames()[0];
+}
+
+export function instantCount() {
+  return store.setup?.instants ?? 0;
+}
+
+export function currentInstant() {
+  return Math.max(0, Math.min(view.instant, instantCount() - 1));
+}
+
+// Since the recording's start; undefined with placement, and until it is known.
+export function secondsOf(instant) {
+  if (effective(['motion']) === 'placement') return undefined;
+  const start = answer('/api/recording').value?.start;
+  const stamp = store.setup?.stamps?.[instant];
+  return start === undefined || stamp === undefined ? undefined : stamp - start;
+}
