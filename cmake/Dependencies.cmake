@@ -27,3 +27,9 @@ find_library(FREEIMAGE_LIBRARY freeimage)
 if(NOT FREEIMAGE_INCLUDE_DIR OR NOT FREEIMAGE_LIBRARY)
   message(FATAL_ERROR "FreeImage is needed: apt-get install libfreeimage-dev")
 endif()
+
+# Without it, all but the set-up page is built.
+pkg_check_modules(MICROHTTPD IMPORTED_TARGET libmicrohttpd)
+if(NOT MICROHTTPD_FOUND)
+  message(STATUS "setup_assistant is left out: apt-get install libmicrohttpd-dev")
+endif()

@@ -49,4 +49,4 @@ install_missing \
   libopencv-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev \
   libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev \
   libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev libssl-dev \
-  nlohmann-json3-dev libgtest-dev libgmock-dev "$@"
+  nlohmann-json3-dev libmicrohttpd-dev libgtest-dev libgmock-dev "$@"

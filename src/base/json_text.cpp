@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/printable_text.h"
+
 namespace synthetic_dataset::base {
 namespace {
 
@@ -35,25 +37,40 @@ std::string numberText(double number) {
   return text;
 }
 
-}  // namespace
+enum class Dialect { kYaml, kStrict };
 
-std::string jsonText(const Value& value) {
+std::string textOf(const Value& value, Dialect dialect) {
   if (value.isNull()) return "null";
   if (const auto* flag = value.as<bool>()) return *flag ? "true" : "false";
-  if (const auto* number = value.as<double>()) return numberText(*number);
-  if (const auto* text = value.as<std::string>()) return quoted(*text);
+  if (const auto* number = value.as<double>()) {
+    const std::string text = numberText(*number);
+    return dialect == Dialect::kStrict && !std::isfinite(*number) ? quoted(text) : text;
+  }
+  if (const auto* text = value.as<std::string>()) {
+    return quoted(dialect == Dialect::kStrict ? printable(*text) : *text);
+  }
   std::string result;
   if (const auto* list = value.as<Value::List>()) {
-    for (const Value& entry : *list) result += (result.empty() ? "" : ", ") + jsonText(entry);
+    for (const Value& entry : *list) {
+      result += (result.empty() ? "" : ", ") + textOf(entry, dialect);
+    }
     return "[" + result + "]";
   }
   if (const auto* map = value.as<Value::Map>()) {
     for (const auto& [name, entry] : *map) {
-      result += (result.empty() ? "" : ", ") + quoted(name) + ": " + jsonText(entry);
+      result += (result.empty() ? "" : ", ") +
+                quoted(dialect == Dialect::kStrict ? printable(name) : name) + ": " +
+                textOf(entry, dialect);
     }
     return "{" + result + "}";
   }
   return value.text();
 }
+
+}  // namespace
+
+std::string jsonText(const Value& value) { return textOf(value, Dialect::kYaml); }
+
+std::string strictJsonText(const Value& value) { return textOf(value, Dialect::kStrict); }
 
 }  // namespace synthetic_dataset::base

@@ -1,0 +1,80 @@
+/// The program `setup_assistant`: a page in the browser that sets a run up, and its server.
+///
+///   rosrun synthetic_dataset setup_assistant [FILE] [BAG...] [--folder DIR]...
+///
+/// Serves until SIGINT or SIGTERM; exit code 1 when it cannot begin.
+
+#include <pthread.h>
+
+#include <csignal>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "base/printable_text.h"
+#include "programs/console/heap.h"
+#include "programs/console/stop_signals.h"
+#include "programs/console/tool.h"
+#include "programs/setup_assistant/assistant.h"
+#include "programs/setup_assistant/page_files.h"
+#include "programs/setup_assistant/start_options.h"
+#include "programs/setup_assistant/web/access_check.h"
+#include "programs/setup_assistant/web/http_server.h"
+
+namespace {
+
+using namespace synthetic_dataset;
+
+/// Blocked before there are threads, so that none of them is interrupted.
+sigset_t endingSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+std::string hostIn(const std::string& address) {
+  return address.find(':') == std::string::npos ? address : "[" + address + "]";
+}
+
+int serve(const programs::AssistantOptions& options) {
+  const sigset_t signals = endingSignals();
+  programs::makeSettingsFile(options);
+  programs::HttpServer server(options.address, options.port);
+  const std::string token = programs::makeToken();
+  const programs::AccessCheck access(token, options.address, server.port());
+  programs::Assistant assistant(std::filesystem::absolute(options.file).lexically_normal().string(),
+                                options.folders, programs::PageFiles(options.page_folder));
+  server.serve([&](const programs::HttpRequest& request) {
+    const auto refused = access.answer(request);
+    return refused ? *refused : assistant.answer(request);
+  });
+  std::cout << "http://" << hostIn(options.address) << ":" << server.port() << "/?token=" << token
+            << std::endl;
+  int signal = 0;
+  sigwait(&signals, &signal);
+  assistant.close();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  heap::prepare();
+  base::printUtf8();
+  programs::AssistantOptions options;
+  try {
+    options = programs::parseAssistantLine({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << "setup_assistant: " << error.what() << '\n' << programs::assistantUsage();
+    return 1;
+  }
+  if (options.wants_help) {
+    std::cout << programs::assistantUsage();
+    return 0;
+  }
+  stop_signals::ignoreFailedWriting();
+  return programs::reportingErrors("setup_assistant", [&] { return serve(options); });
+}

@@ -1,0 +1,121 @@
+#include "programs/setup_assistant/assistant.h"
+
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "base/json_text.h"
+#include "programs/setup_assistant/catalogue/format_list.h"
+#include "programs/setup_assistant/catalogue/parameter_list.h"
+#include "programs/setup_assistant/folders/file_browser.h"
+#include "programs/setup_assistant/service/request_body.h"
+
+namespace synthetic_dataset::programs {
+namespace {
+
+const std::string kPagePath = "/page/";
+const std::string kPicturePath = "/api/picture/";
+
+std::set<std::string> wordsBetweenCommas(const std::string& text) {
+  std::set<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, ',');) words.insert(word);
+  return words;
+}
+
+bool startsWith(const std::string& text, const std::string& start) {
+  return text.rfind(start, 0) == 0;
+}
+
+}  // namespace
+
+Assistant::Assistant(const std::string& file, const std::vector<std::string>& folders,
+                     PageFiles page)
+    : allowed_(file, folders), page_(std::move(page)), document_(file, [this] {
+        publish("state", document_.state());
+        live_->refresh();
+      }) {
+  live_ = std::make_unique<LiveService>(document_,
+                                        [this](const Value& setup) { publish("setup", setup); });
+  addDocumentRoutes();
+  addCatalogueRoutes();
+  addLiveRoutes();
+  live_->refresh();
+  ticker_.emplace([this] { document_.look(); });
+}
+
+void Assistant::close() {
+  ticker_.reset();
+  events_.close();
+}
+
+HttpResponse Assistant::answer(const HttpRequest& request) {
+  const auto route = routes_.find(request.method + " " + request.path);
+  if (route != routes_.end()) return route->second(request);
+  if (request.method == "GET" && request.path == "/") return pageFile("index.html");
+  if (request.method == "GET" && startsWith(request.path, kPagePath)) {
+    return pageFile(request.path.substr(kPagePath.size()));
+  }
+  if (request.method == "GET" && startsWith(request.path, kPicturePath)) {
+    return live_->picture(request.path.substr(kPicturePath.size()));
+  }
+  throw HttpError(404, request.method + " " + request.path + ": there is no such request");
+}
+
+void Assistant::addDocumentRoutes() {
+  get("/api/state", [this](const HttpRequest&) { return document_.state(); });
+  post("/api/set", [this](const Value& body) { return document_.set(body); });
+  post("/api/text", [this](const Value& body) { return document_.type(body); });
+  post("/api/undo", [this](const Value&) { return document_.undo(); });
+  post("/api/redo", [this](const Value&) { return document_.redo(); });
+  post("/api/outside", [this](const Value& body) { return document_.decideOutside(body); });
+  routes_["GET /api/events"] = [this](const HttpRequest&) {
+    HttpResponse response;
+    response.type = "text/event-stream";
+    response.events = events_.subscribe();
+    response.events->push("state", base::strictJsonText(document_.state()));
+    return response;
+  };
+}
+
+void Assistant::addCatalogueRoutes() {
+  get("/api/parameters", [](const HttpRequest&) { return parameterList(); });
+  get("/api/formats", [](const HttpRequest&) { return formatList(formatsDocument()); });
+  get("/api/files", [this](const HttpRequest& request) {
+    return listFolder(allowed_, request.parameter("folder").value_or(""),
+                      wordsBetweenCommas(request.parameter("kind").value_or("")));
+  });
+}
+
+void Assistant::addLiveRoutes() {
+  get("/api/setup", [this](const HttpRequest&) { return live_->setup(); });
+  get("/api/scene", [this](const HttpRequest& request) { return live_->scene(request); });
+}
+
+void Assistant::get(const std::string& path,
+                    const std::function<Value(const HttpRequest&)>& answer) {
+  routes_["GET " + path] = [answer](const HttpRequest& request) {
+    return jsonResponse(answer(request));
+  };
+}
+
+void Assistant::post(const std::string& path, const std::function<Value(const Value&)>& answer) {
+  routes_["POST " + path] = [answer](const HttpRequest& request) {
+    return jsonResponse(answer(bodyOf(request)));
+  };
+}
+
+void Assistant::publish(const std::string& name, const Value& value) {
+  events_.publish(name, base::strictJsonText(value));
+}
+
+HttpResponse Assistant::pageFile(const std::string& name) const {
+  const auto content = page_.find(name);
+  if (!content) throw HttpError(404, "the page has no file '" + name + "'");
+  HttpResponse response;
+  response.type = mediaTypeOf(name);
+  response.body = *content;
+  return response;
+}
+
+}  // namespace synthetic_dataset::programs

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "programs/console/ticker.h"
+#include "programs/setup_assistant/folders/allowed_folders.h"
+#include "programs/setup_assistant/page_files.h"
+#include "programs/setup_assistant/service/document_service.h"
+#include "programs/setup_assistant/service/live_service.h"
+#include "programs/setup_assistant/web/event_stream.h"
+#include "programs/setup_assistant/web/http_message.h"
+
+namespace synthetic_dataset::programs {
+
+/// What the set-up page asks for, and the answers to it (docs/setup_assistant.md).
+class Assistant {
+ public:
+  /// @param file  of settings, that is there
+  /// @param folders  that the page may look into, too
+  /// @param page  its files
+  Assistant(const std::string& file, const std::vector<std::string>& folders, PageFiles page);
+  ~Assistant() { close(); }
+  Assistant(const Assistant&) = delete;
+  Assistant& operator=(const Assistant&) = delete;
+
+  /// Answers a request that may be made. Called from many threads.
+  /// @throws HttpError, Error where the request is not possible
+  [[nodiscard]] HttpResponse answer(const HttpRequest& request);
+
+  /// Ends all streams of events, so that the server can end.
+  void close();
+
+ private:
+  using Route = std::function<HttpResponse(const HttpRequest& request)>;
+
+  void addDocumentRoutes();
+  void addCatalogueRoutes();
+  void addLiveRoutes();
+  void get(const std::string& path, const std::function<Value(const HttpRequest&)>& answer);
+  void post(const std::string& path, const std::function<Value(const Value& body)>& answer);
+  void publish(const std::string& name, const Value& value);
+  [[nodiscard]] HttpResponse pageFile(const std::string& name) const;
+
+  AllowedFolders allowed_;
+  PageFiles page_;
+  EventHub events_;
+  std::unique_ptr<LiveService> live_;
+  DocumentService document_;
+  std::map<std::string, Route> routes_;  ///< by "GET /api/state"
+  std::optional<Ticker> ticker_;         ///< looks after the file; ends first
+};
+
+}  // namespace synthetic_dataset::programs

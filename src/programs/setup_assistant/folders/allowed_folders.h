@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace synthetic_dataset::programs {
+
+/// The folders of this machine that the page may look into.
+class AllowedFolders {
+ public:
+  /// @param file  of the settings: its folder is the first one
+  /// @param more  named by the user; those of ROS packages and of models are added
+  /// @throws Error where one of `more` is no folder
+  AllowedFolders(const std::filesystem::path& file, const std::vector<std::string>& more);
+
+  /// The roots, without links.
+  [[nodiscard]] const std::vector<std::filesystem::path>& roots() const { return roots_; }
+
+  /// Where the user's files are written.
+  [[nodiscard]] const std::filesystem::path& home() const { return roots_.front(); }
+
+  /// A path with links and `..` resolved.
+  /// @throws HttpError 403 when it lies in none of the folders, also when there is no such file
+  [[nodiscard]] std::filesystem::path resolve(const std::filesystem::path& path) const;
+
+  /// Whether a path without links lies in one of the folders.
+  [[nodiscard]] bool holds(const std::filesystem::path& resolved) const;
+
+ private:
+  void add(const std::string& folder);
+  void addListed(const char* variable);
+
+  std::vector<std::filesystem::path> roots_;
+};
+
+/// Whether a path is a folder's or one below it; both absolute and without links or `..`.
+[[nodiscard]] bool isBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
+
+}  // namespace synthetic_dataset::programs

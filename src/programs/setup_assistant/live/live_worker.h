@@ -1,0 +1,52 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "run/live/live_run.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::programs {
+
+/// The one thread that draws: OpenGL belongs to it. Of requests of a kind that wait, the latest one
+/// wins.
+class LiveWorker {
+ public:
+  using Job = std::function<Value(run::LiveRun& live)>;
+
+  LiveWorker();
+
+  /// Requests that wait still are refused.
+  ~LiveWorker();
+  LiveWorker(const LiveWorker&) = delete;
+  LiveWorker& operator=(const LiveWorker&) = delete;
+
+  /// Does a job in that thread.
+  /// @param kind  a job of the same kind that waits is refused
+  /// @return what the job returns or throws; HttpError 409 when a later one has taken its turn
+  [[nodiscard]] std::future<Value> ask(const std::string& kind, Job job);
+
+ private:
+  struct Waiting {
+    std::string kind;
+    Job job;
+    std::promise<Value> answer;
+  };
+
+  void work();
+  static void refuse(Waiting& waiting);
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Waiting> waiting_;  ///< in the order in which their kinds were first asked for
+  bool is_over_ = false;
+  std::thread thread_;  ///< last: it uses the others
+};
+
+}  // namespace synthetic_dataset::programs

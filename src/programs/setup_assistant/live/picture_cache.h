@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <opencv2/core/mat.hpp>
+
+namespace synthetic_dataset::programs {
+
+/// The last pictures that were drawn, as files, under the addresses that pages fetch them by.
+class PictureCache {
+ public:
+  /// @param picture  8 bit BGR
+  /// @param extension  ".jpg" or ".png"
+  /// @return its address
+  [[nodiscard]] std::string add(const cv::Mat& picture, const std::string& extension);
+
+  /// A file's bytes by the last part of its address; null when it is not there any more.
+  [[nodiscard]] std::shared_ptr<const std::string> find(const std::string& name) const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::int64_t next_ = 1;
+  std::map<std::int64_t, std::pair<std::string, std::shared_ptr<const std::string>>> pictures_;
+};
+
+/// A picture as a file.
+[[nodiscard]] std::string encodedPicture(const cv::Mat& picture, const std::string& extension);
+
+}  // namespace synthetic_dataset::programs

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "programs/setup_assistant/document/settings_document.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::programs {
+
+/// What the settings of a file amount to with those that it includes, substitutions filled in.
+struct EffectiveSettings {
+  std::int64_t revision = 0;
+  std::optional<Value> settings;    ///< of the run, or of the first of its twin
+  std::vector<std::string> errors;  ///< instead of that
+};
+
+/// The settings document for many pages at once, and their requests about it.
+class DocumentService {
+ public:
+  /// Called after each change, in the thread that made it.
+  using OnChange = std::function<void()>;
+
+  /// @param file  that is there
+  DocumentService(std::string file, OnChange on_change);
+
+  [[nodiscard]] const std::string& file() const { return document_.file(); }
+
+  /// All that a page knows of it.
+  [[nodiscard]] Value state();
+
+  /// What requests ask for. @param body  of the request
+  [[nodiscard]] Value set(const Value& body);
+  [[nodiscard]] Value type(const Value& body);
+  [[nodiscard]] Value undo();
+  [[nodiscard]] Value redo();
+  [[nodiscard]] Value decideOutside(const Value& body);
+
+  /// Looks whether somebody else has changed the file.
+  void look();
+
+  [[nodiscard]] std::int64_t revision();
+
+  /// Of the last text that was YAML.
+  [[nodiscard]] EffectiveSettings effective();
+
+ private:
+  template <class Work>
+  Value changing(const Work& work);
+  [[nodiscard]] Value stateLocked();
+  void readEffective();
+
+  std::mutex mutex_;
+  SettingsDocument document_;
+  EffectiveSettings effective_;
+  OnChange on_change_;
+};
+
+}  // namespace synthetic_dataset::programs

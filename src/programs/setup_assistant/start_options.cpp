@@ -1,0 +1,107 @@
+#include "programs/setup_assistant/start_options.h"
+
+#include <filesystem>
+
+#include "base/yaml_scalar.h"
+#include "programs/setup_assistant/document/whole_file.h"
+#include "programs/start/settings_draft.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::programs {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isBag(const std::string& argument) { return fs::path(argument).extension() == ".bag"; }
+
+std::uint16_t portOf(const std::string& text) {
+  const auto port = base::asInteger(text);
+  if (port && *port >= 0 && *port <= 65535) return static_cast<std::uint16_t>(*port);
+  throw Error("--port: found '" + text + "'; it should be 0 to 65535");
+}
+
+DraftInputs inputsOf(const std::vector<std::string>& bag_files) {
+  DraftInputs inputs;
+  inputs.formats = {"coco", "ultralytics"};
+  for (const std::string& bag : bag_files) {
+    if (!fs::exists(bag)) throw Error("'" + bag + "': no such file");
+    inputs.bag_files.push_back(fs::absolute(bag).lexically_normal().string());
+  }
+  inputs.contents = motion::readContents(inputs.bag_files);
+  for (const motion::RobotFrame& robot : motion::robotFrames(inputs.contents)) {
+    inputs.objects.push_back({objectNameOf(robot), std::nullopt, 0.0});
+  }
+  return inputs;
+}
+
+}  // namespace
+
+AssistantOptions parseAssistantLine(const std::vector<std::string>& arguments) {
+  AssistantOptions options;
+  bool has_file = false;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    const auto next = [&]() -> const std::string& {
+      if (i + 1 == arguments.size()) throw Error(argument + ": found nothing behind it");
+      return arguments[++i];
+    };
+    if (argument == "--help" || argument == "-h") {
+      options.wants_help = true;
+    } else if (argument == "--folder") {
+      options.folders.push_back(next());
+    } else if (argument == "--port") {
+      options.port = portOf(next());
+    } else if (argument == "--address") {
+      options.address = next();
+    } else if (argument == "--page") {
+      options.page_folder = next();
+    } else if (argument.rfind('-', 0) == 0) {
+      throw Error("found '" + argument + "'; there is no such option");
+    } else if (isBag(argument)) {
+      options.bag_files.push_back(argument);
+    } else if (has_file) {
+      throw Error("found '" + argument + "'; one settings file is enough");
+    } else {
+      options.file = argument;
+      has_file = true;
+    }
+  }
+  return options;
+}
+
+std::string assistantUsage() {
+  return R"(usage: setup_assistant [FILE] [BAG...] [--folder DIR]... [--port N] [--address A]
+
+Sets a run up in a browser: prints the page's address, and serves it until it is stopped.
+
+  FILE       the settings file, by default settings.yaml; made if it is not there
+  BAG        recordings for a FILE that is made
+  --folder   a folder that the page may read, too, beside those of FILE, of ROS packages and of
+             models; once for each
+  --port     by default one that is free
+  --address  to listen on, by default 127.0.0.1, which no other machine reaches
+  --page     a folder with the page's files, for who works on them
+  --help     prints this
+
+  setup_assistant rover.yaml rover.bag --folder /data/worlds
+
+From another machine: ssh -L 8080:127.0.0.1:PORT HOST
+)";
+}
+
+void makeSettingsFile(const AssistantOptions& options) {
+  if (fs::exists(options.file)) {
+    if (options.bag_files.empty()) return;
+    throw Error("'" + options.file + "' is there already; bags are for a file that is made");
+  }
+  const fs::path folder = fs::absolute(options.file).parent_path();
+  if (!fs::is_directory(folder)) throw Error("'" + folder.string() + "': no such folder");
+  if (options.bag_files.empty()) {
+    writeWhole(options.file,
+               "# Settings of synthetic_dataset; config/params.yaml documents every setting.\n");
+  } else {
+    writeWhole(options.file, draftSettings(inputsOf(options.bag_files)).text);
+  }
+}
+
+}  // namespace synthetic_dataset::programs
