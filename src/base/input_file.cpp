@@ -11,6 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The innermost one of this thread; files are opened too deep within for it to be handed down.
+thread_local InputWatch* watch = nullptr;
+
 constexpr const char* kPipe = "is a pipe or a device; a file is needed";
 
 }  // namespace
@@ -54,7 +57,12 @@ std::string textFault(std::string_view bytes) {
 
 bool isAboutPipe(std::string_view message) { return message.find(kPipe) != std::string_view::npos; }
 
+InputWatch::InputWatch() : outer_(watch) { watch = this; }
+
+InputWatch::~InputWatch() { watch = outer_; }
+
 std::ifstream openInput(const fs::path& file) {
+  for (InputWatch* each = watch; each != nullptr; each = each->outer_) each->files_.insert(file);
   const std::string fault = inputFault(file);
   if (!fault.empty()) throw Error(file.string() + ": " + fault);
   std::ifstream stream(file, std::ios::binary);

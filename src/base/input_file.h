@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,24 @@ namespace synthetic_dataset::base {
 /// @throws Error as openInput does
 [[nodiscard]] std::string readInput(const std::filesystem::path& file);
 [[nodiscard]] std::vector<std::uint8_t> readInputBytes(const std::filesystem::path& file);
+
+/// Keeps which files its thread opens while it lives, those that cannot be opened too. Several may
+/// be nested.
+class InputWatch {
+ public:
+  InputWatch();
+  ~InputWatch();
+  InputWatch(const InputWatch&) = delete;
+  InputWatch& operator=(const InputWatch&) = delete;
+
+  [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
+
+ private:
+  friend std::ifstream openInput(const std::filesystem::path& file);
+
+  std::set<std::filesystem::path> files_;
+  InputWatch* outer_;
+};
 
 /// What is wrong with a path that is there and is no file, "is a folder; a file is needed"; empty
 /// for a file, and for what is not there.

@@ -14,6 +14,7 @@
 #include "run/motion_run.h"
 #include "run/scene_pipeline.h"
 #include "run/scene_sink.h"
+#include "run/setup/input_cache.h"
 #include "run/setup/motion_setup.h"
 #include "run/setup/scene_plan.h"
 #include "run/setup/split_plan.h"
@@ -81,7 +82,7 @@ MotionSetup setUp(const Value& parameters, Reporter& reporter) {
                      "; align takes the settings of one recording"});
   }
   const base::OnStage on_stage = [&](const std::string& stage) { reporter.stage(stage); };
-  WorldCache worlds(on_stage);
+  InputCache inputs(on_stage);
   Parameters root(list.entries.front().settings);
   config::Config config = config::readConfig(root);
   base::Diagnostics found;
@@ -94,7 +95,7 @@ MotionSetup setUp(const Value& parameters, Reporter& reporter) {
     found.error("camera/image_topic", "is missing; it names the pictures that are aligned");
   }
   found.throwIfAny();
-  MotionSetup setup = setUpMotion(list.entries.front(), std::move(config), worlds, on_stage);
+  MotionSetup setup = setUpMotion(list.entries.front(), std::move(config), inputs, on_stage);
   setup.found.throwIfAny();
   return setup;
 }

@@ -8,6 +8,7 @@
 
 #include "run/live/one_scene_sink.h"
 #include "run/scene_loop.h"
+#include "run/setup/input_cache.h"
 #include "run/setup/run_setup.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -42,14 +43,14 @@ struct LiveRun::Impl {
   RunSetup& ready() {
     (void)described();
     if (errors) throw ErrorList(*errors);
-    if (!run) run = std::make_unique<RunSetup>(setUpRun(settings, plugin_xml_files));
+    if (!run) run = std::make_unique<RunSetup>(setUpRun(settings, inputs, plugin_xml_files));
     return *run;
   }
 
   const LiveSetup& described() {
     if (live) return *live;
     try {
-      run = std::make_unique<RunSetup>(setUpRun(settings, plugin_xml_files));
+      run = std::make_unique<RunSetup>(setUpRun(settings, inputs, plugin_xml_files));
       live = describeSetup(*run);
     } catch (const ErrorList& list) {
       errors = list;
@@ -72,6 +73,7 @@ struct LiveRun::Impl {
   }
 
   std::vector<std::string> plugin_xml_files;
+  InputCache inputs;
   Value settings;
   std::optional<LiveSetup> live;    ///< of the settings
   std::optional<ErrorList> errors;  ///< of the settings

@@ -6,6 +6,7 @@
 
 #include "base/seconds.h"
 #include "motion/placement_motion.h"
+#include "run/setup/input_cache.h"
 #include "run/setup/recording_setup.h"
 #include "run/setup/scene_plan.h"
 #include "run/setup/size_checks.h"
@@ -19,13 +20,13 @@ namespace {
 
 /// Nothing where the settings name none, which is an error already.
 std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& config,
-                                                      WorldCache& worlds) {
+                                                      InputCache& inputs) {
   switch (config.motion.source) {
     case motion::MotionSource::kPlacement:
       return std::make_shared<motion::PlacementMotion>(config.global_frame);
     case motion::MotionSource::kBag:
       if (config.motion.bag_files.empty()) return nullptr;
-      return openRecording(config, worlds);
+      return openRecording(config, inputs);
   }
   return nullptr;
 }
@@ -33,9 +34,9 @@ std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& conf
 /// Sets a motion up part by part; what fails is noted, and the parts that need it are passed over.
 class MotionBuilder {
  public:
-  MotionBuilder(config::MotionEntry entry, config::Config config, WorldCache& worlds,
+  MotionBuilder(config::MotionEntry entry, config::Config config, InputCache& inputs,
                 const base::OnStage& on_stage)
-      : worlds_(worlds), on_stage_(on_stage) {
+      : inputs_(inputs), on_stage_(on_stage) {
     setup_.entry = std::move(entry);
     setup_.config = std::move(config);
     leaveOutOthers();
@@ -80,7 +81,7 @@ class MotionBuilder {
       const std::vector<std::string>& bags = config().motion.bag_files;
       on_stage_("reading the recording" + (bags.size() == 1 ? " '" + bags.front() + "'" : ""));
     }
-    auto source = attempt([&] { return makeSource(config(), worlds_); });
+    auto source = attempt([&] { return makeSource(config(), inputs_); });
     if (!source) return;
     setup_.frames = std::make_unique<motion::PlacedFrames>(std::move(source));
     if (config().isPlaced()) placeObjects();
@@ -145,7 +146,7 @@ class MotionBuilder {
       }
     }
     WorldSetup world = setUpWorld(config(), setup_.variants, setup_.frames.get(),
-                                  worlds_.filesFor(config().world), found(), on_stage_);
+                                  inputs_.worlds.filesFor(config().world), found(), on_stage_);
     sensors_ = std::move(world.sensors);
     setup_.driven_links = std::move(world.driven_links);
     setup_.inputs = std::move(world.inputs);
@@ -351,7 +352,7 @@ class MotionBuilder {
     setup_.timeline = std::move(*timeline);
   }
 
-  WorldCache& worlds_;
+  InputCache& inputs_;
   const base::OnStage& on_stage_;
   MotionSetup setup_;
   std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
@@ -365,9 +366,9 @@ bool MotionSetup::isCameraFrame(const std::string& frame) const {
   });
 }
 
-MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, WorldCache& worlds,
+MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, InputCache& inputs,
                         const base::OnStage& on_stage) {
-  return MotionBuilder(std::move(entry), std::move(config), worlds, on_stage).build();
+  return MotionBuilder(std::move(entry), std::move(config), inputs, on_stage).build();
 }
 
 }  // namespace synthetic_dataset::run

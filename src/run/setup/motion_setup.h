@@ -11,7 +11,6 @@
 #include "config/config.h"
 #include "config/motion_list.h"
 #include "motion/placed_frames.h"
-#include "run/setup/world_files.h"
 #include "scene/articulation.h"
 #include "scene/camera_pictures.h"
 #include "scene/camera_rig.h"
@@ -22,6 +21,8 @@
 #include "world/world.h"
 
 namespace synthetic_dataset::run {
+
+class InputCache;
 
 /// What the scenes of one of a run's motions are made of: where things go, in which world, seen by
 /// which cameras, and when.
@@ -57,9 +58,9 @@ struct MotionSetup {
 /// Reads the recording, the world and the cameras, and finds the times of all scenes. Writes
 /// nothing.
 /// @param config  of the entry's settings
-/// @param worlds  that were read for other motions of the run
+/// @param inputs  that were read for other motions of the run, or an earlier one
 /// @param on_stage  called when a step begins that may take long
 [[nodiscard]] MotionSetup setUpMotion(config::MotionEntry entry, config::Config config,
-                                      WorldCache& worlds, const base::OnStage& on_stage);
+                                      InputCache& inputs, const base::OnStage& on_stage);
 
 }  // namespace synthetic_dataset::run

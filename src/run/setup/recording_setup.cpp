@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "motion/bag_motion.h"
+#include "run/setup/input_cache.h"
+#include "run/setup/world_files.h"
 #include "scene/link_names.h"
 #include "synthetic_dataset/errors.h"
 #include "world/description.h"
@@ -43,11 +45,12 @@ std::vector<motion::JointedRobot> robotsOf(const config::Config& config, WorldFi
 }  // namespace
 
 std::shared_ptr<const motion::FrameSource> openRecording(const config::Config& config,
-                                                         WorldCache& worlds) {
+                                                         InputCache& inputs) {
   const motion::MotionOptions& motion = config.motion;
-  return std::make_shared<motion::BagMotion>(motion::BagMotionOptions{
+  return inputs.recordings.get(motion::BagMotionOptions{
       motion.bag_files, config.global_frame, motion.stretch, motion.tf_topics, motion.pose_topics,
-      neededFrames(config), [&] { return robotsOf(config, worlds.filesFor(config.world)); }});
+      neededFrames(config),
+      [&] { return robotsOf(config, inputs.worlds.filesFor(config.world)); }});
 }
 
 }  // namespace synthetic_dataset::run

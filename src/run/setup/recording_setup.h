@@ -4,13 +4,14 @@
 
 #include "config/config.h"
 #include "motion/frame_source.h"
-#include "run/setup/world_files.h"
 
 namespace synthetic_dataset::run {
 
-/// Opens the bags of a motion that follows a recording.
+class InputCache;
+
+/// Opens the bags of a motion that follows a recording, unless the inputs have what is in them.
 /// @throws ErrorList with what is wrong with them
 [[nodiscard]] std::shared_ptr<const motion::FrameSource> openRecording(const config::Config& config,
-                                                                       WorldCache& worlds);
+                                                                       InputCache& inputs);
 
 }  // namespace synthetic_dataset::run

@@ -86,14 +86,9 @@ std::set<std::string> inputsNamedBy(const config::Config& config) {
   return inputs;
 }
 
-std::map<std::string, output::RunDescription::Input> describeInputs(
-    const std::set<std::string>& files) {
-  std::map<std::string, output::RunDescription::Input> inputs;
-  for (const std::string& file : files) {
-    const output::FileDigest found = output::digestOfInput(file);
-    inputs[file] = {found.bytes, found.digest};
-  }
-  return inputs;
+output::RunDescription::Input describeInput(const std::string& file) {
+  const output::FileDigest found = output::digestOfInput(file);
+  return {found.bytes, found.digest};
 }
 
 std::set<std::string> inputsOf(const std::vector<MotionSetup>& motions) {

@@ -28,10 +28,9 @@ namespace synthetic_dataset::run {
 /// maps, and the pictures that surfaces may wear or that lie behind the world.
 [[nodiscard]] std::set<std::string> inputsNamedBy(const config::Config& config);
 
-/// Sizes and digests of the files that a dataset is made from.
+/// Size and digest of a file that a dataset is made from.
 /// @throws Error naming a file that cannot be read
-[[nodiscard]] std::map<std::string, output::RunDescription::Input> describeInputs(
-    const std::set<std::string>& files);
+[[nodiscard]] output::RunDescription::Input describeInput(const std::string& file);
 
 /// All files that the scenes of these motions are made of.
 [[nodiscard]] std::set<std::string> inputsOf(const std::vector<MotionSetup>& motions);

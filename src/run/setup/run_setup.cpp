@@ -11,6 +11,7 @@
 #include "config/motion_list.h"
 #include "run/check/motion_checks.h"
 #include "run/setup/dataset_description.h"
+#include "run/setup/input_cache.h"
 #include "run/setup/motion_errors.h"
 #include "run/setup/relative_paths.h"
 #include "run/setup/run_record.h"
@@ -26,12 +27,12 @@ namespace {
 class Builder {
  public:
   Builder(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
-          const base::OnStage& on_stage)
+          InputCache& inputs, const base::OnStage& on_stage)
       : parameters_(parameters),
         plugin_xml_files_(plugin_xml_files),
+        inputs_(inputs),
         on_stage_(on_stage),
-        list_(config::readMotions(parameters)),
-        worlds_(on_stage) {}
+        list_(config::readMotions(parameters)) {}
 
   RunSetup build() {
     for (config::MotionEntry& entry : list_.entries) addMotion(entry);
@@ -68,7 +69,7 @@ class Builder {
     roots_.emplace_back(entry.settings);
     config::Config config = config::readConfig(roots_.back());
     setting_errors_.push_back(roots_.back().errors());
-    setup_.motions.push_back(setUpMotion(entry, std::move(config), worlds_, on_stage_));
+    setup_.motions.push_back(setUpMotion(entry, std::move(config), inputs_, on_stage_));
   }
 
   /// In proportion to the motions' weights, if there are any.
@@ -302,7 +303,7 @@ class Builder {
     for (const MotionSetup& motion : setup_.motions) found().merge(motion.found);
     on_stage_("taking the checksums of " + std::to_string(inputs.size()) + " input files");
     findOdd();
-    run.inputs = describeInputs(inputs);
+    run.inputs = inputs_.describe(inputs);
     run.credits = credits();
     output::describeContents(dataset(), run);
     for (const auto& [object, model] : *models_) run.objects.at(object).model = model;
@@ -340,14 +341,14 @@ class Builder {
 
   const Value& parameters_;
   const std::vector<std::string>& plugin_xml_files_;
+  InputCache& inputs_;
   const base::OnStage& on_stage_;
   config::MotionList list_;
   std::vector<Parameters> roots_;                         ///< of the entries
   std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
   std::vector<std::string> writer_errors_;                ///< of the writers' settings
   std::vector<std::vector<std::int64_t>> blocks_;         ///< of the motions; empty: by the shares
-  WorldCache worlds_;
-  std::optional<Credits> credits_;  ///< found when they are first asked for
+  std::optional<Credits> credits_;                        ///< found when they are first asked for
 
   /// By object, those that writers have asked for.
   std::shared_ptr<std::map<std::size_t, ObjectModel>> models_ =
@@ -364,7 +365,22 @@ std::int64_t RunSetup::instantCount() const {
 
 RunSetup setUpRun(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
                   const base::OnStage& on_stage) {
-  return Builder(parameters, plugin_xml_files, on_stage).build();
+  InputCache inputs(on_stage);
+  return Builder(parameters, plugin_xml_files, inputs, on_stage).build();
+}
+
+RunSetup setUpRun(const Value& parameters, InputCache& inputs,
+                  const std::vector<std::string>& plugin_xml_files, const base::OnStage& on_stage) {
+  inputs.worlds.beginUse();
+  try {
+    RunSetup setup = Builder(parameters, plugin_xml_files, inputs, on_stage).build();
+    if (inputs.worlds.isAsFresh()) return setup;
+  } catch (const Error&) {
+    if (inputs.worlds.isAsFresh()) throw;
+  }
+  // Another set of models has been asked for: there are notes about those of before.
+  inputs.worlds.clear();
+  return Builder(parameters, plugin_xml_files, inputs, on_stage).build();
 }
 
 }  // namespace synthetic_dataset::run

@@ -17,6 +17,8 @@
 
 namespace synthetic_dataset::run {
 
+class InputCache;
+
 /// Everything that a run is made of, checked and ready for the first scene.
 struct RunSetup {
   config::Config config;             ///< what holds for the whole dataset is that of every motion
@@ -36,6 +38,12 @@ struct RunSetup {
 /// @param on_stage  called when a step begins that may take long
 /// @throws ErrorList with all that is wrong
 [[nodiscard]] RunSetup setUpRun(const Value& parameters,
+                                const std::vector<std::string>& plugin_xml_files,
+                                const base::OnStage& on_stage = base::ignoreStage);
+
+/// The same, quicker where an earlier run has read what is still as it was.
+/// @param inputs  of earlier runs; gets what was read for this one
+[[nodiscard]] RunSetup setUpRun(const Value& parameters, InputCache& inputs,
                                 const std::vector<std::string>& plugin_xml_files,
                                 const base::OnStage& on_stage = base::ignoreStage);
 

@@ -1,12 +1,20 @@
 #include "run/setup/world_files.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <iterator>
 #include <optional>
+#include <system_error>
+#include <utility>
+
+#include "base/input_file.h"
 
 #include "base/json_text.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/value.h"
 #include "world/files/findings.h"
+#include "world/urdf/xacro.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -25,6 +33,18 @@ auto explainingMissing(const Load& load) -> decltype(load()) {
   }
 }
 
+/// A mesh file's companions are read in a process of their own, which does not say which: those
+/// beside it with these names.
+bool mayBelongToMesh(const std::filesystem::path& file) {
+  const std::filesystem::path extension = file.extension();
+  return extension == ".mtl" || extension == ".bin";
+}
+
+bool hasCompanions(const std::filesystem::path& mesh) {
+  const std::filesystem::path extension = mesh.extension();
+  return extension == ".obj" || extension == ".gltf";
+}
+
 }  // namespace
 
 WorldFiles::WorldFiles(const config::WorldConfig& config, const base::OnStage& on_stage)
@@ -32,19 +52,59 @@ WorldFiles::WorldFiles(const config::WorldConfig& config, const base::OnStage& o
       finder_(config.model_folders, packages_.finder(), packages_.exports()),
       loader_(finder_, config.loading, on_stage) {}
 
+template <class Load>
+auto WorldFiles::read(const Key& key, const Load& load) -> decltype(load()) {
+  const base::InputWatch watch;
+  const bool was_unsure = std::exchange(is_unsure_, true);  // where it throws
+  auto content = explainingMissing(load);
+  is_unsure_ = was_unsure;
+  read_.push_back(key);
+  for (const auto& file : watch.files()) stamps_.add(file);
+  stampFiles();
+  return content;
+}
+
+/// Files that were found to be read, and those that were not found.
+void WorldFiles::stampFiles() {
+  namespace fs = std::filesystem;
+  for (const fs::path& file : finder_.missed()) stamps_.add(file);
+  std::set<fs::path> folders;
+  for (const fs::path& file : finder_.found()) {
+    stamps_.add(file);
+    if (hasCompanions(file)) folders.insert(file.parent_path());
+    if (world::isXacro(file)) is_unsure_ = true;  // it includes others
+  }
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+      if (mayBelongToMesh(entry->path())) stamps_.add(entry->path());
+    }
+  }
+}
+
+void WorldFiles::noteAsked(const Key& key) {
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
+}
+
 const world::Description& WorldFiles::world() {
-  if (!world_) world_ = explainingMissing([&] { return loader_.loadWorld(world_file_); });
+  const Key key;
+  if (!world_) world_ = read(key, [&] { return loader_.loadWorld(world_file_); });
+  noteAsked(key);
   return *world_;
 }
 
 const world::Model& WorldFiles::model(const std::string& model_or_uri, const std::string& name,
                                       const world::XacroArguments& arguments) {
   const auto key = std::make_tuple(model_or_uri, name, arguments);
-  const auto found = models_.find(key);
-  if (found != models_.end()) return found->second;
-  world::Model model =
-      explainingMissing([&] { return loader_.loadModel(model_or_uri, name, arguments); });
-  return models_.emplace(key, std::move(model)).first->second;
+  auto found = models_.find(key);
+  if (found == models_.end()) {
+    world::Model model =
+        read(key, [&] { return loader_.loadModel(model_or_uri, name, arguments); });
+    found = models_.emplace(key, std::move(model)).first;
+  }
+  noteAsked(key);
+  return found->second;
 }
 
 WorldFiles& WorldCache::filesFor(const config::WorldConfig& config) {
@@ -52,9 +112,28 @@ WorldFiles& WorldCache::filesFor(const config::WorldConfig& config) {
   const std::optional<world::Simulator>& simulator = config.loading.simulator;
   key.emplace_back(simulator ? static_cast<std::int64_t>(*simulator) : -1);
   for (const std::string& folder : config.model_folders) key.emplace_back(folder);
-  std::unique_ptr<WorldFiles>& files = files_[base::jsonText(Value(key))];
-  if (!files) files = std::make_unique<WorldFiles>(config, on_stage_);
-  return *files;
+  Kept& kept = worlds_[base::jsonText(Value(key))];
+  if (!kept.files) kept.files = std::make_unique<WorldFiles>(config, on_stage_);
+  kept.unused = 0;
+  return *kept.files;
+}
+
+void WorldCache::beginUse() {
+  constexpr int kLongest = 20;  // so that one can go back and forth between two worlds
+  for (auto each = worlds_.begin(); each != worlds_.end();) {
+    const bool is_kept = each->second.files->areCurrent() && each->second.unused < kLongest;
+    if (is_kept) {
+      each->second.files->beginUse();
+      ++each->second.unused;
+    }
+    each = is_kept ? std::next(each) : worlds_.erase(each);
+  }
+}
+
+bool WorldCache::isAsFresh() const {
+  return std::all_of(worlds_.begin(), worlds_.end(), [](const auto& entry) {
+    return entry.second.unused > 0 || entry.second.files->areAsFresh();
+  });
 }
 
 }  // namespace synthetic_dataset::run

@@ -12,6 +12,7 @@
 
 #include "base/stages.h"
 #include "config/config.h"
+#include "run/setup/file_stamps.h"
 #include "run/setup/ros_packages.h"
 #include "world/files/resource_finder.h"
 #include "world/world_loader.h"
@@ -37,6 +38,17 @@ class WorldFiles {
   [[nodiscard]] const world::Model& model(const std::string& model_or_uri, const std::string& name,
                                           const world::XacroArguments& arguments = {});
 
+  /// Whether all files that were read so far are as they were, those that were not there are still
+  /// not there, and nothing was wrong with any.
+  [[nodiscard]] bool areCurrent() const { return !is_unsure_ && stamps_.areCurrent(); }
+
+  /// Another run is going to ask, as if nothing had been read yet.
+  void beginUse() { asked_.clear(); }
+
+  /// Whether what this run has asked for is all that was ever read, in its order: else notes,
+  /// cameras and files are those of others, too.
+  [[nodiscard]] bool areAsFresh() const { return asked_ == read_; }
+
   /// What was left out or replaced so far of the models.
   [[nodiscard]] const std::vector<std::string>& modelNotes() const { return loader_.modelNotes(); }
 
@@ -57,13 +69,23 @@ class WorldFiles {
   [[nodiscard]] const std::set<std::filesystem::path>& found() const { return finder_.found(); }
 
  private:
+  using Key = std::tuple<std::string, std::string, world::XacroArguments>;  ///< URI, name
+
+  template <class Load>
+  auto read(const Key& key, const Load& load) -> decltype(load());
+  void noteAsked(const Key& key);
+  void stampFiles();
+
   std::string world_file_;
   RosPackageIndex packages_;
   world::ResourceFinder finder_;
   world::WorldLoader loader_;
   std::optional<world::Description> world_;
-  using Key = std::tuple<std::string, std::string, world::XacroArguments>;  ///< URI, name
   std::map<Key, world::Model> models_;
+  std::vector<Key> read_;   ///< the world, which is first or has no name, and the models
+  std::vector<Key> asked_;  ///< of these, in this use
+  FileStamps stamps_;
+  bool is_unsure_ = false;  ///< something failed, or was read of files that are not known
 };
 
 /// The worlds of a run's motions.
@@ -75,9 +97,23 @@ class WorldCache {
   /// The files of a motion's world, the same for all motions that read them alike.
   [[nodiscard]] WorldFiles& filesFor(const config::WorldConfig& config);
 
+  /// Another run is going to ask. What has changed since it was read is let go of, and what was not
+  /// asked for lately.
+  void beginUse();
+
+  /// Whether this run has got what it would have got from a new cache.
+  [[nodiscard]] bool isAsFresh() const;
+
+  void clear() { worlds_.clear(); }
+
  private:
+  struct Kept {
+    std::unique_ptr<WorldFiles> files;
+    int unused = 0;  ///< for how many runs nobody has asked for it
+  };
+
   base::OnStage on_stage_;
-  std::map<std::string, std::unique_ptr<WorldFiles>> files_;  ///< by all that decides what is read
+  std::map<std::string, Kept> worlds_;  ///< by all that decides what is read
 };
 
 }  // namespace synthetic_dataset::run

@@ -215,7 +215,9 @@ std::optional<fs::path> ResourceFinder::at(const fs::path& path) const {
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_regular_file(status)) found_.insert(path);
   // A pipe or a device is named where it would be opened (base/input_file.h).
-  return fs::exists(status) ? std::optional(path) : std::nullopt;
+  if (fs::exists(status)) return path;
+  missed_.insert(path);
+  return std::nullopt;
 }
 
 std::optional<fs::path> ResourceFinder::find(const std::string& uri, const fs::path& folder) const {

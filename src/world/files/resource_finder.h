@@ -67,6 +67,9 @@ class ResourceFinder {
   /// The files that were found so far.
   [[nodiscard]] const std::set<std::filesystem::path>& found() const { return found_; }
 
+  /// Where something was looked for so far and nothing was.
+  [[nodiscard]] const std::set<std::filesystem::path>& missed() const { return missed_; }
+
   /// Where `find` looks for the URI, for messages: "looked in a, b, c".
   [[nodiscard]] std::string searchedPlaces(const std::string& uri,
                                            const std::filesystem::path& folder) const;
@@ -105,8 +108,9 @@ class ResourceFinder {
   std::vector<std::filesystem::path> fuel_caches_;
   PackageFinder package_finder_;
   ExportFinder export_finder_;
-  mutable std::set<std::filesystem::path> found_;  ///< a memory that changes no answer
-  mutable std::set<std::string> refusals_;         ///< another
+  mutable std::set<std::filesystem::path> found_;   ///< a memory that changes no answer
+  mutable std::set<std::filesystem::path> missed_;  ///< another
+  mutable std::set<std::string> refusals_;          ///< another
 };
 
 }  // namespace synthetic_dataset::world

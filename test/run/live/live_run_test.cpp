@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 
+#include "base/input_file.h"
+#include "base/json_text.h"
 #include "run/live/one_scene_sink.h"
 #include "run/scene_loop.h"
 #include "run/setup/run_setup.h"
@@ -19,6 +21,7 @@ using testing::ElementsAre;
 using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 class LiveRunTest : public testing::Test {
@@ -32,6 +35,19 @@ class LiveRunTest : public testing::Test {
     Reporter silent;
     SceneLoop(setup, sink, silent).run();
     return sink.scene().value();
+  }
+
+  [[nodiscard]] static Value uniform(double low, double high) {
+    return Value::Map{{"uniform", Value::List{Value(low), Value(high)}}};
+  }
+
+  /// The world without its ball.
+  void writeBareWorld() const {
+    std::string world = base::readInput(tiny.folder() / "tiny.world");
+    const std::size_t begin = world.find("<model name=\"ball\">");
+    const std::string end = "</model>";
+    world.erase(begin, world.find(end, begin) + end.size() - begin);
+    tiny.folder().write("bare.world", world);
   }
 
   static void expectSame(const Scene& scene, const Scene& fresh) {
@@ -56,6 +72,51 @@ class LiveRunTest : public testing::Test {
 TEST_F(LiveRunTest, ShowsTheScenesThatTheRunMakes) {
   live.setSettings(settings);
   expectSame(live.scene(2).scene, freshScene(settings, 2));
+}
+
+/// One setting after another is changed and changed back.
+TEST_F(LiveRunTest, ShowsWhatAFreshRunMakesAfterAnyChanges) {
+  const auto file = [&](const char* name) { return Value((tiny.folder() / name).string()); };
+  const Value::Map first = settings;
+  Value::Map aside = first;  // another pose
+  (*aside["camera"].as<Value::Map>())["pose"] = Value::Map{
+      {"position", Value::List{Value(-2.0), Value(1.5), Value(1.0)}}, {"look_at", Value("bravo")}};
+  Value::Map shorter = first;  // another time
+  shorter["duration"] = Value(0.6);
+  Value::Map alone = first;  // another list of robots
+  alone["robot_list"] = Value::List{Value("bravo")};
+  Value::Map elsewhere = first;  // another world: the same without its ball
+  elsewhere["world"] = file("bare.world");
+  writeBareWorld();
+  Value::Map painted = first;
+  painted["randomize"] =
+      Value::Map{{"lights", Value::Map{{"every", Value::Map{{"intensity", uniform(0.4, 1.2)}}}}},
+                 {"objects", Value::Map{{"alpha", Value::Map{{"scale", uniform(0.7, 1.3)}}}}}};
+  const std::vector<Value::Map> all = {first, aside,     first,   painted, aside,
+                                       alone, elsewhere, painted, shorter, first};
+  std::int64_t index = 0;
+  for (const Value::Map& each : all) {
+    SCOPED_TRACE(base::jsonText(Value(each)));
+    live.setSettings(each);
+    ASSERT_THAT(live.setup().problems,
+                Not(Contains(Field(&LiveProblem::severity, base::Severity::kError))));
+    index = (index + 3) % static_cast<std::int64_t>(live.setup().stamps.size());
+    expectSame(live.scene(index).scene, freshScene(each, index));
+  }
+}
+
+TEST_F(LiveRunTest, SeesFilesThatHaveChanged) {
+  live.setSettings(settings);
+  const Scene before = live.scene(1).scene;
+  std::string world = base::readInput(tiny.folder() / "tiny.world");
+  const std::string red = "0.9 0.2 0.1";
+  for (std::size_t at = world.find(red); at != std::string::npos; at = world.find(red)) {
+    world.replace(at, red.size(), "0.2 0.9 0.1");
+  }
+  tiny.folder().write("tiny.world", world);
+  const Scene after = live.scene(1).scene;
+  EXPECT_GT(cv::norm(before.image, after.image, cv::NORM_INF), 0.0);
+  expectSame(after, freshScene(settings, 1));
 }
 
 TEST_F(LiveRunTest, SaysWhatTheSettingsAmountTo) {
