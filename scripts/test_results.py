@@ -33,9 +33,9 @@ def main():
             if result == 'failed':
                 print(f"FAILED {file.stem}: {case.get('classname')}.{case.get('name')}")
         # Parts of a test (Python's subTest) that fail are counted in the head alone.
-        told = int(root.get('failures', 0)) + int(root.get('errors', 0))
-        if told > sum(outcome(case) == 'failed' for case in cases):
-            print(f'FAILED {file.stem}: {told} by its own count')
+        counted = int(root.get('failures', 0)) + int(root.get('errors', 0))
+        if counted > sum(outcome(case) == 'failed' for case in cases):
+            print(f'FAILED {file.stem}: {counted} by its own count')
             counts['failed'] += 1
     print('{passed} passed, {failed} failed, {skipped} skipped'.format(**counts))
     return 0 if counts['failed'] == 0 and counts['passed'] > 0 else 1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the example's dataset with a real Slurm of two nodes on this machine: a task's program is
-# killed, one is told to stop, a node fails, and the merged dataset must be a single run's byte for byte.
+# killed, one is asked to stop, a node fails, and the merged dataset must be a single run's byte for byte.
 #   ./scripts/test_slurm.sh
 # A Slurm that the machine may have is left alone. What is made is removed, unless something fails.
 set -euo pipefail
@@ -105,7 +105,7 @@ indices_on() {
   squeue --noheader --states=RUNNING --jobs="$array" --nodelist="$1" --format=%K
 }
 
-# One program is killed, one task told to stop, and the other two lose their node.
+# One program is killed, one task asked to stop, and the other two lose their node.
 four_shards_that_are_all_cut_short() {
   local index
   require "four shards are submitted" \
@@ -117,7 +117,7 @@ four_shards_that_are_all_cut_short() {
   mapfile -t others < <(indices_on n1)
   require "two of them are on the first node" test "${#others[@]}" -eq 2
   check "a program is killed" signal_program KILL "$dataset" "${others[0]}"
-  check "a task is told to stop, as before its time limit" \
+  check "a task is asked to stop, as before its time limit" \
     scancel --batch --signal=TERM "${array}_${others[1]}"
   check "its program goes on" signal_program CONT "$dataset" "${others[1]}"
   check "a node fails" fail_node n2

@@ -66,7 +66,7 @@ BopModel measured(const ObjectModel& model, std::size_t object, bool is_centred)
   return result;
 }
 
-/// Whether two models are the same surface, as far as their extents tell.
+/// Whether two models are the same surface, as far as their extents show.
 bool areAlike(const BopModel& a, const BopModel& b) {
   constexpr double kTolerance = 1e-6;  // [m]
   return a.has_surface == b.has_surface && a.bounds_M.low.isApprox(b.bounds_M.low, kTolerance) &&

@@ -26,7 +26,7 @@ bool startsWith(const std::string& bytes, const std::string& start) {
   return bytes.compare(0, start.size(), start) == 0;
 }
 
-/// The pixels that a JPEG's frame header tells of (ITU T.81, B.2.2), 0 where there is none.
+/// The pixels that a JPEG's frame header announces (ITU T.81, B.2.2), 0 where there is none.
 std::uint64_t pixelsOfJpeg(const std::string& bytes) {
   std::size_t at = 2;
   while (at + 4 <= bytes.size() && bigEndian(bytes, at, 1) == 0xFF) {
@@ -47,7 +47,7 @@ std::uint64_t littleEndian(const std::string& bytes, std::size_t at, std::size_t
   return number;
 }
 
-/// The pixels that the first directory of a little-endian TIFF tells of (TIFF 6.0, section 2).
+/// The pixels that the first directory of a little-endian TIFF announces (TIFF 6.0, section 2).
 std::uint64_t pixelsOfTiff(const std::string& bytes) {
   constexpr std::uint64_t kWidth = 256;
   constexpr std::uint64_t kHeight = 257;
@@ -66,7 +66,7 @@ std::uint64_t pixelsOfTiff(const std::string& bytes) {
   return width * height;
 }
 
-/// The pixels that a picture's header tells of, 0 where it is of no kind that datasets have.
+/// The pixels that a picture's header announces, 0 where it is of no kind that datasets have.
 std::uint64_t claimedPixels(const std::string& bytes) {
   if (startsWith(bytes, "\x89PNG\r\n\x1A\n")) {
     return bigEndian(bytes, 16, 4) * bigEndian(bytes, 20, 4);
@@ -76,8 +76,8 @@ std::uint64_t claimedPixels(const std::string& bytes) {
   return 0;
 }
 
-/// Whether a picture's file is long enough for the size that it tells of: zlib makes a byte of 1032
-/// at most, and they may hold 8 pixels each.
+/// Whether a picture's file is long enough for the size that it announces: zlib makes a byte of
+/// 1032 at most, and they may hold 8 pixels each.
 bool isPlausible(const std::string& bytes) {
   constexpr std::uint64_t kMostPixelsOfAByte = 10000;
   const std::uint64_t pixels = claimedPixels(bytes);

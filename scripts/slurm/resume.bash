@@ -21,7 +21,7 @@ begin_task() {
   scratch=$(mktemp -d)
   trap 'rm -rf "$scratch"' EXIT
   export ROS_HOME=$scratch/ros XDG_CACHE_HOME=$scratch/cache TMPDIR=$scratch
-  # Mesa draws with a thread for each of the machine's cores unless told: here, those of the task.
+  # Mesa draws with a thread for each of the machine's cores unless limited: here, those of the task.
   export LP_NUM_THREADS=${LP_NUM_THREADS:-${SLURM_CPUS_ON_NODE:-1}}
   set +u  # catkin's file reads variables that may be unset
   # shellcheck disable=SC1090
@@ -35,7 +35,7 @@ run_or_requeue() {
   run_to_its_end "${@:2}" || code=$?
   case $code in
     0) ;;
-    # An error that the program has told: a setting, a missing file, a full disk. Another start would
+    # An error that the program has reported: a setting, a missing file, a full disk. Another start would
     # meet the same one. When it is mended, the same submit.sh line goes on.
     [1-9] | [1-9][0-9] | 1[01][0-9] | 12[0-7])
       say "failed with exit code $code: not started again, see the message above" ;;
@@ -48,16 +48,16 @@ run_or_requeue() {
 
 # run_to_its_end PROGRAM [ARGUMENT...]: passes SIGTERM on and waits for the program, which finishes its scene.
 run_to_its_end() {
-  local code program='' told=''
-  trap 'told=yes; [ -z "$program" ] || kill -TERM "$program" 2>/dev/null || true' TERM
+  local code program='' signalled=''
+  trap 'signalled=yes; [ -z "$program" ] || kill -TERM "$program" 2>/dev/null || true' TERM
   "$@" &
   program=$!
-  [ -z "$told" ] || kill -TERM "$program" 2>/dev/null || true
+  [ -z "$signalled" ] || kill -TERM "$program" 2>/dev/null || true
   while true; do
     code=0
     wait "$program" || code=$?
-    [ -n "$told" ] || break
-    told=''  # the signal, and not the program's end, may have ended the wait
+    [ -n "$signalled" ] || break
+    signalled=''  # the signal, and not the program's end, may have ended the wait
   done
   trap '' TERM  # what Slurm sends to a task that it requeues
   return "$code"

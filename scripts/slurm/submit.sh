@@ -17,7 +17,7 @@
 #   --shards FOLDER   each shard in a folder of its own below FOLDER, which is shared as well
 #                     (default: all in the output folder)
 #
-# The same line again goes on where an earlier one ended. docs/cluster.md tells what happens when.
+# The same line again goes on where an earlier one ended. docs/cluster.md says what happens when.
 set -euo pipefail
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -66,7 +66,7 @@ read_options() {
 }
 
 read_arguments() {
-  [ $# -ge 2 ] || fail "CONFIG and COUNT are missing; submit.sh --help tells more"
+  [ $# -ge 2 ] || fail "CONFIG and COUNT are missing; submit.sh --help says more"
   config=$(realpath -m -- "$1") count=$2
   shift 2
   output='' settings=() sbatch_options=()

@@ -97,7 +97,7 @@ Pose readPose(Parameters& group, const std::string& name) {
   return makePose({n[0], n[1], n[2]}, orientation);
 }
 
-/// An effect that most cameras lack: no default is told of it.
+/// An effect that most cameras lack: no default is listed for it.
 std::optional<double> maybeBetween(Parameters& group, const std::string& name, double low,
                                    double high) {
   const auto value = group.maybe<double>(name);

@@ -64,7 +64,7 @@ motion::MotionOptions readMotion(Parameters& root) {
   const bool is_placed = motion.source == motion::MotionSource::kPlacement;
   if (is_placed) {
     motion.bag_files = root.maybe<std::vector<std::string>>("bag_file").value_or(motion.bag_files);
-    if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which tells so
+    if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which reports it
     motion.scenes = maybeSceneCount(root, "scenes").value_or(1);
     refuse(root, {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics"},
            "bag");
@@ -130,7 +130,7 @@ world::OnMissingAsset readOnMissingAsset(Parameters& group) {
   return found == "warn" ? world::OnMissingAsset::kWarn : world::OnMissingAsset::kError;
 }
 
-/// Nothing where the world's files tell.
+/// Nothing where the world's files decide.
 std::optional<world::Simulator> readSimulator(Parameters& group) {
   const std::string found = group.maybe<std::string>("simulator").value_or("auto");
   if (found == "classic") return world::Simulator::kClassic;

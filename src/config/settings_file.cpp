@@ -131,7 +131,7 @@ bool replaces(const Value::Map& over, const Value::Map& below) {
 
 Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
                     std::vector<std::string> above) {
-  std::error_code problem;  // of which reading the file tells
+  std::error_code problem;  // which reading the file reports
   const std::string place = std::filesystem::weakly_canonical(file, problem).string();
   if (std::find(above.begin(), above.end(), place) != above.end()) {
     throw Error(file + ": include: found a file that includes itself");

@@ -114,7 +114,7 @@ MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const PendingMasks& su
     std::vector<Mask> masks = subtracted();
     for (std::size_t i = 0; i < count; ++i) {
       if (requirements_.silhouettes) scene.objects[i].silhouette = masks[i];
-      // Of what no pixel's centre sees, colours may yet tell a rim.
+      // What no pixel's centre sees may still colour the edge of some pixels.
       if (parts[i].count == 0) masks[i] = Mask();
     }
     const cv::Mat layered = label::layeredInstanceMap(masks, ids, distances);

@@ -126,7 +126,7 @@ class Check {
 
   void readChunkInfo() {
     const BagHeader header = file_.header();
-    require(header, kChunkInfo, "what is told of a chunk");
+    require(header, kChunkInfo, "a chunk's header");
     ChunkInfo info;
     info.place = header.number("chunk_pos", 8);
     file_.skip(4);  // the data's length, which follows from the count

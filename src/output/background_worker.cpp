@@ -68,7 +68,7 @@ void BackgroundWorker::work() {
     } catch (...) {
       failure = std::current_exception();
     }
-    job = nullptr;  // what it holds is freed before anybody is told that it is done
+    job = nullptr;  // what it holds is freed before it is reported as done
     lock.lock();
     working_ = false;
     if (failure) {

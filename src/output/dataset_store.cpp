@@ -45,7 +45,7 @@ bool hasWholeNumbers(const std::vector<OutputFile>& files) {
 }
 
 /// What the manifest has of the scene's own pictures: of their pixels, and of the JPEG files made
-/// of them, from whose pixels nobody can tell any more.
+/// of them, whose origin their pixels no longer show.
 std::vector<PictureFacts> pictureFactsOf(const SceneFacts& scene,
                                          const std::vector<OutputFile>& files,
                                          const std::vector<SceneContent>& contents) {

@@ -16,7 +16,7 @@ using Memory = std::unique_ptr<FIMEMORY, Closer>;
 using Bitmap = std::unique_ptr<FIBITMAP, Closer>;
 
 /// The formats that are promised. Others are left alone: FreeImage's reader of icons, for one, asks
-/// for as much memory as a broken file tells it to.
+/// for as much memory as a broken file asks for.
 bool isRead(FREE_IMAGE_FORMAT format) {
   switch (format) {
     case FIF_PNG:

@@ -62,7 +62,7 @@ std::vector<uchar> encodeImage(const cv::Mat& image, ImageFormat format,
   std::vector<int> settings = {cv::IMWRITE_JPEG_QUALITY, quality.jpeg_quality};
   if (format == ImageFormat::kTiff) {
     // libtiff's COMPRESSION_ADOBE_DEFLATE, which all readers have. OpenCV leaves floating point
-    // numbers as they are, whatever it is told.
+    // numbers as they are, whatever the option says.
     constexpr int kAdobeDeflate = 8;
     extension = ".tiff";
     settings = {cv::IMWRITE_TIFF_COMPRESSION, kAdobeDeflate};

@@ -80,7 +80,7 @@ bool isWholeBmp(const PictureBytes& file) {
   return endOfRows(file.little(10, 4), height, (row + 3) / 4 * 4, row) <= file.size();
 }
 
-/// The palette's bytes that a GIF's packed field tells of.
+/// The palette's bytes that a GIF's packed field announces.
 std::uint64_t gifPalette(std::uint8_t packed) {
   return (packed & 0x80U) != 0 ? std::uint64_t{3} << ((packed & 0x07U) + 1U) : 0;
 }

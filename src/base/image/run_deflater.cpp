@@ -58,7 +58,7 @@ const std::array<Word, kSymbols>& symbols() {
   return kCode;
 }
 
-/// How a repetition's length is told: a symbol, and bits beyond it (RFC 1951, 3.2.5).
+/// How a repetition's length is coded: a symbol, and bits beyond it (RFC 1951, 3.2.5).
 struct Length {
   std::size_t symbol = 0;
   std::uint32_t extra = 0;
@@ -92,7 +92,7 @@ RunDeflater::RunDeflater() {
   write(2, 2);  // with a code of its own, which follows (RFC 1951, 3.2.7)
   write(kSymbols - 257, 5);
   write(0, 5);  // one distance: of the byte before
-  // The lengths of words are told in a code of their own, of whose words come the lengths first.
+  // The lengths of words have a code of their own, of whose words come the lengths first.
   constexpr std::size_t kRepeat = 16;  // the length before, 3 to 6 times
   constexpr std::size_t kZeros = 18;   // 11 to 138 of them
   constexpr std::array<std::size_t, 19> kOrder = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
@@ -101,26 +101,28 @@ RunDeflater::RunDeflater() {
   lengths[kRepeat] = lengths[7] = 2;
   lengths[kZeros] = lengths[1] = lengths[3] = lengths[6] = 3;
   const std::array<Word, 19> code = codeOf(lengths);
-  constexpr std::size_t kTold = 18;  // of kOrder: all up to that of 1
-  write(kTold - 4, 4);
-  for (std::size_t i = 0; i < kTold; ++i)
+  constexpr std::size_t kSent = 18;  // of kOrder: all up to that of 1
+  write(kSent - 4, 4);
+  for (std::size_t i = 0; i < kSent; ++i)
     write(static_cast<std::uint32_t>(lengths.at(kOrder.at(i))), 3);
-  const auto tell = [&](std::size_t symbol) { write(code.at(symbol).bits, code.at(symbol).count); };
-  tell(3);  // black
+  const auto writeCode = [&](std::size_t symbol) {
+    write(code.at(symbol).bits, code.at(symbol).count);
+  };
+  writeCode(3);  // black
   for (const std::uint32_t zeros : {138U, 116U}) {
-    tell(kZeros);
+    writeCode(kZeros);
     write(zeros - 11, 7);
   }
-  tell(3);  // white
-  tell(7);  // the end and 25 lengths
+  writeCode(3);  // white
+  writeCode(7);  // the end and 25 lengths
   for (int i = 0; i < 4; ++i) {
-    tell(kRepeat);
+    writeCode(kRepeat);
     write(6 - 3, 2);
   }
-  tell(7);
-  for (int i = 0; i < 3; ++i) tell(6);
-  tell(1);  // the longest
-  tell(1);  // the one distance
+  writeCode(7);
+  for (int i = 0; i < 3; ++i) writeCode(6);
+  writeCode(1);  // the longest
+  writeCode(1);  // the one distance
 }
 
 void RunDeflater::add(std::uint8_t byte, std::size_t count) {

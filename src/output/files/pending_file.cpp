@@ -60,7 +60,7 @@ class OpenFile {
     }
   }
 
-  /// Some file systems tell only here that a disk is full.
+  /// Some file systems report a full disk only here.
   void close() {
     if (descriptor_ < 0) return;
     if (::close(descriptor_) != 0 && error_ == 0 && errno != EINTR) error_ = errno;
@@ -75,7 +75,7 @@ class OpenFile {
   int error_;
 };
 
-/// Lets a std::ostream write to a file whose errors can be told.
+/// Lets a std::ostream write to a file whose errors can be reported.
 class OpenFileBuffer : public std::streambuf {
  public:
   explicit OpenFileBuffer(OpenFile& file) : file_(file) {

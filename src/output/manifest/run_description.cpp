@@ -10,7 +10,7 @@ namespace synthetic_dataset::output {
 namespace {
 
 /// Entries that stand on one side only, or differ.
-/// @param text  what is told of an entry
+/// @param text  what an entry is described by
 template <class Entries, class Text>
 void compare(const std::string& what, const Entries& one, const Entries& other,
              const std::string& before, const std::string& now, const Text& text,
@@ -18,13 +18,13 @@ void compare(const std::string& what, const Entries& one, const Entries& other,
   std::set<std::string> names;
   for (const auto& [name, entry] : one) names.insert(name);
   for (const auto& [name, entry] : other) names.insert(name);
-  const auto told = [&](const Entries& entries, const std::string& name) {
+  const auto described = [&](const Entries& entries, const std::string& name) {
     const auto found = entries.find(name);
     return found == entries.end() ? std::string("none") : text(found->second);
   };
   for (const std::string& name : names) {
-    const std::string first = told(one, name);
-    const std::string second = told(other, name);
+    const std::string first = described(one, name);
+    const std::string second = described(other, name);
     if (first == second) continue;
     lines.push_back(what + name + ": " + before + " " + first + ", " + now + " " + second);
   }

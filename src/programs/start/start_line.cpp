@@ -87,7 +87,7 @@ std::string startUsage() {
              [--formats LIST] [-o FILE]
 
 Writes a settings file for a recording, with comments: the shortest that runs. What the
-recording does not tell is marked with TODO, in the file and at the end.
+recording does not say is marked with TODO, in the file and at the end.
 
   --world WORLD      an SDF world; without it, a plain ground and the sun
   --model NAME=FILE  an object to label, by the name that it has in the recording

@@ -258,7 +258,7 @@ class Builder {
     return plain;
   }
 
-  /// Writers that have been told of more scenes than there are, as only they know which frames they
+  /// Writers that were promised more scenes than there are, as only they know which frames they
   /// need, are loaded anew.
   void replan() {
     if (!setup_.splits) return;  // reported already

@@ -16,7 +16,7 @@ using Index = std::uint32_t;
 
 /// For each vertex the first one at its place.
 std::vector<Index> placesOf(const std::vector<Eigen::Vector3f>& positions) {
-  constexpr double kSteps = 1U << 23U;  // in the mesh's size: what single precision tells apart
+  constexpr double kSteps = 1U << 23U;  // in the mesh's size: what single precision distinguishes
   float size = 0.0F;
   for (const Eigen::Vector3f& position : positions) {
     size = std::max(size, position.cwiseAbs().maxCoeff());

@@ -22,13 +22,13 @@ std::string joined(const std::vector<std::string>& reasons) {
 /// What urdfdom has thrown away of a robot that it gives all the same. Of an element it says what
 /// is wrong, then "Could not parse visual element for Link [a]"; what follows in that link goes as
 /// well. Of a material it says nothing more, and goes on without its colour.
-void tellLosses(const std::vector<std::string>& reasons, const std::string& name,
-                Findings& findings) {
+void reportLosses(const std::vector<std::string>& reasons, const std::string& name,
+                  Findings& findings) {
   const auto startsWith = [](const std::string& reason, const std::string& start) {
     return reason.rfind(start, 0) == 0;
   };
   std::vector<std::string> causes;
-  const auto tell = [&] {
+  const auto report = [&] {
     if (!causes.empty() && startsWith(causes.back(), "Material")) {
       findings.addNote(name + ": " + joined(causes) + "; drawn in the default colour");
     } else if (!causes.empty()) {
@@ -38,11 +38,11 @@ void tellLosses(const std::vector<std::string>& reasons, const std::string& name
   };
   for (const std::string& reason : reasons) {
     const bool of_material = startsWith(reason, "Material");
-    if (!causes.empty() && startsWith(causes.back(), "Material") != of_material) tell();
+    if (!causes.empty() && startsWith(causes.back(), "Material") != of_material) report();
     causes.push_back(reason);
-    if (startsWith(reason, "Could not parse")) tell();
+    if (startsWith(reason, "Could not parse")) report();
   }
-  tell();
+  report();
 }
 
 /// Null, with the error reported, where urdfdom refuses the text.
@@ -53,14 +53,14 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& text, const std::string& 
   try {
     urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(text);
     if (robot && robot->getRoot()) {
-      tellLosses(console.errors(), name, findings);
+      reportLosses(console.errors(), name, findings);
       return robot;
     }
   } catch (const std::exception& error) {
     reasons.emplace_back(error.what());
   }
-  const std::vector<std::string> told = console.errors();
-  reasons.insert(reasons.end(), told.begin(), told.end());
+  const std::vector<std::string> errors = console.errors();
+  reasons.insert(reasons.end(), errors.begin(), errors.end());
   findings.addError(name + ": " + joined(reasons));
   return nullptr;
 }
