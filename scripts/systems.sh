@@ -38,6 +38,7 @@ make_system() {
 in_system() {
   local root=$systems/$1
   mkdir -p "$root/repository" "$2" "$root$2"
+  cp /etc/hosts "$root/etc/hosts"  # debootstrap makes none, and a ROS master needs `localhost`
   # shellcheck disable=SC2016
   unshare --mount bash -euc '
     mount --make-rprivate /

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Makes the bundled example on other releases of Debian, as a user of a bare system does, and
 # compares its files with those that are made here.
-#   ./scripts/test_systems.sh [--tests|--prepare] [bullseye|trixie|one]...    both by default
-# `one` is one of them, chosen by the commit. --tests runs every test there as well; --prepare only
-# installs what is needed, while something else has the processor. Each takes some 15 minutes when it
-# is new, and 3 GB in ~/.cache/synthetic_dataset/systems; only root can do it.
+#   ./scripts/test_systems.sh [--tests|--prepare] [bullseye|trixie]...    both by default
+# --tests runs every test there as well; --prepare only installs what is needed, while something else
+# has the processor. Each takes some 15 minutes when it is new, and 3 GB in
+# ~/.cache/synthetic_dataset/systems; only root can do it.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -18,10 +18,7 @@ for argument in "$@"; do
   case $argument in
     --tests | --prepare) what=${argument#--} ;;
     bullseye | trixie) names+=("$argument") ;;
-    one)
-      commit=$(git -C "$repository" rev-parse HEAD 2>/dev/null || echo 0)
-      [[ $commit == *[02468ace] ]] && names+=(bullseye) || names+=(trixie) ;;
-    *) echo "'$argument' is no system: bullseye, trixie or one" >&2; exit 2 ;;
+    *) echo "'$argument' is no system: bullseye or trixie" >&2; exit 2 ;;
   esac
 done
 [ ${#names[@]} -gt 0 ] || names=(bullseye trixie)
