@@ -39,8 +39,8 @@ struct SeenSurface {
 /// intersection over union, nothing where there is neither. Empty where nothing was subtracted.
 using MaskAgreement = std::vector<std::optional<double>>;
 
-/// Adds the labels that follow from what has been seen, and the findings about their masks; in any
-/// thread, as long as the labeller and the renderer live.
+/// Adds the labels that follow from what has been seen, and tells of their masks; in any thread, as
+/// long as the labeller and the renderer live.
 using PendingLabels = std::function<MaskAgreement(Scene&)>;
 
 /// What was seen for a scene.

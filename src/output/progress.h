@@ -6,7 +6,7 @@
 
 namespace synthetic_dataset::output {
 
-/// Reports how far a run is: percent, scenes per second, time left.
+/// Tells how far a run is: percent, scenes per second, time left.
 class Progress {
  public:
   /// A clock that never goes back [s].

@@ -17,7 +17,7 @@ enum class Simulator {
 /// What files do not say.
 struct LoadOptions {
   OnMissingAsset on_missing_asset = OnMissingAsset::kError;
-  std::optional<Simulator> simulator;  ///< of worlds; none: their files decide
+  std::optional<Simulator> simulator;  ///< of worlds; none: their files tell
 };
 
 }  // namespace synthetic_dataset::world
