@@ -4,7 +4,7 @@ import {idOf, problemList, rounded} from './fields.js';
 import {keyOf} from './paths.js';
 import {parseFlow, printFlow} from './flow.js';
 import {problemsAt} from './problems.js';
-import {effective, parameter, set} from './store.js';
+import {effective, own, parameter, set} from './store.js';
 
 const KINDS = [['off', 'off'], ['fixed', 'always'], ['uniform', 'uniform'], ['log_uniform', 'log-uniform'], ['normal', 'normal'], ['choice', 'one of']];
 
@@ -16,10 +16,11 @@ function kindOf(value) {
   return 'fixed';
 }
 
-// options: label, unit, range: [low, high] of the sliders, start: what it is when turned on, isColour.
+// options: label, unit, range: [low, high] of the sliders, start: what it is when turned on, isColour, isAlways: it
+// cannot be off, and is `start` by default.
 export function distribution(path, options) {
   const id = idOf(path);
-  const value = effective(path);
+  const value = effective(path) ?? (options.isAlways ? options.start : undefined);
   const kind = kindOf(value);
   const problems = problemsAt(path);
   const text = parameter(path)?.text ?? '';
@@ -29,9 +30,9 @@ export function distribution(path, options) {
   h('div', {class: 'distribution-head'},
     h('label', {class: 'toggle plain', title: text},
       h('input', {
-        type: 'checkbox', class: 'switch', role: 'switch', checked: kind !== 'off', id,
-        onchange: (event) => set(path, event.target.checked ? options.start : undefined),
-      }), h('span', {id: `${id}-label`}, options.label, options.unit ? h('span', {class: 'unit'}, ` ${options.unit}`) : null)),
+        type: 'checkbox', class: 'switch', role: 'switch', checked: kind !== 'off', id, disabled: options.isAlways && own(path) === undefined,
+        title: options.isAlways ? 'Off: the default' : null, onchange: (event) => set(path, event.target.checked ? options.start : undefined),
+      }), h('span', {id: `${id}-label`}, options.label, options.unit ? h('span', {class: 'unit'}, ` [${options.unit}]`) : null)),
     h('select', {
       'aria-label': `${options.label}: kind`, disabled: kind === 'off', value: kind,
       onchange: (event) => set(path, converted(value, event.target.value, options)),

@@ -45,7 +45,7 @@ export function field(path, options, control) {
   h('div', {class: 'field-head'},
     h(isGroup ? 'span' : 'label', {class: 'field-label', id: `${id}-label`, for: isGroup ? null : id},
       options.label ?? String(path.at(-1)),
-      options.unit && h('span', {class: 'unit'}, ` ${options.unit}`)),
+      options.unit && h('span', {class: 'unit'}, ` [${options.unit}]`)),
     h('span', {class: 'source', title: SOURCES[source]}, {included: 'included', default: parameter(path)?.required ? 'required' : ''}[source]),
     resetButton(path, options)),
   h('div', {class: 'control'}, control(props)),
@@ -121,8 +121,8 @@ export function rounded(value, digits = 6) {
 
 let drags = 0;
 
-function slider(path, {range: [low, high], step, label}) {
-  const value = effective(path) ?? parameter(path)?.default;
+function slider(path, {range: [low, high], step, label, fallback}) {
+  const value = effective(path) ?? parameter(path)?.default ?? fallback;
   return h('input', {
     type: 'range', min: low, max: high, step: step ?? 'any', 'aria-label': `${label ?? path.at(-1)}, slider`,
     value: typeof value === 'number' ? value : low,

@@ -102,7 +102,7 @@ function readAddress() {
   show({pane: pane.id});
   if (isOther) {
     document.getElementById('pane').scrollTop = 0;
-    document.querySelector('#nav [aria-current]')?.scrollIntoView({block: 'nearest', inline: 'nearest'});
+    document.querySelector('#nav [aria-current]')?.scrollIntoView({block: 'nearest', inline: 'center'});
   }
   if (rest.length) requestAnimationFrame(() => focusField(rest.join(':')));
 }

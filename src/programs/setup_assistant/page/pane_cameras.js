@@ -13,7 +13,7 @@ import {matrixOfRpy, opticalOfBody, quaternionOfMatrix} from './pose_math.js';
 export const camerasPane = {
   id: 'cameras',
   title: 'Cameras',
-  text: 'What the lens is, and where it stands. A camera that stands or is mounted is moved by dragging the picture.',
+  text: 'What the lens is, and where it stands. A camera that is fixed or on an object is moved by dragging the picture.',
   paths: () => [['camera'], ['cameras'], ['camera_frame_id'], ['twin']],
   summary: () => (effective(['cameras']) === undefined ? fileName(effective(['camera', 'info_file']) ?? effective(['camera', 'info_topic']) ?? effective(['camera', 'sensor'])) : cameraNames().join(', ')),
   draw,
@@ -104,12 +104,12 @@ export function choice(id, label, pairs, value, choose) {
     segments(id, pairs, value, choose));
 }
 
-const WAYS = [['frame', 'Follows TF'], ['pose', 'Stands'], ['mounted_on', 'On an object'], ['sample', 'At random'], ['sensor', 'Sensor\u2019s']];
+const WAYS = [['frame', 'From TF'], ['pose', 'Fixed'], ['mounted_on', 'On an object'], ['sample', 'Random'], ['sensor', 'Sensor']];
 
 function place(path) {
   const way = wayOf(path);
   return [
-    choice('way', 'It', WAYS, way, (wanted) => changeWay(path, way, wanted)),
+    choice('way', 'Its pose', WAYS, way, (wanted) => changeWay(path, way, wanted)),
     way === 'frame' ? followed(path) : null,
     way === 'mounted_on' ? choiceField([...path, 'mounted_on'], objectNames(), {label: 'Object'}) : null,
     way === 'pose' || way === 'mounted_on' ? pose(path) : null,
@@ -143,12 +143,12 @@ function followed(path) {
   const here = shownPose(path);
   return [
     textField(framePath(path), {label: 'Frame of the lens (z ahead, x right, y down)', suggestions: frames}),
-    h('p', {class: 'buttons'}, h('button', {type: 'button', disabled: !here, onclick: () => changeWay(path, 'frame', 'pose')}, 'Stand here, to be dragged'),
+    h('p', {class: 'buttons'}, h('button', {type: 'button', disabled: !here, onclick: () => changeWay(path, 'frame', 'pose')}, 'Fix it here, to drag it'),
       h('span', {class: 'muted'}, here ? `at ${here.position.map((each) => fixed(each)).join(', ')} m` : '')),
   ];
 }
 
-const FORMS = [['object', 'Looks at an object'], ['point', 'Looks at a point'], ['rpy', 'Is turned'], ['optical', 'Optical frame']];
+const FORMS = [['object', 'An object'], ['point', 'A point'], ['rpy', 'Angles'], ['optical', 'Optical frame']];
 
 function pose(path) {
   const where = [...path, 'pose'];
@@ -157,7 +157,7 @@ function pose(path) {
   const inObject = wayOf(path) === 'mounted_on';
   const choose = (wanted) => set(where, converted(path, value, wanted));
   return [
-    choice('form', 'and', FORMS, form, choose),
+    choice('form', 'Aimed by', FORMS, form, choose),
     h('div', {class: 'field bare', 'data-path': where.join('/')}),
     form === 'optical' ? vectorField(where, ['x', 'y', 'z', 'qx', 'qy', 'qz', 'qw'], {label: 'Pose of the optical frame', unit: 'm', step: 0.05, hint: ''})
       : vectorField([...where, 'position'], ['x', 'y', 'z'], {label: inObject ? 'Position in the object\u2019s frame' : 'Position', unit: 'm', step: 0.1, hint: ''}),
@@ -191,11 +191,11 @@ function sample(path) {
     : [[[...where, 'position'], undefined]]);
   return [
     textField([...where, 'look_at'], {label: 'Looks at', suggestions: ['any', 'all', ...objectNames()]}),
-    choice('shape', 'from', [['shell', 'a shell around it'], ['box', 'a box']], isBox ? 'box' : 'shell', chooseShape),
-    isBox ? distribution([...where, 'position'], {label: 'Position', unit: 'm', range: [-10, 10], start: {uniform: [[-2, -2, 0.5], [2, 2, 2]]}}) : [
-      distribution([...where, 'distance'], {label: 'Distance', unit: 'm', range: [0.1, 10], start: {uniform: [1, 3]}}),
-      distribution([...where, 'elevation'], {label: 'Above the horizon', unit: 'rad', range: [-1.5, 1.5], start: {uniform: [0.2, 1]}}),
-      distribution([...where, 'azimuth'], {label: 'Direction', unit: 'rad', range: [-3.1416, 3.1416], start: {uniform: [-3.1416, 3.1416]}}),
+    choice('shape', 'Position in', [['shell', 'a shell around it'], ['box', 'a box']], isBox ? 'box' : 'shell', chooseShape),
+    isBox ? distribution([...where, 'position'], {label: 'Position', unit: 'm', range: [-10, 10], start: {uniform: [[-2, -2, 0.5], [2, 2, 2]]}, isAlways: true}) : [
+      distribution([...where, 'distance'], {label: 'Distance', unit: 'm', range: [0.1, 10], start: {uniform: [1, 3]}, isAlways: true}),
+      distribution([...where, 'elevation'], {label: 'Above the horizon', unit: 'rad', range: [-1.5, 1.5], start: {uniform: [0.2, 1]}, isAlways: true}),
+      distribution([...where, 'azimuth'], {label: 'Direction', unit: 'rad', range: [-3.1416, 3.1416], start: {uniform: [-3.1416, 3.1416]}, isAlways: true}),
     ],
     distribution([...where, 'aim_offset'], {label: 'Looks past it by', unit: 'm', range: [-1, 1], start: {normal: [0, 0.2]}}),
     distribution([...where, 'roll'], {label: 'About the line of sight', unit: 'rad', range: [-1, 1], start: {normal: [0, 0.06]}}),

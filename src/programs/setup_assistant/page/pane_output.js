@@ -59,7 +59,7 @@ function split() {
   return [
     h('div', {class: 'split-bar', 'aria-hidden': 'true'}, PARTS.map((each, index) => h('i', {class: each, style: {'--share': shares[index]}}, shares[index] > 0.08 ? each : ''))),
     h('div', {class: 'triple'}, PARTS.map((each) => numberField(['split', each], {
-      label: each, unit: Number.isFinite(counts[each]) ? `${counts[each]} scenes` : '', step: 0.05, fallback: 0, hint: '',
+      label: each, unit: Number.isFinite(counts[each]) ? `${grouped(counts[each])} scenes` : '', step: 0.05, fallback: 0, hint: '',
     }))),
     Math.abs(shares.reduce((sum, each) => sum + each, 0) - 1) > 1e-9 ? h('p', {class: 'buttons'}, h('button', {type: 'button', onclick: () => complete(value, shares)}, 'Make them add up to 1')) : null,
     choiceField(['split', 'by'], [['blocks', 'Blocks in time'], ['scenes', 'At random']], {label: 'Divided by', fallback: 'blocks', hint: 'Neighbours in time look alike, so blocks test more honestly.'}),

@@ -9,6 +9,9 @@ export const scene = {value: null, bitmap: null, error: null, isLoading: false, 
 // Set while a camera is dragged: smaller pictures, which are drawn faster.
 export const draft = {width: null};
 
+// Pages do not take one another's turn.
+const page = Math.random().toString(36).slice(2);
+
 let asked = null;
 let shown = null;
 
@@ -28,7 +31,7 @@ async function load() {
   scene.isLoading = true;
   try {
     const value = await get('/api/scene', {
-      instant: currentInstant(), camera: currentCamera(), revision: store.state.revision, width: draft.width,
+      instant: currentInstant(), camera: currentCamera(), revision: store.state.revision, width: draft.width, view: page,
     });
     const url = view.layer === 'picture' ? value.picture : value[view.layer] ?? value.picture;
     const response = await fetch(url);

@@ -2,7 +2,7 @@
 import {h, patch} from './dom.js';
 import {count, fixed} from './numbers.js';
 import {overlay} from './overlay.js';
-import {draft, scene} from './scene_loader.js';
+import {scene} from './scene_loader.js';
 import {store} from './store.js';
 import {cameraNames, currentCamera, currentInstant, instantCount, secondsOf, show, view} from './view_state.js';
 import {cameraDrag, dragHint} from './camera_drag.js';
@@ -27,6 +27,7 @@ function picture() {
   h('canvas', {unmanaged: true, role: 'img', 'aria-label': altText(value), created: drawBitmap, class: message ? 'dimmed' : ''}),
   value ? overlay(value, view.shown) : null,
   h('div', {class: 'loading', hidden: !scene.isLoading}),
+  h('span', {class: 'latency', title: 'How long the server took for this picture'}, value?.milliseconds ? `${Math.round(value.milliseconds)} ms` : ''),
   message ? h('p', {class: 'message', role: 'status'}, message) : null,
   hint ? h('p', {class: 'drag-hint', 'aria-hidden': 'true'}, hint) : null);
 }
@@ -94,7 +95,5 @@ function switches() {
     h('select', {'aria-label': 'Layer', value: view.layer, onchange: (event) => show({layer: event.target.value})},
       LAYERS.map(([name, label]) => h('option', {value: name}, label))),
     names.length > 1 ? h('select', {'aria-label': 'Camera', value: currentCamera(), onchange: (event) => show({camera: event.target.value})},
-      names.map((each) => h('option', {value: each}, each))) : null,
-    h('span', {class: 'latency', title: 'How long the server took for this picture'},
-      scene.value?.milliseconds && !draft.width ? `${Math.round(scene.value.milliseconds)} ms` : ''));
+      names.map((each) => h('option', {value: each}, each))) : null);
 }

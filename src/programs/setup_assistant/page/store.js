@@ -4,6 +4,7 @@ import {isEqual, valueAt} from './paths.js';
 
 export const store = {
   state: null,  // of /api/state
+  merged: undefined,  // its settings over those of included files
   setup: null,  // of /api/setup
   run: {state: 'idle'},
   parameters: new Map(),
@@ -53,7 +54,10 @@ async function readAll(isNewServer = false) {
 }
 
 function takeState(state) {
-  if (!store.state || state.revision >= store.state.revision) store.state = state;
+  if (!store.state || state.revision >= store.state.revision) {
+    store.state = state;
+    store.merged = overlaid(state.effective ?? undefined, state.settings);
+  }
   changed();
 }
 
@@ -144,9 +148,21 @@ export function own(path) {
   return valueAt(store.state?.settings, path);
 }
 
-// With what included files say.
+// With what included files say. What this file has is shown as it is written there, $(find ...) and all.
 export function effective(path) {
-  return valueAt(store.state?.effective, path);
+  return valueAt(store.merged, path);
+}
+
+function overlaid(below, above) {
+  if (above === undefined || above === null) return below;
+  if (!isMap(below) || !isMap(above)) return above;
+  const merged = {...below};
+  for (const [key, value] of Object.entries(above)) merged[key] = overlaid(below[key], value);
+  return merged;
+}
+
+function isMap(value) {
+  return value !== null && typeof value === 'object' && !Array.isArray(value);
 }
 
 // Where a value comes from: this file, an included one, or neither.

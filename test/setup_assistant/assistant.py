@@ -1,0 +1,189 @@
+"""A running `setup_assistant`, and a browser that looks at it."""
+import os
+import pathlib
+import queue
+import re
+import signal
+import subprocess
+import threading
+
+from selenium import webdriver
+from selenium.common.exceptions import StaleElementReferenceException
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
+
+TIMEOUT = 60.0  # [s]
+ADDRESS = re.compile(r'(http://\S+:(\d+)/)\?token=(\S+)')
+
+
+class Assistant:
+    """The program, until `stop`."""
+
+    def __init__(self, file, *arguments):
+        command = ['rosrun', 'synthetic_dataset', 'setup_assistant', str(file), *map(str, arguments)]
+        # A group of its own, as rosrun is a shell script.
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                        universal_newlines=True, preexec_fn=os.setsid)
+        self.lines = []
+        self.address, self.port, self.token = self._address()
+
+    def _address(self):
+        found = queue.Queue()
+
+        def read():
+            for line in self.process.stdout:
+                self.lines.append(line)
+                match = ADDRESS.search(line)
+                if match:
+                    found.put(match)
+            found.put(None)
+
+        threading.Thread(target=read, daemon=True).start()
+        match = found.get(timeout=TIMEOUT)
+        if match is None:
+            raise RuntimeError('setup_assistant has ended: ' + ''.join(self.lines))
+        return match.group(1), int(match.group(2)), match.group(3)
+
+    @property
+    def whole_address(self):
+        return f'{self.address}?token={self.token}'
+
+    def stop(self, how=signal.SIGTERM):
+        if self.process.poll() is None:
+            os.killpg(self.process.pid, how)
+        self.process.wait(timeout=TIMEOUT)
+
+
+def chromium(width=1280, height=800, scheme='light'):
+    options = webdriver.ChromeOptions()
+    for argument in ['--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', '--disable-dev-shm-usage',
+                     f'--window-size={width},{height}']:
+        options.add_argument(argument)
+    options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
+    driver = webdriver.Chrome(service=Service('/usr/bin/chromedriver'), options=options)
+    # A window has a least width; this is what the page sees.
+    driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
+        'width': width, 'height': height, 'deviceScaleFactor': 1, 'mobile': False})
+    driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {
+        'features': [{'name': 'prefers-color-scheme', 'value': scheme}]})
+    return driver
+
+
+class Page:
+    """What a user does with the page."""
+
+    def __init__(self, driver):
+        self.driver = driver
+
+    def open(self, address):
+        self.driver.get(address)
+        self.wait(lambda: self.all('#nav a') and self.all('.pane-body'), 'the page to be drawn')
+
+    def wait(self, condition, what, timeout=TIMEOUT):
+        def holds(_):
+            try:
+                return condition()
+            except StaleElementReferenceException:
+                return False
+        return WebDriverWait(self.driver, timeout, poll_frequency=0.05).until(
+            holds, f'waited for {what}; the page says: {self.text("body")[:1500]}')
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def one(self, selector):
+        return self.wait(lambda: (self.all(selector) or [None])[0], selector)
+
+    def text(self, selector):
+        return self.driver.execute_script(
+            'return document.querySelector(arguments[0])?.innerText ?? ""', selector)
+
+    def script(self, text, *arguments):
+        return self.driver.execute_script(text, *arguments)
+
+    def go(self, pane):
+        self.one(f'#nav a[href="#{pane}"]').click()
+        self.wait(lambda: self.all(f'body[data-pane="{pane}"]'), f'the pane {pane}')
+
+    def field(self, path):
+        return self.one(f'#pane [data-path="{path}"]')
+
+    def input(self, path):
+        return self.one(f'#pane [data-path="{path}"] .control input, #pane [data-path="{path}"] .control select')
+
+    def type(self, path, text):
+        """Types a value into a field and leaves it, and waits for the server to have it."""
+        element = self.input(path)
+        self.script('arguments[0].scrollIntoView({block: "center"})', element)
+        before = self.revision()
+        element.click()
+        element.send_keys(Keys.CONTROL, 'a')
+        element.send_keys(text, Keys.TAB)
+        self.wait(lambda: self.revision() > before, f'{path} to be taken')
+
+    def click(self, selector, label=None):
+        """Clicks on what the selector finds, on the one with this text if it is given."""
+        def find():
+            for each in self.all(selector):
+                if each.is_displayed() and (label is None or each.text.strip() == label or
+                                            each.get_attribute('aria-label') == label):
+                    return each
+            return None
+        element = self.wait(find, f'{selector} {label or ""}')
+        self.script('arguments[0].scrollIntoView({block: "center"})', element)
+        element.click()
+
+    def click_and_wait(self, selector, label=None):
+        before = self.revision()
+        self.click(selector, label)
+        self.wait(lambda: self.revision() > before, f'{selector} {label or ""} to change the settings')
+
+    def browse(self, button, *names):
+        """Opens the file dialog with a button, and clicks through folders to a file."""
+        before = self.revision()
+        self.click(button)
+        for name in names:
+            self.click('#dialog .listing button', name)
+        self.wait(lambda: self.revision() > before, f'{names[-1]} to be chosen')
+
+    def listed(self):
+        return [each.text for each in self.all('#dialog .listing button')]
+
+    def revision(self):
+        found = re.search(r'revision (\d+)', self.script(
+            'return document.querySelector(".yaml-state")?.textContent ?? ""'))
+        return int(found.group(1)) if found else -1
+
+    def yaml(self):
+        return self.script('return document.getElementById("yaml-input").value')
+
+    def type_yaml(self, text):
+        """Replaces the text of the settings file, as pasting does."""
+        self.script('''const input = document.getElementById("yaml-input");
+            input.focus(); input.select(); document.execCommand("insertText", false, arguments[0]);''', text)
+
+    def wait_for_picture(self):
+        """Until the picture is that of the settings as they are."""
+        self.wait(lambda: self.script(
+            'return document.querySelector("#stage canvas").dataset.revision') == str(self.revision()),
+            'the picture of these settings')
+
+    def picture_sum(self):
+        """A number that follows from all pixels of the picture."""
+        return self.script('''const canvas = document.querySelector("#stage canvas");
+            const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+            let sum = 0;
+            for (let i = 0; i < data.length; i += 4) sum = (sum * 31 + data[i] + 7 * data[i + 1] + 13 * data[i + 2]) % 1000003;
+            return sum;''')
+
+    def complaints(self):
+        """Errors in the browser's console but for requests that were refused, which the page shows."""
+        return [each['message'] for each in self.driver.get_log('browser')
+                if each['level'] == 'SEVERE' and 'status of 4' not in each['message'] and
+                'ERR_CONNECTION_REFUSED' not in each['message'] and 'ERR_INCOMPLETE' not in each['message']]
+
+    def save(self, folder, name):
+        if folder is not None:
+            self.driver.save_screenshot(str(pathlib.Path(folder) / f'{name}.png'))
