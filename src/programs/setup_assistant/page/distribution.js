@@ -3,7 +3,7 @@ import {h} from './dom.js';
 import {idOf, problemList, rounded} from './fields.js';
 import {keyOf} from './paths.js';
 import {parseFlow, printFlow} from './flow.js';
-import {problemsAt} from './problems.js';
+import {problemsBelow} from './problems.js';
 import {effective, own, parameter, set} from './store.js';
 
 const KINDS = [['off', 'off'], ['fixed', 'always'], ['uniform', 'uniform'], ['log_uniform', 'log-uniform'], ['normal', 'normal'], ['choice', 'one of']];
@@ -22,7 +22,7 @@ export function distribution(path, options) {
   const id = idOf(path);
   const value = effective(path) ?? (options.isAlways ? options.start : undefined);
   const kind = kindOf(value);
-  const problems = problemsAt(path);
+  const problems = problemsBelow(path);
   const text = parameter(path)?.text ?? '';
   return h('div', {
     key: keyOf(path), class: kind === 'off' ? 'distribution off' : 'distribution', 'data-path': keyOf(path), role: 'group', 'aria-labelledby': `${id}-label`,

@@ -90,7 +90,10 @@ function update(node, child, namespace) {
 
 function setProperty(node, name, value, before) {
   if (['key', 'created', 'unmanaged', 'value'].includes(name)) return;
-  if (name.startsWith('on')) {
+  if (name === 'opened') {
+    // Details stay as the user left them, but open when there is something to see.
+    if (value && !before) node.open = true;
+  } else if (name.startsWith('on')) {
     node[name] = value ?? null;
   } else if (PROPERTIES.has(name)) {
     if (node[name] !== Boolean(value)) node[name] = Boolean(value);

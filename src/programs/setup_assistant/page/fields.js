@@ -1,7 +1,7 @@
 // A field is a setting: its name, its control, what the documentation says of it, and what is wrong with it.
 import {h} from './dom.js';
 import {keyOf} from './paths.js';
-import {problemsAt, sentence} from './problems.js';
+import {identity, problemsBelow, sentence} from './problems.js';
 import {effective, own, parameter, set, sourceOf} from './store.js';
 import {parseFlow, parseScalar, printFlow} from './flow.js';
 import {browse} from './file_dialog.js';
@@ -23,13 +23,13 @@ function withCode(text) {
 
 function defaultOf(path, options) {
   const value = options.fallback ?? parameter(path)?.default;
-  return value === undefined || value === null ? '' : printFlow(value);
+  return typeof value === 'string' ? value : printFlow(value);
 }
 
 // `control(props)` makes the element that is labelled; `props` has its id and its descriptions.
 export function field(path, options, control) {
   const id = idOf(path);
-  const problems = problemsAt(path);
+  const problems = problemsBelow(path);
   const source = sourceOf(path);
   const text = descriptionOf(path, options);
   const props = {
@@ -67,7 +67,7 @@ function resetButton(path, options) {
 
 export function problemList(problems, id = null) {
   return h('ul', {class: 'problems', id, hidden: problems.length === 0}, problems.map((each) =>
-    h('li', {class: each.severity},
+    h('li', {class: each.severity, 'data-problem': identity(each)},
       h('span', {class: 'severity'}, each.severity), ' ', sentence(each),
       each.cure && h('span', {class: 'cure'}, ` ${each.cure}`))));
 }
@@ -90,7 +90,17 @@ function printText(value) {
 }
 
 function setFromText(path, text) {
-  set(path, text.trim() === '' ? undefined : parseScalar(text));
+  set(path, text.trim() === '' ? undefined : valueOfText(text));
+}
+
+// What begins like a list or a map is one if it can be read as one.
+function valueOfText(text) {
+  if (!/^\s*[[{]/.test(text)) return parseScalar(text);
+  try {
+    return parseFlow(text);
+  } catch {
+    return text;
+  }
 }
 
 export function numberField(path, options = {}) {
@@ -249,6 +259,6 @@ export function section(title, ...children) {
 
 // Rarely needed settings; closed until one of them is set or wrong.
 export function more(title, paths, ...children) {
-  const isUsed = paths.some((each) => own(each) !== undefined || problemsAt(each).length > 0);
-  return h('details', {class: 'group', key: title, created: (node) => { node.open = isUsed; }}, h('summary', {}, title), ...children);
+  const isUsed = paths.some((each) => own(each) !== undefined || problemsBelow(each).length > 0);
+  return h('details', {class: 'group', key: title, opened: isUsed}, h('summary', {}, title), ...children);
 }

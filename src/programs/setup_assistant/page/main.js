@@ -1,7 +1,8 @@
 // Draws the page whenever what the server has said, or what the page shows, has changed.
 import {h, patch} from './dom.js';
 import {answerOutside, changed, redo, start, store, undo, watch} from './store.js';
-import {problemsBelow, allProblems, count as countOf} from './problems.js';
+import {allProblems, count as countOf, identity, problemsBelow} from './problems.js';
+import {problemList} from './fields.js';
 import {count, fileName} from './numbers.js';
 import {drawStage, redrawBitmap} from './stage.js';
 import {drawYaml} from './yaml_editor.js';
@@ -59,7 +60,7 @@ function drawNav() {
 
 function navLink(pane) {
   const isHere = pane.id === view.pane;
-  const counts = pane.id === 'problems' ? countOf(allProblems()) : countOf(pane.paths().flatMap(problemsBelow));
+  const counts = pane.id === 'problems' ? countOf(allProblems()) : countOf(pane.paths().flatMap((each) => problemsBelow(each)));
   const worst = counts.error ? 'error' : counts.warning ? 'warning' : null;
   const number = counts.error || counts.warning;
   return h('a', {href: `#${pane.id}`, 'aria-current': isHere ? 'page' : null, class: 'step'},
@@ -74,8 +75,16 @@ function drawPane() {
   patch(document.getElementById('pane'), [
     h('div', {key: pane.id, class: 'pane'},
       h('header', {class: 'pane-head'}, h('h1', {}, pane.title), h('p', {}, pane.text)),
+      h('div', {class: 'pane-others field', unmanaged: true}),
       store.state && store.setup ? h('div', {class: 'pane-body'}, pane.draw()) : h('p', {class: 'empty'}, 'Reading the settings\u2026')),
   ]);
+  patch(document.querySelector('.pane-others'), [problemList(withoutField(pane))]);
+}
+
+// Problems of a pane's settings that none of its fields shows.
+function withoutField(pane) {
+  const shown = new Set([...document.querySelectorAll('.pane-body [data-problem]')].map((each) => each.dataset.problem));
+  return pane.paths().flatMap((each) => problemsBelow(each)).filter((each) => !shown.has(identity(each)));
 }
 
 watch(() => {

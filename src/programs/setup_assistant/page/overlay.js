@@ -23,7 +23,7 @@ export function overlay(scene, shown) {
 function labelsOf(object, shown, scale) {
   const {box} = object;
   return [
-    shown.masks && h('g', {}, (object.polygons ?? []).map((each) => h('polygon', {class: 'mask', points: pointText(each)}))),
+    shown.masks && h('path', {class: 'mask', 'fill-rule': 'evenodd', d: (object.polygons ?? []).map(ringText).join(' ')}),
     shown.boxes && box && h('rect', {class: 'box', x: box[0], y: box[1], width: Math.max(box[2], 0), height: Math.max(box[3], 0)}),
     shown.cuboids && isCuboid(object.cuboid) && h('g', {}, EDGES.map(([from, to]) => h('line', {
       class: 'edge', x1: object.cuboid[from][0], y1: object.cuboid[from][1], x2: object.cuboid[to][0], y2: object.cuboid[to][1],
@@ -39,6 +39,6 @@ function isCuboid(corners) {
   return Array.isArray(corners) && corners.length === 8 && corners.every(Boolean);
 }
 
-function pointText(points) {
-  return points.map(([x, y]) => `${x},${y}`).join(' ');
+function ringText(points) {
+  return `M${points.map(([x, y]) => `${x},${y}`).join('L')}Z`;
 }

@@ -1,10 +1,11 @@
 import {h} from './dom.js';
 import {answer, change, effective, objectNames, set} from './store.js';
-import {choiceField, fileField, flowField, more, numberField, section, segments, switchField, textField, vectorField} from './fields.js';
+import {choiceField, fileField, flowField, more, numberField, problemList, section, segments, switchField, textField, vectorField} from './fields.js';
 import {cameraNames, currentCamera, show} from './view_state.js';
 import {cameraPath, formOf, framePath, roundedPose, shownPose, wayOf} from './camera_pose.js';
 import {distribution} from './distribution.js';
 import {freeName} from './paths.js';
+import {problemsAt} from './problems.js';
 import {fileName, fixed} from './numbers.js';
 import {map} from './figure_map.js';
 import {scene} from './scene_loader.js';
@@ -158,7 +159,7 @@ function pose(path) {
   const choose = (wanted) => set(where, converted(path, value, wanted));
   return [
     choice('form', 'Aimed by', FORMS, form, choose),
-    h('div', {class: 'field bare', 'data-path': where.join('/')}),
+    h('div', {class: 'field', 'data-path': where.join('/')}, problemList(problemsAt(where))),
     form === 'optical' ? vectorField(where, ['x', 'y', 'z', 'qx', 'qy', 'qz', 'qw'], {label: 'Pose of the optical frame', unit: 'm', step: 0.05, hint: ''})
       : vectorField([...where, 'position'], ['x', 'y', 'z'], {label: inObject ? 'Position in the object\u2019s frame' : 'Position', unit: 'm', step: 0.1, hint: ''}),
     form === 'object' ? choiceField([...where, 'look_at'], objectNames(), {label: 'Looks at', hint: 'It follows the object\u2019s middle.'}) : null,

@@ -1,7 +1,7 @@
 import {h} from './dom.js';
 import {answer, change, effective} from './store.js';
 import {flowField, problemList, textField} from './fields.js';
-import {problemsAt} from './problems.js';
+import {problemsAt, problemsBelow} from './problems.js';
 import {freeName} from './paths.js';
 
 export const formatsPane = {
@@ -21,7 +21,7 @@ function writers() {
 function draw() {
   const {value, error} = answer('/api/formats');
   if (!value) return h('p', {class: 'empty'}, error ?? 'Reading the formats\u2026');
-  const known = new Set(value.formats.map((each) => each.name));
+  const known = new Set(value.formats.map((each) => each.type));
   const strange = writers().filter((each) => !known.has(each.type));
   return [
     h('div', {class: 'field', 'data-path': 'writers'}, problemList(problemsAt(['writers']))),
@@ -34,30 +34,24 @@ function draw() {
 }
 
 function format(each) {
-  const used = writers().filter((writer) => writer.type === each.name);
-  const short = each.name.split('/').pop();
-  const package_ = each.name.includes('/') ? each.name.split('/')[0] : '';
-  return h('li', {key: each.name, class: used.length ? 'format chosen' : 'format'},
+  const used = writers().filter((writer) => writer.type === each.type);
+  const [library, short] = each.type.includes('/') ? each.type.split('/') : ['', each.type];
+  return h('li', {key: each.type, class: used.length ? 'format chosen' : 'format'},
     h('div', {class: 'format-head'},
       h('label', {class: 'toggle plain'}, h('input', {
-        type: 'checkbox', checked: used.length > 0, onchange: (event) => (event.target.checked ? add(each.name) : remove(each.name)),
+        type: 'checkbox', checked: used.length > 0, onchange: (event) => (event.target.checked ? add(each) : remove(each.type)),
       }), h('strong', {}, short)),
-      package_ && package_ !== 'synthetic_dataset' ? h('span', {class: 'muted'}, package_) : null,
-      h('span', {class: 'format-text'}, each.text ?? '')),
+      h('span', {class: 'format-text'}, each.text ?? '', each.read_by ? `; for ${each.read_by}` : '', library === 'synthetic_dataset' ? '' : `; of ${library}`)),
     used.map((writer) => options(writer, each)));
 }
 
-function add(type) {
-  const name = freeName(snakeCase(type.split('/').pop()), writers().map((each) => each.name));
+function add({type, name: wanted}) {
+  const name = freeName(wanted ?? type.split('/').pop().toLowerCase(), writers().map((each) => each.name));
   const writer = {name, type};
   const changes = [[['writers'], [...writers(), writer]]];
   const needed = {'synthetic_dataset/Yolo': {main_list: 'list.txt', class: 'number'}}[type];
   if (needed && effective([name]) === undefined) changes.push([[name], needed]);
   change(changes);
-}
-
-function snakeCase(name) {
-  return name.replace(/([a-z0-9])([A-Z])/g, '$1_$2').toLowerCase();
 }
 
 function remove(type) {
@@ -69,7 +63,7 @@ function remove(type) {
 function options(writer, {options: list = []}) {
   const name = String(writer.name);
   const isSet = effective([name]) !== undefined;
-  return h('details', {key: name, class: 'options', created: (node) => { node.open = problemsAt([name]).length > 0; }},
+  return h('details', {key: name, class: 'options', opened: problemsBelow([name]).length > 0},
     h('summary', {}, 'Options', isSet ? h('span', {class: 'muted'}, ` ${Object.entries(effective([name])).map(([key, value]) => `${key}: ${value}`).join(', ')}`) : null),
     h('div', {class: 'field', 'data-path': name},
       problemList(problemsAt([name])),
@@ -78,7 +72,5 @@ function options(writer, {options: list = []}) {
 }
 
 function field(name, {name: option, default: fallback, text}) {
-  const options = {label: option, hint: text, fallback: fallback ?? undefined};
-  const isText = fallback === null || fallback === undefined || typeof fallback === 'string';
-  return isText ? textField([name, option], options) : flowField([name, option], options);
+  return textField([name, option], {label: option, hint: text, fallback: fallback || undefined});
 }

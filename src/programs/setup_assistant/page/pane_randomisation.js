@@ -72,7 +72,7 @@ function named(group, names, draw) {
     const path = root(group, name);
     const isSet = effective(path) !== undefined;
     if (index === 0) return h('div', {key: name}, draw(name));
-    return h('details', {key: name, created: (node) => { node.open = isSet; }, class: 'named'}, h('summary', {}, name, isSet ? h('span', {class: 'dot', title: 'has entries of its own'}) : null), draw(name));
+    return h('details', {key: name, opened: isSet, class: 'named'}, h('summary', {}, name, isSet ? h('span', {class: 'dot', title: 'has entries of its own'}) : null), draw(name));
   }));
 }
 

@@ -24,12 +24,13 @@ function draw() {
   const isBlocked = error > 0 || Boolean(state.error);
   return [
     h('p', {class: 'buttons'},
-      isRunning ? h('button', {key: 'stop', type: 'button', class: 'primary', onclick: stopRun}, 'Stop')
+      isRunning ? h('button', {key: 'stop', type: 'button', class: 'primary', disabled: run.elsewhere, onclick: stopRun}, run.stopping ? 'Stop at once' : 'Stop')
         : h('button', {key: 'start', type: 'button', class: 'primary', disabled: isBlocked, onclick: startRun}, {stopped: 'Go on', failed: 'Try again', done: 'Run again'}[run.state] ?? 'Start'),
-      isBlocked ? h('a', {href: '#problems'}, state.error ? 'The file is no YAML' : `${count(error, 'error')} to mend first`) : h('span', {class: 'muted'}, planned(setup))),
+      run.elsewhere ? h('span', {class: 'muted'}, 'Another program is writing this dataset.') : isBlocked ? h('a', {href: '#problems'}, state.error ? 'The file is no YAML' : `${count(error, 'error')} to mend first`) : h('span', {class: 'muted'}, planned(setup))),
     h('div', {class: 'progress-box', role: 'status'},
       h('progress', {max: run.scenes || 1, value: run.scenes_done ?? 0, 'aria-label': 'Scenes done'}),
       h('p', {class: 'facts'}, progress(run))),
+    h('ul', {class: 'problems all'}, (run.errors ?? []).map((each) => h('li', {class: 'error'}, String(each)))),
     run.state === 'done' ? h('p', {class: 'buttons'}, h('a', {href: '#result', class: 'button primary'}, 'See the result'), h('code', {}, run.output_folder ?? '')) : null,
     h('section', {class: 'group'}, h('h2', {}, 'Log'),
       h('pre', {class: 'log', tabindex: '0', 'aria-label': 'Log'}, (run.log ?? []).join('\n') || ' ')),
@@ -46,6 +47,7 @@ function planned(setup) {
 
 function progress(run) {
   if (run.state === 'idle') return 'Not started.';
+  if (run.stopping) return 'Stops behind the scene that it makes\u2026';
   const parts = [`${grouped(run.scenes_done ?? 0)} of ${grouped(run.scenes ?? 0)} scenes`];
   if (run.state === 'running') {
     if (run.rate) parts.push(`${fixed(run.rate, 1)} a second`);

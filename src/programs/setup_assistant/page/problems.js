@@ -26,3 +26,7 @@ export function count(problems) {
 export function sentence(problem) {
   return problem.found || problem.about;
 }
+
+export function identity(problem) {
+  return `${problem.severity} ${problem.about}: ${problem.found}`;
+}

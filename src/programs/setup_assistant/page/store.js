@@ -29,7 +29,10 @@ export function changed() {
 
 export async function start() {
   const {parameters} = await get('/api/parameters');
-  for (const each of parameters) store.parameters.set(each.path, each);
+  for (const each of parameters) {
+    // Some values in config/params.yaml only show how one is written.
+    store.parameters.set(each.path, each.example ? {...each, default: undefined} : each);
+  }
   await readAll();
   listen({state: takeState, setup: takeSetup, run: takeRun}, (connection) => {
     const isBack = connection === 'live' && store.connection === 'lost';
@@ -40,17 +43,16 @@ export async function start() {
 }
 
 async function readAll(isNewServer = false) {
-  try {
-    const [state, setup, run] = await Promise.all(['/api/state', '/api/setup', '/api/run'].map((each) => get(each)));
-    // Another process counts its revisions anew.
-    if (isNewServer) store.state = store.setup = null;
-    takeState(state);
-    takeSetup(setup);
-    takeRun(run);
-  } catch (error) {
-    if (error.status === 403) store.connection = 'refused';
-    else report(error);
-  }
+  // Another process counts its revisions anew.
+  if (isNewServer) store.state = store.setup = null;
+  const asked = [['/api/state', takeState], ['/api/setup', takeSetup], ['/api/run', takeRun]];
+  await Promise.all(asked.map(([path, take]) => get(path).then(take, refuse)));
+}
+
+function refuse(error) {
+  if (error.status !== 403) return report(error);
+  store.connection = 'refused';
+  return changed();
 }
 
 function takeState(state) {

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Uses the page of setup_assistant in headless Chromium as a user does:
+#   ./scripts/test_setup_page.sh [FOLDER]
+# FOLDER gets screenshots of all panes; without it they are removed.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=workspace.sh
+source "$here/workspace.sh"
+
+"$here/install_dependencies.sh" chromium chromium-driver python3-selenium fonts-dejavu-core
+build_workspace --target setup_assistant --target generate --target synthetic_dataset_writers
+use_workspace
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+folder=${1:-$scratch/screenshots}
+mkdir -p "$folder"
+cd "$repository/test/setup_assistant"
+for test in page whole_way big_bag; do
+  /usr/bin/python3 "${test}_test.py" $([ $test = big_bag ] || printf '%s' "$folder")
+done

@@ -1,0 +1,360 @@
+"""The page of `setup_assistant` in Chromium: what a user sees and does, with the bundled example.
+
+    page_test.py [FOLDER] [TEST...]
+
+FOLDER gets a screenshot of each pane, narrow and wide, light and dark.
+"""
+import pathlib
+import re
+import shutil
+import signal
+import sys
+import tempfile
+import unittest
+import urllib.error
+import urllib.request
+
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
+
+from assistant import Assistant, Page, chromium
+
+PACKAGE = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLE = PACKAGE / 'config' / 'example.yaml'
+PANES = ['recording', 'objects', 'world', 'cameras', 'placement', 'randomisation', 'formats',
+         'output', 'problems', 'run', 'result']
+
+
+class WithPage(unittest.TestCase):
+    """A copy of the bundled example in a folder of its own, its page in a browser."""
+
+    settings = EXAMPLE
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.file = self.folder / 'mine.yaml'
+        text = self.settings.read_text('utf-8')
+        self.file.write_text(re.sub(r'^output_folder:.*$', f'output_folder: {self.folder}/dataset', text, flags=re.M), 'utf-8')
+        self.start()
+        self.driver = chromium()
+        self.addCleanup(self.driver.quit)
+        self.page = Page(self.driver)
+        self.page.open(self.assistant.whole_address)
+
+    def start(self, *arguments):
+        self.assistant = Assistant(self.file, '--folder', PACKAGE / 'worlds', *arguments)
+        self.addCleanup(self.assistant.stop)
+
+    def tearDown(self):
+        self.assertEqual(self.page.complaints(), [])
+
+    def press(self, *keys):
+        chain = ActionChains(self.driver)
+        for key in keys[:-1]:
+            chain.key_down(key)
+        chain.send_keys(keys[-1])
+        for key in keys[:-1]:
+            chain.key_up(key)
+        chain.perform()
+
+
+class SettingsFile(WithPage):
+
+    def test_is_changed_by_a_click_where_the_setting_is(self):
+        before = self.file.read_text('utf-8').splitlines()
+        self.page.type('simulated_rate', '2.5')
+        after = self.file.read_text('utf-8').splitlines()
+        self.assertEqual([line for line in after if line not in before], ['simulated_rate: 2.5'])
+        self.assertEqual(len(after), len(before))
+        self.assertEqual(self.page.yaml(), self.file.read_text('utf-8'))
+
+    def test_changes_the_form_when_it_is_typed(self):
+        self.page.type_yaml(self.page.yaml().replace('simulated_rate: 5.0', 'simulated_rate: 2.0'))
+        self.page.wait(lambda: self.page.input('simulated_rate').get_attribute('value') == '2', 'the field')
+        self.assertIn('simulated_rate: 2.0\n', self.file.read_text('utf-8'))
+
+    def test_is_not_written_while_it_is_no_yaml(self):
+        before = self.file.read_text('utf-8')
+        self.page.type_yaml('bag_file: [one, ')
+        self.page.wait(lambda: 'no YAML' in self.page.text('#header'), 'the complaint')
+        self.assertRegex(self.page.text('.yaml-state'), r'line \d+')
+        self.assertEqual(self.file.read_text('utf-8'), before)
+        self.page.type_yaml(before)
+        self.page.wait(lambda: 'no YAML' not in self.page.text('#header'), 'the complaint to end')
+
+    def test_is_undone_and_redone_by_keys(self):
+        before = self.file.read_text('utf-8')
+        self.page.type('simulated_rate', '2.5')
+        self.page.one('#header h1').click()
+        self.press(Keys.CONTROL, 'z')
+        self.page.wait(lambda: self.file.read_text('utf-8') == before, 'undo')
+        self.press(Keys.CONTROL, Keys.SHIFT, 'z')
+        self.page.wait(lambda: 'simulated_rate: 2.5' in self.file.read_text('utf-8'), 'redo')
+
+    def test_is_loaded_anew_after_a_question_when_another_program_changes_it(self):
+        text = self.file.read_text('utf-8')
+        self.file.write_text(text.replace('simulated_rate: 5.0', 'simulated_rate: 3.0'), 'utf-8')
+        self.page.wait(lambda: 'Another program has changed' in self.page.text('#banners'), 'the question')
+        self.assertEqual(self.page.input('simulated_rate').get_attribute('value'), '5')
+        self.page.click('#banners button', 'Load its text')
+        self.page.wait(lambda: self.page.input('simulated_rate').get_attribute('value') == '3', 'their value')
+        self.assertEqual(self.page.text('#banners'), '')
+
+    def test_is_kept_after_the_question_when_asked_to(self):
+        text = self.file.read_text('utf-8')
+        self.file.write_text('# nothing\n', 'utf-8')
+        self.page.wait(lambda: 'Another program has changed' in self.page.text('#banners'), 'the question')
+        self.page.click('#banners button', 'Keep this page\u2019s')
+        self.page.wait(lambda: self.file.read_text('utf-8') == text, 'the text to be written back')
+
+    def test_is_the_same_in_two_pages(self):
+        first = self.driver.current_window_handle
+        self.driver.switch_to.new_window('tab')
+        second = self.driver.current_window_handle
+        self.page.open(self.assistant.address)
+        self.page.type('simulated_rate', '2.5')
+        self.driver.switch_to.window(first)
+        self.page.wait(lambda: self.page.input('simulated_rate').get_attribute('value') == '2.5', 'the first page')
+        self.page.type('global_frame', 'odom')
+        self.driver.switch_to.window(second)
+        self.page.wait(lambda: self.page.input('global_frame').get_attribute('value') == 'odom', 'the second page')
+
+    def test_keeps_what_is_being_typed_when_another_page_changes_it(self):
+        text = self.page.yaml()
+        self.page.type_yaml(text.replace('global_frame: map', 'global_frame: odom'))
+        post(self.assistant, '/api/set', '{"revision": %d, "changes": [{"path": ["seed"], "value": 7}]}' % self.page.revision())
+        self.page.wait(lambda: 'changed elsewhere' in self.page.text('#yaml'), 'the question')
+        self.assertIn('global_frame: odom', self.page.yaml())
+        self.page.click('#yaml button', 'Take theirs')
+        self.page.wait(lambda: 'seed: 7' in self.page.yaml() and 'global_frame: map' in self.page.yaml(), 'their text')
+
+
+def post(assistant, path, body):
+    request = urllib.request.Request(assistant.address.rstrip('/') + path, body.encode(), {
+        'Content-Type': 'application/json', 'Cookie': f'synthetic_dataset_{assistant.port}={assistant.token}'})
+    return urllib.request.urlopen(request)
+
+
+class Token(WithPage):
+
+    def test_is_asked_for_by_everything(self):
+        for path in ['', 'api/state', 'page/main.js', 'api/events', 'api/files', '?token=' + 32 * '0']:
+            with self.subTest(path=path):
+                with self.assertRaises(urllib.error.HTTPError) as refused:
+                    urllib.request.urlopen(self.assistant.address + path)
+                self.assertEqual(refused.exception.code, 403)
+                self.assertEqual(refused.exception.read(), b'')
+
+    def test_does_not_stay_in_the_address(self):
+        self.assertNotIn('token', self.driver.current_url)
+        self.page.open(self.assistant.address)
+
+
+class Server(WithPage):
+
+    def test_may_be_killed_and_started_again(self):
+        self.page.type('simulated_rate', '2.5')
+        self.assistant.stop(signal.SIGKILL)
+        self.page.wait(lambda: 'No answer' in self.page.text('#banners'), 'the page to say so')
+        self.start('--port', str(self.assistant.port))
+        self.page.wait(lambda: 'new token' in self.page.text('#banners'), 'the page to say so')
+        self.page.open(self.assistant.whole_address)
+        self.page.wait(lambda: self.page.input('simulated_rate').get_attribute('value') == '2.5', 'the field')
+        self.page.wait_for_picture()
+
+
+class Problems(WithPage):
+
+    # A setting, a value that is wrong, and the pane that has its field.
+    WRONG = [
+        ('simulated_rate', -1, 'recording'),
+        ('bag_file', 'none.bag', 'recording'),
+        ('start_offset', -2, 'recording'),
+        ('world/file', 'none.world', 'world'),
+        ('physics/step', 0, 'world'),
+        ('camera/info_file', 'none.yaml', 'cameras'),
+        ('camera/near', -1, 'cameras'),
+        ('camera/pose', 'here', 'cameras'),
+        ('rover_1/frame_id', 'no_such_frame', 'objects'),
+        ('rover_1/keypoints', [[1, 2]], 'objects'),
+        ('randomize/sensor/blur', {'uniform': [3, 1]}, 'randomisation'),
+        ('split', {'train': 0.5}, 'output'),
+        ('image/jpeg_quality', 500, 'output'),
+        ('yolo/class', 'colour', 'formats'),
+    ]
+
+    def test_are_shown_at_their_fields(self):
+        for key, value, pane in self.WRONG:
+            with self.subTest(key=key):
+                self.set(key.split('/'), value)
+                self.page.wait(lambda: 'error' in self.page.text('#header .verdict'), 'the error')
+                self.page.go('problems')
+                link = self.page.wait(lambda: self.link_to(pane), f'a link to {pane}')
+                link.click()
+                self.page.wait(lambda: self.page.all(f'body[data-pane="{pane}"]'), f'the pane {pane}')
+                self.page.wait(lambda: self.problem_at(key), f'a problem at the field {key}')
+                self.page.click_and_wait('#header button', 'Undo')
+                self.page.wait(lambda: 'error' not in self.page.text('#header .verdict'), 'no error')
+
+    def set(self, path, value):
+        before = self.page.revision()
+        self.page.script('const [path, value] = arguments; import("/page/store.js").then(({set}) => set(path, value))', path, value)
+        self.page.wait(lambda: self.page.revision() > before, 'the change')
+
+    def link_to(self, pane):
+        return next((each for each in self.page.all('#pane .error a') if f'#{pane}:' in each.get_attribute('href')), None)
+
+    def problem_at(self, key):
+        parts = key.split('/')
+        groups = ['/'.join(parts[:length]) for length in range(len(parts), 0, -1)]
+        return any(self.page.all(f'#pane [data-path="{each}"] .problems .error') for each in groups)
+
+
+class Picture(WithPage):
+
+    def test_is_that_of_the_instant_under_the_slider(self):
+        self.page.wait_for_picture()
+        first = self.page.picture_sum()
+        self.page.one('#time').send_keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+        self.page.wait(lambda: self.page.one('#stage canvas').get_attribute('data-instant') == '2', 'the third scene')
+        self.assertNotEqual(self.page.picture_sum(), first)
+        self.page.one('#time').send_keys(Keys.HOME)
+        self.page.wait(lambda: self.page.picture_sum() == first, 'the same picture')
+
+    def test_has_labels_that_can_be_switched(self):
+        self.page.wait_for_picture()
+        for label, selector, count in [('Boxes', '.box', 3), ('Masks', '.mask', 3), ('Keypoints', '.keypoint', 27),
+                                       ('Cuboids', '.edge', 36), ('Names', 'text', 3)]:
+            with self.subTest(label=label):
+                shown = f'#stage .overlay {selector}'
+                if not self.page.all(shown):
+                    self.page.click('#stage .toggle', label)
+                self.page.wait(lambda: len(self.page.all(shown)) >= count, label)
+                self.page.click('#stage .toggle', label)
+                self.page.wait(lambda: not self.page.all(shown), f'no {label}')
+
+    def test_follows_the_hand_that_drags_the_camera(self):
+        self.page.go('cameras')
+        self.page.wait_for_picture()
+        first = self.page.picture_sum()
+        self.page.click_and_wait('#pane button', 'Fix it here, to drag it')
+        self.page.wait_for_picture()
+        fixed = self.file.read_text('utf-8')
+        self.assertRegex(fixed, r'position: \[-4(\.0*)?, -2\.9(0*)?, 1\.35(0*)?\]')
+        picture = self.page.one('.picture')
+        ActionChains(self.driver).move_to_element(picture).click_and_hold().move_by_offset(-50, 5) \
+            .move_by_offset(-50, 5).release().perform()
+        self.page.wait(lambda: self.file.read_text('utf-8') != fixed, 'the pose')
+        self.page.wait_for_picture()
+        self.assertNotEqual(self.page.picture_sum(), first)
+        # All of a drag is one step.
+        self.page.click_and_wait('#header button', 'Undo')
+        self.page.wait(lambda: self.file.read_text('utf-8') == fixed, 'the pose from before')
+
+    def test_moves_the_camera_by_keys(self):
+        self.page.go('cameras')
+        self.page.wait_for_picture()
+        self.page.click_and_wait('#pane button', 'Fix it here, to drag it')
+        for keys in [[Keys.ARROW_LEFT], ['+'], [Keys.SHIFT, Keys.ARROW_UP]]:
+            before = self.page.revision()
+            self.page.one('.picture').send_keys(*keys)
+            self.page.wait(lambda: self.page.revision() > before, f'{keys} to move it')
+
+    def test_of_the_fixed_camera_is_that_of_the_recorded_one(self):
+        self.page.go('cameras')
+        self.page.wait_for_picture()
+        corner = self.page.script('return document.querySelector(".labels .box").getAttribute("x")')
+        self.page.click_and_wait('#pane button', 'Fix it here, to drag it')
+        for form in ['Optical frame', 'Angles']:
+            self.page.click_and_wait('#pane .segment', form)
+            self.page.wait_for_picture()
+            moved = self.page.script('return document.querySelector(".labels .box").getAttribute("x")')
+            self.assertAlmostEqual(float(moved), float(corner), delta=1.01)
+
+
+class Names(WithPage):
+
+    def test_are_shown_as_text(self):
+        name = '<img src=x onerror=alert(1)>'
+        shutil.copy(PACKAGE / 'worlds' / 'example.bag', self.folder / f'{name}.bag')
+        self.page.click('#pane .file-list > button')
+        self.page.wait(lambda: any(f'{name}.bag' in each for each in self.listed(self.folder.name)), 'the file')
+        self.press(Keys.ESCAPE)
+        text = self.page.yaml().replace('rover_1', name.replace(' ', '_'))
+        self.page.type_yaml(text.replace(f'[{name.replace(" ", "_")},', f'["{name.replace(" ", "_")}",'))
+        self.page.go('objects')
+        self.page.wait(lambda: '<img_src' in self.page.text('#pane'), 'the name')
+        self.assertEqual(self.page.all('img[src="x"]'), [])
+
+    def listed(self, folder):
+        for each in self.page.all('#dialog .listing button'):
+            if folder in each.text:
+                each.click()
+        return self.page.listed()
+
+
+class Panes(WithPage):
+
+    screenshots = None
+
+    def test_fit_their_window(self):
+        self.page.wait_for_picture()
+        for scheme in ['light', 'dark']:
+            for width in [1280, 390]:
+                self.driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {'features': [{'name': 'prefers-color-scheme', 'value': scheme}]})
+                self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
+                    'width': width, 'height': 800 if width > 800 else 844, 'deviceScaleFactor': 1, 'mobile': False})
+                for pane in PANES:
+                    with self.subTest(scheme=scheme, width=width, pane=pane):
+                        self.page.go(pane)
+                        self.settle()
+                        self.assertEqual(self.page.script('return document.documentElement.scrollWidth'), width)
+                        self.assertEqual(self.outside(), [])
+                        self.assertEqual(self.unnamed(), [])
+                        self.page.save(self.screenshots, f'{pane}_{width}_{scheme}')
+
+    def settle(self):
+        """Until nothing is loading any more."""
+        self.page.wait(lambda: not any(each in self.page.text('#pane') for each in ['Reading', 'Drawing', 'drawing'])
+                       and self.page.script('return document.querySelector("#stage .loading")?.hidden ?? true'), 'all answers')
+
+    def outside(self):
+        return self.page.script('''const wide = document.documentElement.clientWidth;
+            return [...document.querySelectorAll("#pane *, #header *, #stage *")].filter(each =>
+              !each.closest(".table, .scenes, svg, pre, .skip") && each.getClientRects().length &&
+              getComputedStyle(each).position !== "absolute" &&
+              each.getBoundingClientRect().right > wide + 0.5).map(each => each.outerHTML.slice(0, 120));''')
+
+    def unnamed(self):
+        """Controls that a screen reader could not name."""
+        return self.page.script('''return [...document.querySelectorAll("button, input, select, textarea, a, [role=application]")].filter(each =>
+              each.getClientRects().length && !each.getAttribute("aria-label") && !each.labels?.length && !each.textContent.trim())
+              .map(each => each.outerHTML.slice(0, 120));''')
+
+    def test_do_not_jump_while_a_value_changes(self):
+        where = 'return [...document.querySelectorAll("#pane .field, #stage, #yaml")].map(each => each.getBoundingClientRect().top)'
+        self.page.wait_for_picture()
+        self.settle()
+        before = self.page.script(where)
+        self.page.type('simulated_rate', '2.5')
+        self.page.wait_for_picture()
+        self.settle()
+        self.page.script('document.getElementById("pane").scrollTop = 0')
+        self.assertEqual(self.page.script(where), before)
+
+    def test_are_reached_by_keys(self):
+        self.driver.execute_script('document.activeElement.blur()')
+        seen = set()
+        for _ in range(60):
+            self.press(Keys.TAB)
+            seen.add(self.page.script('return document.activeElement.getAttribute("href") ?? document.activeElement.id'))
+        self.assertLessEqual({f'#{each}' for each in PANES}, seen)
+        self.assertIn('field-simulated_rate', seen)
+
+
+if __name__ == '__main__':
+    arguments = sys.argv[1:]
+    if arguments and pathlib.Path(arguments[0]).is_dir():
+        Panes.screenshots = arguments.pop(0)
+    unittest.main(argv=[sys.argv[0], *arguments], verbosity=2)

@@ -1,0 +1,152 @@
+"""From a recording and a world to a finished dataset, by clicks alone.
+
+    whole_way_test.py [FOLDER]
+
+FOLDER gets a screenshot of each step.
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from assistant import Assistant, Page, chromium
+
+PACKAGE = pathlib.Path(__file__).resolve().parents[2]
+
+
+class WholeWay(unittest.TestCase):
+
+    screenshots = None
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        (self.folder / 'dataset').mkdir()
+        self.file = self.folder / 'new.yaml'
+        self.assistant = Assistant(self.file, '--folder', PACKAGE / 'worlds')
+        self.addCleanup(self.assistant.stop)
+        self.driver = chromium()
+        self.addCleanup(self.driver.quit)
+        self.page = Page(self.driver)
+        self.page.open(self.assistant.whole_address)
+
+    def test_leads_to_a_finished_dataset_by_clicks_alone(self):
+        self.record()
+        self.surround()
+        self.choose_objects()
+        self.aim()
+        self.choose_formats()
+        self.choose_output()
+        self.mend()
+        self.run_it()
+        self.look()
+        self.assertEqual(self.page.complaints(), [])
+        self.compare_with_generate()
+
+    def choose(self, button, *names):
+        """Opens the file dialog and clicks through folders, each named by the end of its path."""
+        before = self.page.revision()
+        self.page.click(button)
+        for name in names:
+            entry = self.page.wait(lambda: next((each for each in self.page.all('#dialog .listing button')
+                                                 if re.sub(r'^\W*', '', each.text).split('\n')[0].rstrip('/').endswith(name)), None),
+                                   f'{name} among {self.page.listed()}')
+            entry.click()
+        if not names or '.' not in names[-1]:
+            self.page.click('#dialog button.primary')
+        self.page.wait(lambda: self.page.revision() > before, 'the file to be taken')
+
+    def step(self, pane, name):
+        self.page.go(pane)
+        self.page.save(self.screenshots, f'way_{name}')
+
+    def record(self):
+        self.step('recording', 'recording')
+        self.choose('[data-path="bag_file"] .file-list > button', 'worlds', 'example.bag')
+        self.page.wait(lambda: self.page.all('.timeline-row'), 'the frames of the recording')
+
+    def surround(self):
+        self.step('world', 'world')
+        field = '[data-path="world/file"], [data-path="world"]'
+        self.choose(', '.join(f'{each} .with-button button' for each in field.split(', ')), 'example.sdf')
+        self.choose('[data-path="world/model_folders"] .file-list > button', 'models')
+
+    def choose_objects(self):
+        self.step('objects', 'objects')
+        for frame in ['rover_1/base_footprint', 'rover_2/base_footprint', 'drone_1/base_link']:
+            self.page.click_and_wait('.candidates button', f'Add {frame}')
+        self.page.wait(lambda: len(self.page.all('.tabs .tab')) == 4, 'three objects')
+
+    def aim(self):
+        self.step('cameras', 'cameras')
+        self.choose('[data-path="camera/info_file"] .with-button button', 'example_camera.yaml')
+        self.page.click_and_wait('#pane .segment', 'Random')
+
+    def choose_formats(self):
+        self.step('formats', 'formats')
+        for name in ['Coco', 'PascalVoc']:
+            box = self.page.wait(lambda: next((each for each in self.page.all('.format') if each.text.startswith(name)), None), name)
+            before = self.page.revision()
+            box.find_element('css selector', 'input[type="checkbox"]').click()
+            self.page.wait(lambda: self.page.revision() > before, name)
+
+    def choose_output(self):
+        self.step('output', 'output')
+        # The dialog opens where it was last, so it goes up first.
+        before = self.page.revision()
+        self.page.click('[data-path="output_folder"] .with-button button')
+        while not any(self.folder.name in each for each in self.page.listed()):
+            up = self.page.wait(lambda: next((each for each in self.page.all('#dialog .listing button') if each.text.endswith('up')), None), 'the way up')
+            up.click()
+            self.page.wait(lambda: self.page.script('return arguments[0].isConnected', up) is not None, 'the folder')
+        for name in [self.folder.name, 'dataset']:
+            self.page.wait(lambda: next((each for each in self.page.all('#dialog .listing button') if each.text.rstrip('/').endswith(name)), None), name).click()
+        self.page.click('#dialog button.primary')
+        self.page.wait(lambda: self.page.revision() > before, 'the folder')
+        self.page.click_and_wait('#pane button', 'Divide them')
+        self.page.go('recording')
+        slower = self.page.input('simulated_rate')
+        slower.send_keys('\ue003' * 6, '2', '\ue004')
+        self.page.wait(lambda: 'simulated_rate: 2' in self.page.yaml(), 'two scenes a second')
+
+    def mend(self):
+        self.page.wait(lambda: 'error' not in self.page.text('#header .verdict') and
+                       'reading' not in self.page.text('#header .verdict'), 'all problems to be mended')
+        self.step('problems', 'problems')
+        self.page.wait_for_picture()
+
+    def run_it(self):
+        self.step('run', 'run')
+        self.page.click('#pane button', 'Start')
+        self.page.wait(lambda: 'done' in self.page.text('.progress-box'), 'the run to be done', timeout=300)
+        self.page.save(self.screenshots, 'way_done')
+
+    def look(self):
+        self.page.click('#pane a.button')
+        self.page.wait(lambda: len(self.page.all('.scenes img')) >= 8, 'the scenes')
+        self.page.wait(lambda: self.page.script('''return [...document.querySelectorAll(".scenes img")].slice(0, 4)
+            .every(each => each.complete && each.naturalWidth > 0)'''), 'their pictures')
+        self.page.click('#pane button', 'Verify its files')
+        self.page.wait(lambda: self.page.all('.verdict-line.fine'), 'the files to be as they should be')
+        self.page.save(self.screenshots, 'way_result')
+
+    def compare_with_generate(self):
+        """The file that the page has written makes the same dataset by hand."""
+        other = self.folder / 'by_hand'
+        subprocess.run(['rosrun', 'synthetic_dataset', 'generate', '--config', str(self.file), f'output_folder:={other}'],
+                       check=True, stdout=subprocess.DEVNULL)
+        names = sorted(each.relative_to(other) for each in other.rglob('*') if each.is_file() and each.name != 'manifest.sqlite')
+        self.assertGreater(len(names), 20)
+        made = self.folder / 'dataset'
+        for name in names:
+            self.assertEqual((made / name).read_bytes(), (other / name).read_bytes(), name)
+
+
+if __name__ == '__main__':
+    arguments = sys.argv[1:]
+    if arguments and pathlib.Path(arguments[0]).is_dir():
+        WholeWay.screenshots = arguments.pop(0)
+    unittest.main(argv=[sys.argv[0], *arguments], verbosity=2)
