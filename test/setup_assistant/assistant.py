@@ -22,7 +22,9 @@ class Assistant:
     """The program, until `stop`."""
 
     def __init__(self, file, *arguments):
-        command = ['rosrun', 'synthetic_dataset', 'setup_assistant', str(file), *map(str, arguments)]
+        # As with --page, for who works on the page and does not want to build it in each time.
+        more = os.environ.get('SETUP_ASSISTANT_ARGUMENTS', '').split()
+        command = ['rosrun', 'synthetic_dataset', 'setup_assistant', str(file), *map(str, arguments), *more]
         # A group of its own, as rosrun is a shell script.
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                         universal_newlines=True, preexec_fn=os.setsid)
@@ -40,7 +42,8 @@ class Assistant:
                     found.put(match)
             found.put(None)
 
-        threading.Thread(target=read, daemon=True).start()
+        self.reader = threading.Thread(target=read, daemon=True)
+        self.reader.start()
         match = found.get(timeout=TIMEOUT)
         if match is None:
             raise RuntimeError('setup_assistant has ended: ' + ''.join(self.lines))
@@ -54,6 +57,8 @@ class Assistant:
         if self.process.poll() is None:
             os.killpg(self.process.pid, how)
         self.process.wait(timeout=TIMEOUT)
+        self.reader.join(TIMEOUT)
+        self.process.stdout.close()
 
 
 def chromium(width=1280, height=800, scheme='light'):

@@ -122,8 +122,10 @@ class SettingsFile(WithPage):
 
     def test_keeps_what_is_being_typed_when_another_page_changes_it(self):
         text = self.page.yaml()
+        revision = self.page.revision()
         self.page.type_yaml(text.replace('global_frame: map', 'global_frame: odom'))
-        post(self.assistant, '/api/set', '{"revision": %d, "changes": [{"path": ["seed"], "value": 7}]}' % self.page.revision())
+        # Before the page has sent what was typed, which it does after a pause.
+        post(self.assistant, '/api/set', '{"revision": %d, "changes": [{"path": ["seed"], "value": 7}]}' % revision)
         self.page.wait(lambda: 'changed elsewhere' in self.page.text('#yaml'), 'the question')
         self.assertIn('global_frame: odom', self.page.yaml())
         self.page.click('#yaml button', 'Take theirs')

@@ -78,13 +78,13 @@ function drawPane() {
       h('div', {class: 'pane-others field', unmanaged: true}),
       store.state && store.setup ? h('div', {class: 'pane-body'}, pane.draw()) : h('p', {class: 'empty'}, 'Reading the settings\u2026')),
   ]);
-  patch(document.querySelector('.pane-others'), [problemList(withoutField(pane))]);
+  patch(document.querySelector('.pane-others'), [problemList(withoutField(pane).map((each) => ({...each, found: `${each.about}: ${each.found}`})))]);
 }
 
 // Problems of a pane's settings that none of its fields shows.
 function withoutField(pane) {
   const shown = new Set([...document.querySelectorAll('.pane-body [data-problem]')].map((each) => each.dataset.problem));
-  return pane.paths().flatMap((each) => problemsBelow(each)).filter((each) => !shown.has(identity(each)));
+  return pane.paths().flatMap((each) => problemsBelow(each)).filter((each) => each.severity !== 'note' && !shown.has(identity(each)));
 }
 
 watch(() => {

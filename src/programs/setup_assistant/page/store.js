@@ -115,9 +115,9 @@ export function set(path, value, step) {
   return change([[path, value]], step);
 }
 
-// Throws a Refused with status 409 if somebody else was faster.
-export function setText(text, step) {
-  return enqueue(() => postState('/api/text', {text, step}));
+// `revision`: of the text that was changed. Throws a Refused with status 409 if somebody else was faster.
+export function setText(text, revision, step) {
+  return enqueue(() => postState('/api/text', {text, revision, step}));
 }
 
 export function undo() {

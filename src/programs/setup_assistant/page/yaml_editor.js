@@ -5,7 +5,7 @@ import {show, view} from './view_state.js';
 
 const PAUSE = 400;  // [ms] without a key before the text is sent
 
-const editor = {text: null, typed: null, timer: 0, session: 0, mark: null, conflict: false};
+const editor = {text: null, typed: null, base: 0, timer: 0, session: 0, mark: null, conflict: false};
 
 export function drawYaml() {
   const {state} = store;
@@ -94,6 +94,7 @@ export function goToLine(line) {
 }
 
 function oninput(event) {
+  if (editor.typed === null) editor.base = store.state.revision;
   editor.typed = event.target.value;
   event.target.isEdited = false;  // this field keeps its own account of that
   event.target.rows = lineCount(editor.typed);
@@ -126,7 +127,8 @@ async function send() {
     return drawYaml();
   }
   try {
-    await setText(text, `typing-${editor.session}`);
+    await setText(text, editor.base, `typing-${editor.session}`);
+    editor.base = store.state.revision;
     if (editor.typed === text) editor.typed = null;
     editor.conflict = false;
   } catch (error) {
@@ -139,6 +141,6 @@ async function send() {
 function conflict() {
   return h('div', {class: 'banner', role: 'alert'},
     h('span', {}, 'The settings were changed elsewhere while you were typing.'),
-    h('button', {type: 'button', onclick: () => { editor.conflict = false; send(); }}, 'Keep what I typed'),
+    h('button', {type: 'button', onclick: () => { Object.assign(editor, {conflict: false, base: store.state.revision}); send(); }}, 'Keep what I typed'),
     h('button', {type: 'button', onclick: () => { Object.assign(editor, {conflict: false, typed: null}); drawYaml(); }}, 'Take theirs'));
 }
