@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "render/gl/osmesa_context.h"
+#include "render/lens/lens_eye.h"
 #include "render/lens/lens_library.h"
 #include "render/lens/lens_resampling.h"
 #include "render/parts/part_groups.h"
+#include "render/picture/lens_painter.h"
 #include "render/picture/light_painter.h"
 #include "render/picture/picture_cache.h"
 #include "render/pixels/pixel_bands.h"
@@ -37,15 +39,28 @@ struct Renderer::Impl {
         light_painter(gl, draw_list, description),
         shadow_painter(gl, draw_list, options.shadow_map_size, shadowCount(description.lights)),
         edge_smoother(draw_list),
-        label_painter(gl, draw_list, lenses),
-        silhouette_painter(gl, draw_list, lenses),
-        pictures({gl, draw_list, lights, geometry_painter, shadow_painter, light_painter,
-                  edge_smoother, options.samples > 1, options.reuse}) {
+        eye(draw_list, lenses, options.reuse),
+        label_painter(gl, draw_list, eye),
+        silhouette_painter(gl, draw_list, eye),
+        pictures(crew()),
+        lens_painter(crew(), eye) {
     gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl.FrontFace(GL_CW);  // the image is drawn with its first row at the bottom
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl.Enable(GL_DEPTH_TEST);
+  }
+
+  PictureCrew crew() {
+    return {gl,
+            draw_list,
+            lights,
+            geometry_painter,
+            shadow_painter,
+            light_painter,
+            edge_smoother,
+            options.samples > 1,
+            options.reuse};
   }
 
   PendingPicture drawPinhole(const View& view, const std::vector<Pose>& X_WL,
@@ -61,6 +76,10 @@ struct Renderer::Impl {
   PendingPicture drawThroughLens(const View& view, const std::vector<Pose>& X_WL,
                                  const ColourPass& pass,
                                  const std::vector<ShadowProjection>& shadows) {
+    if (!light_painter.hasOverlay(pass.drawn)) {
+      return lens_painter.paint({view, X_WL, pass.drawn, shadows, pass.exposure}, pass.casting,
+                                pass.sampling == Sampling::kSmooth, pass.regions);
+    }
     const std::shared_ptr<const LensMap> lens = lenses.get(view.camera);
     const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
     const std::vector<cv::Rect> regions = within(image, pass.regions);
@@ -97,9 +116,11 @@ struct Renderer::Impl {
   ShadowPainter shadow_painter;
   EdgeSmoother edge_smoother;
   LensLibrary lenses;
+  LensEye eye;
   LabelPainter label_painter;
   SilhouettePainter silhouette_painter;
   PictureCache pictures;
+  LensPainter lens_painter;
 };
 
 Renderer::Renderer(const world::Description& description,
@@ -114,6 +135,8 @@ void Renderer::setLook(const world::Look& look) {
   impl.draw_list.setMaterials(look.materials);
   impl.light_painter.setLook(look);
   impl.pictures.forget();
+  impl.eye.forget();
+  impl.lens_painter.forget();
   ++impl.look_revision;
 }
 

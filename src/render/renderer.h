@@ -42,11 +42,11 @@ struct ColourPass {
 /// Every pixel is sampled where OpenCV's convention has its centre, at whole coordinates; colour
 /// and labels share one vertex stage, so their edges are the same.
 ///
-/// A camera with distortion sees through pinhole pictures that are drawn at twice the density and
-/// resampled. Smooth colours are means over each pixel's area; labels and Sampling::kCentre
-/// take the nearest drawn pixel, all of them the same one. Where the lens sees nothing, colour is
-/// black and the labels are 0. An equidistant lens can see what is beside and behind
-/// it: depth, which is z of the optical frame, is then 0 or negative.
+/// Through a lens with distortion, labels and colours are what each pixel's own ray sees. (Where
+/// there is a sky, a background picture or glass, colours are resampled from pinhole pictures of
+/// twice the density.) Where the lens sees nothing, colour is black and the labels are 0. An
+/// equidistant lens can see what is beside and behind it: depth, which is z of the optical frame,
+/// is then 0 or negative.
 class Renderer {
  public:
   /// @param description  the lights, ambient light and background; copied

@@ -26,17 +26,13 @@ class SurfaceRow {
   /// @param first  the first pixel, in the coordinates of `place`
   void take(const GeometryImages& images, const cv::Point& first, int width, const cv::Rect& place,
             const Intrinsics& k) {
-    width_ = width;
-    const int* parts = images.parts.ptr<int>(first.y, first.x);
+    takeNormals(images, first, width);
     const float* depths = images.depth.ptr<float>(first.y, first.x);
-    const auto* normals = images.normals.ptr<std::uint16_t>(first.y, first.x);
-    std::copy_n(parts, width_, parts_.begin());
     // From the picture's own columns, so that a pixel's place does not depend on the region.
     const Lanes centre = lanes(static_cast<float>(k.cx));
     const Lanes step = lanes(static_cast<float>(1.0 / k.fx));
     const Lanes slope_y = lanes(static_cast<float>((place.y + first.y - k.cy) / k.fy));
     std::array<float, kLaneCount> depth_room;
-    std::array<std::uint16_t, std::size_t{4} * kLaneCount> normal_room;
     for (int u = 0; u < width_; u += kLaneCount) {
       const int left = width_ - u;
       const Lanes depth = cv::v_load(atLeast(depths + u, left, depth_room));
@@ -45,10 +41,22 @@ class SurfaceRow {
       cv::v_store(&x_[at(u)], (column - centre) * step * depth);
       cv::v_store(&y_[at(u)], slope_y * depth);
       cv::v_store(&z_[at(u)], depth);
-      const Lanes3 normal = loadHalves(atLeast(normals + 4 * u, 4 * left, normal_room)).xyz;
-      cv::v_store(&normal_x_[at(u)], normal.x);
-      cv::v_store(&normal_y_[at(u)], normal.y);
-      cv::v_store(&normal_z_[at(u)], normal.z);
+    }
+  }
+
+  /// The same where pixels look along rays.
+  /// @param rays  CV_32FC3 of the picture
+  void take(const GeometryImages& images, const cv::Point& first, int width, const cv::Rect& place,
+            const cv::Mat& rays) {
+    takeNormals(images, first, width);
+    distances_.resize(parts_.size());
+    const float* distances = images.depth.ptr<float>(first.y, first.x);
+    const auto* along = rays.ptr<cv::Vec3f>(place.y + first.y, place.x + first.x);
+    for (std::size_t u = 0; u < static_cast<std::size_t>(width_); ++u) {
+      distances_[u] = distances[u];
+      x_[u] = along[u][0] * distances[u];
+      y_[u] = along[u][1] * distances[u];
+      z_[u] = along[u][2] * distances[u];
     }
   }
 
@@ -56,12 +64,27 @@ class SurfaceRow {
 
   // Of four pixels:
   [[nodiscard]] cv::v_int32x4 parts(int u) const { return cv::v_load(&parts_[at(u)]); }
-  [[nodiscard]] Lanes depths(int u) const { return cv::v_load(&z_[at(u)]); }
+  [[nodiscard]] Lanes depths(int u) const {
+    return cv::v_load(distances_.empty() ? &z_[at(u)] : &distances_[at(u)]);
+  }
   [[nodiscard]] Lanes3 places(int u) const { return load(x_, y_, z_, u); }  ///< optical frame [m]
   [[nodiscard]] Lanes3 normals(int u) const { return load(normal_x_, normal_y_, normal_z_, u); }
 
  private:
   static std::size_t at(int u) { return static_cast<std::size_t>(u); }
+
+  void takeNormals(const GeometryImages& images, const cv::Point& first, int width) {
+    width_ = width;
+    std::copy_n(images.parts.ptr<int>(first.y, first.x), width_, parts_.begin());
+    const auto* normals = images.normals.ptr<std::uint16_t>(first.y, first.x);
+    std::array<std::uint16_t, std::size_t{4} * kLaneCount> room;
+    for (int u = 0; u < width_; u += kLaneCount) {
+      const Lanes3 normal = loadHalves(atLeast(normals + 4 * u, 4 * (width_ - u), room)).xyz;
+      cv::v_store(&normal_x_[at(u)], normal.x);
+      cv::v_store(&normal_y_[at(u)], normal.y);
+      cv::v_store(&normal_z_[at(u)], normal.z);
+    }
+  }
 
   static Lanes3 load(const std::vector<float>& x, const std::vector<float>& y,
                      const std::vector<float>& z, int u) {
@@ -71,6 +94,7 @@ class SurfaceRow {
   int width_ = 0;
   std::vector<int> parts_;
   std::vector<float> x_, y_, z_;
+  std::vector<float> distances_;  // empty where depths are z
   std::vector<float> normal_x_, normal_y_, normal_z_;
 };
 
@@ -108,12 +132,17 @@ void mark(const SurfaceRow& row, const SurfaceRow& other, int shift, float focal
 /// @param region  in the coordinates of `place`
 /// @param rows  for as many pixels as `place` is wide
 void markEdges(const GeometryImages& images, const cv::Rect& place, const cv::Rect& region,
-               const Intrinsics& k, std::array<SurfaceRow, 2>& rows, cv::Mat& edges) {
+               const Intrinsics& k, const cv::Mat& rays, std::array<SurfaceRow, 2>& rows,
+               cv::Mat& edges) {
   const auto focal_length = static_cast<float>(k.fx);
   auto& [row, above] = rows;
   for (int v = region.y; v < region.y + region.height; ++v) {
     std::swap(row, above);
-    row.take(images, {region.x, v}, region.width, place, k);
+    if (rays.empty()) {
+      row.take(images, {region.x, v}, region.width, place, k);
+    } else {
+      row.take(images, {region.x, v}, region.width, place, rays);
+    }
     auto* here = edges.ptr<std::uint8_t>(v, region.x);
     mark(row, row, 1, focal_length, here, here);
     if (v > region.y) {
@@ -126,7 +155,7 @@ void markEdges(const GeometryImages& images, const cv::Rect& place, const cv::Re
 
 EdgePixels::EdgePixels(const GeometryImages& images, const cv::Rect& place,
                        const std::vector<cv::Rect>& regions, const cv::Mat& wanted,
-                       const Intrinsics& intrinsics)
+                       const Intrinsics& intrinsics, const cv::Mat& rays)
     : place_(place), row_words_((place.width + kWordBits - 1) / kWordBits) {
   cv::Mat edges = cv::Mat::zeros(place.height, row_words_ * kWordBits, CV_8UC1);
   cv::Mat counted = edges.clone();
@@ -136,7 +165,7 @@ EdgePixels::EdgePixels(const GeometryImages& images, const cv::Rect& place,
     const cv::Rect here = region - place.tl();
     wanted(region).copyTo(counted(here));
     const cv::Rect around(here.x - 1, here.y - 1, here.width + 2, here.height + 2);
-    markEdges(images, place, around & all, intrinsics, rows, edges);
+    markEdges(images, place, around & all, intrinsics, rays, rows, edges);
   }
   edges &= counted;
   words_.reserve(static_cast<std::size_t>(place.height * row_words_));

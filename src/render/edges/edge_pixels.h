@@ -18,9 +18,11 @@ class EdgePixels {
   /// @param images  of the pixels of `place`
   /// @param regions  within `place`, around the pixels that are wanted
   /// @param wanted  CV_8UC1 of the picture: 255 for these, else 0
+  /// @param rays  CV_32FC3 of the picture: what pixels look along, in whose lengths depths are;
+  ///     empty for those of a pinhole
   EdgePixels(const GeometryImages& images, const cv::Rect& place,
              const std::vector<cv::Rect>& regions, const cv::Mat& wanted,
-             const Intrinsics& intrinsics);
+             const Intrinsics& intrinsics, const cv::Mat& rays = {});
 
   [[nodiscard]] const std::vector<cv::Point>& pixels() const { return pixels_; }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "render/edges/edge_pixels.h"
+#include "render/edges/likeness.h"
 #include "render/edges/sample_raster.h"
 #include "render/pixels/half.h"
 #include "render/sensor/srgb.h"
@@ -15,10 +16,6 @@ namespace {
 
 constexpr int kSide = 3;  ///< [px] of the square around a pixel that is looked at
 constexpr std::size_t kMiddle = kSide / 2;
-constexpr float kAlike = 0.01F;   ///< then its own centre is the nearest there is
-constexpr float kAway = 0.02F;    ///< what a pixel away counts, against a turn of a radian
-constexpr float kDepth = 10.0F;   ///< what depth counts: a share of it
-constexpr float kUnlike = 1e30F;  ///< another surface
 
 /// Numbers of the pixels around one: a row of the square in each, with a lane to spare.
 using Square = std::array<Lanes, kSide>;
@@ -63,14 +60,14 @@ class Neighbourhood {
   [[nodiscard]] Lanes unlikeness(const SeenFace* face, std::size_t row) const {
     const cv::v_int32x4 part = cv::v_setall_s32(face == nullptr ? 0 : face->part);
     const Lanes is_same = cv::v_reinterpret_as_f32(parts_[row] == part);
-    if (face == nullptr) return cv::v_select(is_same, lanes(0.0F), lanes(kUnlike));
+    if (face == nullptr) return cv::v_select(is_same, lanes(0.0F), lanes(likeness::kUnlike));
     // Vertices' normals may point inwards, all of a mesh's alike.
     const Lanes turned = lanes(1.0F) - cv::v_abs(dot(normals_[row], lanes(face->normal)));
     const Lanes expected = lanes(face->origin.z()) +
                            lanes(face->slope.x()) * (columns_ - lanes(face->origin.x())) +
                            lanes(face->slope.y()) * (rows_[row] - lanes(face->origin.y()));
     const Lanes off = cv::v_abs(expected * depths_[row] - lanes(1.0F));
-    return cv::v_select(is_same, turned + lanes(kDepth) * off, lanes(kUnlike));
+    return cv::v_select(is_same, turned + lanes(likeness::kDepth) * off, lanes(likeness::kUnlike));
   }
 
   std::array<cv::v_int32x4, kSide> parts_;  ///< -1 beside the image
@@ -86,7 +83,7 @@ std::array<float, kLaneCount> distancesFrom(std::size_t sample, int row) {
   for (int column = 0; column < kLaneCount; ++column) {
     const float x = static_cast<float>(column - 1) - kSampleColumns.at(sample);
     const float y = static_cast<float>(row - 1) - kSampleRows.at(sample);
-    distances.at(static_cast<std::size_t>(column)) = kAway * (x * x + y * y);
+    distances.at(static_cast<std::size_t>(column)) = likeness::kAway * (x * x + y * y);
   }
   return distances;
 }
@@ -123,8 +120,8 @@ class Resolver {
   [[nodiscard]] cv::Point nearest(const Square& unlike, std::size_t sample) const {
     std::array<float, kLaneCount> middle{};
     cv::v_store(middle.data(), unlike[kMiddle]);
-    if (middle[kMiddle] < kAlike) return {0, 0};
-    float least = kUnlike;
+    if (middle[kMiddle] < likeness::kAlike) return {0, 0};
+    float least = likeness::kUnlike;
     cv::Point best(0, 0);
     for (std::size_t row = 0; row < unlike.size(); ++row) {
       const Lanes sum = unlike[row] + away_[sample][row];

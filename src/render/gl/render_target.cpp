@@ -8,7 +8,7 @@ namespace synthetic_dataset::render {
 namespace {
 
 /// The label shader's outputs.
-enum LabelOutput { kIds, kDepths, kLinks, kNormals, kSlopes };
+enum LabelOutput { kIds, kDepths, kLinks, kNormals };
 
 }  // namespace
 
@@ -22,8 +22,7 @@ LabelTarget::LabelTarget(const GlFunctions& gl, int width, int height, const Lab
       framebuffer_(makeFramebuffer(gl)) {
   if (planes.links) links_ = makePlane(gl, GL_R32UI, width, height);
   if (planes.normals) normals_ = makePlane(gl, GL_RGBA32F, width, height);
-  if (planes.slopes) slopes_ = makePlane(gl, GL_RG32F, width, height);
-  attachPlanes(gl, framebuffer_, {&ids_, &depth_, &links_, &normals_, &slopes_}, &depth_buffer_);
+  attachPlanes(gl, framebuffer_, {&ids_, &depth_, &links_, &normals_}, &depth_buffer_);
 }
 
 void LabelTarget::begin(const cv::Size& image) const {
@@ -38,7 +37,6 @@ void LabelTarget::begin(const cv::Size& image) const {
   gl_.ClearNamedFramebufferfv(name, GL_COLOR, kDepths, kNothing.data());
   if (links_.name() != 0) gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kLinks, kNobody.data());
   if (normals_.name() != 0) gl_.ClearNamedFramebufferfv(name, GL_COLOR, kNormals, kNothing.data());
-  if (slopes_.name() != 0) gl_.ClearNamedFramebufferfv(name, GL_COLOR, kSlopes, kNothing.data());
   gl_.ClearNamedFramebufferfv(name, GL_DEPTH, 0, kNothing.data());
 }
 
@@ -56,7 +54,6 @@ LabelImages LabelTarget::read(const cv::Size& image) const {
     images.links = plane(kLinks, CV_32SC1, GL_RED_INTEGER, GL_UNSIGNED_INT);
   }
   if (normals_.name() != 0) images.normals = plane(kNormals, CV_32FC3, GL_RGB, GL_FLOAT);
-  if (slopes_.name() != 0) images.slopes = plane(kSlopes, CV_32FC2, GL_RG, GL_FLOAT);
   return images;
 }
 

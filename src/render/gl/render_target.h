@@ -22,10 +22,6 @@ struct LabelImages {
   /// where nothing was drawn. That of the vertices, without normal maps.
   cv::Mat normals;
 
-  /// CV_32FC2: how 1 / depth [1/m] changes on the triangle that is seen, a pixel to the right and a
-  /// pixel down. Only for the faces of a lens.
-  cv::Mat slopes;
-
   /// CV_32FC1: the distance from the camera's centre [m], 0 where nothing was drawn.
   cv::Mat range;
 };
@@ -34,10 +30,9 @@ struct LabelImages {
 struct LabelPlanes {
   bool links = false;
   bool normals = false;
-  bool slopes = false;
 
   [[nodiscard]] bool operator<(const LabelPlanes& other) const {
-    return std::tie(links, normals, slopes) < std::tie(other.links, other.normals, other.slopes);
+    return std::tie(links, normals) < std::tie(other.links, other.normals);
   }
 };
 
@@ -64,7 +59,6 @@ class LabelTarget {
   GlTexture depth_;
   GlTexture links_;    // none where not asked for
   GlTexture normals_;  // none where not asked for
-  GlTexture slopes_;   // none where not asked for
   GlTexture depth_buffer_;
   GlFramebuffer framebuffer_;
 };

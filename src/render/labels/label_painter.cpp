@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "render/lens/lens_resampling.h"
+#include "render/labels/lens_labels.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
 
@@ -52,10 +52,10 @@ LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
   return labels;
 }
 
-LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& parts, LensLibrary& lenses)
+LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye)
     : gl_(gl),
       parts_(parts),
-      lenses_(lenses),
+      eye_(eye),
       programs_(gl, shaders::kMeshVertex, shaders::kLabelFragment,
                 feature::kHoles | feature::kNearLimit) {}
 
@@ -82,7 +82,7 @@ LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>
   return target.read(size);
 }
 
-/// Drawn into as it is, or made anew where it is too small: faces of lenses are of many sizes.
+/// Drawn into as it is, or made anew where it is too small: pictures are of many sizes.
 const LabelTarget& LabelPainter::targetFor(const cv::Size& size, const LabelPlanes& planes) {
   std::optional<LabelTarget>& target = targets_[planes];
   if (!target || target->width() < size.width || target->height() < size.height) {
@@ -96,27 +96,14 @@ const LabelTarget& LabelPainter::targetFor(const cv::Size& size, const LabelPlan
 
 LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,
                                 const LabelPass& pass) {
+  if (hasDistortion(view.camera)) {
+    return labelsOf(*eye_.look(view, X_WL, pass.drawn, Glass::kSeen), parts_, pass);
+  }
   LabelPlanes planes;
   planes.links = pass.links;
   planes.normals = pass.normals;
-  if (!hasDistortion(view.camera)) {
-    LabelImages images = paintPinhole(view, X_WL, pass.drawn, planes);
-    if (pass.range) images.range = rangeOf(images.depth, view.camera.intrinsics());
-    return images;
-  }
-  const cv::Size size(view.camera.width(), view.camera.height());
-  LabelImages images;
-  images.ids = cv::Mat::zeros(size, CV_32SC1);
-  images.depth = cv::Mat::zeros(size, CV_32FC1);
-  if (pass.links) images.links = cv::Mat::zeros(size, CV_32SC1);
-  if (pass.normals) images.normals = cv::Mat::zeros(size, CV_32FC3);
-  if (pass.range) images.range = cv::Mat::zeros(size, CV_32FC1);
-  planes.slopes = true;
-  const auto lens = lenses_.get(view.camera);
-  const std::vector<View> views = faceViews(*lens, view);
-  for (std::size_t face = 0; face < views.size(); ++face) {
-    resampleLabels(*lens, face, paintPinhole(views[face], X_WL, pass.drawn, planes), images);
-  }
+  LabelImages images = paintPinhole(view, X_WL, pass.drawn, planes);
+  if (pass.range) images.range = rangeOf(images.depth, view.camera.intrinsics());
   return images;
 }
 

@@ -6,7 +6,7 @@
 
 #include "render/geometry/geometry_buffer.h"
 #include "render/gl/render_target.h"
-#include "render/lens/lens_library.h"
+#include "render/lens/lens_eye.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
 #include "render/view.h"
@@ -30,8 +30,8 @@ struct LabelPass {
 /// Draws what each pixel's centre sees, where geometry does not tell.
 class LabelPainter {
  public:
-  /// @param parts  have to outlive this
-  LabelPainter(const GlFunctions& gl, const DrawList& parts, LensLibrary& lenses);
+  /// @param parts, eye  have to outlive this
+  LabelPainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye);
 
   [[nodiscard]] LabelImages paint(const View& view, const std::vector<Pose>& X_WL,
                                   const LabelPass& pass);
@@ -43,7 +43,7 @@ class LabelPainter {
 
   const GlFunctions& gl_;
   const DrawList& parts_;
-  LensLibrary& lenses_;
+  LensEye& eye_;
   ShaderFamily programs_;
   std::map<LabelPlanes, std::optional<LabelTarget>> targets_;  // as large as the largest so far
 };

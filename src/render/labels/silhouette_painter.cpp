@@ -5,7 +5,6 @@
 
 #include <opencv2/core.hpp>
 
-#include "render/lens/lens_resampling.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
 
@@ -126,11 +125,10 @@ class SilhouettePainter::Tally {
   std::optional<Box> box_;
 };
 
-SilhouettePainter::SilhouettePainter(const GlFunctions& gl, const DrawList& parts,
-                                     LensLibrary& lenses)
+SilhouettePainter::SilhouettePainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye)
     : gl_(gl),
       parts_(parts),
-      lenses_(lenses),
+      eye_(eye),
       programs_(gl, shaders::kMeshVertex, shaders::kSilhouetteFragment,
                 feature::kHoles | feature::kNearLimit) {}
 
@@ -181,15 +179,11 @@ cv::Mat SilhouettePainter::drawPinhole(const Subject& subject, const View& view,
 /// The pixels `region` of the view's image: CV_8UC1 of the region's size.
 cv::Mat SilhouettePainter::draw(const Subject& subject, const View& view, const cv::Rect& region) {
   if (!hasDistortion(view.camera)) return drawPinhole(subject, view, region);
-  cv::Mat mask = cv::Mat::zeros(region.size(), CV_8UC1);
-  const auto lens = lenses_.get(view.camera);
-  const std::vector<View> views = faceViews(*lens, view);
-  for (std::size_t face = 0; face < views.size(); ++face) {
-    const cv::Rect needed = neededOf(*lens, face, region);
-    if (needed.empty()) continue;
-    resampleMask(*lens, face, drawPinhole(subject, views[face], needed), needed, region, mask);
+  std::vector<const Part*> parts;
+  for (const Part& part : parts_.parts()) {
+    if (subject.has(part)) parts.push_back(&part);
   }
-  return mask;
+  return eye_.covered(view, subject.X_WL, parts)(region).clone();
 }
 
 /// The grid of pixels goes on in pictures of the image's size.

@@ -7,7 +7,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/gl/render_target.h"
-#include "render/lens/lens_library.h"
+#include "render/lens/lens_eye.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
 #include "render/view.h"
@@ -42,8 +42,8 @@ class SilhouettePainter {
  public:
   static constexpr int kCoarseCells = 1024;
 
-  /// @param parts  have to outlive this
-  SilhouettePainter(const GlFunctions& gl, const DrawList& parts, LensLibrary& lenses);
+  /// @param parts, eye  have to outlive this
+  SilhouettePainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye);
 
   /// @param links  those that are seen
   /// @param in_image  what they cover in the image, if that is known
@@ -65,7 +65,7 @@ class SilhouettePainter {
 
   const GlFunctions& gl_;
   const DrawList& parts_;
-  LensLibrary& lenses_;
+  LensEye& eye_;
   ShaderFamily programs_;
   std::optional<MaskTarget> target_;  // as large as the largest picture so far
 };

@@ -213,7 +213,36 @@ Tiles addTiles(const Plane& plane, const CameraModel& camera, std::vector<LensFa
   return tiles;
 }
 
+/// The pixels that look at each face.
+std::vector<RayGrid> gridsOf(const LensMap& map) {
+  std::vector<std::vector<PlacedRay>> rays(map.faces.size());
+  std::vector<FacePlane> planes;
+  for (const LensFace& face : map.faces) planes.emplace_back(face);
+  for (int v = 0; v < map.face.rows; ++v) {
+    for (int u = 0; u < map.face.cols; ++u) {
+      const auto face = map.face.at<std::int16_t>(v, u);
+      if (face < 0) continue;
+      const auto i = static_cast<std::size_t>(face);
+      const Eigen::Vector2f place = planes[i].placeOf(map.rays.at<cv::Vec3f>(v, u));
+      rays[i].push_back({place.x(), place.y(), v * map.face.cols + u});
+    }
+  }
+  std::vector<RayGrid> grids;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const CameraModel& camera = map.faces[i].camera;
+    const cv::Size cells(static_cast<int>(camera.width() / kDensity) + 1,
+                         static_cast<int>(camera.height() / kDensity) + 1);
+    grids.push_back(makeRayGrid(intrinsicsInCells(map.faces[i]), cells, rays[i]));
+  }
+  return grids;
+}
+
 }  // namespace
+
+Intrinsics intrinsicsInCells(const LensFace& face) {
+  const Intrinsics& k = face.camera.intrinsics();
+  return {k.fx / kDensity, k.fy / kDensity, k.cx / kDensity, k.cy / kDensity};
+}
 
 bool hasDistortion(const CameraModel& camera) {
   constexpr double kHalfPi = 1.5707963;
@@ -262,6 +291,7 @@ LensMap makeLensMap(const CameraModel& camera) {
                                        tiles[i].across.tileOf(place.x()));
     }
   }
+  map.grids = gridsOf(map);
   return map;
 }
 

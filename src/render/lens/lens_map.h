@@ -4,6 +4,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "render/lens/ray_grid.h"
 #include "render/view.h"
 
 namespace synthetic_dataset::render {
@@ -24,12 +25,36 @@ struct LensMap {
   std::vector<LensFace> faces;
   cv::Mat rays;  ///< CV_32FC3: the unit vector that each pixel's centre looks along (C)
   cv::Mat face;  ///< CV_16SC1: the pixel's index in `faces`; -1 where the lens sees nothing
+
+  /// Of each face, the pixels that look at it, as indices of an image that is gone through row by
+  /// row; about one in a cell where they lie closest together.
+  std::vector<RayGrid> grids;
 };
 
 [[nodiscard]] LensMap makeLensMap(const CameraModel& camera);
 
 /// Whether pictures of the camera need a LensMap.
 [[nodiscard]] bool hasDistortion(const CameraModel& camera);
+
+/// Of a face whose places are counted in cells of LensMap::grids.
+[[nodiscard]] Intrinsics intrinsicsInCells(const LensFace& face);
+
+/// Where rays of the lens's frame meet a face, in cells of LensMap::grids.
+class FacePlane {
+ public:
+  explicit FacePlane(const LensFace& face)
+      : R_FC_(face.X_CF.linear().transpose()), k_(intrinsicsInCells(face)) {}
+
+  [[nodiscard]] Eigen::Vector2f placeOf(const cv::Vec3f& ray_C) const {
+    const Eigen::Vector3d d = R_FC_ * Eigen::Vector3f(ray_C.val).cast<double>();
+    return {static_cast<float>(k_.fx * d.x() / d.z() + k_.cx),
+            static_cast<float>(k_.fy * d.y() / d.z() + k_.cy)};
+  }
+
+ private:
+  Eigen::Matrix3d R_FC_;
+  Intrinsics k_;
+};
 
 /// Where a direction of the lens's frame falls on a face [px].
 [[nodiscard]] inline cv::Point2f placeOn(const LensFace& face, const cv::Vec3f& ray_C) {

@@ -61,18 +61,6 @@ cv::Point nearestPixel(const cv::Size& face, cv::Point2f place) {
           std::clamp(static_cast<int>(std::lround(place.y)), 0, face.height - 1)};
 }
 
-/// The depth at a place of the plane that the nearest pixel sees: 1 / z is linear over the image.
-double depthAt(const LabelImages& drawn, cv::Point2f place, cv::Point nearest,
-               const CameraModel& face) {
-  const auto depth = static_cast<double>(drawn.depth.at<float>(nearest));
-  const auto& slope = drawn.slopes.at<cv::Vec2f>(nearest);
-  const cv::Point2f step = place - cv::Point2f(nearest);
-  const double inverse = 1.0 / depth + static_cast<double>(slope[0] * step.x + slope[1] * step.y);
-  // A plane seen edge-on may not reach as far as the place.
-  if (!(inverse > 1.0 / face.far() && inverse < 1.0 / face.near())) return depth;
-  return 1.0 / inverse;
-}
-
 }  // namespace
 
 cv::Rect neededOf(const LensMap& map, std::size_t face, const cv::Rect& region) {
@@ -131,43 +119,6 @@ void resampleCentres(const LensMap& map, std::size_t face, const cv::Mat& drawn,
   forEachPixel(map, face, region, [&](int u, int v) {
     const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
     picture.at<cv::Vec3b>(v, u) = drawn.at<cv::Vec3b>(nearestPixel(drawn.size(), place));
-  });
-}
-
-void resampleMask(const LensMap& map, std::size_t face, const cv::Mat& drawn,
-                  const cv::Rect& needed, const cv::Rect& region, cv::Mat& mask) {
-  const LensFace& f = map.faces[face];
-  const cv::Size size(f.camera.width(), f.camera.height());
-  forEachPixel(map, face, region, [&](int u, int v) {
-    const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
-    const cv::Point nearest = nearestPixel(size, place) - needed.tl();
-    mask.at<std::uint8_t>(v - region.y, u - region.x) = drawn.at<std::uint8_t>(nearest);
-  });
-}
-
-void resampleLabels(const LensMap& map, std::size_t face, const LabelImages& drawn,
-                    LabelImages& labels) {
-  const LensFace& f = map.faces[face];
-  const Eigen::Matrix3d R_CF = f.X_CF.linear();
-  const Intrinsics& k = f.camera.intrinsics();
-  forEachPixel(map, face, {0, 0, map.face.cols, map.face.rows}, [&](int u, int v) {
-    const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
-    const cv::Point nearest = nearestPixel(drawn.ids.size(), place);
-    labels.ids.at<int>(v, u) = drawn.ids.at<int>(nearest);
-    if (!labels.links.empty()) labels.links.at<int>(v, u) = drawn.links.at<int>(nearest);
-    if (!labels.normals.empty()) {
-      const Eigen::Vector3f n_C =
-          R_CF.cast<float>() * Eigen::Vector3f(drawn.normals.at<cv::Vec3f>(nearest).val);
-      labels.normals.at<cv::Vec3f>(v, u) = {n_C.x(), n_C.y(), n_C.z()};
-    }
-    if (drawn.depth.at<float>(nearest) == 0.0F) return;
-    const Eigen::Vector3d ray_F((static_cast<double>(place.x) - k.cx) / k.fx,
-                                (static_cast<double>(place.y) - k.cy) / k.fy, 1.0);
-    const double depth_F = depthAt(drawn, place, nearest, f.camera);
-    labels.depth.at<float>(v, u) = static_cast<float>(depth_F * R_CF.row(2).dot(ray_F));
-    if (!labels.range.empty()) {
-      labels.range.at<float>(v, u) = static_cast<float>(depth_F * ray_F.norm());
-    }
   });
 }
 

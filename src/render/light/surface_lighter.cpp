@@ -82,12 +82,13 @@ struct SurfaceLighter::Row {
   const std::uint16_t* glows;
   std::uint16_t* light;
   float slope_y = 0.0F;
+  const float* rays = nullptr;  ///< of the first column
 };
 
 SurfaceLighter::SurfaceLighter(const Surroundings& surroundings,
                                const std::vector<PartLight>& parts, const Intrinsics& intrinsics,
-                               const Eigen::Vector3f& nothing)
-    : parts_(parts), intrinsics_(intrinsics), nothing_(nothing) {
+                               const Eigen::Vector3f& nothing, const cv::Mat& rays)
+    : parts_(parts), intrinsics_(intrinsics), nothing_(nothing), rays_(rays) {
   if (surroundings.simulator == world::Simulator::kClassic) {
     classic_.emplace(surroundings);
   } else {
@@ -101,12 +102,14 @@ cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImage
   const GeometryImages what = widened(geometry);
   const SurfaceImages how = widened(surfaces);
   const cv::Mat which = render::widened(wanted);
+  const cv::Mat along = rays_.empty() ? rays_ : render::widened(rays_(place));
   cv::Mat light(what.parts.size(), CV_16UC4);
   for (const cv::Rect& region : regions) {
     const cv::Rect pixels = region - place.tl();
     for (int v = pixels.y; v < pixels.y + pixels.height; ++v) {
       Row row(what, how, v, light);
       row.slope_y = static_cast<float>((place.y + v - intrinsics_.cy) / intrinsics_.fy);
+      if (!along.empty()) row.rays = along.ptr<float>(v);
       for (int u = pixels.x; u < pixels.x + pixels.width; u += kLaneCount) {
         // Some pixels may be lit twice, or beside the region.
         const int first = firstLane(u, light.cols);
@@ -136,6 +139,11 @@ void SurfaceLighter::lightFour(const Row& row, int column, float u) const {
 
 Lanes3 SurfaceLighter::positionsAt(const Row& row, int column, float u) const {
   const Lanes depth = cv::v_load(row.depths + column);
+  if (row.rays != nullptr) {
+    Lanes3 ray;
+    cv::v_load_deinterleave(row.rays + std::ptrdiff_t{3} * column, ray.x, ray.y, ray.z);
+    return ray * depth;
+  }
   const Lanes columns = lanes(u) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
   const Lanes slope_x = (columns - lanes(static_cast<float>(intrinsics_.cx))) *
                         lanes(static_cast<float>(1.0 / intrinsics_.fx));

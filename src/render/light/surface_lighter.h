@@ -28,8 +28,11 @@ class SurfaceLighter {
   /// The references have to outlive this.
   /// @param intrinsics  of the picture
   /// @param nothing  the light where no surface is
+  /// @param rays  CV_32FC3 of the picture: what pixels look along, in whose lengths depths are;
+  ///     empty for those of a pinhole
   SurfaceLighter(const Surroundings& surroundings, const std::vector<PartLight>& parts,
-                 const Intrinsics& intrinsics, const Eigen::Vector3f& nothing);
+                 const Intrinsics& intrinsics, const Eigen::Vector3f& nothing,
+                 const cv::Mat& rays = {});
 
   /// @param place  of the images in the picture
   /// @param regions  of the picture, within `place`, around the pixels that are wanted
@@ -54,6 +57,7 @@ class SurfaceLighter {
   const std::vector<PartLight>& parts_;
   Intrinsics intrinsics_;
   Eigen::Vector3f nothing_;
+  cv::Mat rays_;
 };
 
 }  // namespace synthetic_dataset::render

@@ -12,27 +12,39 @@
 namespace synthetic_dataset::render {
 namespace {
 
+/// Four pixels' places in a shadow map [texel]; below 0 for what is behind the light.
+struct FourInMap {
+  Lanes columns, rows;
+};
+
+FourInMap divided(const Lanes& columns, const Lanes& rows, const Lanes& w) {
+  const Lanes is_before = w > lanes(0.0F);
+  const Lanes behind = lanes(-1.0F);
+  return {cv::v_select(is_before, columns / w, behind), cv::v_select(is_before, rows / w, behind)};
+}
+
+/// Where four points are in a map.
+/// @param from_camera  to w times column, w times row, any, w
+FourInMap findInMap(const Eigen::Matrix4f& from_camera, const Lanes3& p_C) {
+  const auto times = [&](int row) {
+    return dot(lanes(Eigen::Vector3f(from_camera.block<1, 3>(row, 0))), p_C) +
+           lanes(from_camera(row, 3));
+  };
+  return divided(times(0), times(1), times(3));
+}
+
 /// Where the pixels of a row look at a shadow map.
 class RowInMap {
  public:
-  /// Four pixels' places in the map [texel]; below 0 for what is behind the light.
-  struct Four {
-    Lanes columns, rows;
-  };
-
   /// @param from_pixel  from (u, v, 1) times depth, and 1, to w times column, w times row, any, w
   RowInMap(const Eigen::Matrix4f& from_pixel, int v)
       : from_pixel_(from_pixel),
         across_(from_pixel.col(1) * static_cast<float>(v) + from_pixel.col(2)) {}
 
   /// @param first  the first pixel's column in the picture
-  [[nodiscard]] Four find(int first, const Lanes& depth) const {
+  [[nodiscard]] FourInMap find(int first, const Lanes& depth) const {
     const Lanes u = lanes(static_cast<float>(first)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
-    const Lanes w = times(3, u, depth);
-    const Lanes is_before = w > lanes(0.0F);
-    const Lanes behind = lanes(-1.0F);
-    return {cv::v_select(is_before, times(0, u, depth) / w, behind),
-            cv::v_select(is_before, times(1, u, depth) / w, behind)};
+    return divided(times(0, u, depth), times(1, u, depth), times(3, u, depth));
   }
 
  private:
@@ -80,8 +92,9 @@ void ChangedPixels::markShaded(const cv::Mat& candidates, const SeenGeometry& se
   Eigen::Matrix4d camera_from_pixel = Eigen::Matrix4d::Identity();
   camera_from_pixel.topLeftCorner<2, 3>() << 1.0 / k.fx, 0.0, -k.cx / k.fx,  //
       0.0, 1.0 / k.fy, -k.cy / k.fy;
-  const Eigen::Matrix4f from_pixel =
-      (texels.texels_from_world * view_.X_WC.matrix() * camera_from_pixel).cast<float>();
+  const Eigen::Matrix4d from_camera = texels.texels_from_world * view_.X_WC.matrix();
+  const Eigen::Matrix4f from_pixel = (from_camera * camera_from_pixel).cast<float>();
+  const Eigen::Matrix4f from_point = from_camera.cast<float>();
   for (int row = 0; row < seen.place.height; ++row) {
     const int v = seen.place.y + row;
     const int* parts = seen.images.parts.ptr<int>(row);
@@ -90,6 +103,7 @@ void ChangedPixels::markShaded(const cv::Mat& candidates, const SeenGeometry& se
     auto* marked = pixels.ptr<std::uint8_t>(v, seen.place.x);
     const RowInMap row_in_map(from_pixel, v);
     std::array<float, kLaneCount> room;
+    std::array<float, std::size_t{3} * kLaneCount> ray_room;
     for (int column = 0; column < seen.place.width; column += kLaneCount) {
       const int count = std::min(kLaneCount, seen.place.width - column);
       int open = 0;  // a bit for each pixel that may be in another shadow
@@ -100,7 +114,14 @@ void ChangedPixels::markShaded(const cv::Mat& candidates, const SeenGeometry& se
       }
       if (open == 0) continue;
       const Lanes depth = cv::v_load(atLeast(depths + column, count, room));
-      const RowInMap::Four four = row_in_map.find(seen.place.x + column, depth);
+      const auto find = [&] {
+        if (seen.rays.empty()) return row_in_map.find(seen.place.x + column, depth);
+        Lanes3 ray;
+        const float* rays = seen.rays.ptr<float>(v, seen.place.x + column);
+        cv::v_load_deinterleave(atLeast(rays, 3 * count, ray_room), ray.x, ray.y, ray.z);
+        return findInMap(from_point, ray * depth);
+      };
+      const FourInMap four = find();
       const int changed = texels.changed(four.columns, four.rows, open);
       for (int i = 0; changed != 0 && i < count; ++i) {
         if ((changed >> i & 1) != 0) marked[column + i] = 255;

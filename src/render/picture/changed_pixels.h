@@ -16,6 +16,10 @@ namespace synthetic_dataset::render {
 struct SeenGeometry {
   GeometryImages images;
   cv::Rect place;  ///< of these pixels in the picture
+
+  /// CV_32FC3 of the picture: what pixels look along, in whose lengths depths are; empty for those
+  /// of a pinhole.
+  cv::Mat rays = {};
 };
 
 /// Finds which pixels of a picture differ from those of a picture of what never moves.

@@ -43,7 +43,7 @@ cv::Mat laidOver(const cv::Mat& surfaces, const cv::Mat& overlay) {
 
 cv::Mat UnlitPixels::light() const {
   if (regions.empty()) return {};
-  const SurfaceLighter lighter(surroundings, *parts, intrinsics, nothing);
+  const SurfaceLighter lighter(surroundings, *parts, intrinsics, nothing, seen.rays);
   cv::Mat result =
       lighter.light(seen.geometry, seen.surfaces, seen.place, regions, wanted(seen.place));
   if (!overlay.empty()) result = laidOver(result, overlay);
@@ -93,14 +93,7 @@ UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& se
                                 bool see_through, const std::vector<cv::Rect>& regions,
                                 const cv::Mat& wanted) {
   const bool has_background = overlay_painter_.hasBackground();
-  UnlitPixels result{seen,
-                     regions,
-                     wanted,
-                     scene.view.camera.intrinsics(),
-                     surroundings(scene, shadows),
-                     part_lights_,
-                     nothing(scene.exposure),
-                     {}};
+  UnlitPixels result = surfacesAlone(scene, seen, shadows, regions, wanted);
   see_through = see_through && overlay_painter_.hasGlass(scene.drawn);
   if (see_through || (has_background && showsNothing(seen, regions))) {
     target.begin(seen.place);
@@ -108,6 +101,20 @@ UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& se
     result.overlay = target.read(seen.place);
   }
   return result;
+}
+
+UnlitPixels LightPainter::surfacesAlone(const ColourScene& scene, const SeenSurfaces& seen,
+                                        const ShadowPainter& shadows,
+                                        const std::vector<cv::Rect>& regions,
+                                        const cv::Mat& wanted) const {
+  return {seen,
+          regions,
+          wanted,
+          scene.view.camera.intrinsics(),
+          surroundings(scene, shadows),
+          part_lights_,
+          nothing(scene.exposure),
+          {}};
 }
 
 Surroundings LightPainter::surroundings(const ColourScene& scene,

@@ -20,6 +20,10 @@ struct SeenSurfaces {
   GeometryImages geometry;
   SurfaceImages surfaces;
   cv::Rect place;  ///< of these pixels in the picture
+
+  /// CV_32FC3 of the picture: what pixels look along, in whose lengths depths are; empty for those
+  /// of a pinhole.
+  cv::Mat rays = {};
 };
 
 /// Pixels whose light is to be found, when and in which thread ever.
@@ -56,6 +60,17 @@ class LightPainter {
                                   const ShadowPainter& shadows, const OverlayTarget& target,
                                   bool see_through, const std::vector<cv::Rect>& regions,
                                   const cv::Mat& wanted);
+
+  /// The same of a picture with one colour behind all surfaces and nothing before them.
+  [[nodiscard]] UnlitPixels surfacesAlone(const ColourScene& scene, const SeenSurfaces& seen,
+                                          const ShadowPainter& shadows,
+                                          const std::vector<cv::Rect>& regions,
+                                          const cv::Mat& wanted) const;
+
+  /// Whether something else is behind these links, or before them, in a picture.
+  [[nodiscard]] bool hasOverlay(const LinkSelection& drawn) const {
+    return overlay_painter_.hasBackground() || overlay_painter_.hasGlass(drawn);
+  }
 
   /// What a picture shows where nothing is, neither sky nor another picture: blue, green, red,
   /// sRGB-encoded.

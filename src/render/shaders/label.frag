@@ -1,7 +1,6 @@
 #version 450 core
-// What each pixel's centre sees: an identifier, the depth along the optical axis [m], the link, the
-// surface's normal, and the slope of 1 / depth, which on a plane is linear over the image. What the
-// bound target has no place for is left out by the compiler.
+// What each pixel's centre sees: an identifier, the depth along the optical axis [m], the link and
+// the surface's normal. What the bound target has no place for is left out by the compiler.
 
 uniform uint identifier;
 uniform uint link;
@@ -17,7 +16,6 @@ layout(location = 0) out uint id;
 layout(location = 1) out float depth;
 layout(location = 2) out uint seen_link;
 layout(location = 3) out vec4 normal;
-layout(location = 4) out vec2 slope;
 
 // Towards the camera. The vertices' normals may point into the body, or, by the silhouette of a
 // round one, a little away from the camera: the triangle says which side is seen.
@@ -34,7 +32,6 @@ vec3 seenNormal() {
 void main() {
   // Before pixels are discarded: derivatives need their neighbours.
   vec3 n = seenNormal();
-  vec2 inverse_slope = vec2(dFdx(1.0 / position_C.z), dFdy(1.0 / position_C.z));
 #ifdef HOLES
   if (texture(diffuse_map, coordinates).a < alpha_threshold) discard;
 #endif
@@ -43,5 +40,4 @@ void main() {
   depth = position_C.z;
   seen_link = link;
   normal = vec4(n, 0.0);
-  slope = inverse_slope;
 }

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/lens/lens_library.h"
+#include "render/lens/lens_sight.h"
+#include "render/lens/ray_raster.h"
+#include "render/parts/draw_list.h"
+#include "render/parts/picture_pyramid.h"
+
+namespace synthetic_dataset::render {
+
+/// Whether what one can see through is looked at, or through.
+enum class Glass { kSeen, kSeenThrough };
+
+/// Looks at the parts through lenses with distortion, without OpenGL. What never moves is looked at
+/// once from each place.
+class LensEye {
+ public:
+  /// The references have to outlive this.
+  /// @param keeps  whether anything is kept from look to look
+  LensEye(const DrawList& parts, LensLibrary& lenses, bool keeps);
+
+  /// What each pixel's ray sees. With Glass::kSeen, that is what labels show.
+  [[nodiscard]] std::shared_ptr<const LensSight> look(const View& view,
+                                                      const std::vector<Pose>& X_WL,
+                                                      const LinkSelection& drawn, Glass glass);
+
+  /// CV_8UC1: 255 for the pixels whose rays would meet these parts if there were no others.
+  [[nodiscard]] cv::Mat covered(const View& view, const std::vector<Pose>& X_WL,
+                                const std::vector<const Part*>& covering);
+
+  /// Everything looks different now.
+  void forget();
+
+ private:
+  /// What the rays of a view see of what never moves.
+  struct Standing {
+    std::shared_ptr<const LensMap> lens;
+    Eigen::Matrix4d X_WC;
+    LinkSelection drawn;
+    RaySights sights;
+    LensSight sight;
+  };
+  /// The last look.
+  struct Last {
+    Eigen::Matrix4d X_WC;
+    std::vector<Eigen::Matrix4d> X_WL;
+    LinkSelection drawn;
+    Glass glass;
+    std::shared_ptr<const LensSight> sight;
+  };
+
+  [[nodiscard]] const std::shared_ptr<const std::vector<PartSurface>>& surfaces();
+  [[nodiscard]] const Standing& standing(const View& view, const std::vector<Pose>& X_WL,
+                                         const LinkSelection& drawn);
+
+  const DrawList& parts_;
+  LensLibrary& lenses_;
+  bool keeps_;
+  PyramidLibrary pyramids_;
+  std::shared_ptr<const std::vector<PartSurface>> surfaces_;  ///< null until they are asked for
+  std::deque<Standing> standing_;                             ///< the last used first
+  std::optional<Last> last_;
+};
+
+}  // namespace synthetic_dataset::render

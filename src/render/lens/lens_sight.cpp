@@ -1,0 +1,46 @@
+#include "render/lens/lens_sight.h"
+
+#include <Eigen/Geometry>
+
+namespace synthetic_dataset::render {
+
+RayRaster::IsHole holesIn(const DrawList& parts,
+                          const std::shared_ptr<const std::vector<PartSurface>>& surfaces) {
+  return [&parts, surfaces](const Part& part, const RayRaster::Place& place) {
+    const PartSurface& surface = (*surfaces)[parts.numberOf(part)];
+    if (!surface.colours) return false;
+    const FacedTriangle triangle(place.corners_F, place.vertices, surface);
+    const auto fx = static_cast<float>(place.intrinsics.fx);
+    const auto fy = static_cast<float>(place.intrinsics.fy);
+    const Eigen::Vector3f ray((place.column - static_cast<float>(place.intrinsics.cx)) / fx,
+                              (place.row - static_cast<float>(place.intrinsics.cy)) / fy, 1.0F);
+    const auto on = triangle.onTexture(ray, {0.5F / fx, 0.0F, 0.0F}, {0.0F, 0.5F / fy, 0.0F});
+    return surface.colours->sample(on.place, on.across, on.along).w() < surface.alpha_threshold;
+  };
+}
+
+std::array<Eigen::Vector3d, 3> cornersOf(const SeenTriangle& triangle, const world::Mesh& mesh,
+                                         const Pose& X_CV) {
+  const auto corner = [&](std::uint32_t i) -> Eigen::Vector3d {
+    return X_CV * mesh.positions[mesh.indices[triangle.first + i]].cast<double>();
+  };
+  return {corner(0), corner(1), corner(2)};
+}
+
+double distanceTo(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& ray) {
+  const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  return normal.dot(corners[0]) / normal.dot(ray);
+}
+
+FacedTriangle LensSight::triangleAt(int index) const {
+  const SeenTriangle& triangle = seen[static_cast<std::size_t>(index)];
+  const auto part = static_cast<std::size_t>(triangle.part);
+  const PartSurface& surface = (*surfaces)[part];
+  const std::array<Eigen::Vector3d, 3> corners = cornersOf(triangle, *surface.shape, X_CV[part]);
+  const auto& indices = surface.shape->indices;
+  return {{corners[0].cast<float>(), corners[1].cast<float>(), corners[2].cast<float>()},
+          {indices[triangle.first], indices[triangle.first + 1], indices[triangle.first + 2]},
+          surface};
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,179 @@
+#include "render/lens/lens_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include <Eigen/Geometry>
+#include <opencv2/core.hpp>
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// As in surface.glsl.
+struct LensSurface {
+  Eigen::Vector3f face;
+  Eigen::Vector3f normal;
+  Eigen::Vector3f base;
+  Eigen::Vector3f glow{1.0F, 1.0F, 1.0F};
+  float roughness = 0.0F;
+  float metalness = 0.0F;
+};
+
+/// A triangle that neighbouring pixels see.
+struct SeenByPixels {
+  SeenByPixels(const LensSight& sight, int triangle)
+      : index(triangle),
+        is_front(sight.seen[static_cast<std::size_t>(triangle)].is_front),
+        surface(&(*sight.surfaces)[partOf(sight, triangle)]),
+        R_CV(sight.X_CV[partOf(sight, triangle)].linear().cast<float>()),
+        triangle_C(sight.triangleAt(triangle)) {}
+
+  static std::size_t partOf(const LensSight& sight, int triangle) {
+    return static_cast<std::size_t>(sight.seen[static_cast<std::size_t>(triangle)].part);
+  }
+
+  int index;
+  bool is_front;
+  const PartSurface* surface;
+  Eigen::Matrix3f R_CV;
+  FacedTriangle triangle_C;
+};
+
+/// The normal as the map bends it, as material.glsl has it.
+Eigen::Vector3f bentNormal(const SeenByPixels& seen, const Eigen::Vector3f& normal,
+                           const FacedTriangle::TexturePlace& on) {
+  const auto& corners = seen.triangle_C.corners();
+  const Eigen::Vector3f along_x = corners[1] - corners[0];
+  const Eigen::Vector3f along_y = corners[2] - corners[0];
+  const Eigen::Vector2f start = seen.triangle_C.coordinates(0);
+  const Eigen::Vector2f texture_x = seen.triangle_C.coordinates(1) - start;
+  const Eigen::Vector2f texture_y = seen.triangle_C.coordinates(2) - start;
+  const Eigen::Vector3f across_y = along_y.cross(normal);
+  const Eigen::Vector3f across_x = normal.cross(along_x);
+  const float along = along_x.dot(across_y);
+  const float turn = along > 0.0F ? 1.0F : along < 0.0F ? -1.0F : 0.0F;
+  const Eigen::Vector3f u_axis = turn * (across_y * texture_x.x() + across_x * texture_y.x());
+  const Eigen::Vector3f v_axis = turn * (across_y * texture_x.y() + across_x * texture_y.y());
+  const float longest = std::max(u_axis.squaredNorm(), v_axis.squaredNorm());
+  if (!(longest > 0.0F)) return normal;  // no texture coordinates
+  const Eigen::Vector3f bend =
+      2.0F * seen.surface->normals->sample(on.place, on.across, on.along).head<3>() -
+      Eigen::Vector3f::Ones();
+  return ((bend.x() * u_axis - bend.y() * v_axis) / std::sqrt(longest) + bend.z() * normal)
+      .normalized();
+}
+
+LensSurface lensSurfaceAt(const SeenByPixels& seen, bool is_classic, const Eigen::Vector3f& ray,
+                          const Eigen::Vector3f& across, const Eigen::Vector3f& along) {
+  const PartSurface& part = *seen.surface;
+  const Eigen::Vector3f weights = seen.triangle_C.weights(ray);
+  const Eigen::Vector3f shares = weights / weights.sum();
+  LensSurface surface;
+  surface.face = (seen.R_CV * seen.triangle_C.mixed(part.shape->normals, shares)).normalized();
+  surface.normal = surface.face;
+  surface.base = part.diffuse.head<3>();
+  surface.roughness = part.roughness;
+  surface.metalness = part.metalness;
+  if (part.tints != nullptr) {
+    surface.base = surface.base.cwiseProduct(seen.triangle_C.tint(shares).head<3>());
+  }
+  if (part.colours || part.normals || part.roughnesses || part.metalnesses || part.glows) {
+    const auto on = seen.triangle_C.onTexture(ray, across, along);
+    const auto mean = [&](const PicturePyramid& picture) {
+      return picture.mean(on.place, on.across, on.along);
+    };
+    if (part.colours) surface.base = surface.base.cwiseProduct(mean(*part.colours).head<3>());
+    if (part.roughnesses) surface.roughness *= mean(*part.roughnesses).y();
+    if (part.metalnesses) surface.metalness *= mean(*part.metalnesses).z();
+    if (part.glows) surface.glow = mean(*part.glows).head<3>();
+    if (part.normals) surface.normal = bentNormal(seen, surface.face, on);
+  }
+  if (!seen.is_front) {
+    surface.face = -surface.face;
+    if (!is_classic) surface.normal = -surface.normal;
+  }
+  return surface;
+}
+
+/// A row of an image of four numbers a pixel, which becomes one of numbers of 16 bits.
+class HalfRow {
+ public:
+  HalfRow(bool is_wanted, const cv::Size& size) {
+    if (!is_wanted) return;
+    image_ = cv::Mat::zeros(size, CV_16UC4);
+    numbers_ = cv::Mat::zeros(1, size.width, CV_32FC4);
+  }
+
+  void set(int column, const Eigen::Vector3f& three, float one) {
+    if (image_.empty()) return;
+    numbers_.at<cv::Vec4f>(column) = {three.x(), three.y(), three.z(), one};
+  }
+
+  void store(int row, int first, int end) {
+    if (image_.empty() || first >= end) return;
+    cv::Mat halves;
+    numbers_.colRange(first, end).convertTo(halves, CV_16F);
+    std::copy_n(halves.ptr<std::uint16_t>(), std::ptrdiff_t{4} * (end - first),
+                image_.ptr<std::uint16_t>(row, first));
+  }
+
+  [[nodiscard]] const cv::Mat& image() const { return image_; }
+
+ private:
+  cv::Mat image_;
+  cv::Mat numbers_;
+};
+
+/// From a pixel's ray to that of its neighbour, or from the one on the other side at the rim.
+Eigen::Vector3f rayStepOf(const LensMap& lens, int u, int v, int du, int dv) {
+  const cv::Rect image(cv::Point(), lens.face.size());
+  const Eigen::Vector3f here(lens.rays.at<cv::Vec3f>(v, u).val);
+  for (const int side : {1, -1}) {
+    const cv::Point neighbour(u + side * du, v + side * dv);
+    if (!image.contains(neighbour) || lens.face.at<std::int16_t>(neighbour) < 0) continue;
+    const Eigen::Vector3f there(lens.rays.at<cv::Vec3f>(neighbour).val);
+    return static_cast<float>(side) * (there - here);
+  }
+  return Eigen::Vector3f::Zero();
+}
+
+}  // namespace
+
+SurfaceImages surfacesOf(const LensSight& sight, const GeometryPlanes& planes, bool is_classic,
+                         const cv::Rect& place, const cv::Mat& wanted) {
+  HalfRow base_roughness(true, place.size());
+  HalfRow normal_metalness(true, place.size());
+  HalfRow faces(planes.faces, place.size());
+  HalfRow glows(planes.glows, place.size());
+  const LensMap& lens = *sight.lens;
+  std::optional<SeenByPixels> seen;
+  for (int row = 0; row < place.height; ++row) {
+    const int v = place.y + row;
+    const auto* is_wanted = wanted.ptr<std::uint8_t>(v, place.x);
+    const int* triangles = sight.triangles.ptr<int>(v, place.x);
+    int first = place.width;
+    int end = 0;
+    for (int column = 0; column < place.width; ++column) {
+      if (is_wanted[column] == 0 || triangles[column] < 0) continue;
+      if (!seen || seen->index != triangles[column]) seen.emplace(sight, triangles[column]);
+      const int u = place.x + column;
+      const Eigen::Vector3f ray(lens.rays.at<cv::Vec3f>(v, u).val);
+      const LensSurface surface = lensSurfaceAt(*seen, is_classic, ray, rayStepOf(lens, u, v, 1, 0),
+                                                rayStepOf(lens, u, v, 0, 1));
+      base_roughness.set(column, surface.base, surface.roughness);
+      normal_metalness.set(column, surface.normal, surface.metalness);
+      faces.set(column, surface.face, 0.0F);
+      glows.set(column, surface.glow, 0.0F);
+      first = std::min(first, column);
+      end = column + 1;
+    }
+    for (HalfRow* each : {&base_roughness, &normal_metalness, &faces, &glows}) {
+      each->store(row, first, end);
+    }
+  }
+  return {base_roughness.image(), normal_metalness.image(), faces.image(), glows.image()};
+}
+
+}  // namespace synthetic_dataset::render

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core/types.hpp>
+
+#include "synthetic_dataset/camera_model.h"
+
+namespace synthetic_dataset::render {
+
+/// Where a ray meets a plane that is divided into cells: the whole part is its cell.
+struct PlacedRay {
+  float column = 0.0F;
+  float row = 0.0F;
+  int ray = 0;  ///< its index among the caller's
+};
+
+/// Rays in the order of the cells in which they meet a plane, so that those that a triangle may
+/// cover lie together, some of them in each row of cells.
+struct RayGrid {
+  /// Beyond the last ray there are so many without a place, for what is worked on side by side.
+  static constexpr int kSpare = 4;
+
+  Intrinsics intrinsics;  ///< of the plane, in cells
+  cv::Size cells;
+  std::vector<float> columns;  ///< of each ray
+  std::vector<float> rows;     ///< of each ray
+  std::vector<int> rays;       ///< the index of each
+  std::vector<int> first;      ///< of each cell's rays, cells row by row; and the number of all
+
+  [[nodiscard]] std::size_t count() const { return rays.size(); }
+};
+
+/// @param intrinsics  of the plane, in cells
+/// @param rays  that meet the plane within the cells
+[[nodiscard]] RayGrid makeRayGrid(const Intrinsics& intrinsics, const cv::Size& cells,
+                                  const std::vector<PlacedRay>& rays);
+
+}  // namespace synthetic_dataset::render

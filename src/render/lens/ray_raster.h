@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/lens/lens_map.h"
+#include "render/lens/ray_grid.h"
+#include "render/parts/draw_list.h"
+#include "render/view.h"
+
+namespace synthetic_dataset::render {
+
+/// A triangle that a ray sees.
+struct SeenTriangle {
+  int part = 0;             ///< its number in the draw list
+  std::uint32_t first = 0;  ///< of its three indices, the first one's place in Mesh::indices
+  bool is_front = true;
+};
+
+/// What rays see so far.
+struct RaySights {
+  std::vector<std::vector<float>> inverse_depths;  ///< of each grid's rays, along the face's axis
+  std::vector<std::vector<int>> triangles;         ///< likewise, their index below; -1 for nothing
+  std::vector<SeenTriangle> seen;
+
+  /// Of grids whose rays see nothing yet.
+  explicit RaySights(const std::vector<RayGrid>& grids);
+};
+
+/// Finds exactly what rays through a lens see, by drawing triangles on the lens's faces for these
+/// rays' places alone.
+///
+/// Whether a place is on an edge's one side or the other is worked out from the same corners in the
+/// same order for both triangles that share it, so that no ray passes between them.
+class RayRaster {
+ public:
+  /// A ray's place on a triangle of a part, for whoever knows where its texture has holes.
+  struct Place {
+    std::array<Eigen::Vector3f, 3> corners_F;  ///< in the face's frame
+    std::array<std::uint32_t, 3> vertices;     ///< of the mesh
+    Intrinsics intrinsics;                     ///< of the face, in cells
+    float column, row;                         ///< [cell]
+  };
+  using IsHole = std::function<bool(const Part&, const Place&)>;
+
+  /// The references have to outlive this.
+  /// @param grids  of each of the lens's faces
+  /// @param is_hole  of parts with holes, whether one is there
+  RayRaster(const View& view, const LensMap& lens, const std::vector<RayGrid>& grids,
+            const IsHole& is_hole)
+      : view_(view), lens_(lens), grids_(grids), is_hole_(is_hole) {}
+
+  /// Draws a part over what was drawn before. Of surfaces at the same place, of those that stand
+  /// still the last one is seen, and none that moves hides one of these.
+  void draw(const Part& part, int number, const Pose& X_WL, RaySights& sights) const;
+
+  /// Calls visit(index) for each ray that would see the part if it were alone; maybe several times.
+  void visitCovered(const Part& part, const Pose& X_WL,
+                    const std::function<void(int ray)>& visit) const;
+
+ private:
+  struct Corner;
+  struct Plane;
+  class OnFace;
+
+  const View& view_;
+  const LensMap& lens_;
+  const std::vector<RayGrid>& grids_;
+  const IsHole& is_hole_;
+};
+
+}  // namespace synthetic_dataset::render

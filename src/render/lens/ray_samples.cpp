@@ -1,0 +1,79 @@
+#include "render/lens/ray_samples.h"
+
+#include <array>
+
+#include <Eigen/Geometry>
+
+#include "render/lens/lens_map.h"
+#include "render/lens/ray_grid.h"
+#include "render/lens/ray_raster.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// The samples' places on the faces; a sample's index is its pixel's times kSampleCount and its
+/// own.
+std::vector<RayGrid> sampleGridsOf(const LensMap& lens, const std::vector<cv::Point>& pixels) {
+  std::vector<std::vector<PlacedRay>> rays(lens.faces.size());
+  std::vector<FacePlane> planes;
+  for (const LensFace& face : lens.faces) planes.emplace_back(face);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const auto face = lens.face.at<std::int16_t>(pixels[i]);
+    if (face < 0) continue;
+    const FacePlane& plane = planes[static_cast<std::size_t>(face)];
+    const Eigen::Vector2f place = plane.placeOf(lens.rays.at<cv::Vec3f>(pixels[i]));
+    const auto stepTo = [&](int du, int dv) -> Eigen::Vector2f {
+      const int side = neighbourSide(lens, lens.faces[static_cast<std::size_t>(face)].X_CF,
+                                     pixels[i].x, pixels[i].y, du, dv);
+      const cv::Point neighbour(pixels[i].x + side * du, pixels[i].y + side * dv);
+      return static_cast<float>(side) * (plane.placeOf(lens.rays.at<cv::Vec3f>(neighbour)) - place);
+    };
+    const Eigen::Vector2f across = stepTo(1, 0);
+    const Eigen::Vector2f along = stepTo(0, 1);
+    for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
+      const Eigen::Vector2f there =
+          place + kSampleColumns[sample] * across + kSampleRows[sample] * along;
+      rays[static_cast<std::size_t>(face)].push_back(
+          {there.x(), there.y(), static_cast<int>(i * kSampleCount + sample)});
+    }
+  }
+  std::vector<RayGrid> grids;
+  for (std::size_t face = 0; face < rays.size(); ++face) {
+    grids.push_back(makeRayGrid(lens.grids[face].intrinsics, lens.grids[face].cells, rays[face]));
+  }
+  return grids;
+}
+
+SeenPlane planeOf(const SeenTriangle& triangle, const LensSight& sight) {
+  const auto part = static_cast<std::size_t>(triangle.part);
+  const auto corners = cornersOf(triangle, *(*sight.surfaces)[part].shape, sight.X_CV[part]);
+  const Eigen::Vector3d normal =
+      (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  return {triangle.part, normal.cast<float>(), (normal / normal.dot(corners[0])).cast<float>()};
+}
+
+}  // namespace
+
+RaySamples::RaySamples(const DrawList& parts, const EdgeScene& scene, const LensSight& sight,
+                       const std::vector<cv::Point>& pixels)
+    : samples_(pixels.size() * kSampleCount, -1) {
+  const std::vector<RayGrid> grids = sampleGridsOf(*sight.lens, pixels);
+  RaySights sights(grids);
+  const RayRaster::IsHole is_hole = holesIn(parts, sight.surfaces);
+  const RayRaster raster(scene.view, *sight.lens, grids, is_hole);
+  const Pose X_CW = scene.view.X_WC.inverse();
+  for (const bool stand_still : {true, false}) {
+    for (const Part* part : parts.solidParts(X_CW, scene.X_WL, scene.drawn, stand_still)) {
+      raster.draw(*part, static_cast<int>(parts.numberOf(*part)), scene.X_WL[part->link], sights);
+    }
+  }
+  planes_.reserve(sights.seen.size());
+  for (const SeenTriangle& triangle : sights.seen) planes_.push_back(planeOf(triangle, sight));
+  for (std::size_t face = 0; face < grids.size(); ++face) {
+    for (std::size_t i = 0; i < grids[face].count(); ++i) {
+      samples_[static_cast<std::size_t>(grids[face].rays[i])] = sights.triangles[face][i];
+    }
+  }
+}
+
+}  // namespace synthetic_dataset::render

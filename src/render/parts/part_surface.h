@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/parts/draw_list.h"
+#include "render/parts/picture_pyramid.h"
+
+namespace synthetic_dataset::render {
+
+/// What a part is made of, for what is found without OpenGL; it stays as it is when the part gets
+/// another material.
+struct PartSurface {
+  const world::Mesh* shape = nullptr;
+  Eigen::Vector4f diffuse{1.0F, 1.0F, 1.0F, 1.0F};  ///< as shaders have it
+  Eigen::Vector2f scale{1.0F, 1.0F};                ///< of texture coordinates
+  Eigen::Vector2f offset{0.0F, 0.0F};
+  float roughness = 0.0F;
+  float metalness = 0.0F;
+  float alpha_threshold = 0.0F;
+  std::vector<Eigen::Vector4f> const* tints = nullptr;  ///< of the vertices; null for none
+  bool tints_are_encoded = false;
+
+  // Null where there is none.
+  std::shared_ptr<const PicturePyramid> colours;
+  std::shared_ptr<const PicturePyramid> normals;
+  std::shared_ptr<const PicturePyramid> roughnesses;
+  std::shared_ptr<const PicturePyramid> metalnesses;
+  std::shared_ptr<const PicturePyramid> glows;
+};
+
+/// By the number that parts have in GeometryImages.
+[[nodiscard]] std::vector<PartSurface> partSurfaces(const DrawList& parts,
+                                                    PyramidLibrary& pyramids);
+
+}  // namespace synthetic_dataset::render

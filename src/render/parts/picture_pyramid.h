@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include "render/pixels/light_picture.h"
+#include "world/description.h"
+
+namespace synthetic_dataset::render {
+
+/// A texture as OpenGL would filter it (GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT), for what is found
+/// without OpenGL.
+class PicturePyramid {
+ public:
+  PicturePyramid(const world::Texture& texture, PixelMeaning meaning);
+
+  /// Red, green, blue and alpha, the mean over the parallelogram of two steps around a place.
+  /// Colours are linear.
+  /// @param across, along  a pixel's step on the picture to the right and down, in its widths and
+  ///     heights
+  [[nodiscard]] Eigen::Vector4f mean(const Eigen::Vector2f& place, const Eigen::Vector2f& across,
+                                     const Eigen::Vector2f& along) const;
+
+  /// As OpenGL has it: the same in all directions, by the longer step.
+  [[nodiscard]] Eigen::Vector4f sample(const Eigen::Vector2f& place, const Eigen::Vector2f& across,
+                                       const Eigen::Vector2f& along) const;
+
+ private:
+  [[nodiscard]] Eigen::Vector2f inTexels(const Eigen::Vector2f& step) const;
+  [[nodiscard]] Eigen::Vector4f at(const Eigen::Vector2f& place, float level) const;
+  [[nodiscard]] Eigen::Vector4f at(const Eigen::Vector2f& place, const cv::Mat& level) const;
+  [[nodiscard]] Eigen::Vector4f texel(const cv::Vec4b& texel) const;
+
+  bool is_colour_;
+  std::vector<cv::Mat> levels_;  ///< CV_8UC4, the largest first
+};
+
+/// Makes each texture's pyramid once for each meaning, when it is first asked for.
+class PyramidLibrary {
+ public:
+  [[nodiscard]] std::shared_ptr<const PicturePyramid> get(
+      const std::shared_ptr<const world::Texture>& texture, PixelMeaning meaning);
+
+  /// Lets go of pictures that nobody else holds any more.
+  void forgetUnused();
+
+ private:
+  std::map<std::pair<std::shared_ptr<const world::Texture>, PixelMeaning>,
+           std::shared_ptr<const PicturePyramid>>
+      pyramids_;
+};
+
+}  // namespace synthetic_dataset::render

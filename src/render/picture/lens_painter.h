@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "render/lens/lens_eye.h"
+#include "render/pending_picture.h"
+#include "render/picture/picture_painter.h"
+
+namespace synthetic_dataset::render {
+
+/// Makes pictures through lenses with distortion of which all that is seen is a surface.
+///
+/// What each pixel's own ray sees is found first (LensEye), then lit once, and edges are smoothed
+/// by what the samples' own rays see. As with PicturePainter, what never moves is kept with its
+/// light.
+class LensPainter {
+ public:
+  LensPainter(const PictureCrew& crew, LensEye& eye) : crew_(crew), eye_(eye) {}
+
+  /// @param casting  the links that cast shadows
+  /// @param smooth  edges by several samples a pixel, not the centre's alone
+  /// @param regions  the pixels that are asked for; empty for the whole picture
+  [[nodiscard]] PendingPicture paint(const ColourScene& scene, const LinkSelection& casting,
+                                     bool smooth, const std::vector<cv::Rect>& regions);
+
+  /// Nothing is kept of what was painted so far: all looks different now.
+  void forget() { kept_.clear(); }
+
+ private:
+  /// What a picture of what never moves depends on.
+  struct Key {
+    std::shared_ptr<const LensMap> lens;
+    Eigen::Matrix4d X_WC;
+    LinkSelection drawn;    ///< of what never moves
+    LinkSelection casting;  ///< of what never moves
+    std::vector<Eigen::Matrix4d> shadows;
+    float exposure = 0.0F;
+    bool smooth = false;
+
+    [[nodiscard]] bool operator==(const Key& other) const;
+  };
+  struct Kept {
+    Key key;
+    cv::Mat pixels;  ///< empty until the key comes a second time; never written to
+    cv::Mat edges;   ///< CV_8UC1: 255 where these are smoothed; empty where edges are not
+  };
+
+  [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
+  [[nodiscard]] const Kept* kept(const ColourScene& scene, const LensSight& sight,
+                                 const LinkSelection& casting, bool smooth);
+  [[nodiscard]] cv::Mat changedPixels(const ColourScene& scene, const LensSight& sight,
+                                      const cv::Mat& edges) const;
+  [[nodiscard]] cv::Mat possibleSurfaces(const ColourScene& scene) const;
+
+  PictureCrew crew_;
+  LensEye& eye_;
+  std::vector<Kept> kept_;  ///< the last used first
+};
+
+}  // namespace synthetic_dataset::render
