@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <std_msgs/String.h>
+#include <Eigen/Geometry>
 
 #include "motion/bag_reader.h"
 #include "motion/frame_names.h"
@@ -106,35 +107,42 @@ int depthOf(const FrameTree& tree, FrameId frame) {
   return depth;
 }
 
-void measureTimes(const Seen& seen, const LinkHistory& link, RecordedFrame& frame) {
+void measureTimes(const Seen& seen, const LinkHistory& link, const RecordedTimes& times,
+                  RecordedFrame& frame) {
   std::vector<Stamp> stamps = seen.stamps;
   std::sort(stamps.begin(), stamps.end());
   frame.count = static_cast<std::int64_t>(stamps.size());
   frame.first = stamps.front();
   frame.last = stamps.back();
   frame.is_static = seen.is_static;
-  if (seen.is_static) return;
+  if (seen.is_static) {
+    frame.known = {times};
+    return;
+  }
   frame.period = link.medianPeriod();
   const Duration longest = std::max<Duration>(std::chrono::seconds(10), 20 * frame.period);
+  Stamp from = stamps.front();
   for (std::size_t i = 1; i < stamps.size(); ++i) {
     const Duration gap = stamps[i] - stamps[i - 1];
     if (gap <= longest) continue;
     ++frame.gap_count;
     frame.longest_gap = std::max(frame.longest_gap, gap);
+    frame.known.push_back({from, stamps[i - 1]});
+    from = stamps[i];
   }
+  frame.known.push_back({from, stamps.back()});
 }
 
 /// When a frame's origin first and last moves against the root.
 void measureMovement(const FrameTree& tree, FrameId root, FrameId id, const RecordedTimes& times,
-                     RecordedFrame& frame) {
-  constexpr int kSteps = 400;
+                     int steps, RecordedFrame& frame) {
   constexpr double kMoves = 0.002;  // [m]
   std::optional<Eigen::Vector3d> before;
   Stamp stamp_before = times.start;
   frame.moves_from = frame.moves_until = frame.first;
   bool has_moved = false;
-  for (int i = 0; i <= kSteps; ++i) {
-    const Stamp stamp = times.start + (times.end - times.start) * i / kSteps;
+  for (int i = 0; i <= steps; ++i) {
+    const Stamp stamp = times.start + (times.end - times.start) * i / steps;
     const auto pose = tree.transform(root, id, stamp);
     if (!pose) continue;
     if (before && (pose->translation() - *before).norm() > kMoves) {
@@ -147,26 +155,46 @@ void measureMovement(const FrameTree& tree, FrameId root, FrameId id, const Reco
   }
 }
 
-/// The box that a frame's origin stays in, in the root's frame, by some hundred times.
+/// Where a frame's origin is, and how it is turned, in the root's frame.
 void measureWay(const FrameTree& tree, FrameId root, FrameId id, const RecordedTimes& times,
-                RecordedFrame& frame) {
-  constexpr int kSteps = 200;
-  bool is_first = true;
+                int steps, RecordedFrame& frame) {
+  std::optional<Pose> first;
   Eigen::Vector3d low;
   Eigen::Vector3d high;
-  for (int i = 0; i <= kSteps; ++i) {
-    const auto pose =
-        tree.transform(root, id, times.start + (times.end - times.start) * i / kSteps);
+  for (int i = 0; i <= steps; ++i) {
+    const auto pose = tree.transform(root, id, times.start + (times.end - times.start) * i / steps);
     if (!pose) continue;
     const Eigen::Vector3d p_R = pose->translation();
-    low = is_first ? p_R : Eigen::Vector3d(low.cwiseMin(p_R));
-    high = is_first ? p_R : Eigen::Vector3d(high.cwiseMax(p_R));
-    is_first = false;
+    low = !first ? p_R : Eigen::Vector3d(low.cwiseMin(p_R));
+    high = !first ? p_R : Eigen::Vector3d(high.cwiseMax(p_R));
+    if (!first) first = pose;
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(first->linear().transpose() * pose->linear()));
+    frame.turned = std::max(frame.turned, turn.angle());
   }
-  if (is_first) return;
-  measureMovement(tree, root, id, times, frame);
+  if (!first) return;
+  measureMovement(tree, root, id, times, 2 * steps, frame);
   frame.extent = high - low;
   frame.middle_R = 0.5 * (low + high);
+}
+
+/// Where a frame that moves has been, as seen from above all.
+void traceWay(const FrameTree& tree, FrameId global, FrameId id, const RecordedTimes& times,
+              int steps, RecordedFrame& frame) {
+  constexpr double kMoves = 0.02;  // [m]
+  if (frame.is_static || !(frame.extent.norm() > kMoves)) return;
+  for (int i = 0; i <= steps; ++i) {
+    const auto pose =
+        tree.transform(global, id, times.start + (times.end - times.start) * i / steps);
+    if (pose) frame.way_G.emplace_back(pose->translation());
+  }
+}
+
+/// By how many times ways are measured: by fewer where there are thousands of frames.
+int stepsFor(std::size_t frame_count) {
+  constexpr std::size_t kMost = 200;
+  constexpr std::size_t kLeast = 10;
+  constexpr std::size_t kAll = 400000;
+  return static_cast<int>(std::clamp(kAll / std::max<std::size_t>(frame_count, 1), kLeast, kMost));
 }
 
 /// From the first to the last stamp of what moves; record times may be of another clock.
@@ -181,7 +209,9 @@ RecordedTimes stampedTimes(const SeenFrames& frames, const RecordedTimes& record
 }
 
 std::vector<RecordedFrame> framesOf(const FrameTree& tree, const SeenFrames& seen,
-                                    const RecordedTimes& times) {
+                                    const RecordedTimes& times, const std::string& global_frame) {
+  const int steps = stepsFor(seen.size());
+  const auto global = tree.names().find(withoutLeadingSlashes(global_frame));
   std::vector<std::pair<int, RecordedFrame>> found;
   for (const auto& [name, of] : seen) {
     const auto id = tree.names().find(name);
@@ -193,8 +223,9 @@ std::vector<RecordedFrame> framesOf(const FrameTree& tree, const SeenFrames& see
     for (const FrameId parent : tree.link(*id).parents()) {
       frame.parents.push_back(tree.names().of(parent));
     }
-    measureTimes(of, tree.link(*id), frame);
-    measureWay(tree, root, *id, times, frame);
+    measureTimes(of, tree.link(*id), times, frame);
+    measureWay(tree, root, *id, times, steps, frame);
+    traceWay(tree, global.value_or(root), *id, times, steps, frame);
     frame.publishers.assign(of.publishers.begin(), of.publishers.end());
     found.emplace_back(depthOf(tree, *id), std::move(frame));
   }
@@ -257,7 +288,8 @@ std::string lastPartOf(const std::string& frame) { return frame.substr(frame.rfi
 
 }  // namespace
 
-BagContents readContents(const std::vector<std::string>& bag_files) {
+BagContents readContents(const std::vector<std::string>& bag_files,
+                         const std::string& global_frame) {
   BagReader bags(bag_files);
   BagContents contents;
   contents.topics = bags.topics();
@@ -278,7 +310,7 @@ BagContents readContents(const std::vector<std::string>& bag_files) {
   contents.times = stampedTimes(seen, bags.times());
   if (!recording.empty()) {
     const FrameTree tree = recording.finish();
-    contents.frames = framesOf(tree, seen, contents.times);
+    contents.frames = framesOf(tree, seen, contents.times, global_frame);
     const std::vector<std::string> notes = recording.notes();
     contents.notes.insert(contents.notes.end(), notes.begin(), notes.end());
     for (const FrameFinding& each : recording.findings()) contents.notes.push_back(each.message);

@@ -23,14 +23,18 @@ struct RecordedFrame {
   Duration period{0};      ///< from one to the next (median); 0: static
   Stamp first{0};          ///< of its transforms' stamps
   Stamp last{0};
-  std::int64_t gap_count = 0;           ///< longer than 10 s and 20 periods
-  Duration longest_gap{0};              ///< of these
-  Eigen::Vector3d middle_R{0, 0, 0};    ///< of the box that its origin stays in, in the root's
-                                        ///< frame [m]
-  Eigen::Vector3d extent{0, 0, 0};      ///< of that box [m]
-  Stamp moves_from{0};                  ///< when it leaves its first position; `first`: never
-  Stamp moves_until{0};                 ///< when it reaches its last one
-  std::vector<std::string> publishers;  ///< nodes that sent it
+  std::int64_t gap_count = 0;         ///< longer than 10 s and 20 periods
+  Duration longest_gap{0};            ///< of these
+  Eigen::Vector3d middle_R{0, 0, 0};  ///< of the box that its origin stays in, in the root's
+                                      ///< frame [m]
+  Eigen::Vector3d extent{0, 0, 0};    ///< of that box [m]
+  Stamp moves_from{0};                ///< when it leaves its first position; `first`: never
+  Stamp moves_until{0};               ///< when it reaches its last one
+  double turned = 0.0;  ///< by how much it is turned against its first orientation at most [rad]
+  std::vector<RecordedTimes> known = {};     ///< from gap to gap; of a static one, all the time
+  std::vector<Eigen::Vector3d> way_G = {};   ///< where its origin was, evenly over all times; of
+                                             ///< one that moves
+  std::vector<std::string> publishers = {};  ///< nodes that sent it
 };
 
 /// A camera's calibration that is recorded.
@@ -60,8 +64,10 @@ struct BagContents {
 };
 
 /// Looks through bags that count as one recording.
+/// @param global_frame  in which ways are measured, where it is known; else in the tree's root
 /// @throws ErrorList with what is wrong with each file; a recording without TF is none
-[[nodiscard]] BagContents readContents(const std::vector<std::string>& bag_files);
+[[nodiscard]] BagContents readContents(const std::vector<std::string>& bag_files,
+                                       const std::string& global_frame = "");
 
 /// A frame that may be a robot's: "jackal/base_link".
 struct RobotFrame {

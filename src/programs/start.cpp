@@ -17,7 +17,7 @@
 #include "base/name_list.h"
 #include "plugins/readback/format.h"
 #include "programs/console/tool.h"
-#include "programs/gallery/model_portrait.h"
+#include "run/pictures/model_portrait.h"
 #include "programs/inspect/world_report.h"
 #include "programs/start/settings_draft.h"
 #include "programs/start/start_line.h"
@@ -48,7 +48,7 @@ std::string absoluteFile(const std::string& name) {
 /// The largest side of a model; 0 where it cannot be read, which the run's check will explain.
 double sizeOf(const std::string& model) {
   try {
-    const auto bounds = programs::visibleBounds(programs::readForInspection(model));
+    const auto bounds = run::visibleBounds(programs::readForInspection(model));
     return bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
   } catch (const std::exception&) {
     return 0.0;

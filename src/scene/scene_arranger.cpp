@@ -5,9 +5,7 @@
 #include <utility>
 
 #include "base/seconds.h"
-#include "motion/frame_names.h"
-#include "randomize/placement/map_reader.h"
-#include "randomize/placement/received_map.h"
+#include "scene/placement_map.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "world/mesh/model_geometry.h"
@@ -38,44 +36,6 @@ std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
     boxes.push_back(boxRound(world::ModelGeometry(links).box(X_ML)));
   }
   return boxes;
-}
-
-/// What came on the topic, from a running system or in the bags.
-motion::RecordedMap topicsMap(const SceneOptions& config) {
-  const randomize::PlacementOptions& placement = config.placement;
-  if (placement.received_map) return randomize::receivedMap(*placement.received_map);
-  if (!config.motion.bag_files.empty()) {
-    return motion::readMap(config.motion.bag_files, *placement.map_topic);
-  }
-  throw Error("found '" + *placement.map_topic +
-              "', a topic, and nothing that has it; bag_file should name the bags in which it was "
-              "recorded, or `generate` should run beside the system that publishes it, as a node "
-              "(roslaunch, or rosrun without --config); or placement/map should name map_server's "
-              "YAML file");
-}
-
-randomize::OccupancyMap readMap(const SceneOptions& config) {
-  const randomize::PlacementOptions& placement = config.placement;
-  if (placement.map_file) {
-    try {
-      return randomize::readMapFile(*placement.map_file);
-    } catch (const ErrorList&) {
-      throw;
-    } catch (const Error& error) {
-      throw Error(std::string("placement/map: ") + error.what());
-    }
-  }
-  try {
-    const motion::RecordedMap map = topicsMap(config);
-    const std::string global_frame = motion::withoutLeadingSlashes(config.global_frame);
-    if (map.frame == global_frame) return randomize::mapOf(map);
-    throw Error("found '" + *placement.map_topic + "', a map in the frame '" + map.frame +
-                "'; it should be in global_frame, '" + global_frame + "'");
-  } catch (const ErrorList&) {
-    throw;
-  } catch (const Error& error) {
-    throw Error(std::string("placement/map_topic: ") + error.what());
-  }
 }
 
 }  // namespace
@@ -140,7 +100,7 @@ void SceneArranger::setUpPlacer(const SceneOptions& config,
   if (on_map && !config.placement.map_file && !config.placement.map_topic)
     return;  // reported already
   std::optional<randomize::OccupancyMap> map;
-  if (on_map) map = readMap(config);
+  if (on_map) map = readPlacementMap(config);
   std::vector<randomize::PlacedObject> placed;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     placed.push_back(describe(i, variants[i], on_map, found));

@@ -11,15 +11,14 @@
 #include <Eigen/Geometry>
 #include <opencv2/imgproc.hpp>
 
-#include "programs/check/map_paper.h"
 #include "run/check/moments.h"
+#include "run/pictures/floor_plan.h"
+#include "run/pictures/map_paper.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::programs {
 namespace {
 
-const cv::Scalar kGroundInk(222, 226, 228);
-const cv::Scalar kStandingInk(168, 172, 178);
 const cv::Scalar kCameraInk(60, 40, 200);
 
 /// Colours that stay apart for the colour-blind (Okabe and Ito 2008), blue green red.
@@ -103,47 +102,6 @@ double groundOf(const run::MotionSetup& motion, const std::vector<run::Moment>& 
   return std::isfinite(lowest) ? lowest : 0.0;
 }
 
-using Triangle = std::array<Eigen::Vector3d, 3>;
-
-/// Calls `see` with each triangle of what stands still.
-template <class See>
-void forTriangles(const world::World& world, const See& see) {
-  for (std::size_t i = 0; i < world.links().size(); ++i) {
-    const world::Role role = world.links()[i].role;
-    if (role != world::Role::kStatic && role != world::Role::kProp) continue;
-    for (const world::Visual& visual : world.links()[i].link->visuals) {
-      const Pose X_GV = world.linkPoses()[i] * visual.X_LV;
-      for (const world::Surface& surface : visual.surfaces) {
-        const world::Mesh& mesh = *surface.mesh;
-        for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
-          Triangle triangle;
-          for (std::size_t c = 0; c < 3; ++c) {
-            triangle[c] =
-                X_GV * Eigen::Vector3d(mesh.positions[mesh.indices[k + c]].cast<double>());
-          }
-          see(triangle);
-        }
-      }
-    }
-  }
-}
-
-/// The ground in light grey, and in darker grey what stands on it up to the height of a ceiling.
-void drawWorld(MapPaper& paper, const world::World& world, double ground) {
-  constexpr double kStep = 0.15;    // [m]; what is lower is the ground
-  constexpr double kCeiling = 2.2;  // [m]
-  const auto draw = [&](bool is_ground) {
-    forTriangles(world, [&](const Triangle& triangle) {
-      const auto [low, high] = std::minmax({triangle[0].z(), triangle[1].z(), triangle[2].z()});
-      const bool lies = high < ground + kStep;
-      if (lies != is_ground || low > ground + kCeiling) return;
-      paper.fill({triangle[0], triangle[1], triangle[2]}, is_ground ? kGroundInk : kStandingInk);
-    });
-  };
-  draw(true);
-  draw(false);
-}
-
 /// What a camera sees of the ground, or how wide it sees up to a distance.
 std::vector<Eigen::Vector3d> viewCone(const Scene& scene, double ground, double reach) {
   const Eigen::Vector3d eye_G = scene.X_GC.translation();
@@ -170,7 +128,7 @@ std::vector<Eigen::Vector3d> viewCone(const Scene& scene, double ground, double 
 }
 
 /// How far a cone is drawn: somewhat past the nearest object, or far over the map.
-double reachOf(const Scene& scene, const MapPaper& paper) {
+double reachOf(const Scene& scene, const run::MapPaper& paper) {
   double reach = 0.6 * paper.extent().diagonal().norm();
   for (const SceneObject& object : scene.objects) {
     constexpr double kPast = 1.6;
@@ -187,7 +145,7 @@ bool hasMoved(const Pose& one, const Pose& other) {
          Eigen::AngleAxisd(one.linear().transpose() * other.linear()).angle() > kWide;
 }
 
-void drawCameras(MapPaper& paper, const std::vector<const Scene*>& scenes, double ground) {
+void drawCameras(run::MapPaper& paper, const std::vector<const Scene*>& scenes, double ground) {
   constexpr std::size_t kMostCones = 9;
   std::set<std::string> named;
   std::optional<Pose> last;
@@ -219,8 +177,8 @@ cv::Mat worldMap(const run::MotionSetup& motion, bool is_only,
   const std::vector<run::Moment> moments = run::momentsOf(motion, scenes);
   const std::vector<Way> ways = waysOf(motion, moments);
   const double ground = groundOf(motion, moments);
-  MapPaper paper(withSurroundings(extentOf(ways, scenes), *motion.world));
-  drawWorld(paper, *motion.world, ground);
+  run::MapPaper paper(withSurroundings(extentOf(ways, scenes), *motion.world));
+  run::drawFloorPlan(paper, motion.world->links(), motion.world->linkPoses(), ground);
   paper.grid();
   drawCameras(paper, scenes, ground);
   for (std::size_t i = 0; i < ways.size(); ++i) {

@@ -78,8 +78,8 @@ GalleryEntry entryOf(const world::Description& description, const std::string& n
                      const cv::Size& size) {
   GalleryEntry entry;
   entry.name = name;
-  entry.counts = countModels(description);
-  entry.picture = portray(description, size);
+  entry.counts = run::countModels(description);
+  entry.picture = run::portray(description, size);
   return entry;
 }
 
@@ -125,9 +125,9 @@ GalleryEntry portrayModel(const fs::path& model, const std::string& name,
     world::LoadOptions options;
     options.on_missing_asset = world::OnMissingAsset::kWarn;
     const world::Description description = world::loadWorld(model.string(), finder, options);
-    entry.counts = countModels(description);
+    entry.counts = run::countModels(description);
     entry.notes = description.notes;
-    entry.picture = portray(description, size);
+    entry.picture = run::portray(description, size);
   } catch (const std::exception& error) {
     entry.error = error.what();
   }
@@ -198,7 +198,7 @@ std::string galleryTable(const std::vector<GalleryEntry>& entries) {
       table << "  cannot be loaded: " << line << '\n';
       continue;
     }
-    const ModelCounts& counts = entry.counts;
+    const run::ModelCounts& counts = entry.counts;
     for (const std::size_t number : {counts.links, counts.visuals, counts.surfaces,
                                      counts.triangles, counts.textures, entry.notes.size()}) {
       table << std::setw(11) << number;

@@ -6,7 +6,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "programs/gallery/model_portrait.h"
+#include "run/pictures/model_portrait.h"
 #include "world/files/resource_finder.h"
 
 namespace synthetic_dataset::programs {
@@ -14,7 +14,7 @@ namespace synthetic_dataset::programs {
 /// What became of one model.
 struct GalleryEntry {
   std::string name;  ///< its path below the gallery's folder
-  ModelCounts counts;
+  run::ModelCounts counts;
   std::vector<std::string> notes;  ///< what was left out or replaced
   std::string error;               ///< why it could not be loaded; empty if it could
   cv::Mat picture;                 ///< CV_8UC3; none if there is nothing to see

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <vector>
 
-#include "programs/gallery/model_portrait.h"
+#include "run/pictures/model_portrait.h"
 #include "run/setup/ros_packages.h"
 #include "synthetic_dataset/label_text.h"
 #include "world/files/resource_finder.h"
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 Eigen::AlignedBox3d boundsOf(const world::Model& model) {
   world::Description alone;
   alone.models.push_back(model);
-  return visibleBounds(alone);
+  return run::visibleBounds(alone);
 }
 
 std::string lengths(const Eigen::Vector3d& size) {

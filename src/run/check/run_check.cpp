@@ -146,7 +146,11 @@ void requireFolder(const std::string& folder) {
 
 RunCheck checkRun(const Value& parameters, Reporter& reporter,
                   const std::vector<std::string>& plugin_xml_files) {
-  RunCheck check{setUpRun(parameters, plugin_xml_files), {}, {}, {}};
+  return checkRun(setUpRun(parameters, plugin_xml_files), reporter);
+}
+
+RunCheck checkRun(RunSetup setup, Reporter& reporter) {
+  RunCheck check{std::move(setup), {}, {}, {}};
   requireFolder(check.setup.config.output.folder);
   CheckSink sink(check.setup, chosenInstants(check.setup));
   Stopwatch stopwatch(reporter);

@@ -30,4 +30,7 @@ struct RunCheck {
 [[nodiscard]] RunCheck checkRun(const Value& parameters, Reporter& reporter,
                                 const std::vector<std::string>& plugin_xml_files = {});
 
+/// The same of a run that is set up and has made no scene yet.
+[[nodiscard]] RunCheck checkRun(RunSetup setup, Reporter& reporter);
+
 }  // namespace synthetic_dataset::run

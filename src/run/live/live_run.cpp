@@ -4,12 +4,15 @@
 #include <chrono>
 #include <ctime>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "base/stages.h"
+#include "run/live/live_inputs.h"
 #include "run/live/one_scene_sink.h"
+#include "run/pictures/model_portrait.h"
 #include "run/scene_loop.h"
-#include "run/setup/input_cache.h"
-#include "run/setup/run_setup.h"
+#include "scene/placement_map.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 
@@ -35,83 +38,148 @@ class Stopwatch {
   double processor_start_ = processorTime();
 };
 
+/// Index of the scene that an instant and a camera mean.
+std::int64_t sceneOf(const RunSetup& run, std::int64_t instant, const std::string& camera) {
+  if (instant < 0 || instant >= run.instantCount()) {
+    throw Error("found instant " + std::to_string(instant) + "; the run has 0 to " +
+                std::to_string(run.instantCount() - 1));
+  }
+  std::vector<std::string> names;
+  for (const scene::CameraRig& each : run.motions.front().cameras) names.push_back(each.name);
+  const auto named = camera.empty() ? names.begin() : std::find(names.begin(), names.end(), camera);
+  if (named == names.end()) {
+    throw Error("found no camera '" + camera + "'" + didYouMean(camera, names));
+  }
+  return instant * static_cast<std::int64_t>(names.size()) + (named - names.begin());
+}
+
+void makeScene(RunSetup& run, OneSceneSink& sink) {
+  Reporter silent;
+  SceneLoop(run, sink, silent).run();
+}
+
+std::size_t indexOf(const MotionSetup& motion, const std::string& object) {
+  const auto& objects = motion.config.objects;
+  const auto found = std::find_if(objects.begin(), objects.end(),
+                                  [&](const auto& each) { return each.name == object; });
+  return static_cast<std::size_t>(found - objects.begin());
+}
+
 }  // namespace
 
 struct LiveRun::Impl {
-  /// Sets the run up unless that is done.
-  /// @throws ErrorList
-  RunSetup& ready() {
-    (void)described();
-    if (errors) throw ErrorList(*errors);
-    if (!run) run = std::make_unique<RunSetup>(setUpRun(settings, inputs, plugin_xml_files));
-    return *run;
-  }
+  explicit Impl(std::vector<std::string> plugin_xml_files) : inputs(std::move(plugin_xml_files)) {}
 
-  const LiveSetup& described() {
-    if (live) return *live;
-    try {
-      run = std::make_unique<RunSetup>(setUpRun(settings, inputs, plugin_xml_files));
-      live = describeSetup(*run);
-    } catch (const ErrorList& list) {
-      errors = list;
-      live = describeErrors(list);
-    } catch (const Error& error) {
-      errors = ErrorList({error.what()});
-      live = describeErrors(*errors);
-    }
-    return *live;
-  }
-
-  std::size_t cameraCalled(const std::string& name) {
-    const std::vector<std::string>& cameras = described().cameras;
-    if (name.empty()) return 0;
-    const auto found = std::find(cameras.begin(), cameras.end(), name);
-    if (found == cameras.end()) {
-      throw Error("found no camera '" + name + "'" + didYouMean(name, cameras));
-    }
-    return static_cast<std::size_t>(found - cameras.begin());
-  }
-
-  std::vector<std::string> plugin_xml_files;
-  InputCache inputs;
-  Value settings;
-  std::optional<LiveSetup> live;    ///< of the settings
-  std::optional<ErrorList> errors;  ///< of the settings
-  std::unique_ptr<RunSetup> run;    ///< of the settings, if no scene was made of it yet
+  LiveInputs inputs;
+  std::optional<LiveRecording> recording;  ///< the last one that was asked for
+  std::string recording_frame;             ///< in which its ways are
+  FileStamps recording_files;
 };
 
-LiveRun::LiveRun(std::vector<std::string> plugin_xml_files) : impl_(std::make_unique<Impl>()) {
-  impl_->plugin_xml_files = std::move(plugin_xml_files);
-}
+LiveRun::LiveRun(std::vector<std::string> plugin_xml_files)
+    : impl_(std::make_unique<Impl>(std::move(plugin_xml_files))) {}
 
 LiveRun::~LiveRun() = default;
 
-void LiveRun::setSettings(const Value& settings) {
-  impl_->settings = settings;
-  impl_->live.reset();
-  impl_->errors.reset();
-  impl_->run.reset();
-}
+void LiveRun::setSettings(const Value& settings) { impl_->inputs.setSettings(settings); }
 
-const LiveSetup& LiveRun::setup() { return impl_->described(); }
+const LiveSetup& LiveRun::setup() { return impl_->inputs.described(); }
+
+const LiveSetup& LiveRun::check() {
+  LiveInputs& inputs = impl_->inputs;
+  if (!inputs.described().ready) return inputs.described();
+  Reporter silent;
+  try {
+    inputs.describe(describeCheck(checkRun(std::move(inputs.unusedRun()), silent)));
+  } catch (const ErrorList& errors) {
+    inputs.describe(describeErrors(errors));
+  }
+  inputs.noteUsed();
+  return inputs.described();
+}
 
 LiveScene LiveRun::scene(std::int64_t instant, const std::string& camera) {
   const Stopwatch watch;
-  RunSetup& run = impl_->ready();
-  const std::int64_t count = run.instantCount();
-  if (instant < 0 || instant >= count) {
-    throw Error("found instant " + std::to_string(instant) + "; the run has 0 to " +
-                std::to_string(count - 1));
+  RunSetup& run = impl_->inputs.unusedRun();
+  OneSceneSink sink(sceneOf(run, instant, camera));
+  makeScene(run, sink);
+  impl_->inputs.noteUsed();
+  return {sink.scene().value(), watch.seconds(), watch.processorSeconds()};
+}
+
+std::vector<LiveDraw> LiveRun::draws(std::size_t count, std::int64_t instant,
+                                     const std::string& camera) {
+  LiveInputs& inputs = impl_->inputs;
+  const std::int64_t index = sceneOf(inputs.unusedRun(), instant, camera);
+  std::int64_t seed = inputs.unusedRun().config.seed;
+  std::vector<LiveDraw> draws;
+  for (; draws.size() < count; ++seed) {
+    Value settings = inputs.settings();
+    (*settings.as<Value::Map>())["seed"] = Value(seed);
+    RunSetup run = inputs.runOf(settings);
+    // With another seed there may be fewer scenes.
+    if (index >= run.description.scene_count) break;
+    OneSceneSink sink(index, {});
+    makeScene(run, sink);
+    draws.push_back({sink.scene().value().image, sink.draws()});
   }
-  const auto cameras = static_cast<std::int64_t>(run.config.cameras.size());
-  const auto number = static_cast<std::int64_t>(impl_->cameraCalled(camera));
-  OneSceneSink sink(instant * cameras + number);
-  Reporter silent;
-  SceneLoop(run, sink, silent).run();
-  impl_->run.reset();  // its world has moved on
-  if (!sink.scene())
-    throw Error("the scene is left out: its alignment is below twin/min_alignment");
-  return {*sink.scene(), watch.seconds(), watch.processorSeconds()};
+  return draws;
+}
+
+const LiveRecording& LiveRun::recording() {
+  const config::Config config = impl_->inputs.config();
+  const std::vector<std::string>& bags = config.motion.bag_files;
+  if (bags.empty()) throw ErrorList({"bag_file: missing; it names the recording"});
+  const bool is_known = impl_->recording && impl_->recording->bags == bags &&
+                        impl_->recording_frame == config.global_frame &&
+                        impl_->recording_files.areCurrent();
+  if (is_known) return *impl_->recording;
+  FileStamps files;
+  LiveRecording read{bags, motion::readContents(bags, config.global_frame)};
+  for (const std::string& bag : bags) files.add(bag);
+  impl_->recording = std::move(read);
+  impl_->recording_frame = config.global_frame;
+  impl_->recording_files = files;
+  return *impl_->recording;
+}
+
+LiveWorld LiveRun::world() {
+  config::Config config = impl_->inputs.config();
+  if (config.world.file.empty()) throw ErrorList({"world: missing; it names the world's file"});
+  WorldCache& worlds = impl_->inputs.cache().worlds;
+  worlds.beginUse();
+  LiveWorld live;
+  live.file = config.world.file;
+  try {
+    live.description = worlds.filesFor(config.world).world();
+  } catch (const ErrorList& errors) {
+    live.missing = errors.messages();
+    config.world.loading.on_missing_asset = world::OnMissingAsset::kWarn;
+    live.description = worlds.filesFor(config.world).world();
+  }
+  std::set<std::string> objects;
+  for (const scene::ObjectOptions& object : config.objects) objects.insert(object.name);
+  live.bounds = visibleBounds(live.description);
+  live.map = mapOf(live.description, objects);
+  return live;
+}
+
+std::optional<LiveMap> LiveRun::placementMap() {
+  const config::Config config = impl_->inputs.config();
+  const bool has_map = config.placement.map_file || config.placement.map_topic;
+  if (!config.isPlaced() || !has_map) return std::nullopt;
+  return pictureOf(scene::readPlacementMap(config));
+}
+
+ObjectPortrait LiveRun::portrait(const std::string& object, const Viewpoint& viewpoint) {
+  const MotionSetup& motion = impl_->inputs.motionWith(object);
+  return portrayObject(motion, indexOf(motion, object), viewpoint);
+}
+
+std::optional<PickedPoint> LiveRun::pick(const std::string& object, const Viewpoint& viewpoint,
+                                         const Eigen::Vector2d& pixel) {
+  const MotionSetup& motion = impl_->inputs.motionWith(object);
+  return pickPoint(motion, indexOf(motion, object), viewpoint, pixel);
 }
 
 }  // namespace synthetic_dataset::run

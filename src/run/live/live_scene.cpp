@@ -86,6 +86,12 @@ Value cameraValue(const Scene& scene) {
 
 }  // namespace
 
+Value drawsValue(const LiveDraw& draw) {
+  Value::Map draws;
+  for (const output::DrawFacts& each : draw.draws) draws[each.name] = each.value;
+  return draws;
+}
+
 Value::Map sceneValue(const LiveScene& live) {
   const Scene& scene = live.scene;
   Value::List objects;

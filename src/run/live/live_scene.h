@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include <opencv2/core/mat.hpp>
 
+#include "output/manifest/scene_facts.h"
 #include "synthetic_dataset/scene.h"
 #include "synthetic_dataset/value.h"
 
@@ -13,6 +16,15 @@ struct LiveScene {
   double seconds = 0.0;            ///< from the call to the scene
   double processor_seconds = 0.0;  ///< of all threads
 };
+
+/// A picture with some draws of the randomisation.
+struct LiveDraw {
+  cv::Mat picture;                       ///< CV_8UC3
+  std::vector<output::DrawFacts> draws;  ///< what was drawn for it
+};
+
+/// What was drawn, by its full name.
+[[nodiscard]] Value drawsValue(const LiveDraw& draw);
 
 /// The scene without its pictures, for programs: the camera with its pose, and of each object
 /// boxes, polygons round its visible mask, keypoints, the cuboid's corners, the projected bounding

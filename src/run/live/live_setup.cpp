@@ -40,6 +40,23 @@ LiveProblem problemAbout(base::Severity severity, const std::string& about,
   return problem;
 }
 
+std::string textOf(const LiveProblem& problem) {
+  return problem.found + (problem.cure.empty() ? "" : "; ") + problem.cure;
+}
+
+Value figuresValue(const LiveSetup& setup) {
+  Value::Map splits;
+  for (const SplitInfo& split : setup.splits) splits[split.name] = split.scene_count;
+  Value::Map map = {
+      {"scenes", setup.scenes}, {"splits", splits}, {"output_folder", setup.output_folder}};
+  if (!setup.figures) return map;
+  map["bytes"] = setup.figures->bytes;
+  map["seconds"] = setup.figures->seconds;
+  map["memory"] = setup.figures->memory;
+  if (setup.figures->free_disk) map["free_bytes"] = *setup.figures->free_disk;
+  return map;
+}
+
 const char* nameOf(base::Severity severity) {
   switch (severity) {
     case base::Severity::kError:
@@ -92,6 +109,22 @@ LiveSetup describeSetup(const RunSetup& run) {
   return live;
 }
 
+LiveSetup describeCheck(const RunCheck& check) {
+  LiveSetup live = describeSetup(check.setup);
+  const std::size_t at_setup = live.problems.size();
+  for (const Finding& finding : check.findings) {
+    const LiveProblem problem = problemOf(finding);
+    const bool is_known = std::any_of(
+        live.problems.begin(), live.problems.begin() + static_cast<std::ptrdiff_t>(at_setup),
+        [&](const LiveProblem& each) {
+          return each.about == problem.about && textOf(each) == textOf(problem);
+        });
+    if (!is_known) live.problems.push_back(problem);
+  }
+  live.figures = check.figures;
+  return live;
+}
+
 LiveSetup describeErrors(const ErrorList& errors) {
   LiveSetup live;
   for (const std::string& each : errors.messages()) {
@@ -118,17 +151,13 @@ Value::Map setupValue(const LiveSetup& setup) {
   for (const LiveProblem& each : setup.problems) problems.push_back(problemValue(each));
   Value::List stamps;
   for (const Stamp stamp : setup.stamps) stamps.emplace_back(toSeconds(stamp));
-  Value::Map splits;
-  for (const SplitInfo& split : setup.splits) splits[split.name] = split.scene_count;
   return {{"ready", setup.ready},
           {"problems", problems},
           {"instants", static_cast<std::int64_t>(setup.stamps.size())},
           {"stamps", stamps},
           {"cameras", namesValue(setup.cameras)},
           {"objects", namesValue(setup.objects)},
-          {"figures", Value::Map{{"scenes", setup.scenes},
-                                 {"splits", splits},
-                                 {"output_folder", setup.output_folder}}}};
+          {"figures", figuresValue(setup)}};
 }
 
 }  // namespace synthetic_dataset::run

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "run/check/finding.h"
+#include "run/check/run_check.h"
+#include "run/check/run_figures.h"
 #include "run/setup/run_setup.h"
 #include "synthetic_dataset/value.h"
 
@@ -31,6 +34,7 @@ struct LiveSetup {
   std::int64_t scenes = 0;  ///< of all cameras
   std::vector<SplitInfo> splits;
   std::string output_folder;
+  std::optional<RunFigures> figures;  ///< of a run that was checked
 };
 
 /// @param message  "<setting or file>: <found>; <cure>"
@@ -40,6 +44,9 @@ struct LiveSetup {
 
 /// What a run that could begin amounts to.
 [[nodiscard]] LiveSetup describeSetup(const RunSetup& setup);
+
+/// The same with all that a check has found.
+[[nodiscard]] LiveSetup describeCheck(const RunCheck& check);
 
 /// What keeps a run from beginning.
 [[nodiscard]] LiveSetup describeErrors(const ErrorList& errors);

@@ -130,6 +130,12 @@ void WorldCache::beginUse() {
   }
 }
 
+bool WorldCache::areCurrent() const {
+  return std::all_of(worlds_.begin(), worlds_.end(), [](const auto& entry) {
+    return entry.second.unused > 0 || entry.second.files->areCurrent();
+  });
+}
+
 bool WorldCache::isAsFresh() const {
   return std::all_of(worlds_.begin(), worlds_.end(), [](const auto& entry) {
     return entry.second.unused > 0 || entry.second.files->areAsFresh();

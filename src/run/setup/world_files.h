@@ -104,6 +104,9 @@ class WorldCache {
   /// Whether this run has got what it would have got from a new cache.
   [[nodiscard]] bool isAsFresh() const;
 
+  /// Whether no file has changed of what was asked for by the run that asked last.
+  [[nodiscard]] bool areCurrent() const;
+
   void clear() { worlds_.clear(); }
 
  private:

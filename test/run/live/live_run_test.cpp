@@ -169,6 +169,120 @@ TEST_F(LiveRunTest, GivesLabelsForPrograms) {
   EXPECT_THAT(*alpha.at("polygons").as<Value::List>(), SizeIs(1));
 }
 
+TEST_F(LiveRunTest, ShowsTheRecordingWhateverElseIsWrong) {
+  settings.erase("world");
+  settings.erase("camera");
+  live.setSettings(settings);
+  const Value::Map value = recordingValue(live.recording());
+  const Value::List& frames = *value.at("frames").as<Value::List>();
+  ASSERT_THAT(frames, SizeIs(2));
+  EXPECT_EQ(value.at("duration"), Value(1.0));
+  const auto* alpha = frames.front().as<Value::Map>();
+  if (alpha->at("name") != Value("alpha/base_link")) alpha = frames.back().as<Value::Map>();
+  EXPECT_EQ(alpha->at("name"), Value("alpha/base_link"));
+  EXPECT_EQ(alpha->at("looks_like_robot"), Value(true));
+  EXPECT_NEAR(*alpha->at("moved").as<double>(), 1.0, 1e-9);
+  EXPECT_NEAR(*alpha->at("turned").as<double>(), 0.0, 1e-6);
+  EXPECT_NEAR(*alpha->at("rate").as<double>(), 20.0, 1e-6);
+  EXPECT_EQ(base::jsonText(alpha->at("known")), "[[0.0, 1.0]]");
+  const Value::Map& ways = *value.at("ways").as<Value::Map>();
+  ASSERT_EQ(ways.size(), 1U);
+  const Value::List& way = *ways.at("alpha/base_link").as<Value::List>();
+  EXPECT_EQ(base::jsonText(way.front()), "[0.0, -0.5]");
+  EXPECT_EQ(base::jsonText(way.back()), "[0.0, 0.5]");
+}
+
+TEST_F(LiveRunTest, ShowsTheWorldWithoutWhatIsMissing) {
+  std::string world = base::readInput(tiny.folder() / "tiny.world");
+  const std::string end = "</world>";
+  world.insert(world.find(end),
+               "<model name='lost'><link name='l'><visual name='v'><geometry><mesh>"
+               "<uri>lost.dae</uri></mesh></geometry></visual></link></model>");
+  tiny.folder().write("tiny.world", world);
+  live.setSettings(settings);
+  const LiveWorld shown = live.world();
+  EXPECT_THAT(shown.missing, Contains(HasSubstr("lost.dae")));
+  EXPECT_THAT(shown.description.models, SizeIs(5));
+  // The floor's 8 m by 8 m, on which only the ball stands: it is shown with the objects' places.
+  EXPECT_FALSE(shown.map.picture.empty());
+  EXPECT_TRUE(shown.map.extent.contains(Eigen::Vector2d(0.3, -0.8)));
+  EXPECT_FALSE(live.setup().ready);
+}
+
+TEST_F(LiveRunTest, PicksPointsOnAModelWhereItsPortraitIsClicked) {
+  settings.erase("camera");  // the object alone has to be right
+  live.setSettings(settings);
+  ASSERT_FALSE(live.setup().ready);
+  Viewpoint front;
+  front.yaw = 0.0;
+  front.pitch = 0.0;
+  const ObjectPortrait portrait = live.portrait("alpha", front);
+  EXPECT_EQ(portrait.picture.cols, front.width);
+  EXPECT_NEAR(portrait.box_O.high.z(), 0.4, 1e-6);
+  const Eigen::Vector2d middle(0.5 * (portrait.picture.cols - 1),
+                               0.5 * (portrait.picture.rows - 1));
+  const auto picked = live.pick("alpha", front, middle);
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->link, "body");
+  EXPECT_TRUE(picked->p_O.isApprox(Eigen::Vector3d(0.2, 0.0, 0.2), 1e-6))
+      << picked->p_O.transpose();
+  EXPECT_FALSE(live.pick("alpha", front, {0.0, 0.0})) << "the ground is not of the object";
+  // The keypoints are in the middle of the upper front and back edges.
+  ASSERT_THAT(portrait.keypoints, SizeIs(2));
+  EXPECT_TRUE(portrait.keypoints.front().is_visible);
+  EXPECT_FALSE(portrait.keypoints.back().is_visible);
+}
+
+TEST_F(LiveRunTest, LooksAtModelsFromWhereOneStands) {
+  live.setSettings(settings);
+  Viewpoint above;
+  above.pitch = 1.5;
+  const ObjectPortrait portrait = live.portrait("alpha", above);
+  const Eigen::Vector2d middle(0.5 * (portrait.picture.cols - 1),
+                               0.5 * (portrait.picture.rows - 1));
+  const auto picked = live.pick("alpha", above, middle);
+  ASSERT_TRUE(picked);
+  EXPECT_NEAR(picked->p_O.z(), 0.4, 1e-6) << "its roof";
+  EXPECT_THAT(test::messagesOf([&] { (void)live.portrait("alpho", above); }),
+              ElementsAre(HasSubstr("did you mean 'alpha'")));
+}
+
+TEST_F(LiveRunTest, DrawsTheRandomisationAnewWithOtherSeeds) {
+  settings["randomize"] =
+      Value::Map{{"lights", Value::Map{{"every", Value::Map{{"intensity", uniform(0.4, 1.2)}}}}}};
+  live.setSettings(settings);
+  const std::vector<LiveDraw> draws = live.draws(3, 1);
+  ASSERT_THAT(draws, SizeIs(3));
+  EXPECT_EQ(cv::norm(draws[0].picture, live.scene(1).scene.image, cv::NORM_INF), 0.0);
+  EXPECT_GT(cv::norm(draws[0].picture, draws[1].picture, cv::NORM_INF), 0.0);
+  EXPECT_NE(drawsValue(draws[1]), drawsValue(draws[2]));
+}
+
+TEST_F(LiveRunTest, AddsWhatACheckFinds) {
+  live.setSettings(settings);
+  EXPECT_FALSE(live.setup().figures);
+  const LiveSetup& checked = live.check();
+  ASSERT_TRUE(checked.figures);
+  EXPECT_GT(checked.figures->bytes, 0);
+  EXPECT_TRUE(live.setup().figures) << "as long as the settings are the same";
+  live.setSettings(settings);
+  EXPECT_FALSE(live.setup().figures);
+}
+
+TEST_F(LiveRunTest, ShowsWhereAMapIsFree) {
+  const std::vector<randomize::Cell> cells = {randomize::Cell::kFree, randomize::Cell::kOccupied,
+                                              randomize::Cell::kUnknown, randomize::Cell::kFree};
+  const LiveMap map = pictureOf(randomize::OccupancyMap(2, 2, 0.5, {1.0, 2.0, 0.0, 0.0}, cells));
+  EXPECT_EQ(base::jsonText(extentValue(map.extent)), "[1.0, 2.0, 2.0, 3.0]");
+  const cv::Mat& picture = map.picture;
+  const auto grey = [&](int row, int column) { return picture.at<cv::Vec3b>(row, column)[0]; };
+  const int last = picture.rows - 1;
+  EXPECT_GT(grey(last, 0), 240) << "the lower left cell is free";
+  EXPECT_LT(grey(last, picture.cols - 1), 100);
+  EXPECT_GT(grey(0, picture.cols - 1), 240);
+  EXPECT_LT(grey(0, 0), 240);
+}
+
 TEST(LiveProblem, IsSplitIntoWhatWasFoundAndWhatWouldBeRight) {
   const LiveProblem problem =
       problemOf(base::Severity::kError, "motions/0/bag_file: found 'x'; it should be a bag");

@@ -1,4 +1,4 @@
-#include "programs/gallery/model_portrait.h"
+#include "run/pictures/model_portrait.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "support/box_world.h"
 
-namespace synthetic_dataset::programs {
+namespace synthetic_dataset::run {
 namespace model_portrait_test {
 
 const cv::Size kSize(256, 192);
@@ -97,4 +97,4 @@ TEST(Portrait, CountsWhatThereIs) {
 }
 
 }  // namespace model_portrait_test
-}  // namespace synthetic_dataset::programs
+}  // namespace synthetic_dataset::run

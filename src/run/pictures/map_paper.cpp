@@ -1,4 +1,4 @@
-#include "programs/check/map_paper.h"
+#include "run/pictures/map_paper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "synthetic_dataset/label_text.h"
 
-namespace synthetic_dataset::programs {
+namespace synthetic_dataset::run {
 namespace {
 
 constexpr int kLongSide = 1100;  // [px]
@@ -113,6 +113,12 @@ void MapPaper::grid() {
   }
 }
 
+cv::Mat MapPaper::picture() const {
+  const Eigen::Vector2d size = (extent_.sizes() * scale_).array().round().max(1.0);
+  const cv::Rect drawn(0, 0, static_cast<int>(size.x()), static_cast<int>(size.y()));
+  return picture_(drawn & cv::Rect(0, 0, picture_.cols, picture_.rows - kFooter)).clone();
+}
+
 cv::Mat MapPaper::finish(const std::vector<std::string>& caption) {
   const int top = picture_.rows - kFooter;
   cv::rectangle(picture_, {0, top}, {picture_.cols, picture_.rows}, kMapPaper, cv::FILLED);
@@ -132,4 +138,4 @@ cv::Mat MapPaper::finish(const std::vector<std::string>& caption) {
   return picture_;
 }
 
-}  // namespace synthetic_dataset::programs
+}  // namespace synthetic_dataset::run

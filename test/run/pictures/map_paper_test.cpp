@@ -1,8 +1,8 @@
-#include "programs/check/map_paper.h"
+#include "run/pictures/map_paper.h"
 
 #include <gtest/gtest.h>
 
-namespace synthetic_dataset::programs {
+namespace synthetic_dataset::run {
 namespace map_paper_test {
 
 const cv::Scalar kRed(0, 0, 255);
@@ -51,4 +51,4 @@ TEST(MapPaper, HasAScaleOfARoundLength) {
 }
 
 }  // namespace map_paper_test
-}  // namespace synthetic_dataset::programs
+}  // namespace synthetic_dataset::run

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
 
-namespace synthetic_dataset::programs {
+namespace synthetic_dataset::run {
 
 /// A picture on which things are drawn as seen from straight above, in metres: x to the right, y
 /// up.
@@ -31,6 +31,9 @@ class MapPaper {
   /// Lines through whole multiples of the scale's length, with their coordinates.
   void grid();
 
+  /// What is drawn, without anything else: CV_8UC3, as wide and high as the extent.
+  [[nodiscard]] cv::Mat picture() const;
+
   /// The picture, CV_8UC3, with a scale and lines of text below it.
   [[nodiscard]] cv::Mat finish(const std::vector<std::string>& caption);
 
@@ -44,4 +47,4 @@ class MapPaper {
   cv::Mat picture_;
 };
 
-}  // namespace synthetic_dataset::programs
+}  // namespace synthetic_dataset::run

@@ -1,4 +1,4 @@
-#include "programs/gallery/model_portrait.h"
+#include "run/pictures/model_portrait.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "render/renderer.h"
 #include "world/material/default_paint.h"
 
-namespace synthetic_dataset::programs {
+namespace synthetic_dataset::run {
 namespace {
 
 /// Texture names that a material may have.
@@ -96,11 +96,19 @@ Eigen::AlignedBox3d visibleBounds(const world::Description& description) {
   return bounds;
 }
 
-render::View portraitView(const Eigen::AlignedBox3d& bounds_W, const cv::Size& size) {
+Eigen::Vector3d directionFrom(double longitude, double latitude) {
+  constexpr double kSteepest = 1.55;  // [rad]
+  const double up = std::clamp(latitude, -kSteepest, kSteepest);
+  return -Eigen::Vector3d(std::cos(up) * std::cos(longitude), std::cos(up) * std::sin(longitude),
+                          std::sin(up));
+}
+
+render::View portraitView(const Eigen::AlignedBox3d& bounds_W, const cv::Size& size,
+                          const Eigen::Vector3d& ahead_W) {
   constexpr double kFocalLength = 1.6;  // of the picture's width: a slight telephoto lens
   constexpr double kFilled = 0.88;      // of the picture, by the box
   Eigen::Matrix3d R_WC;
-  R_WC.col(2) = Eigen::Vector3d(-1.0, 0.75, -0.62).normalized();
+  R_WC.col(2) = ahead_W.normalized();
   R_WC.col(0) = R_WC.col(2).cross(Eigen::Vector3d::UnitZ()).normalized();
   R_WC.col(1) = R_WC.col(2).cross(R_WC.col(0));
   const double focal = kFocalLength * size.width;
@@ -122,7 +130,8 @@ render::View portraitView(const Eigen::AlignedBox3d& bounds_W, const cv::Size& s
   return {camera, makePose(centre - distance * R_WC.col(2), Eigen::Quaterniond(R_WC))};
 }
 
-cv::Mat portray(const world::Description& description, const cv::Size& size) {
+cv::Mat portray(const world::Description& description, const cv::Size& size,
+                const Eigen::Vector3d& ahead_W) {
   const Eigen::AlignedBox3d bounds = visibleBounds(description);
   if (bounds.isEmpty()) return {};
   const world::Link ground = groundUnder(bounds);
@@ -136,7 +145,7 @@ cv::Mat portray(const world::Description& description, const cv::Size& size) {
       X_WL.push_back(model.X_WM * link.X_ML);
     }
   }
-  const render::View view = portraitView(bounds, size);
+  const render::View view = portraitView(bounds, size, ahead_W);
   render::RenderOptions options;
   options.shadow_distance = 2.0 * (view.X_WC.translation() - bounds.center()).norm();
   render::Renderer renderer(studio(), links, options);
@@ -144,4 +153,4 @@ cv::Mat portray(const world::Description& description, const cv::Size& size) {
   return renderer.colour(view, X_WL, {all, all});
 }
 
-}  // namespace synthetic_dataset::programs
+}  // namespace synthetic_dataset::run

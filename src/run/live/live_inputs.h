@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "run/live/live_setup.h"
+#include "run/setup/file_stamps.h"
+#include "run/setup/input_cache.h"
+#include "run/setup/run_setup.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::run {
+
+/// The settings of a LiveRun and what was made of them so far; anew when they or files change.
+class LiveInputs {
+ public:
+  explicit LiveInputs(std::vector<std::string> plugin_xml_files)
+      : plugin_xml_files_(std::move(plugin_xml_files)) {}
+
+  void setSettings(const Value& settings);
+  [[nodiscard]] const Value& settings() const { return settings_; }
+
+  /// What the settings amount to.
+  [[nodiscard]] const LiveSetup& described();
+
+  /// The same with what a check has found, until the settings change.
+  void describe(LiveSetup checked) { described_ = std::move(checked); }
+
+  /// A run that has made no scene yet: the caller may have it make one.
+  /// @throws ErrorList with what keeps it from beginning
+  [[nodiscard]] RunSetup& unusedRun();
+
+  /// After scenes were made of the unused run, which is for looking at from now on.
+  void noteUsed();
+
+  /// A run of other settings that read much of the same.
+  /// @throws ErrorList as setUpRun
+  [[nodiscard]] RunSetup runOf(const Value& settings);
+
+  /// The settings of the first motion, as far as they are right.
+  [[nodiscard]] config::Config config() const;
+
+  /// A motion with a world in which the object takes part.
+  /// @throws ErrorList where there is none, with what is wrong
+  [[nodiscard]] const MotionSetup& motionWith(const std::string& object);
+
+  [[nodiscard]] InputCache& cache() { return cache_; }
+
+ private:
+  void forget();
+  [[nodiscard]] bool areFilesCurrent() const;
+  void setUp();
+  [[nodiscard]] const MotionSetup* madeMotionWith(const std::string& object) const;
+
+  std::vector<std::string> plugin_xml_files_;
+  Value settings_;
+  InputCache cache_;
+
+  std::optional<LiveSetup> described_;
+  std::optional<ErrorList> errors_;
+  std::unique_ptr<RunSetup> run_;       ///< has made no scene yet
+  std::unique_ptr<RunSetup> used_run_;  ///< has
+  std::optional<MotionSetup> motion_;   ///< where there is no run
+  FileStamps files_;                    ///< of the run's
+};
+
+}  // namespace synthetic_dataset::run
