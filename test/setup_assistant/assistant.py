@@ -14,7 +14,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
-TIMEOUT = 60.0  # [s]
+TIMEOUT = float(os.environ.get("SETUP_ASSISTANT_TIMEOUT", "60"))  # [s]
 ADDRESS = re.compile(r'(http://\S+:(\d+)/)\?token=(\S+)')
 
 
@@ -93,7 +93,7 @@ class Page:
             except StaleElementReferenceException:
                 return False
         return WebDriverWait(self.driver, timeout, poll_frequency=0.05).until(
-            holds, f'waited for {what}; the page says: {self.text("body")[:1500]}')
+            holds, f'waited for {what}; the page says: {self.said()}')
 
     def all(self, selector):
         return self.driver.find_elements(By.CSS_SELECTOR, selector)
@@ -104,6 +104,9 @@ class Page:
     def text(self, selector):
         return self.driver.execute_script(
             'return document.querySelector(arguments[0])?.innerText ?? ""', selector)
+
+    def said(self):
+        return ' | '.join(self.text(each) for each in ['#header', '#banners', '#pane', '.yaml-state', '#dialog'])[:1500]
 
     def script(self, text, *arguments):
         return self.driver.execute_script(text, *arguments)

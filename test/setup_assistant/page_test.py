@@ -189,15 +189,22 @@ class Problems(WithPage):
     def test_are_shown_at_their_fields(self):
         for key, value, pane in self.WRONG:
             with self.subTest(key=key):
+                right = self.page.yaml()
                 self.set(key.split('/'), value)
-                self.page.wait(lambda: 'error' in self.page.text('#header .verdict'), 'the error')
-                self.page.go('problems')
-                link = self.page.wait(lambda: self.link_to(pane), f'a link to {pane}')
-                link.click()
-                self.page.wait(lambda: self.page.all(f'body[data-pane="{pane}"]'), f'the pane {pane}')
-                self.page.wait(lambda: self.problem_at(key), f'a problem at the field {key}')
-                self.page.click_and_wait('#header button', 'Undo')
-                self.page.wait(lambda: 'error' not in self.page.text('#header .verdict'), 'no error')
+                try:
+                    self.follow(key, pane)
+                finally:
+                    self.page.click_and_wait('#header button', 'Undo')
+                    self.page.wait(lambda: self.page.yaml() == right, 'the text from before')
+                    self.page.wait(lambda: 'error' not in self.page.text('#header .verdict'), 'no error')
+
+    def follow(self, key, pane):
+        """From the list of all problems to the field."""
+        self.page.wait(lambda: 'error' in self.page.text('#header .verdict'), 'the error')
+        self.page.go('problems')
+        self.page.wait(lambda: self.link_to(pane), f'a link to {pane}').click()
+        self.page.wait(lambda: self.page.all(f'body[data-pane="{pane}"]'), f'the pane {pane}')
+        self.page.wait(lambda: self.problem_at(key), f'a problem at the field {key}')
 
     def set(self, path, value):
         before = self.page.revision()

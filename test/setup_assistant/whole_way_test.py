@@ -76,8 +76,10 @@ class WholeWay(unittest.TestCase):
 
     def choose_objects(self):
         self.step('objects', 'objects')
-        for frame in ['rover_1/base_footprint', 'rover_2/base_footprint', 'drone_1/base_link']:
-            self.page.click_and_wait('.candidates button', f'Add {frame}')
+        self.page.wait(lambda: len(self.page.all('.candidates button')) == 3, 'the frames of three robots')
+        for left in [2, 1, 0]:
+            self.page.click_and_wait('.candidates button', 'Add')
+            self.page.wait(lambda: len(self.page.all('.candidates button')) == left, f'{left} more')
         self.page.wait(lambda: len(self.page.all('.tabs .tab')) == 4, 'three objects')
 
     def aim(self):

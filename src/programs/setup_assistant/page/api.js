@@ -45,8 +45,10 @@ export function listen(listeners, onConnection) {
         await get('/api/state');
         listen(listeners, onConnection);
       } catch (error) {
-        if (error.status === 403) onConnection('refused');
-        else listen(listeners, onConnection);
+        if (error.status === 403)
+          onConnection('refused');
+        else
+          listen(listeners, onConnection);
       }
     }, 1500);
   };

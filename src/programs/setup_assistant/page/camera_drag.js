@@ -1,14 +1,22 @@
 // Moves the camera by hand: drag orbits, with Shift or the right button pans, the wheel zooms; keys do the same.
-import {scene, draft} from './scene_loader.js';
-import {changed, effective, set} from './store.js';
-import {view} from './view_state.js';
 import {cameraPath, orbitOfSettings, poseOfOrbit, wayOf} from './camera_pose.js';
 import {orbited, panned, zoomed} from './pose_math.js';
+import {scene} from './scene_loader.js';
+import {changed, effective, set} from './store.js';
+import {view} from './view_state.js';
 
 const RADIANS_A_PICTURE = 2.5;
-const DRAFT_WIDTH = 320;
 
-const hand = {orbit: null, isPanned: false, before: null, count: 0, isSending: false, isWaiting: false, last: null, end: 0};
+const hand = {
+  orbit: null,
+  isPanned: false,
+  before: null,
+  count: 0,
+  isSending: false,
+  isWaiting: false,
+  last: null,
+  end: 0
+};
 
 export function dragHint() {
   if (view.pane !== 'cameras' || !['pose', 'mounted_on'].includes(wayOf(cameraPath()))) return null;
@@ -26,7 +34,6 @@ function begin() {
 
 function end() {
   hand.orbit = null;
-  draft.width = null;
   changed();
 }
 
@@ -56,7 +63,6 @@ function onpointerdown(event) {
   event.currentTarget.setPointerCapture(event.pointerId);
   event.currentTarget.focus();
   begin();
-  draft.width = DRAFT_WIDTH;
   hand.last = [event.clientX, event.clientY];
   event.preventDefault();
 }
@@ -87,7 +93,9 @@ function onpointerup() {
 // A turn of the wheel is many events, and one step of undo.
 function endSoon() {
   clearTimeout(hand.end);
-  hand.end = setTimeout(() => { if (!hand.last) end(); }, 400);
+  hand.end = setTimeout(() => {
+    if (!hand.last) end();
+  }, 400);
 }
 
 function onwheel(event) {
@@ -96,7 +104,12 @@ function onwheel(event) {
   endSoon();
 }
 
-const KEYS = {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+const KEYS = {
+  ArrowLeft: [1, 0],
+  ArrowRight: [-1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1]
+};
 
 function onkeydown(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -104,13 +117,21 @@ function onkeydown(event) {
   const direction = KEYS[event.key];
   if (!zoom && !direction) return;
   event.preventDefault();
-  if (zoom) move((orbit) => zoomed(orbit, zoom));
-  else if (event.shiftKey) move((orbit) => panned(orbit, direction[0] * orbit.length * 0.03, direction[1] * orbit.length * 0.03), true);
-  else move((orbit) => orbited(orbit, direction[0] * 0.05, direction[1] * 0.05));
+  if (zoom)
+    move((orbit) => zoomed(orbit, zoom));
+  else if (event.shiftKey)
+    move((orbit) => panned(orbit, direction[0] * orbit.length * 0.03, direction[1] * orbit.length * 0.03), true);
+  else
+    move((orbit) => orbited(orbit, direction[0] * 0.05, direction[1] * 0.05));
   endSoon();
 }
 
 export const cameraDrag = {
-  onpointerdown, onpointermove, onpointerup, onpointercancel: onpointerup, onwheel, onkeydown,
+  onpointerdown,
+  onpointermove,
+  onpointerup,
+  onpointercancel: onpointerup,
+  onwheel,
+  onkeydown,
   oncontextmenu: (event) => event.preventDefault(),
 };

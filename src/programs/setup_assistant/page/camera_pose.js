@@ -1,12 +1,9 @@
 // The camera's pose in the settings: which form it has, and how an orbit is written back in that form.
+import {rounded} from './fields.js';
+import {add, bodyOfOptical, distance, forward, inFrame, matrixOfQuaternion, matrixOfRpy, opticalOfBody, orbitOf, positionOf, quaternionOfMatrix, rpyOfMatrix,} from './pose_math.js';
 import {scene} from './scene_loader.js';
 import {effective, objectNames} from './store.js';
 import {currentCamera} from './view_state.js';
-import {rounded} from './fields.js';
-import {
-  add, bodyOfOptical, distance, inFrame, matrixOfQuaternion, matrixOfRpy, opticalOfBody, orbitOf, positionOf,
-  quaternionOfMatrix, rpyOfMatrix,
-} from './pose_math.js';
 
 export function cameraPath(name = currentCamera()) {
   return effective(['cameras']) === undefined ? ['camera'] : ['cameras', name];
@@ -22,7 +19,8 @@ export function wayOf(path) {
 }
 
 export function framePath(path) {
-  return path[0] === 'camera' && effective([...path, 'frame_id']) === undefined ? ['camera_frame_id'] : [...path, 'frame_id'];
+  return path[0] === 'camera' && effective([...path, 'frame_id']) === undefined ? ['camera_frame_id'] :
+                                                                                  [...path, 'frame_id'];
 }
 
 function frameOf(path) {
@@ -54,7 +52,8 @@ export function shownPose(path) {
   let position = pose.slice(0, 3);
   if (parent) {
     const rows = matrixOfQuaternion(parent.slice(3));
-    const turned = [0, 1, 2].map((row) => [0, 1, 2].map((at) => rows.reduce((sum, each, k) => sum + each[row] * body[k][at], 0)));
+    const turned =
+        [0, 1, 2].map((row) => [0, 1, 2].map((at) => rows.reduce((sum, each, k) => sum + each[row] * body[k][at], 0)));
     body = turned;
     position = inFrame(parent, position);
   }
@@ -80,12 +79,14 @@ export function orbitOfSettings(path) {
   if (form === 'optical' && Array.isArray(pose)) {
     const body = bodyOfOptical(matrixOfQuaternion(numbers(pose.slice(3), 4)));
     const position = numbers(pose, 3);
-    return orbitOf(position, rpyOfMatrix(body), lengthAhead(path, position));
+    const rpy = rpyOfMatrix(body);
+    return orbitOf(position, rpy, lengthAhead(path, position, rpy));
   }
   const position = pose?.position ? numbers(pose.position, 3) : seen?.position ?? [0, 0, 0];
-  if (form === 'rpy') return orbitOf(position, pose?.rpy ? numbers(pose.rpy, 3) : seen?.rpy ?? [0, 0, 0], lengthAhead(path, position));
+  const rpy = pose?.rpy ? numbers(pose.rpy, 3) : seen?.rpy ?? [0, 0, 0];
+  if (form === 'rpy') return orbitOf(position, rpy, lengthAhead(path, position, rpy));
   if (form === 'point') return lookingFrom(position, numbers(pose.look_at, 3));
-  return orbitOf(position, seen?.rpy ?? [0, 0, 0], distanceTo(pose.look_at) ?? lengthAhead(path, position));
+  return orbitOf(position, rpy, distanceTo(pose.look_at) ?? lengthAhead(path, position, rpy));
 }
 
 function lookingFrom(position, point) {
@@ -98,12 +99,18 @@ function distanceTo(name) {
   return scene.value?.labels?.objects?.find((each) => each.name === name)?.distance;
 }
 
-function lengthAhead(path, position) {
-  const target = scene.value?.camera?.target;
-  const parent = parentPose(path);
-  if (target) return Math.max(distance(parent ? inFrame(parent, target) : target, position), 0.2);
-  const nearest = (scene.value?.labels?.objects ?? []).map((each) => each.distance).filter((each) => each > 0);
-  return nearest.length ? Math.min(...nearest) : 3;
+// Of what is in the picture's middle.
+function lengthAhead(path, position, rpy) {
+  const {camera, labels} = scene.value ?? {};
+  const [u, v] = [(camera?.width - 1) / 2, (camera?.height - 1) / 2];
+  const inMiddle =
+      (labels?.objects ??
+       []).filter(({box}) => box && box[0] <= u && u <= box[0] + box[2] && box[1] <= v && v <= box[1] + box[3]);
+  if (inMiddle.length) return Math.min(...inMiddle.map((each) => each.distance));
+  // Else the ground, if it looks down on it.
+  const ahead = forward(rpy);
+  const toGround = parentPose(path) ? Infinity : -position[2] / ahead[2];
+  return toGround > 0.2 && toGround < 20 ? toGround : 4;
 }
 
 // `isPanned`: it no longer looks at the object that it looked at.

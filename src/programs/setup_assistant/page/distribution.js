@@ -1,12 +1,15 @@
 // The editor of a distribution: what is drawn for each scene (docs/randomize.md).
 import {h} from './dom.js';
 import {idOf, problemList, rounded} from './fields.js';
-import {keyOf} from './paths.js';
 import {parseFlow, printFlow} from './flow.js';
+import {keyOf} from './paths.js';
 import {problemsBelow} from './problems.js';
 import {effective, own, parameter, set} from './store.js';
 
-const KINDS = [['off', 'off'], ['fixed', 'always'], ['uniform', 'uniform'], ['log_uniform', 'log-uniform'], ['normal', 'normal'], ['choice', 'one of']];
+const KINDS = [
+  ['off', 'off'], ['fixed', 'always'], ['uniform', 'uniform'], ['log_uniform', 'log-uniform'], ['normal', 'normal'],
+  ['choice', 'one of']
+];
 
 function kindOf(value) {
   if (value === undefined) return 'off';
@@ -24,27 +27,44 @@ export function distribution(path, options) {
   const kind = kindOf(value);
   const problems = problemsBelow(path);
   const text = parameter(path)?.text ?? '';
-  return h('div', {
-    key: keyOf(path), class: kind === 'off' ? 'distribution off' : 'distribution', 'data-path': keyOf(path), role: 'group', 'aria-labelledby': `${id}-label`,
-  },
-  h('div', {class: 'distribution-head'},
-    h('label', {class: 'toggle plain', title: text},
-      h('input', {
-        type: 'checkbox', class: 'switch', role: 'switch', checked: kind !== 'off', id, disabled: options.isAlways && own(path) === undefined,
-        title: options.isAlways ? 'Off: the default' : null, onchange: (event) => set(path, event.target.checked ? options.start : undefined),
-      }), h('span', {id: `${id}-label`}, options.label, options.unit ? h('span', {class: 'unit'}, ` [${options.unit}]`) : null)),
-    h('select', {
-      'aria-label': `${options.label}: kind`, disabled: kind === 'off', value: kind,
-      onchange: (event) => set(path, converted(value, event.target.value, options)),
-    }, KINDS.filter(([each]) => (each === 'off') === (kind === 'off')).map(([each, label]) => h('option', {value: each}, label)))),
-  kind === 'off' ? null : h('div', {class: 'distribution-body'}, body(path, kind, value, options)),
-  problemList(problems));
+  return h(
+      'div', {
+        key: keyOf(path),
+        class: kind === 'off' ? 'distribution off' : 'distribution',
+        'data-path': keyOf(path),
+        role: 'group',
+        'aria-labelledby': `${id}-label`,
+      },
+      h('div', {class: 'distribution-head'},
+        h('label', {class: 'toggle plain', title: text}, h('input', {
+            type: 'checkbox',
+            class: 'switch',
+            role: 'switch',
+            checked: kind !== 'off',
+            id,
+            disabled: options.isAlways && own(path) === undefined,
+            title: options.isAlways ? 'Off: the default' : null,
+            onchange: (event) => set(path, event.target.checked ? options.start : undefined),
+          }),
+          h('span', {id: `${id}-label`}, options.label,
+            options.unit ? h('span', {class: 'unit'}, ` [${options.unit}]`) : null)),
+        h('select', {
+          'aria-label': `${options.label}: kind`,
+          disabled: kind === 'off',
+          value: kind,
+          onchange: (event) => set(path, converted(value, event.target.value, options)),
+        },
+          KINDS.filter(([each]) => (each === 'off') === (kind === 'off'))
+              .map(([each, label]) => h('option', {value: each}, label)))),
+      kind === 'off' ? null : h('div', {class: 'distribution-body'}, body(path, kind, value, options)),
+      problemList(problems));
 }
 
 function body(path, kind, value, options) {
   const numbers = kind === 'fixed' ? [value] : value[kind];
   if (options.isColour && isColourPair(kind, numbers)) return colours(path, kind, numbers, options);
-  if (['uniform', 'log_uniform'].includes(kind) && isNumbers(numbers, 2)) return twoSliders(path, kind, numbers, options);
+  if (['uniform', 'log_uniform'].includes(kind) && isNumbers(numbers, 2))
+    return twoSliders(path, kind, numbers, options);
   if (kind === 'fixed' && typeof value === 'number') return oneSlider(path, value, options);
   if (kind === 'normal' && isNumbers(numbers, 2)) return meanAndSpread(path, value, options);
   return text(path, value, options);
@@ -56,7 +76,11 @@ function isNumbers(list, count) {
 
 function text(path, value, options) {
   return h('input', {
-    type: 'text', class: 'code', 'aria-label': options.label, value: printFlow(value), spellcheck: 'false',
+    type: 'text',
+    class: 'code',
+    'aria-label': options.label,
+    value: printFlow(value),
+    spellcheck: 'false',
     onchange: (event) => {
       try {
         event.target.setCustomValidity('');
@@ -82,58 +106,85 @@ function precision([low, high]) {
 
 function range(label, value, [low, high], onchange) {
   return h('input', {
-    type: 'range', min: Math.min(low, value), max: Math.max(high, value), step: 'any', value, 'aria-label': label,
-    onpointerdown: () => { ++drags; }, oninput: (event) => onchange(Number(event.target.value)),
+    type: 'range',
+    min: Math.min(low, value),
+    max: Math.max(high, value),
+    step: 'any',
+    value,
+    'aria-label': label,
+    onpointerdown: () => {
+      ++drags;
+    },
+    oninput: (event) => onchange(Number(event.target.value)),
   });
 }
 
 function numberBox(label, value, onchange) {
   return h('input', {
-    type: 'text', inputmode: 'decimal', class: 'number', 'aria-label': label, value: printFlow(value), autocomplete: 'off',
+    type: 'text',
+    inputmode: 'decimal',
+    class: 'number',
+    'aria-label': label,
+    value: printFlow(value),
+    autocomplete: 'off',
     onchange: (event) => onchange(parseFlow(event.target.value || '0')),
   });
 }
 
 function twoSliders(path, kind, [low, high], options) {
   const digits = precision(options.range);
-  const put = (pair, how) => set(path, {[kind]: pair.map((each) => (typeof each === 'number' ? rounded(each, digits) : each))}, how);
+  const put = (pair, how) =>
+      set(path, {[kind]: pair.map((each) => (typeof each === 'number' ? rounded(each, digits) : each))}, how);
   const floor = kind === 'log_uniform' ? 0.001 : -Infinity;
   const part = (each) => (each - options.range[0]) / (options.range[1] - options.range[0]);
-  return h('div', {class: 'low-high'},
-    numberBox(`${options.label}, lowest`, low, (value) => put([value, high])),
-    h('div', {class: 'two-sliders', style: {'--low': Math.max(0, part(low)), '--high': Math.min(1, part(high))}},
-      range(`${options.label}, lowest, slider`, low, options.range, (value) => put([Math.max(floor, Math.min(value, high)), high], step(path))),
-      range(`${options.label}, highest, slider`, high, options.range, (value) => put([low, Math.max(value, low)], step(path)))),
-    numberBox(`${options.label}, highest`, high, (value) => put([low, value])));
+  return h(
+      'div', {class: 'low-high'}, numberBox(`${options.label}, lowest`, low, (value) => put([value, high])),
+      h('div', {class: 'two-sliders', style: {'--low': Math.max(0, part(low)), '--high': Math.min(1, part(high))}},
+        range(
+            `${options.label}, lowest, slider`, low, options.range,
+            (value) => put([Math.max(floor, Math.min(value, high)), high], step(path))),
+        range(
+            `${options.label}, highest, slider`, high, options.range,
+            (value) => put([low, Math.max(value, low)], step(path)))),
+      numberBox(`${options.label}, highest`, high, (value) => put([low, value])));
 }
 
 function oneSlider(path, value, options) {
-  return h('div', {class: 'low-high one'},
-    range(`${options.label}, slider`, value, options.range, (each) => set(path, rounded(each, precision(options.range)), step(path))),
-    numberBox(options.label, value, (each) => set(path, each)));
+  return h(
+      'div', {class: 'low-high one'},
+      range(
+          `${options.label}, slider`, value, options.range,
+          (each) => set(path, rounded(each, precision(options.range)), step(path))),
+      numberBox(options.label, value, (each) => set(path, each)));
 }
 
 function meanAndSpread(path, value, options) {
   const [mean, spread] = value.normal;
-  const put = (pair, how) => set(path, {...value, normal: pair.map((each) => rounded(each, precision(options.range)))}, how);
+  const put = (pair, how) =>
+      set(path, {...value, normal: pair.map((each) => rounded(each, precision(options.range)))}, how);
   const widest = (options.range[1] - options.range[0]) / 2;
-  return h('div', {class: 'normal'},
-    h('div', {class: 'low-high one'}, h('span', {class: 'name'}, 'mean'),
-      range(`${options.label}, mean, slider`, mean, options.range, (each) => put([each, spread], step(path))),
-      numberBox(`${options.label}, mean`, mean, (each) => put([each, spread]))),
-    h('div', {class: 'low-high one'}, h('span', {class: 'name'}, 'std'),
-      range(`${options.label}, standard deviation, slider`, spread, [0, widest], (each) => put([mean, each], step(path))),
-      numberBox(`${options.label}, standard deviation`, spread, (each) => put([mean, each]))));
+  return h(
+      'div', {class: 'normal'},
+      h('div', {class: 'low-high one'}, h('span', {class: 'name'}, 'mean'),
+        range(`${options.label}, mean, slider`, mean, options.range, (each) => put([each, spread], step(path))),
+        numberBox(`${options.label}, mean`, mean, (each) => put([each, spread]))),
+      h('div', {class: 'low-high one'}, h('span', {class: 'name'}, 'std'),
+        range(
+            `${options.label}, standard deviation, slider`, spread, [0, widest],
+            (each) => put([mean, each], step(path))),
+        numberBox(`${options.label}, standard deviation`, spread, (each) => put([mean, each]))));
 }
 
 // --- Colours: between two, or always one ---
 
 function isColour(value) {
-  return Array.isArray(value) && value.length === 3 && value.every((each) => typeof each === 'number' && each >= 0 && each <= 1);
+  return Array.isArray(value) && value.length === 3 &&
+      value.every((each) => typeof each === 'number' && each >= 0 && each <= 1);
 }
 
 function isColourPair(kind, numbers) {
-  return (kind === 'fixed' && isColour(numbers[0])) || (kind === 'uniform' && numbers.length === 2 && numbers.every(isColour));
+  return (kind === 'fixed' && isColour(numbers[0])) ||
+      (kind === 'uniform' && numbers.length === 2 && numbers.every(isColour));
 }
 
 function colours(path, kind, list, options) {
@@ -142,13 +193,17 @@ function colours(path, kind, list, options) {
     // Each channel is between the two.
     set(path, kind === 'fixed' ? next[0] : {uniform: orderedChannels(next)}, how);
   };
-  return h('div', {class: 'colours'}, list.map((colour, index) => h('label', {},
-    h('span', {class: 'name'}, kind === 'fixed' ? '' : ['from', 'to'][index]),
-    h('input', {
-      type: 'color', value: hexOf(colour), 'aria-label': `${options.label}${kind === 'fixed' ? '' : [', from', ', to'][index]}`,
-      onchange: (event) => put(index, colourOfHex(event.target.value)),
-    }),
-    h('code', {}, colour.map((each) => rounded(each, 2)).join(' ')))));
+  return h(
+      'div', {class: 'colours'},
+      list.map(
+          (colour, index) =>
+              h('label', {}, h('span', {class: 'name'}, kind === 'fixed' ? '' : ['from', 'to'][index]), h('input', {
+                  type: 'color',
+                  value: hexOf(colour),
+                  'aria-label': `${options.label}${kind === 'fixed' ? '' : [', from', ', to'][index]}`,
+                  onchange: (event) => put(index, colourOfHex(event.target.value)),
+                }),
+                h('code', {}, colour.map((each) => rounded(each, 2)).join(' ')))));
 }
 
 function orderedChannels([low, high]) {
@@ -168,7 +223,8 @@ function colourOfHex(text) {
 function converted(value, kind, options) {
   const [low, high] = boundsOf(value, options);
   const half = (a, b) => (Array.isArray(a) ? a.map((each, at) => half(each, b[at])) : rounded((a + b) / 2, 4));
-  const spread = (a, b) => (Array.isArray(a) ? a.map((each, at) => spread(each, b[at])) : rounded(Math.abs(b - a) / 4, 4));
+  const spread = (a, b) =>
+      (Array.isArray(a) ? a.map((each, at) => spread(each, b[at])) : rounded(Math.abs(b - a) / 4, 4));
   if (kind === 'fixed') return half(low, high);
   if (kind === 'normal') return {normal: [half(low, high), spread(low, high)]};
   if (kind === 'choice') return {choice: [low, high]};
@@ -183,7 +239,9 @@ function positive(value) {
 function boundsOf(value, options) {
   const kind = kindOf(value);
   const list = value?.[kind];
-  const around = (mean, spread, sign) => (Array.isArray(mean) ? mean.map((each, at) => around(each, Array.isArray(spread) ? spread[at] : spread, sign)) : rounded(mean + sign * 2 * spread, 4));
+  const around = (mean, spread, sign) =>
+      (Array.isArray(mean) ? mean.map((each, at) => around(each, Array.isArray(spread) ? spread[at] : spread, sign)) :
+                             rounded(mean + sign * 2 * spread, 4));
   if (kind === 'fixed') return [value, value];
   if (kind === 'normal') return [around(list[0], list[1], -1), around(list[0], list[1], 1)];
   if (Array.isArray(list) && list.length) return [list[0], list.at(-1)];

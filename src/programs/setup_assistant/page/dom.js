@@ -19,8 +19,10 @@ export function patch(parent, children, namespace = null) {
     const key = child?.props?.key;
     const candidate = key === undefined ? at : keyed.get(key);
     if (candidate && isSameKind(candidate, child)) {
-      if (candidate === at) at = at.nextSibling;
-      else parent.insertBefore(candidate, at);
+      if (candidate === at)
+        at = at.nextSibling;
+      else
+        parent.insertBefore(candidate, at);
       update(candidate, child, namespace);
     } else {
       parent.insertBefore(create(child, namespace), at);
@@ -62,8 +64,13 @@ function create(child, namespace) {
 
 // What is being typed or dragged is not overwritten by what the server last said.
 function watchTyping(node) {
-  node.addEventListener('input', () => { node.isEdited = true; });
-  for (const end of ['change', 'blur']) node.addEventListener(end, () => { node.isEdited = false; });
+  node.addEventListener('input', () => {
+    node.isEdited = true;
+  });
+  for (const end of ['change', 'blur'])
+    node.addEventListener(end, () => {
+      node.isEdited = false;
+    });
 }
 
 function update(node, child, namespace) {

@@ -1,8 +1,8 @@
 // The world from above: x to the right, y up; ways of objects, the camera and what it sees, boxes.
 import {h} from './dom.js';
 import {colourOf} from './overlay.js';
-import {scene} from './scene_loader.js';
 import {bodyOfOptical, matrixOfQuaternion} from './pose_math.js';
+import {scene} from './scene_loader.js';
 
 // `ways`: {name: [[x, y], ...]}; `boxes`: [{low, high, label}].
 export function map({picture, extent, ways = {}, boxes = [], label}) {
@@ -10,19 +10,37 @@ export function map({picture, extent, ways = {}, boxes = [], label}) {
   if (!view) return h('p', {class: 'empty'}, 'Nothing to draw yet.');
   const [x0, y0, x1, y1] = view;
   const size = Math.max(x1 - x0, y1 - y0);
-  return h('figure', {class: 'map'},
-    h('svg', {viewBox: `${x0} ${-y1} ${x1 - x0} ${y1 - y0}`, role: 'img', 'aria-label': label, style: {'--unit': `${size / 400}px`, '--ratio': (x1 - x0) / (y1 - y0)}},
-      picture && extent ? h('image', {
-        href: picture, x: extent[0], y: -extent[3], width: extent[2] - extent[0], height: extent[3] - extent[1], preserveAspectRatio: 'none',
-      }) : null,
-      h('g', {}, boxes.map((box) => h('rect', {
-        class: 'volume', x: box.low[0], y: -box.high[1], width: Math.max(box.high[0] - box.low[0], 0), height: Math.max(box.high[1] - box.low[1], 0),
-      }))),
-      h('g', {}, Object.entries(ways).map(([name, points], index) => way(name, points, index, size))),
-      cameraWedge(size)),
-    h('figcaption', {}, h('span', {class: 'legend'}, Object.keys(ways).map((name, index) =>
-      h('span', {}, h('i', {class: 'swatch', style: {'--label': colourOf(index)}}), name))),
-    h('span', {class: 'scale'}, `${(x1 - x0).toFixed(1)} \u00d7 ${(y1 - y0).toFixed(1)} m`)));
+  return h(
+      'figure', {class: 'map'},
+      h('svg', {
+        viewBox: `${x0} ${- y1} ${x1 - x0} ${y1 - y0}`,
+        role: 'img',
+        'aria-label': label,
+        style: {'--unit': `${size / 400}px`, '--ratio': (x1 - x0) / (y1 - y0)}
+      },
+        picture && extent ? h('image', {
+          href: picture,
+          x: extent[0],
+          y: -extent[3],
+          width: extent[2] - extent[0],
+          height: extent[3] - extent[1],
+          preserveAspectRatio: 'none',
+        }) :
+                            null,
+        h('g', {}, boxes.map((box) => h('rect', {
+                               class: 'volume',
+                               x: box.low[0],
+                               y: -box.high[1],
+                               width: Math.max(box.high[0] - box.low[0], 0),
+                               height: Math.max(box.high[1] - box.low[1], 0),
+                             }))),
+        h('g', {}, Object.entries(ways).map(([name, points], index) => way(name, points, index, size))),
+        cameraWedge(size)),
+      h('figcaption', {},
+        h('span', {class: 'legend'},
+          Object.keys(ways).map(
+              (name, index) => h('span', {}, h('i', {class: 'swatch', style: {'--label': colourOf(index)}}), name))),
+        h('span', {class: 'scale'}, `${(x1 - x0).toFixed(1)} \u00d7 ${(y1 - y0).toFixed(1)} m`)));
 }
 
 function around(extent, points, boxes) {
@@ -36,10 +54,11 @@ function around(extent, points, boxes) {
 
 function way(name, points, index, size) {
   if (!points.length) return null;
-  const text = points.map(([x, y]) => `${x},${-y}`).join(' ');
+  const text = points.map(([x, y]) => `${x},${- y}`).join(' ');
   const [x, y] = points[0];
-  return h('g', {class: 'way', style: {'--label': colourOf(index)}},
-    h('polyline', {points: text}), h('circle', {cx: x, cy: -y, r: size / 90}));
+  return h(
+      'g', {class: 'way', style: {'--label': colourOf(index)}}, h('polyline', {points: text}),
+      h('circle', {cx: x, cy: -y, r: size / 90}));
 }
 
 function cameraWedge(size) {
@@ -50,8 +69,9 @@ function cameraWedge(size) {
   const yaw = Math.atan2(body[1][0], body[0][0]);
   const half = fx > 0 ? Math.min(Math.atan(width / 2 / fx), 1.5) : 0.5;
   const length = size / 7;
-  const corner = (angle) => `${pose[0] + length * Math.cos(angle)},${-(pose[1] + length * Math.sin(angle))}`;
-  return h('g', {class: 'camera-mark'},
-    h('polygon', {points: `${pose[0]},${-pose[1]} ${corner(yaw + half)} ${corner(yaw - half)}`}),
-    h('circle', {cx: pose[0], cy: -pose[1], r: size / 90}));
+  const corner = (angle) => `${pose[0] + length * Math.cos(angle)},${- (pose[1] + length * Math.sin(angle))}`;
+  return h(
+      'g', {class: 'camera-mark'},
+      h('polygon', {points: `${pose[0]},${- pose[1]} ${corner(yaw + half)} ${corner(yaw - half)}`}),
+      h('circle', {cx: pose[0], cy: -pose[1], r: size / 90}));
 }

@@ -9,12 +9,19 @@ export function timeline(recording) {
   const rows = inOrder(frames);
   const used = new Set(objectNames().map(frameOf));
   const now = secondsOf(currentInstant());
-  return h('div', {class: 'timeline', role: 'table', 'aria-label': 'Frames of the recording'},
-    h('div', {class: 'timeline-row head', role: 'row'},
-      ['frame', 'rate', 'moves', `0 to ${fixed(duration, 1)} s`].map((each, index) =>
-        h('span', {role: 'columnheader', class: index === 0 ? 'frame' : index < 3 ? 'figure' : ''}, each))),
-    h('div', {class: 'timeline-rows', role: 'rowgroup', tabindex: '0', 'aria-label': 'Frames'}, rows.map(({frame, depth}) =>
-      row(frame, depth, duration, now, used.has(frame.name)))));
+  return h(
+      'div', {class: 'timeline', role: 'table', 'aria-label': 'Frames of the recording'},
+      h('div', {class: 'timeline-row head', role: 'row'},
+        ['frame', 'rate', 'moves', `0 to ${fixed(duration, 1)} s`].map(
+            (each, index) =>
+                h('span',
+                  {role: 'columnheader',
+                   class: index === 0 ? 'frame' :
+                       index < 3      ? 'figure' :
+                                        ''},
+                  each))),
+      h('div', {class: 'timeline-rows', role: 'rowgroup', tabindex: '0', 'aria-label': 'Frames'},
+        rows.map(({frame, depth}) => row(frame, depth, duration, now, used.has(frame.name)))));
 }
 
 // Children below their parents.
@@ -37,14 +44,28 @@ function inOrder(frames) {
 }
 
 function row(frame, depth, duration, now, isUsed) {
-  return h('div', {key: frame.name, class: isUsed ? 'timeline-row used' : 'timeline-row', role: 'row'},
-    h('span', {class: 'frame', role: 'rowheader', style: {'--depth': Math.min(depth, 6)}, title: frame.parent ? `${frame.parent} \u2192 ${frame.name}` : frame.name}, frame.name),
-    h('span', {class: 'figure', role: 'cell'}, frame.is_static ? 'static' : Number.isFinite(frame.rate) ? `${fixed(frame.rate, frame.rate < 10 ? 1 : 0)} Hz` : ''),
-    h('span', {class: 'figure', role: 'cell'}, frame.is_static ? '' : movement(frame)),
-    h('span', {class: 'track', role: 'cell', 'aria-label': spans(frame), onclick: (event) => jump(event, duration)},
-      frame.is_static ? h('i', {class: 'known always', style: {'--from': 0, '--to': 1}})
-        : h('span', {}, (frame.known ?? []).map(([from, to]) => h('i', {class: 'known', style: {'--from': from / duration, '--to': to / duration}}))),
-      Number.isFinite(now) ? h('i', {class: 'now', style: {'--at': now / duration}}) : null));
+  return h(
+      'div', {key: frame.name, class: isUsed ? 'timeline-row used' : 'timeline-row', role: 'row'},
+      h('span', {
+        class: 'frame',
+        role: 'rowheader',
+        style: {'--depth': Math.min(depth, 6)},
+        title: frame.parent ? `${frame.parent} \u2192 ${frame.name}` : frame.name
+      },
+        frame.name),
+      h('span', {class: 'figure', role: 'cell'},
+        frame.is_static                 ? 'static' :
+            Number.isFinite(frame.rate) ? `${fixed(frame.rate, frame.rate < 10 ? 1 : 0)} Hz` :
+                                          ''),
+      h('span', {class: 'figure', role: 'cell'}, frame.is_static ? '' : movement(frame)),
+      h('span', {class: 'track', role: 'cell', 'aria-label': spans(frame), onclick: (event) => jump(event, duration)},
+        frame.is_static ?
+            h('i', {class: 'known always', style: {'--from': 0, '--to': 1}}) :
+            h('span', {},
+              (frame.known ??
+               []).map(([from,
+                         to]) => h('i', {class: 'known', style: {'--from': from / duration, '--to': to / duration}}))),
+        Number.isFinite(now) ? h('i', {class: 'now', style: {'--at': now / duration}}) : null));
 }
 
 function movement(frame) {

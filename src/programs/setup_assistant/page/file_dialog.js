@@ -1,6 +1,6 @@
 // Chooses a file of those that the server may read.
-import {h, patch} from './dom.js';
 import {get} from './api.js';
+import {h, patch} from './dom.js';
 import {bytes} from './numbers.js';
 
 let lastFolder = null;
@@ -36,23 +36,32 @@ function view({folder, parent, folders, files, error}, kind, what, show, choose)
   const isFolder = kind === 'folder';
   const isRoot = !folder;
   return [
-    h('header', {class: 'dialog-head'},
-      h('h2', {}, `Choose: ${what}`),
+    h('header', {class: 'dialog-head'}, h('h2', {}, `Choose: ${what}`),
       h('button', {type: 'button', class: 'quiet', 'aria-label': 'Close', onclick: () => choose(null)}, '\u00d7')),
     h('p', {class: 'folder'}, folder || 'Folders that may be read'),
     h('ul', {class: 'listing'},
-      !isRoot && h('li', {}, h('button', {type: 'button', onclick: () => show(parent ?? '')}, h('span', {class: 'kind'}, '\u2191'), 'up')),
+      !isRoot &&
+          h('li', {},
+            h('button', {type: 'button', onclick: () => show(parent ?? '')}, h('span', {class: 'kind'}, '\u2191'),
+              'up')),
       folders.map((each) => {
         const path = each.path ?? (typeof each === 'string' ? joined(folder, each) : joined(folder, each.name));
-        return h('li', {key: `folder ${path}`}, h('button', {type: 'button', onclick: () => show(path)},
-          h('span', {class: 'kind'}, '\u25b8'), `${each.name ?? each}/`));
+        return h(
+            'li', {key: `folder ${path}`},
+            h('button', {type: 'button', onclick: () => show(path)}, h('span', {class: 'kind'}, '\u25b8'),
+              `${each.name ?? each}/`));
       }),
-      (isFolder ? [] : files).map((each) => h('li', {key: `file ${each.path}`},
-        h('button', {type: 'button', onclick: () => choose(each.path)},
-          h('span', {class: 'kind'}), h('span', {class: 'name'}, each.name), h('span', {class: 'size'}, bytes(each.size)))))),
+      (isFolder ? [] : files)
+          .map(
+              (each) =>
+                  h('li', {key: `file ${each.path}`},
+                    h('button', {type: 'button', onclick: () => choose(each.path)}, h('span', {class: 'kind'}),
+                      h('span', {class: 'name'}, each.name), h('span', {class: 'size'}, bytes(each.size)))))),
     error ? h('p', {class: 'problems'}, error) : null,
     !error && folders.length + files.length === 0 ? h('p', {class: 'empty'}, 'Nothing of this kind is here.') : null,
-    isFolder && !isRoot ? h('p', {}, h('button', {type: 'button', class: 'primary', onclick: () => choose(folder)}, 'Take this folder')) : null,
+    isFolder && !isRoot ?
+        h('p', {}, h('button', {type: 'button', class: 'primary', onclick: () => choose(folder)}, 'Take this folder')) :
+        null,
   ];
 }
 

@@ -78,8 +78,10 @@ class FlowParser {
       if (this.at >= this.text.length) throw new Error(`'${end}' is missing`);
       read();
       this.skipSpace();
-      if (this.text[this.at] === ',') ++this.at;
-      else if (this.text[this.at] !== end) throw new Error(`',' or '${end}' is missing`);
+      if (this.text[this.at] === ',')
+        ++this.at;
+      else if (this.text[this.at] !== end)
+        throw new Error(`',' or '${end}' is missing`);
     }
     ++this.at;
   }

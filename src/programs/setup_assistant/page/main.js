@@ -1,14 +1,14 @@
 // Draws the page whenever what the server has said, or what the page shows, has changed.
 import {h, patch} from './dom.js';
-import {answerOutside, changed, redo, start, store, undo, watch} from './store.js';
-import {allProblems, count as countOf, identity, problemsBelow} from './problems.js';
 import {problemList} from './fields.js';
 import {count, fileName} from './numbers.js';
-import {drawStage, redrawBitmap} from './stage.js';
-import {drawYaml} from './yaml_editor.js';
-import {loadAgain} from './scene_loader.js';
-import {show, view} from './view_state.js';
 import {focusField, panes} from './panes.js';
+import {allProblems, count as countOf, identity, problemsBelow} from './problems.js';
+import {loadAgain} from './scene_loader.js';
+import {drawStage, redrawBitmap} from './stage.js';
+import {answerOutside, changed, redo, start, store, undo, watch} from './store.js';
+import {show, view} from './view_state.js';
+import {drawYaml} from './yaml_editor.js';
 
 function drawHeader() {
   const {state} = store;
@@ -18,17 +18,39 @@ function drawHeader() {
     h('h1', {}, 'Setup assistant'),
     h('span', {class: 'file', title: state?.file}, fileName(state?.file)),
     h('button', {
-      type: 'button', class: `verdict ${verdictClass(all)}`, onclick: () => goTo('problems'), title: 'To the problems',
-    }, verdict(all)),
+      type: 'button',
+      class: `verdict ${verdictClass(all)}`,
+      onclick: () => goTo('problems'),
+      title: 'To the problems',
+    },
+      verdict(all)),
     h('div', {class: 'history'},
-      h('button', {type: 'button', class: 'quiet', disabled: !state?.can_undo, onclick: undo, title: 'Undo (Ctrl+Z)', 'aria-keyshortcuts': 'Control+Z'}, 'Undo'),
-      h('button', {type: 'button', class: 'quiet', disabled: !state?.can_redo, onclick: redo, title: 'Redo (Ctrl+Shift+Z)', 'aria-keyshortcuts': 'Control+Shift+Z'}, 'Redo')),
+      h('button', {
+        type: 'button',
+        class: 'quiet',
+        disabled: !state?.can_undo,
+        onclick: undo,
+        title: 'Undo (Ctrl+Z)',
+        'aria-keyshortcuts': 'Control+Z'
+      },
+        'Undo'),
+      h('button', {
+        type: 'button',
+        class: 'quiet',
+        disabled: !state?.can_redo,
+        onclick: redo,
+        title: 'Redo (Ctrl+Shift+Z)',
+        'aria-keyshortcuts': 'Control+Shift+Z'
+      },
+        'Redo')),
   ]);
 }
 
 function verdictClass({error, warning}) {
-  if (store.state?.error || error) return 'error';
-  return warning ? 'warning' : 'fine';
+  // Said of settings that have changed since.
+  const age = store.setup?.revision < store.state?.revision ? ' old' : '';
+  if (store.state?.error || error) return `error${age}`;
+  return `${warning ? 'warning' : 'fine'}${age}`;
 }
 
 function verdict({error, warning}) {
@@ -42,15 +64,31 @@ function verdict({error, warning}) {
 function drawBanners() {
   const {state, connection, notice} = store;
   patch(document.getElementById('banners'), [
-    connection === 'lost' ? h('div', {key: 'lost', class: 'banner'}, 'No answer from setup_assistant. Start it again; this page waits.') : null,
-    connection === 'refused' ? h('div', {key: 'refused', class: 'banner error'}, 'setup_assistant was started anew, with a new token. Open the address that it has printed.') : null,
-    state?.outside ? h('div', {key: 'outside', class: 'banner', role: 'alertdialog', 'aria-label': 'The file was changed'},
-      h('span', {}, `Another program has changed ${fileName(state.file)}.`),
-      h('button', {type: 'button', class: 'primary', onclick: () => answerOutside(true)}, 'Load its text'),
-      h('button', {type: 'button', onclick: () => answerOutside(false)}, 'Keep this page\u2019s')) : null,
-    notice ? h('div', {key: 'notice', class: 'banner error', role: 'alert'},
-      h('span', {}, notice.text),
-      h('button', {type: 'button', class: 'quiet', 'aria-label': 'Close', onclick: () => { store.notice = null; changed(); }}, '\u00d7')) : null,
+    connection === 'lost' ?
+        h('div', {key: 'lost', class: 'banner'}, 'No answer from setup_assistant. Start it again; this page waits.') :
+        null,
+    connection === 'refused' ?
+        h('div', {key: 'refused', class: 'banner error'},
+          'setup_assistant was started anew, with a new token. Open the address that it has printed.') :
+        null,
+    state?.outside ?
+        h('div', {key: 'outside', class: 'banner', role: 'alertdialog', 'aria-label': 'The file was changed'},
+          h('span', {}, `Another program has changed ${fileName(state.file)}.`),
+          h('button', {type: 'button', class: 'primary', onclick: () => answerOutside(true)}, 'Load its text'),
+          h('button', {type: 'button', onclick: () => answerOutside(false)}, 'Keep this page\u2019s')) :
+        null,
+    notice ? h('div', {key: 'notice', class: 'banner error', role: 'alert'}, h('span', {}, notice.text),
+               h('button', {
+                 type: 'button',
+                 class: 'quiet',
+                 'aria-label': 'Close',
+                 onclick: () => {
+                   store.notice = null;
+                   changed();
+                 }
+               },
+                 '\u00d7')) :
+             null,
   ]);
 }
 
@@ -60,13 +98,16 @@ function drawNav() {
 
 function navLink(pane) {
   const isHere = pane.id === view.pane;
-  const counts = pane.id === 'problems' ? countOf(allProblems()) : countOf(pane.paths().flatMap((each) => problemsBelow(each)));
+  const counts =
+      pane.id === 'problems' ? countOf(allProblems()) : countOf(pane.paths().flatMap((each) => problemsBelow(each)));
   const worst = counts.error ? 'error' : counts.warning ? 'warning' : null;
   const number = counts.error || counts.warning;
-  return h('a', {href: `#${pane.id}`, 'aria-current': isHere ? 'page' : null, class: 'step'},
-    h('span', {class: 'step-title'}, pane.title),
-    h('span', {class: 'step-summary'}, store.state ? pane.summary() : ''),
-    h('span', {class: `badge ${worst ?? ''}`, hidden: !worst, 'aria-label': worst ? count(number, worst) : null}, worst ? number : ''));
+  return h(
+      'a', {href: `#${pane.id}`, 'aria-current': isHere ? 'page' : null, class: 'step'},
+      h('span', {class: 'step-title'}, pane.title),
+      h('span', {class: 'step-summary'}, store.state ? pane.summary() : ''),
+      h('span', {class: `badge ${worst ?? ''}`, hidden: !worst, 'aria-label': worst ? count(number, worst) : null},
+        worst ? number : ''));
 }
 
 function drawPane() {
@@ -76,15 +117,21 @@ function drawPane() {
     h('div', {key: pane.id, class: 'pane'},
       h('header', {class: 'pane-head'}, h('h1', {}, pane.title), h('p', {}, pane.text)),
       h('div', {class: 'pane-others field', unmanaged: true}),
-      store.state && store.setup ? h('div', {class: 'pane-body'}, pane.draw()) : h('p', {class: 'empty'}, 'Reading the settings\u2026')),
+      store.state && store.setup ? h('div', {class: 'pane-body'}, pane.draw()) :
+                                   h('p', {class: 'empty'}, 'Reading the settings\u2026')),
   ]);
-  patch(document.querySelector('.pane-others'), [problemList(withoutField(pane).map((each) => ({...each, found: `${each.about}: ${each.found}`})))]);
+  patch(
+      document.querySelector('.pane-others'),
+      [problemList(withoutField(pane).map((each) => ({...each, found: `${each.about}: ${each.found}`})))]);
 }
 
 // Problems of a pane's settings that none of its fields shows.
 function withoutField(pane) {
-  const shown = new Set([...document.querySelectorAll('.pane-body [data-problem]')].map((each) => each.dataset.problem));
-  return pane.paths().flatMap((each) => problemsBelow(each)).filter((each) => each.severity !== 'note' && !shown.has(identity(each)));
+  const shown =
+      new Set([...document.querySelectorAll('.pane-body [data-problem]')].map((each) => each.dataset.problem));
+  return pane.paths()
+      .flatMap((each) => problemsBelow(each))
+      .filter((each) => each.severity !== 'note' && !shown.has(identity(each)));
 }
 
 watch(() => {
@@ -126,8 +173,10 @@ function onKey(event) {
   if (document.activeElement?.isEdited) return;
   event.preventDefault();
   document.activeElement?.matches?.('input, textarea') && (document.activeElement.isEdited = false);
-  if (event.key.toLowerCase() === 'y' || event.shiftKey) redo();
-  else undo();
+  if (event.key.toLowerCase() === 'y' || event.shiftKey)
+    redo();
+  else
+    undo();
 }
 
 addEventListener('hashchange', readAddress);

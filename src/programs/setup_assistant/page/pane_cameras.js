@@ -1,22 +1,29 @@
-import {h} from './dom.js';
-import {answer, change, effective, objectNames, set} from './store.js';
-import {choiceField, fileField, flowField, more, numberField, problemList, section, segments, switchField, textField, vectorField} from './fields.js';
-import {cameraNames, currentCamera, show} from './view_state.js';
-import {cameraPath, formOf, framePath, roundedPose, shownPose, wayOf} from './camera_pose.js';
+import {cameraPath, formOf, framePath, orbitOfSettings, roundedPose, shownPose, wayOf} from './camera_pose.js';
 import {distribution} from './distribution.js';
-import {freeName} from './paths.js';
-import {problemsAt} from './problems.js';
-import {fileName, fixed} from './numbers.js';
+import {h} from './dom.js';
+import {choiceField, fileField, flowField, more, numberField, problemList, section, segments, switchField, textField, vectorField} from './fields.js';
 import {map} from './figure_map.js';
-import {scene} from './scene_loader.js';
+import {fileName, fixed} from './numbers.js';
+import {freeName} from './paths.js';
 import {matrixOfRpy, opticalOfBody, quaternionOfMatrix} from './pose_math.js';
+import {problemsAt} from './problems.js';
+import {frames, recording, waysOfObjects} from './recording.js';
+import {scene} from './scene_loader.js';
+import {answer, change, effective, objectNames, set} from './store.js';
+import {cameraNames, currentCamera, show} from './view_state.js';
 
 export const camerasPane = {
   id: 'cameras',
   title: 'Cameras',
-  text: 'What the lens is, and where it stands. A camera that is fixed or on an object is moved by dragging the picture.',
+  text:
+      'What the lens is, and where it stands. A camera that is fixed or on an object is moved by dragging the picture.',
   paths: () => [['camera'], ['cameras'], ['camera_frame_id'], ['twin']],
-  summary: () => (effective(['cameras']) === undefined ? fileName(effective(['camera', 'info_file']) ?? effective(['camera', 'info_topic']) ?? effective(['camera', 'sensor'])) : cameraNames().join(', ')),
+  summary: () =>
+      (effective(['cameras']) === undefined ?
+           fileName(
+               effective(['camera', 'info_file']) ?? effective(['camera', 'info_topic']) ??
+               effective(['camera', 'sensor'])) :
+           cameraNames().join(', ')),
   draw,
 };
 
@@ -24,30 +31,37 @@ function draw() {
   const path = cameraPath();
   return [
     tabs(),
-    h('div', {key: path.join('/')},
-      section('Lens', lens(path)),
-      section('Where it is', place(path)),
+    h('div', {key: path.join('/')}, section('Lens', lens(path)), section('Where it is', place(path)),
       section('From above', fromAbove()),
-      more('Range of sight, rectified pictures', ['near', 'far', 'rectified', 'stereo_frame'].map((each) => [...path, each]),
-        h('div', {class: 'pair'},
-          numberField([...path, 'near'], {label: 'Nearest', unit: 'm', step: 0.01}),
-          numberField([...path, 'far'], {label: 'Farthest', unit: 'm', step: 10})),
-        switchField([...path, 'rectified'], {label: 'Rectified pictures'}),
-        choiceField([...path, 'stereo_frame'], ['auto', 'first', 'own'], {label: 'Frame of a second stereo camera'})),
-      effects(path),
-      depthNoise(path),
-      twin(path)),
+      more(
+          'Range of sight, rectified pictures',
+          ['near', 'far', 'rectified', 'stereo_frame'].map((each) => [...path, each]),
+          h('div', {class: 'pair'}, numberField([...path, 'near'], {label: 'Nearest', unit: 'm', step: 0.01}),
+            numberField([...path, 'far'], {label: 'Farthest', unit: 'm', step: 10})),
+          switchField([...path, 'rectified'], {label: 'Rectified pictures'}),
+          choiceField([...path, 'stereo_frame'], ['auto', 'first', 'own'], {label: 'Frame of a second stereo camera'})),
+      effects(path), depthNoise(path), twin(path)),
   ];
 }
 
 function tabs() {
   const names = cameraNames();
-  return h('div', {class: 'tabs', role: 'group', 'aria-label': 'Cameras'},
-    names.map((name) => h('button', {
-      key: name, type: 'button', class: 'tab', 'aria-pressed': String(name === currentCamera()), onclick: () => show({camera: name}),
-    }, name)),
-    h('button', {key: ' add', type: 'button', class: 'tab add', onclick: addCamera}, '+ Add'),
-    names.length > 1 ? h('button', {key: ' remove', type: 'button', class: 'tab add', onclick: removeCamera}, `Remove ${currentCamera()}`) : null);
+  return h(
+      'div', {class: 'tabs', role: 'group', 'aria-label': 'Cameras'},
+      names.map(
+          (name) =>
+              h('button', {
+                key: name,
+                type: 'button',
+                class: 'tab',
+                'aria-pressed': String(name === currentCamera()),
+                onclick: () => show({camera: name}),
+              },
+                name)),
+      h('button', {key: ' add', type: 'button', class: 'tab add', onclick: addCamera}, '+ Add'),
+      names.length > 1 ? h('button', {key: ' remove', type: 'button', class: 'tab add', onclick: removeCamera},
+                           `Remove ${currentCamera()}`) :
+                         null);
 }
 
 // The first camera of several is what was the only one before.
@@ -60,7 +74,9 @@ function addCamera() {
     const {...first} = effective(['camera']) ?? {};
     const frame = effective(['camera_frame_id']);
     if (frame !== undefined && first.frame_id === undefined) first.frame_id = frame;
-    change([[['cameras'], {camera: first, camera_2: {...first}}], [['camera'], undefined], [['camera_frame_id'], undefined]]);
+    change([
+      [['cameras'], {camera: first, camera_2: {...first}}], [['camera'], undefined], [['camera_frame_id'], undefined]
+    ]);
   }
   show({camera: effective(['cameras']) === undefined ? 'camera_2' : name});
 }
@@ -72,40 +88,55 @@ function removeCamera() {
 const LENSES = [['info_file', 'Calibration file'], ['info_topic', 'Recorded topic'], ['sensor', 'Sensor of the world']];
 
 function lens(path) {
-  const isPlaced = effective(['motion']) === 'placement' && effective(['bag_file']) === undefined;
   const kind = LENSES.map(([each]) => each).find((each) => effective([...path, each]) !== undefined) ?? 'info_file';
-  const recording = isPlaced ? null : answer('/api/recording').value;
-  const sensors = answer('/api/world').value?.cameras ?? [];
-  const start = {info_file: '', info_topic: recording?.camera_topics?.[0] ?? '/camera/camera_info', sensor: sensors[0]?.name ?? sensors[0] ?? 'model::link::sensor'};
+  const topics = (recording()?.cameras ?? []).map((each) => each.topic);
+  const sensors = (answer('/api/world').value?.sensors ?? []).map((each) => each.name);
+  const start = {
+    info_file: '',
+    info_topic: topics[0] ?? '/camera/camera_info',
+    sensor: sensors[0] ?? 'model::link::sensor'
+  };
   const choose = (wanted) => change([
-    ...LENSES.filter(([each]) => each !== wanted && effective([...path, each]) !== undefined).map(([each]) => [[...path, each], undefined]),
+    ...LENSES.filter(([each]) => each !== wanted && effective([...path, each]) !== undefined)
+        .map(([each]) => [[...path, each], undefined]),
     [[...path, wanted], start[wanted]],
   ]);
   return [
     choice('lens', 'Comes from', LENSES, kind, choose),
-    kind === 'info_file' ? [
-      fileField([...path, 'info_file'], 'calibration', {label: 'Calibration', hint: 'camera_info YAML, ost.txt, a CameraInfo as text, Kalibr, camodocal or OpenCV.'}),
-    ] : null,
-    kind === 'info_topic' ? textField([...path, 'info_topic'], {label: 'Topic', suggestions: recording?.camera_topics ?? []}) : null,
-    kind === 'sensor' ? textField([...path, 'sensor'], {label: 'Sensor', suggestions: sensors.map((each) => each.name ?? each)}) : null,
-    h('p', {class: 'facts'}, scene.value && scene.value.camera.name === currentCamera() ? lensFacts(scene.value.camera) : ''),
+    kind === 'info_file' ?
+        [
+          fileField([...path, 'info_file'], 'calibration', {
+            label: 'Calibration',
+            hint: 'camera_info YAML, ost.txt, a CameraInfo as text, Kalibr, camodocal or OpenCV.'
+          }),
+        ] :
+        null,
+    kind === 'info_topic' ? textField([...path, 'info_topic'], {label: 'Topic', suggestions: topics}) : null,
+    kind === 'sensor' ? textField([...path, 'sensor'], {label: 'Sensor', suggestions: sensors}) : null,
+    h('p', {class: 'facts'},
+      scene.value && scene.value.camera.name === currentCamera() ? lensFacts(scene.value.camera) : ''),
   ];
 }
 
 function lensFacts({width, height, intrinsics}) {
   const focal = intrinsics?.[0];
-  const angle = focal ? `, ${Math.round(2 * Math.atan(width / 2 / focal) * 180 / Math.PI)}\u00b0 wide without its distortion` : '';
+  const angle = focal ?
+      `, ${Math.round(2 * Math.atan(width / 2 / focal) * 180 / Math.PI)}\u00b0 wide without its distortion` :
+      '';
   return `${width} \u00d7 ${height} px${angle}.`;
 }
 
 // A choice between settings rather than of a setting's value.
 export function choice(id, label, pairs, value, choose) {
-  return h('div', {class: 'field', key: id, role: 'group', 'aria-labelledby': `${id}-label`},
-    h('div', {class: 'field-head'}, h('span', {class: 'field-label', id: `${id}-label`}, label)),
-    segments(id, pairs, value, choose));
+  return h(
+      'div', {class: 'field', key: id, role: 'group', 'aria-labelledby': `${id}-label`},
+      h('div', {class: 'field-head'}, h('span', {class: 'field-label', id: `${id}-label`}, label)),
+      segments(id, pairs, value, choose));
 }
 
-const WAYS = [['frame', 'From TF'], ['pose', 'Fixed'], ['mounted_on', 'On an object'], ['sample', 'Random'], ['sensor', 'Sensor']];
+const WAYS = [
+  ['frame', 'From TF'], ['pose', 'Fixed'], ['mounted_on', 'On an object'], ['sample', 'Random'], ['sensor', 'Sensor']
+];
 
 function place(path) {
   const way = wayOf(path);
@@ -115,36 +146,49 @@ function place(path) {
     way === 'mounted_on' ? choiceField([...path, 'mounted_on'], objectNames(), {label: 'Object'}) : null,
     way === 'pose' || way === 'mounted_on' ? pose(path) : null,
     way === 'sample' ? sample(path) : null,
-    way === 'sensor' ? h('p', {class: 'empty'}, 'It is where the world has the sensor, and moves with its link.') : null,
+    way === 'sensor' ? h('p', {class: 'empty'}, 'It is where the world has the sensor, and moves with its link.') :
+                       null,
   ];
 }
 
 function changeWay(path, before, wanted) {
-  const changes = ['sample', 'mounted_on', 'pose'].filter((each) => each !== wanted && effective([...path, each]) !== undefined)
-    .map((each) => [[...path, each], undefined]);
+  const changes = ['sample', 'mounted_on', 'pose']
+                      .filter((each) => each !== wanted && effective([...path, each]) !== undefined)
+                      .map((each) => [[...path, each], undefined]);
   const here = shownPose(path);
-  if (wanted === 'pose') changes.push([[...path, 'pose'], before === 'mounted_on' || !here ? {position: [-3, 0, 2], look_at: objectNames()[0] ?? [0, 0, 0]} : roundedPose(here)]);
+  if (wanted === 'pose')
+    changes.push([
+      [...path, 'pose'],
+      before === 'mounted_on' || !here ? {position: [-3, 0, 2], look_at: objectNames()[0] ?? [0, 0, 0]} :
+                                         roundedPose(here)
+    ]);
   if (wanted === 'mounted_on') {
-    changes.push([[...path, 'mounted_on'], objectNames()[0] ?? ''], [[...path, 'pose'], {position: [0.3, 0, 0.6], rpy: [0, 0.2, 0]}]);
+    changes.push(
+        [[...path, 'mounted_on'], objectNames()[0] ?? ''],
+        [[...path, 'pose'], {position: [0.3, 0, 0.6], rpy: [0, 0.2, 0]}]);
   }
   if (wanted === 'sample') changes.push([[...path, 'sample'], {look_at: 'any'}]);
   if (wanted === 'frame' && effective(framePath(path)) === undefined) {
-    changes.push([framePath(path), answer('/api/recording').value?.camera_frames?.[0] ?? 'camera/optical_link']);
+    changes.push([framePath(path), recording()?.camera_frames?.[0] ?? 'camera/optical_link']);
   }
   if (wanted === 'sensor') {
-    for (const each of [[...path, 'frame_id'], ['camera_frame_id']]) if (effective(each) !== undefined) changes.push([each, undefined]);
+    for (const each of [[...path, 'frame_id'], ['camera_frame_id']])
+      if (effective(each) !== undefined) changes.push([each, undefined]);
     if (effective([...path, 'sensor']) === undefined) changes.push([[...path, 'sensor'], 'model::link::sensor']);
   }
   change(changes);
 }
 
 function followed(path) {
-  const recording = answer('/api/recording').value;
-  const frames = recording?.camera_frames?.length ? recording.camera_frames : (recording?.frames ?? []).map((each) => each.name);
+  const lenses = recording()?.camera_frames ?? [];
   const here = shownPose(path);
   return [
-    textField(framePath(path), {label: 'Frame of the lens (z ahead, x right, y down)', suggestions: frames}),
-    h('p', {class: 'buttons'}, h('button', {type: 'button', disabled: !here, onclick: () => changeWay(path, 'frame', 'pose')}, 'Fix it here, to drag it'),
+    textField(
+        framePath(path),
+        {label: 'Frame of the lens (z ahead, x right, y down)', suggestions: lenses.length ? lenses : frames()}),
+    h('p', {class: 'buttons'},
+      h('button', {type: 'button', disabled: !here, onclick: () => changeWay(path, 'frame', 'pose')},
+        'Fix it here, to drag it'),
       h('span', {class: 'muted'}, here ? `at ${here.position.map((each) => fixed(each)).join(', ')} m` : '')),
   ];
 }
@@ -160,11 +204,27 @@ function pose(path) {
   return [
     choice('form', 'Aimed by', FORMS, form, choose),
     h('div', {class: 'field', 'data-path': where.join('/')}, problemList(problemsAt(where))),
-    form === 'optical' ? vectorField(where, ['x', 'y', 'z', 'qx', 'qy', 'qz', 'qw'], {label: 'Pose of the optical frame', unit: 'm', step: 0.05, hint: ''})
-      : vectorField([...where, 'position'], ['x', 'y', 'z'], {label: inObject ? 'Position in the object\u2019s frame' : 'Position', unit: 'm', step: 0.1, hint: ''}),
-    form === 'object' ? choiceField([...where, 'look_at'], objectNames(), {label: 'Looks at', hint: 'It follows the object\u2019s middle.'}) : null,
-    form === 'point' ? vectorField([...where, 'look_at'], ['x', 'y', 'z'], {label: 'Looks at', unit: 'm', step: 0.1, hint: ''}) : null,
-    form === 'rpy' ? vectorField([...where, 'rpy'], ['roll', 'pitch', 'yaw'], {label: 'Turned by', unit: 'rad, or deg(20)', step: 0.05, hint: 'With zeros it looks along x; a positive pitch looks down.'}) : null,
+    form === 'optical' ?
+        vectorField(
+            where, ['x', 'y', 'z', 'qx', 'qy', 'qz', 'qw'],
+            {label: 'Pose of the optical frame', unit: 'm', step: 0.05, hint: ''}) :
+        vectorField(
+            [...where, 'position'], ['x', 'y', 'z'],
+            {label: inObject ? 'Position in the object\u2019s frame' : 'Position', unit: 'm', step: 0.1, hint: ''}),
+    form === 'object' ?
+        choiceField(
+            [...where, 'look_at'], objectNames(), {label: 'Looks at', hint: 'It follows the object\u2019s middle.'}) :
+        null,
+    form === 'point' ?
+        vectorField([...where, 'look_at'], ['x', 'y', 'z'], {label: 'Looks at', unit: 'm', step: 0.1, hint: ''}) :
+        null,
+    form === 'rpy' ? vectorField([...where, 'rpy'], ['roll', 'pitch', 'yaw'], {
+      label: 'Turned by',
+      unit: 'rad, or deg(20)',
+      step: 0.05,
+      hint: 'With zeros it looks along x; a positive pitch looks down.'
+    }) :
+                     null,
   ];
 }
 
@@ -173,7 +233,8 @@ function converted(path, value, wanted) {
   const {position, rpy} = roundedPose(here);
   const at = value?.position ?? position;
   if (wanted === 'object') return {position: at, look_at: objectNames()[0] ?? [0, 0, 0]};
-  if (wanted === 'point') return {position: at, look_at: scene.value?.camera?.target?.map((each) => Number(each.toFixed(3))) ?? [0, 0, 0]};
+  if (wanted === 'point')
+    return {position: at, look_at: orbitOfSettings(path).centre.map((each) => Number(each.toFixed(3)))};
   if (wanted === 'rpy') return {position: at, rpy};
   return opticalOf(here);
 }
@@ -187,19 +248,50 @@ function sample(path) {
   const where = [...path, 'sample'];
   const isBox = effective([...where, 'position']) !== undefined;
   const shell = ['distance', 'elevation', 'azimuth'];
-  const chooseShape = (wanted) => change(wanted === 'box'
-    ? [...shell.filter((each) => effective([...where, each]) !== undefined).map((each) => [[...where, each], undefined]), [[...where, 'position'], {uniform: [[-2, -2, 0.5], [2, 2, 2]]}]]
-    : [[[...where, 'position'], undefined]]);
+  const chooseShape = (wanted) => change(
+      wanted === 'box' ?
+          [
+            ...shell.filter((each) => effective([...where, each]) !== undefined)
+                .map((each) => [[...where, each], undefined]),
+            [[...where, 'position'], {uniform: [[-2, -2, 0.5], [2, 2, 2]]}]
+          ] :
+          [[[...where, 'position'], undefined]]);
   return [
     textField([...where, 'look_at'], {label: 'Looks at', suggestions: ['any', 'all', ...objectNames()]}),
-    choice('shape', 'Position in', [['shell', 'a shell around it'], ['box', 'a box']], isBox ? 'box' : 'shell', chooseShape),
-    isBox ? distribution([...where, 'position'], {label: 'Position', unit: 'm', range: [-10, 10], start: {uniform: [[-2, -2, 0.5], [2, 2, 2]]}, isAlways: true}) : [
-      distribution([...where, 'distance'], {label: 'Distance', unit: 'm', range: [0.1, 10], start: {uniform: [1, 3]}, isAlways: true}),
-      distribution([...where, 'elevation'], {label: 'Above the horizon', unit: 'rad', range: [-1.5, 1.5], start: {uniform: [0.2, 1]}, isAlways: true}),
-      distribution([...where, 'azimuth'], {label: 'Direction', unit: 'rad', range: [-3.1416, 3.1416], start: {uniform: [-3.1416, 3.1416]}, isAlways: true}),
-    ],
-    distribution([...where, 'aim_offset'], {label: 'Looks past it by', unit: 'm', range: [-1, 1], start: {normal: [0, 0.2]}}),
-    distribution([...where, 'roll'], {label: 'About the line of sight', unit: 'rad', range: [-1, 1], start: {normal: [0, 0.06]}}),
+    choice(
+        'shape', 'Position in', [['shell', 'a shell around it'], ['box', 'a box']], isBox ? 'box' : 'shell',
+        chooseShape),
+    isBox ? distribution([...where, 'position'], {
+      label: 'Position',
+      unit: 'm',
+      range: [-10, 10],
+      start: {uniform: [[-2, -2, 0.5], [2, 2, 2]]},
+      isAlways: true
+    }) :
+            [
+              distribution(
+                  [...where, 'distance'],
+                  {label: 'Distance', unit: 'm', range: [0.1, 10], start: {uniform: [1, 3]}, isAlways: true}),
+              distribution([...where, 'elevation'], {
+                label: 'Above the horizon',
+                unit: 'rad',
+                range: [-1.5, 1.5],
+                start: {uniform: [0.2, 1]},
+                isAlways: true
+              }),
+              distribution([...where, 'azimuth'], {
+                label: 'Direction',
+                unit: 'rad',
+                range: [-3.1416, 3.1416],
+                start: {uniform: [-3.1416, 3.1416]},
+                isAlways: true
+              }),
+            ],
+    distribution(
+        [...where, 'aim_offset'], {label: 'Looks past it by', unit: 'm', range: [-1, 1], start: {normal: [0, 0.2]}}),
+    distribution(
+        [...where, 'roll'],
+        {label: 'About the line of sight', unit: 'rad', range: [-1, 1], start: {normal: [0, 0.06]}}),
     h('div', {class: 'pair'},
       numberField([...where, 'clearance'], {label: 'Distance from everything', unit: 'm', step: 0.05}),
       numberField([...where, 'tries'], {label: 'Positions tried', step: 100})),
@@ -208,22 +300,28 @@ function sample(path) {
 
 function fromAbove() {
   const world = answer('/api/world').value;
-  const recording = effective(['motion']) === 'placement' ? null : answer('/api/recording').value;
-  return map({picture: world?.map, extent: world?.map_extent, ways: recording?.ways ?? {}, label: 'The camera from above'});
+  return map({picture: world?.map, extent: world?.map_extent, ways: waysOfObjects(), label: 'The camera from above'});
 }
 
 const EFFECTS = [
-  ['exposure', 'Brighter by', 'stops', [-3, 3], 0.1], ['blur', 'Blur', 'px', [0, 5], 0.1],
-  ['vignetting', 'Darker corners', '', [0, 1], 0.05], ['noise_stddev', 'Noise', '', [0, 0.1], 0.001],
-  ['noise_mean', 'Its mean', '', [-0.1, 0.1], 0.001], ['full_well', 'Electrons of a white pixel', '', null, 1000],
-  ['exposure_time', 'Shutter is open', 's', [0, 0.1], 0.001], ['motion_samples', 'Pictures averaged over that', '', [1, 32], 1],
-  ['readout_time', 'First row to last', 's', [0, 0.1], 0.001], ['readout_bands', 'Bands of rows', '', [1, 64], 1],
+  ['exposure', 'Brighter by', 'stops', [-3, 3], 0.1],
+  ['blur', 'Blur', 'px', [0, 5], 0.1],
+  ['vignetting', 'Darker corners', '', [0, 1], 0.05],
+  ['noise_stddev', 'Noise', '', [0, 0.1], 0.001],
+  ['noise_mean', 'Its mean', '', [-0.1, 0.1], 0.001],
+  ['full_well', 'Electrons of a white pixel', '', null, 1000],
+  ['exposure_time', 'Shutter is open', 's', [0, 0.1], 0.001],
+  ['motion_samples', 'Pictures averaged over that', '', [1, 32], 1],
+  ['readout_time', 'First row to last', 's', [0, 0.1], 0.001],
+  ['readout_bands', 'Bands of rows', '', [1, 64], 1],
 ];
 
 function effects(path) {
   const where = [...path, 'effects'];
-  return more('Effects of a real sensor', EFFECTS.map(([each]) => [...where, each]), EFFECTS.map(([name, label, unit, range, step]) =>
-    numberField([...where, name], {label, unit, range, step, fallback: 'off'})));
+  return more(
+      'Effects of a real sensor', EFFECTS.map(([each]) => [...where, each]),
+      EFFECTS.map(([name, label, unit, range,
+                    step]) => numberField([...where, name], {label, unit, range, step, fallback: 'off'})));
 }
 
 function depthNoise(path) {
@@ -232,20 +330,27 @@ function depthNoise(path) {
   const rest = {
     structured_light: ['baseline', 'disparity_step', 'max_angle', 'min_depth', 'max_depth'],
     stereo: ['baseline', 'disparity_step', 'disparity_noise', 'min_depth', 'max_depth'],
-  }[model] ?? [];
-  return more('Measured depth', [[...where, 'model']],
-    choiceField([...where, 'model'], [['none', 'Exact'], ['structured_light', 'Structured light'], ['stereo', 'Stereo']], {
-      label: 'Depth is', fallback: 'none', choose: (wanted) => set(where, wanted === 'none' ? undefined : {model: wanted}),
-    }),
-    h('div', {}, rest.map((each) => numberField([...where, each], {label: each.replaceAll('_', ' '), step: 0.01}))));
+  }[model] ??
+      [];
+  return more(
+      'Measured depth', [[...where, 'model']],
+      choiceField(
+          [...where, 'model'], [['none', 'Exact'], ['structured_light', 'Structured light'], ['stereo', 'Stereo']], {
+            label: 'Depth is',
+            fallback: 'none',
+            choose: (wanted) => set(where, wanted === 'none' ? undefined : {model: wanted}),
+          }),
+      h('div', {}, rest.map((each) => numberField([...where, each], {label: each.replaceAll('_', ' '), step: 0.01}))));
 }
 
 function twin(path) {
-  return more('Recorded pictures', [[...path, 'image_topic'], ['twin']],
-    textField([...path, 'image_topic'], {label: 'Topic with its pictures'}),
-    numberField([...path, 'time_offset'], {label: 'Added to their stamps', unit: 's', step: 0.001}),
-    flowField([...path, 'correction'], {label: 'Correction of its pose'}),
-    choiceField(['twin', 'output'], ['real', 'synthetic', 'both'], {label: 'Images are'}),
-    numberField(['twin', 'every'], {label: 'Every n-th picture', step: 1}),
-    numberField(['twin', 'min_alignment'], {label: 'Least agreement of labels with edges', range: [0, 1], step: 0.05}));
+  return more(
+      'Recorded pictures', [[...path, 'image_topic'], ['twin']],
+      textField([...path, 'image_topic'], {label: 'Topic with its pictures'}),
+      numberField([...path, 'time_offset'], {label: 'Added to their stamps', unit: 's', step: 0.001}),
+      flowField([...path, 'correction'], {label: 'Correction of its pose'}),
+      choiceField(['twin', 'output'], ['real', 'synthetic', 'both'], {label: 'Images are'}),
+      numberField(['twin', 'every'], {label: 'Every n-th picture', step: 1}),
+      numberField(
+          ['twin', 'min_alignment'], {label: 'Least agreement of labels with edges', range: [0, 1], step: 0.05}));
 }

@@ -1,8 +1,8 @@
 import {h} from './dom.js';
-import {answer, change, effective} from './store.js';
 import {flowField, problemList, textField} from './fields.js';
-import {problemsAt, problemsBelow} from './problems.js';
 import {freeName} from './paths.js';
+import {problemsAt, problemsBelow} from './problems.js';
+import {answer, change, effective} from './store.js';
 
 export const formatsPane = {
   id: 'formats',
@@ -25,24 +25,36 @@ function draw() {
   const strange = writers().filter((each) => !known.has(each.type));
   return [
     h('div', {class: 'field', 'data-path': 'writers'}, problemList(problemsAt(['writers']))),
-    writers().length === 0 ? h('p', {class: 'hint unfolded'}, 'No list of formats is set: bounding_shape, yolo and stvnet are written.') : null,
-    h('ul', {class: 'formats'}, [
-      ...strange.map((each) => h('li', {key: `strange ${each.name}`, class: 'format chosen'}, h('div', {class: 'format-head'}, h('strong', {}, String(each.type)), h('span', {class: 'problems'}, 'is no format of the installed plugins')))),
-      ...value.formats.map(format),
-    ]),
+    writers().length === 0 ?
+        h('p', {class: 'hint unfolded'}, 'No list of formats is set: bounding_shape, yolo and stvnet are written.') :
+        null,
+    h('ul', {class: 'formats'},
+      [
+        ...strange.map(
+            (each) =>
+                h('li', {key: `strange ${each.name}`, class: 'format chosen'},
+                  h('div', {class: 'format-head'}, h('strong', {}, String(each.type)),
+                    h('span', {class: 'problems'}, 'is no format of the installed plugins')))),
+        ...value.formats.map(format),
+      ]),
   ];
 }
 
 function format(each) {
   const used = writers().filter((writer) => writer.type === each.type);
   const [library, short] = each.type.includes('/') ? each.type.split('/') : ['', each.type];
-  return h('li', {key: each.type, class: used.length ? 'format chosen' : 'format'},
-    h('div', {class: 'format-head'},
-      h('label', {class: 'toggle plain'}, h('input', {
-        type: 'checkbox', checked: used.length > 0, onchange: (event) => (event.target.checked ? add(each) : remove(each.type)),
-      }), h('strong', {}, short)),
-      h('span', {class: 'format-text'}, each.text ?? '', each.read_by ? `; for ${each.read_by}` : '', library === 'synthetic_dataset' ? '' : `; of ${library}`)),
-    used.map((writer) => options(writer, each)));
+  return h(
+      'li', {key: each.type, class: used.length ? 'format chosen' : 'format'},
+      h('div', {class: 'format-head'},
+        h('label', {class: 'toggle plain'}, h('input', {
+            type: 'checkbox',
+            checked: used.length > 0,
+            onchange: (event) => (event.target.checked ? add(each) : remove(each.type)),
+          }),
+          h('strong', {}, short)),
+        h('span', {class: 'format-text'}, each.text ?? '', each.read_by ? `; for ${each.read_by}` : '',
+          library === 'synthetic_dataset' ? '' : `; of ${library}`)),
+      used.map((writer) => options(writer, each)));
 }
 
 function add({type, name: wanted}) {
@@ -57,18 +69,24 @@ function add({type, name: wanted}) {
 function remove(type) {
   const rest = writers().filter((each) => each.type !== type);
   const names = writers().filter((each) => each.type === type).map((each) => each.name);
-  change([[['writers'], rest.length ? rest : undefined], ...names.filter((each) => effective([each]) !== undefined).map((each) => [[each], undefined])]);
+  change([
+    [['writers'], rest.length ? rest : undefined],
+    ...names.filter((each) => effective([each]) !== undefined).map((each) => [[each], undefined])
+  ]);
 }
 
 function options(writer, {options: list = []}) {
   const name = String(writer.name);
   const isSet = effective([name]) !== undefined;
-  return h('details', {key: name, class: 'options', opened: problemsBelow([name]).length > 0},
-    h('summary', {}, 'Options', isSet ? h('span', {class: 'muted'}, ` ${Object.entries(effective([name])).map(([key, value]) => `${key}: ${value}`).join(', ')}`) : null),
-    h('div', {class: 'field', 'data-path': name},
-      problemList(problemsAt([name])),
-      list.map((each) => field(name, each)),
-      list.length ? null : flowField([name], {label: 'Its settings', hint: 'docs/formats.md has them.'})));
+  return h(
+      'details', {key: name, class: 'options', opened: problemsBelow([name]).length > 0},
+      h('summary', {}, 'Options',
+        isSet ? h('span', {class: 'muted'},
+                  ` ${Object.entries(effective([name])).map(([key, value]) => `${key}: ${value}`).join(', ')}`) :
+                null),
+      h('div', {class: 'field', 'data-path': name}, problemList(problemsAt([name])),
+        list.map((each) => field(name, each)),
+        list.length ? null : flowField([name], {label: 'Its settings', hint: 'docs/formats.md has them.'})));
 }
 
 function field(name, {name: option, default: fallback, text}) {

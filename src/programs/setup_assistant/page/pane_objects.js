@@ -1,11 +1,12 @@
 import {h} from './dom.js';
-import {answer, change, effective, frameOf, objectNames, own, set} from './store.js';
-import {fileField, flowField, more, numberField, section, textField, vectorField, problemList} from './fields.js';
-import {problemsAt, problemsBelow, count as countOf} from './problems.js';
-import {count, fixed} from './numbers.js';
-import {show, view} from './view_state.js';
+import {fileField, flowField, more, numberField, problemList, section, textField, vectorField} from './fields.js';
+import {fixed} from './numbers.js';
 import {freeName} from './paths.js';
 import {modelOf, portrait} from './portrait.js';
+import {count as countOf, problemsAt, problemsBelow} from './problems.js';
+import {candidates, frames} from './recording.js';
+import {change, effective, objectNames, own, set} from './store.js';
+import {show, view} from './view_state.js';
 
 export const objectsPane = {
   id: 'objects',
@@ -24,24 +25,35 @@ function current() {
 function draw() {
   const name = current();
   return [
-    h('div', {'data-path': 'robot_list', class: 'field'},
-      tabs(name),
-      problemList(problemsAt(['robot_list']))),
-    candidates(),
-    name ? h('div', {key: name, class: 'object'}, object(name)) : h('p', {class: 'empty'}, 'No object yet: add one of the frames above, or one by its name.'),
+    h('div', {'data-path': 'robot_list', class: 'field'}, tabs(name), problemList(problemsAt(['robot_list']))),
+    found(),
+    name ? h('div', {key: name, class: 'object'}, object(name)) :
+           h('p', {class: 'empty'}, 'No object yet: add one of the frames above, or one by its name.'),
     classes(),
   ];
 }
 
 function tabs(current) {
-  return h('div', {class: 'tabs', role: 'group', 'aria-label': 'Objects'},
-    objectNames().map((name) => {
-      const {error} = countOf(problemsBelow([name]));
-      return h('button', {
-        key: name, type: 'button', class: error ? 'tab wrong' : 'tab', 'aria-pressed': String(name === current), onclick: () => show({object: name}),
-      }, name);
-    }),
-    h('button', {key: ' add', type: 'button', class: 'tab add', onclick: () => addObject({name: freeName('object', objectNames())})}, '+ Add'));
+  return h(
+      'div', {class: 'tabs', role: 'group', 'aria-label': 'Objects'}, objectNames().map((name) => {
+        const {error} = countOf(problemsBelow([name]));
+        return h(
+            'button', {
+              key: name,
+              type: 'button',
+              class: error ? 'tab wrong' : 'tab',
+              'aria-pressed': String(name === current),
+              onclick: () => show({object: name}),
+            },
+            name);
+      }),
+      h('button', {
+        key: ' add',
+        type: 'button',
+        class: 'tab add',
+        onclick: () => addObject({name: freeName('object', objectNames())})
+      },
+        '+ Add'));
 }
 
 // `frame`: the whole name of a TF frame.
@@ -49,8 +61,10 @@ function addObject({name, frame}) {
   const changes = [[['robot_list'], [...objectNames(), name]]];
   const settings = {class: name.replace(/[_-]?\d+$/, ''), id: name};
   if (frame) {
-    if (frame.startsWith(`${name}/`)) settings.frame_id = frame.slice(name.length + 1);
-    else settings.frame = frame;
+    if (frame.startsWith(`${name}/`))
+      settings.frame_id = frame.slice(name.length + 1);
+    else
+      settings.frame = frame;
   }
   if (effective([name]) === undefined) changes.push([[name], settings]);
   change(changes);
@@ -64,68 +78,74 @@ function removeObject(name) {
 }
 
 // Frames that look like robots and are no objects yet.
-function candidates() {
-  if (effective(['motion']) === 'placement') return null;
-  const {value: recording} = answer('/api/recording');
-  const used = new Set(objectNames().map(frameOf));
-  const found = (recording?.frames ?? []).filter((each) => each.looks_like_robot && !used.has(each.name));
-  const free = found.filter((each) => !objectNames().some((name) => each.name.startsWith(`${name}/`)));
+function found() {
+  const free = candidates();
   if (!free.length) return null;
-  return section('Frames that look like robots', h('ul', {class: 'candidates'}, free.map((frame) => h('li', {key: frame.name},
-    h('code', {}, frame.name), h('span', {class: 'muted'}, frame.moved > 0.001 ? `moves ${fixed(frame.moved, 1)} m` : 'stands'),
-    h('button', {type: 'button', 'aria-label': `Add ${frame.name}`, onclick: () => addObject({name: nameOf(frame.name), frame: frame.name})}, 'Add')))));
-}
-
-function nameOf(frame) {
-  const parts = frame.split('/').filter(Boolean);
-  return freeName(parts.length > 1 ? parts.slice(0, -1).join('_') : parts[0].startsWith('base_') ? 'robot' : parts[0], objectNames());
+  return section(
+      'Frames that look like robots',
+      h('ul', {class: 'candidates'},
+        free.map(
+            ({name, frame, moved}) =>
+                h('li', {key: frame}, h('code', {}, frame),
+                  h('span', {class: 'muted'}, moved > 0.001 ? `moves ${fixed(moved, 1)} m` : 'stands'),
+                  h('button', {
+                    type: 'button',
+                    'aria-label': `Add ${frame}`,
+                    onclick: () => addObject({name: freeName(name, objectNames()), frame})
+                  },
+                    'Add')))));
 }
 
 function object(name) {
   const isPlaced = effective(['motion']) === 'placement';
   const known = modelOf(name);
   return [
-    h('div', {class: 'object-top'},
-      portrait(name),
-      h('div', {class: 'field', 'data-path': name},
-        problemList(problemsAt([name])),
-        h('div', {class: 'pair'},
-          textField([name, 'class'], {label: 'Class', suggestions: classNames()}),
+    h('div', {class: 'object-top'}, portrait(name),
+      h('div', {class: 'field', 'data-path': name}, problemList(problemsAt([name])),
+        h('div', {class: 'pair'}, textField([name, 'class'], {label: 'Class', suggestions: classNames()}),
           textField([name, 'id'], {label: 'Id'})),
-        isPlaced ? numberField([name, 'safety_radius'], {label: 'Distance that others keep', unit: 'm', range: [0, 3], step: 0.05, fallback: known ? 'by its size' : ''})
-          : h('div', {class: 'pair'},
-            textField([name, 'frame_id'], {label: `Frame, after ${name}/`, suggestions: framesBelow(name), class: effective([name, 'frame']) === undefined ? '' : 'overruled'}),
-            textField([name, 'frame'], {label: 'or its whole name', suggestions: allFrames()})),
+        isPlaced ? numberField([name, 'safety_radius'], {
+          label: 'Distance that others keep',
+          unit: 'm',
+          range: [0, 3],
+          step: 0.05,
+          fallback: known ? 'by its size' : ''
+        }) :
+                   h('div', {class: 'pair'}, textField([name, 'frame_id'], {
+                       label: `Frame, after ${name}/`,
+                       suggestions: framesBelow(name),
+                       class: effective([name, 'frame']) === undefined ? '' : 'overruled'
+                     }),
+                     textField([name, 'frame'], {label: 'or its whole name', suggestions: frames()})),
         known ? h('p', {class: 'facts'}, size(known)) : null)),
     fileField([name, 'model'], 'model', {label: 'Model', placeholder: 'the world\u2019s model of its name'}),
     h('section', {class: 'group'}, h('h2', {}, 'Keypoints'), keypoints(name)),
     h('section', {class: 'group'}, h('h2', {}, 'Bounding shape'), shape(name, known)),
-    more('Links, parts, names of keypoints', ['link_frames', 'parts', 'keypoint_names', 'skeleton', 'model_arguments'].map((each) => [name, each]),
-      flowField([name, 'keypoint_names'], {label: 'Names of the keypoints'}),
-      flowField([name, 'skeleton'], {label: 'Lines between keypoints'}),
-      flowField([name, 'link_frames'], {label: 'TF frames of its links'}),
-      flowField([name, 'parts'], {label: 'Parts with labels of their own'}),
-      flowField([name, 'model_arguments'], {label: 'Arguments of a xacro file'})),
+    more(
+        'Links, parts, names of keypoints',
+        ['link_frames', 'parts', 'keypoint_names', 'skeleton', 'model_arguments'].map((each) => [name, each]),
+        flowField([name, 'keypoint_names'], {label: 'Names of the keypoints'}),
+        flowField([name, 'skeleton'], {label: 'Lines between keypoints'}),
+        flowField([name, 'link_frames'], {label: 'TF frames of its links'}),
+        flowField([name, 'parts'], {label: 'Parts with labels of their own'}),
+        flowField([name, 'model_arguments'], {label: 'Arguments of a xacro file'})),
     h('p', {}, h('button', {type: 'button', class: 'danger', onclick: () => removeObject(name)}, `Remove ${name}`)),
   ];
 }
 
-function size({low, high, links}) {
+function size({low, high}) {
   if (!low || !high) return '';
   const sides = high.map((each, index) => fixed(each - low[index])).join(' \u00d7 ');
-  return `Its model is ${sides} m${links?.length ? ` and has ${count(links.length, 'link')}` : ''}.`;
+  return `Its model is ${sides} m.`;
 }
 
 function classNames() {
-  return [...new Set(objectNames().map((each) => effective([each, 'class'])).filter((each) => each !== undefined).map(String))];
-}
-
-function allFrames() {
-  return (answer('/api/recording').value?.frames ?? []).map((each) => each.name);
+  return [...new Set(
+      objectNames().map((each) => effective([each, 'class'])).filter((each) => each !== undefined).map(String))];
 }
 
 function framesBelow(name) {
-  return allFrames().filter((each) => each.startsWith(`${name}/`)).map((each) => each.slice(name.length + 1));
+  return frames().filter((each) => each.startsWith(`${name}/`)).map((each) => each.slice(name.length + 1));
 }
 
 function keypoints(name) {
@@ -136,12 +156,23 @@ function keypoints(name) {
   const names = effective([name, 'keypoint_names']) ?? [];
   return [
     h('div', {class: 'field', 'data-path': path.join('/')},
-      h('p', {class: 'hint unfolded'}, 'Turn on \u201cPick\u201d beside the model and click on it to add a point, or let points be chosen on its surface.'),
+      h('p', {class: 'hint unfolded'},
+        'Turn on \u201cPick\u201d beside the model and click on it to add a point, or let points be chosen on its surface.'),
       problemList(problemsAt(path)),
-      h('div', {class: 'points'}, list.map((point, index) => h('div', {key: index, class: 'point'},
-        h('span', {class: 'point-name'}, names[index] ?? index),
-        vectorField([...path, index], ['x', 'y', 'z'], {label: `Keypoint ${names[index] ?? index}`, hint: '', step: 0.01, class: 'bare'}),
-        h('button', {type: 'button', class: 'quiet', 'aria-label': `Remove keypoint ${names[index] ?? index}`, onclick: () => removePoint(path, list, index)}, '\u00d7')))),
+      h('div', {class: 'points'},
+        list.map(
+            (point, index) =>
+                h('div', {key: index, class: 'point'}, h('span', {class: 'point-name'}, names[index] ?? index),
+                  vectorField(
+                      [...path, index], ['x', 'y', 'z'],
+                      {label: `Keypoint ${names[index] ?? index}`, hint: '', step: 0.01, class: 'bare'}),
+                  h('button', {
+                    type: 'button',
+                    class: 'quiet',
+                    'aria-label': `Remove keypoint ${names[index] ?? index}`,
+                    onclick: () => removePoint(path, list, index)
+                  },
+                    '\u00d7')))),
       h('p', {class: 'buttons'},
         h('button', {type: 'button', onclick: () => addPoint(path, list, [0, 0, 0])}, 'Add at the origin'),
         h('button', {type: 'button', onclick: () => set(path, {farthest_points: 9})}, 'Choose 9 on its surface'))),
@@ -154,7 +185,8 @@ export function addPoint(path, list, point) {
 
 function removePoint(path, list, index) {
   if (list.length === 1) return set(path, undefined);
-  return own(path) === undefined ? set(path, list.filter((each, at) => at !== index)) : set([...path, index], undefined);
+  return own(path) === undefined ? set(path, list.filter((each, at) => at !== index)) :
+                                   set([...path, index], undefined);
 }
 
 const CORNERS = [[1, 1, 0], [1, 0, 0], [0, 0, 0], [0, 1, 0], [1, 1, 1], [1, 0, 1], [0, 0, 1], [0, 1, 1]];
@@ -162,20 +194,28 @@ const CORNERS = [[1, 1, 0], [1, 0, 0], [0, 0, 0], [0, 1, 0], [1, 1, 1], [1, 0, 1
 function shape(name, known) {
   const path = [name, 'bounding_shape'];
   const value = effective(path);
-  const corners = known?.low && CORNERS.map((corner) => corner.map((isHigh, axis) => Number((isHigh ? known.high : known.low)[axis].toFixed(3))));
+  const corners = known?.low &&
+      CORNERS.map((corner) => corner.map((isHigh, axis) => Number((isHigh ? known.high : known.low)[axis].toFixed(3))));
   return [
     flowField(path, {label: 'Points around it, or model_box', unit: 'm', fallback: 'model_box'}),
     h('p', {class: 'buttons'},
-      h('button', {type: 'button', disabled: value === undefined || value === 'model_box', onclick: () => set(path, undefined)}, 'The model\u2019s box'),
-      h('button', {type: 'button', disabled: !corners, onclick: () => set(path, corners)}, 'Write the box\u2019s corners')),
+      h('button',
+        {type: 'button', disabled: value === undefined || value === 'model_box', onclick: () => set(path, undefined)},
+        'The model\u2019s box'),
+      h('button', {type: 'button', disabled: !corners, onclick: () => set(path, corners)},
+        'Write the box\u2019s corners')),
   ];
 }
 
 function classes() {
-  return more('Classes, and which objects get labels', [['classes'], ['world_classes'], ['labels']],
-    flowField(['classes'], {label: 'Order of the classes'}),
-    flowField(['world_classes'], {label: 'Classes of the world'}),
-    numberField(['labels', 'min_visibility'], {label: 'Least visible share', range: [0, 1], step: 0.01, fallback: 0}),
-    numberField(['labels', 'min_pixels'], {label: 'Fewest visible pixels', unit: 'px', range: [0, 400], step: 1, fallback: 'one, mostly'}),
-    numberField(['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', unit: 'm', step: 0.005}));
+  return more(
+      'Classes, and which objects get labels', [['classes'], ['world_classes'], ['labels']],
+      flowField(['classes'], {label: 'Order of the classes'}),
+      flowField(['world_classes'], {label: 'Classes of the world'}),
+      numberField(['labels', 'min_visibility'], {label: 'Least visible share', range: [0, 1], step: 0.01, fallback: 0}),
+      numberField(
+          ['labels', 'min_pixels'],
+          {label: 'Fewest visible pixels', unit: 'px', range: [0, 400], step: 1, fallback: 'one, mostly'}),
+      numberField(
+          ['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', unit: 'm', step: 0.005}));
 }

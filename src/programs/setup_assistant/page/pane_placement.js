@@ -1,20 +1,26 @@
 import {h} from './dom.js';
-import {answer, effective, set} from './store.js';
 import {choiceField, fileField, more, numberField, section, textField, vectorField} from './fields.js';
 import {map} from './figure_map.js';
 import {count} from './numbers.js';
+import {answer, effective, set} from './store.js';
 
 export const placementPane = {
   id: 'placement',
   title: 'Without a recording',
   text: 'Objects are put somewhere else for each scene: on the free cells of a map, in a box, or dropped from it.',
   paths: () => [['motion'], ['placement'], ['scenes']],
-  summary: () => (effective(['motion']) === 'placement' ? `${effective(['placement', 'mode']) ?? 'map'}${effective(['scenes']) ? `, ${count(effective(['scenes']), 'scene')}` : ''}` : 'not used'),
+  summary: () =>
+      (effective(['motion']) === 'placement' ?
+           `${effective(['placement', 'mode']) ?? 'map'}${
+               effective(['scenes']) ? `, ${count(effective(['scenes']), 'scene')}` : ''}` :
+                                       'not used'),
   draw,
 };
 
 function draw() {
-  const motion = choiceField(['motion'], [['bag', 'Follow a recording'], ['placement', 'Place at random']], {label: 'Objects\u2019 poses', fallback: 'bag'});
+  const motion = choiceField(
+      ['motion'], [['bag', 'Follow a recording'], ['placement', 'Place at random']],
+      {label: 'Objects\u2019 poses', fallback: 'bag'});
   if (effective(['motion']) !== 'placement') {
     return [motion, h('p', {class: 'empty'}, 'Objects follow the recording, so nothing is placed at random.')];
   }
@@ -22,10 +28,15 @@ function draw() {
   return [
     motion,
     numberField(['scenes'], {label: 'Scenes of each camera', step: 10}),
-    section('Where', choiceField(['placement', 'mode'], [['map', 'On a map'], ['volume', 'In a box'], ['drop', 'Dropped']], {label: 'Objects are put', fallback: 'map'}),
-      mode === 'map' ? onMap() : inBox(mode),
-      from(mode)),
-    more('How hard it is tried', [['placement', 'tries']], numberField(['placement', 'tries'], {label: 'Positions tried for each object', step: 100})),
+    section(
+        'Where',
+        choiceField(
+            ['placement', 'mode'], [['map', 'On a map'], ['volume', 'In a box'], ['drop', 'Dropped']],
+            {label: 'Objects are put', fallback: 'map'}),
+        mode === 'map' ? onMap() : inBox(mode), from(mode)),
+    more(
+        'How hard it is tried', [['placement', 'tries']],
+        numberField(['placement', 'tries'], {label: 'Positions tried for each object', step: 100})),
   ];
 }
 
@@ -34,25 +45,41 @@ function onMap() {
   return [
     fileField(['placement', 'map'], 'yaml,map,any', {label: 'Map of map_server'}),
     textField(['placement', 'map_topic'], {label: 'or a topic', hint: 'Of type nav_msgs/OccupancyGrid, of the bags.'}),
-    choiceField(['placement', 'surface'], [['below', 'On what is below'], ['none', 'At a height']], {label: 'They stand', fallback: 'below'}),
-    surface === 'none' ? numberField(['placement', 'height'], {label: 'Height', unit: 'm', range: [0, 5], step: 0.1, fallback: 0}) : [
-      numberField(['placement', 'highest_surface'], {label: 'Not on what is higher', unit: 'm', range: [0, 5], step: 0.1}),
-      numberField(['placement', 'steepest'], {label: 'Steepest surface', unit: 'rad', range: [0, 1.5], step: 0.05}),
-      numberField(['placement', 'unevenness'], {label: 'Unevenness', unit: 'm', range: [0, 0.5], step: 0.01}),
-    ],
+    choiceField(
+        ['placement', 'surface'], [['below', 'On what is below'], ['none', 'At a height']],
+        {label: 'They stand', fallback: 'below'}),
+    surface === 'none' ?
+        numberField(['placement', 'height'], {label: 'Height', unit: 'm', range: [0, 5], step: 0.1, fallback: 0}) :
+        [
+          numberField(
+              ['placement', 'highest_surface'], {label: 'Not on what is higher', unit: 'm', range: [0, 5], step: 0.1}),
+          numberField(['placement', 'steepest'], {label: 'Steepest surface', unit: 'rad', range: [0, 1.5], step: 0.05}),
+          numberField(['placement', 'unevenness'], {label: 'Unevenness', unit: 'm', range: [0, 0.5], step: 0.01}),
+        ],
   ];
 }
 
 function inBox(mode) {
   if (effective(['placement', 'volume']) === undefined) {
-    return h('p', {class: 'buttons'}, h('button', {type: 'button', class: 'primary', onclick: () => set(['placement', 'volume'], {min: [-2, -2, 0.5], max: [2, 2, 1.5]})}, 'Set a box'));
+    return h(
+        'p', {class: 'buttons'},
+        h('button', {
+          type: 'button',
+          class: 'primary',
+          onclick: () => set(['placement', 'volume'], {min: [-2, -2, 0.5], max: [2, 2, 1.5]})
+        },
+          'Set a box'));
   }
   return [
     h('div', {class: 'pair'},
       vectorField(['placement', 'volume', 'min'], ['x', 'y', 'z'], {label: 'Box from', unit: 'm', step: 0.1, hint: ''}),
       vectorField(['placement', 'volume', 'max'], ['x', 'y', 'z'], {label: 'to', unit: 'm', step: 0.1, hint: ''})),
-    choiceField(['placement', 'orientation'], [['random', 'any'], ['upright', 'upright']], {label: 'Orientation', fallback: 'random'}),
-    mode === 'drop' ? numberField(['placement', 'fall_time'], {label: 'Has to rest within', unit: 's', range: [1, 30], step: 0.5}) : null,
+    choiceField(
+        ['placement', 'orientation'], [['random', 'any'], ['upright', 'upright']],
+        {label: 'Orientation', fallback: 'random'}),
+    mode === 'drop' ?
+        numberField(['placement', 'fall_time'], {label: 'Has to rest within', unit: 's', range: [1, 30], step: 0.5}) :
+        null,
   ];
 }
 
@@ -61,5 +88,10 @@ function from(mode) {
   const occupancy = mode === 'map' ? answer('/api/placement').value : null;
   const volume = effective(['placement', 'volume']);
   const boxes = mode !== 'map' && volume?.min && volume?.max ? [{low: volume.min, high: volume.max}] : [];
-  return map({picture: occupancy?.picture ?? world?.map, extent: occupancy?.extent ?? world?.map_extent, boxes, label: 'Where objects may be, from above'});
+  return map({
+    picture: occupancy?.picture ?? world?.map,
+    extent: occupancy?.extent ?? world?.map_extent,
+    boxes,
+    label: 'Where objects may be, from above'
+  });
 }

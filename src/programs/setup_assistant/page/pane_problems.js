@@ -1,11 +1,13 @@
 import {h} from './dom.js';
-import {changed, checkAll, store} from './store.js';
-import {allProblems, SEVERITIES, sentence} from './problems.js';
-import {keyOf} from './paths.js';
 import {count} from './numbers.js';
+import {keyOf} from './paths.js';
+import {allProblems, sentence, SEVERITIES} from './problems.js';
+import {changed, checkAll, store} from './store.js';
 import {goToLine} from './yaml_editor.js';
 
-const checking = {isOn: false};
+const checking = {
+  isOn: false
+};
 
 export const problemsPane = {
   id: 'problems',
@@ -21,10 +23,15 @@ function draw() {
   const problems = allProblems();
   return [
     h('p', {class: 'buttons'},
-      h('button', {type: 'button', class: 'primary', disabled: checking.isOn || Boolean(error), onclick: check}, checking.isOn ? 'Checking\u2026' : 'Check with nine scenes'),
+      h('button', {type: 'button', class: 'primary', disabled: checking.isOn || Boolean(error), onclick: check},
+        checking.isOn ? 'Checking\u2026' : 'Check with nine scenes'),
       h('span', {class: 'muted'}, 'Makes scenes all over the run and looks for what is odd about them.')),
-    error ? h('ul', {class: 'problems all'}, h('li', {class: 'error'}, h('span', {class: 'severity'}, 'error'), ' ',
-      h('button', {type: 'button', class: 'link', onclick: () => goToLine(error.line ?? 1)}, `The text is no YAML: line ${error.line}`), ` ${error.message}`)) : null,
+    error ? h('ul', {class: 'problems all'},
+              h('li', {class: 'error'}, h('span', {class: 'severity'}, 'error'), ' ',
+                h('button', {type: 'button', class: 'link', onclick: () => goToLine(error.line ?? 1)},
+                  `The text is no YAML: line ${error.line}`),
+                ` ${error.message}`)) :
+            null,
     h('div', {}, SEVERITIES.map((severity) => list(severity, problems.filter((each) => each.severity === severity)))),
     problems.length || error ? null : h('p', {class: 'empty'}, 'Nothing is wrong.'),
   ];
@@ -40,9 +47,14 @@ async function check() {
 
 function list(severity, problems) {
   if (!problems.length) return null;
-  return h('section', {class: 'group', key: severity}, h('h2', {}, count(problems.length, severity)),
-    h('ul', {class: 'problems all'}, problems.map((each) => h('li', {class: severity},
-      h('span', {class: 'about'}, link(each)), h('span', {class: 'found'}, sentence(each)), each.cure ? h('span', {class: 'cure'}, each.cure) : null))));
+  return h(
+      'section', {class: 'group', key: severity}, h('h2', {}, count(problems.length, severity)),
+      h('ul', {class: 'problems all'},
+        problems.map(
+            (each) =>
+                h('li', {class: severity}, h('span', {class: 'about'}, link(each)),
+                  h('span', {class: 'found'}, sentence(each)),
+                  each.cure ? h('span', {class: 'cure'}, each.cure) : null))));
 }
 
 function link(problem) {

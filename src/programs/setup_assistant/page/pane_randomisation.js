@@ -1,8 +1,8 @@
-import {h} from './dom.js';
-import {answer, askAgain, effective, objectNames, own, set} from './store.js';
-import {choiceField, fileField, fileListField, numberField, section, textField, vectorField, flowField} from './fields.js';
-import {currentCamera} from './view_state.js';
 import {distribution} from './distribution.js';
+import {h} from './dom.js';
+import {choiceField, fileField, fileListField, flowField, numberField, section, textField, vectorField} from './fields.js';
+import {answer, askAgain, effective, objectNames, own, set} from './store.js';
+import {currentCamera} from './view_state.js';
 
 const PRESET = '$(find synthetic_dataset)/config/randomize_default.yaml';
 
@@ -23,13 +23,23 @@ function draw() {
     preset(),
     section('Light', lights(), light()),
     section('Surfaces', surfaces()),
-    section('Camera',
-      distribution(root('sensor', 'exposure'), {label: 'Exposure', unit: 'stops', range: [-3, 3], start: {normal: [0, 0.35], min: -0.7, max: 0.7}}),
-      distribution(root('sensor', 'blur'), {label: 'Blur', unit: 'px', range: [0, 5], start: {uniform: [0, 0.8]}}),
-      distribution(root('sensor', 'noise_stddev'), {label: 'Noise', range: [0, 0.1], start: {uniform: [0, 0.015]}}),
-      distribution(root('sensor', 'field_of_view'), {label: 'Field of view', unit: 'rad', range: [0.2, 3], start: {uniform: [0.7, 1.4]}})),
-    effective(['motion']) === 'placement' ? null : section('Time',
-      distribution(root('time', 'jitter'), {label: 'Later or earlier by', unit: 's', range: [-0.1, 0.1], start: {uniform: [-0.01, 0.01]}})),
+    section(
+        'Camera',
+        distribution(
+            root('sensor', 'exposure'),
+            {label: 'Exposure', unit: 'stops', range: [-3, 3], start: {normal: [0, 0.35], min: -0.7, max: 0.7}}),
+        distribution(root('sensor', 'blur'), {label: 'Blur', unit: 'px', range: [0, 5], start: {uniform: [0, 0.8]}}),
+        distribution(root('sensor', 'noise_stddev'), {label: 'Noise', range: [0, 0.1], start: {uniform: [0, 0.015]}}),
+        distribution(
+            root('sensor', 'field_of_view'),
+            {label: 'Field of view', unit: 'rad', range: [0.2, 3], start: {uniform: [0.7, 1.4]}})),
+    effective(['motion']) === 'placement' ?
+        null :
+        section(
+            'Time',
+            distribution(
+                root('time', 'jitter'),
+                {label: 'Later or earlier by', unit: 's', range: [-0.1, 0.1], start: {uniform: [-0.01, 0.01]}})),
     background(),
     section('Objects', objects()),
     distractors(),
@@ -41,13 +51,17 @@ function draws() {
   const query = {count: 9, camera: currentCamera()};
   const {value, error, isAsked} = answer('/api/draws', query);
   const pictures = value?.pictures ?? [];
-  return h('section', {class: 'group draws', key: 'draws'},
-    h('div', {class: 'draws-head'}, h('h2', {}, 'Nine draws'), h('span', {class: 'muted', role: 'status'}, error ?? (isAsked ? 'drawing\u2026' : '')),
-      h('button', {type: 'button', class: 'quiet', onclick: () => askAgain('/api/draws')}, 'Draw anew')),
-    h('div', {class: isAsked ? 'nine old' : 'nine'}, Array.from({length: 9}, (unused, index) => {
-      const each = pictures[index];
-      return h('div', {class: 'draw', title: each ? drawsText(each.draws) : null}, each ? h('img', {src: each.picture, alt: `Draw ${index + 1}`}) : null);
-    })));
+  return h(
+      'section', {class: 'group draws', key: 'draws'},
+      h('div', {class: 'draws-head'}, h('h2', {}, 'Nine draws'),
+        h('span', {class: 'muted', role: 'status'}, error ?? (isAsked ? 'drawing\u2026' : '')),
+        h('button', {type: 'button', class: 'quiet', onclick: () => askAgain('/api/draws')}, 'Draw anew')),
+      h('div', {class: isAsked ? 'nine old' : 'nine'}, Array.from({length: 9}, (unused, index) => {
+        const each = pictures[index];
+        return h(
+            'div', {class: 'draw', title: each ? drawsText(each.draws) : null},
+            each ? h('img', {src: each.picture, alt: `Draw ${index + 1}`}) : null);
+      })));
 }
 
 function drawsText(draws = {}) {
@@ -58,12 +72,19 @@ function preset() {
   const includes = [].concat(own(['include']) ?? []);
   const isIncluded = includes.some((each) => String(each).includes('randomize_default'));
   const put = (list) => set(['include'], list.length === 0 ? undefined : list.length === 1 ? list[0] : list);
-  return h('div', {class: 'field preset', 'data-path': 'include'},
-    h('label', {class: 'toggle plain'}, h('input', {
-      type: 'checkbox', class: 'switch', role: 'switch', checked: isIncluded,
-      onchange: (event) => put(event.target.checked ? [...includes, PRESET] : includes.filter((each) => !String(each).includes('randomize_default'))),
-    }), h('span', {}, 'Begin with the preset that suits any world')),
-    h('p', {class: 'hint'}, 'config/randomize_default.yaml is included; what is set here overrides it.'));
+  return h(
+      'div', {class: 'field preset', 'data-path': 'include'},
+      h('label', {class: 'toggle plain'}, h('input', {
+          type: 'checkbox',
+          class: 'switch',
+          role: 'switch',
+          checked: isIncluded,
+          onchange: (event) =>
+              put(event.target.checked ? [...includes, PRESET] :
+                                         includes.filter((each) => !String(each).includes('randomize_default'))),
+        }),
+        h('span', {}, 'Begin with the preset that suits any world')),
+      h('p', {class: 'hint'}, 'config/randomize_default.yaml is included; what is set here overrides it.'));
 }
 
 // Entries of groups by name: every light, or one alone.
@@ -72,7 +93,9 @@ function named(group, names, draw) {
     const path = root(group, name);
     const isSet = effective(path) !== undefined;
     if (index === 0) return h('div', {key: name}, draw(name));
-    return h('details', {key: name, opened: isSet, class: 'named'}, h('summary', {}, name, isSet ? h('span', {class: 'dot', title: 'has entries of its own'}) : null), draw(name));
+    return h(
+        'details', {key: name, opened: isSet, class: 'named'},
+        h('summary', {}, name, isSet ? h('span', {class: 'dot', title: 'has entries of its own'}) : null), draw(name));
   }));
 }
 
@@ -81,16 +104,27 @@ function namesIn(group, first, known) {
 }
 
 function lights() {
-  const known = (answer('/api/world').value?.lights ?? []).map((each) => each.name ?? each).filter((each) => typeof each === 'string');
+  const known = (answer('/api/world').value?.lights ?? [])
+                    .map((each) => each.name ?? each)
+                    .filter((each) => typeof each === 'string');
   return named('lights', namesIn('lights', ['every'], known), (name) => {
     const label = name === 'every' ? 'Every light\u2019s ' : '';
     const at = (entry) => root('lights', name, entry);
     const capital = (text) => (label ? label + text : text[0].toUpperCase() + text.slice(1));
     return [
       distribution(at('intensity'), {label: capital('brightness'), range: [0, 3], start: {uniform: [0.5, 1.3]}}),
-      distribution(at('colour'), {label: capital('colour'), range: [0, 1], start: {uniform: [[0.85, 0.8, 0.65], [1, 1, 1]]}, isColour: true}),
-      distribution(at('elevation'), {label: capital('height above the horizon'), unit: 'rad', range: [-1.57, 1.57], start: {uniform: [0.5, 1.35]}}),
-      distribution(at('azimuth'), {label: capital('direction'), unit: 'rad', range: [-3.1416, 3.1416], start: {uniform: [-3.1416, 3.1416]}}),
+      distribution(
+          at('colour'),
+          {label: capital('colour'), range: [0, 1], start: {uniform: [[0.85, 0.8, 0.65], [1, 1, 1]]}, isColour: true}),
+      distribution(at('elevation'), {
+        label: capital('height above the horizon'),
+        unit: 'rad',
+        range: [-1.57, 1.57],
+        start: {uniform: [0.5, 1.35]}
+      }),
+      distribution(
+          at('azimuth'),
+          {label: capital('direction'), unit: 'rad', range: [-3.1416, 3.1416], start: {uniform: [-3.1416, 3.1416]}}),
       distribution(at('shift'), {label: capital('shift'), unit: 'm', range: [-2, 2], start: {normal: [0, 0.2]}}),
       numberField(at('present'), {label: capital('chance to be on'), range: [0, 1], step: 0.01, fallback: 1}),
     ];
@@ -99,7 +133,12 @@ function lights() {
 
 function light() {
   return [
-    distribution(root('ambient'), {label: 'Light that is everywhere', range: [0, 1], start: {uniform: [[0.42, 0.42, 0.45], [0.68, 0.68, 0.68]]}, isColour: true}),
+    distribution(root('ambient'), {
+      label: 'Light that is everywhere',
+      range: [0, 1],
+      start: {uniform: [[0.42, 0.42, 0.45], [0.68, 0.68, 0.68]]},
+      isColour: true
+    }),
     distribution(root('light_count'), {label: 'How many lights are on', range: [0, 10], start: {choice: [1, 2]}}),
   ];
 }
@@ -108,12 +147,18 @@ function surfaces() {
   const names = namesIn('materials', ['world', 'objects', 'distractors'], []);
   return named('materials', names, (name) => {
     const at = (entry) => root('materials', name, entry);
-    const of = {world: 'World\u2019s', objects: 'Objects\u2019', distractors: 'Clutter\u2019s'}[name] ?? `${name}\u2019s`;
+    const of = {world: 'World\u2019s', objects: 'Objects\u2019', distractors: 'Clutter\u2019s'}[name] ??
+        `${name}\u2019s`;
     return [
-      distribution(at('tint'), {label: `${of} tint`, range: [0, 1], start: {uniform: [[0.6, 0.6, 0.6], [1, 1, 1]]}, isColour: true}),
-      distribution(at('colour'), {label: `${of} colour`, range: [0, 1], start: {uniform: [[0.3, 0.3, 0.3], [1, 1, 1]]}, isColour: true}),
+      distribution(
+          at('tint'),
+          {label: `${of} tint`, range: [0, 1], start: {uniform: [[0.6, 0.6, 0.6], [1, 1, 1]]}, isColour: true}),
+      distribution(
+          at('colour'),
+          {label: `${of} colour`, range: [0, 1], start: {uniform: [[0.3, 0.3, 0.3], [1, 1, 1]]}, isColour: true}),
       distribution(at('roughness'), {label: `${of} roughness`, range: [0, 1], start: {uniform: [0.3, 1]}}),
-      distribution(at('metalness'), {label: `${of} metalness`, range: [0, 1], start: {choice: [0, 1], weights: [4, 1]}}),
+      distribution(
+          at('metalness'), {label: `${of} metalness`, range: [0, 1], start: {choice: [0, 1], weights: [4, 1]}}),
       fileField(at('textures'), 'folder', {label: `${of} textures`, placeholder: 'a folder, or procedural'}),
       choiceField(at('for_each'), ['visual', 'model'], {label: 'Drawn for each', fallback: 'visual'}),
     ];
@@ -122,30 +167,60 @@ function surfaces() {
 
 function background() {
   const value = effective(root('background'));
-  const isGroup = value !== undefined && typeof value === 'object' && !Array.isArray(value) && !['uniform', 'normal', 'choice', 'log_uniform'].some((each) => each in value);
-  return section('Background',
-    isGroup ? [
-      fileField(root('background', 'pictures'), 'folder', {label: 'A folder of pictures'}),
-      choiceField(root('background', 'projection'), ['backdrop', 'panorama'], {label: 'They are', fallback: 'backdrop'}),
-      numberField(root('background', 'present'), {label: 'Chance of one', range: [0, 1], step: 0.05, fallback: 1}),
-      distribution(root('background', 'brightness'), {label: 'Brightness', range: [0, 3], start: {uniform: [0.7, 1.2]}}),
-      distribution(root('background', 'colour'), {label: 'Colour without one', range: [0, 1], start: {uniform: [[0.3, 0.3, 0.3], [0.9, 0.9, 0.9]]}, isColour: true}),
-      h('p', {class: 'buttons'}, h('button', {type: 'button', onclick: () => set(root('background'), undefined)}, 'No background')),
-    ] : [
-      distribution(root('background'), {label: 'Colour behind everything', range: [0, 1], start: {uniform: [[0.3, 0.3, 0.3], [0.9, 0.9, 0.9]]}, isColour: true}),
-      h('p', {class: 'buttons'}, h('button', {type: 'button', onclick: () => set(root('background'), {pictures: '', ...(value === undefined ? {} : {colour: value})})}, 'Pictures\u2026')),
-    ]);
+  const isGroup = value !== undefined && typeof value === 'object' && !Array.isArray(value) &&
+      !['uniform', 'normal', 'choice', 'log_uniform'].some((each) => each in value);
+  return section(
+      'Background',
+      isGroup ?
+          [
+            fileField(root('background', 'pictures'), 'folder', {label: 'A folder of pictures'}),
+            choiceField(
+                root('background', 'projection'), ['backdrop', 'panorama'], {label: 'They are', fallback: 'backdrop'}),
+            numberField(
+                root('background', 'present'), {label: 'Chance of one', range: [0, 1], step: 0.05, fallback: 1}),
+            distribution(
+                root('background', 'brightness'), {label: 'Brightness', range: [0, 3], start: {uniform: [0.7, 1.2]}}),
+            distribution(root('background', 'colour'), {
+              label: 'Colour without one',
+              range: [0, 1],
+              start: {uniform: [[0.3, 0.3, 0.3], [0.9, 0.9, 0.9]]},
+              isColour: true
+            }),
+            h('p', {class: 'buttons'},
+              h('button', {type: 'button', onclick: () => set(root('background'), undefined)}, 'No background')),
+          ] :
+          [
+            distribution(root('background'), {
+              label: 'Colour behind everything',
+              range: [0, 1],
+              start: {uniform: [[0.3, 0.3, 0.3], [0.9, 0.9, 0.9]]},
+              isColour: true
+            }),
+            h('p', {class: 'buttons'},
+              h('button', {
+                type: 'button',
+                onclick: () => set(root('background'), {pictures: '', ...(value === undefined ? {} : {colour: value})})
+              },
+                'Pictures\u2026')),
+          ]);
 }
 
 function objects() {
   return named('objects', namesIn('objects', ['every'], objectNames()), (name) => {
     const at = (entry) => root('objects', name, entry);
     return [
-      numberField(at('present'), {label: name === 'every' ? 'Chance of every object to be there' : 'Chance to be there', range: [0, 1], step: 0.01, fallback: 1}),
-      name === 'every' ? null : [
-        distribution(at('scale'), {label: 'Size', unit: 'times', range: [0.2, 3], start: {uniform: [0.8, 1.25]}}),
-        flowField(at('model'), {label: 'Another model'}),
-      ],
+      numberField(at('present'), {
+        label: name === 'every' ? 'Chance of every object to be there' : 'Chance to be there',
+        range: [0, 1],
+        step: 0.01,
+        fallback: 1
+      }),
+      name === 'every' ?
+          null :
+          [
+            distribution(at('scale'), {label: 'Size', unit: 'times', range: [0.2, 3], start: {uniform: [0.8, 1.25]}}),
+            flowField(at('model'), {label: 'Another model'}),
+          ],
     ];
   });
 }
@@ -155,20 +230,27 @@ function distractors() {
   const isOn = effective(path) !== undefined;
   const at = (entry) => [...path, entry];
   const start = {volume: {min: [-4, -3, 0.1], max: [4, 3, 2.2]}, count: {uniform: [0, 8]}};
-  return section('Clutter',
-    h('div', {class: 'field', 'data-path': path.join('/')},
-      h('label', {class: 'toggle plain'}, h('input', {
-        type: 'checkbox', class: 'switch', role: 'switch', checked: isOn, onchange: (event) => set(path, event.target.checked ? start : undefined),
-      }), h('span', {}, 'Things without a label between the objects'))),
-    isOn ? h('div', {},
-      distribution(at('count'), {label: 'How many', range: [0, 40], start: {uniform: [0, 8]}}),
-      distribution(at('size'), {label: 'Size', unit: 'm', range: [0.01, 2], start: {log_uniform: [0.08, 0.4]}}),
-      choiceField(at('mode'), ['fly', 'stand', 'drop'], {label: 'They', fallback: 'fly'}),
-      h('div', {class: 'pair'},
-        vectorField([...at('volume'), 'min'], ['x', 'y', 'z'], {label: 'Box from', unit: 'm', hint: ''}),
-        vectorField([...at('volume'), 'max'], ['x', 'y', 'z'], {label: 'to', unit: 'm', hint: ''})),
-      fileField(at('textures'), 'folder', {label: 'Their textures', placeholder: 'procedural'}),
-      fileListField(at('models'), 'model', {label: 'Models instead', isList: true}),
-      textField(at('class'), {label: 'Class, if they are to be labelled'}),
-      numberField(at('pool'), {label: 'Different ones in the run', step: 1})) : null);
+  return section(
+      'Clutter',
+      h('div', {class: 'field', 'data-path': path.join('/')},
+        h('label', {class: 'toggle plain'}, h('input', {
+            type: 'checkbox',
+            class: 'switch',
+            role: 'switch',
+            checked: isOn,
+            onchange: (event) => set(path, event.target.checked ? start : undefined),
+          }),
+          h('span', {}, 'Things without a label between the objects'))),
+      isOn ?
+          h('div', {}, distribution(at('count'), {label: 'How many', range: [0, 40], start: {uniform: [0, 8]}}),
+            distribution(at('size'), {label: 'Size', unit: 'm', range: [0.01, 2], start: {log_uniform: [0.08, 0.4]}}),
+            choiceField(at('mode'), ['fly', 'stand', 'drop'], {label: 'They', fallback: 'fly'}),
+            h('div', {class: 'pair'},
+              vectorField([...at('volume'), 'min'], ['x', 'y', 'z'], {label: 'Box from', unit: 'm', hint: ''}),
+              vectorField([...at('volume'), 'max'], ['x', 'y', 'z'], {label: 'to', unit: 'm', hint: ''})),
+            fileField(at('textures'), 'folder', {label: 'Their textures', placeholder: 'procedural'}),
+            fileListField(at('models'), 'model', {label: 'Models instead', isList: true}),
+            textField(at('class'), {label: 'Class, if they are to be labelled'}),
+            numberField(at('pool'), {label: 'Different ones in the run', step: 1})) :
+          null);
 }

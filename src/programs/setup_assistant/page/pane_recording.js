@@ -1,18 +1,24 @@
 import {h} from './dom.js';
-import {answer, effective} from './store.js';
 import {choiceField, fileListField, flowField, more, numberField, section, textField} from './fields.js';
-import {count, duration, fileName} from './numbers.js';
 import {map} from './figure_map.js';
 import {timeline} from './figure_timeline.js';
+import {count, duration, fileName} from './numbers.js';
+import {waysOfObjects} from './recording.js';
+import {answer, effective} from './store.js';
 
-const PATHS = ['bag_file', 'simulated_rate', 'start_offset', 'duration', 'max_tf_gap', 'stretch', 'tf_topics', 'pose_topics', 'global_frame', 'motions'];
+const PATHS = [
+  'bag_file', 'simulated_rate', 'start_offset', 'duration', 'max_tf_gap', 'stretch', 'tf_topics', 'pose_topics',
+  'global_frame', 'motions'
+];
 
 export const recordingPane = {
   id: 'recording',
   title: 'Recording',
   text: 'The bag with the TF tree says where objects and cameras are. Without a bag, objects are placed at random.',
   paths: () => PATHS.map((each) => [each]),
-  summary: () => (effective(['motion']) === 'placement' ? 'none' : [].concat(effective(['bag_file']) ?? []).map(fileName).join(', ')),
+  summary: () =>
+      (effective(['motion']) === 'placement' ? 'none' :
+                                               [].concat(effective(['bag_file']) ?? []).map(fileName).join(', ')),
   draw,
 };
 
@@ -20,38 +26,47 @@ function draw() {
   if (effective(['motion']) === 'placement') return [motionChoice(), withoutRecording()];
   const {value: recording, error} = answer('/api/recording');
   const frames = (recording?.frames ?? []).map((each) => each.name);
-  const roots = [...new Set((recording?.frames ?? []).map((each) => each.parent).filter((each) => each && !frames.includes(each)))];
+  const roots = [...new Set(
+      (recording?.frames ?? []).map((each) => each.parent).filter((each) => each && !frames.includes(each)))];
   const length = recording?.duration;
   return [
     motionChoice(),
     section('Bags', fileListField(['bag_file'], 'bag', {label: 'Bags'})),
-    section('What is in it',
-      error ? h('p', {class: 'empty'}, error) : null,
-      !recording && !error ? h('div', {class: 'placeholder'}, 'Reading the recording\u2026') : null,
-      recording ? h('p', {class: 'facts'}, facts(recording)) : null,
-      recording ? timeline(recording) : null,
-      recording ? waysMap(recording) : null),
-    section('Scenes',
-      numberField(['simulated_rate'], {label: 'Scenes a second', unit: 'Hz', range: [0.5, 30], step: 0.5}),
-      h('div', {class: 'pair'},
-        numberField(['start_offset'], {label: 'Left out at the start', unit: 's', range: length ? [0, length] : null, step: 0.1, fallback: 0}),
-        numberField(['duration'], {label: 'Used after that', unit: 's', range: length ? [0.1, length] : null, step: 0.1, fallback: 'all'})),
-      textField(['global_frame'], {label: 'Frame of the world', suggestions: [...roots, ...frames]})),
-    more('Gaps, stretches, other topics', [['max_tf_gap'], ['stretch'], ['tf_topics'], ['pose_topics']],
-      numberField(['max_tf_gap'], {label: 'Longest gap in TF', unit: 's', step: 0.1, fallback: 'by frame'}),
-      numberField(['stretch'], {label: 'Stretch', fallback: 'the longest'}),
-      flowField(['tf_topics'], {label: 'Topics with TF', fallback: ['/tf', '/tf_static']}),
-      flowField(['pose_topics'], {label: 'Other topics with poses', fallback: 'where one has it'})),
+    section(
+        'What is in it', error ? h('p', {class: 'empty'}, error) : null,
+        !recording && !error ? h('div', {class: 'placeholder'}, 'Reading the recording\u2026') : null,
+        recording ? h('p', {class: 'facts'}, facts(recording)) : null, recording ? timeline(recording) : null,
+        recording ? waysMap() : null),
+    section(
+        'Scenes', numberField(['simulated_rate'], {label: 'Scenes a second', unit: 'Hz', range: [0.5, 30], step: 0.5}),
+        h('div', {class: 'pair'},
+          numberField(
+              ['start_offset'],
+              {label: 'Left out at the start', unit: 's', range: length ? [0, length] : null, step: 0.1, fallback: 0}),
+          numberField(
+              ['duration'],
+              {label: 'Used after that', unit: 's', range: length ? [0.1, length] : null, step: 0.1, fallback: 'all'})),
+        textField(['global_frame'], {label: 'Frame of the world', suggestions: [...roots, ...frames]})),
+    more(
+        'Gaps, stretches, other topics', [['max_tf_gap'], ['stretch'], ['tf_topics'], ['pose_topics']],
+        numberField(['max_tf_gap'], {label: 'Longest gap in TF', unit: 's', step: 0.1, fallback: 'by frame'}),
+        numberField(['stretch'], {label: 'Stretch', fallback: 'the longest'}),
+        flowField(['tf_topics'], {label: 'Topics with TF', fallback: ['/tf', '/tf_static']}),
+        flowField(['pose_topics'], {label: 'Other topics with poses', fallback: 'where one has it'})),
     severalMotions(),
   ];
 }
 
 function motionChoice() {
-  return choiceField(['motion'], [['bag', 'Follow a recording'], ['placement', 'Place at random']], {label: 'Objects\u2019 poses', fallback: 'bag'});
+  return choiceField(
+      ['motion'], [['bag', 'Follow a recording'], ['placement', 'Place at random']],
+      {label: 'Objects\u2019 poses', fallback: 'bag'});
 }
 
 function withoutRecording() {
-  return h('p', {class: 'empty'}, 'Objects are placed at random, so no recording is read. ', h('a', {href: '#placement'}, 'To the placement'));
+  return h(
+      'p', {class: 'empty'}, 'Objects are placed at random, so no recording is read. ',
+      h('a', {href: '#placement'}, 'To the placement'));
 }
 
 function facts(recording) {
@@ -59,15 +74,18 @@ function facts(recording) {
   return `${duration(recording.duration)}, ${count(recording.frames.length, 'frame')}${topics}`;
 }
 
-function waysMap(recording) {
+function waysMap() {
   const {value: world} = answer('/api/world');
-  return map({picture: world?.map, extent: world?.map_extent, ways: recording.ways ?? {}, label: 'Ways of the objects from above'});
+  return map(
+      {picture: world?.map, extent: world?.map_extent, ways: waysOfObjects(), label: 'Ways of the objects from above'});
 }
 
 function severalMotions() {
   const motions = effective(['motions']);
   if (!Array.isArray(motions)) return null;
-  return section('Several motions',
-    h('p', {class: 'hint unfolded'}, 'This file makes one dataset of several motions. The panes show what they share; what a motion has of its own is changed in the text of the file.'),
-    h('ul', {class: 'chips'}, motions.map((each) => h('li', {}, String(each?.name ?? '?')))));
+  return section(
+      'Several motions',
+      h('p', {class: 'hint unfolded'},
+        'This file makes one dataset of several motions. The panes show what they share; what a motion has of its own is changed in the text of the file.'),
+      h('ul', {class: 'chips'}, motions.map((each) => h('li', {}, String(each?.name ?? '?')))));
 }

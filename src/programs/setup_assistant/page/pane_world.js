@@ -1,38 +1,55 @@
 import {h} from './dom.js';
-import {answer, effective, set} from './store.js';
 import {choiceField, fileField, fileListField, more, numberField, section} from './fields.js';
-import {count, fileName, fixed, grouped} from './numbers.js';
 import {map} from './figure_map.js';
+import {count, fileName, fixed, grouped} from './numbers.js';
+import {answer, effective, set} from './store.js';
 
 export const worldPane = {
   id: 'world',
   title: 'World',
   text: 'The surroundings of the objects: an SDF world, as Gazebo uses it.',
   paths: () => [['world'], ['world_file'], ['physics'], ['rendering']],
-  summary: () => fileName(effective(['world_file']) ?? effective(['world', 'file']) ?? (typeof effective(['world']) === 'string' ? effective(['world']) : '')),
+  summary: () => fileName(
+      effective(['world_file']) ?? effective(['world', 'file']) ??
+      (typeof effective(['world']) === 'string' ? effective(['world']) : '')),
   draw,
 };
 
 function draw() {
   const isGroup = typeof effective(['world']) !== 'string';
   return [
-    section('File',
-      fileField(isGroup ? ['world', 'file'] : ['world'], 'world', {label: 'World', hint: 'An SDF world or model: a path or a URI (model://, package://, file://).'}),
-      effective(['world_file']) === undefined ? null : fileField(['world_file'], 'world', {label: 'instead of it'}),
-      isGroup ? [
-        fileListField(['world', 'model_folders'], 'folder', {label: 'Folders with models', isList: true}),
-        choiceField(['world', 'on_missing_asset'], [['error', 'Is an error'], ['warn', 'Is left out']], {label: 'What is missing', fallback: 'error'}),
-        choiceField(['world', 'simulator'], [['auto', 'auto'], ['classic', 'Gazebo Classic'], ['gz', 'gz-sim']], {label: 'Colours and lights as in', fallback: 'auto'}),
-      ] : h('p', {}, h('button', {type: 'button', onclick: () => set(['world'], {file: effective(['world'])})}, 'More settings'))),
+    section(
+        'File',
+        fileField(
+            isGroup ? ['world', 'file'] : ['world'], 'world',
+            {label: 'World', hint: 'An SDF world or model: a path or a URI (model://, package://, file://).'}),
+        effective(['world_file']) === undefined ? null : fileField(['world_file'], 'world', {label: 'instead of it'}),
+        isGroup ?
+            [
+              fileListField(['world', 'model_folders'], 'folder', {label: 'Folders with models', isList: true}),
+              choiceField(
+                  ['world', 'on_missing_asset'], [['error', 'Is an error'], ['warn', 'Is left out']],
+                  {label: 'What is missing', fallback: 'error'}),
+              choiceField(
+                  ['world', 'simulator'], [['auto', 'auto'], ['classic', 'Gazebo Classic'], ['gz', 'gz-sim']],
+                  {label: 'Colours and lights as in', fallback: 'auto'}),
+            ] :
+            h('p', {},
+              h('button', {type: 'button', onclick: () => set(['world'], {file: effective(['world'])})},
+                'More settings'))),
     contents(),
-    more('Physics', ['step', 'contact_tolerance', 'settle'].map((each) => ['physics', each]),
-      numberField(['physics', 'step'], {label: 'Step', unit: 's', step: 0.001}),
-      numberField(['physics', 'contact_tolerance'], {label: 'Overlap that is reported', unit: 'm', step: 0.005}),
-      numberField(['physics', 'settle'], {label: 'Time to come to rest', unit: 's', step: 0.5, fallback: 0})),
-    more('Picture', ['samples', 'shadow_map_size', 'shadow_distance'].map((each) => ['rendering', each]),
-      choiceField(['rendering', 'samples'], [[1, '1'], [4, '4']], {label: 'Samples at an edge'}),
-      numberField(['rendering', 'shadow_map_size'], {label: 'Shadow map', unit: 'texels', step: 256}),
-      numberField(['rendering', 'shadow_distance'], {label: 'Sun\u2019s shadows up to', unit: 'm', range: [1, 200], step: 1})),
+    more(
+        'Physics', ['step', 'contact_tolerance', 'settle'].map((each) => ['physics', each]),
+        numberField(['physics', 'step'], {label: 'Step', unit: 's', step: 0.001}),
+        numberField(['physics', 'contact_tolerance'], {label: 'Overlap that is reported', unit: 'm', step: 0.005}),
+        numberField(['physics', 'settle'], {label: 'Time to come to rest', unit: 's', step: 0.5, fallback: 0})),
+    more(
+        'Picture', ['samples', 'shadow_map_size', 'shadow_distance'].map((each) => ['rendering', each]),
+        choiceField(['rendering', 'samples'], [[1, '1'], [4, '4']], {label: 'Samples at an edge'}),
+        numberField(['rendering', 'shadow_map_size'], {label: 'Shadow map', unit: 'texels', step: 256}),
+        numberField(
+            ['rendering', 'shadow_distance'],
+            {label: 'Sun\u2019s shadows up to', unit: 'm', range: [1, 200], step: 1})),
   ];
 }
 
@@ -41,18 +58,31 @@ function contents() {
   if (error) return section('What is in it', h('p', {class: 'empty'}, error));
   if (!world) return section('What is in it', h('div', {class: 'placeholder'}, 'Reading the world\u2026'));
   const triangles = world.models.reduce((sum, each) => sum + (each.triangles ?? 0), 0);
-  return section('What is in it',
-    h('p', {class: 'facts'}, [
-      count(world.models.length, 'model'), triangles ? `${grouped(triangles)} triangles` : null, lights(world.lights),
-    ].filter(Boolean).join(', ')),
-    missing(world.missing ?? []),
-    map({picture: world.map, extent: world.map_extent, label: 'The world from above'}),
-    h('div', {class: 'table', tabindex: '0', role: 'region', 'aria-label': 'Models of the world'}, h('table', {},
-      h('thead', {}, h('tr', {}, ['model', 'links', 'triangles', 'x', 'y', 'z'].map((each, index) => h('th', {scope: 'col', class: index ? 'figure' : ''}, each)))),
-      h('tbody', {}, world.models.map((each) => h('tr', {key: each.name},
-        h('th', {scope: 'row'}, each.name, each.static === false ? h('span', {class: 'muted'}, ' moves') : null),
-        h('td', {class: 'figure'}, each.links), h('td', {class: 'figure'}, each.triangles === undefined ? '' : grouped(each.triangles)),
-        [0, 1, 2].map((axis) => h('td', {class: 'figure'}, fixed(each.X?.[axis])))))))));
+  return section(
+      'What is in it',
+      h('p', {class: 'facts'},
+        [
+          count(world.models.length, 'model'),
+          triangles ? `${grouped(triangles)} triangles` : null,
+          lights(world.lights),
+        ].filter(Boolean)
+            .join(', ')),
+      missing(world.missing ?? []), map({picture: world.map, extent: world.map_extent, label: 'The world from above'}),
+      h('div', {class: 'table', tabindex: '0', role: 'region', 'aria-label': 'Models of the world'},
+        h('table', {},
+          h('thead', {},
+            h('tr', {},
+              ['model', 'links', 'triangles', 'x', 'y', 'z'].map(
+                  (each, index) => h('th', {scope: 'col', class: index ? 'figure' : ''}, each)))),
+          h('tbody', {},
+            world.models.map(
+                (each) =>
+                    h('tr', {key: each.name},
+                      h('th', {scope: 'row'}, each.name,
+                        each.static === false ? h('span', {class: 'muted'}, ' moves') : null),
+                      h('td', {class: 'figure'}, each.links),
+                      h('td', {class: 'figure'}, each.triangles === undefined ? '' : grouped(each.triangles)),
+                      [0, 1, 2].map((axis) => h('td', {class: 'figure'}, fixed(each.X?.[axis])))))))));
 }
 
 function lights(all) {
@@ -62,5 +92,10 @@ function lights(all) {
 
 function missing(all) {
   if (!all.length) return null;
-  return h('ul', {class: 'problems'}, all.map((each) => h('li', {class: 'warning'}, h('span', {class: 'severity'}, 'missing'), ' ', typeof each === 'string' ? each : each.what ?? JSON.stringify(each))));
+  return h(
+      'ul', {class: 'problems'},
+      all.map(
+          (each) =>
+              h('li', {class: 'warning'}, h('span', {class: 'severity'}, 'missing'), ' ',
+                typeof each === 'string' ? each : each.what ?? JSON.stringify(each))));
 }

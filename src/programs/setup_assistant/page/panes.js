@@ -1,20 +1,29 @@
 // The panes, in the order of the work, and which of them has a setting.
-import {keyOf, startsWith} from './paths.js';
-import {recordingPane} from './pane_recording.js';
-import {objectsPane} from './pane_objects.js';
-import {worldPane} from './pane_world.js';
 import {camerasPane} from './pane_cameras.js';
-import {placementPane} from './pane_placement.js';
-import {randomisationPane} from './pane_randomisation.js';
 import {formatsPane} from './pane_formats.js';
+import {objectsPane} from './pane_objects.js';
 import {outputPane} from './pane_output.js';
+import {placementPane} from './pane_placement.js';
 import {findPanesBy, problemsPane} from './pane_problems.js';
-import {runPane} from './pane_run.js';
+import {randomisationPane} from './pane_randomisation.js';
+import {recordingPane} from './pane_recording.js';
 import {resultPane} from './pane_result.js';
+import {runPane} from './pane_run.js';
+import {worldPane} from './pane_world.js';
+import {keyOf, startsWith} from './paths.js';
 
 export const panes = [
-  recordingPane, objectsPane, worldPane, camerasPane, placementPane, randomisationPane, formatsPane, outputPane,
-  problemsPane, runPane, resultPane,
+  recordingPane,
+  objectsPane,
+  worldPane,
+  camerasPane,
+  placementPane,
+  randomisationPane,
+  formatsPane,
+  outputPane,
+  problemsPane,
+  runPane,
+  resultPane,
 ];
 
 export function paneOf(path) {
@@ -29,12 +38,16 @@ export function focusField(key) {
   for (let length = path.length; length > 0; --length) {
     const found = document.querySelector(`#pane [data-path="${CSS.escape(keyOf(path.slice(0, length)))}"]`);
     if (!found) continue;
-    for (let details = found.closest('details'); details; details = details.parentElement.closest('details')) details.open = true;
+    for (let details = found.closest('details'); details; details = details.parentElement.closest('details'))
+      details.open = true;
     found.scrollIntoView({block: 'center'});
     found.classList.add('found');
     setTimeout(() => found.classList.remove('found'), 1600);
     (found.querySelector('input, select, textarea, button:not(.reset)') ?? found).focus({preventScroll: true});
     return true;
   }
+  const pane = document.getElementById('pane');
+  pane.scrollTop = 0;
+  pane.focus();
   return false;
 }

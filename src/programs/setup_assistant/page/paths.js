@@ -23,7 +23,7 @@ export function isEqual(a, b) {
 
 // A name that none of the others has: camera, camera_2, camera_3.
 export function freeName(wanted, others) {
-  for (let count = 1; ; ++count) {
+  for (let count = 1;; ++count) {
     const name = count === 1 ? wanted : `${wanted}_${count}`;
     if (!others.includes(name)) return name;
   }

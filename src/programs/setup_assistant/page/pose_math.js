@@ -3,7 +3,12 @@
 
 export function matrixOfRpy([roll, pitch, yaw]) {
   const [cr, sr, cp, sp, cy, sy] = [
-    Math.cos(roll), Math.sin(roll), Math.cos(pitch), Math.sin(pitch), Math.cos(yaw), Math.sin(yaw),
+    Math.cos(roll),
+    Math.sin(roll),
+    Math.cos(pitch),
+    Math.sin(pitch),
+    Math.cos(yaw),
+    Math.sin(yaw),
   ];
   return [
     [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],

@@ -4,10 +4,13 @@ import {get} from './api.js';
 import {changed, store, watch} from './store.js';
 import {currentCamera, currentInstant, view} from './view_state.js';
 
-export const scene = {value: null, bitmap: null, error: null, isLoading: false, count: 0};
-
-// Set while a camera is dragged: smaller pictures, which are drawn faster.
-export const draft = {width: null};
+export const scene = {
+  value: null,
+  bitmap: null,
+  error: null,
+  isLoading: false,
+  count: 0
+};
 
 // Pages do not take one another's turn.
 const page = Math.random().toString(36).slice(2);
@@ -17,9 +20,7 @@ let shown = null;
 
 function wanted() {
   if (!store.state || store.state.error) return null;
-  return JSON.stringify([
-    currentInstant(), currentCamera(), store.state.revision, draft.width, view.layer, store.setup?.ready,
-  ]);
+  return JSON.stringify([currentInstant(), currentCamera(), store.state.revision, view.layer, store.setup?.ready]);
 }
 
 watch(load);
@@ -31,7 +32,10 @@ async function load() {
   scene.isLoading = true;
   try {
     const value = await get('/api/scene', {
-      instant: currentInstant(), camera: currentCamera(), revision: store.state.revision, width: draft.width, view: page,
+      instant: currentInstant(),
+      camera: currentCamera(),
+      revision: store.state.revision,
+      view: page,
     });
     const url = view.layer === 'picture' ? value.picture : value[view.layer] ?? value.picture;
     const response = await fetch(url);

@@ -1,14 +1,15 @@
 // The dataset's own picture, the time slider, and which labels are shown.
+import {cameraDrag, dragHint} from './camera_drag.js';
 import {h, patch} from './dom.js';
 import {count, fixed} from './numbers.js';
 import {overlay} from './overlay.js';
+import {allProblems, count as countOf} from './problems.js';
 import {scene} from './scene_loader.js';
 import {store} from './store.js';
 import {cameraNames, currentCamera, currentInstant, instantCount, secondsOf, show, view} from './view_state.js';
-import {cameraDrag, dragHint} from './camera_drag.js';
-import {allProblems, count as countOf} from './problems.js';
 
-const LABELS = [['boxes', 'Boxes'], ['masks', 'Masks'], ['keypoints', 'Keypoints'], ['cuboids', 'Cuboids'], ['names', 'Names']];
+const LABELS =
+    [['boxes', 'Boxes'], ['masks', 'Masks'], ['keypoints', 'Keypoints'], ['cuboids', 'Cuboids'], ['names', 'Names']];
 const LAYERS = [['picture', 'Picture'], ['depth', 'Depth'], ['instances', 'Instances']];
 
 export function drawStage() {
@@ -19,17 +20,27 @@ function picture() {
   const {value} = scene;
   const hint = dragHint();
   const message = whyNoPicture();
-  return h('div', {
-    class: hint ? 'picture draggable' : 'picture', ...(hint ? cameraDrag : noDrag()), tabindex: hint ? '0' : null,
-    role: hint ? 'application' : null, 'aria-label': hint ? `Camera. ${hint}` : null,
-    style: {'--ratio': value ? value.camera.width / value.camera.height : 4 / 3},
-  },
-  h('canvas', {unmanaged: true, role: 'img', 'aria-label': altText(value), created: drawBitmap, class: message ? 'dimmed' : ''}),
-  value ? overlay(value, view.shown) : null,
-  h('div', {class: 'loading', hidden: !scene.isLoading}),
-  h('span', {class: 'latency', title: 'How long the server took for this picture'}, value?.milliseconds ? `${Math.round(value.milliseconds)} ms` : ''),
-  message ? h('p', {class: 'message', role: 'status'}, message) : null,
-  hint ? h('p', {class: 'drag-hint', 'aria-hidden': 'true'}, hint) : null);
+  return h(
+      'div', {
+        class: hint ? 'picture draggable' : 'picture',
+        ...(hint ? cameraDrag : noDrag()),
+        tabindex: hint ? '0' : null,
+        role: hint ? 'application' : null,
+        'aria-label': hint ? `Camera. ${hint}` : null,
+        style: {'--ratio': value ? value.camera.width / value.camera.height : 4 / 3},
+      },
+      h('canvas', {
+        unmanaged: true,
+        role: 'img',
+        'aria-label': altText(value),
+        created: drawBitmap,
+        class: message ? 'dimmed' : ''
+      }),
+      value ? overlay(value, view.shown) : null, h('div', {class: 'loading', hidden: !scene.isLoading}),
+      h('span', {class: 'latency', title: 'How long the server took for this picture'},
+        value?.milliseconds ? `${Math.round(value.milliseconds)} ms` : ''),
+      message ? h('p', {class: 'message', role: 'status'}, message) : null,
+      hint ? h('p', {class: 'drag-hint', 'aria-hidden': 'true'}, hint) : null);
 }
 
 function noDrag() {
@@ -85,15 +96,23 @@ function slider() {
 }
 
 function switches() {
-  const names = cameraNames();
-  return h('div', {class: 'switches'},
-    h('div', {class: 'toggles', role: 'group', 'aria-label': 'Labels'}, LABELS.map(([name, label]) => h('label', {class: 'toggle'},
-      h('input', {
-        type: 'checkbox', checked: view.shown[name],
-        onchange: (event) => show({shown: {...view.shown, [name]: event.target.checked}}),
-      }), h('span', {}, label)))),
-    h('select', {'aria-label': 'Layer', value: view.layer, onchange: (event) => show({layer: event.target.value})},
-      LAYERS.map(([name, label]) => h('option', {value: name}, label))),
-    names.length > 1 ? h('select', {'aria-label': 'Camera', value: currentCamera(), onchange: (event) => show({camera: event.target.value})},
-      names.map((each) => h('option', {value: each}, each))) : null);
+    const names = cameraNames();
+    return h(
+        'div', {class: 'switches'},
+        h('div', {class: 'toggles', role: 'group', 'aria-label': 'Labels'},
+          LABELS.map(
+              ([name, label]) =>
+                  h('label', {class: 'toggle'}, h('input', {
+                      type: 'checkbox',
+                      checked: view.shown[name],
+                      onchange: (event) => show({shown: {...view.shown, [name]: event.target.checked}}),
+                    }),
+                    h('span', {}, label)))),
+        h('select', {'aria-label': 'Layer', value: view.layer, onchange: (event) => show({layer: event.target.value})},
+          LAYERS.map(([name, label]) => h('option', {value: name}, label))),
+        names.length > 1 ?
+            h('select',
+              {'aria-label': 'Camera', value: currentCamera(), onchange: (event) => show({camera: event.target.value})},
+              names.map((each) => h('option', {value: each}, each))) :
+            null);
 }

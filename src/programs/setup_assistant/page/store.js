@@ -3,9 +3,9 @@ import {get, listen, post} from './api.js';
 import {isEqual, valueAt} from './paths.js';
 
 export const store = {
-  state: null,  // of /api/state
+  state: null,        // of /api/state
   merged: undefined,  // its settings over those of included files
-  setup: null,  // of /api/setup
+  setup: null,        // of /api/setup
   run: {state: 'idle'},
   parameters: new Map(),
   connection: 'connecting',
@@ -13,7 +13,9 @@ export const store = {
 };
 
 const watchers = [];
-const later = {frame: 0};
+const later = {
+  frame: 0
+};
 
 export function watch(watcher) {
   watchers.push(watcher);
@@ -218,25 +220,28 @@ export function answer(path, query = {}) {
   if (known.isOld && !known.isAsked) {
     known.isOld = false;
     known.isAsked = true;
-    get(path, query).then(
-      (value) => {
-        const isNew = !isEqual(value, known.value) || known.error !== null;
-        Object.assign(known, {value, error: null});
-        return isNew;
-      },
-      (error) => {
-        known.error = error.message;
-        return true;
-      },
-    ).then((isNew) => {
-      known.isAsked = false;
-      if (isNew || known.isOld) changed();
-    });
+    get(path, query)
+        .then(
+            (value) => {
+              const isNew = !isEqual(value, known.value) || known.error !== null;
+              Object.assign(known, {value, error: null});
+              return isNew;
+            },
+            (error) => {
+              known.error = error.message;
+              return true;
+            },
+            )
+        .then((isNew) => {
+          known.isAsked = false;
+          if (isNew || known.isOld) changed();
+        });
   }
   return known;
 }
 
 export function askAgain(path) {
-  for (const [key, known] of answers) if (key.startsWith(path)) known.isOld = true;
+  for (const [key, known] of answers)
+    if (key.startsWith(path)) known.isOld = true;
   changed();
 }

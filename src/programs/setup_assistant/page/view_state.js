@@ -1,5 +1,6 @@
 // What this page shows, which is of no file: the pane, the instant, the camera, the labels.
-import {answer, changed, effective, store} from './store.js';
+import {recording} from './recording.js';
+import {changed, store} from './store.js';
 
 export const view = {
   pane: 'recording',
@@ -35,8 +36,7 @@ export function currentInstant() {
 
 // Since the recording's start; undefined with placement, and until it is known.
 export function secondsOf(instant) {
-  if (effective(['motion']) === 'placement') return undefined;
-  const start = answer('/api/recording').value?.start;
+  const start = recording()?.start;
   const stamp = store.setup?.stamps?.[instant];
   return start === undefined || stamp === undefined ? undefined : stamp - start;
 }

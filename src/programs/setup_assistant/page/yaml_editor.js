@@ -5,7 +5,15 @@ import {show, view} from './view_state.js';
 
 const PAUSE = 400;  // [ms] without a key before the text is sent
 
-const editor = {text: null, typed: null, base: 0, timer: 0, session: 0, mark: null, conflict: false};
+const editor = {
+  text: null,
+  typed: null,
+  base: 0,
+  timer: 0,
+  session: 0,
+  mark: null,
+  conflict: false
+};
 
 export function drawYaml() {
   const {state} = store;
@@ -16,19 +24,29 @@ export function drawYaml() {
   patch(document.getElementById('yaml'), [
     h('header', {class: 'yaml-head'},
       h('button', {
-        type: 'button', class: 'quiet disclosure', 'aria-expanded': String(view.isYamlOpen), 'aria-controls': 'yaml-body',
+        type: 'button',
+        class: 'quiet disclosure',
+        'aria-expanded': String(view.isYamlOpen),
+        'aria-controls': 'yaml-body',
         onclick: () => show({isYamlOpen: !view.isYamlOpen}),
-      }, view.isYamlOpen ? '\u25be' : '\u25b8', ' Settings file'),
+      },
+        view.isYamlOpen ? '\u25be' : '\u25b8', ' Settings file'),
       h('span', {class: 'yaml-state', role: 'status'}, statusText(error))),
     h('div', {class: 'yaml-body', id: 'yaml-body', hidden: !view.isYamlOpen},
-      h('div', {class: 'yaml-scroll'},
-        h('pre', {class: 'line-numbers', 'aria-hidden': 'true'}, lineNumbers(text)),
-        h('div', {class: 'yaml-text'},
-          mark(editor.mark, 'changed'),
-          error ? mark([error.line ?? 1, error.line ?? 1], 'wrong') : null,
-          h('textarea', {
-            id: 'yaml-input', spellcheck: 'false', wrap: 'off', autocapitalize: 'off', 'aria-label': 'Settings file, YAML',
-            'aria-invalid': error ? 'true' : null, rows: lineCount(text), value: text, oninput, onblur, onkeydown,
+      h('div', {class: 'yaml-scroll'}, h('pre', {class: 'line-numbers', 'aria-hidden': 'true'}, lineNumbers(text)),
+        h('div', {class: 'yaml-text'}, mark(editor.mark, 'changed'),
+          error ? mark([error.line ?? 1, error.line ?? 1], 'wrong') : null, h('textarea', {
+            id: 'yaml-input',
+            spellcheck: 'false',
+            wrap: 'off',
+            autocapitalize: 'off',
+            'aria-label': 'Settings file, YAML',
+            'aria-invalid': error ? 'true' : null,
+            rows: lineCount(text),
+            value: text,
+            oninput,
+            onblur,
+            onkeydown,
           })))),
     editor.conflict ? conflict() : null,
   ]);
@@ -132,15 +150,32 @@ async function send() {
     if (editor.typed === text) editor.typed = null;
     editor.conflict = false;
   } catch (error) {
-    if (error.status === 409) editor.conflict = true;
-    else report(error);
+    if (error.status === 409)
+      editor.conflict = true;
+    else
+      report(error);
   }
   return drawYaml();
 }
 
 function conflict() {
-  return h('div', {class: 'banner', role: 'alert'},
-    h('span', {}, 'The settings were changed elsewhere while you were typing.'),
-    h('button', {type: 'button', onclick: () => { Object.assign(editor, {conflict: false, base: store.state.revision}); send(); }}, 'Keep what I typed'),
-    h('button', {type: 'button', onclick: () => { Object.assign(editor, {conflict: false, typed: null}); drawYaml(); }}, 'Take theirs'));
+  return h(
+      'div', {class: 'banner', role: 'alert'},
+      h('span', {}, 'The settings were changed elsewhere while you were typing.'),
+      h('button', {
+        type: 'button',
+        onclick: () => {
+          Object.assign(editor, {conflict: false, base: store.state.revision});
+          send();
+        }
+      },
+        'Keep what I typed'),
+      h('button', {
+        type: 'button',
+        onclick: () => {
+          Object.assign(editor, {conflict: false, typed: null});
+          drawYaml();
+        }
+      },
+        'Take theirs'));
 }
