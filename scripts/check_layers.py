@@ -43,7 +43,7 @@ INNER_ORDER = {
                    'edges', 'lens', 'labels', 'picture'),
     'src/output': ('files', 'manifest', 'writers', 'verify'),
     'src/randomize': ('placement', 'appearance'),
-    'src/scene': ('calibration',),
+    'src/scene': ('calibration', 'measured'),
 }
 
 # Libraries that only some rooms may know, by how the path of the include begins.

@@ -113,6 +113,14 @@ class Dataset:
     def alignments_of(self, scene):
         return dict(self._rows_of('object_alignment', 'object, alignment', scene))
 
+    def cover_of(self, scene):
+        found = self._rows_of('scene_cover', 'unmeasured, covered', scene)
+        return found[0] if found else (None, None)
+
+    def covers_of(self, scene):
+        return {index: shares for index, *shares in
+                self._rows_of('object_cover', 'object, unmeasured, covered', scene)}
+
     def _rows_of(self, table, columns, scene):
         """Of a table that manifests before version 6 do not have."""
         if table not in self.manifest.tables():

@@ -42,6 +42,18 @@ class SceneObject:
         return self._scene.alignments.get(self.index)
 
     @property
+    def unmeasured(self):
+        """The share of its pixels in a recorded picture of which nobody knows whether something
+        hides them, 0 to 1; None in drawn ones, and of an object without pixels."""
+        return self._scene.covers.get(self.index, (None, None))[0]
+
+    @property
+    def covered(self):
+        """The share of its pixels in a recorded picture that something hides which the world does
+        not have, 0 to 1, or None."""
+        return self._scene.covers.get(self.index, (None, None))[1]
+
+    @property
     def is_labelled(self):
         """Whether most formats have a label of it: at least one pixel is visible, enough is."""
         return bool(self.visible_pixels) and not self.dropped
@@ -128,6 +140,23 @@ class Scene:
     def alignments(self):
         """The same of each object that has one, by its index."""
         return self._dataset.alignments_of(self)
+
+    @property
+    def unmeasured(self):
+        """The share of all objects' pixels in a recorded picture of which nobody knows whether
+        something hides them, 0 to 1, or None."""
+        return self._dataset.cover_of(self)[0]
+
+    @property
+    def covered(self):
+        """The share of all objects' pixels in a recorded picture that something hides which the
+        world does not have, 0 to 1, or None."""
+        return self._dataset.cover_of(self)[1]
+
+    @property
+    def covers(self):
+        """Both shares of each object that has pixels, by its index."""
+        return self._dataset.covers_of(self)
 
     @property
     def draws(self):

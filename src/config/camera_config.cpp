@@ -145,13 +145,7 @@ void readRange(Parameters& group, scene::CameraOptions& camera) {
   }
 }
 
-/// What the last part of a topic's name says, as image_proc names its topics: image_rect,
-/// image_rect_color/compressed.
-bool isRectifiedTopic(const std::string& topic) {
-  return topic.find("/image_rect") != std::string::npos;
-}
-
-/// The recorded pictures, and how their clock and frame differ from TF's.
+/// The recorded pictures, and how their clock, frame and lens differ from what is recorded.
 void readTwin(Parameters& group, scene::CameraOptions& camera) {
   constexpr double kLongestOffset = 10.0;  // [s]
   camera.image_topic = group.maybe<std::string>("image_topic");
@@ -160,6 +154,9 @@ void readTwin(Parameters& group, scene::CameraOptions& camera) {
     group.addError("time_offset", "found without image_topic, of whose pictures it speaks");
   }
   camera.time_offset = base::fromSeconds(offset.value_or(0.0));
+  constexpr double kWidest = 0.5;
+  constexpr double kNarrowest = 2.0;
+  camera.focal_scale = maybeBetween(group, "focal_scale", kWidest, kNarrowest).value_or(1.0);
   if (group.has("correction")) camera.X_FD = readPose(group, "correction");
   if (camera.X_FD && camera.sample) {
     group.addError("correction", "found together with sample, whose cameras stand where it says");
@@ -237,6 +234,10 @@ bool isGoodName(const std::string& name) {
 }
 
 }  // namespace
+
+bool isRectifiedTopic(const std::string& topic) {
+  return topic.find("/image_rect") != std::string::npos;
+}
 
 std::vector<scene::CameraOptions> readCameras(Parameters root) {
   std::vector<scene::CameraOptions> cameras;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/seconds.h"
+#include "config/camera_config.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
@@ -55,6 +56,33 @@ scene::TwinOutput readOutput(Parameters& group) {
   return output == "synthetic" ? scene::TwinOutput::kSynthetic : scene::TwinOutput::kReal;
 }
 
+/// What tells what stands in front of objects.
+void readMeasured(Parameters& group, scene::TwinOptions& twin) {
+  constexpr double kWidest = 10.0;       // [m]
+  constexpr double kSteepest = 1.0;      // of the distance
+  constexpr double kLongestTime = 10.0;  // [s]
+  twin.depth_topic = group.maybe<std::string>("depth_topic");
+  twin.depth_info_topic = group.maybe<std::string>("depth_info_topic");
+  twin.cloud_topic = group.maybe<std::string>("cloud_topic");
+  if (twin.depth_info_topic && !twin.depth_topic) {
+    group.addError("depth_info_topic", "found without depth_topic, whose calibration it names");
+  }
+  twin.depth_is_rectified = twin.depth_topic && isRectifiedTopic(*twin.depth_topic);
+  if (!twin.isMeasured()) {
+    for (const char* const name : {"depth_margin", "depth_margin_growth", "depth_time"}) {
+      if (!group.has(name)) continue;
+      group.ignore(name);
+      group.addError(name, "found without depth_topic or cloud_topic, of which it speaks");
+    }
+    return;
+  }
+  label::OcclusionMargin& margin = twin.margin;
+  margin.least = group.optionalBetween("depth_margin", margin.least, 0.0, kWidest);
+  margin.growth = group.optionalBetween("depth_margin_growth", margin.growth, 0.0, kSteepest);
+  twin.depth_time = base::fromSeconds(
+      group.optionalBetween("depth_time", toSeconds(twin.depth_time), 0.0, kLongestTime));
+}
+
 scene::TwinOptions readGroup(Parameters group) {
   constexpr std::int64_t kMost = 1000000;
   constexpr double kLongest = 1.0;  // [s]
@@ -64,6 +92,7 @@ scene::TwinOptions readGroup(Parameters group) {
   if (group.has("min_alignment")) {
     twin.min_alignment = group.optionalBetween("min_alignment", 0.0, 0.0, 1.0);
   }
+  readMeasured(group, twin);
   if (group.has("same_time")) {
     twin.same_time = base::fromSeconds(
         group.optionalBetween("same_time", toSeconds(twin.same_time), 0.0, kLongest));

@@ -8,6 +8,31 @@
 #include "render/lens/lens_map.h"
 
 namespace synthetic_dataset::label {
+namespace {
+
+/// Distances from the camera's centre of what was drawn [m], 0 where nothing is.
+cv::Mat rangesOf(const render::LabelImages& images, const CameraModel& camera) {
+  if (render::hasDistortion(camera)) return images.range.clone();
+  const Intrinsics& k = camera.intrinsics();
+  cv::Mat_<float> ranges(images.depth.size());
+  for (int row = 0; row < ranges.rows; ++row) {
+    for (int column = 0; column < ranges.cols; ++column) {
+      const Eigen::Vector3d ray((column - k.cx) / k.fx, (row - k.cy) / k.fy, 1.0);
+      ranges(row, column) =
+          static_cast<float>(double{images.depth.at<float>(row, column)} * ray.norm());
+    }
+  }
+  return std::move(ranges);
+}
+
+/// A map of numbers with 0 where something hides what it has.
+cv::Mat without(const cv::Mat& covered, const cv::Mat& map) {
+  cv::Mat rest = map.clone();
+  rest.setTo(0, covered);
+  return rest;
+}
+
+}  // namespace
 
 bool looksAtPixels(const Requirements& requirements, const MaskOptions& masks,
                    const LabelOptions& labels) {
@@ -43,26 +68,56 @@ bool PixelLabeller::usesSubtraction() const { return options_.masks.method == Ma
 SeenPixels PixelLabeller::look(const render::View& view, Scene& scene) {
   pass_.drawn = world_.presentLinks();
   // Without a lens the distances that keypoints ask for follow from the depths.
-  pass_.range = requirements_.optical_flow ||
-                (requirements_.keypoint_states && render::hasDistortion(view.camera));
+  pass_.range =
+      requirements_.optical_flow ||
+      ((requirements_.keypoint_states || options_.occlusion) && render::hasDistortion(view.camera));
   const render::LabelImages images =
       needs_labels_ ? renderer_.labels(view, world_.linkPoses(), pass_) : render::LabelImages();
   // After that, the renderer knows most silhouettes.
   if (needs_silhouettes_) measureSilhouettes(view, scene);
-  if (!needs_labels_) return {{}, [](Scene&) { return MaskAgreement(); }};
+  if (!needs_labels_) {
+    return {{}, [](Scene&, const cv::Mat& /*measured*/) { return LabelFindings(); }};
+  }
   addImages(images, scene);
   const bool has_masks = requirements_.silhouettes || requirements_.visible_masks;
   PendingMasks masks =
       has_masks && usesSubtraction() ? finder_.find(view, scene.objects) : PendingMasks();
   SeenPixels seen;
   if (requirements_.optical_flow) seen.surface = {images.depth, images.range, images.links};
-  seen.labels = [this, images, masks = std::move(masks)](Scene& labelled) {
-    MaskAgreement agreement = addMasks(images.ids, masks, labelled);
-    if (requirements_.keypoint_states) addKeypointStates(images, labelled);
-    drop(labelled);
-    return agreement;
+  seen.labels = [this, images, masks = std::move(masks)](Scene& labelled, const cv::Mat& measured) {
+    return labelPixels(images, masks, measured, labelled);
   };
   return seen;
+}
+
+LabelFindings PixelLabeller::labelPixels(render::LabelImages images, const PendingMasks& masks,
+                                         const cv::Mat& measured, Scene& scene) const {
+  LabelFindings findings;
+  cv::Mat covered;
+  if (options_.occlusion && !measured.empty()) {
+    images.range = rangesOf(images, scene.camera);
+    covered = coveredPixels(images.range, measured, *options_.occlusion);
+  }
+  if (options_.occlusion) {
+    findings.covers = objectCovers(images.ids, measured, covered, scene.objects.size());
+  }
+  if (!covered.empty()) cut(covered, measured, images, scene);
+  findings.agreement = addMasks(images.ids, covered, masks, scene);
+  if (requirements_.keypoint_states) {
+    const bool has_ranges = !covered.empty() || render::hasDistortion(scene.camera);
+    addKeypointStates(images, has_ranges, scene);
+  }
+  drop(scene);
+  return findings;
+}
+
+/// Takes what is hidden out of what was drawn, and puts what hides it there.
+void PixelLabeller::cut(const cv::Mat& covered, const cv::Mat& measured,
+                        render::LabelImages& images, Scene& scene) const {
+  images.ids = without(covered, images.ids);
+  measured.copyTo(images.range, covered);
+  if (requirements_.world_map) scene.world_map = without(covered, scene.world_map());
+  if (requirements_.part_map) scene.part_map = without(covered, scene.part_map());
 }
 
 void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) const {
@@ -93,9 +148,10 @@ void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
   }
 }
 
+/// @param covered  what does not belong to any object; empty: nothing
 /// @param subtracted  none for exact masks
-MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const PendingMasks& subtracted,
-                                      Scene& scene) const {
+MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const cv::Mat& covered,
+                                      const PendingMasks& subtracted, Scene& scene) const {
   const std::size_t count = scene.objects.size();
   cv::Mat map = label::instanceMap(ids);
   std::vector<label::InstancePixels> parts = label::instancePixels(map, count);
@@ -117,7 +173,8 @@ MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const PendingMasks& su
       // What no pixel's centre sees may still colour the edge of some pixels.
       if (parts[i].count == 0) masks[i] = Mask();
     }
-    const cv::Mat layered = label::layeredInstanceMap(masks, ids, distances);
+    cv::Mat layered = label::layeredInstanceMap(masks, ids, distances);
+    if (!covered.empty()) layered.setTo(0, covered);
     agreement = label::intersectionOverUnion(layered, map, count);
     map = layered;
     parts = label::instancePixels(map, count);
@@ -140,11 +197,11 @@ void PixelLabeller::addVisibleParts(const cv::Mat& instance_map,
   }
 }
 
-void PixelLabeller::addKeypointStates(const render::LabelImages& images, Scene& scene) const {
+void PixelLabeller::addKeypointStates(const render::LabelImages& images, bool has_ranges,
+                                      Scene& scene) const {
   const Intrinsics& k = scene.camera.intrinsics();
-  const bool has_lens = render::hasDistortion(scene.camera);
   const label::RangeAt range = [&](const cv::Point& pixel) {
-    if (has_lens) return double{images.range.at<float>(pixel)};
+    if (has_ranges) return double{images.range.at<float>(pixel)};
     const Eigen::Vector3d ray((pixel.x - k.cx) / k.fx, (pixel.y - k.cy) / k.fy, 1.0);
     return images.depth.at<float>(pixel) * ray.norm();
   };

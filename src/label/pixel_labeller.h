@@ -8,6 +8,7 @@
 #include "label/instance_map.h"
 #include "label/label_options.h"
 #include "label/mask_finder.h"
+#include "label/occlusion.h"
 #include "render/renderer.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
@@ -22,6 +23,10 @@ struct PixelLabelOptions {
   std::vector<std::uint16_t> class_numbers;  ///< of the objects: their values in Scene::class_map
   std::vector<std::uint16_t> world_classes;  ///< of the links: their values in Scene::world_map
   std::vector<std::uint16_t> parts;          ///< of the links: their values in Scene::part_map
+
+  /// Where something was measured in front of an object, this says from which distance on it hides
+  /// that; nothing where nothing is measured.
+  std::optional<OcclusionMargin> occlusion = std::nullopt;
 };
 
 /// What is kept of a scene's pixels until it is known where they go.
@@ -39,9 +44,19 @@ struct SeenSurface {
 /// intersection over union, nothing where there is neither. Empty where nothing was subtracted.
 using MaskAgreement = std::vector<std::optional<double>>;
 
-/// Adds the labels that follow from what has been seen, and tells of their masks; in any thread, as
-/// long as the labeller and the renderer live.
-using PendingLabels = std::function<MaskAgreement(Scene&)>;
+/// What is known of a scene's labels beside them.
+struct LabelFindings {
+  MaskAgreement agreement;
+  std::vector<ObjectCover> covers;  ///< of each object; empty where nothing was measured
+};
+
+/// Adds the labels that follow from what has been seen; in any thread, as long as the labeller and
+/// the renderer live.
+/// @param measured  CV_32FC1: at what distance from the camera's centre something was measured
+/// along
+///     each pixel's ray [m], 0 where nothing was; what the world has behind it is not seen. Empty:
+///     nothing was measured
+using PendingLabels = std::function<LabelFindings(Scene&, const cv::Mat& measured)>;
 
 /// What was seen for a scene.
 struct SeenPixels {
@@ -64,11 +79,15 @@ class PixelLabeller {
  private:
   void addImages(const render::LabelImages& images, Scene& scene) const;
   void measureSilhouettes(const render::View& view, Scene& scene);
-  [[nodiscard]] MaskAgreement addMasks(const cv::Mat& ids, const PendingMasks& subtracted,
-                                       Scene& scene) const;
+  [[nodiscard]] LabelFindings labelPixels(render::LabelImages images, const PendingMasks& masks,
+                                          const cv::Mat& measured, Scene& scene) const;
+  void cut(const cv::Mat& covered, const cv::Mat& measured, render::LabelImages& images,
+           Scene& scene) const;
+  [[nodiscard]] MaskAgreement addMasks(const cv::Mat& ids, const cv::Mat& covered,
+                                       const PendingMasks& subtracted, Scene& scene) const;
   void addVisibleParts(const cv::Mat& instance_map, const std::vector<label::InstancePixels>& parts,
                        Scene& scene) const;
-  void addKeypointStates(const render::LabelImages& images, Scene& scene) const;
+  void addKeypointStates(const render::LabelImages& images, bool has_ranges, Scene& scene) const;
   void drop(Scene& scene) const;
   [[nodiscard]] bool usesSubtraction() const;
 

@@ -92,6 +92,23 @@ void checkImageFile(ros::serialization::IStream stream) {
   static_cast<void>(checkList(stream, sizeof(std::uint8_t), "bytes"));
 }
 
+void checkCloud(ros::serialization::IStream stream) {
+  // A name's length, an offset, a type, a count.
+  constexpr std::uint32_t kLeast = 4 + 4 + 1 + 4;
+  std_msgs::Header header;
+  stream.next(header);
+  stream.advance(2 * sizeof(std::uint32_t));  // height and width
+  const std::uint32_t count = checkList(stream, kLeast, "fields");
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::uint32_t length = 0;
+    stream.next(length);
+    stream.advance(length);
+    stream.advance(kLeast - sizeof length);
+  }
+  stream.advance(1 + 2 * sizeof(std::uint32_t));  // byte order, steps
+  static_cast<void>(checkList(stream, sizeof(std::uint8_t), "bytes"));
+}
+
 void checkStates(ros::serialization::IStream stream) {
   passTexts(stream, "names");
   passList(stream, 7 * sizeof(double), "poses");

@@ -10,6 +10,7 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <tf2_msgs/TFMessage.h>
 
 /// Messages as bags hold them, whose lists are held against the bytes that there are before roscpp
@@ -40,6 +41,10 @@ struct RecordedImageFile {
   sensor_msgs::CompressedImage message;
 };
 
+struct RecordedCloud {
+  sensor_msgs::PointCloud2 message;
+};
+
 /// What gazebo_msgs/ModelStates and gazebo_msgs/LinkStates hold alike, without their velocities.
 struct RecordedStates {
   std::vector<std::string> names;
@@ -56,6 +61,7 @@ void checkGrid(ros::serialization::IStream stream);
 void checkJoints(ros::serialization::IStream stream);
 void checkImage(ros::serialization::IStream stream);
 void checkImageFile(ros::serialization::IStream stream);
+void checkCloud(ros::serialization::IStream stream);
 void checkStates(ros::serialization::IStream stream);
 
 }  // namespace synthetic_dataset::motion
@@ -81,6 +87,9 @@ struct MD5Sum<synthetic_dataset::motion::RecordedImage> : MD5Sum<sensor_msgs::Im
 template <>
 struct MD5Sum<synthetic_dataset::motion::RecordedImageFile> : MD5Sum<sensor_msgs::CompressedImage> {
 };
+
+template <>
+struct MD5Sum<synthetic_dataset::motion::RecordedCloud> : MD5Sum<sensor_msgs::PointCloud2> {};
 
 /// Of both types, whose fields are the same: string[] name, Pose[] pose, Twist[] twist.
 template <>
@@ -139,6 +148,14 @@ template <>
 struct Serializer<synthetic_dataset::motion::RecordedImageFile> {
   static void read(IStream& stream, synthetic_dataset::motion::RecordedImageFile& into) {
     synthetic_dataset::motion::checkImageFile(stream);
+    stream.next(into.message);
+  }
+};
+
+template <>
+struct Serializer<synthetic_dataset::motion::RecordedCloud> {
+  static void read(IStream& stream, synthetic_dataset::motion::RecordedCloud& into) {
+    synthetic_dataset::motion::checkCloud(stream);
     stream.next(into.message);
   }
 };

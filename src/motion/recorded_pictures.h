@@ -23,6 +23,7 @@ using RecordedPicture = std::variant<base::RawPicture, PictureFile>;
 /// What is known of a picture without keeping its pixels.
 struct PictureHead {
   Stamp stamp{0};            ///< that its message's header has
+  std::string frame = {};    ///< likewise, without leading slashes
   std::uint32_t width = 0;   ///< [px]; 0 where there is a problem
   std::uint32_t height = 0;  ///< [px]; 0 where there is a problem
   std::string problem = {};  ///< why it cannot be read: "has the encoding 'x', which ..."

@@ -1,10 +1,11 @@
 /// The tool `align`: finds how a camera's clock and frame differ from those of TF.
 ///
-///   rosrun synthetic_dataset align FILE [NAME:=VALUE ...]
+///   rosrun synthetic_dataset align [--focal-length] FILE [NAME:=VALUE ...]
 ///
 /// Exit code 0 with settings on the standard output, 3 where the recording does not tell, 1 for a
 /// failure.
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -21,13 +22,15 @@
 
 namespace {
 
-constexpr const char* kUsage = R"(usage: align FILE [NAME:=VALUE ...]
+constexpr const char* kUsage = R"(usage: align [--focal-length] FILE [NAME:=VALUE ...]
 
 Finds how a camera's clock and frame differ from those of TF, from 60 of its recorded
 pictures. FILE has the settings of a run with `camera/image_topic` (docs/twin.md). Prints
 the settings camera/time_offset and camera/correction, with their standard deviations.
 
-  --help  prints this
+  --focal-length  finds camera/focal_scale as well: by how much the calibration's focal
+                  length is wrong
+  --help          prints this
 
   align settings.yaml > aligned.yaml
 
@@ -39,11 +42,15 @@ Exit codes: 0 settings are found, 3 the recording does not tell, 1 a failure.
 int main(int argc, char** argv) {
   using namespace synthetic_dataset;
   constexpr int kDoesNotTell = 3;
-  constexpr std::size_t kScenes = 60;
   heap::prepare();
   programs::CommandLine line;
+  run::AlignOptions options;
   try {
-    line = programs::parseCheckLine({argv + 1, argv + argc});
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    const auto rest = std::remove(arguments.begin(), arguments.end(), "--focal-length");
+    options.focal_length = rest != arguments.end();
+    arguments.erase(rest, arguments.end());
+    line = programs::parseCheckLine(arguments);
     if (line.out) throw Error("found --out; align writes no files");
   } catch (const std::exception& error) {
     std::cerr << "align: " << error.what() << '\n' << kUsage;
@@ -56,8 +63,10 @@ int main(int argc, char** argv) {
   return programs::reportingErrors("align", [&] {
     run::Reporter silent;
     const run::CameraAlignment found =
-        run::alignCamera(programs::settingsOf(line), kScenes, silent);
-    for (const std::string& text : programs::alignmentLines(found)) std::cout << text << '\n';
-    return programs::isFound(found) ? 0 : kDoesNotTell;
+        run::alignCamera(programs::settingsOf(line), options, silent);
+    for (const std::string& text : programs::alignmentLines(found, options)) {
+      std::cout << text << '\n';
+    }
+    return programs::isFound(found, options) ? 0 : kDoesNotTell;
   });
 }

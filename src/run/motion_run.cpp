@@ -23,6 +23,7 @@ label::PixelLabelOptions labelOptions(const MotionSetup& motion) {
   const config::Config& config = motion.config;
   label::PixelLabelOptions options{
       config.masks, config.labels, {}, motion.world_classes, motion.parts};
+  if (motion.surfaces) options.occlusion = config.twin.margin;
   for (const scene::ObjectOptions& object : config.objects) {
     const auto found =
         std::find_if(config.classes.begin(), config.classes.end(),
@@ -141,8 +142,11 @@ void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
 MotionRun::DrawnScene MotionRun::look(std::size_t camera, std::int64_t instant, Stamp stamp,
                                       const std::vector<Pose>& X_GO) {
   DrawnScene scene{
-      scene_maker_.look(camera, instant, stamp, X_GO), {}, {}, {}, drawsOf(camera, instant)};
+      scene_maker_.look(camera, instant, stamp, X_GO), {}, {}, {}, {}, drawsOf(camera, instant)};
   scene.seen.scene.split = splits_.at(instant);
+  if (motion_.surfaces) {
+    scene.measured = motion_.surfaces->seenBy(camera, *motion_.world, stamp, scene.seen.scene.X_GC);
+  }
   if (camera == 0) {
     scene.contacts = findContacts(stamp);
     warnOfFallen(stamp);
@@ -208,15 +212,20 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
   drawn.seen.X_GL.clear();
   drawn.seen.pixels.surface = {};
   // What labels and image are made of is not needed any more.
-  const label::MaskAgreement agreement = std::exchange(drawn.seen.pixels.labels, {})(scene);
+  const cv::Mat measured = drawn.measured ? std::exchange(drawn.measured, {})() : cv::Mat();
+  const label::LabelFindings findings =
+      std::exchange(drawn.seen.pixels.labels, {})(scene, measured);
   scene::TakenPicture recorded;
   if (motion_.pictures) recorded = motion_.pictures->take(scene.camera_index, scene.stamp);
   const bool is_recorded = motion_.config.hasRecordedImages();
   scene.image = is_recorded ? recorded.pixels : std::exchange(drawn.image, {})();
   picture_taker_.measureDepth(scene);  // all labels are of the exact one
-  output::SceneFacts facts = factsOf(drawn, agreement);
+  output::SceneFacts facts = factsOf(drawn, findings.agreement);
   FinishedScene finished{std::move(scene), std::move(facts)};
-  if (motion_.pictures) compare(recorded.pixels, finished);
+  if (motion_.pictures) {
+    compare(recorded.pixels, finished);
+    addCovers(findings.covers, finished);
+  }
   if (is_recorded) finished.image_file = std::move(recorded.jpeg);
   return finished;
 }
@@ -238,6 +247,27 @@ void MotionRun::compare(const cv::Mat& recorded, FinishedScene& finished) const 
         {"scene left out: its alignment is below twin/min_alignment",
          "of " + fixed(*facts.alignment, 3) + " at " + fixed(toSeconds(facts.stamp), 3) + " s"});
   }
+}
+
+/// Says of which pixels of the objects nobody knows whether something stands in front of them.
+/// @param covers  of each object; empty where nothing measures: then of all
+void MotionRun::addCovers(const std::vector<label::ObjectCover>& covers,
+                          FinishedScene& finished) const {
+  label::ObjectCover all;
+  const auto sharesOf = [](const label::ObjectCover& cover) {
+    return cover.pixels == 0
+               ? std::nullopt
+               : std::optional(output::CoverFacts{cover.unmeasuredShare(), cover.coveredShare()});
+  };
+  const std::vector<SceneObject>& objects = finished.scene.objects;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::int64_t pixels = objects[i].visible_mask().count();
+    const label::ObjectCover cover =
+        covers.empty() ? label::ObjectCover{pixels, pixels} : covers[i];
+    finished.facts.objects[i].cover = sharesOf(cover);
+    all += cover;
+  }
+  finished.facts.cover = sharesOf(all);
 }
 
 output::SceneFacts MotionRun::factsOf(const DrawnScene& drawn,

@@ -44,6 +44,7 @@ class MotionRun {
   struct DrawnScene {
     scene::SeenScene seen;
     render::PendingPicture image;
+    scene::PendingRanges measured;  ///< what hides objects, if something tells
     std::vector<output::ContactFacts> contacts;
     std::vector<output::Warning> warnings;
     std::vector<output::DrawFacts> draws;
@@ -63,6 +64,7 @@ class MotionRun {
   void passOn(std::optional<Stamp> now, ScenePipeline& pipeline);
   [[nodiscard]] FinishedScene finish(DrawnScene& drawn) const;
   void compare(const cv::Mat& recorded, FinishedScene& finished) const;
+  void addCovers(const std::vector<label::ObjectCover>& covers, FinishedScene& finished) const;
   [[nodiscard]] output::SceneFacts factsOf(const DrawnScene& drawn,
                                            const label::MaskAgreement& agreement) const;
 

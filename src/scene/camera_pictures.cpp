@@ -123,6 +123,10 @@ void CameraPictures::addPicturesOf(std::size_t camera, const CameraOptions& opti
   at_ = std::move(kept);
 }
 
+const std::string& CameraPictures::frame(std::size_t camera) const {
+  return pictures_[camera].heads().front().frame;
+}
+
 std::vector<Stamp> CameraPictures::stamps() const {
   std::vector<Stamp> stamps;
   for (const auto& [time, pictures] : at_) stamps.push_back(time);

@@ -34,6 +34,12 @@ class CameraPictures {
   CameraPictures(const std::vector<CameraOptions>& cameras, const TwinOptions& twin,
                  const std::vector<std::string>& bag_files, base::Diagnostics& found);
 
+  /// The frame that the headers of a camera's pictures have; empty: none.
+  [[nodiscard]] const std::string& frame(std::size_t camera) const;
+
+  /// What is added to the stamps of the first camera's clock for that of TF.
+  [[nodiscard]] Duration timeOffset() const { return offsets_.front(); }
+
   /// When there are scenes, ascending: the first camera's stamps and its time_offset. At least one.
   [[nodiscard]] std::vector<Stamp> stamps() const;
 

@@ -272,7 +272,8 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
   for (const std::string& warning : camera.warnings) {
     found.warning(config.group + (config.info_topic ? "/info_topic" : "/info_file"), warning);
   }
-  CameraRig rig{config.name, camera.model, frameOf(config, camera, frames)};
+  CameraRig rig{config.name, withFocalScale(camera.model, config.focal_scale),
+                frameOf(config, camera, frames)};
   findPose(config, sensor, links, objects, frames, rig);
   placeInFrame(config, camera, rig);
   rig.X_FD = config.X_FD;
@@ -300,6 +301,14 @@ double seenShare(const CameraModel& camera) {
     }
   }
   return static_cast<double>(seen) / (kSteps * kSteps);
+}
+
+CameraModel withFocalScale(const CameraModel& camera, double scale) {
+  Intrinsics scaled = camera.intrinsics();
+  scaled.fx *= scale;
+  scaled.fy *= scale;
+  return {camera.width(), camera.height(), scaled,
+          camera.near(),  camera.far(),    camera.distortion()};
 }
 
 Pose framePose(const CameraRig& camera, const world::World& world,

@@ -78,6 +78,9 @@ void checkInfoFile(const CameraOptions& config);
 /// the corners of a fisheye's image, and nearly none where a calibration's numbers are wrong.
 [[nodiscard]] double seenShare(const CameraModel& camera);
 
+/// The same camera with other focal lengths.
+[[nodiscard]] CameraModel withFocalScale(const CameraModel& camera, double scale);
+
 /// X_GF of the camera's `frame` at a time around `instant`, at which the world stands: where it is
 /// not known then, that of the instant.
 [[nodiscard]] Pose framePose(const CameraRig& camera, const world::World& world,

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
+#include "label/occlusion_options.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::scene {
@@ -18,6 +21,17 @@ struct TwinOptions {
   std::int64_t every = 1;  ///< every n-th picture of the topic is a scene
 
   double min_alignment = 0.0;  ///< scenes below it are left out (label::Alignment), 0 .. 1
+
+  std::optional<std::string> depth_topic;       ///< of the bag: what a depth camera has measured
+  std::optional<std::string> depth_info_topic;  ///< of the bag: its calibration
+  bool depth_is_rectified = false;              ///< else it has the lens's distortion
+  std::optional<std::string> cloud_topic;       ///< of the bag: what a scanner has measured
+  label::OcclusionMargin margin;                ///< how far in front of objects hides them
+
+  /// So near has the stamp of what was measured to be to that of the picture.
+  Duration depth_time = std::chrono::milliseconds(50);
+
+  [[nodiscard]] bool isMeasured() const { return depth_topic || cloud_topic; }
 
   /// So near have the stamps of several cameras' pictures to be that are of one scene.
   Duration same_time = std::chrono::milliseconds(1);

@@ -54,7 +54,7 @@ class PixelLabels : public testing::Test {
                                                                    setup_->parts});
     moveTo(0);
     seen_ = maker_->look(0, 0, stamp(0), motion_->objectPoses(stamp(0)));
-    agreement_ = seen_->pixels.labels(seen_->scene);
+    agreement_ = seen_->pixels.labels(seen_->scene, {}).agreement;
     return seen_->scene;
   }
 
@@ -150,7 +150,7 @@ TEST_F(PixelLabels, AreTheSameWhenTheyAreFoundLaterInAnotherOrder) {
   };
   std::vector<scene::SeenScene> later = {look(0), look(1), look(2)};
   for (const std::size_t i : {2U, 1U, 0U}) {
-    std::thread([&] { (void)later[i].pixels.labels(later[i].scene); }).join();
+    std::thread([&] { (void)later[i].pixels.labels(later[i].scene, {}); }).join();
   }
   const Scene& again = later[0].scene;
   EXPECT_EQ(cv::norm(again.instance_map(), at_once.instance_map(), cv::NORM_INF), 0.0);

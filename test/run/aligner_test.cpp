@@ -110,20 +110,34 @@ double turnBetween(const Pose& a, const Pose& b) {
 TEST_F(Align, FindsClockAndFrameOfTheCamera) {
   record(true);
   Reporter silent;
-  const CameraAlignment found = alignCamera(Value(parameters), kScenes, silent);
+  const CameraAlignment found = alignCamera(Value(parameters), {kScenes}, silent);
   EXPECT_TRUE(found.knows_time);
   EXPECT_NEAR(toSeconds(found.time_offset), -0.037, 0.002);
   // Of a picture a few centimetres of shift look like a turn; together they are known better.
   EXPECT_LT(turnBetween(found.X_FD, error()), 0.15) << "degrees";
   EXPECT_LT((found.X_FD.translation() - error().translation()).norm(), 0.02);
-  EXPECT_LT(found.stddev[6], 0.002);
+  EXPECT_LT(found.stddev[kTimeEntry], 0.002);
   EXPECT_LT(*found.before, *found.after - 0.2);
+}
+
+TEST_F(Align, FindsTheFocalLengthWhenAsked) {
+  record(true);
+  Value::Map camera = *parameters.at("camera").as<Value::Map>();
+  camera["focal_scale"] = Value(0.97);  // the calibration's is right
+  parameters["camera"] = Value(camera);
+  Reporter silent;
+  const CameraAlignment found = alignCamera(Value(parameters), {kScenes, true}, silent);
+  EXPECT_NEAR(found.focal_scale, 1.0, 0.005);
+  EXPECT_LT(found.stddev[kFocalEntry], 0.02) << "of objects that are 2.5 to 3.5 m away";
+  EXPECT_LT(std::abs(found.focal_scale - 1.0), 4.0 * found.stddev[kFocalEntry]);
+  EXPECT_NEAR(toSeconds(found.time_offset), -0.037, 0.002);
+  EXPECT_LT(turnBetween(found.X_FD, error()), 0.15) << "degrees";
 }
 
 TEST_F(Align, SaysThatTimeIsUnknownWhereNothingMoves) {
   record(false);
   Reporter silent;
-  const CameraAlignment found = alignCamera(Value(parameters), kScenes, silent);
+  const CameraAlignment found = alignCamera(Value(parameters), {kScenes}, silent);
   EXPECT_FALSE(found.knows_time);
   EXPECT_EQ(found.time_offset, Duration{0});
   EXPECT_GT(*found.after, *found.before);
@@ -131,7 +145,7 @@ TEST_F(Align, SaysThatTimeIsUnknownWhereNothingMoves) {
 
 TEST_F(Align, NeedsPictures) {
   Reporter silent;
-  EXPECT_THAT(test::messagesOf([&] { (void)alignCamera(Value(parameters), kScenes, silent); }),
+  EXPECT_THAT(test::messagesOf([&] { (void)alignCamera(Value(parameters), {kScenes}, silent); }),
               ElementsAre(HasSubstr("camera/image_topic: is missing")));
 }
 

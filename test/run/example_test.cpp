@@ -62,7 +62,7 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
     setup.world->advanceTo(stamp, [&](int object, Stamp time) { return motion.at(object, time); });
     scene::SeenScene seen =
         maker.look(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp));
-    (void)seen.pixels.labels(seen.scene);
+    (void)seen.pixels.labels(seen.scene, {});
     const Scene& scene = seen.scene;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       render::LinkSelection alone;

@@ -152,6 +152,48 @@ TEST_F(Twin, CopiesAJpegByteForByteAndVerifiesIt) {
   EXPECT_THAT(problems.all, Contains(HasSubstr(number(2) + ".jpg")));
 }
 
+TEST_F(Twin, ReadsCompressedPicturesOfAllChannels) {
+  const auto pngOf = [](const cv::Mat& pixels) {
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(".png", pixels, bytes);
+    return bytes;
+  };
+  const auto wide = [](const cv::Mat& pixels) {
+    cv::Mat numbers;
+    pixels.convertTo(numbers, CV_16U, 257.0);
+    return numbers;
+  };
+  record([&](BagBuilder& bag, Stamp stamp, std::size_t scene) {
+    cv::Mat other;
+    switch (scene) {
+      case 0:
+        bag.pictureFile("/eye/image_raw", stamp, "bgr8; png compressed bgr8", pngOf(picture(0)));
+        break;
+      case 1:  // as compressed_image_transport of old wrote it
+        cv::cvtColor(picture(1), other, cv::COLOR_BGR2RGB);
+        bag.pictureFile("/eye/image_raw", stamp, "rgb8; png compressed rgb8", pngOf(other));
+        break;
+      case 2:
+        bag.pictureFile("/eye/image_raw", stamp, "png", pngOf(wide(picture(2))));
+        break;
+      default:
+        cv::cvtColor(picture(3), other, cv::COLOR_BGR2GRAY);
+        bag.pictureFile("/eye/image_raw", stamp, "mono16; png compressed ", pngOf(wide(other)));
+    }
+  });
+  parameters["boxes"] = yaml("{task: detect, image_format: png}");
+  const Files made = filesAnew();
+  for (std::size_t i = 0; i < 4; ++i) {
+    cv::Mat expected = picture(i);
+    if (i == 3) {
+      cv::cvtColor(picture(3), expected, cv::COLOR_BGR2GRAY);
+      cv::cvtColor(expected, expected, cv::COLOR_GRAY2BGR);
+    }
+    const cv::Mat now = decoded(made.at("boxes/images/train/" + number(i) + ".png"));
+    EXPECT_EQ(cv::norm(now, expected, cv::NORM_INF), 0.0) << i;
+  }
+}
+
 TEST_F(Twin, TakesEveryNthPictureAndThePicturesClock) {
   recordRaw(milliseconds(37));
   setCamera("time_offset", Value(-0.037));

@@ -13,6 +13,7 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -116,6 +117,7 @@ struct BagBuilder::Impl {
   rosbag::Bag bag;
   std::uint32_t width = 160;  // of a camera's images [px]
   std::uint32_t height = 120;
+  std::string frame;  // of pictures, depth images and clouds
 };
 
 Pose poseAt(double x, double y, double z, double yaw) {
@@ -235,9 +237,11 @@ BagBuilder& BagBuilder::calibrate(const std::string& topic, const std::string& f
   info.height = impl_->height;
   info.distortion_model = "plumb_bob";
   info.D = distortion;
-  info.K = {focal_length, 0, 79.5, 0, focal_length, 59.5, 0, 0, 1};
+  const double cx = 0.5 * (info.width - 1);
+  const double cy = 0.5 * (info.height - 1);
+  info.K = {focal_length, 0, cx, 0, focal_length, cy, 0, 0, 1};
   info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.P = {focal_length, 0, 79.5, 0, 0, focal_length, 59.5, 0, 0, 0, 1, 0};
+  info.P = {focal_length, 0, cx, 0, 0, focal_length, cy, 0, 0, 0, 1, 0};
   impl_->bag.write(topic, toRosTime(recorded), info);
   return *this;
 }
@@ -245,6 +249,7 @@ BagBuilder& BagBuilder::calibrate(const std::string& topic, const std::string& f
 BagBuilder& BagBuilder::picture(const std::string& topic, Stamp stamp, const cv::Mat& pixels,
                                 const std::string& encoding) {
   sensor_msgs::Image image;
+  image.header.frame_id = impl_->frame;
   image.header.stamp = toRosTime(stamp);
   image.width = static_cast<std::uint32_t>(pixels.cols);
   image.height = static_cast<std::uint32_t>(pixels.rows);
@@ -269,10 +274,44 @@ BagBuilder& BagBuilder::pictureFile(const std::string& topic, Stamp stamp,
                                     const std::string& format,
                                     const std::vector<std::uint8_t>& bytes) {
   sensor_msgs::CompressedImage image;
+  image.header.frame_id = impl_->frame;
   image.header.stamp = toRosTime(stamp);
   image.format = format;
   image.data = bytes;
   impl_->bag.write(topic, image.header.stamp, image);
+  return *this;
+}
+
+BagBuilder& BagBuilder::from(const std::string& frame) {
+  impl_->frame = frame;
+  return *this;
+}
+
+BagBuilder& BagBuilder::cloud(const std::string& topic, Stamp stamp,
+                              const std::vector<Eigen::Vector3d>& points) {
+  sensor_msgs::PointCloud2 message;
+  message.header.frame_id = impl_->frame;
+  message.header.stamp = toRosTime(stamp);
+  message.height = 1;
+  message.width = static_cast<std::uint32_t>(points.size());
+  for (const char* const name : {"x", "y", "z"}) {
+    sensor_msgs::PointField field;
+    field.name = name;
+    field.offset = static_cast<std::uint32_t>(message.fields.size() * sizeof(float));
+    field.datatype = sensor_msgs::PointField::FLOAT32;
+    field.count = 1;
+    message.fields.push_back(field);
+  }
+  message.point_step = 3 * sizeof(float);
+  message.row_step = message.point_step * message.width;
+  for (const Eigen::Vector3d& point : points) {
+    for (const double each : {point.x(), point.y(), point.z()}) {
+      const auto number = static_cast<float>(each);
+      const auto* const bytes = reinterpret_cast<const std::uint8_t*>(&number);
+      message.data.insert(message.data.end(), bytes, bytes + sizeof number);
+    }
+  }
+  impl_->bag.write(topic, message.header.stamp, message);
   return *this;
 }
 

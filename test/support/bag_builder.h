@@ -77,13 +77,20 @@ class BagBuilder {
   BagBuilder& calibrate(const std::string& topic, const std::string& frame, Stamp recorded,
                         double focal_length, const std::vector<double>& distortion = {});
 
-  /// Calibrations from now on are of images of this size [px].
+  /// Calibrations from now on are of images of this size [px], with their centre in its middle.
   BagBuilder& resizeCamera(std::uint32_t width, std::uint32_t height);
 
   /// A sensor_msgs/Image of such pixels, recorded at its stamp.
   /// @param encoding  of sensor_msgs/image_encodings.h, as the pixels' type is
   BagBuilder& picture(const std::string& topic, Stamp stamp, const cv::Mat& pixels,
                       const std::string& encoding);
+
+  /// Pictures, depth images and clouds from now on have this frame.
+  BagBuilder& from(const std::string& frame);
+
+  /// A sensor_msgs/PointCloud2 of numbers of 32 bits, recorded at its stamp.
+  BagBuilder& cloud(const std::string& topic, Stamp stamp,
+                    const std::vector<Eigen::Vector3d>& points);
 
   /// A picture of one grey pixel with a stamp of its own.
   BagBuilder& pictureAt(const std::string& topic, Stamp recorded, Stamp stamp);

@@ -27,7 +27,9 @@ class Measures:
         row_of_scene = {index: row for row, index in enumerate(self.scene_index)}
         all_scenes = np.array([row_of_scene[each] for each in rows['scene']], int)
 
-        self.alignment = _alignments(dataset, self.scene_index)
+        self.alignment = _of_scenes(dataset, 'scene_alignment', 'alignment', self.scene_index)
+        self.unmeasured = _of_scenes(dataset, 'scene_cover', 'unmeasured', self.scene_index)
+        self.covered = _of_scenes(dataset, 'scene_cover', 'covered', self.scene_index)
         self.has_pixels = _is_known(rows['visible_pixels'])
         seen = rows['visible_pixels'] > 0 if self.has_pixels else rows['in_view'] == 1
         self.dropped = int(np.count_nonzero(seen & (rows['dropped'] == 1)))
@@ -65,12 +67,12 @@ class Measures:
         return table
 
 
-def _alignments(dataset, scenes):
-    """How well labels meet recorded pictures, of the scenes of which it is known."""
-    if 'scene_alignment' not in dataset.manifest.tables():
+def _of_scenes(dataset, table, column, scenes):
+    """What is known of recorded pictures, of the scenes of which it is known."""
+    if table not in dataset.manifest.tables():
         return np.zeros(0)
-    found = dataset.manifest.columns('scene_alignment')
-    return found['alignment'].astype(float)[np.isin(found['scene'], scenes)]
+    found = dataset.manifest.columns(table)
+    return found[column].astype(float)[np.isin(found['scene'], scenes)]
 
 
 def _is_known(column):

@@ -160,7 +160,20 @@ def _charts(measures, splits, counts):
         found.append(('Alignment with recorded pictures', charts.plain_histogram(
             100 * measures.alignment, 'alignment [%]', 'images', np.linspace(0, 100, 41)),
             'How well the outlines of labels meet the edges of the pictures.'))
+    if len(measures.unmeasured):
+        found.append(('What may hide objects in recorded pictures', charts.plain_histogram(
+            100 * measures.unmeasured, "share of the objects' pixels at which nothing was measured "
+            '[%]', 'images', np.linspace(0, 100, 41)), _cover_note(measures)))
     return [{'title': title, 'svg': svg, 'note': note} for title, svg, note in found]
+
+
+def _cover_note(measures):
+    if (measures.unmeasured == 1.0).all():
+        return ('Nothing was measured with the pictures: all pixels of objects are labelled as if '
+                'nothing stood in front of them that the world does not have.')
+    return (f'Something that the world does not have hides {100 * measures.covered.mean():.3g} % of '
+            f"the objects' pixels; nothing was measured at {100 * measures.unmeasured.mean():.3g} %, "
+            'which are labelled as if nothing hid them (mean of the images).')
 
 
 def _share_chart(measures, shares, title, usual, usual_text, label):

@@ -311,7 +311,7 @@ void Manifest::listScene(const SceneFacts& scene, const std::vector<PictureFacts
 void Manifest::leaveOutScene(const SceneFacts& scene) {
   announceScene(scene, {});
   SqliteTransaction transaction(database_);
-  truth_.insertAlignment(scene);
+  truth_.insertPictureFit(scene);
   insertWarnings(insert_warning_, scene.index, scene.warnings);
   set_state_.run(std::string("left out"), scene.index);
   transaction.commit();

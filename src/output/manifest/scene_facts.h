@@ -25,6 +25,12 @@ struct KeypointFacts {
   std::optional<KeypointState> state = {};
 };
 
+/// What hides objects that recorded pictures show (label::ObjectCover).
+struct CoverFacts {
+  double unmeasured = 0.0;  ///< the share of their pixels at which nothing was measured, 0 .. 1
+  double covered = 0.0;     ///< the share of their pixels that something unknown hides, 0 .. 1
+};
+
 /// What was measured of an object in a scene; what nobody asked for is nothing. The members are
 /// those of SceneObject.
 struct ObjectFacts {
@@ -45,6 +51,7 @@ struct ObjectFacts {
 
   /// How well its outline meets the edges of a recorded picture, 0 .. 1 (label::Alignment).
   std::optional<double> alignment = {};
+  std::optional<CoverFacts> cover = {};  ///< of a recorded picture; nothing without any pixel
 
   Cuboid cuboid_O = {};
   std::vector<Eigen::Vector3d> bounding_shape_O = {};
@@ -94,6 +101,7 @@ struct SceneFacts {
   std::vector<DrawFacts> draws = {};
   std::vector<Warning> warnings = {};
   std::optional<double> alignment = {};  ///< that of all outlines together
+  std::optional<CoverFacts> cover = {};  ///< that of all objects together
 
   std::optional<CameraModel> camera_model = {};
   std::map<std::string, Pose> frames = {};        ///< X_GF of frames that writers ask for

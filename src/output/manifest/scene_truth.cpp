@@ -76,13 +76,18 @@ TruthInserter::TruthInserter(const SqliteDatabase& database)
       shape_(database, "INSERT INTO scene_shape VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       keypoint_(database, "INSERT INTO scene_keypoint VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       alignment_(database, "INSERT INTO scene_alignment VALUES (?, ?)"),
-      object_alignment_(database, "INSERT INTO object_alignment VALUES (?, ?, ?)") {}
+      object_alignment_(database, "INSERT INTO object_alignment VALUES (?, ?, ?)"),
+      cover_(database, "INSERT INTO scene_cover VALUES (?, ?, ?)"),
+      object_cover_(database, "INSERT INTO object_cover VALUES (?, ?, ?, ?)") {}
 
-void TruthInserter::insertAlignment(const SceneFacts& scene) {
+void TruthInserter::insertPictureFit(const SceneFacts& scene) {
   if (scene.alignment) alignment_.run(scene.index, *scene.alignment);
+  if (scene.cover) cover_.run(scene.index, scene.cover->unmeasured, scene.cover->covered);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const std::optional<double>& of_object = scene.objects[i].alignment;
     if (of_object) object_alignment_.run(scene.index, signedIndex(i), *of_object);
+    const std::optional<CoverFacts>& cover = scene.objects[i].cover;
+    if (cover) object_cover_.run(scene.index, signedIndex(i), cover->unmeasured, cover->covered);
   }
 }
 
@@ -110,7 +115,7 @@ void TruthInserter::insert(const SceneFacts& scene, const std::vector<PictureFac
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     insertObject(scene.index, signedIndex(i), scene.objects[i]);
   }
-  insertAlignment(scene);
+  insertPictureFit(scene);
 }
 
 void TruthInserter::insertObject(std::int64_t scene, std::int64_t object,

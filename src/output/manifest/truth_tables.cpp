@@ -68,12 +68,23 @@ const char* const kTruthTables = R"sql(
     object INTEGER NOT NULL REFERENCES object ("index"), alignment REAL NOT NULL,
     PRIMARY KEY (scene, object),
     CONSTRAINT "alignments that are not 0 to 1" CHECK (alignment BETWEEN 0 AND 1)) WITHOUT ROWID;
+  CREATE TABLE scene_cover (
+    scene INTEGER PRIMARY KEY REFERENCES scene ("index"), unmeasured REAL NOT NULL,
+    covered REAL NOT NULL,
+    CONSTRAINT "shares that are not 0 to 1"
+      CHECK (unmeasured BETWEEN 0 AND 1 AND covered BETWEEN 0 AND 1));
+  CREATE TABLE object_cover (
+    scene INTEGER NOT NULL REFERENCES scene ("index"),
+    object INTEGER NOT NULL REFERENCES object ("index"), unmeasured REAL NOT NULL,
+    covered REAL NOT NULL, PRIMARY KEY (scene, object),
+    CONSTRAINT "shares that are not 0 to 1"
+      CHECK (unmeasured BETWEEN 0 AND 1 AND covered BETWEEN 0 AND 1)) WITHOUT ROWID;
 )sql";
 
 const std::vector<std::string>& truthTablesOfScenes() {
   static const std::vector<std::string> kTables = {
-      "scene_camera", "scene_frame",    "scene_picture",   "scene_link_map",
-      "scene_shape",  "scene_keypoint", "scene_alignment", "object_alignment"};
+      "scene_camera",   "scene_frame",     "scene_picture",    "scene_link_map", "scene_shape",
+      "scene_keypoint", "scene_alignment", "object_alignment", "scene_cover",    "object_cover"};
   return kTables;
 }
 

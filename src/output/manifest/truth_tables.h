@@ -28,8 +28,8 @@ class TruthInserter {
 
   void insert(const SceneFacts& scene, const std::vector<PictureFacts>& pictures);
 
-  /// How well labels meet the recorded picture, and nothing else.
-  void insertAlignment(const SceneFacts& scene);
+  /// How well labels meet the recorded picture, what hides it, and nothing else.
+  void insertPictureFit(const SceneFacts& scene);
 
  private:
   void insertObject(std::int64_t scene, std::int64_t object, const ObjectFacts& facts);
@@ -42,6 +42,8 @@ class TruthInserter {
   SqliteStatement keypoint_;
   SqliteStatement alignment_;
   SqliteStatement object_alignment_;
+  SqliteStatement cover_;
+  SqliteStatement object_cover_;
 };
 
 /// Adds to a run's description what its manifest knows of it.

@@ -25,6 +25,11 @@ bool knowsPose(const run::CameraAlignment& found) {
   return shiftError(found) <= kVagueShift && turnError(found) <= kVagueTurn;
 }
 
+bool knowsFocalLength(const run::CameraAlignment& found, const run::AlignOptions& asked) {
+  constexpr double kVague = 0.01;  // of the focal length
+  return !asked.focal_length || found.stddev[run::kFocalEntry] <= kVague;
+}
+
 bool isBetter(const run::CameraAlignment& found) {
   return found.before && found.after && *found.after >= *found.before;
 }
@@ -44,7 +49,8 @@ std::string poseText(const Pose& pose) {
 
 }  // namespace
 
-std::vector<std::string> alignmentLines(const run::CameraAlignment& found) {
+std::vector<std::string> alignmentLines(const run::CameraAlignment& found,
+                                        const run::AlignOptions& asked) {
   const Eigen::AngleAxisd turn(found.X_FD.linear());
   std::vector<std::string> lines = {
       "# " + std::to_string(found.scenes) + " scenes; alignment " + score(found.before) +
@@ -53,8 +59,13 @@ std::vector<std::string> alignmentLines(const run::CameraAlignment& found) {
           fixed(degrees(turn.angle()), 3) + " degrees",
       "camera:"};
   const std::string time = "  time_offset: " + fixed(toSeconds(found.time_offset), 4);
-  lines.push_back(found.knows_time ? time + "  # +- " + fixed(found.stddev[6], 4) + " s"
-                                   : "  # time_offset: too little moves in the pictures to tell");
+  lines.push_back(found.knows_time
+                      ? time + "  # +- " + fixed(found.stddev[run::kTimeEntry], 4) + " s"
+                      : "  # time_offset: too little moves in the pictures to tell");
+  if (asked.focal_length) {
+    lines.push_back("  focal_scale: " + fixed(found.focal_scale, 5) + "  # +- " +
+                    fixed(found.stddev[run::kFocalEntry], 5));
+  }
   lines.push_back("  correction: " + poseText(found.X_FD));
   lines.push_back("  # +- " + fixed(shiftError(found), 4) + " m, " +
                   fixed(degrees(turnError(found)), 3) +
@@ -65,14 +76,19 @@ std::vector<std::string> alignmentLines(const run::CameraAlignment& found) {
         "# The pictures do not tell the correction that well: objects at several places "
         "and distances would.");
   }
+  if (!knowsFocalLength(found, asked)) {
+    lines.push_back(
+        "# The pictures do not tell the focal length that well: objects at several distances "
+        "would. Leave focal_scale out.");
+  }
   if (!isBetter(found)) {
     lines.push_back("# The labels do not meet the pictures better with it: do not use it.");
   }
   return lines;
 }
 
-bool isFound(const run::CameraAlignment& found) {
-  return isBetter(found) && knowsPose(found) && found.knows_time;
+bool isFound(const run::CameraAlignment& found, const run::AlignOptions& asked) {
+  return isBetter(found) && knowsPose(found) && found.knows_time && knowsFocalLength(found, asked);
 }
 
 }  // namespace synthetic_dataset::programs

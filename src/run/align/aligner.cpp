@@ -25,7 +25,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// A second scene follows each so much later, so that its optical flow tells how all moves.
+/// The world is moved on by so much after each scene, so that its optical flow tells how all moves.
 constexpr Duration kProbe = std::chrono::milliseconds(5);
 constexpr double kVagueTime = 0.01;  // [s] a larger standard deviation tells nothing
 constexpr int kMostRounds = 12;
@@ -37,7 +37,7 @@ struct SeenEdges {
   label::Alignment alignment;
 };
 
-/// Takes the edges of each scene, but for the probes behind them.
+/// Takes the edges of each scene.
 class EdgeSink : public SceneSink {
  public:
   EdgeSink(double reach, Pose X_FC) : reach_(reach), X_FC_(std::move(X_FC)) {}
@@ -53,14 +53,9 @@ class EdgeSink : public SceneSink {
 
   [[nodiscard]] std::vector<output::Warning> add(const FinishedScene& finished) override {
     const Scene& scene = finished.scene;
-    if (last_ && scene.stamp - last_->stamp == kProbe) {
-      seen_.edges.push_back(findEdges(*last_, {reach_, X_FC_, toSeconds(kProbe)}));
-      for (const label::Alignment& each : label::alignmentsOf(*last_, last_->image)) {
-        seen_.alignment += each;
-      }
-      last_.reset();
-    } else {
-      last_ = scene;
+    seen_.edges.push_back(findEdges(scene, {reach_, X_FC_, toSeconds(kProbe)}));
+    for (const label::Alignment& each : label::alignmentsOf(scene, scene.image)) {
+      seen_.alignment += each;
     }
     return {};
   }
@@ -71,7 +66,6 @@ class EdgeSink : public SceneSink {
   SeenEdges seen_;
   double reach_;
   Pose X_FC_;
-  std::optional<Scene> last_;
 };
 
 MotionSetup setUp(const Value& parameters, Reporter& reporter) {
@@ -110,13 +104,16 @@ std::vector<Stamp> spread(const std::vector<Stamp>& all, std::size_t count) {
 
 class Aligner {
  public:
-  Aligner(MotionSetup setup, std::size_t scene_count)
+  Aligner(MotionSetup setup, const AlignOptions& options)
       : setup_(std::move(setup)),
-        stamps_(spread(setup_.timeline.stamps, scene_count)),
+        finds_focal_length_(options.focal_length),
+        stamps_(spread(setup_.timeline.stamps, options.scene_count)),
         X_FD_(rig().X_FD.value_or(Pose::Identity())),
-        time_offset_(setup_.config.cameras.front().time_offset) {
+        time_offset_(setup_.config.cameras.front().time_offset),
+        focal_scale_(setup_.config.cameras.front().focal_scale) {
     setup_.config.twin.min_alignment = 0.0;
     setup_.config.twin.output = scene::TwinOutput::kReal;
+    setup_.surfaces.reset();  // an edge of what hides an object says nothing of the camera
   }
 
   CameraAlignment run(Reporter& reporter) {
@@ -129,9 +126,9 @@ class Aligner {
       const SeenEdges seen = look(reach, round == 0 || reach <= 2.0 * kNearest ? 1 : kFew);
       if (round == 0) found.before = seen.alignment.score();
       if (reporter.stopRequested()) throw Error("stopped");
-      CameraFit fit = fitCamera(seen.edges, reach, true);
-      found.knows_time = fit.stddev[6] <= kVagueTime;
-      if (!found.knows_time) fit = fitCamera(seen.edges, reach, false);
+      CameraFit fit = fitCamera(seen.edges, reach, {true, finds_focal_length_});
+      found.knows_time = fit.stddev[kTimeEntry] <= kVagueTime;
+      if (!found.knows_time) fit = fitCamera(seen.edges, reach, {false, finds_focal_length_});
       found.stddev = fit.stddev;
       found.scenes = seen.edges.size();
       move(fit.change);
@@ -145,6 +142,7 @@ class Aligner {
     found.after = look(kNearest, 1).alignment.score();
     found.time_offset = time_offset_;
     found.X_FD = X_FD_;
+    found.focal_scale = focal_scale_;
     return found;
   }
 
@@ -170,7 +168,13 @@ class Aligner {
     Reporter silent;
     MotionRun run(setup_, no_splits, sink.requirements());
     ScenePipeline pipeline(sink, silent, count);
-    (void)run.run({count, 1, [](std::int64_t /*scene*/) { return true; }}, pipeline, silent);
+    // Of the times, those at which TF is not known are left out.
+    const std::vector<Stamp>& there = setup_.timeline.stamps;
+    const WorkPlan probed(count, 1, [&](std::int64_t scene) {
+      const auto next = static_cast<std::size_t>(scene) + 1;
+      return next < there.size() && there[next] - there[next - 1] == kProbe;
+    });
+    (void)run.run(probed, pipeline, silent);
     pipeline.finish();
     return sink.seen();
   }
@@ -183,23 +187,29 @@ class Aligner {
         Eigen::AngleAxisd(angle, angle > kNoTurn ? Eigen::Vector3d(turn / angle)
                                                  : Eigen::Vector3d(Eigen::Vector3d::UnitX())));
     X_FD_ = X_FD_ * makePose(change.head<3>(), rotation);
-    const Duration later = base::fromSeconds(change[6]);
+    const double scale = std::exp(change[kFocalEntry]);
+    focal_scale_ *= scale;
+    rig().model = scene::withFocalScale(rig().model, scale);
+    const Duration later = base::fromSeconds(change[kTimeEntry]);
     moved_ += later;
     time_offset_ += later;
     setup_.pictures->shift(later);
   }
 
   MotionSetup setup_;
+  bool finds_focal_length_;
   std::vector<Stamp> stamps_;  ///< of the scenes, with the offset that was set
   Pose X_FD_;
   Duration time_offset_;
+  double focal_scale_;
   Duration moved_{0};  ///< of time_offset_, since then
 };
 
 }  // namespace
 
-CameraAlignment alignCamera(const Value& parameters, std::size_t scene_count, Reporter& reporter) {
-  return Aligner(setUp(parameters, reporter), scene_count).run(reporter);
+CameraAlignment alignCamera(const Value& parameters, const AlignOptions& options,
+                            Reporter& reporter) {
+  return Aligner(setUp(parameters, reporter), options).run(reporter);
 }
 
 }  // namespace synthetic_dataset::run

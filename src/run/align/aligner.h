@@ -14,11 +14,18 @@ namespace synthetic_dataset::run {
 struct CameraAlignment {
   Duration time_offset{0};       ///< the setting: in all, with what was set before
   Pose X_FD = Pose::Identity();  ///< the setting camera/correction, likewise
-  AlignmentVector stddev = AlignmentVector::Zero();  ///< of shift [m], turn [rad] and time [s]
+  AlignmentVector stddev = AlignmentVector::Zero();  ///< see AlignmentVector
+  double focal_scale = 1.0;                          ///< the setting camera/focal_scale, likewise
   bool knows_time = false;  ///< else nothing moves enough to tell, and the offset is what was set
   std::size_t scenes = 0;   ///< that were looked at
   std::optional<double> before;  ///< the alignment of all outlines (label::Alignment)
   std::optional<double> after;
+};
+
+/// What to look for, and in how much.
+struct AlignOptions {
+  std::size_t scene_count = 60;  ///< of the recording's pictures, evenly spread; > 0
+  bool focal_length = false;     ///< else that of the calibration is right
 };
 
 /// Finds the time offset and the correction with which the labels of recorded pictures meet the
@@ -27,11 +34,11 @@ struct CameraAlignment {
 /// ever nearer.
 ///
 /// The score itself is no function for an optimiser with gradients: it is counted in whole pixels
-/// and has its slopes only near its maximum. What is solved instead is linear in seven unknowns.
+/// and has its slopes only near its maximum. What is solved instead is linear in seven or eight
+/// unknowns.
 /// @param parameters  a run's settings, of one camera with an image_topic and one motion
-/// @param scene_count  how many of the recording's pictures are taken, evenly spread; > 0
 /// @throws ErrorList with all that is wrong
-[[nodiscard]] CameraAlignment alignCamera(const Value& parameters, std::size_t scene_count,
+[[nodiscard]] CameraAlignment alignCamera(const Value& parameters, const AlignOptions& options,
                                           Reporter& reporter);
 
 }  // namespace synthetic_dataset::run

@@ -8,7 +8,8 @@
 namespace synthetic_dataset::run {
 namespace {
 
-using Matrix7 = Eigen::Matrix<double, 7, 7>;
+using SquareMatrix =
+    Eigen::Matrix<double, AlignmentVector::RowsAtCompileTime, AlignmentVector::RowsAtCompileTime>;
 
 constexpr double kAlike = 20.0;  // edges that say the same, as neighbours of an outline do
 constexpr int kReweightings = 10;
@@ -18,14 +19,15 @@ AlignmentVector farthest() {
   constexpr double kShift = 0.5;  // [m]
   constexpr double kTurn = 0.2;   // [rad]
   constexpr double kTime = 1.0;   // [s]
+  constexpr double kFocal = 0.1;  // of the focal length
   AlignmentVector change;
-  change << kShift, kShift, kShift, kTurn, kTurn, kTurn, kTime;
+  change << kShift, kShift, kShift, kTurn, kTurn, kTurn, kTime, kFocal;
   return change;
 }
 
 /// Weighted sums over edges.
 struct Normal {
-  Matrix7 matrix = Matrix7::Zero();
+  SquareMatrix matrix = SquareMatrix::Zero();
   AlignmentVector vector = AlignmentVector::Zero();
 
   void add(const AlignmentVector& change, double distance, double weight) {
@@ -40,20 +42,21 @@ double weightOf(double rest, double scale) {
   return 1.0 / (share * share);
 }
 
-AlignmentVector usedChange(const OutlineEdge& edge, bool may_move_time) {
+AlignmentVector usedChange(const OutlineEdge& edge, const FitFreedom& freedom) {
   AlignmentVector change = edge.change;
-  if (!may_move_time) change[6] = 0.0;
+  if (!freedom.time) change[kTimeEntry] = 0.0;
+  if (!freedom.focal_length) change[kFocalEntry] = 0.0;
   return change;
 }
 
 }  // namespace
 
 CameraFit fitCamera(const std::vector<std::vector<OutlineEdge>>& scenes, double reach,
-                    bool may_move_time) {
-  const Matrix7 prior =
+                    const FitFreedom& freedom) {
+  const SquareMatrix prior =
       AlignmentVector(farthest().cwiseAbs2().cwiseInverse() * kAlike).asDiagonal();
   CameraFit fit;
-  Matrix7 inverse = Matrix7::Zero();
+  SquareMatrix inverse = SquareMatrix::Zero();
   double scale = reach;
   const double finest = std::max(1.0, reach / 8.0);
   for (int i = 0; i < kReweightings; ++i, scale = std::max(finest, 0.7 * scale)) {
@@ -61,25 +64,25 @@ CameraFit fitCamera(const std::vector<std::vector<OutlineEdge>>& scenes, double 
     normal.matrix = prior;
     for (const auto& edges : scenes) {
       for (const OutlineEdge& edge : edges) {
-        const AlignmentVector change = usedChange(edge, may_move_time);
+        const AlignmentVector change = usedChange(edge, freedom);
         const double rest = edge.distance - change.dot(fit.change);
         normal.add(change, edge.distance, weightOf(rest, scale));
       }
     }
-    inverse = normal.matrix.ldlt().solve(Matrix7::Identity());
+    inverse = normal.matrix.ldlt().solve(SquareMatrix::Identity());
     fit.change = inverse * normal.vector;
   }
-  Matrix7 spread = Matrix7::Zero();
+  SquareMatrix spread = SquareMatrix::Zero();
   for (const auto& edges : scenes) {
     AlignmentVector pull = AlignmentVector::Zero();
     for (const OutlineEdge& edge : edges) {
-      const AlignmentVector change = usedChange(edge, may_move_time);
+      const AlignmentVector change = usedChange(edge, freedom);
       const double rest = edge.distance - change.dot(fit.change);
       pull += weightOf(rest, scale) * rest * change;
     }
     spread += pull * pull.transpose();
   }
-  const Matrix7 robust = inverse * spread * inverse;
+  const SquareMatrix robust = inverse * spread * inverse;
   fit.stddev = robust.diagonal().cwiseMax(kAlike * inverse.diagonal()).cwiseMax(0.0).cwiseSqrt();
   return fit;
 }

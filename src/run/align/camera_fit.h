@@ -15,6 +15,12 @@ struct CameraFit {
       AlignmentVector::Zero();  ///< of each entry, the others being unknown too
 };
 
+/// What may change beside the camera's frame.
+struct FitFreedom {
+  bool time = true;
+  bool focal_length = false;
+};
+
 /// The change by which outlines are nearest to their edges: least squares in which far ones count
 /// less and less (Geman and McClure's loss), solved by reweighting. Outlines are linear in a small
 /// change, so that this is exact for each weighting.
@@ -24,8 +30,8 @@ struct CameraFit {
 /// `kAlike` is independent.
 /// @param scenes  the edges of each scene
 /// @param reach  how far the edges may be [px]
-/// @param may_move_time  else the last entry stays 0
+/// @param freedom  entries of what may not change stay 0
 [[nodiscard]] CameraFit fitCamera(const std::vector<std::vector<OutlineEdge>>& scenes, double reach,
-                                  bool may_move_time);
+                                  const FitFreedom& freedom);
 
 }  // namespace synthetic_dataset::run

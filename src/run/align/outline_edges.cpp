@@ -173,12 +173,18 @@ std::vector<OutlineEdge> findEdges(const Scene& scene, const OutlineSearch& sear
     if (!distance || !p_C) continue;
     const auto of_camera = changeOfPixel(scene.camera, *p_C, search.X_FC);
     if (!of_camera) continue;
+    // Any lens bends the picture first, and the focal length scales what comes out.
+    const Intrinsics& k = scene.camera.intrinsics();
+    const auto seen = scene.camera.project(*p_C);
+    if (!seen) continue;
     OutlineEdge edge;
     edge.distance = *distance;
+    edge.change[kFocalEntry] = (*seen - Eigen::Vector2d(k.cx, k.cy)).dot(point.normal);
     edge.change.head<6>() = of_camera->transpose() * point.normal;
     const cv::Vec2f moved = flow(point.inside);
     if (search.flow_time && std::isfinite(moved[0]) && std::isfinite(moved[1])) {
-      edge.change[6] = Eigen::Vector2d(moved[0], moved[1]).dot(point.normal) / *search.flow_time;
+      edge.change[kTimeEntry] =
+          Eigen::Vector2d(moved[0], moved[1]).dot(point.normal) / *search.flow_time;
     }
     edges.push_back(edge);
   }

@@ -10,9 +10,11 @@
 
 namespace synthetic_dataset::run {
 
-/// What an outline depends on: the shift [m] and the turn [rad] of the camera in its own frame, and
-/// the time [s] at which everything is where TF has it.
-using AlignmentVector = Eigen::Matrix<double, 7, 1>;
+/// What an outline depends on: the shift [m] and the turn [rad] of the camera in its own frame, the
+/// time [s] at which everything is where TF has it, and the logarithm of the focal length.
+using AlignmentVector = Eigen::Matrix<double, 8, 1>;
+constexpr Eigen::Index kTimeEntry = 6;
+constexpr Eigen::Index kFocalEntry = 7;
 
 /// A point of an outline, and the edge of the recorded picture that it should lie on.
 struct OutlineEdge {

@@ -233,6 +233,23 @@ class MotionBuilder {
     });
     if (!setup_.pictures) return;
     setup_.config.motion.rate = setup_.pictures->rate().value_or(config().motion.rate);
+    findSurfaces();
+  }
+
+  void findSurfaces() {
+    if (!config().twin.isMeasured()) {
+      found().note("twin",
+                   "neither depth_topic nor cloud_topic is set: nothing tells what stands in front "
+                   "of the objects, and all of their pixels are labelled as if nothing did that "
+                   "the world does not have");
+      return;
+    }
+    on_stage_("looking through what was measured with the pictures");
+    setup_.surfaces = attempt([&] {
+      return std::make_unique<scene::MeasuredSurfaces>(config().twin, config().motion.bag_files,
+                                                       setup_.cameras, *setup_.pictures,
+                                                       *setup_.frames);
+    });
   }
 
   void checkPictures() {
@@ -240,6 +257,9 @@ class MotionBuilder {
     checkOpenTimes();
     found().add(base::Severity::kError,
                 setup_.pictures->problems(setup_.timeline.stamps, setup_.cameras));
+    if (setup_.surfaces && !setup_.timeline.stamps.empty()) {
+      setup_.surfaces->check(setup_.timeline.stamps, found());
+    }
   }
 
   /// As checkShutter, of pictures that are drawn at the times of recorded ones.

@@ -14,6 +14,7 @@
 #include "scene/articulation.h"
 #include "scene/camera_pictures.h"
 #include "scene/camera_rig.h"
+#include "scene/measured/measured_surfaces.h"
 #include "scene/object_shapes.h"
 #include "scene/object_variants.h"
 #include "scene/scene_arranger.h"
@@ -35,7 +36,8 @@ struct MotionSetup {
   std::vector<scene::ObjectVariants> variants;  ///< of each object
   std::unique_ptr<world::World> world;
   std::vector<scene::CameraRig> cameras;
-  std::unique_ptr<scene::CameraPictures> pictures;  ///< recorded ones that scenes have, if any
+  std::unique_ptr<scene::CameraPictures> pictures;    ///< recorded ones that scenes have, if any
+  std::unique_ptr<scene::MeasuredSurfaces> surfaces;  ///< recorded with the pictures, if any
   std::vector<std::vector<scene::DrivenLinks>> driven_links;  ///< of each object's variants
   std::vector<std::uint16_t> world_classes;     ///< of the world's links, their values in maps
   std::vector<std::uint16_t> parts;             ///< of the world's links, their values in maps

@@ -58,6 +58,53 @@ TEST(RawPicture, OfAMosaicHasTheColourThatFellOnIt) {
   }
 }
 
+/// The same in 16 bits, of which the upper ones are those of 8.
+std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& bytes) {
+  std::vector<std::uint8_t> wide;
+  for (const std::uint8_t each : bytes) wide.insert(wide.end(), {each, each});
+  return wide;
+}
+
+TEST(RawPicture, OfAMosaicOfSixteenBitsHasTheColourThatFellOnIt) {
+  for (const std::string pattern : {"rggb", "bggr", "gbrg", "grbg"}) {
+    const cv::Mat colours =
+        coloursOf(pictureOf(6, 6, "bayer_" + pattern + "16", widened(mosaic(pattern))));
+    EXPECT_EQ(colours.at<cv::Vec3b>(2, 2), cv::Vec3b(10, 100, 200)) << pattern;
+    EXPECT_EQ(colours.at<cv::Vec3b>(3, 2), cv::Vec3b(10, 100, 200)) << pattern;
+  }
+}
+
+TEST(RawPicture, OfSeveralChannelsOfSixteenBitsHasTheirOrder) {
+  const cv::Vec3b orange(10, 100, 200);  // blue, green, red
+  const std::map<std::string, std::vector<std::uint8_t>> pixels = {
+      {"bgr16", {10, 100, 200}},     {"16UC3", {10, 100, 200}},     {"rgb16", {200, 100, 10}},
+      {"bgra16", {10, 100, 200, 7}}, {"rgba16", {200, 100, 10, 7}}, {"16UC4", {10, 100, 200, 7}}};
+  for (const auto& [encoding, bytes] : pixels) {
+    EXPECT_EQ(first(pictureOf(1, 1, encoding, widened(bytes))), orange) << encoding;
+  }
+  EXPECT_EQ(first(pictureOf(1, 1, "8UC4", {10, 100, 200, 7})), orange);
+  EXPECT_EQ(first(pictureOf(1, 1, "8UC1", {77})), cv::Vec3b(77, 77, 77));
+  EXPECT_EQ(first(pictureOf(1, 1, "16UC1", {0x80, 0x80})), cv::Vec3b(128, 128, 128));
+}
+
+TEST(RawPicture, OfHalfTheColoursHasThemForBothPixels) {
+  // Red by ITU-R BT.601: y 82, u 90, v 240.
+  const std::map<std::string, std::vector<std::uint8_t>> pixels = {
+      {"yuv422", {90, 82, 240, 82}},
+      {"uyvy", {90, 82, 240, 82}},
+      {"yuv422_yuy2", {82, 90, 82, 240}},
+      {"yuyv", {82, 90, 82, 240}}};
+  for (const auto& [encoding, bytes] : pixels) {
+    const cv::Mat colours = coloursOf(pictureOf(2, 1, encoding, bytes));
+    for (int x = 0; x < 2; ++x) {
+      const cv::Vec3b colour = colours.at<cv::Vec3b>(0, x);
+      EXPECT_LE(colour[0], 2) << encoding;
+      EXPECT_LE(colour[1], 2) << encoding;
+      EXPECT_GE(colour[2], 253) << encoding;
+    }
+  }
+}
+
 TEST(RawPicture, OfHalfTheColoursIsGreyWhereTheyAreNeutral) {
   // u y v y, and y u y v; 128 is no colour, and luma 16 to 235 is black to white.
   EXPECT_EQ(first(pictureOf(2, 1, "yuv422", {128, 235, 128, 16})), cv::Vec3b(255, 255, 255));

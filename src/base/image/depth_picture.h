@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "base/image/picture_size.h"
+#include "base/image/raw_picture.h"
+
+namespace synthetic_dataset::base {
+
+/// Why a picture is no depth that can be read; nothing when it is (REP 118): 32FC1 in metres, or
+/// 16UC1 (mono16) in millimetres.
+[[nodiscard]] std::optional<std::string> depthProblem(const RawPicture& picture);
+
+/// CV_32FC1: z of what is seen [m]; 0 where nothing was measured.
+/// @throws Error with depthProblem()
+[[nodiscard]] cv::Mat depthOf(const RawPicture& picture);
+
+/// The size of a picture as compressed_depth_image_transport writes it, without decoding it.
+/// @param format  of the message: "16UC1; compressedDepth png"
+/// @throws Error saying why it cannot be read
+[[nodiscard]] PictureSize checkCompressedDepth(const std::vector<std::uint8_t>& file,
+                                               const std::string& format);
+
+/// depthOf such a picture.
+/// @throws Error as checkCompressedDepth
+[[nodiscard]] cv::Mat depthOfCompressed(const std::vector<std::uint8_t>& file,
+                                        const std::string& format);
+
+}  // namespace synthetic_dataset::base

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include "synthetic_dataset/camera_model.h"
+#include "synthetic_dataset/pose.h"
+
+/// Surfaces that were measured elsewhere, as a camera sees them: CV_32FC1 of its image's size, each
+/// pixel with the distance from the camera's centre [m] of what is nearest along its ray, 0 where
+/// nothing was measured.
+namespace synthetic_dataset::scene {
+
+/// A depth camera with the directions of its pixels, which take long to find with some lenses.
+class DepthLens {
+ public:
+  explicit DepthLens(const CameraModel& camera);
+
+  [[nodiscard]] const CameraModel& camera() const { return camera_; }
+
+  /// Of a pixel with the depth 1, row by row; z is 0 where the lens sees nothing at a depth.
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& rays() const { return rays_; }
+
+ private:
+  CameraModel camera_;
+  std::vector<Eigen::Vector3d> rays_;
+};
+
+/// Of a depth image. Each of its pixels is drawn as large as it is in the camera's image, so that
+/// surfaces have no holes whatever the two images' sizes.
+/// @param depth  CV_32FC1 of the lens's size: z [m], 0 where nothing was measured
+/// @param X_CD  of the depth camera in the other one's frame
+[[nodiscard]] cv::Mat rangesOfDepth(const cv::Mat& depth, const DepthLens& lens, const Pose& X_CD,
+                                    const CameraModel& camera);
+
+/// Of a cloud. Each point is drawn as a rectangle that reaches half-way to its neighbours on all
+/// four sides, but not much farther than half of the cloud's usual spacing (the median, across and
+/// along): no more than that where there is no neighbour. So surfaces close, holes stay open.
+/// @param points_C  [m]
+[[nodiscard]] cv::Mat rangesOfCloud(const std::vector<Eigen::Vector3d>& points_C,
+                                    const CameraModel& camera);
+
+/// The nearest of both, pixel by pixel.
+/// @param first, second  of one size; an empty one counts as nothing
+[[nodiscard]] cv::Mat nearestOf(const cv::Mat& first, const cv::Mat& second);
+
+}  // namespace synthetic_dataset::scene
