@@ -34,7 +34,7 @@ export function formOf(pose) {
 }
 
 // Angles in settings may be text, deg(20).
-export function numberOf(value) {
+function numberOf(value) {
   if (typeof value === 'number') return value;
   const degrees = /^deg\((.*)\)$/.exec(String(value ?? '').trim());
   const number = degrees ? Number(degrees[1]) * Math.PI / 180 : Number(value);

@@ -31,7 +31,7 @@ function defaultOf(path, options) {
 }
 
 // `control(props)` makes the element that is labelled; `props` has its id and its descriptions.
-export function field(path, options, control) {
+function field(path, options, control) {
   const id = idOf(path);
   const problems = problemsBelow(path);
   const source = sourceOf(path);

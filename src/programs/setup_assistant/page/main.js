@@ -8,7 +8,7 @@ import {loadAgain} from './scene_loader.js';
 import {drawStage, redrawBitmap} from './stage.js';
 import {answerOutside, changed, redo, start, store, undo, watch} from './store.js';
 import {show, view} from './view_state.js';
-import {drawYaml} from './yaml_editor.js';
+import {drawYaml, showSetting} from './yaml_editor.js';
 
 function drawHeader() {
   const {state} = store;
@@ -179,6 +179,10 @@ function onKey(event) {
     undo();
 }
 
+document.getElementById('pane').addEventListener('focusin', (event) => {
+  const field = event.target.closest('[data-path]');
+  if (field) showSetting(field.dataset.path.split('/'));
+});
 addEventListener('hashchange', readAddress);
 addEventListener('keydown', onKey);
 readAddress();

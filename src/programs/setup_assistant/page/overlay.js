@@ -5,7 +5,7 @@ import {h} from './dom.js';
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7].flatMap(
     (from) => [1, 2, 4].filter((bit) => !(from & bit)).map((bit) => [from, from | bit]));
 
-export const COLOURS = ['#e69f00', '#56b4e9', '#2fbf8f', '#f0e442', '#e8743b', '#cc79a7', '#8c7ae6', '#a3d977'];
+const COLOURS = ['#e69f00', '#56b4e9', '#2fbf8f', '#f0e442', '#e8743b', '#cc79a7', '#8c7ae6', '#a3d977'];
 
 export function colourOf(index) {
   return COLOURS[index % COLOURS.length];

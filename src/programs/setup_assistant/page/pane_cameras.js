@@ -127,7 +127,7 @@ function lensFacts({width, height, intrinsics}) {
 }
 
 // A choice between settings rather than of a setting's value.
-export function choice(id, label, pairs, value, choose) {
+function choice(id, label, pairs, value, choose) {
   return h(
       'div', {class: 'field', key: id, role: 'group', 'aria-labelledby': `${id}-label`},
       h('div', {class: 'field-head'}, h('span', {class: 'field-label', id: `${id}-label`}, label)),

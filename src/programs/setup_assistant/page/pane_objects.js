@@ -179,7 +179,7 @@ function keypoints(name) {
   ];
 }
 
-export function addPoint(path, list, point) {
+function addPoint(path, list, point) {
   set(path, [...list, point]);
 }
 

@@ -26,7 +26,7 @@ export const panes = [
   resultPane,
 ];
 
-export function paneOf(path) {
+function paneOf(path) {
   return panes.find((pane) => pane.paths().some((each) => startsWith(path, each))) ?? null;
 }
 

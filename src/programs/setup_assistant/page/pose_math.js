@@ -64,14 +64,14 @@ export function opticalOfBody(m) {
 }
 
 export const add = (a, b, factor = 1) => a.map((each, index) => each + factor * b[index]);
-export const dot = (a, b) => a.reduce((sum, each, index) => sum + each * b[index], 0);
+const dot = (a, b) => a.reduce((sum, each, index) => sum + each * b[index], 0);
 export const distance = (a, b) => Math.hypot(...add(a, b, -1));
 
-export function times(m, v) {
+function times(m, v) {
   return m.map((row) => dot(row, v));
 }
 
-export function transposed(m) {
+function transposed(m) {
   return [0, 1, 2].map((index) => column(m, index));
 }
 

@@ -2,6 +2,7 @@
 import {h, patch} from './dom.js';
 import {report, setText, store} from './store.js';
 import {show, view} from './view_state.js';
+import {lineOf} from './yaml_lines.js';
 
 const PAUSE = 400;  // [ms] without a key before the text is sent
 
@@ -90,7 +91,7 @@ function changedLines(before, after) {
   return b.length - end > first ? [first + 1, b.length - end] : null;
 }
 
-export function scrollToLine(line) {
+function scrollToLine(line) {
   const box = document.querySelector('.yaml-scroll');
   if (!box) return;
   const height = parseFloat(getComputedStyle(box).lineHeight);
@@ -98,6 +99,15 @@ export function scrollToLine(line) {
   if (top < box.scrollTop || top > box.scrollTop + box.clientHeight - 2 * height) {
     box.scrollTop = Math.max(0, top - box.clientHeight / 3);
   }
+}
+
+// Marks where a setting is, unless something is being typed.
+export function showSetting(path) {
+  const line = editor.typed === null && store.state ? lineOf(store.state.text, path) : null;
+  if (!line) return;
+  editor.mark = [line, line];
+  drawYaml();
+  scrollToLine(line);
 }
 
 export function goToLine(line) {
