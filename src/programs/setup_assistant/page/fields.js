@@ -50,7 +50,7 @@ function field(path, options, control) {
     h(isGroup ? 'span' : 'label', {class: 'field-label', id: `${id}-label`, for: isGroup ? null : id},
       options.label ?? String(path.at(-1)),
       options.unit && h('span', {class: 'unit'}, ` [${options.unit}]`)),
-    h('span', {class: 'source', title: SOURCES[source]}, {included: 'included', default: parameter(path)?.required ? 'required' : ''}[source]),
+    h('span', {class: 'source', title: SOURCES[source]}, {included: 'included', default: parameter(path)?.text?.startsWith('REQUIRED') ? 'required' : ''}[source]),
     resetButton(path, options)),
   h('div', {class: 'control'}, control(props)),
   h('p', {class: 'hint', id: `${id}-hint`, title: text.length > 150 ? text : null, onclick: unfold}, withCode(text)),

@@ -53,7 +53,7 @@ function list(severity, problems) {
         problems.map(
             (each) =>
                 h('li', {class: severity}, h('span', {class: 'about'}, link(each)),
-                  h('span', {class: 'found'}, sentence(each)),
+                  h('span', {class: 'what'}, sentence(each)),
                   each.cure ? h('span', {class: 'cure'}, each.cure) : null))));
 }
 
