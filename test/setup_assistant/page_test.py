@@ -4,6 +4,7 @@
 
 FOLDER gets a screenshot of each pane, narrow and wide, light and dark.
 """
+import math
 import pathlib
 import re
 import shutil
@@ -301,6 +302,48 @@ class Names(WithPage):
             if folder in each.text:
                 each.click()
         return self.page.listed()
+
+
+class Modules(WithPage):
+
+    def evaluate(self, module, expression):
+        return self.driver.execute_async_script(
+            'const [module, expression, done] = arguments;'
+            'import(`/page/${module}`).then((names) => done(Object.getOwnPropertyDescriptor(names, expression[0])'
+            '.value(...expression[1])), (error) => done(String(error)));', module, expression)
+
+    def test_read_and_write_values_in_one_line(self):
+        for text, value in [('[1, 2.5, -3e2]', [1, 2.5, -300]), ('{uniform: [0, 1], min: 0.5}', {'uniform': [0, 1], 'min': 0.5}),
+                            ('deg(20)', 'deg(20)'), ('[deg(20), "a, b"]', ['deg(20)', 'a, b']), ('{a: {b: []}}', {'a': {'b': []}}),
+                            ('$(find pkg)/x.yaml', '$(find pkg)/x.yaml'), ('true', True), ('"7"', '7')]:
+            with self.subTest(text=text):
+                self.assertEqual(self.evaluate('flow.js', ['parseFlow', [text]]), value)
+                printed = self.evaluate('flow.js', ['printFlow', [value]])
+                self.assertEqual(self.evaluate('flow.js', ['parseFlow', [printed]]), value)
+
+    def test_turn_cameras_as_sdf_does(self):
+        for rpy in [[0, 0, 0], [0.1, -0.4, 2.0], [-1.0, 1.2, -3.0]]:
+            with self.subTest(rpy=rpy):
+                matrix = self.evaluate('pose_math.js', ['matrixOfRpy', [rpy]])
+                again = self.evaluate('pose_math.js', ['rpyOfMatrix', [matrix]])
+                for value, expected in zip(again, rpy):
+                    self.assertAlmostEqual(value, expected, places=9)
+                quaternion = self.evaluate('pose_math.js', ['quaternionOfMatrix', [matrix]])
+                half = [math.sin(each / 2) for each in rpy], [math.cos(each / 2) for each in rpy]
+                # SDF's formula: w of the rotations about x, y and z, one after another.
+                w = half[1][0] * half[1][1] * half[1][2] + half[0][0] * half[0][1] * half[0][2]
+                self.assertAlmostEqual(abs(quaternion[3]), abs(w), places=9)
+        # Looking along x, the optical frame's z is x and its x is -y.
+        optical = self.evaluate('pose_math.js', ['opticalOfBody', [[[1, 0, 0], [0, 1, 0], [0, 0, 1]]]])
+        self.assertEqual([[0 + each for each in row] for row in optical], [[0, 0, 1], [-1, 0, 0], [0, -1, 0]])
+
+    def test_find_the_line_of_a_setting(self):
+        text = self.page.yaml()
+        for path, line in [(['simulated_rate'], 'simulated_rate: 5.0'), (['rover_2', 'class'], '  class: rover'),
+                           (['yolo', 'class'], '  class: number'), (['rover_1', 'keypoints', '2'], '  keypoints: &rover_keypoints')]:
+            number = self.evaluate('yaml_lines.js', ['lineOf', [text, path]])
+            self.assertEqual(text.splitlines()[number - 1], line)
+        self.assertIsNone(self.evaluate('yaml_lines.js', ['lineOf', [text, ['nothing']]]))
 
 
 class Panes(WithPage):
