@@ -72,9 +72,10 @@ std::int64_t WrittenDataset::middleScene() const {
 }
 
 WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
-  SqliteStatement scenes(database_,
-                         "SELECT camera, instant, stamp_ns FROM scene WHERE \"index\" = ? AND "
-                         "state IN ('written', 'complete')");
+  SqliteStatement scenes(
+      database_,
+      "SELECT camera, instant, stamp_ns, split FROM scene WHERE \"index\" = ? AND "
+      "state IN ('written', 'complete')");
   scenes.start(index);
   if (!scenes.step()) {
     (void)middleScene();  // throws for a dataset without scenes
@@ -88,7 +89,29 @@ WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
   const auto found = std::find(cameras_.begin(), cameras_.end(), camera);
   return {(cameras_.size() > 1 ? camera + "/" : "") + sceneNumber(scenes.integer(1)),
           found == cameras_.end() ? 0 : static_cast<std::size_t>(found - cameras_.begin()),
-          Stamp(scenes.integer(2))};
+          Stamp(scenes.integer(2)), camera, scenes.text(3)};
+}
+
+WrittenCounts WrittenDataset::counts() const {
+  WrittenCounts counts;
+  SqliteStatement splits(database_,
+                         "SELECT split, count(*) FROM scene WHERE state IN ('written', "
+                         "'complete') GROUP BY split");
+  for (splits.start(); splits.step();) {
+    counts.scenes += splits.integer(1);
+    if (!splits.text(0).empty()) counts.splits[splits.text(0)] = splits.integer(1);
+  }
+  SqliteStatement bytes(database_,
+                        "SELECT coalesce(sum(bytes), 0) FROM file WHERE linked_to IS NULL");
+  bytes.start();
+  if (bytes.step()) counts.bytes = bytes.integer(0);
+  SqliteStatement labels(database_,
+                         "SELECT class.name, count(scene) FILTER (WHERE NOT dropped AND "
+                         "coalesce(visible_pixels > 0, in_view)) FROM class JOIN object ON "
+                         "object.class = class.id LEFT JOIN scene_object ON "
+                         "scene_object.object = object.\"index\" GROUP BY class.id");
+  for (labels.start(); labels.step();) counts.labels[labels.text(0)] = labels.integer(1);
+  return counts;
 }
 
 bool WrittenDataset::lists(const std::filesystem::path& file) const {

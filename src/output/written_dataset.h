@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,16 @@ struct WrittenSceneRow {
   std::string name;              ///< Scene::name
   std::size_t camera_index = 0;  ///< Scene::camera_index
   Stamp stamp{0};                ///< Scene::stamp
+  std::string camera;            ///< its name
+  std::string split;             ///< Scene::split
+};
+
+/// What all scenes together hold whose files are there.
+struct WrittenCounts {
+  std::int64_t scenes = 0;
+  std::int64_t bytes = 0;                      ///< of all files
+  std::map<std::string, std::int64_t> splits;  ///< scenes of each
+  std::map<std::string, std::int64_t> labels;  ///< of each class
 };
 
 /// A dataset that a run has written, as its manifest lists it.
@@ -44,6 +55,8 @@ class WrittenDataset {
 
   /// @throws Error when the dataset has no scene of this index
   [[nodiscard]] WrittenSceneRow scene(std::int64_t index) const;
+
+  [[nodiscard]] WrittenCounts counts() const;
 
   /// Whether a file is one of the dataset's, by whichever of its names.
   [[nodiscard]] bool lists(const std::filesystem::path& file) const;

@@ -22,6 +22,7 @@
 #include "programs/console/parallel_run.h"
 #include "programs/console/ros_parameters.h"
 #include "programs/console/run_topics.h"
+#include "programs/console/script_reporter.h"
 #include "programs/console/settings_source.h"
 #include "programs/console/stop_signals.h"
 #include "programs/settings/documented_settings.h"
@@ -173,7 +174,9 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   stop_signals::install();
   if (command_line.config) {
-    programs::ConsoleReporter reporter;
+    programs::ConsoleReporter for_people;
+    programs::ScriptReporter for_scripts;
+    run::Reporter& reporter = command_line.as_json ? for_scripts : for_people;
     return generateOrReport(command_line, reporter,
                             [&] { return programs::settingsOf(command_line); });
   }

@@ -35,7 +35,9 @@ sigset_t endingSignals() {
   return signals;
 }
 
+/// As browsers write an address; of one that means all of this machine's, its name.
 std::string hostIn(const std::string& address) {
+  if (address == "0.0.0.0" || address == "::") return programs::machineName();
   return address.find(':') == std::string::npos ? address : "[" + address + "]";
 }
 
@@ -55,7 +57,9 @@ int serve(const programs::AssistantOptions& options) {
             << std::endl;
   int signal = 0;
   sigwait(&signals, &signal);
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second one ends it at once
   assistant.close();
+  server.stop();
   return 0;
 }
 

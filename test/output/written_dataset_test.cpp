@@ -74,6 +74,14 @@ TEST_F(WrittenDatasetTest, ListsItsScenes) {
   EXPECT_THAT(dataset().scenes(), ElementsAre(0, 4, 9));
 }
 
+TEST_F(WrittenDatasetTest, CountsItsScenesAndBytes) {
+  for (const int index : {0, 1, 2}) addScene(index);
+  const WrittenCounts counts = dataset().counts();
+  EXPECT_EQ(counts.scenes, 3);
+  EXPECT_EQ(counts.bytes, 3);  // a letter each
+  EXPECT_THAT(counts.labels, IsEmpty());
+}
+
 TEST_F(WrittenDatasetTest, KnowsWhoMakesPictures) {
   store_->commitScene({0, Stamp{0}}, {{text("a/0.txt", ""), text("b/0.png", "")}, {}});
   const WrittenDataset written = dataset();

@@ -111,8 +111,8 @@ the node's private parameters.
   --check      makes no dataset: prints what the run would be and what is odd about it,
                and leaves check.png (some scenes with their labels) and map.png (the
                world from above) in DIR, or in the current folder
-  --json       prints a last line for scripts: the result (done, stopped or failed), what
-               was made, the warnings and the errors
+  --json       prints lines for scripts: of a FILE how far the run is, and at the end the result
+               (done, stopped or failed), what was made, the warnings and the errors
   --settings   prints every setting with its default; with --json as a JSON schema
   --help       prints this
 

@@ -4,8 +4,8 @@
 #include <std_msgs/String.h>
 
 #include "base/json_text.h"
+#include "programs/console/script_reporter.h"
 #include "synthetic_dataset/label_text.h"
-#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::programs {
 namespace {
@@ -52,11 +52,7 @@ void RunTopics::publish() {
   const double left = rate > 0.0 ? static_cast<double>(scenes_ - scenes_done_) / rate : 0.0;
 
   std_msgs::String text;
-  text.data = base::jsonText(Value(Value::Map{{"scenes_done", Value(scenes_done_)},
-                                              {"scenes", Value(scenes_)},
-                                              {"rate", Value(rate)},
-                                              {"time_left", Value(left)},
-                                              {"warnings", Value(warnings_)}}));
+  text.data = base::jsonText(progressValue(scenes_done_, scenes_, seconds, warnings_));
   status_.publish(text);
 
   diagnostic_msgs::DiagnosticStatus status;

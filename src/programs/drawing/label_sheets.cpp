@@ -49,7 +49,9 @@ std::string LabelSheets::writerNames() const {
   return names;
 }
 
-cv::Mat LabelSheets::pictureOf(const output::WrittenWriter& writer, std::int64_t scene) const {
+/// Without an image where the writer made nothing of the scene that can be read.
+formats::LabelledPicture LabelSheets::labelsOf(const output::WrittenWriter& writer,
+                                               std::int64_t scene) const {
   const formats::Format* format = formats::formatOf(writer.type);
   if (format == nullptr) return {};
   const output::WrittenSceneRow row = dataset_.scene(scene);
@@ -57,8 +59,18 @@ cv::Mat LabelSheets::pictureOf(const output::WrittenWriter& writer, std::int64_t
       writer.folder, row.name,       row.camera_index, row.stamp, dataset_.files(writer, scene),
       kept_,         writer.settings};
   if (written.files.empty()) return {};
-  const formats::LabelledPicture picture = format->read(written);
-  return picture.image.empty() ? cv::Mat() : formats::drawLabels(picture);
+  return format->read(written);
+}
+
+std::optional<cv::Mat> LabelSheets::image(std::int64_t scene) const {
+  for (const output::WrittenWriter& writer : writers_) {
+    try {
+      const cv::Mat image = labelsOf(writer, scene).image;
+      if (!image.empty()) return image;
+    } catch (const Error&) {  // another one has it, too
+    }
+  }
+  return std::nullopt;
 }
 
 std::vector<LabelSheets::Panel> LabelSheets::panelsOf(std::int64_t scene) {
@@ -66,7 +78,8 @@ std::vector<LabelSheets::Panel> LabelSheets::panelsOf(std::int64_t scene) {
   for (const output::WrittenWriter& writer : writers_) {
     panels.push_back({writer.name + "  (" + writer.type + ")", {}});
     try {
-      panels.back().picture = pictureOf(writer, scene);
+      const formats::LabelledPicture labels = labelsOf(writer, scene);
+      if (!labels.image.empty()) panels.back().picture = formats::drawLabels(labels);
     } catch (const std::exception& error) {
       if (is_one_) throw;
       // Of a run that was stopped, formats with files of the dataset as a whole cannot be read.

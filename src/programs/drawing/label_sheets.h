@@ -10,6 +10,7 @@
 #include <opencv2/core.hpp>
 
 #include "output/written_dataset.h"
+#include "plugins/readback/drawn_label.h"
 #include "plugins/readback/kept_files.h"
 
 namespace synthetic_dataset::programs {
@@ -33,6 +34,10 @@ class LabelSheets {
   /// The same with a panel for each writer that makes pictures, so that all sheets are alike.
   [[nodiscard]] std::optional<cv::Mat> regularSheet(std::int64_t scene);
 
+  /// The scene's image without labels, as the first writer has it that can be read; nothing where
+  /// none did.
+  [[nodiscard]] std::optional<cv::Mat> image(std::int64_t scene) const;
+
   /// The writers that are drawn: "coco, yolo"
   [[nodiscard]] std::string writerNames() const;
 
@@ -43,7 +48,8 @@ class LabelSheets {
   };
 
   [[nodiscard]] std::vector<Panel> panelsOf(std::int64_t scene);
-  [[nodiscard]] cv::Mat pictureOf(const output::WrittenWriter& writer, std::int64_t scene) const;
+  [[nodiscard]] formats::LabelledPicture labelsOf(const output::WrittenWriter& writer,
+                                                  std::int64_t scene) const;
   [[nodiscard]] static std::optional<cv::Mat> sheetOf(const std::vector<Panel>& panels);
 
   output::WrittenDataset dataset_;

@@ -14,6 +14,7 @@ namespace synthetic_dataset::programs {
 namespace {
 
 const std::string kPagePath = "/page/";
+const std::string kResultPath = "/api/result/image/";
 const std::string kPicturePath = "/api/picture/";
 
 std::set<std::string> wordsBetweenCommas(const std::string& text) {
@@ -23,7 +24,7 @@ std::set<std::string> wordsBetweenCommas(const std::string& text) {
   return words;
 }
 
-bool startsWith(const std::string& text, const std::string& start) {
+bool isBelowAddress(const std::string& text, const std::string& start) {
   return text.rfind(start, 0) == 0;
 }
 
@@ -31,17 +32,27 @@ bool startsWith(const std::string& text, const std::string& start) {
 
 Assistant::Assistant(const std::string& file, const std::vector<std::string>& folders,
                      PageFiles page)
-    : allowed_(file, folders), page_(std::move(page)), document_(file, [this] {
-        publish("state", document_.state());
-        live_->refresh();
-      }) {
+    : allowed_(file, folders),
+      page_(std::move(page)),
+      document_(file,
+                [this] {
+                  publish("state", document_.state());
+                  live_->refresh();
+                }),
+      result_(document_) {
   live_ = std::make_unique<LiveService>(document_,
                                         [this](const Value& setup) { publish("setup", setup); });
+  run_ = std::make_unique<RunService>(document_, allowed_,
+                                      [this](const Value& state) { publish("run", state); });
   addDocumentRoutes();
   addCatalogueRoutes();
   addLiveRoutes();
+  addRunRoutes();
   live_->refresh();
-  ticker_.emplace([this] { document_.look(); });
+  ticker_.emplace([this] {
+    document_.look();
+    run_->look();
+  });
 }
 
 void Assistant::close() {
@@ -53,11 +64,14 @@ HttpResponse Assistant::answer(const HttpRequest& request) {
   const auto route = routes_.find(request.method + " " + request.path);
   if (route != routes_.end()) return route->second(request);
   if (request.method == "GET" && request.path == "/") return pageFile("index.html");
-  if (request.method == "GET" && startsWith(request.path, kPagePath)) {
+  if (request.method == "GET" && isBelowAddress(request.path, kPagePath)) {
     return pageFile(request.path.substr(kPagePath.size()));
   }
-  if (request.method == "GET" && startsWith(request.path, kPicturePath)) {
+  if (request.method == "GET" && isBelowAddress(request.path, kPicturePath)) {
     return live_->picture(request.path.substr(kPicturePath.size()));
+  }
+  if (request.method == "GET" && isBelowAddress(request.path, kResultPath)) {
+    return result_.picture(request.path.substr(kResultPath.size()), request);
   }
   throw HttpError(404, request.method + " " + request.path + ": there is no such request");
 }
@@ -89,7 +103,22 @@ void Assistant::addCatalogueRoutes() {
 
 void Assistant::addLiveRoutes() {
   get("/api/setup", [this](const HttpRequest&) { return live_->setup(); });
+  post("/api/check", [this](const Value&) { return live_->check(); });
   get("/api/scene", [this](const HttpRequest& request) { return live_->scene(request); });
+  get("/api/draws", [this](const HttpRequest& request) { return live_->draws(request); });
+  get("/api/recording", [this](const HttpRequest&) { return live_->recording(); });
+  get("/api/world", [this](const HttpRequest&) { return live_->world(); });
+  get("/api/placement", [this](const HttpRequest&) { return live_->placement(); });
+  get("/api/model", [this](const HttpRequest& request) { return live_->model(request); });
+  post("/api/pick", [this](const Value& body) { return live_->pick(body); });
+}
+
+void Assistant::addRunRoutes() {
+  get("/api/run", [this](const HttpRequest&) { return run_->state(); });
+  post("/api/run/start", [this](const Value& body) { return run_->start(body); });
+  post("/api/run/stop", [this](const Value&) { return run_->stop(); });
+  get("/api/result", [this](const HttpRequest& request) { return result_.page(request); });
+  post("/api/verify", [this](const Value&) { return result_.verify(); });
 }
 
 void Assistant::get(const std::string& path,

@@ -12,6 +12,8 @@
 #include "programs/setup_assistant/page_files.h"
 #include "programs/setup_assistant/service/document_service.h"
 #include "programs/setup_assistant/service/live_service.h"
+#include "programs/setup_assistant/service/result_service.h"
+#include "programs/setup_assistant/service/run_service.h"
 #include "programs/setup_assistant/web/event_stream.h"
 #include "programs/setup_assistant/web/http_message.h"
 
@@ -41,6 +43,7 @@ class Assistant {
   void addDocumentRoutes();
   void addCatalogueRoutes();
   void addLiveRoutes();
+  void addRunRoutes();
   void get(const std::string& path, const std::function<Value(const HttpRequest&)>& answer);
   void post(const std::string& path, const std::function<Value(const Value& body)>& answer);
   void publish(const std::string& name, const Value& value);
@@ -49,8 +52,10 @@ class Assistant {
   AllowedFolders allowed_;
   PageFiles page_;
   EventHub events_;
-  std::unique_ptr<LiveService> live_;
   DocumentService document_;
+  std::unique_ptr<LiveService> live_;
+  std::unique_ptr<RunService> run_;
+  ResultService result_;
   std::map<std::string, Route> routes_;  ///< by "GET /api/state"
   std::optional<Ticker> ticker_;         ///< looks after the file; ends first
 };

@@ -86,6 +86,8 @@ Sets a run up in a browser: prints the page's address, and serves it until it is
   setup_assistant rover.yaml rover.bag --folder /data/worlds
 
 From another machine: ssh -L 8080:127.0.0.1:PORT HOST
+
+Exit codes: 0 stopped by a signal, 1 a file cannot be read or written, or nobody can listen there.
 )";
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -269,6 +271,49 @@ INSTANTIATE_TEST_SUITE_P(Files, ShippedSettings,
                          testing::Values("example.yaml", "example_motions.yaml",
                                          "example_placement.yaml", "example_twin.yaml",
                                          "params.yaml", "randomize_default.yaml"));
+
+/// One change after another, as in a long session: what the text says is what was asked for all the
+/// time, with a new setting or list entry now and then.
+class LongSession : public testing::TestWithParam<std::string> {};
+
+TEST_P(LongSession, SaysWhatWasAskedForAllTheTime) {
+  std::string text = test::readFile(fs::path("../config") / GetParam());
+  Value expected = readYamlText(text, "text");
+  std::mt19937 random(7);  // NOLINT: the same session each time
+  const std::vector<Value> values = {
+      Value("word"),
+      Value("two words # or: more"),
+      Value(3),
+      Value(-0.125),
+      Value(false),
+      Value(Value::List{Value(1.5), Value(2)}),
+      Value(Value::Map{{"uniform", Value(Value::List{Value(0.5), Value(2.5)})}})};
+  for (int i = 0; i < 120; ++i) {
+    std::vector<YamlPath> paths;
+    collectPaths(expected, {}, paths);
+    if (paths.empty()) break;
+    YamlPath path = paths[random() % paths.size()];
+    std::optional<Value> value = values[random() % values.size()];
+    const Value* there = valueAt(expected, path);
+    const std::size_t what = random() % 4;
+    if (what == 0) value.reset();
+    if (what == 1 && there->is<Value::Map>()) path.emplace_back("new_" + std::to_string(i));
+    if (what == 1 && there->is<Value::List>()) path.emplace_back(there->as<Value::List>()->size());
+    if (value) {
+      setValue(expected, path, *value);
+    } else {
+      expected = copyWith(expected, path, 0, value);
+    }
+    text = editYaml(text, "settings.yaml", {{path, value}}, {});
+    ASSERT_TRUE(saysTheSame(expected, readYamlText(text, "text")))
+        << i << ": " << pathText(path) << "\n"
+        << text;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, LongSession,
+                         testing::Values("example.yaml", "example_motions.yaml",
+                                         "example_placement.yaml", "randomize_default.yaml"));
 
 }  // namespace
 }  // namespace synthetic_dataset::base

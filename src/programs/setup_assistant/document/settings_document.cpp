@@ -24,7 +24,7 @@ TextFault faultOf(const std::string& message) {
   return fault;
 }
 
-std::string nameOf(const std::string& file) {
+std::string fileNameOf(const std::string& file) {
   return std::filesystem::path(file).filename().string();
 }
 
@@ -41,8 +41,8 @@ void SettingsDocument::change(std::int64_t revision, const std::vector<base::Yam
   if (fault_) throw HttpError(409, "the text is no YAML: " + fault_->message + "; mend it first");
   std::string text = text_;
   for (base::YamlChange each : changes) {
-    each.path = pathAsWritten(each.path, base::readYamlText(text, nameOf(file_)));
-    text = base::editYaml(text, nameOf(file_), {each}, documentedOrder);
+    each.path = pathAsWritten(each.path, base::readYamlText(text, fileNameOf(file_)));
+    text = base::editYaml(text, fileNameOf(file_), {each}, documentedOrder);
   }
   if (text == text_) return;
   record(step);
@@ -116,15 +116,15 @@ void SettingsDocument::requireNobodyElse() {
   if (!outside_) return;
   throw HttpError(
       409,
-      nameOf(file_) + ": somebody else has changed the file; take their text or keep your own");
+      fileNameOf(file_) + ": somebody else has changed the file; take their text or keep your own");
 }
 
 void SettingsDocument::show(const std::string& text) {
   text_ = text;
   ++revision_;
   try {
-    const Value tree = base::readYamlText(text, nameOf(file_));
-    settings_ = asGroups(tree, nameOf(file_));
+    const Value tree = base::readYamlText(text, fileNameOf(file_));
+    settings_ = asGroups(tree, fileNameOf(file_));
     fault_.reset();
   } catch (const Error& error) {
     fault_ = faultOf(error.what());

@@ -20,16 +20,26 @@ LiveWorker::~LiveWorker() {
   for (Waiting& each : waiting_) refuse(each);
 }
 
-std::future<Value> LiveWorker::ask(const std::string& kind, Job job) {
-  std::promise<Value> answer;
-  std::future<Value> result = answer.get_future();
+std::shared_future<Value> LiveWorker::ask(const std::string& kind, Job job) {
+  return put(kind, std::move(job), Earlier::kIsRefused);
+}
+
+std::shared_future<Value> LiveWorker::askOnce(const std::string& kind, Job job) {
+  return put(kind, std::move(job), Earlier::kAnswersBoth);
+}
+
+std::shared_future<Value> LiveWorker::put(const std::string& kind, Job job, Earlier earlier) {
+  Waiting asked{kind, std::move(job), {}, {}};
+  asked.result = asked.answer.get_future().share();
+  std::shared_future<Value> result = asked.result;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    Waiting asked{kind, std::move(job), std::move(answer)};
     const auto same = std::find_if(waiting_.begin(), waiting_.end(),
                                    [&](const Waiting& each) { return each.kind == kind; });
     if (same == waiting_.end()) {
       waiting_.push_back(std::move(asked));
+    } else if (earlier == Earlier::kAnswersBoth) {
+      result = same->result;
     } else {
       refuse(*same);
       *same = std::move(asked);

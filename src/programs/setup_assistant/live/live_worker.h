@@ -30,15 +30,24 @@ class LiveWorker {
   /// Does a job in that thread.
   /// @param kind  a job of the same kind that waits is refused
   /// @return what the job returns or throws; HttpError 409 when a later one has taken its turn
-  [[nodiscard]] std::future<Value> ask(const std::string& kind, Job job);
+  std::shared_future<Value> ask(const std::string& kind, Job job);
+
+  /// The same, but the answer is that of a job of the same kind that waits, if there is one: for
+  /// kinds whose jobs all do the same.
+  std::shared_future<Value> askOnce(const std::string& kind, Job job);
 
  private:
   struct Waiting {
     std::string kind;
     Job job;
     std::promise<Value> answer;
+    std::shared_future<Value> result;
   };
 
+  /// What becomes of a job of the same kind that waits.
+  enum class Earlier { kIsRefused, kAnswersBoth };
+
+  std::shared_future<Value> put(const std::string& kind, Job job, Earlier earlier);
   void work();
   static void refuse(Waiting& waiting);
 

@@ -17,7 +17,7 @@ constexpr std::size_t kMostPictures = 120;
 std::string PictureCache::add(const cv::Mat& picture, const std::string& extension) {
   auto bytes = std::make_shared<const std::string>(encodedPicture(picture, extension));
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::string name = std::to_string(next_) + extension;
+  const std::string name = mark_ + "-" + std::to_string(next_) + extension;
   pictures_[next_++] = {name, std::move(bytes)};
   if (pictures_.size() > kMostPictures) pictures_.erase(pictures_.begin());
   return "/api/picture/" + name;

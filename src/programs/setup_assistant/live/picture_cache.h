@@ -4,7 +4,9 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <random>
 #include <string>
+#include <utility>
 
 #include <opencv2/core/mat.hpp>
 
@@ -22,6 +24,8 @@ class PictureCache {
   [[nodiscard]] std::shared_ptr<const std::string> find(const std::string& name) const;
 
  private:
+  /// Of this server: browsers keep pictures of an earlier one by their addresses.
+  std::string mark_ = std::to_string(std::random_device()());
   mutable std::mutex mutex_;
   std::int64_t next_ = 1;
   std::map<std::int64_t, std::pair<std::string, std::shared_ptr<const std::string>>> pictures_;

@@ -7,7 +7,6 @@
 #include "config/twin_runs.h"
 #include "programs/setup_assistant/document/settings_names.h"
 #include "programs/setup_assistant/service/request_body.h"
-#include "run/setup/ros_packages.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
@@ -94,6 +93,13 @@ void DocumentService::look() {
   if (is_new) on_change_();
 }
 
+void DocumentService::requireOnDisk() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  document_.look();
+  if (document_.outside()) throw HttpError(409, "somebody else has changed the settings file");
+  if (document_.fault()) throw HttpError(409, document_.fault()->message);
+}
+
 std::int64_t DocumentService::revision() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return document_.revision();
@@ -126,7 +132,7 @@ void DocumentService::readEffective() {
   effective_.errors.clear();
   effective_.settings.reset();
   try {
-    const Value all = config::loadSettings(document_.file(), run::rosPackageFinder());
+    const Value all = config::loadSettings(document_.file(), packages_.finder());
     effective_.settings = config::twinRuns(all).front();
   } catch (const ErrorList& errors) {
     effective_.errors = errors.messages();

@@ -5,8 +5,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "programs/setup_assistant/document/settings_document.h"
+#include "run/setup/ros_packages.h"
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::programs {
@@ -39,6 +41,9 @@ class DocumentService {
   [[nodiscard]] Value redo();
   [[nodiscard]] Value decideOutside(const Value& body);
 
+  /// @throws HttpError 409 when the file on the disk does not say what the page shows
+  void requireOnDisk();
+
   /// Looks whether somebody else has changed the file.
   void look();
 
@@ -56,6 +61,7 @@ class DocumentService {
   std::mutex mutex_;
   SettingsDocument document_;
   EffectiveSettings effective_;
+  run::RosPackageIndex packages_;  ///< found once, since every change asks for them
   OnChange on_change_;
 };
 

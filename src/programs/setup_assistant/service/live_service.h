@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <mutex>
 #include <string>
 
 #include "programs/setup_assistant/live/live_worker.h"
@@ -25,13 +23,30 @@ class LiveService {
   void refresh();
 
   [[nodiscard]] Value setup();
+
+  /// The full check of the run, whose findings are added to what the settings amount to.
+  [[nodiscard]] Value check();
+
   [[nodiscard]] Value scene(const HttpRequest& request);
+  [[nodiscard]] Value draws(const HttpRequest& request);
+  [[nodiscard]] Value recording();
+  [[nodiscard]] Value world();
+  [[nodiscard]] Value placement();
+  [[nodiscard]] Value model(const HttpRequest& request);
+  [[nodiscard]] Value pick(const Value& body);
   [[nodiscard]] HttpResponse picture(const std::string& name) const;
 
  private:
-  /// Does a job with the current settings, and waits for it.
-  [[nodiscard]] Value ask(const std::string& kind, const LiveWorker::Job& job);
+  /// Waits for a job with the current settings. Of those of one kind and page, the latest wins.
+  [[nodiscard]] Value latest(const std::string& kind, const HttpRequest& request,
+                             const LiveWorker::Job& job);
+
+  /// The same for jobs that do the same for all pages.
+  [[nodiscard]] Value once(const std::string& kind, const LiveWorker::Job& job);
+
+  [[nodiscard]] LiveWorker::Job withSettings(const LiveWorker::Job& job);
   [[nodiscard]] Value readSetup(run::LiveRun& live);
+  [[nodiscard]] Value setupView(const run::LiveSetup& setup) const;
   void prepare(run::LiveRun& live);
 
   DocumentService& document_;

@@ -6,7 +6,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-const Value* entryOf(const Value& body, const std::string& name) {
+const Value* bodyEntry(const Value& body, const std::string& name) {
   const auto* map = body.as<Value::Map>();
   if (map == nullptr) return nullptr;
   const auto found = map->find(name);
@@ -25,7 +25,7 @@ Value bodyOf(const HttpRequest& request) {
 }
 
 const Value& requiredOf(const Value& body, const std::string& name) {
-  const Value* value = entryOf(body, name);
+  const Value* value = bodyEntry(body, name);
   if (value == nullptr) throw HttpError(400, name + ": found nothing; it has to be there");
   return *value;
 }
@@ -36,8 +36,16 @@ std::int64_t wholeNumberOf(const Value& body, const std::string& name) {
   throw HttpError(400, name + ": found " + value.text() + "; it should be a whole number");
 }
 
+double numberOf(const Value& body, const std::string& name, double fallback) {
+  const Value* value = bodyEntry(body, name);
+  if (value == nullptr) return fallback;
+  if (const auto* whole = value->as<std::int64_t>()) return static_cast<double>(*whole);
+  if (const auto* number = value->as<double>()) return *number;
+  throw HttpError(400, name + ": found " + value->text() + "; it should be a number");
+}
+
 std::string textOf(const Value& body, const std::string& name) {
-  const Value* value = entryOf(body, name);
+  const Value* value = bodyEntry(body, name);
   const auto* text = value == nullptr ? nullptr : value->as<std::string>();
   return text == nullptr ? "" : *text;
 }

@@ -16,6 +16,9 @@ namespace synthetic_dataset::programs {
 [[nodiscard]] const Value& requiredOf(const Value& body, const std::string& name);
 [[nodiscard]] std::int64_t wholeNumberOf(const Value& body, const std::string& name);
 
+/// A number, or the fallback where there is none.
+[[nodiscard]] double numberOf(const Value& body, const std::string& name, double fallback);
+
 /// A text; empty where there is none.
 [[nodiscard]] std::string textOf(const Value& body, const std::string& name);
 

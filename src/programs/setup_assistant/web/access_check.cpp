@@ -36,11 +36,6 @@ bool isAddress(const std::string& name) {
          ::inet_pton(AF_INET6, name.substr(1, name.size() - 2).c_str(), bytes.data()) == 1;
 }
 
-std::string machineName() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
-
 HttpResponse forbidden() {
   HttpResponse response;
   response.status = 403;
@@ -49,6 +44,11 @@ HttpResponse forbidden() {
 }
 
 }  // namespace
+
+std::string machineName() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
 
 std::string makeToken() {
   std::array<unsigned char, 16> bytes{};

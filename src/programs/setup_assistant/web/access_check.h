@@ -11,6 +11,9 @@ namespace synthetic_dataset::programs {
 /// 128 bits of the system's randomness, in hexadecimal digits.
 [[nodiscard]] std::string makeToken();
 
+/// What other machines call this one.
+[[nodiscard]] std::string machineName();
+
 /// Who may ask: whoever knows the token, from a page of this server.
 class AccessCheck {
  public:

@@ -193,8 +193,10 @@ HttpServer::HttpServer(const std::string& address, std::uint16_t port) {
                                             : reinterpret_cast<sockaddr_in6*>(name)->sin6_port);
 }
 
+void HttpServer::stop() { daemon_.reset(); }
+
 HttpServer::~HttpServer() {
-  daemon_.reset();
+  stop();
   if (socket_ >= 0) ::close(socket_);
 }
 

@@ -22,7 +22,6 @@ class HttpServer {
   /// @throws Error when nobody can listen there
   HttpServer(const std::string& address, std::uint16_t port);
 
-  /// Waits for the answers that are under way. Streams of events have to be closed before.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
@@ -31,6 +30,10 @@ class HttpServer {
 
   /// @throws Error when there is no thread for it
   void serve(Handler handler);
+
+  /// Waits for the answers that are under way; the handler is not called any more. Streams of
+  /// events have to be closed before.
+  void stop();
 
  private:
   struct Daemon;

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "programs/setup_assistant/run/run_log.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::programs {
+
+/// Starts and stops `generate`, one at a time, and knows how far it is.
+class RunControl {
+ public:
+  /// @param on_change  called in another thread when there is news
+  explicit RunControl(std::function<void()> on_change);
+
+  /// A run that goes on is asked to stop, and waited for.
+  ~RunControl();
+  RunControl(const RunControl&) = delete;
+  RunControl& operator=(const RunControl&) = delete;
+
+  /// @param command  generate's file and its arguments
+  /// @throws HttpError 409 when a run goes on already
+  void start(const std::vector<std::string>& command);
+
+  /// Asks the run to stop behind the scene that it makes; asked again, at once. Nothing happens
+  /// without a run.
+  void stop();
+
+  [[nodiscard]] bool isRunning() const;
+
+  /// state (idle, running, done, stopped or failed), stopping, scenes_done, scenes, rate,
+  /// seconds_left, log, errors, exit_code.
+  [[nodiscard]] Value::Map state() const;
+
+ private:
+  void work();
+  void runOnce(const std::vector<std::string>& command);
+
+  std::function<void()> on_change_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<std::vector<std::string>> wanted_;
+  static constexpr pid_t kNone = -1;
+  static constexpr pid_t kEnding = -2;  ///< it prints nothing more
+  pid_t child_ = kNone;                 ///< of a run that goes on
+  bool is_stopping_ = false;
+  bool is_over_ = false;
+  RunLog log_;
+  std::optional<int> exit_code_;
+  std::thread thread_;  ///< last: it uses the others
+};
+
+}  // namespace synthetic_dataset::programs

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "programs/setup_assistant/service/document_service.h"
+#include "programs/setup_assistant/web/http_message.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::programs {
+
+/// The dataset that the settings have made so far, from its files alone.
+class ResultService {
+ public:
+  /// @param document  has to outlive this
+  explicit ResultService(DocumentService& document) : document_(document) {}
+
+  /// Some of its scenes, and what all of them hold.
+  /// @throws HttpError 404 when there is no dataset yet
+  [[nodiscard]] Value page(const HttpRequest& request);
+
+  /// A scene's image; with `labels=1` with those that a format's files have (`writer=NAME`, else
+  /// the first that can be drawn), and no wider than `width` [px].
+  /// @param name  "12.jpg"
+  [[nodiscard]] HttpResponse picture(const std::string& name, const HttpRequest& request);
+
+  /// What `verify` says.
+  [[nodiscard]] Value verify();
+
+ private:
+  [[nodiscard]] std::string folder();
+
+  DocumentService& document_;
+  std::mutex drawing_;  ///< two pictures at a time would take the cores from the run
+};
+
+}  // namespace synthetic_dataset::programs

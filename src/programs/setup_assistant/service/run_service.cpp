@@ -1,0 +1,149 @@
+#include "programs/setup_assistant/service/run_service.h"
+
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/json_text.h"
+#include "config/checked_values.h"
+#include "output/files/run_lock.h"
+#include "output/manifest/manifest_schema.h"
+#include "output/written_dataset.h"
+#include "programs/setup_assistant/web/http_message.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::programs {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string settingText(const Value& group, const std::string& name) {
+  const auto* map = group.as<Value::Map>();
+  const auto found = map == nullptr ? Value::Map::const_iterator() : map->find(name);
+  if (map == nullptr || found == map->end()) return "";
+  const auto* text = found->second.as<std::string>();
+  return text == nullptr ? "" : *text;
+}
+
+std::string generateProgram() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path program = self.parent_path() / "generate";
+  if (fs::exists(program, error)) return program.string();
+  throw Error("'" + program.string() + "': no such program");
+}
+
+/// The setting that has a run make some of its scenes alone.
+std::string onlyScenes(const Value& wanted) {
+  Value::List scenes;
+  if (const auto* count = wanted.as<std::int64_t>()) {
+    for (std::int64_t i = 0; i < *count; ++i) scenes.emplace_back(i);
+  } else if (const auto* list = wanted.as<Value::List>()) {
+    scenes = *list;
+  }
+  if (scenes.empty()) throw HttpError(400, "scenes: it should be a number of scenes, or a list");
+  return "only_scenes:=" + base::jsonText(scenes);
+}
+
+/// How far somebody else's run is, by what it has written.
+void countScenes(const std::string& folder, Value::Map& state) {
+  try {
+    state["scenes_done"] = output::WrittenDataset(folder).counts().scenes;
+  } catch (const Error&) {  // it has only begun
+  }
+}
+
+bool isHeldNow(const std::string& folder) {
+  return !folder.empty() && output::RunLock::isHeld(output::manifestFile(folder));
+}
+
+}  // namespace
+
+std::string outputFolderOf(const Value& settings) {
+  return config::absolutePath(settingText(settings, "output_folder"));
+}
+
+RunService::RunService(DocumentService& document, const AllowedFolders& allowed,
+                       std::function<void(const Value& state)> on_change)
+    : document_(document),
+      allowed_(allowed),
+      on_change_(std::move(on_change)),
+      run_([this] { on_change_(state()); }) {}
+
+Value RunService::start(const Value& body) {
+  const Value::Map own = settings();
+  requireOwnFolders(own);
+  if (isHeldNow(outputFolderOf(own))) throw HttpError(409, "a run writes this dataset already");
+  std::vector<std::string> command = {generateProgram(), "--config", document_.file(), "--json"};
+  const auto* group = body.as<Value::Map>();
+  const auto scenes = group == nullptr ? Value::Map::const_iterator() : group->find("scenes");
+  if (group != nullptr && scenes != group->end() && !scenes->second.isNull()) {
+    command.push_back(onlyScenes(scenes->second));
+  }
+  run_.start(command);
+  return state();
+}
+
+Value RunService::stop() {
+  run_.stop();
+  return state();
+}
+
+Value RunService::state() {
+  Value::Map state = run_.state();
+  const auto effective = document_.effective();
+  const std::string folder = effective.settings ? outputFolderOf(*effective.settings) : "";
+  state["output_folder"] = folder;
+  const bool is_elsewhere = !run_.isRunning() && isHeldNow(folder);
+  state["elsewhere"] = is_elsewhere;
+  if (is_elsewhere) state["state"] = "running";
+  if (is_elsewhere) countScenes(folder, state);
+  return state;
+}
+
+void RunService::look() {
+  const auto effective = document_.effective();
+  const bool is_elsewhere =
+      !run_.isRunning() && effective.settings && isHeldNow(outputFolderOf(*effective.settings));
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (is_elsewhere == was_elsewhere_) return;
+    was_elsewhere_ = is_elsewhere;
+  }
+  on_change_(state());
+}
+
+/// What the run will read from the disk.
+Value::Map RunService::settings() {
+  document_.requireOnDisk();
+  const auto effective = document_.effective();
+  if (!effective.settings) throw ErrorList(effective.errors);
+  const auto* map = effective.settings->as<Value::Map>();
+  return map == nullptr ? Value::Map{} : *map;
+}
+
+/// The page may have any file of the user's overwritten, if it could choose the folder freely.
+void RunService::requireOwnFolders(const Value::Map& settings) const {
+  std::vector<std::pair<std::string, std::string>> targets = {
+      {"output_folder", settingText(Value(settings), "output_folder")}};
+  for (const auto& [name, group] : settings) {
+    for (const char* setting : {"output_folder", "main_list"}) {
+      const std::string target = settingText(group, setting);
+      const bool is_own = setting == std::string("main_list") && fs::path(target).is_relative();
+      if (!is_own) targets.emplace_back(name + "/" + setting, target);
+    }
+  }
+  for (const auto& [name, target] : targets) {
+    if (target.empty()) continue;
+    std::error_code error;
+    const fs::path resolved = fs::weakly_canonical(config::absolutePath(target), error);
+    if (!error && isBelow(resolved, allowed_.home())) continue;
+    throw HttpError(403, name + ": found '" + target + "', and this page writes below '" +
+                             allowed_.home().string() +
+                             "' alone; `\"$(dirname)/dataset\"` would be right, or a run by hand: "
+                             "`rosrun synthetic_dataset generate --config " +
+                             document_.file() + "`");
+  }
+}
+
+}  // namespace synthetic_dataset::programs

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <string>
+
+#include "programs/setup_assistant/folders/allowed_folders.h"
+#include "programs/setup_assistant/run/run_control.h"
+#include "programs/setup_assistant/service/document_service.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::programs {
+
+/// The run of the settings: this server's own, or one that somebody else has started.
+class RunService {
+ public:
+  /// @param document, allowed  have to outlive this
+  /// @param on_change  gets the state when there is news
+  RunService(DocumentService& document, const AllowedFolders& allowed,
+             std::function<void(const Value& state)> on_change);
+
+  /// @param body  `scenes`, a number or a list of them: only these are made, others another time
+  /// @throws HttpError where the settings on the disk are not those of the page, or the run would
+  ///     write where the page may not
+  [[nodiscard]] Value start(const Value& body);
+  [[nodiscard]] Value stop();
+  [[nodiscard]] Value state();
+
+  /// Looks whether somebody else's run has begun or ended.
+  void look();
+
+ private:
+  [[nodiscard]] Value::Map settings();
+  void requireOwnFolders(const Value::Map& settings) const;
+
+  DocumentService& document_;
+  const AllowedFolders& allowed_;
+  std::function<void(const Value& state)> on_change_;
+  std::mutex mutex_;
+  bool was_elsewhere_ = false;
+  RunControl run_;  ///< last: it uses the others
+};
+
+/// Where the dataset of settings goes; empty where they do not say it.
+[[nodiscard]] std::string outputFolderOf(const Value& settings);
+
+}  // namespace synthetic_dataset::programs
