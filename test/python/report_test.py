@@ -11,7 +11,7 @@ import numpy as np
 from PIL import Image
 import rosunit
 
-from example_dataset import DatasetCase, SCENES, run
+from example_dataset import DatasetCase, REPOSITORY, SCENES, run
 from synthetic_dataset import Dataset
 from synthetic_dataset.report.brightness import Brightness
 from synthetic_dataset.report.choice import choose
@@ -172,6 +172,31 @@ class OfBoxesAlone(DatasetCase):
         self.assertIn('Distance', page.text)
         self.assertNotIn('Visibility', page.text)
         self.assertIn('not divided into splits', page.text)
+
+
+class OfRecordedPictures(DatasetCase):
+    """The example's pictures, in which a visitor stands of whom the world knows nothing."""
+
+    @classmethod
+    def generate(cls, *arguments):
+        return run('generate', '--config', REPOSITORY / 'config' / 'example_twin.yaml',
+                   f'output_folder:={cls.folder}', *arguments)
+
+    def test_say_what_hides_objects(self):
+        scenes = list(Dataset(self.folder))
+        self.assertEqual(len(scenes), 5)
+        for scene in scenes:
+            self.assertGreater(scene.alignment, 0.6)
+            self.assertLess(scene.unmeasured, 0.01)
+        covered = [each.covered for scene in scenes for each in scene.objects
+                   if each.covered is not None]
+        self.assertGreater(max(covered), 0.1, 'the visitor stands before a rover')
+        self.assertEqual(min(covered), 0.0)
+        code, text = run('report', self.folder)
+        self.assertEqual(code, 0, text)
+        page = Page((self.folder / 'report.html').read_text('utf-8'))
+        self.assertIn('What may hide objects in recorded pictures', page.text)
+        self.assertIn('Something that the world does not have hides', page.text)
 
 
 class Choices(DatasetCase):

@@ -57,6 +57,7 @@ TEST(ShippedSettings, OfTheExamplesAreRight) {
   EXPECT_THAT(errorsOf(shipped("example.yaml")), IsEmpty());
   EXPECT_THAT(errorsOf(shipped("example_placement.yaml")), IsEmpty());
   EXPECT_THAT(errorsOf(shipped("example_motions.yaml")), IsEmpty());
+  EXPECT_THAT(errorsOf(shipped("example_twin.yaml")), IsEmpty());
 }
 
 TEST(ShippedSettings, OfThePresetGoBelowAnyOthers) {
