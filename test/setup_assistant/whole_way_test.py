@@ -119,6 +119,10 @@ class WholeWay(unittest.TestCase):
                        'reading' not in self.page.text('#header .verdict'), 'all problems to be mended')
         self.step('problems', 'problems')
         self.page.wait_for_picture()
+        self.page.click('#pane button', 'Check with nine scenes')
+        self.page.wait(lambda: self.page.text('#pane').find('Checking') < 0, 'the check', timeout=300)
+        self.page.go('output')
+        self.page.wait(lambda: re.search(r'Takes\s+about', self.page.text('#pane')), 'how long it takes')
 
     def run_it(self):
         self.step('run', 'run')

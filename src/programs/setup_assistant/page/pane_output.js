@@ -1,3 +1,4 @@
+import {checkButton} from './check_button.js';
 import {h} from './dom.js';
 import {choiceField, fileField, more, numberField, problemList, rounded, section} from './fields.js';
 import {bytes, duration, grouped} from './numbers.js';
@@ -55,9 +56,11 @@ function figures() {
     ['Takes', Number.isFinite(seconds) ? `about ${duration(seconds)}` : null],
     ['Memory', Number.isFinite(memory) ? bytes(memory) : null],
   ];
-  return h(
-      'dl', {class: 'figures'},
-      rows.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value ?? '\u2013'))));
+  return [
+    h('dl', {class: 'figures'},
+      rows.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value ?? '\u2013')))),
+    h('p', {class: 'buttons'}, checkButton(), h('span', {class: 'muted'}, 'It measures what a run takes.')),
+  ];
 }
 
 const PARTS = ['train', 'val', 'test'];

@@ -1,8 +1,9 @@
+import {checkButton} from './check_button.js';
 import {h} from './dom.js';
 import {count} from './numbers.js';
 import {keyOf} from './paths.js';
 import {allProblems, sentence, SEVERITIES} from './problems.js';
-import {changed, checkAll, store} from './store.js';
+import {store} from './store.js';
 import {goToLine} from './yaml_editor.js';
 
 const checking = {
@@ -22,9 +23,7 @@ function draw() {
   const {error} = store.state;
   const problems = allProblems();
   return [
-    h('p', {class: 'buttons'},
-      h('button', {type: 'button', class: 'primary', disabled: checking.isOn || Boolean(error), onclick: check},
-        checking.isOn ? 'Checking\u2026' : 'Check with nine scenes'),
+    h('p', {class: 'buttons'}, checkButton({class: 'primary'}),
       h('span', {class: 'muted'}, 'Makes scenes all over the run and looks for what is odd about them.')),
     error ? h('ul', {class: 'problems all'},
               h('li', {class: 'error'}, h('span', {class: 'severity'}, 'error'), ' ',
@@ -35,14 +34,6 @@ function draw() {
     h('div', {}, SEVERITIES.map((severity) => list(severity, problems.filter((each) => each.severity === severity)))),
     problems.length || error ? null : h('p', {class: 'empty'}, 'Nothing is wrong.'),
   ];
-}
-
-async function check() {
-  checking.isOn = true;
-  changed();
-  await checkAll();
-  checking.isOn = false;
-  changed();
 }
 
 function list(severity, problems) {
