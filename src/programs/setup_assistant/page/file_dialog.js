@@ -18,7 +18,7 @@ export function browse(kind, what) {
       lastFolder = listing.error ? lastFolder : listing.folder;
       patch(dialog, view(listing, kind, what, show, choose));
     };
-    patch(dialog, view({folder: '', folders: [], files: []}, kind, what, show, choose));
+    patch(dialog, view({folder: lastFolder ?? '', folders: [], files: [], isRead: false}, kind, what, show, choose));
     dialog.showModal();
     show(lastFolder);
   });
@@ -32,7 +32,7 @@ async function list(folder, kind) {
   }
 }
 
-function view({folder, parent, folders, files, error}, kind, what, show, choose) {
+function view({folder, parent, folders, files, error, isRead = true}, kind, what, show, choose) {
   const isFolder = kind === 'folder';
   const isRoot = !folder;
   return [
@@ -58,7 +58,9 @@ function view({folder, parent, folders, files, error}, kind, what, show, choose)
                     h('button', {type: 'button', onclick: () => choose(each.path)}, h('span', {class: 'kind'}),
                       h('span', {class: 'name'}, each.name), h('span', {class: 'size'}, bytes(each.size)))))),
     error ? h('p', {class: 'problems'}, error) : null,
-    !error && folders.length + files.length === 0 ? h('p', {class: 'empty'}, 'Nothing of this kind is here.') : null,
+    !error && folders.length + files.length === 0 ?
+        h('p', {class: 'empty'}, isRead ? 'Nothing of this kind is here.' : 'Reading\u2026') :
+        null,
     isFolder && !isRoot ?
         h('p', {}, h('button', {type: 'button', class: 'primary', onclick: () => choose(folder)}, 'Take this folder')) :
         null,

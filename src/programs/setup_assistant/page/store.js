@@ -208,6 +208,32 @@ function documentedPath(path) {
 
 const answers = new Map();
 
+// Browsers have six connections to a server. The pictures and what is clicked need some, so few wait for answers
+// that take long.
+const MOST_WAITING = 2;
+const waiting = {
+  count: 0,
+  queue: []
+};
+
+async function inTurn(ask) {
+  if (waiting.count >= MOST_WAITING)
+    await new Promise((resolve) => {
+      waiting.queue.push(resolve);
+    });
+  else
+    ++waiting.count;
+  try {
+    return await ask();
+  } finally {
+    const next = waiting.queue.shift();
+    if (next)
+      next();
+    else
+      --waiting.count;
+  }
+}
+
 function forgetAnswers() {
   for (const answer of answers.values()) answer.isOld = true;
 }
@@ -220,7 +246,7 @@ export function answer(path, query = {}) {
   if (known.isOld && !known.isAsked) {
     known.isOld = false;
     known.isAsked = true;
-    get(path, query)
+    inTurn(() => get(path, query))
         .then(
             (value) => {
               const isNew = !isEqual(value, known.value) || known.error !== null;
