@@ -148,16 +148,8 @@ class Page:
         self.click(selector, label)
         self.wait(lambda: self.revision() > before, f'{selector} {label or ""} to change the settings')
 
-    def browse(self, button, *names):
-        """Opens the file dialog with a button, and clicks through folders to a file."""
-        before = self.revision()
-        self.click(button)
-        for name in names:
-            self.click('#dialog .listing button', name)
-        self.wait(lambda: self.revision() > before, f'{names[-1]} to be chosen')
-
     def listed(self):
-        return [each.text for each in self.all('#dialog .listing button')]
+        return [each.text for each in self.all('#dialog .listing .name')]
 
     def revision(self):
         found = re.search(r'revision (\d+)', self.script(

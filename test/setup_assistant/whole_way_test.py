@@ -47,17 +47,30 @@ class WholeWay(unittest.TestCase):
         self.compare_with_generate()
 
     def choose(self, button, *names):
-        """Opens the file dialog and clicks through folders, each named by the end of its path."""
+        """Opens the file dialog and clicks from the folders that may be read through others, each named by the end of
+        its path, to a file, or to a folder that is then taken."""
         before = self.page.revision()
         self.page.click(button)
+        while self.read_folder() != 'Folders that may be read':
+            self.enter('up')
         for name in names:
-            entry = self.page.wait(lambda: next((each for each in self.page.all('#dialog .listing button')
-                                                 if re.sub(r'^\W*', '', each.text).split('\n')[0].rstrip('/').endswith(name)), None),
-                                   f'{name} among {self.page.listed()}')
-            entry.click()
-        if not names or '.' not in names[-1]:
+            self.enter(name)
+        if self.page.all('dialog[open]'):
             self.page.click('#dialog button.primary')
         self.page.wait(lambda: self.page.revision() > before, 'the file to be taken')
+
+    def read_folder(self):
+        """The dialog's folder, once its entries are there."""
+        self.page.wait(lambda: self.page.listed() or 'Nothing' in self.page.text('#dialog'), 'the entries')
+        return self.page.text('#dialog .folder')
+
+    def enter(self, name):
+        before = self.read_folder()
+        entry = self.page.wait(lambda: next((each for each in self.page.all('#dialog .listing .name')
+                                             if each.text.rstrip('/').endswith(name)), None),
+                               f'{name} among {self.page.listed()}')
+        entry.click()
+        self.page.wait(lambda: not self.page.all('dialog[open]') or self.page.text('#dialog .folder') != before, f'{name} to open')
 
     def step(self, pane, name):
         self.page.go(pane)
@@ -71,8 +84,8 @@ class WholeWay(unittest.TestCase):
     def surround(self):
         self.step('world', 'world')
         field = '[data-path="world/file"], [data-path="world"]'
-        self.choose(', '.join(f'{each} .with-button button' for each in field.split(', ')), 'example.sdf')
-        self.choose('[data-path="world/model_folders"] .file-list > button', 'models')
+        self.choose(', '.join(f'{each} .with-button button' for each in field.split(', ')), 'worlds', 'example.sdf')
+        self.choose('[data-path="world/model_folders"] .file-list > button', 'worlds', 'models')
 
     def choose_objects(self):
         self.step('objects', 'objects')
@@ -84,7 +97,7 @@ class WholeWay(unittest.TestCase):
 
     def aim(self):
         self.step('cameras', 'cameras')
-        self.choose('[data-path="camera/info_file"] .with-button button', 'example_camera.yaml')
+        self.choose('[data-path="camera/info_file"] .with-button button', 'worlds', 'example_camera.yaml')
         self.page.click_and_wait('#pane .segment', 'Random')
 
     def choose_formats(self):
@@ -97,17 +110,7 @@ class WholeWay(unittest.TestCase):
 
     def choose_output(self):
         self.step('output', 'output')
-        # The dialog opens where it was last, so it goes up first.
-        before = self.page.revision()
-        self.page.click('[data-path="output_folder"] .with-button button')
-        while not any(self.folder.name in each for each in self.page.listed()):
-            up = self.page.wait(lambda: next((each for each in self.page.all('#dialog .listing button') if each.text.endswith('up')), None), 'the way up')
-            up.click()
-            self.page.wait(lambda: self.page.script('return arguments[0].isConnected', up) is not None, 'the folder')
-        for name in [self.folder.name, 'dataset']:
-            self.page.wait(lambda: next((each for each in self.page.all('#dialog .listing button') if each.text.rstrip('/').endswith(name)), None), name).click()
-        self.page.click('#dialog button.primary')
-        self.page.wait(lambda: self.page.revision() > before, 'the folder')
+        self.choose('[data-path="output_folder"] .with-button button', self.folder.name, 'dataset')
         self.page.click_and_wait('#pane button', 'Divide them')
         self.page.go('recording')
         slower = self.page.input('simulated_rate')

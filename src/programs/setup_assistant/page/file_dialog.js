@@ -43,13 +43,13 @@ function view({folder, parent, folders, files, error, isRead = true}, kind, what
       !isRoot &&
           h('li', {},
             h('button', {type: 'button', onclick: () => show(parent ?? '')}, h('span', {class: 'kind'}, '\u2191'),
-              'up')),
+              h('span', {class: 'name'}, 'up'))),
       folders.map((each) => {
         const path = each.path ?? (typeof each === 'string' ? joined(folder, each) : joined(folder, each.name));
         return h(
             'li', {key: `folder ${path}`},
             h('button', {type: 'button', onclick: () => show(path)}, h('span', {class: 'kind'}, '\u25b8'),
-              `${each.name ?? each}/`));
+              h('span', {class: 'name'}, `${each.name ?? each}/`)));
       }),
       (isFolder ? [] : files)
           .map(
