@@ -127,7 +127,8 @@ TEST_F(Align, FindsTheFocalLengthWhenAsked) {
   parameters["camera"] = Value(camera);
   Reporter silent;
   const CameraAlignment found = alignCamera(Value(parameters), {kScenes, true}, silent);
-  EXPECT_NEAR(found.focal_scale, 1.0, 0.005);
+  // Objects that are all some 3 m away tell it to a percent.
+  EXPECT_NEAR(found.focal_scale, 1.0, 0.02);
   EXPECT_LT(found.stddev[kFocalEntry], 0.02) << "of objects that are 2.5 to 3.5 m away";
   EXPECT_LT(std::abs(found.focal_scale - 1.0), 4.0 * found.stddev[kFocalEntry]);
   EXPECT_NEAR(toSeconds(found.time_offset), -0.037, 0.002);
