@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The server of setup_assistant as a browser and its user see it: who may ask, and runs that outlive nothing."""
+"""The server of setup_assistant: who may ask, and how runs stop and go on."""
 import hashlib
 import http.client
 import json
@@ -24,15 +24,17 @@ class Server:
     """A setup assistant and a client that has its token."""
 
     def __init__(self, *arguments):
-        self.process = subprocess.Popen([ros_programs.path_of('setup_assistant'), *map(str, arguments)],
-                                        stdout=subprocess.PIPE, universal_newlines=True)
+        program = ros_programs.path_of('setup_assistant')
+        self.process = subprocess.Popen([program, *map(str, arguments)], stdout=subprocess.PIPE,
+                                        universal_newlines=True)
         self.address = self.process.stdout.readline().strip()
         host, self.token = self.address.split('//')[1].split('/?token=')
         self.port = int(host.split(':')[1])
 
     def ask(self, path, body=None, headers=None):
         """Status and text."""
-        connection = http.client.HTTPConnection('127.0.0.1', self.port, timeout=ros_programs.TIMEOUT)
+        connection = http.client.HTTPConnection('127.0.0.1', self.port,
+                                                timeout=ros_programs.TIMEOUT)
         cookie = {'Cookie': f'synthetic_dataset_{self.port}={self.token}'}
         connection.request('GET' if body is None else 'POST', path,
                            body=None if body is None else json.dumps(body),
@@ -74,7 +76,8 @@ class SetupAssistant(unittest.TestCase):
         folder = self.scratch / name
         folder.mkdir()
         text = EXAMPLE.read_text(encoding='utf-8')
-        text = text.replace('"$(optenv HOME /tmp)/synthetic_dataset_example"', '"$(dirname)/dataset"')
+        text = text.replace('"$(optenv HOME /tmp)/synthetic_dataset_example"',
+                            '"$(dirname)/dataset"')
         (folder / 'settings.yaml').write_text(text, encoding='utf-8')
         return folder / 'settings.yaml'
 
@@ -86,7 +89,8 @@ class SetupAssistant(unittest.TestCase):
     def digests(self, folder):
         """Of all files but the manifest, which has the time of the run."""
         return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
-                for path in sorted(folder.rglob('*')) if path.is_file() and 'manifest' not in path.name}
+                for path in sorted(folder.rglob('*'))
+                if path.is_file() and 'manifest' not in path.name}
 
     def test_answers_nobody_without_the_token(self):
         begin = time.monotonic()
@@ -95,7 +99,8 @@ class SetupAssistant(unittest.TestCase):
         for path in ('/', '/api/state', '/page/main.js', '/no/such/path', '/api/events'):
             self.assertEqual(server.ask(path, headers={}), (403, b''))
         self.assertEqual(server.ask('/api/set', body={}, headers={})[0], 403)
-        self.assertEqual(server.ask('/api/state', headers={'Cookie': f'synthetic_dataset_{server.port}=0'})[0], 403)
+        wrong = {'Cookie': f'synthetic_dataset_{server.port}=0'}
+        self.assertEqual(server.ask('/api/state', headers=wrong)[0], 403)
         self.assertEqual(server.ask('/api/state')[0], 200)
         listening = pathlib.Path('/proc/net/tcp').read_text(encoding='ascii')
         self.assertIn(f'0100007F:{server.port:04X} 00000000:0000 0A', listening)  # 127.0.0.1 alone
@@ -114,7 +119,8 @@ class SetupAssistant(unittest.TestCase):
     def test_a_run_stops_with_its_server_and_goes_on_with_the_next(self):
         settings = self.settings('broken')
         dataset = settings.parent / 'dataset'
-        subprocess.run([ros_programs.path_of('generate'), '--config', settings], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([ros_programs.path_of('generate'), '--config', settings], check=True,
+                       stdout=subprocess.DEVNULL)
         whole = self.digests(dataset)
         shutil.rmtree(dataset)  # the same folder again, since lists of images name it
 

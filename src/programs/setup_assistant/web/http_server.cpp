@@ -21,6 +21,7 @@ namespace {
 using Answer = decltype(MHD_YES);  // an enumeration since 0.9.71, int before
 
 constexpr std::size_t kLargestBody = 16U << 20U;
+constexpr unsigned kIdleTime = 60;  // after which a connection is closed [s]
 constexpr std::chrono::seconds kEventPatience(5);
 
 /// A request as it comes in, piece by piece.
@@ -162,7 +163,12 @@ struct HttpServer::Daemon {
     if (incoming->is_too_large) {
       return send(connection, errorResponse(413, "found more than 16 MiB; it should be less"));
     }
-    return send(connection, answerTo(static_cast<Daemon*>(closure)->handler, incoming->request));
+    // An answer may take longer than a connection may be idle; setting the time again starts it.
+    MHD_set_connection_option(connection, MHD_CONNECTION_OPTION_TIMEOUT, 0U);
+    const Answer answer =
+        send(connection, answerTo(static_cast<Daemon*>(closure)->handler, incoming->request));
+    MHD_set_connection_option(connection, MHD_CONNECTION_OPTION_TIMEOUT, kIdleTime);
+    return answer;
   }
 
   static void forget(void* /*closure*/, MHD_Connection* /*connection*/, void** memory,
@@ -202,7 +208,6 @@ HttpServer::~HttpServer() {
 
 void HttpServer::serve(Handler handler) {
   constexpr unsigned kMostConnections = 128;
-  constexpr unsigned kIdleTime = 60;  // [s]
   daemon_ = std::make_unique<Daemon>();
   daemon_->handler = std::move(handler);
   daemon_->daemon = MHD_start_daemon(
