@@ -179,7 +179,7 @@ class Problems(WithPage):
         ('camera/info_file', 'none.yaml', 'cameras'),
         ('camera/near', -1, 'cameras'),
         ('camera/pose', 'here', 'cameras'),
-        ('rover_1/frame_id', 'no_such_frame', 'objects'),
+        ('rover_1/model', 'none.urdf', 'objects'),
         ('rover_1/keypoints', [[1, 2]], 'objects'),
         ('randomize/sensor/blur', {'uniform': [3, 1]}, 'randomisation'),
         ('split', {'train': 0.5}, 'output'),
@@ -281,6 +281,22 @@ class Picture(WithPage):
             self.page.wait_for_picture()
             moved = self.page.script('return document.querySelector(".labels .box").getAttribute("x")')
             self.assertAlmostEqual(float(moved), float(corner), delta=1.01)
+
+
+class Keypoints(WithPage):
+
+    def test_are_picked_on_the_model_by_a_click(self):
+        self.page.go('objects')
+        self.page.wait(lambda: self.page.all('.turntable img'), 'the model')
+        self.page.click('.portrait .toggle', 'Pick keypoints')
+        before = self.page.revision()
+        ActionChains(self.driver).move_to_element(self.page.one('.turntable')).click().perform()
+        self.page.wait(lambda: self.page.revision() > before, 'the keypoint')
+        self.assertEqual(len(self.page.all('.point')), 10)
+        picked = [float(each.get_attribute('value')) for each in self.page.all('.point:last-child input')]
+        # On the rover, whose box the example's settings have.
+        for value, low, high in zip(picked, [-0.385, -0.305, 0.0], [0.385, 0.305, 0.77]):
+            self.assertTrue(low <= value <= high, picked)
 
 
 class Names(WithPage):

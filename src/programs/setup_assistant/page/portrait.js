@@ -64,7 +64,7 @@ function points({width = WIDTH, height = 360, keypoints = []}) {
       'svg', {class: 'overlay', viewBox: `-0.5 -0.5 ${width} ${height}`, 'aria-hidden': 'true'},
       keypoints.map(
           (point, index) => point &&
-              h('g', {class: point[2] ? 'pin' : 'pin unseen'}, h('circle', {cx: point[0], cy: point[1], r: width / 90}),
+              h('g', {class: point[2] ? 'pin' : 'pin unseen'}, h('circle', {cx: point[0], cy: point[1], r: width / 55}),
                 h('text', {x: point[0] + width / 60, y: point[1] - width / 80, 'font-size': width / 32}, index))));
 }
 
