@@ -220,7 +220,7 @@ void SilhouettePainter::addFarAway(const Subject& subject, const View& view, con
 
 void SilhouettePainter::addBesideTheLens(const Subject& subject, const View& view,
                                          const Box& bounds, Tally& tally) {
-  constexpr double kMostCells = 4.2e6;  // a lens map takes 14 bytes a cell, and time to make
+  constexpr double kMostCells = 4.2e6;  // a lens map takes some 50 bytes a cell, and time to make
   constexpr double kLongestSide = 16384.0;
   const Box canvas = canvasOf(view.camera);
   const double longest = std::max(canvas.width(), canvas.height());

@@ -102,7 +102,7 @@ class HalfRow {
  public:
   HalfRow(bool is_wanted, const cv::Size& size) {
     if (!is_wanted) return;
-    image_ = cv::Mat::zeros(size, CV_16UC4);
+    image_ = cv::Mat(size, CV_16UC4);
     numbers_ = cv::Mat::zeros(1, size.width, CV_32FC4);
   }
 

@@ -1,11 +1,13 @@
 #include "render/parts/picture_pyramid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 
 #include "render/pixels/mipmaps.h"
-#include "render/sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -15,11 +17,44 @@ int wrapped(int index, int count) {
   return rest < 0 ? rest + count : rest;
 }
 
+/// Blue, green, red and alpha of a texel.
+Lanes texelAt(const std::uint16_t* row, int column) {
+  return cv::v_cvt_f32(
+      cv::v_reinterpret_as_s32(cv::v_load_expand(row + std::ptrdiff_t{4} * column)));
+}
+
+/// Between the four texels around a place. Coordinates go on at the opposite edge.
+Lanes mixedAt(const Eigen::Vector2f& place, const cv::Mat& level) {
+  const float x = (place.x() - std::floor(place.x())) * static_cast<float>(level.cols) - 0.5F;
+  const float y = (place.y() - std::floor(place.y())) * static_cast<float>(level.rows) - 0.5F;
+  if (!(std::abs(x) < 1e6F && std::abs(y) < 1e6F)) return texelAt(level.ptr<std::uint16_t>(0), 0);
+  const float left = std::floor(x);
+  const float top = std::floor(y);
+  const int u = wrapped(static_cast<int>(left), level.cols);
+  const int v = wrapped(static_cast<int>(top), level.rows);
+  const int next_u = u + 1 == level.cols ? 0 : u + 1;
+  const int next_v = v + 1 == level.rows ? 0 : v + 1;
+  const auto* above = level.ptr<std::uint16_t>(v);
+  const auto* below = level.ptr<std::uint16_t>(next_v);
+  const Lanes share = lanes(x - left);
+  return mix(mix(texelAt(above, u), texelAt(above, next_u), share),
+             mix(texelAt(below, u), texelAt(below, next_u), share), lanes(y - top));
+}
+
+Eigen::Vector4f colourOf(const Lanes& sum, float count) {
+  constexpr float kFull = 65535.0F;
+  std::array<float, kLaneCount> bgra;
+  cv::v_store(bgra.data(), sum * lanes(1.0F / (kFull * count)));
+  return {bgra[2], bgra[1], bgra[0], bgra[3]};
+}
+
 }  // namespace
 
 PicturePyramid::PicturePyramid(const world::Texture& texture, PixelMeaning meaning)
-    : is_colour_(meaning == PixelMeaning::kColour), levels_{texture.pixels} {
-  for (const cv::Mat& level : mipmapsOf(texture.pixels, meaning)) levels_.push_back(level);
+    : levels_{toLight(texture.pixels, meaning)} {
+  for (const cv::Mat& level : mipmapsOf(texture.pixels, meaning)) {
+    levels_.push_back(toLight(level, meaning));
+  }
 }
 
 Eigen::Vector2f PicturePyramid::inTexels(const Eigen::Vector2f& step) const {
@@ -30,73 +65,41 @@ Eigen::Vector2f PicturePyramid::inTexels(const Eigen::Vector2f& step) const {
 Eigen::Vector4f PicturePyramid::mean(const Eigen::Vector2f& place, const Eigen::Vector2f& across,
                                      const Eigen::Vector2f& along) const {
   constexpr float kMostTaps = 4.0F;
-  const float width = std::max(inTexels(across).norm(), 1e-6F);
-  const float height = std::max(inTexels(along).norm(), 1e-6F);
-  // A tap covers a square: as many as it takes along each step, each half as wide as the pixel.
-  const float side =
-      std::max({0.5F * std::min(width, height), width / kMostTaps, height / kMostTaps, 0.5F});
+  const float width = inTexels(across).norm();
+  const float height = inTexels(along).norm();
+  // Each tap covers a square; there are as many as a pixel is longer than wide.
+  const float side = std::max({std::min(width, height), std::max(width, height) / kMostTaps, 1.0F});
   const auto taps = [&](float length) {
-    return static_cast<int>(std::clamp(std::ceil(length / side - 0.01F), 1.0F, kMostTaps));
+    return static_cast<int>(std::clamp(std::round(length / side), 1.0F, kMostTaps));
   };
   const int columns = taps(width);
   const int rows = taps(height);
   const float level = std::log2(side);
-  Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+  if (columns == 1 && rows == 1) return colourOf(at(place, level), 1.0F);
+  Lanes sum = lanes(0.0F);
   for (int row = 0; row < rows; ++row) {
     const float b = (static_cast<float>(row) + 0.5F) / static_cast<float>(rows) - 0.5F;
     for (int column = 0; column < columns; ++column) {
       const float a = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns) - 0.5F;
-      sum += at(Eigen::Vector2f(place + a * across + b * along), level);
+      sum = sum + at(Eigen::Vector2f(place + a * across + b * along), level);
     }
   }
-  return sum / static_cast<float>(columns * rows);
+  return colourOf(sum, static_cast<float>(columns * rows));
 }
 
 Eigen::Vector4f PicturePyramid::sample(const Eigen::Vector2f& place, const Eigen::Vector2f& across,
                                        const Eigen::Vector2f& along) const {
   const float longest = std::max(inTexels(across).norm(), inTexels(along).norm());
-  return at(place, std::log2(std::max(longest, 1e-6F)));
+  return colourOf(at(place, std::log2(std::max(longest, 1.0F))), 1.0F);
 }
 
-Eigen::Vector4f PicturePyramid::at(const Eigen::Vector2f& place, float level) const {
-  const auto last = static_cast<float>(levels_.size() - 1);
-  const float within = std::clamp(level, 0.0F, last);
+Lanes PicturePyramid::at(const Eigen::Vector2f& place, float level) const {
+  const float within = std::clamp(level, 0.0F, static_cast<float>(levels_.size() - 1));
   const auto lower = static_cast<std::size_t>(within);
   const float share = within - static_cast<float>(lower);
-  const Eigen::Vector4f sharp = at(place, levels_[lower]);
+  const Lanes sharp = mixedAt(place, levels_[lower]);
   if (share == 0.0F) return sharp;
-  return sharp + share * (at(place, levels_[lower + 1]) - sharp);
-}
-
-Eigen::Vector4f PicturePyramid::at(const Eigen::Vector2f& place, const cv::Mat& level) const {
-  const Eigen::Vector2f whole(std::floor(place.x()), std::floor(place.y()));
-  const Eigen::Vector2f within = place - whole;
-  const float x = within.x() * static_cast<float>(level.cols) - 0.5F;
-  const float y = within.y() * static_cast<float>(level.rows) - 0.5F;
-  if (!(std::abs(x) < 1e6F && std::abs(y) < 1e6F)) return texel(level.at<cv::Vec4b>(0, 0));
-  const float left = std::floor(x);
-  const float top = std::floor(y);
-  const int u = wrapped(static_cast<int>(left), level.cols);
-  const int v = wrapped(static_cast<int>(top), level.rows);
-  const int next_u = u + 1 == level.cols ? 0 : u + 1;
-  const int next_v = v + 1 == level.rows ? 0 : v + 1;
-  const float a = x - left;
-  const float b = y - top;
-  const auto* above = level.ptr<cv::Vec4b>(v);
-  const auto* below = level.ptr<cv::Vec4b>(next_v);
-  return (1.0F - b) * ((1.0F - a) * texel(above[u]) + a * texel(above[next_u])) +
-         b * ((1.0F - a) * texel(below[u]) + a * texel(below[next_u]));
-}
-
-Eigen::Vector4f PicturePyramid::texel(const cv::Vec4b& texel) const {
-  constexpr float kFull = 255.0F;
-  const float alpha = static_cast<float>(texel[3]) / kFull;
-  if (is_colour_) {
-    const auto& light = render::linearFromSrgb();
-    return {light[texel[2]], light[texel[1]], light[texel[0]], alpha};
-  }
-  return {static_cast<float>(texel[2]) / kFull, static_cast<float>(texel[1]) / kFull,
-          static_cast<float>(texel[0]) / kFull, alpha};
+  return mix(sharp, mixedAt(place, levels_[lower + 1]), lanes(share));
 }
 
 std::shared_ptr<const PicturePyramid> PyramidLibrary::get(

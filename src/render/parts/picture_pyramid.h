@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
+#include "render/pixels/lanes.h"
 #include "render/pixels/light_picture.h"
 #include "world/description.h"
 
@@ -32,12 +33,9 @@ class PicturePyramid {
 
  private:
   [[nodiscard]] Eigen::Vector2f inTexels(const Eigen::Vector2f& step) const;
-  [[nodiscard]] Eigen::Vector4f at(const Eigen::Vector2f& place, float level) const;
-  [[nodiscard]] Eigen::Vector4f at(const Eigen::Vector2f& place, const cv::Mat& level) const;
-  [[nodiscard]] Eigen::Vector4f texel(const cv::Vec4b& texel) const;
+  [[nodiscard]] Lanes at(const Eigen::Vector2f& place, float level) const;
 
-  bool is_colour_;
-  std::vector<cv::Mat> levels_;  ///< CV_8UC4, the largest first
+  std::vector<cv::Mat> levels_;  ///< CV_16UC4 as toLight() has them, the largest first
 };
 
 /// Makes each texture's pyramid once for each meaning, when it is first asked for.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -5,6 +6,7 @@
 
 #include "render/lens_cases.h"
 #include "render/renderer.h"
+#include "render/sensor/srgb.h"
 #include "support/box_world.h"
 
 namespace synthetic_dataset::render {
@@ -85,6 +87,63 @@ TEST_F(Room, ThroughALensIsThePinholesPictureRemapped) {
   EXPECT_LT(cv::mean(difference)[1], 3.0);
   keep(image, "room_plumb_bob");
   keep(expected, "room_plumb_bob_expected");
+}
+
+/// What a lens shows if each pixel is the mean light of many rays.
+/// @param sharp  a pinhole's picture, of four times the lens's density
+cv::Mat meanOfManyRays(const CameraModel& lens, const CameraModel& pinhole, const cv::Mat& sharp) {
+  constexpr int kRays = 4;  // in each direction
+  cv::Mat means(lens.height(), lens.width(), CV_8UC3);
+  for (int v = 0; v < lens.height(); ++v) {
+    for (int u = 0; u < lens.width(); ++u) {
+      cv::Vec3f sum(0.0F, 0.0F, 0.0F);
+      for (int i = 0; i < kRays * kRays; ++i) {
+        const Eigen::Vector2d within((i % kRays + 0.5) / kRays - 0.5,
+                                     (i / kRays + 0.5) / kRays - 0.5);
+        const Eigen::Vector2d at =
+            *pinhole.project(5.0 * *lens.ray(within + Eigen::Vector2d(u, v)));
+        const auto& seen = sharp.at<cv::Vec3b>(cvRound(at.y()), cvRound(at.x()));
+        for (int c = 0; c < 3; ++c) sum[c] += linearFromSrgb()[seen[c]];
+      }
+      for (int c = 0; c < 3; ++c) {
+        means.at<cv::Vec3b>(v, u)[c] = srgbFromLinear(sum[c] / (kRays * kRays));
+      }
+    }
+  }
+  return means;
+}
+
+TEST_F(Room, ThroughALensIsTheMeanOfManyRays) {
+  const CameraModel lens(320, 240, {210.2, 209.05, 160.6, 118.85}, 0.05, 100.0,
+                         kPlumbBob.camera.distortion());
+  const CameraModel pinhole(1800, 1400, {840, 840, 899.5, 699.5}, 0.05, 100.0);
+  const cv::Mat image = picture(lens);
+
+  const cv::Mat expected = meanOfManyRays(lens, pinhole, picture(pinhole));
+
+  cv::Mat changes;
+  cv::morphologyEx(expected, changes, cv::MORPH_GRADIENT, cv::Mat::ones(3, 3, CV_8UC1));
+  int even = 0;
+  int differing = 0;
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      constexpr int kEven = 6;  // there is an edge where more changes from pixel to pixel
+      const auto& change = changes.at<cv::Vec3b>(v, u);
+      if (std::max({change[0], change[1], change[2]}) > kEven) continue;
+      ++even;
+      const double difference =
+          cv::norm(cv::Vec3i(image.at<cv::Vec3b>(v, u)) - cv::Vec3i(expected.at<cv::Vec3b>(v, u)),
+                   cv::NORM_INF);
+      if (difference > 1.0) ++differing;
+    }
+  }
+  EXPECT_GT(even, image.rows * image.cols / 3);
+  EXPECT_LT(differing, even / 1000);
+  cv::Mat difference;
+  cv::absdiff(image, expected, difference);
+  EXPECT_LT(cv::mean(difference)[1], 2.0) << "edges with four rays beside sixteen";
+  keep(image, "room_lit_once");
+  keep(expected, "room_lit_once_expected");
 }
 
 TEST_F(Room, LooksTheSameOnBothSidesOfAFacesEdge) {
