@@ -14,7 +14,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 folder=${1:-$scratch/screenshots}
 mkdir -p "$folder"
+folder=$(cd "$folder" && pwd)
 cd "$repository/test/setup_assistant"
 for test in page whole_way big_bag; do
-  /usr/bin/python3 "${test}_test.py" $([ $test = big_bag ] || printf '%s' "$folder")
+  /usr/bin/python3 "${test}_test.py" "$folder"
 done

@@ -1,6 +1,7 @@
 """A recording of 100,000 transforms of 200 frames: the page stays quick."""
 import pathlib
 import shutil
+import sys
 import tempfile
 import time
 import unittest
@@ -43,7 +44,7 @@ class BigBag(unittest.TestCase):
         self.addCleanup(shutil.rmtree, folder)
         write(folder / 'big.bag')
         file = folder / 'mine.yaml'
-        file.write_text(f'bag_file: big.bag\noutput_folder: {folder}/dataset\n', 'utf-8')
+        file.write_text(f'bag_file: {folder}/big.bag\noutput_folder: {folder}/dataset\n', 'utf-8')
         assistant = Assistant(file, '--folder', PACKAGE / 'worlds')
         self.addCleanup(assistant.stop)
         driver = chromium()
@@ -65,4 +66,4 @@ class BigBag(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    unittest.main(verbosity=2)
+    unittest.main(argv=sys.argv[:1], verbosity=2)
