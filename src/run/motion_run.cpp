@@ -8,6 +8,7 @@
 #include "base/random/random_seed.h"
 #include "base/seconds.h"
 #include "label/alignment.h"
+#include "run/world_history.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {
@@ -51,11 +52,12 @@ MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Require
 }
 
 bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& reporter) {
+  std::int64_t instant = motion_.first_instant;
+  const std::int64_t end = work.endOfWork(instant + motion_.instantCount());
+  is_known_ = isKnownUntil(end);
   reporter.stage("letting physics settle");
   settle();
   reporter.stage("drawing the first scene");
-  std::int64_t instant = motion_.first_instant;
-  const std::int64_t end = work.endOfWork(instant + motion_.instantCount());
   for (const Stamp stamp : motion_.timeline.stamps) {
     if (instant >= end && drawn_.empty()) break;
     if (reporter.stopRequested()) return false;
@@ -65,8 +67,17 @@ bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& rep
   return true;
 }
 
+/// Whether the history has how the world stood until an instant, before which all is to be made.
+bool MotionRun::isKnownUntil(std::int64_t end) const {
+  const bool may_be = motion_.history && !motion_.arranger->standsAlone() &&
+                      !scene_maker_.needsOpticalFlow() && end > motion_.first_instant;
+  if (!may_be) return false;
+  const auto last = static_cast<std::size_t>(end - 1 - motion_.first_instant);
+  return motion_.history->reaches(motion_.timeline.stamps[last] + picture_taker_.offsets().back());
+}
+
 void MotionRun::settle() {
-  if (motion_.arranger->standsAlone()) return;  // it has done so
+  if (motion_.arranger->standsAlone() || is_known_) return;  // it has done so
   const Duration time = motion_.config.settling;
   if (time.count() == 0) return;
   motion_.variation->choose(motion_.first_instant, *motion_.world);  // around the first variants
@@ -74,11 +85,30 @@ void MotionRun::settle() {
 }
 
 void MotionRun::moveWorld(Stamp stamp) {
-  motion_.world->advanceTo(
-      // While things settle, the objects stand where they start.
-      stamp, [this](int moving_object, Stamp time) {
-        return object_motion_.at(moving_object, std::max(time, motion_start_));
-      });
+  const WorldHistory::Moment* known = is_known_ ? motion_.history->find(stamp) : nullptr;
+  if (known == nullptr) {
+    advanceWorld(stamp);
+  } else {
+    motion_.world->showAt(stamp, known->X_WM, known->X_WO);
+  }
+}
+
+void MotionRun::advanceWorld(Stamp stamp) {
+  const auto poseAt = [this](int moving_object, Stamp time) {
+    // While things settle, the objects stand where they start.
+    return object_motion_.at(moving_object, std::max(time, motion_start_));
+  };
+  motion_.world->advanceTo(stamp, poseAt);
+  if (motion_.history) {
+    WorldHistory::Moment moment{motion_.world->propPoses(), {}};
+    int variant = 0;
+    for (const std::vector<scene::DrivenLinks>& object : motion_.driven_links) {
+      for (std::size_t i = 0; i < object.size(); ++i) {
+        moment.X_WO.push_back(poseAt(variant++, stamp));
+      }
+    }
+    motion_.history->add(stamp, std::move(moment));
+  }
   for (const std::string& gap : object_motion_.takeGaps()) pending_warnings_.push_back({gap});
 }
 
@@ -88,7 +118,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
                             ScenePipeline& pipeline) {
   const bool stands_alone = motion_.arranger->standsAlone();
   const bool is_wanted = work.hasInstant(instant);
-  if (stands_alone && !is_wanted) return;
+  if ((stands_alone || is_known_) && !is_wanted) return;
   // Scenes that wait for nothing are passed on one by one, as their images take much memory.
   const bool waits_for_next = scene_maker_.needsOpticalFlow() && !stands_alone;
   const bool waits = waits_for_next || picture_taker_.offsets().size() > 1;

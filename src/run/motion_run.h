@@ -50,8 +50,10 @@ class MotionRun {
     std::vector<output::DrawFacts> draws;
   };
 
+  [[nodiscard]] bool isKnownUntil(std::int64_t end) const;
   void settle();
   void moveWorld(Stamp stamp);
+  void advanceWorld(Stamp stamp);
   void makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& work,
                    ScenePipeline& pipeline);
   void arrange(std::int64_t instant, Stamp stamp, bool is_wanted);
@@ -75,6 +77,7 @@ class MotionRun {
   scene::PictureTaker picture_taker_;
   scene::ObjectMotion object_motion_;
   Stamp motion_start_{0};                          ///< when the first shutter opens
+  bool is_known_ = false;                          ///< where the world stands, by its history
   std::vector<output::Warning> pending_warnings_;  ///< since the last instant
   std::set<std::string> fallen_;                   ///< models that have left the world
   std::vector<DrawnScene> drawn_;                  ///< at the last instant; not yet passed on

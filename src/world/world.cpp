@@ -299,6 +299,26 @@ void World::advanceTo(Stamp time, const ObjectMotion& motion) {
   world.showObjects();
 }
 
+void World::showAt(Stamp time, const std::vector<Pose>& X_WM, const std::vector<ObjectPose>& X_WO) {
+  Impl& world = *impl_;
+  if (X_WM.size() != world.props.size()) {
+    throw Error(std::to_string(world.props.size()) + " props are to be shown, but " +
+                std::to_string(X_WM.size()) + " poses given");
+  }
+  world.moveObjects(time,
+                    [&](int variant, Stamp) { return X_WO.at(static_cast<std::size_t>(variant)); });
+  world.start_time = world.start_time.value_or(time);
+  world.now = time;
+  world.showPropsAt(X_WM);
+  world.showObjects();
+}
+
+std::vector<Pose> World::propPoses() const {
+  std::vector<Pose> X_WM;
+  for (const Impl::Prop& prop : impl_->props) X_WM.push_back(prop.X_WM);
+  return X_WM;
+}
+
 const Description& World::description() const { return impl_->description; }
 
 const std::vector<LinkInstance>& World::links() const { return impl_->links; }

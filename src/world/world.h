@@ -74,6 +74,16 @@ class World {
   ///     the simulation breaks down (naming the prop); the world is of no further use then
   void advanceTo(Stamp time, const ObjectMotion& motion);
 
+  /// Shows the world as it stood at `time`, when another one that moved alike had been advanced
+  /// there; nothing is simulated. A world that was shown so is not advanced any more.
+  /// @param X_WM  of the props, as propPoses
+  /// @param X_WO  of all objects' variants, as ObjectMotion counts them
+  /// @throws Error as advanceTo where a pose is missing or not finite
+  void showAt(Stamp time, const std::vector<Pose>& X_WM, const std::vector<ObjectPose>& X_WO);
+
+  /// X_WM of each prop, in their order, as it is shown.
+  [[nodiscard]] std::vector<Pose> propPoses() const;
+
   /// Which objects are present from now on; at first, all. One that is not has no pixels, overlaps
   /// nothing and does not fall; it pushes props all the same.
   /// @param present  of each object

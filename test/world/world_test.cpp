@@ -141,6 +141,20 @@ TEST(World, SameTimeReachedInOtherStridesGivesTheSameBits) {
   expectSameBits(poses, posesAfter(cut, strides));
 }
 
+TEST(World, IsShownAsAnotherOneStood) {
+  World moved(heap(), stirrers(), {});
+  const std::vector<Pose> poses = posesAfter(moved, {milliseconds(400), milliseconds(900)});
+  World shown(heap(), stirrers(), {});
+  const Stamp time = kStart + milliseconds(900);
+  shown.showAt(time, moved.propPoses(), {wander(0, time), wander(1, time)});
+  expectSameBits(shown.linkPoses(), poses);
+  EXPECT_EQ(shown.interpenetrations().size(), moved.interpenetrations().size());
+  EXPECT_THAT(messageOf([&] {
+                shown.showAt(time, {}, {wander(0, time), wander(1, time)});
+              }),
+              HasSubstr("12 props are to be shown, but 0 poses given"));
+}
+
 TEST(World, LookingForOverlapsChangesNothing) {
   World quiet(heap(), stirrers(), {});
   World asked(heap(), stirrers(), {});

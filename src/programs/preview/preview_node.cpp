@@ -113,7 +113,7 @@ void PreviewNode::run() {
 void PreviewNode::carryOut(const PreviewControl::Order& order) {
   if (order.reads_settings) settings_ = read_settings_();
   PreviewReporter reporter(control_);
-  run::RunSetup setup = run::setUpRun(settings_, {});
+  run::RunSetup setup = run::setUpRun(settings_, inputs_, {});
   if (order.reads_settings) {
     for (const base::Diagnostic& each : setup.found.all()) {
       if (each.severity == base::Severity::kWarning) reporter.warning(each.message());

@@ -18,6 +18,7 @@
 #include "programs/preview/preview_control.h"
 #include "programs/preview/scene_topics.h"
 #include "run/reporter.h"
+#include "run/setup/input_cache.h"
 #include "run/setup/run_setup.h"
 #include "synthetic_dataset/value.h"
 
@@ -48,6 +49,7 @@ class PreviewNode {
   ros::NodeHandle& node_;
   std::function<Value()> read_settings_;
   Value settings_;
+  run::InputCache inputs_;  ///< of one order for the next
   PreviewControl control_;
   SceneTopics topics_;
   std::mutex mutex_;            ///< of what follows

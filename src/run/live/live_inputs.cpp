@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/json_text.h"
 #include "config/motion_list.h"
+#include "run/world_history.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/parameters.h"
@@ -18,6 +20,47 @@ bool has(const MotionSetup& motion, const std::string& object) {
          std::any_of(objects.begin(), objects.end(), [&](const scene::ObjectOptions& each) {
            return each.name == object && each.takes_part;
          });
+}
+
+void eraseFrom(Value::Map* settings, const std::vector<std::string>& names) {
+  if (settings == nullptr) return;
+  for (const std::string& name : names) settings->erase(name);
+}
+
+/// A group of settings; null where there is none.
+Value::Map* groupIn(Value::Map& settings, const std::string& name) {
+  const auto found = settings.find(name);
+  return found == settings.end() ? nullptr : found->second.as<Value::Map>();
+}
+
+/// What changes nothing about where things are and when.
+void eraseLooks(Value::Map& settings, const config::Config& config) {
+  eraseFrom(&settings, {"labels", "masks", "background_subtractor", "writers", "image", "classes",
+                        "world_classes", "output_folder", "if_exists"});
+  eraseFrom(groupIn(settings, "camera"), {"pose"});
+  if (Value::Map* cameras = groupIn(settings, "cameras")) {
+    for (auto& [name, camera] : *cameras) eraseFrom(camera.as<Value::Map>(), {"pose"});
+  }
+  for (const scene::ObjectOptions& object : config.objects) {
+    eraseFrom(groupIn(settings, object.name), {"class", "id", "keypoints", "bounding_shape"});
+  }
+  Value::Map* randomize = groupIn(settings, "randomize");
+  eraseFrom(randomize, {"lights", "light_count", "ambient", "materials", "background"});
+  if (randomize == nullptr || randomize->empty()) eraseFrom(&settings, {"seed", "randomize"});
+}
+
+/// All that decides how a motion's world moves; what does not is left out as far as it is often
+/// changed.
+std::string movementText(const MotionSetup& motion, const output::RunDescription& run) {
+  Value settings = motion.entry.settings;
+  if (auto* map = settings.as<Value::Map>()) eraseLooks(*map, motion.config);
+  Value::List stamps;
+  for (const Stamp stamp : motion.timeline.stamps) {
+    stamps.emplace_back(static_cast<std::int64_t>(stamp.count()));
+  }
+  Value::List files;
+  for (const auto& [file, input] : run.inputs) files.push_back(Value::List{file, input.digest});
+  return base::jsonText(Value::List{settings, stamps, files});
 }
 
 }  // namespace
@@ -70,7 +113,22 @@ RunSetup& LiveInputs::unusedRun() {
 void LiveInputs::noteUsed() { used_run_ = std::move(run_); }
 
 RunSetup LiveInputs::runOf(const Value& settings) {
-  return setUpRun(settings, cache_, plugin_xml_files_);
+  RunSetup run = setUpRun(settings, cache_, plugin_xml_files_);
+  giveHistories(run);
+  return run;
+}
+
+void LiveInputs::giveHistories(RunSetup& run) {
+  constexpr std::size_t kMostKept = 8;
+  if (worlds_read_ != cache_.worlds.readCount() || histories_.size() > kMostKept) {
+    histories_.clear();
+  }
+  worlds_read_ = cache_.worlds.readCount();
+  for (MotionSetup& motion : run.motions) {
+    std::shared_ptr<WorldHistory>& history = histories_[movementText(motion, run.description)];
+    if (!history) history = std::make_shared<WorldHistory>();
+    motion.history = history;
+  }
 }
 
 config::Config LiveInputs::config() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,6 +55,7 @@ class LiveInputs {
   void forget();
   [[nodiscard]] bool areFilesCurrent() const;
   void setUp();
+  void giveHistories(RunSetup& run);
   [[nodiscard]] const MotionSetup* madeMotionWith(const std::string& object) const;
 
   std::vector<std::string> plugin_xml_files_;
@@ -65,6 +68,10 @@ class LiveInputs {
   std::unique_ptr<RunSetup> used_run_;  ///< has
   std::optional<MotionSetup> motion_;   ///< where there is no run
   FileStamps files_;                    ///< of the run's
+
+  /// By all that decides how a motion's world moves, of worlds that were read so often.
+  std::map<std::string, std::shared_ptr<WorldHistory>> histories_;
+  std::int64_t worlds_read_ = 0;
 };
 
 }  // namespace synthetic_dataset::run

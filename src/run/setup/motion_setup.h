@@ -24,6 +24,7 @@
 namespace synthetic_dataset::run {
 
 class InputCache;
+class WorldHistory;
 
 /// What the scenes of one of a run's motions are made of: where things go, in which world, seen by
 /// which cameras, and when.
@@ -35,6 +36,7 @@ struct MotionSetup {
   std::int64_t first_instant = 0;               ///< in the run, of its timeline's first time
   std::vector<scene::ObjectVariants> variants;  ///< of each object
   std::unique_ptr<world::World> world;
+  std::shared_ptr<WorldHistory> history;  ///< of one that moves alike, to be read and added to
   std::vector<scene::CameraRig> cameras;
   std::unique_ptr<scene::CameraPictures> pictures;    ///< recorded ones that scenes have, if any
   std::unique_ptr<scene::MeasuredSurfaces> surfaces;  ///< recorded with the pictures, if any

@@ -113,7 +113,10 @@ WorldFiles& WorldCache::filesFor(const config::WorldConfig& config) {
   key.emplace_back(simulator ? static_cast<std::int64_t>(*simulator) : -1);
   for (const std::string& folder : config.model_folders) key.emplace_back(folder);
   Kept& kept = worlds_[base::jsonText(Value(key))];
-  if (!kept.files) kept.files = std::make_unique<WorldFiles>(config, on_stage_);
+  if (!kept.files) {
+    kept.files = std::make_unique<WorldFiles>(config, on_stage_);
+    ++read_count_;
+  }
   kept.unused = 0;
   return *kept.files;
 }

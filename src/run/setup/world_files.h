@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -109,6 +110,9 @@ class WorldCache {
 
   void clear() { worlds_.clear(); }
 
+  /// How many worlds were read so far.
+  [[nodiscard]] std::int64_t readCount() const { return read_count_; }
+
  private:
   struct Kept {
     std::unique_ptr<WorldFiles> files;
@@ -117,6 +121,7 @@ class WorldCache {
 
   base::OnStage on_stage_;
   std::map<std::string, Kept> worlds_;  ///< by all that decides what is read
+  std::int64_t read_count_ = 0;
 };
 
 }  // namespace synthetic_dataset::run

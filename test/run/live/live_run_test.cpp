@@ -105,6 +105,22 @@ TEST_F(LiveRunTest, ShowsWhatAFreshRunMakesAfterAnyChanges) {
   }
 }
 
+/// The ball falls and is pushed meanwhile: where it lies depends on all that was before.
+TEST_F(LiveRunTest, JumpsToAndFroInARecording) {
+  live.setSettings(settings);
+  for (const std::int64_t instant : {3, 1, 2, 3, 0}) {
+    expectSame(live.scene(instant).scene, freshScene(settings, instant));
+  }
+  (*settings["camera"].as<Value::Map>())["pose"] =
+      Value::Map{{"position", Value::List{Value(-2.0), Value(-1.0), Value(0.8)}},
+                 {"look_at", Value::List{Value(0.3), Value(-0.8), Value(0.1)}}};
+  live.setSettings(settings);
+  expectSame(live.scene(3).scene, freshScene(settings, 3));
+  settings["physics"] = Value::Map{{"step", Value(0.002)}};
+  live.setSettings(settings);
+  expectSame(live.scene(3).scene, freshScene(settings, 3));
+}
+
 TEST_F(LiveRunTest, SeesFilesThatHaveChanged) {
   live.setSettings(settings);
   const Scene before = live.scene(1).scene;
