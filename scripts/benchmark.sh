@@ -2,8 +2,8 @@
 # Measures how fast scenes are made, beside MuJoCo, PyBullet, pyrender and a bare OpenGL program on
 # the same scene, and what a dataset costs besides:
 #   ./scripts/benchmark.sh [RESULTS [ARGUMENTS...]]
-# RESULTS (./benchmark_results by default) gets table.md, results.json, plot.png, costs.md and
-# costs.json; ARGUMENTS are those of benchmark/speed/run.py. What it is compared with is installed
+# RESULTS (./benchmark_results by default) gets table.md, results.json, plot.png, costs.md, costs.json,
+# cameras.md and cameras.json; ARGUMENTS are those of benchmark/speed/run.py. What it is compared with is installed
 # once, from PyPI, into a virtual environment below ~/.cache. All of it takes about three quarters of
 # an hour on two cores.
 set -euo pipefail
@@ -29,3 +29,4 @@ shift || true
 programs=$workspace/devel/lib
 "$environment/bin/python" "$repository/benchmark/speed/run.py" "$programs" "$results" "$@"
 "$environment/bin/python" "$repository/benchmark/speed/costs.py" "$programs/synthetic_dataset/generate" "$results"
+"$environment/bin/python" "$repository/benchmark/speed/cameras.py" "$programs/synthetic_dataset/generate" "$results"

@@ -67,10 +67,11 @@ Eigen::Vector4f PicturePyramid::mean(const Eigen::Vector2f& place, const Eigen::
   constexpr float kMostTaps = 4.0F;
   const float width = inTexels(across).norm();
   const float height = inTexels(along).norm();
-  // Each tap covers a square; there are as many as a pixel is longer than wide.
-  const float side = std::max({std::min(width, height), std::max(width, height) / kMostTaps, 1.0F});
+  // Each tap covers a square, half as wide as the pixel where it is narrow.
+  const float side =
+      std::max({0.5F * std::min(width, height), std::max(width, height) / kMostTaps, 0.5F});
   const auto taps = [&](float length) {
-    return static_cast<int>(std::clamp(std::round(length / side), 1.0F, kMostTaps));
+    return static_cast<int>(std::clamp(std::ceil(length / side - 0.01F), 1.0F, kMostTaps));
   };
   const int columns = taps(width);
   const int rows = taps(height);
