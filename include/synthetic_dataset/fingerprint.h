@@ -8,7 +8,7 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// Tells contents apart, not to be relied on against anybody who wants two to be alike: FNV-1a of
+/// Distinguishes contents, not to be relied on against anybody who wants two to be alike: FNV-1a of
 /// 64 bits (http://www.isthe.com/chongo/tech/comp/fnv/). The same on every machine.
 class Fingerprint {
  public:

@@ -13,7 +13,8 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// Reads one group of parameters and remembers what was wrong, so that all errors are told at once.
+/// Reads one group of parameters and remembers what was wrong, so that all errors are reported at
+/// once.
 ///
 /// A wrong or missing parameter never throws here: the reader notes the error, with the parameter's
 /// full name, what was found and what would be right, and answers a harmless value. Who owns the

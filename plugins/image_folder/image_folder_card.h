@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset {
 
-/// What a dataset card tells of a dataset, to people and to Hugging Face's loader.
+/// What a dataset card says of a dataset, to people and to Hugging Face's loader.
 struct DatasetCard {
   std::vector<ClassInfo> classes;
   std::vector<SplitInfo> splits;        ///< that have images

@@ -21,7 +21,7 @@ struct PvNetModel {
   /// Whether all its points have a place on the camera's image or beside it.
   [[nodiscard]] bool isBefore(const CameraModel& camera, const Pose& X_CO) const;
 
-  /// The members of an annotation that tell these points and where they are in the image.
+  /// The members of an annotation that name these points and where they are in the image.
   /// The model is before the camera.
   [[nodiscard]] Json annotation(const CameraModel& camera, const Pose& X_CO) const;
 };

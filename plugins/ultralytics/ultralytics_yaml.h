@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset {
 
-/// What Ultralytics' loader is told of a dataset, in `data.yaml`.
+/// What Ultralytics' loader reads of a dataset, in `data.yaml`.
 /// https://docs.ultralytics.com/datasets/, ultralytics/data/utils.py (check_det_dataset)
 struct UltralyticsDataset {
   std::vector<std::string> splits;                  ///< that have images, train first

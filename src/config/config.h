@@ -60,7 +60,7 @@ struct Config : scene::SceneOptions {
 /// One error for each parameter that nobody reads, with the name that it may have meant. Ask when
 /// the writers have read theirs. Blocks of objects and writers that this run does not use are no
 /// error: the original's users keep them in their files.
-/// @param names  which of the root's unknownNames() are told
+/// @param names  which of the root's unknownNames() are reported
 [[nodiscard]] std::vector<std::string> unknownParameterErrors(
     Parameters root, const std::vector<std::string>& names);
 

@@ -6,7 +6,7 @@
 
 namespace synthetic_dataset::motion {
 
-/// What a message tells.
+/// What a message says.
 /// @throws Error when it is no map, as checkMap has it
 [[nodiscard]] RecordedMap mapOf(const nav_msgs::OccupancyGrid& grid);
 

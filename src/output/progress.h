@@ -6,7 +6,7 @@
 
 namespace synthetic_dataset::output {
 
-/// Tells how far a run is: percent, scenes per second, time left.
+/// Reports how far a run is: percent, scenes per second, time left.
 class Progress {
  public:
   /// A clock that never goes back [s].

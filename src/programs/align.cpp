@@ -2,7 +2,7 @@
 ///
 ///   rosrun synthetic_dataset align [--focal-length] FILE [NAME:=VALUE ...]
 ///
-/// Exit code 0 with settings on the standard output, 3 where the recording does not tell, 1 for a
+/// Exit code 0 with settings on the standard output, 3 where the recording cannot say, 1 for a
 /// failure.
 
 #include <algorithm>
@@ -34,7 +34,7 @@ the settings camera/time_offset and camera/correction, with their standard devia
 
   align settings.yaml > aligned.yaml
 
-Exit codes: 0 settings are found, 3 the recording does not tell, 1 a failure.
+Exit codes: 0 settings are found, 3 the recording cannot say, 1 a failure.
 )";
 
 }  // namespace

@@ -44,7 +44,7 @@ class MotionRun {
   struct DrawnScene {
     scene::SeenScene seen;
     render::PendingPicture image;
-    scene::PendingRanges measured;  ///< what hides objects, if something tells
+    scene::PendingRanges measured;  ///< what hides objects, where it is measured
     std::vector<output::ContactFacts> contacts;
     std::vector<output::Warning> warnings;
     std::vector<output::DrawFacts> draws;

@@ -17,7 +17,7 @@ enum class Simulator {
 /// What files do not say.
 struct LoadOptions {
   OnMissingAsset on_missing_asset = OnMissingAsset::kError;
-  std::optional<Simulator> simulator;  ///< of worlds; none: their files tell
+  std::optional<Simulator> simulator;  ///< of worlds; none: their files decide
 };
 
 }  // namespace synthetic_dataset::world

@@ -19,13 +19,13 @@ constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 27U;
 /// TGA, GIF (its first picture), DDS, PSD, PGM and more; of any depth; grey, with a palette, with
 /// alpha. The size is checked before anything is decoded, and a decoder that crashes takes nothing
 /// with it.
-/// @param name  the file's, whose ending tells formats without a mark of their own
+/// @param name  the file's, whose ending names formats that have no magic number
 /// @return as the file has it: grey, blue green red, or blue green red alpha, of 8 or 16 bits
 /// @throws Error "cannot be decoded; ..." or "is too large: ..."
 [[nodiscard]] cv::Mat decodePixels(const std::vector<std::uint8_t>& file, const std::string& name);
 
 /// Whether decodePixels may be expected to read it, without decoding it: what its header says, and
-/// that the file does not break off, as far as its format tells. Files of formats whose headers are
+/// that the file does not break off, as far as its format says. Files of formats whose headers are
 /// not known here are decoded after all.
 /// @return its size
 /// @throws Error as decodePixels does
@@ -36,7 +36,8 @@ PictureSize checkPicture(const std::vector<std::uint8_t>& file, const std::strin
 
 /// decodePicture of many files, some of them side by side.
 /// @param files  by their names
-/// @return those that could be decoded, by their names, without such whose size no header tells; of
+/// @return those that could be decoded, by their names, without those whose header gives no size;
+/// of
 ///     the others decodePicture says what is wrong
 [[nodiscard]] std::map<std::string, cv::Mat> decodePictures(
     const std::map<std::string, std::vector<std::uint8_t>>& files);

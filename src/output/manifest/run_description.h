@@ -18,7 +18,7 @@ struct Warning {
   std::int64_t count = 1;
 };
 
-/// What a run is made of, as its manifest tells it: equal descriptions make equal datasets.
+/// What a run is made of, as its manifest lists it: equal descriptions make equal datasets.
 struct RunDescription {
   struct Setting {
     std::string value;        ///< JSON

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-constexpr double kVagueShift = 0.05;  // [m] a larger standard deviation tells little
+constexpr double kVagueShift = 0.05;  // [m] beyond this standard deviation the estimate is vague
 constexpr double kVagueTurn = 0.01;   // [rad]
 
 double degrees(double radians) { return radians * 180.0 / std::acos(-1.0); }
@@ -61,7 +61,7 @@ std::vector<std::string> alignmentLines(const run::CameraAlignment& found,
   const std::string time = "  time_offset: " + fixed(toSeconds(found.time_offset), 4);
   lines.push_back(found.knows_time
                       ? time + "  # +- " + fixed(found.stddev[run::kTimeEntry], 4) + " s"
-                      : "  # time_offset: too little moves in the pictures to tell");
+                      : "  # time_offset: too little moves in the pictures to find it");
   if (asked.focal_length) {
     lines.push_back("  focal_scale: " + fixed(found.focal_scale, 5) + "  # +- " +
                     fixed(found.stddev[run::kFocalEntry], 5));
@@ -73,12 +73,12 @@ std::vector<std::string> alignmentLines(const run::CameraAlignment& found,
                   "known axis)");
   if (!knowsPose(found)) {
     lines.push_back(
-        "# The pictures do not tell the correction that well: objects at several places "
+        "# The pictures do not determine the correction that well: objects at several places "
         "and distances would.");
   }
   if (!knowsFocalLength(found, asked)) {
     lines.push_back(
-        "# The pictures do not tell the focal length that well: objects at several distances "
+        "# The pictures do not determine the focal length that well: objects at several distances "
         "would. Leave focal_scale out.");
   }
   if (!isBetter(found)) {

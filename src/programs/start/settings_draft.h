@@ -31,7 +31,7 @@ struct SettingsDraft {
   std::vector<std::string> gaps;
 };
 
-/// Writes the shortest settings that run, as far as the inputs tell, with comments.
+/// Writes the shortest settings that run, as far as the inputs determine them, with comments.
 [[nodiscard]] SettingsDraft draftSettings(const DraftInputs& inputs);
 
 /// What an object is called that is a robot of the recording: by the robot, unless a group of

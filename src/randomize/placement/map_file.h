@@ -8,7 +8,7 @@ namespace synthetic_dataset::randomize {
 /// these, or each shade as it is (http://wiki.ros.org/map_server#Value_Interpretation).
 enum class MapMode { kTrinary, kScale, kRaw };
 
-/// What a map_server's YAML file tells of an occupancy map (http://wiki.ros.org/map_server).
+/// What a map_server's YAML file says of an occupancy map (http://wiki.ros.org/map_server).
 struct MapFile {
   std::string image;        ///< the picture's file; a relative path is made one from the YAML's
   double resolution = 0.0;  ///< of a cell's side [m]

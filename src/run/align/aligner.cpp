@@ -25,9 +25,9 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// The world is moved on by so much after each scene, so that its optical flow tells how all moves.
+/// The world is moved on by so much after each scene, so that its optical flow shows how all moves.
 constexpr Duration kProbe = std::chrono::milliseconds(5);
-constexpr double kVagueTime = 0.01;  // [s] a larger standard deviation tells nothing
+constexpr double kVagueTime = 0.01;  // [s] beyond this standard deviation the estimate says nothing
 constexpr int kMostRounds = 12;
 constexpr double kNearest = 4.0;  // [px] edges are looked for in the last rounds
 

@@ -16,8 +16,8 @@ struct CameraAlignment {
   Pose X_FD = Pose::Identity();  ///< the setting camera/correction, likewise
   AlignmentVector stddev = AlignmentVector::Zero();  ///< see AlignmentVector
   double focal_scale = 1.0;                          ///< the setting camera/focal_scale, likewise
-  bool knows_time = false;  ///< else nothing moves enough to tell, and the offset is what was set
-  std::size_t scenes = 0;   ///< that were looked at
+  bool knows_time = false;       ///< else nothing moves enough, and the offset is what was set
+  std::size_t scenes = 0;        ///< that were looked at
   std::optional<double> before;  ///< the alignment of all outlines (label::Alignment)
   std::optional<double> after;
 };

@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset::run {
 
-/// What writers are told before the first scene.
+/// What writers get before the first scene.
 /// @param config  what holds for the whole dataset
 /// @param motions  at least one; the description holds on to the links of their worlds
 [[nodiscard]] DatasetInfo describeDataset(const config::Config& config,

@@ -14,7 +14,8 @@ struct MotionErrors {
   std::vector<std::string> messages;
 };
 
-/// What is wrong with all motions alike is told once; all else is told with the motion's group.
+/// What is wrong with all motions alike is reported once; all else is reported with the motion's
+/// group.
 [[nodiscard]] std::vector<std::string> mergedErrors(const std::vector<MotionErrors>& motions);
 
 /// The run's settings that no motion reads.

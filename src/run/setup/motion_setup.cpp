@@ -238,10 +238,11 @@ class MotionBuilder {
 
   void findSurfaces() {
     if (!config().twin.isMeasured()) {
-      found().note("twin",
-                   "neither depth_topic nor cloud_topic is set: nothing tells what stands in front "
-                   "of the objects, and all of their pixels are labelled as if nothing did that "
-                   "the world does not have");
+      found().note(
+          "twin",
+          "neither depth_topic nor cloud_topic is set: nothing measures what stands in front "
+          "of the objects, and all of their pixels are labelled as if nothing did that "
+          "the world does not have");
       return;
     }
     on_stage_("looking through what was measured with the pictures");

@@ -184,7 +184,7 @@ struct MeasuredSurfaces::Impl {
     }
   }
 
-  /// Whether something is in the frame of a picture's camera, as far as names tell.
+  /// Whether something is in the frame of a picture's camera, as far as names say.
   [[nodiscard]] bool isFrameOf(std::size_t camera, const std::string& frame) const {
     return frame.empty() || frame == cameras[camera].frame || frame == picture_frames[camera];
   }

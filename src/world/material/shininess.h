@@ -9,7 +9,7 @@ namespace synthetic_dataset::world {
 /// The exponent n and the width alpha of a microfacet distribution have highlights of the same
 /// width where n = 2 / alpha^2 - 2 (Walter et al., "Microfacet models for refraction through rough
 /// surfaces", 2007, section 5.2), and alpha is the square of what artists and glTF call roughness.
-/// @param exponent  0 or more; Phong's and Blinn's are not told apart
+/// @param exponent  0 or more; Phong's and Blinn's are not distinguished
 [[nodiscard]] inline float roughnessOfShininess(float exponent) {
   const float n = std::isfinite(exponent) ? std::max(exponent, 0.0F) : 0.0F;
   return std::sqrt(std::sqrt(2.0F / (n + 2.0F)));

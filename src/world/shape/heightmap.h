@@ -56,7 +56,7 @@ struct HeightGrid {
 
 /// Its triangles in its textures: the lowest one opaque, then each further one over it, with the
 /// colours' alpha as its weight at each point, where it has any. Without textures, in `plain`.
-/// @param missing  is told of each picture that is missing, and left out
+/// @param missing  gets each picture that is missing and left out
 /// @throws Error as readHeights
 [[nodiscard]] std::vector<Surface> heightmapSurfaces(const Heightmap& heightmap,
                                                      const Material& plain, TextureLoader& textures,
