@@ -17,10 +17,10 @@
 #include "base/name_list.h"
 #include "plugins/readback/format.h"
 #include "programs/console/tool.h"
-#include "run/pictures/model_portrait.h"
 #include "programs/inspect/world_report.h"
 #include "programs/start/settings_draft.h"
 #include "programs/start/start_line.h"
+#include "run/pictures/model_portrait.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 
