@@ -22,7 +22,7 @@ namespace synthetic_dataset::run {
 /// what the run makes, pixel by pixel; nothing is written.
 ///
 /// What was read for earlier settings is kept for as long as its files have the same size and time
-/// (InputCache), and so is what OpenGL has of it.
+/// (InputCache).
 ///
 /// Call everything from the thread that made it: OpenGL belongs to that. What a call throws leaves
 /// it as it was. Each call notices files that have changed.

@@ -12,7 +12,7 @@ namespace synthetic_dataset::programs {
 void writeWhole(const std::string& file, const std::string& content) {
   namespace fs = std::filesystem;
   std::error_code none;
-  const fs::path target = fs::exists(file, none) ? fs::canonical(file) : fs::path(file);
+  const fs::path target = fs::exists(file, none) ? fs::canonical(file) : fs::absolute(file);
   const auto write = [&](const std::string& pending_name) {
     std::ofstream stream(pending_name, std::ios::binary);
     if (fs::exists(target)) {
