@@ -44,12 +44,12 @@ std::size_t indexFor(const YamlPart& map, const std::string& name,
 
 using Visitor = std::function<void(const YamlPart& part, const YamlPath& path)>;
 
-void visit(const YamlPart& part, YamlPath& path, const Visitor& visitor) {
+void visitParts(const YamlPart& part, YamlPath& path, const Visitor& visitor) {
   visitor(part, path);
   for (std::size_t i = 0; i < part.entries.size(); ++i) {
     const bool is_map = part.kind == YamlPart::Kind::kMap;
     path.push_back(is_map ? YamlStep(part.entries[i].name) : YamlStep(i));
-    visit(part.entries[i].value, path, visitor);
+    visitParts(part.entries[i].value, path, visitor);
     path.pop_back();
   }
 }
@@ -301,12 +301,12 @@ std::vector<Splice> YamlSplicer::withoutAliasesOf(const YamlPath& path, const Va
   const YamlPart& removed = *find(path).parts.back();
   std::map<std::size_t, YamlPath> anchors;
   YamlPath at = path;
-  visit(removed, at, [&](const YamlPart& part, const YamlPath& place) {
+  visitParts(removed, at, [&](const YamlPart& part, const YamlPath& place) {
     if (part.anchor != 0 && part.kind != YamlPart::Kind::kAlias) anchors[part.anchor] = place;
   });
   std::vector<Splice> splices;
   at.clear();
-  visit(root_, at, [&](const YamlPart& part, const YamlPath& place) {
+  visitParts(root_, at, [&](const YamlPart& part, const YamlPath& place) {
     const bool is_outside = part.begin < removed.begin || part.begin >= removed.end;
     if (part.kind != YamlPart::Kind::kAlias || anchors.count(part.anchor) == 0 || !is_outside)
       return;
