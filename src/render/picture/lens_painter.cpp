@@ -199,8 +199,9 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
   }
   const Kept* before = kept(scene, *sight, casting, smooth);
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
-  cv::Mat pixels = wanted;
-  if (before != nullptr) pixels = wanted & changedPixels(scene, *sight, before->edges);
+  // Not by assigning to a copy of `wanted`: OpenCV would write into the pixels that both share.
+  const cv::Mat pixels =
+      before == nullptr ? wanted : cv::Mat(wanted & changedPixels(scene, *sight, before->edges));
   UnlitLens picture = gather(crew_, scene, sight, smooth, pixels);
   if (before != nullptr) {
     if (regions.empty()) {

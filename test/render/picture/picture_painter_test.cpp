@@ -1,10 +1,12 @@
 /// Pictures of which most is kept from the one before, against pictures that are drawn anew.
 
+#include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
+#include "render/lens_cases.h"
 #include "render/renderer.h"
 #include "support/box_world.h"
 #include "world/shape/shape_meshes.h"
@@ -26,15 +28,23 @@ world::Material coloured(float red, float green, float blue, float alpha = 1.0F)
 
 /// A yard under a sunny sky with a lamp: walls, a pane of glass before a part of them, and two
 /// balls, a cup of glass and a rod that move; the rod is thinner than a pixel. Or the same where
-/// nothing is of glass: OpenGL draws other shadows then.
-class KeptPictures : public testing::TestWithParam<bool> {
+/// nothing is of glass: OpenGL draws other shadows then. Or that without a sky, through a lens, all
+/// of whose pixels have rays of their own.
+enum class Yard { kWithGlass, kWithoutGlass, kThroughALens };
+
+class KeptPictures : public testing::TestWithParam<Yard> {
  protected:
   static constexpr std::size_t kBall = 4;
 
   KeptPictures() {
-    const bool has_glass = GetParam();
+    const bool has_glass = GetParam() == Yard::kWithGlass;
     description.ambient = {0.3F, 0.3F, 0.3F};
-    description.sky = world::Sky();
+    if (GetParam() == Yard::kThroughALens) {
+      view.camera = CameraModel(320, 240, {260.0, 260.0, 159.5, 119.5}, 0.05, 100.0,
+                                test::kPlumbBob.camera.distortion());
+    } else {
+      description.sky = world::Sky();
+    }
     world::Light sun;
     sun.casts_shadow = true;
     sun.direction_L = Eigen::Vector3d(0.5, 0.2, -1).normalized();
@@ -155,9 +165,61 @@ TEST_P(KeptPictures, AreFinishedInAnyOrderAndThread) {
   expectAsDrawnAnew(pictures);
 }
 
-INSTANTIATE_TEST_SUITE_P(Yards, KeptPictures, testing::Bool(), [](const auto& has_glass) {
-  return has_glass.param ? "with_glass" : "without_glass";
-});
+TEST_P(KeptPictures, OfRegionsAreThoseThatAreDrawnAnew) {
+  // As masks by background subtraction: the background in the objects' boxes, then one object.
+  const LinkSelection none(stage.all().size(), false);
+  LinkSelection background = stage.all();
+  for (std::size_t moving = kBall; moving < background.size(); ++moving) background[moving] = false;
+  LinkSelection ball = background;
+  ball[kBall] = true;
+  const cv::Rect region(100, 80, 120, 100);
+  const auto drawAll = [&](Renderer& renderer) {
+    std::vector<PendingPicture> pending = {
+        renderer.draw(view, stage.poses(), {stage.all(), stage.all()})};
+    for (const LinkSelection& drawn : {background, ball, background}) {
+      pending.push_back(
+          renderer.draw(view, stage.poses(), {drawn, none, Sampling::kCentre, {region}}));
+    }
+    std::vector<cv::Mat> pictures;
+    for (const PendingPicture& finish : pending) pictures.push_back(finish());
+    for (std::size_t i = 1; i < pictures.size(); ++i) pictures[i] = pictures[i](region);
+    return pictures;
+  };
+  const auto drawTimes = [&](bool reuse) {
+    RenderOptions options;
+    options.reuse = reuse;
+    Renderer renderer(description, stage.links(), options);
+    std::vector<cv::Mat> pictures;
+    for (int time = 0; time < 3; ++time) {
+      move(time);
+      const std::vector<cv::Mat> those = drawAll(renderer);
+      pictures.insert(pictures.end(), those.begin(), those.end());
+    }
+    return pictures;
+  };
+  const std::vector<cv::Mat> pictures = drawTimes(true);
+  const std::vector<cv::Mat> expected = drawTimes(false);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    EXPECT_EQ(cv::norm(pictures[i], expected[i], cv::NORM_INF), 0.0) << i;
+  }
+}
+
+std::string nameOf(const testing::TestParamInfo<Yard>& yard) {
+  switch (yard.param) {
+    case Yard::kWithGlass:
+      return "with_glass";
+    case Yard::kWithoutGlass:
+      return "without_glass";
+    case Yard::kThroughALens:
+      return "through_a_lens";
+  }
+  return "";
+}
+
+INSTANTIATE_TEST_SUITE_P(Yards, KeptPictures,
+                         testing::Values(Yard::kWithGlass, Yard::kWithoutGlass,
+                                         Yard::kThroughALens),
+                         nameOf);
 
 TEST(KeptPicturesOfAnAisle, HaveTheShadowsOfASunWhoseMapIsNotSquare) {
   world::Description description;

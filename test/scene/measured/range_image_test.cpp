@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <Eigen/Geometry>
+#include <opencv2/core.hpp>
 
 namespace synthetic_dataset::scene {
 namespace range_image_test {
