@@ -24,7 +24,7 @@ REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 PICTURE = '/preview/camera/image_labels'  # as preview.rviz has it
 FOLDER = pathlib.Path(sys.argv.pop() if len(sys.argv) > 1 else '.')
 PATIENCE = 120.0  # [s] until RViz has started and drawn
-ALIKE = 0.9  # correlation of a picture with where it is on the screen
+ALIKE = 0.8  # correlation of a picture with where it is on the screen, in a small panel without smoothing
 
 
 @contextlib.contextmanager
@@ -48,7 +48,8 @@ def screen(file):
 def likeness(picture, shown):
     """The best correlation of a picture, in any size that a panel may have, with a part of the screen."""
     best = -1.0
-    for width in range(160, 900, 20):
+    shown = shown[:, :400]  # the panels at the left
+    for width in range(120, 400, 2):
         height = round(width * picture.shape[0] / picture.shape[1])
         if height > shown.shape[0] or width > shown.shape[1]:
             break
