@@ -180,6 +180,7 @@ class Problems(WithPage):
         ('camera/near', -1, 'cameras'),
         ('camera/pose', 'here', 'cameras'),
         ('rover_1/model', 'none.urdf', 'objects'),
+        ('rover_1/frame_id', 'no_such_frame', 'objects'),
         ('rover_1/keypoints', [[1, 2]], 'objects'),
         ('randomize/sensor/blur', {'uniform': [3, 1]}, 'randomisation'),
         ('split', {'train': 0.5}, 'output'),

@@ -79,6 +79,17 @@ std::string cureOf(const scene::ObjectOptions& object, const motion::FrameSource
          "; in the group " + object.name + ", " + cures + " names one as a whole";
 }
 
+/// An error about an object's frame, with the setting that names the frame.
+std::string withSetting(const std::string& message,
+                        const std::vector<scene::ObjectOptions>& objects) {
+  for (const scene::ObjectOptions& object : objects) {
+    if (message.rfind("frame '" + object.frame + "' ", 0) != 0) continue;
+    const bool is_below = object.frame.rfind(object.name + "/", 0) == 0;
+    return object.name + (is_below ? "/frame_id: " : "/frame: ") + message;
+  }
+  return message;
+}
+
 /// @throws ErrorList as FrameSource::timeline, and what would mend it
 motion::Timeline findTimeline(const std::vector<std::string>& names,
                               const motion::FrameSource& frames, const config::Config& config,
@@ -88,7 +99,10 @@ motion::Timeline findTimeline(const std::vector<std::string>& names,
   try {
     return frames.timeline(names, options);
   } catch (const ErrorList& errors) {
-    std::vector<std::string> messages = errors.messages();
+    std::vector<std::string> messages;
+    for (const std::string& each : errors.messages()) {
+      messages.push_back(withSetting(each, config.objects));
+    }
     for (const scene::ObjectOptions& object : config.objects) {
       if (object.is_distractor || !object.takes_part || frames.find(object.frame)) continue;
       const std::string cure = cureOf(object, frames);
