@@ -273,8 +273,9 @@ TEST_F(GeneratorTest, NamesABagWithoutTransforms) {
 
 TEST_F(GeneratorTest, SuggestsAFrameThatIsSpeltNearlyAlike) {
   parameters.at("alpha").as<Value::Map>()->emplace("frame_id", Value("base_lnik"));
-  EXPECT_THAT(errors(), Contains(AllOf(testing::StartsWith("alpha/frame_id: frame 'alpha/base_lnik'"),
-                                       HasSubstr("alpha/base_link"))));
+  EXPECT_THAT(errors(),
+              Contains(AllOf(testing::StartsWith("alpha/frame_id: frame 'alpha/base_lnik'"),
+                             HasSubstr("alpha/base_link"))));
 }
 
 TEST_F(GeneratorTest, NamesAnObjectThatTheWorldDoesNotHave) {

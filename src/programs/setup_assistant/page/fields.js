@@ -296,12 +296,15 @@ export function fileField(path, kind, options = {}) {
                 value: printText(effective(path)),
                 onchange: (event) => setFromText(path, event.target.value),
               }),
-              h('button', {type: 'button', onclick: () => pick(kind, options, (file) => set(path, file))},
+              h('button', {
+                type: 'button',
+                onclick: () => pick(kind, {...options, current: effective(path)}, (file) => set(path, file))
+              },
                 'Browse\u2026')));
 }
 
 async function pick(kind, options, use) {
-    const file = await browse(kind, options.label ?? kind);
+    const file = await browse(kind, options.label ?? kind, options.current);
     if (file) use(file);
 }
 

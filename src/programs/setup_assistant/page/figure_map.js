@@ -43,13 +43,22 @@ export function map({picture, extent, ways = {}, boxes = [], label}) {
         h('span', {class: 'scale'}, `${(x1 - x0).toFixed(1)} \u00d7 ${(y1 - y0).toFixed(1)} m`)));
 }
 
+// The ground of a world may be a hundred times as large as what happens on it.
+const MUCH_LARGER = 8;
+
 function around(extent, points, boxes) {
-  if (extent) return extent;
   const all = [...points, ...boxes.flatMap((each) => [each.low, each.high])];
-  if (!all.length) return null;
+  if (!all.length) return extent ?? null;
   const [xs, ys] = [all.map((each) => each[0]), all.map((each) => each[1])];
-  const margin = 0.1 * Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys), 1);
-  return [Math.min(...xs) - margin, Math.min(...ys) - margin, Math.max(...xs) + margin, Math.max(...ys) + margin];
+  const within = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+  const long = Math.max(longSide(within), 1);
+  if (extent && longSide(extent) < MUCH_LARGER * long) return extent;
+  const margin = (extent ? 0.5 : 0.1) * long;
+  return [within[0] - margin, within[1] - margin, within[2] + margin, within[3] + margin];
+}
+
+function longSide([x0, y0, x1, y1]) {
+  return Math.max(x1 - x0, y1 - y0);
 }
 
 function way(name, points, index, size) {

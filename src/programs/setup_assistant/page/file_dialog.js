@@ -3,10 +3,10 @@ import {get} from './api.js';
 import {h, patch} from './dom.js';
 import {bytes} from './numbers.js';
 
-let lastFolder = null;
+const lastFolders = new Map();  // by kind
 
-// The file's path, or null.
-export function browse(kind, what) {
+// The file's path, or null. It begins at the folder of `current`, if that is a whole path.
+export function browse(kind, what, current) {
   const dialog = document.getElementById('dialog');
   return new Promise((resolve) => {
     const choose = (file) => dialog.close(file ?? '');
@@ -15,13 +15,18 @@ export function browse(kind, what) {
     dialog.setAttribute('aria-label', `Choose: ${what}`);
     const show = async (folder) => {
       const listing = await list(folder, kind);
-      lastFolder = listing.error ? lastFolder : listing.folder;
+      if (!listing.error) lastFolders.set(kind, listing.folder);
       patch(dialog, view(listing, kind, what, show, choose));
     };
-    patch(dialog, view({folder: lastFolder ?? '', folders: [], files: [], isRead: false}, kind, what, show, choose));
+    const first = folderOf(current) ?? lastFolders.get(kind) ?? '';
+    patch(dialog, view({folder: first, folders: [], files: [], isRead: false}, kind, what, show, choose));
     dialog.showModal();
-    show(lastFolder);
+    list(first, kind).then((listing) => show(listing.error ? '' : first));
   });
+}
+
+function folderOf(path) {
+  return typeof path === 'string' && path.startsWith('/') ? path.replace(/\/[^/]*$/, '') || '/' : null;
 }
 
 async function list(folder, kind) {

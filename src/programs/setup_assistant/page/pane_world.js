@@ -92,10 +92,18 @@ function lights(all) {
 
 function missing(all) {
   if (!all.length) return null;
-  return h(
-      'ul', {class: 'problems'},
+  const isGroup = typeof effective(['world']) !== 'string';
+  return [
+    h('p', {class: 'problems'},
+      isGroup ? 'If they are in other folders, name these above, as Folders with models.' :
+                'If they are in other folders, these can be named: ',
+      isGroup ? null :
+                h('button', {type: 'button', onclick: () => set(['world'], {file: effective(['world'])})},
+                  'Folders with models')),
+    h('ul', {class: 'problems'},
       all.map(
           (each) =>
               h('li', {class: 'warning'}, h('span', {class: 'severity'}, 'missing'), ' ',
-                typeof each === 'string' ? each : each.what ?? JSON.stringify(each))));
+                typeof each === 'string' ? each : each.what ?? JSON.stringify(each)))),
+  ];
 }
