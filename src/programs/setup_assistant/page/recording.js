@@ -12,10 +12,21 @@ export function frames() {
 
 // By the objects' names; of a recording whose objects are not chosen yet, of what looks like robots.
 export function waysOfObjects() {
-  const {ways = {}, robots = []} = recording() ?? {};
-  const named = objectNames().map((name) => [name, ways[frameOf(name)]]).filter(([, way]) => way);
+  const {robots = []} = recording() ?? {};
+  const named = objectNames().map((name) => [name, wayOf(frameOf(name))]).filter(([, way]) => way);
   if (named.length) return Object.fromEntries(named);
-  return Object.fromEntries(robots.map(({name, frame}) => [name, ways[frame]]).filter(([, way]) => way));
+  return Object.fromEntries(robots.map(({name, frame}) => [name, wayOf(frame)]).filter(([, way]) => way));
+}
+
+// A frame that is fixed to another one, as a base_link to a base_footprint, goes the other's way.
+function wayOf(frame) {
+  const {ways = {}, frames: all = []} = recording() ?? {};
+  const known = new Map(all.map((each) => [each.name, each]));
+  for (let at = frame, steps = 0; at && steps < all.length + 1; at = known.get(at).parent, ++steps) {
+    if (ways[at]) return ways[at];
+    if (!known.get(at)?.is_static) return undefined;
+  }
+  return undefined;
 }
 
 // What looks like robots and is no object yet.
