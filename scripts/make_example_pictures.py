@@ -2,8 +2,8 @@
 """Makes worlds/example_pictures.bag: what a camera in the bundled example's hall has recorded.
 
 The pictures and depth images are drawn by `generate`, of the example's world and recording. Their camera's clock is
-37 ms late, it is turned by one degree against its place in TF, and a visitor stands in the hall of whom the example's
-world knows nothing: config/example_twin.yaml labels them all the same. Run again after a change of the example; needs
+37 ms late, it is turned by one degree against its place in TF, and the hall has a visitor who is not in the
+example's world: config/example_twin.yaml labels them all the same. Run again after a change of the example; needs
 a built workspace that has been sourced, and nothing else beside ROS's rosbag and sensor_msgs.
 """
 import math

@@ -56,7 +56,7 @@ scene::TwinOutput readOutput(Parameters& group) {
   return output == "synthetic" ? scene::TwinOutput::kSynthetic : scene::TwinOutput::kReal;
 }
 
-/// What measures what stands in front of objects.
+/// What measures the surfaces in front of objects.
 void readMeasured(Parameters& group, scene::TwinOptions& twin) {
   constexpr double kWidest = 10.0;       // [m]
   constexpr double kSteepest = 1.0;      // of the distance

@@ -12,30 +12,6 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
-namespace {
-
-PictureHead depthHeadOf(const FramedPicture& framed) {
-  PictureHead head{framed.stamp, framed.frame};
-  if (const auto* raw = std::get_if<base::RawPicture>(&framed.picture)) {
-    head.problem = base::depthProblem(*raw).value_or("");
-    if (!head.problem.empty()) return head;
-    head.width = raw->width;
-    head.height = raw->height;
-    return head;
-  }
-  const auto& file = std::get<PictureFile>(framed.picture);
-  try {
-    const base::PictureSize size = base::checkCompressedDepth(file.bytes, file.format);
-    head.width = static_cast<std::uint32_t>(size.width);
-    head.height = static_cast<std::uint32_t>(size.height);
-  } catch (const Error& error) {
-    head.problem = error.what();
-  }
-  return head;
-}
-
-}  // namespace
-
 struct RecordedDepths::Impl {
   std::vector<PictureHead> heads;
   std::optional<MessageIndex> messages;  ///< of heads
@@ -44,12 +20,16 @@ struct RecordedDepths::Impl {
 RecordedDepths::RecordedDepths(const std::vector<std::string>& bag_files, const std::string& topic)
     : impl_(std::make_unique<Impl>()) {
   std::vector<PictureHead> looked_at;
-  impl_->messages.emplace(bag_files, topic, "depth image",
-                          TopicSearch::of<sensor_msgs::Image, sensor_msgs::CompressedImage>(topic),
-                          [&](const rosbag::MessageInstance& message) {
-                            looked_at.push_back(depthHeadOf(framedPicture(message)));
-                            return looked_at.back().stamp;
-                          });
+  impl_->messages.emplace(
+      bag_files, topic, "depth image",
+      TopicSearch::of<sensor_msgs::Image, sensor_msgs::CompressedImage>(topic),
+      [&](const rosbag::MessageInstance& message) {
+        looked_at.push_back(
+            headOf(framedPicture(message), base::depthProblem, [](const PictureFile& file) {
+              return base::checkCompressedDepth(file.bytes, file.format);
+            }));
+        return looked_at.back().stamp;
+      });
   impl_->heads = impl_->messages->inOrder(std::move(looked_at));
 }
 

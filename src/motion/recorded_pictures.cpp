@@ -18,24 +18,13 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-PictureHead headOf(const FramedPicture& framed, const std::string& topic) {
-  PictureHead head{framed.stamp, framed.frame};
-  if (const auto* raw = std::get_if<base::RawPicture>(&framed.picture)) {
-    head.problem = base::pictureProblem(*raw).value_or("");
-    if (!head.problem.empty()) return head;
-    head.width = raw->width;
-    head.height = raw->height;
-    return head;
-  }
-  const auto& file = std::get<PictureFile>(framed.picture);
+/// Of a file's size, with its format in front of what is wrong.
+base::PictureSize sizeOf(const PictureFile& file, const std::string& topic) {
   try {
-    const base::PictureSize size = base::checkPicture(file.bytes, topic);
-    head.width = static_cast<std::uint32_t>(size.width);
-    head.height = static_cast<std::uint32_t>(size.height);
+    return base::checkPicture(file.bytes, topic);
   } catch (const Error& error) {
-    head.problem = "of format '" + file.format + "' " + error.what();
+    throw Error("of format '" + file.format + "' " + error.what());
   }
-  return head;
 }
 
 }  // namespace
@@ -53,6 +42,28 @@ FramedPicture framedPicture(const rosbag::MessageInstance& message) {
           PictureFile{file->message.format, std::move(file->message.data)}};
 }
 
+PictureHead headOf(
+    const FramedPicture& framed,
+    const std::function<std::optional<std::string>(const base::RawPicture&)>& problem_of,
+    const std::function<base::PictureSize(const PictureFile&)>& size_of) {
+  PictureHead head{framed.stamp, framed.frame};
+  if (const auto* raw = std::get_if<base::RawPicture>(&framed.picture)) {
+    head.problem = problem_of(*raw).value_or("");
+    if (!head.problem.empty()) return head;
+    head.width = raw->width;
+    head.height = raw->height;
+    return head;
+  }
+  try {
+    const base::PictureSize size = size_of(std::get<PictureFile>(framed.picture));
+    head.width = static_cast<std::uint32_t>(size.width);
+    head.height = static_cast<std::uint32_t>(size.height);
+  } catch (const Error& error) {
+    head.problem = error.what();
+  }
+  return head;
+}
+
 struct RecordedPictures::Impl {
   std::string topic;
   std::vector<PictureHead> heads;
@@ -64,13 +75,15 @@ RecordedPictures::RecordedPictures(const std::vector<std::string>& bag_files,
     : impl_(std::make_unique<Impl>()) {
   impl_->topic = topic;
   std::vector<PictureHead> looked_at;
-  impl_->messages.emplace(bag_files, topic, "picture",
-                          TopicSearch::of<sensor_msgs::Image, sensor_msgs::CompressedImage>(topic),
-                          [&](const rosbag::MessageInstance& message) {
-                            const FramedPicture picture = framedPicture(message);
-                            looked_at.push_back(headOf(picture, topic));
-                            return picture.stamp;
-                          });
+  impl_->messages.emplace(
+      bag_files, topic, "picture",
+      TopicSearch::of<sensor_msgs::Image, sensor_msgs::CompressedImage>(topic),
+      [&](const rosbag::MessageInstance& message) {
+        const FramedPicture picture = framedPicture(message);
+        looked_at.push_back(headOf(picture, base::pictureProblem,
+                                   [&](const PictureFile& file) { return sizeOf(file, topic); }));
+        return picture.stamp;
+      });
   impl_->heads = impl_->messages->inOrder(std::move(looked_at));
 }
 

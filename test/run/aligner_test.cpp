@@ -1,6 +1,7 @@
 /// Pictures of which it is known how far their camera's clock and frame are from TF's.
 
 #include "run/align/aligner.h"
+#include "run/live/json_values.h"
 
 #include <cmath>
 #include <filesystem>
@@ -47,16 +48,6 @@ Pose error() {
   const double angle = 1.5 * std::acos(-1.0) / 180.0;
   return makePose(Eigen::Vector3d(0.02, -0.01, 0.02),
                   Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)));
-}
-
-Value poseValue(const Pose& pose) {
-  const Eigen::Vector3d p = pose.translation();
-  const Eigen::Quaterniond q(pose.linear());
-  Value::List list;
-  for (const double each : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()}) {
-    list.emplace_back(each);
-  }
-  return Value(list);
 }
 
 class Align : public test::RunFixture {

@@ -12,6 +12,7 @@
 #include "all_at_once_run.h"
 #include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
+#include "run/live/json_values.h"
 #include "run/setup/run_setup.h"
 #include "run_fixture.h"
 #include "support/bag_builder.h"
@@ -54,16 +55,6 @@ Pose pictureCamera() {
 Pose depthCamera() {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.035, Eigen::Vector3d::UnitY()));
   return pictureCamera() * makePose({-0.06, -0.02, 0.0}, turn);
-}
-
-Value poseValue(const Pose& pose) {
-  const Eigen::Vector3d p = pose.translation();
-  const Eigen::Quaterniond q(pose.linear());
-  Value::List list;
-  for (const double each : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()}) {
-    list.emplace_back(each);
-  }
-  return Value(list);
 }
 
 cv::Mat decoded(const std::string& file) {

@@ -33,28 +33,27 @@ class YamlSplicer {
   /// @throws Error as outlineYaml
   YamlSplicer(const std::string& text, const std::string& origin);
 
-  /// Whether something stands at this path itself, not by an alias or a merge, and more than
-  /// nothing.
+  /// Whether the text has a value at this path that is not empty and comes from no alias or merge.
   [[nodiscard]] bool has(const YamlPath& path) const;
 
-  /// Replaces what stands at a path.
+  /// Replaces the value at a path.
   [[nodiscard]] Splice replace(const YamlPath& path, const Value& value) const;
 
   /// Adds what is not there, in the deepest group of its path that is.
-  /// @param expected  what the whole text is to say, for what stands there as an alias
+  /// @param expected  what the whole text is to say, for values that are aliases there
   [[nodiscard]] Splice insert(const YamlPath& path, const Value& expected,
                               const NameOrder& order) const;
 
   /// Removes an entry, or the group of which it is the only one.
   [[nodiscard]] Splice remove(const YamlPath& path) const;
 
-  /// Replaces the aliases elsewhere that stand for what is at a path or in it, by what they stand
-  /// for.
+  /// Replaces aliases elsewhere that refer to the value at a path, or to a part of it, by that
+  /// value.
   /// @param tree  of the text
   [[nodiscard]] std::vector<Splice> withoutAliasesOf(const YamlPath& path, const Value& tree) const;
 
  private:
-  /// What stands at the end of a path, as far as it is there.
+  /// The parts along a path, as far as the text has them.
   struct Found {
     std::vector<const YamlPart*> parts;      ///< from the root
     std::vector<std::size_t> entry_indices;  ///< of parts[i + 1] in parts[i]

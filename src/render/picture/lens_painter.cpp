@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "render/edges/edge_pixels.h"
 #include "render/lens/lens_edges.h"
@@ -18,12 +17,6 @@
 
 namespace synthetic_dataset::render {
 namespace {
-
-cv::Mat withPixelsAround(const cv::Mat& pixels) {
-  cv::Mat result;
-  cv::dilate(pixels, result, cv::Mat());  // by one
-  return result;
-}
 
 cv::Mat allPixels(const cv::Size& size) { return {size, CV_8UC1, cv::Scalar(255)}; }
 

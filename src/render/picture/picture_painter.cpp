@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <opencv2/imgproc.hpp>
-
 #include "render/edges/edge_pixels.h"
 #include "render/parts/part_groups.h"
 #include "render/picture/changed_pixels.h"
@@ -14,13 +12,6 @@
 
 namespace synthetic_dataset::render {
 namespace {
-
-/// Pixels and those around them.
-cv::Mat grown(const cv::Mat& pixels) {
-  cv::Mat result;
-  cv::dilate(pixels, result, cv::Mat());  // by one
-  return result;
-}
 
 /// The lens and its place, where a face of it is drawn: a picture behind it is bent accordingly.
 std::vector<double> lensOf(const ColourScene& scene) {
@@ -126,7 +117,7 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
                       crew_.lights, scene.shadows);
   // What is just beside the wanted pixels may make edges of them.
   cv::Mat possible = regions.all();
-  if (!wants_all) possible &= grown(wanted);
+  if (!wants_all) possible &= withPixelsAround(wanted);
   const cv::Rect place = maskBounds(possible);
   if (place.empty()) return possible;
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
@@ -288,7 +279,7 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   if (picture.regions.empty()) return picture;
   smooth = smooth && crew_.smooths;
   // Edges take their light from the pixels around them.
-  const cv::Mat wanted = smooth ? grown(pixels) : pixels;
+  const cv::Mat wanted = smooth ? withPixelsAround(pixels) : pixels;
   const std::vector<cv::Rect> lit = smooth ? bandsOf(wanted) : picture.regions;
   const cv::Rect place = boundsOf(lit);
   SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place, bandsOf(wanted, kCoarseBand)),

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "synthetic_dataset/mask.h"
 
@@ -47,6 +48,12 @@ std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height) {
     addRuns(columns, top, end - top, bands);
   }
   return bands;
+}
+
+cv::Mat withPixelsAround(const cv::Mat& pixels) {
+  cv::Mat result;
+  cv::dilate(pixels, result, cv::Mat());  // by one
+  return result;
 }
 
 cv::Rect boundsOf(const std::vector<cv::Rect>& rectangles) {

@@ -18,6 +18,10 @@ inline constexpr int kCoarseBand = 64;
 /// @param height  of a rectangle at the most [px]
 [[nodiscard]] std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height = kFineBand);
 
+/// Pixels that are not 0, and those around them by one.
+/// @param pixels  CV_8UC1
+[[nodiscard]] cv::Mat withPixelsAround(const cv::Mat& pixels);
+
 /// Round all of them; empty for none.
 [[nodiscard]] cv::Rect boundsOf(const std::vector<cv::Rect>& rectangles);
 
