@@ -10,6 +10,7 @@
 #include "run/setup/run_setup.h"
 #include "scene/object_motion.h"
 #include "scene/scene_maker.h"
+#include "support/source_folder.h"
 #include "support/temporary_folder.h"
 #include "support/writers/plugin_environment.h"
 

@@ -14,6 +14,7 @@
 #include "base/json_text.h"
 #include "base/yaml_value.h"
 #include "support/error_messages.h"
+#include "support/source_folder.h"
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
@@ -250,7 +251,7 @@ bool isLikeTheOneBefore(const YamlPath& path) {
 class ShippedSettings : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedSettings, TakeEveryEdit) {
-  const std::string text = test::readFile(fs::path("../config") / GetParam());
+  const std::string text = test::readFile(fs::path(test::sourceFolder()) / "config" / GetParam());
   const std::vector<std::string> comments = commentLines(text);
   const std::vector<std::string> lines = linesOf(text);
   const Value tree = readYamlText(text, "text");
@@ -277,7 +278,7 @@ INSTANTIATE_TEST_SUITE_P(Files, ShippedSettings,
 class LongSession : public testing::TestWithParam<std::string> {};
 
 TEST_P(LongSession, SaysWhatWasAskedForAllTheTime) {
-  std::string text = test::readFile(fs::path("../config") / GetParam());
+  std::string text = test::readFile(fs::path(test::sourceFolder()) / "config" / GetParam());
   Value expected = readYamlText(text, "text");
   std::mt19937 random(7);  // NOLINT: the same session each time
   const std::vector<Value> values = {

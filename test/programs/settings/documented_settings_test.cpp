@@ -11,8 +11,8 @@
 #include "base/json_text.h"
 #include "base/yaml_value.h"
 #include "config/config.h"
+#include "support/source_folder.h"
 #include "support/temporary_folder.h"
-#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::programs {
 namespace documented_settings_test {

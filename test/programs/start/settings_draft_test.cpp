@@ -12,6 +12,7 @@
 #include "run/setup/run_setup.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
+#include "support/source_folder.h"
 #include "support/temporary_folder.h"
 #include "support/writers/plugin_environment.h"
 

@@ -14,6 +14,7 @@
 #include "run/run_fixture.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
+#include "support/source_folder.h"
 #include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::run {

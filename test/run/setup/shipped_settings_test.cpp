@@ -11,6 +11,7 @@
 #include "run/check/run_check.h"
 #include "run/setup/run_setup.h"
 #include "support/error_messages.h"
+#include "support/source_folder.h"
 #include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::run {

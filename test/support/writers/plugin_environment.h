@@ -10,9 +10,6 @@ namespace synthetic_dataset::test {
 /// @param packages  folders of more packages with plugins
 void preparePluginEnvironment(const std::vector<std::string>& packages = {});
 
-/// The repository's root.
-[[nodiscard]] std::string sourceFolder();
-
 /// The plugin description of this package, as users have it.
 [[nodiscard]] std::string pluginXml();
 

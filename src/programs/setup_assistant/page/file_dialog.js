@@ -13,15 +13,16 @@ export function browse(kind, what, current) {
     dialog.onclose = () => resolve(dialog.returnValue || null);
     dialog.returnValue = '';
     dialog.setAttribute('aria-label', `Choose: ${what}`);
-    const show = async (folder) => {
-      const listing = await list(folder, kind);
+    const show = async (folder, instead) => {
+      let listing = await list(folder, kind);
+      if (listing.error && instead !== undefined) listing = await list(instead, kind);
       if (!listing.error) lastFolders.set(kind, listing.folder);
       patch(dialog, view(listing, kind, what, show, choose));
     };
     const first = folderOf(current) ?? lastFolders.get(kind) ?? '';
     patch(dialog, view({folder: first, folders: [], files: [], isRead: false}, kind, what, show, choose));
     dialog.showModal();
-    list(first, kind).then((listing) => show(listing.error ? '' : first));
+    show(first, '');
   });
 }
 
