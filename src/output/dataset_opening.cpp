@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "output/earlier_dataset.h"
+#include "output/files/file_name_rules.h"
 #include "output/files/file_places.h"
 #include "output/preflight.h"
 #include "output/unfinished_scenes.h"
@@ -12,6 +13,11 @@
 
 namespace synthetic_dataset::output {
 namespace {
+
+std::string withoutTrailingSlash(std::string folder) {
+  if (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+  return folder;
+}
 
 void append(std::vector<std::string>& all, const std::vector<std::string>& more) {
   all.insert(all.end(), more.begin(), more.end());
@@ -45,6 +51,9 @@ std::vector<std::string> reasonsNotToResume(const ManifestContent& earlier,
     reasons.push_back(writers[i].name + "/output_folder: then '" + then + "', now '" +
                       writers[i].output_folder + "'");
   }
+  if (reasons.empty() && !earlier.has_truth) {
+    reasons.emplace_back("its manifest has another format version");
+  }
   return reasons;
 }
 
@@ -52,9 +61,6 @@ std::vector<std::string> reasonsNotToResume(const ManifestContent& earlier,
 void requireSameRun(const ManifestContent& earlier, const std::string& folder,
                     const std::vector<StoreWriter>& writers, const RunDescription& run) {
   std::vector<std::string> reasons = reasonsNotToResume(earlier, writers, run);
-  if (reasons.empty() && !earlier.has_truth) {
-    reasons.emplace_back("its manifest has another format version");
-  }
   if (reasons.empty()) return;
   const std::string state = earlier.complete ? "is complete" : "was begun";
   for (std::string& reason : reasons) {
@@ -172,6 +178,31 @@ OpenedDataset open(const StoreOptions& options, const std::vector<StoreWriter>& 
 }
 
 }  // namespace
+
+void makeAbsolute(StoreOptions& options, std::vector<StoreWriter>& writers) {
+  options.folder = withoutTrailingSlash(absolutePath(options.folder));
+  for (StoreWriter& writer : writers) {
+    writer.output_folder = withoutTrailingSlash(absolutePath(writer.output_folder)) + "/";
+    for (std::string& file : writer.user_files) file = absolutePath(file);
+  }
+}
+
+std::optional<EarlierRun> findEarlierRun(StoreOptions options, std::vector<StoreWriter> writers,
+                                         RunDescription run) {
+  makeAbsolute(options, writers);
+  const std::string manifest = manifestFile(options.folder, options.shard);
+  if (!std::filesystem::exists(manifest)) return std::nullopt;
+  try {
+    const ManifestContent earlier = readManifest(manifest, ManifestFiles::kLeftOut);
+    // Who draws knows it, and has not begun.
+    const auto opengl = earlier.run.software.find("opengl");
+    if (opengl != earlier.run.software.end()) run.software.insert(*opengl);
+    return EarlierRun{earlier.complete, earlier.scene_count,
+                      reasonsNotToResume(earlier, writers, run)};
+  } catch (const Error& error) {
+    return EarlierRun{false, 0, {error.what()}};
+  }
+}
 
 OpenedDataset openDataset(const StoreOptions& options, const std::vector<StoreWriter>& writers,
                           const RunDescription& run) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +19,28 @@ struct OpenedDataset {
   std::unique_ptr<Manifest> manifest;  ///< the same
 };
 
+/// The dataset that lies where a run is to write.
+struct EarlierRun {
+  bool complete = false;
+  std::int64_t scene_count = 0;  ///< that are there
+
+  /// Why the run cannot go on with it: what differs, a line each. Empty: it can.
+  std::vector<std::string> differences;
+};
+
+/// Makes paths absolute and normalises them.
+void makeAbsolute(StoreOptions& options, std::vector<StoreWriter>& writers);
+
+/// Looks at what is there, without its files, which is quick, and changes nothing.
+/// @param run  its OpenGL need not be known yet
+/// @return nothing where no run has begun a dataset in the folder
+[[nodiscard]] std::optional<EarlierRun> findEarlierRun(StoreOptions options,
+                                                       std::vector<StoreWriter> writers,
+                                                       RunDescription run);
+
 /// Makes sure that a run can begin, or can go on with what is there, and only then removes what it
 /// is to replace (`if_exists`).
-/// @param options, writers  with absolute and normalised paths
+/// @param options, writers  as makeAbsolute leaves them
 /// @throws ErrorList as DatasetStore does
 [[nodiscard]] OpenedDataset openDataset(const StoreOptions& options,
                                         const std::vector<StoreWriter>& writers,

@@ -16,11 +16,6 @@
 namespace synthetic_dataset::output {
 namespace {
 
-std::string withoutTrailingSlash(std::string folder) {
-  if (folder.size() > 1 && folder.back() == '/') folder.pop_back();
-  return folder;
-}
-
 /// The files as the manifest lists them, content by content.
 std::vector<ManifestFile> manifestFiles(const std::vector<OutputFile>& files,
                                         const std::vector<SceneContent>& contents) {
@@ -201,11 +196,7 @@ struct DatasetStore::Impl {
 DatasetStore::DatasetStore(const StoreOptions& options, std::vector<StoreWriter> writers,
                            const RunDescription& run) {
   StoreOptions normalized = options;
-  normalized.folder = withoutTrailingSlash(absolutePath(options.folder));
-  for (StoreWriter& writer : writers) {
-    writer.output_folder = withoutTrailingSlash(absolutePath(writer.output_folder)) + "/";
-    for (std::string& file : writer.user_files) file = absolutePath(file);
-  }
+  makeAbsolute(normalized, writers);
   impl_ = std::make_unique<Impl>(normalized, std::move(writers), run);
 }
 
@@ -327,6 +318,10 @@ std::map<std::string, std::int64_t> DatasetStore::warningCounts() const {
 
 std::vector<ObjectCounts> DatasetStore::objectCounts() const {
   return impl_->manifest->objectCounts();
+}
+
+std::vector<SplitCounts> DatasetStore::splitCounts() const {
+  return impl_->manifest->splitCounts();
 }
 
 std::string DatasetStore::manifestPath() const { return impl_->opened.file; }

@@ -88,6 +88,7 @@ class DatasetStore {
   [[nodiscard]] StoreCounts counts() const;
   [[nodiscard]] std::map<std::string, std::int64_t> warningCounts() const;  ///< kind to count
   [[nodiscard]] std::vector<ObjectCounts> objectCounts() const;  ///< of the run's objects
+  [[nodiscard]] std::vector<SplitCounts> splitCounts() const;    ///< that have scenes, by name
   [[nodiscard]] std::string manifestPath() const;
 
  private:

@@ -67,4 +67,11 @@ struct ObjectCounts {
   double mean_mask_agreement = 0.0;  ///< intersection over union of these, 0 .. 1
 };
 
+/// What a part of a split dataset holds.
+struct SplitCounts {
+  std::string name;
+  std::int64_t scenes = 0;
+  std::int64_t labelled = 0;  ///< scenes in which an object should have a label
+};
+
 }  // namespace synthetic_dataset::output

@@ -34,7 +34,7 @@ struct Generator::Impl {
     summary.objects = labelCounts(store, setup.config.objects);
     const config::Config& config = setup.config;
     if (summary.stopped || config.output.shard || !config.only_scenes.empty()) return;
-    summary.missing_labels = missingLabels(summary.objects, summary.dataset_scenes);
+    summary.missing_labels = missingLabels(store, config.objects);
     for (const std::string& message : summary.missing_labels) reporter.warning(message);
   }
 

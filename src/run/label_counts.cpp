@@ -68,9 +68,28 @@ std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& co
   return messages;
 }
 
+std::vector<std::string> unlabelledSplits(const std::vector<output::SplitCounts>& splits) {
+  const auto hasLabels = [](const output::SplitCounts& each) { return each.labelled > 0; };
+  if (std::none_of(splits.begin(), splits.end(), hasLabels)) return {};  // said of the whole
+  std::vector<std::string> messages;
+  for (const output::SplitCounts& split : splits) {
+    if (hasLabels(split)) continue;
+    messages.push_back("split " + split.name + " has no label: no object has one in its " +
+                       std::to_string(split.scenes) + (split.scenes == 1 ? " scene" : " scenes") +
+                       " (other shares of `split`, or `split/by: scenes`, divide the recording "
+                       "otherwise)");
+  }
+  return messages;
+}
+
 std::vector<std::string> missingLabels(const output::DatasetStore& store,
                                        const std::vector<scene::ObjectOptions>& objects) {
-  return missingLabels(labelCounts(store, objects), store.counts().scenes);
+  std::vector<std::string> messages =
+      missingLabels(labelCounts(store, objects), store.counts().scenes);
+  for (std::string& each : unlabelledSplits(store.splitCounts())) {
+    messages.push_back(std::move(each));
+  }
+  return messages;
 }
 
 void complete(output::DatasetStore& store, const std::vector<scene::ObjectOptions>& objects) {

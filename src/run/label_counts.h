@@ -19,7 +19,11 @@ namespace synthetic_dataset::run {
 [[nodiscard]] std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& counts,
                                                      std::int64_t scenes);
 
-/// The same of all that a dataset holds.
+/// What the user should know where a part of the dataset has no label, though others have.
+[[nodiscard]] std::vector<std::string> unlabelledSplits(
+    const std::vector<output::SplitCounts>& splits);
+
+/// All of these of what a dataset holds.
 [[nodiscard]] std::vector<std::string> missingLabels(
     const output::DatasetStore& store, const std::vector<scene::ObjectOptions>& objects);
 

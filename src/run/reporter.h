@@ -42,4 +42,11 @@ class Reporter {
   std::set<std::string> reported_kinds_;
 };
 
+/// Keeps what a run warns of, each kind once.
+struct WarningList : Reporter {
+  void warning(const std::string& message) override { messages.push_back(message); }
+
+  std::vector<std::string> messages;
+};
+
 }  // namespace synthetic_dataset::run

@@ -195,6 +195,14 @@ TEST_F(GeneratorTest, NamesAWrongPoseOnce) {
   EXPECT_THAT(errors(), ElementsAre(HasSubstr("camera/pose: found 2 numbers")));
 }
 
+TEST_F(GeneratorTest, NamesAModelThatIsMissingByItsSettingOnce) {
+  for (const char* name : {"alpha", "bravo"}) {
+    (*parameters.at(name).as<Value::Map>())["model"] = Value("/nowhere/rover.sdf");
+  }
+  EXPECT_THAT(errors(), ElementsAre("alpha/model: '/nowhere/rover.sdf': no such file; looked in "
+                                    "/nowhere/rover.sdf"));
+}
+
 TEST_F(GeneratorTest, SaysWhereRelativePathsStart) {
   parameters["bag_file"] = Value("recordings/gone.bag");
   EXPECT_THAT(errors(),

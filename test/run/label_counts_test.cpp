@@ -6,10 +6,12 @@
 
 #include "output/manifest/manifest_content.h"
 #include "run_fixture.h"
+#include "support/bag_builder.h"
 
 namespace synthetic_dataset::run {
 namespace label_counts_test {
 
+using test::milliseconds;
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -53,6 +55,16 @@ TEST(MissingLabels, OfManyForOneReasonAreOneMessage) {
 TEST(MissingLabels, OfAllAreReportedFirst) {
   EXPECT_THAT(missingLabels({object("rover", 0, 0, 0, 0, 0)}, 40),
               ElementsAre(HasSubstr("NOTHING is labelled"), StartsWith("object rover")));
+}
+
+TEST(UnlabelledSplits, AreNamedWhereOthersHaveLabels) {
+  EXPECT_THAT(unlabelledSplits({{"test", 1, 0}, {"train", 80, 70}, {"val", 10, 0}}),
+              ElementsAre(HasSubstr("in its 1 scene "),
+                          StartsWith("split val has no label: no object has one in its 10 scenes "
+                                     "(other shares of `split`, or `split/by: scenes`")));
+  EXPECT_THAT(unlabelledSplits({{"train", 80, 70}, {"val", 10, 1}}), IsEmpty());
+  EXPECT_THAT(unlabelledSplits({{"train", 80, 0}, {"val", 10, 0}}), IsEmpty())
+      << "that is said of the dataset as a whole";
 }
 
 TEST(MissingLabels, AreInTheLastLine) {
@@ -110,6 +122,24 @@ TEST_F(LabelCountsTest, AreReportedAtTheEndOfARun) {
   EXPECT_THAT(listener.warnings,
               testing::IsSupersetOf({HasSubstr("NOTHING is labelled"),
                                      HasSubstr("2 objects (alpha, bravo) have a label in none")}));
+}
+
+TEST_F(LabelCountsTest, OfASplitThatSeesNoObjectAreReported) {
+  // Whatever moved before the camera in the first half is far below it in the second.
+  test::BagBuilder bag(run.folder() / "tiny.bag");
+  for (int i = 0; i <= 20; ++i) {
+    const Stamp time = milliseconds(1000 + 50 * i);
+    const double z = i < 10 ? 0.0 : -500.0;
+    bag.move("map", "alpha/base_link", time, test::poseAt(0.0, -0.5, z));
+    bag.move("map", "bravo/base_link", time, test::poseAt(0.0, 1.0, z));
+  }
+  bag.close();
+  parameters["split"] = Value(Value::Map{{"train", Value(0.5)}, {"val", Value(0.5)}});
+  Listener listener;
+  const RunSummary summary = generate(listener);
+  const auto said = HasSubstr("split val has no label: no object has one in its 2 scenes");
+  EXPECT_THAT(listener.warnings, Contains(said));
+  EXPECT_THAT(lastLine(summary), said);
 }
 
 /// Under the floor, which hides the objects though their boxes are in view.

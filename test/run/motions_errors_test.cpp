@@ -128,8 +128,9 @@ TEST_F(MotionsErrors, NameCamerasOfOtherNames) {
 
 TEST_F(MotionsErrors, NameAnObjectThatAMotionsWorldLacks) {
   run.list("[{}, {world: DIR/lone.world}]");
-  EXPECT_THAT(run.errors(), ElementsAre(AllOf(StartsWith("motions/1: robot_list: the world '"),
-                                              HasSubstr("has no model 'bravo'"))));
+  EXPECT_THAT(run.errors(),
+              ElementsAre(AllOf(StartsWith("motions/1: bravo/model: found none, and the world '"),
+                                HasSubstr("has no model 'bravo'"))));
 }
 
 TEST_F(MotionsErrors, NameCamerasOnOrAimedAtWhatDoesNotTakePart) {

@@ -43,8 +43,9 @@ class WholeWay(unittest.TestCase):
         self.mend()
         self.run_it()
         self.look()
-        self.assertEqual(self.page.complaints(), [])
         self.compare_with_generate()
+        self.change_and_replace()
+        self.assertEqual(self.page.complaints(), [])
 
     def choose(self, button, *names):
         """Opens the file dialog and clicks from the folders that may be read through others, each named by the end of
@@ -134,7 +135,7 @@ class WholeWay(unittest.TestCase):
         self.page.save(self.screenshots, 'way_done')
 
     def look(self):
-        self.page.click('#pane a.button')
+        self.page.click('#pane a.button', 'See the result')
         self.page.wait(lambda: len(self.page.all('.scenes img')) >= 8, 'the scenes')
         self.page.wait(lambda: self.page.script('''return [...document.querySelectorAll(".scenes img")].slice(0, 4)
             .every(each => each.complete && each.naturalWidth > 0)'''), 'their pictures')
@@ -152,6 +153,28 @@ class WholeWay(unittest.TestCase):
         made = self.folder / 'dataset'
         for name in names:
             self.assertEqual((made / name).read_bytes(), (other / name).read_bytes(), name)
+
+    def change_and_replace(self):
+        """After a change of the settings, the page asks before it replaces the dataset."""
+        manifest = self.folder / 'dataset' / 'manifest.sqlite'
+        first = manifest.read_bytes()
+        self.page.go('recording')
+        self.page.input('simulated_rate').send_keys('\ue003' * 6, '1', '\ue004')
+        self.page.go('problems')
+        self.page.wait(lambda: 'of other settings' in self.page.text('#pane'), 'the dataset of other settings')
+        self.page.go('run')
+        self.page.wait(lambda: 'simulated_rate: then 2, now 1' in self.page.text('#pane'), 'what differs')
+        self.page.save(self.screenshots, 'way_other_settings')
+        self.page.click('#pane button', 'Replace it\u2026')
+        self.page.save(self.screenshots, 'way_replace')
+        self.page.click('#pane button', 'Keep them')
+        self.assertEqual(manifest.read_bytes(), first)
+        self.page.click('#pane button', 'Replace it\u2026')
+        self.page.click('#pane button', 'Remove and start')
+        self.page.wait(lambda: 'Made:' in self.page.text('#pane'), 'the new dataset', timeout=300)
+        self.assertNotEqual(manifest.read_bytes(), first)
+        self.page.go('problems')
+        self.assertNotIn('of other settings', self.page.text('#pane'))
 
 
 if __name__ == '__main__':

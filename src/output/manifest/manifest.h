@@ -91,6 +91,7 @@ class Manifest {
   [[nodiscard]] StoreCounts counts() const;
   [[nodiscard]] std::map<std::string, std::int64_t> warningCounts() const;
   [[nodiscard]] std::vector<ObjectCounts> objectCounts() const;
+  [[nodiscard]] std::vector<SplitCounts> splitCounts() const;
 
   /// Makes a file of a shard's dataset a file of this one.
   using PlaceFile = std::function<void(const std::string& source, const ManifestFile& target)>;

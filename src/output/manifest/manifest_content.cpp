@@ -141,15 +141,16 @@ ManifestContent readWithoutFiles(const SqliteDatabase& database, const std::stri
   return content;
 }
 
-ManifestContent readManifest(const std::string& file) {
+ManifestContent readManifest(const std::string& file, ManifestFiles files) {
   const std::string folder = std::filesystem::path(file).parent_path().string();
   try {
     const SqliteDatabase database(file, SqliteDatabase::Mode::kExisting);
     database.execute("PRAGMA busy_timeout = 20000");
     requireKnownVersion(versionOf(database));
-    checkWholeness(database);
+    if (files == ManifestFiles::kRead) checkWholeness(database);
     ManifestContent content = readWithoutFiles(database, folder);
     checkFacts(database, content.run);
+    if (files == ManifestFiles::kLeftOut) return content;
     forEachRow(database, "SELECT path FROM file", [&](const SqliteStatement& row) {
       content.files.push_back(absoluteFrom(folder, row.text(0)));
     });

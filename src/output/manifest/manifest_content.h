@@ -23,9 +23,14 @@ struct ManifestContent {
   std::vector<std::string> files;    ///< absolute
 };
 
+/// Whether the list of a dataset's files is read, which may be long.
+enum class ManifestFiles { kRead, kLeftOut };
+
 /// @param file  the absolute path of a manifest
-/// @throws Error when it is no manifest of this version, or damaged
-[[nodiscard]] ManifestContent readManifest(const std::string& file);
+/// @throws Error when it is no manifest of this version, or damaged; where files are left out, only
+///     what is read is looked at
+[[nodiscard]] ManifestContent readManifest(const std::string& file,
+                                           ManifestFiles files = ManifestFiles::kRead);
 
 /// The same of an open manifest of this version, without the list of files.
 /// @param folder  the manifest's, absolute

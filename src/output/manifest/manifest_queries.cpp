@@ -99,4 +99,16 @@ std::vector<ObjectCounts> Manifest::objectCounts() const {
   return counts;
 }
 
+std::vector<SplitCounts> Manifest::splitCounts() const {
+  std::vector<SplitCounts> counts;
+  SqliteStatement rows(
+      database_,
+      "SELECT split, count(*), count(*) FILTER (WHERE EXISTS (SELECT 1 FROM scene_object WHERE "
+      "scene = scene.\"index\" AND NOT dropped AND coalesce(visible_pixels > 0, in_view))) "
+      "FROM scene WHERE split <> '' AND state IN ('written', 'complete') GROUP BY split "
+      "ORDER BY split");
+  while (rows.step()) counts.push_back({rows.text(0), rows.integer(1), rows.integer(2)});
+  return counts;
+}
+
 }  // namespace synthetic_dataset::output

@@ -17,13 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keeps what scenes warn of, each kind once.
-struct Warnings : run::Reporter {
-  void warning(const std::string& message) override { messages.push_back(message); }
-
-  std::vector<std::string> messages;
-};
-
 void write(const fs::path& file, const cv::Mat& picture, std::ostream& out) {
   bool is_written = false;
   try {
@@ -49,7 +42,7 @@ void writePictures(const run::RunCheck& check, const fs::path& folder, std::ostr
 }  // namespace
 
 bool checkAndPrint(const Value& settings, const fs::path& folder, std::ostream& out) {
-  Warnings warnings;
+  run::WarningList warnings;
   const run::RunCheck check = run::checkRun(settings, warnings);
   for (const std::string& line : run::planLines(check.setup, check.figures)) out << line << '\n';
   for (const std::string& note : check.setup.found.messages(base::Severity::kNote)) {

@@ -42,8 +42,9 @@ Assistant::Assistant(const std::string& file, const std::vector<std::string>& fo
       result_(document_) {
   live_ = std::make_unique<LiveService>(document_,
                                         [this](const Value& setup) { publish("setup", setup); });
-  run_ = std::make_unique<RunService>(document_, allowed_,
-                                      [this](const Value& state) { publish("run", state); });
+  run_ = std::make_unique<RunService>(
+      document_, allowed_, [this](const Value& state) { publish("run", state); },
+      [this] { live_->refresh(); });
   addDocumentRoutes();
   addCatalogueRoutes();
   addLiveRoutes();

@@ -11,6 +11,7 @@
 #include "run/check/moments.h"
 #include "run/check/motion_checks.h"
 #include "run/check/named_rays.h"
+#include "run/check/output_checks.h"
 #include "run/check/standing_checks.h"
 #include "run/check/visibility_checks.h"
 #include "run/scene_loop.h"
@@ -165,6 +166,8 @@ RunCheck checkRun(RunSetup setup, Reporter& reporter) {
   }
   append(check.findings, sink.statistics().findings());
   append(check.findings, checkFigures(check.figures));
+  const auto earlier = checkEarlierRun(check.setup, earlierRunOf(check.setup));
+  if (earlier) check.findings.push_back(*earlier);
   return check;
 }
 

@@ -112,6 +112,12 @@ RunSetup& LiveInputs::unusedRun() {
 
 void LiveInputs::noteUsed() { used_run_ = std::move(run_); }
 
+RunSetup LiveInputs::takeUnusedRun() {
+  RunSetup run = std::move(unusedRun());
+  run_.reset();
+  return run;
+}
+
 RunSetup LiveInputs::runOf(const Value& settings) {
   RunSetup run = setUpRun(settings, cache_, plugin_xml_files_);
   giveHistories(run);

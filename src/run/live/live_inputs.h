@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/config.h"
@@ -37,6 +38,15 @@ class LiveInputs {
 
   /// After scenes were made of the unused run, which is for looking at from now on.
   void noteUsed();
+
+  /// The unused run, for good. @throws ErrorList as unusedRun
+  [[nodiscard]] RunSetup takeUnusedRun();
+
+  /// A run that was taken and has made scenes, for looking at.
+  void giveBack(RunSetup used_run) { used_run_ = std::make_unique<RunSetup>(std::move(used_run)); }
+
+  /// A run of these settings that is only looked at; null where there is none.
+  [[nodiscard]] const RunSetup* madeRun() const { return run_ ? run_.get() : used_run_.get(); }
 
   /// A run of other settings that read much of the same.
   /// @throws ErrorList as setUpRun

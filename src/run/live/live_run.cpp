@@ -83,19 +83,24 @@ LiveRun::~LiveRun() = default;
 
 void LiveRun::setSettings(const Value& settings) { impl_->inputs.setSettings(settings); }
 
-const LiveSetup& LiveRun::setup() { return impl_->inputs.described(); }
+LiveSetup LiveRun::setup() {
+  LiveSetup setup = impl_->inputs.described();
+  if (const RunSetup* run = impl_->inputs.madeRun()) addEarlierRun(*run, setup);
+  return setup;
+}
 
-const LiveSetup& LiveRun::check() {
+LiveSetup LiveRun::check() {
   LiveInputs& inputs = impl_->inputs;
-  if (!inputs.described().ready) return inputs.described();
-  Reporter silent;
+  if (!inputs.described().ready) return setup();
+  WarningList warnings;
   try {
-    inputs.describe(describeCheck(checkRun(std::move(inputs.unusedRun()), silent)));
+    RunCheck check = checkRun(inputs.takeUnusedRun(), warnings);
+    inputs.describe(describeCheck(check, warnings.messages));
+    inputs.giveBack(std::move(check.setup));
   } catch (const ErrorList& errors) {
     inputs.describe(describeErrors(errors));
   }
-  inputs.noteUsed();
-  return inputs.described();
+  return setup();
 }
 
 LiveScene LiveRun::scene(std::int64_t instant, const std::string& camera) {

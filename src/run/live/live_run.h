@@ -40,11 +40,11 @@ class LiveRun {
 
   /// What the settings amount to now, and what is wrong with them; with what a check has found,
   /// if there was one of the same settings.
-  [[nodiscard]] const LiveSetup& setup();
+  [[nodiscard]] LiveSetup setup();
 
   /// Checks the run thoroughly, as the tool `check` does: makes some nine of its scenes, which
   /// takes seconds.
-  const LiveSetup& check();
+  LiveSetup check();
 
   /// One of the run's scenes.
   /// @param instant  from 0

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "run/check/output_checks.h"
 #include "run/live/json_values.h"
 
 namespace synthetic_dataset::run {
@@ -42,6 +43,12 @@ LiveProblem problemAbout(base::Severity severity, const std::string& about,
 
 std::string textOf(const LiveProblem& problem) {
   return problem.found + (problem.cure.empty() ? "" : "; ") + problem.cure;
+}
+
+Value earlierValue(const output::EarlierRun& earlier) {
+  return Value::Map{{"complete", earlier.complete},
+                    {"scenes", earlier.scene_count},
+                    {"differences", namesValue(earlier.differences)}};
 }
 
 Value figuresValue(const LiveSetup& setup) {
@@ -109,10 +116,11 @@ LiveSetup describeSetup(const RunSetup& run) {
   return live;
 }
 
-LiveSetup describeCheck(const RunCheck& check) {
+LiveSetup describeCheck(const RunCheck& check, const std::vector<std::string>& warnings) {
   LiveSetup live = describeSetup(check.setup);
   const std::size_t at_setup = live.problems.size();
   for (const Finding& finding : check.findings) {
+    if (finding.kind == kEarlierDataset) continue;  // addEarlierRun says it
     const LiveProblem problem = problemOf(finding);
     const bool is_known = std::any_of(
         live.problems.begin(), live.problems.begin() + static_cast<std::ptrdiff_t>(at_setup),
@@ -121,8 +129,17 @@ LiveSetup describeCheck(const RunCheck& check) {
         });
     if (!is_known) live.problems.push_back(problem);
   }
+  for (const std::string& each : warnings) {
+    live.problems.push_back(problemOf(base::Severity::kWarning, each));
+  }
   live.figures = check.figures;
   return live;
+}
+
+void addEarlierRun(const RunSetup& run, LiveSetup& live) {
+  live.earlier = earlierRunOf(run);
+  const auto finding = checkEarlierRun(run, live.earlier);
+  if (finding) live.problems.push_back(problemOf(*finding));
 }
 
 LiveSetup describeErrors(const ErrorList& errors) {
@@ -157,7 +174,8 @@ Value::Map setupValue(const LiveSetup& setup) {
           {"stamps", stamps},
           {"cameras", namesValue(setup.cameras)},
           {"objects", namesValue(setup.objects)},
-          {"figures", figuresValue(setup)}};
+          {"figures", figuresValue(setup)},
+          {"earlier", setup.earlier ? earlierValue(*setup.earlier) : Value()}};
 }
 
 }  // namespace synthetic_dataset::run

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "output/dataset_opening.h"
 #include "run/check/finding.h"
 #include "run/check/run_check.h"
 #include "run/check/run_figures.h"
@@ -35,6 +36,9 @@ struct LiveSetup {
   std::vector<SplitInfo> splits;
   std::string output_folder;
   std::optional<RunFigures> figures;  ///< of a run that was checked
+
+  /// The dataset that is where the run would write.
+  std::optional<output::EarlierRun> earlier;
 };
 
 /// @param message  "<setting or file>: <found>; <cure>"
@@ -46,7 +50,12 @@ struct LiveSetup {
 [[nodiscard]] LiveSetup describeSetup(const RunSetup& setup);
 
 /// The same with all that a check has found.
-[[nodiscard]] LiveSetup describeCheck(const RunCheck& check);
+/// @param warnings  of its scenes
+[[nodiscard]] LiveSetup describeCheck(const RunCheck& check,
+                                      const std::vector<std::string>& warnings);
+
+/// Adds what is where the run would write, which changes without the settings.
+void addEarlierRun(const RunSetup& run, LiveSetup& live);
 
 /// What keeps a run from beginning.
 [[nodiscard]] LiveSetup describeErrors(const ErrorList& errors);

@@ -11,6 +11,7 @@
 #include "base/input_file.h"
 
 #include "base/json_text.h"
+#include "run/setup/model_folder_hint.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/value.h"
 #include "world/files/findings.h"
@@ -19,13 +20,18 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Loads a world or a model; where files are missing, says how to do without them.
+/// Loads a world or a model; where files are missing, says where they may lie and how to do without
+/// them.
+/// @param finder  that looks for them
 template <class Load>
-auto explainingMissing(const Load& load) -> decltype(load()) {
+auto explainingMissing(const std::string& world_file, const world::ResourceFinder& finder,
+                       const Load& load) -> decltype(load()) {
   try {
     return load();
   } catch (const world::MissingAssets& missing) {
     std::vector<std::string> messages = missing.messages();
+    const std::string hint = modelFolderHint(world_file, finder.missed());
+    if (!hint.empty()) messages.push_back(hint);
     const bool one = missing.count() == 1;
     messages.push_back((one ? "1 file is" : std::to_string(missing.count()) + " files are") +
                        " missing or cannot be read; 'world/on_missing_asset: warn' draws the rest");
@@ -56,7 +62,7 @@ template <class Load>
 auto WorldFiles::read(const Key& key, const Load& load) -> decltype(load()) {
   const base::InputWatch watch;
   const bool was_unsure = std::exchange(is_unsure_, true);  // where it throws
-  auto content = explainingMissing(load);
+  auto content = explainingMissing(world_file_, finder_, load);
   is_unsure_ = was_unsure;
   read_.push_back(key);
   for (const auto& file : watch.files()) stamps_.add(file);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "base/diagnostics.h"
@@ -111,22 +114,22 @@ class WorldBuilder {
     }
     if (!in_world && !variants.front().model) {
       lacks_objects_ = true;
-      found_.error("robot_list", "the world '" + config_.world.file + "' has no model '" +
-                                     object.name + "' (it has " + model_names_ +
-                                     "); add one to the world, or name a model file in " +
-                                     object.name + "/model");
+      found_.error(object.name + "/model",
+                   "found none, and the world '" + config_.world.file + "' has no model '" +
+                       object.name + "' (it has " + model_names_ +
+                       "); it should name a model file, or the world have that model");
       return;
     }
     std::vector<world::MovingModel> moving;
-    std::optional<std::string> broken;  // all sizes of a model would have the same errors
     for (const scene::ObjectVariant& variant : variants) {
-      if (broken && variant.model == broken) continue;
+      const auto key = std::make_pair(variant.model, object.model_arguments);
+      if (variant.model && broken_models_.count(key) != 0) continue;
       if (found_.attempt([&] { moving.push_back(makeVariant(variant, object, in_world)); })) {
         continue;
       }
       lacks_objects_ = true;
-      broken = variant.model;
-      if (!broken) return;
+      if (!variant.model) return;
+      broken_models_.insert(key);
     }
     objects_.emplace_back(std::move(moving));
   }
@@ -136,8 +139,9 @@ class WorldBuilder {
     const auto load = [&]() -> const world::Model& {
       return files_.model(*variant.model, object.name, object.model_arguments);
     };
-    if (variant.model == object.model) return load();
-    return base::namingPlace("randomize/objects/" + object.name + "/model", load);
+    if (world::isModelText(*variant.model)) return load();  // its errors name the setting
+    const bool is_own = variant.model == object.model;
+    return base::namingPlace((is_own ? "" : "randomize/objects/") + object.name + "/model", load);
   }
 
   world::MovingModel makeVariant(const scene::ObjectVariant& variant,
@@ -176,6 +180,8 @@ class WorldBuilder {
   std::string model_names_;  ///< of the world, objects included
   std::vector<world::MovingObject> objects_;
   bool lacks_objects_ = false;
+  /// Other objects with such a model, and its other sizes, would have the same errors.
+  std::set<std::pair<std::optional<std::string>, world::XacroArguments>> broken_models_;
   WorldSetup setup_;
 };
 

@@ -24,10 +24,12 @@ using test::milliseconds;
 using test::poseAt;
 using ::testing::AllOf;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
+using ::testing::StartsWith;
 
 constexpr const char* kCrate =
     "<model name='crate'><static>true</static><pose>%POSE%</pose><link name='body'>"
@@ -52,10 +54,7 @@ class RunCheckTest : public test::RunFixture {
 
   /// What its scenes warn of.
   [[nodiscard]] std::vector<std::string> warnings() const {
-    struct Warnings : Reporter {
-      void warning(const std::string& message) override { messages.push_back(message); }
-      std::vector<std::string> messages;
-    } reporter;
+    WarningList reporter;
     (void)checkRun(Value(parameters), reporter, {test::pluginXml()});
     return reporter.messages;
   }
@@ -316,15 +315,34 @@ TEST_F(RunCheckTest, ACameraThatFindsNoViewOfAnObjectInAWallIsNamed) {
                                          HasSubstr("would not have seen what they look at"))));
 }
 
+TEST_F(RunCheckTest, ADatasetOfOtherSettingsInTheFolderIsFoundAndStays) {
+  (void)generate();
+  EXPECT_THAT(odd(), IsEmpty()) << "a run with the same settings goes on with it";
+  parameters["simulated_rate"] = Value(2.0);
+  EXPECT_THAT(odd(), ElementsAre(AllOf(
+                         StartsWith("earlier dataset | output_folder: '" + folder +
+                                    "' holds a complete dataset of 4 scenes of other settings ("
+                                    "simulated_rate: then "),
+                         HasSubstr("; choose another folder, or set `if_exists: overwrite`"))));
+  EXPECT_THAT(errors(), Contains(HasSubstr("simulated_rate"))) << "as the run is refused";
+  parameters["if_exists"] = Value("overwrite");
+  EXPECT_THAT(odd(), IsEmpty());
+  EXPECT_TRUE(std::filesystem::exists(folder + "/manifest.sqlite"));
+}
+
+TEST_F(RunCheckTest, ADatasetThatMustNotBeTouchedIsFound) {
+  (void)generate();
+  parameters["if_exists"] = Value("error");
+  EXPECT_THAT(odd(), ElementsAre(HasSubstr("holds a complete dataset of 4 scenes, and `if_exists: "
+                                           "error`; choose another folder")));
+}
+
 TEST_F(RunCheckTest, WhatIsCheapIsWarnedOfInEveryRun) {
   record([](double) { return poseAt(0.0, -0.5, 0.0); });
   look(vector(-16.0, 0.5, 1.0));
   parameters["writers"] = Value(Value::List{
       Value(Value::Map{{"name", Value("coco")}, {"type", Value("synthetic_dataset/Coco")}})});
-  struct Warnings : Reporter {
-    void warning(const std::string& message) override { messages.push_back(message); }
-    std::vector<std::string> messages;
-  } reporter;
+  WarningList reporter;
   (void)generate(reporter);
   EXPECT_THAT(reporter.messages, Contains(HasSubstr("alpha: its frame 'alpha/base_link' is "
                                                     "recorded, and does not move")));

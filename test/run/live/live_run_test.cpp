@@ -1,10 +1,13 @@
 #include "run/live/live_run.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 
 #include "base/input_file.h"
 #include "base/json_text.h"
+#include "run/generator.h"
 #include "run/live/one_scene_sink.h"
 #include "run/scene_loop.h"
 #include "run/setup/run_setup.h"
@@ -16,6 +19,7 @@
 namespace synthetic_dataset::run {
 namespace live_run_test {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::Field;
@@ -142,6 +146,28 @@ TEST_F(LiveRunTest, SaysWhatTheSettingsAmountTo) {
   EXPECT_THAT(setup.stamps, SizeIs(4));
   EXPECT_THAT(setup.cameras, ElementsAre("camera"));
   EXPECT_THAT(setup.objects, ElementsAre("alpha", "bravo"));
+}
+
+TEST_F(LiveRunTest, KnowsTheDatasetThatTheRunWouldWriteTo) {
+  live.setSettings(settings);
+  EXPECT_FALSE(live.setup().earlier);
+  Reporter silent;
+  (void)Generator(Value(settings), silent, {test::pluginXml()}).run();
+  ASSERT_TRUE(live.setup().earlier) << "without a change of the settings";
+  EXPECT_TRUE(live.setup().earlier->complete);
+  EXPECT_THAT(live.setup().earlier->differences, IsEmpty());
+  EXPECT_THAT(live.setup().problems, IsEmpty());
+  settings["simulated_rate"] = Value(2.0);
+  live.setSettings(settings);
+  const auto is_in_the_way =
+      AllOf(Field(&LiveProblem::path, ElementsAre("output_folder")),
+            Field(&LiveProblem::found, HasSubstr("a complete dataset of 4 scenes of other")));
+  EXPECT_THAT(live.setup().problems, ElementsAre(is_in_the_way));
+  EXPECT_TRUE(live.setup().ready);
+  const std::vector<LiveProblem> checked = live.check().problems;
+  EXPECT_EQ(1, std::count_if(checked.begin(), checked.end(), [&](const LiveProblem& each) {
+              return testing::Value(each, is_in_the_way);
+            }));
 }
 
 TEST_F(LiveRunTest, NamesTheSettingsThatAreWrong) {

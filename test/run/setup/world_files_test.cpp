@@ -13,6 +13,7 @@ namespace world_files_test {
 
 using synthetic_dataset::test::messagesOf;
 using test::TemporaryFolder;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -56,6 +57,15 @@ TEST_F(WorldFilesTest, SayHowToDoWithoutFilesThatAreMissing) {
               ElementsAre(HasSubstr("'a.dae': no such file"), HasSubstr("'b.dae': no such file"),
                           HasSubstr("2 files are missing or cannot be read; "
                                     "'world/on_missing_asset: warn' draws the rest")));
+}
+
+TEST_F(WorldFilesTest, SayWhichFolderNearbyHasTheModelsThatAreMissing) {
+  (void)folder_.write("models/box/model.config", "<model/>");
+  WorldFiles files(configOf({"model://box/box.obj"}), base::ignoreStage);
+  EXPECT_THAT(messagesOf([&] { (void)files.world(); }),
+              Contains("world/model_folders: '" + (folder_ / "models").string() +
+                       "' has one of the missing models; it should be listed here, or in "
+                       "GAZEBO_MODEL_PATH"));
 }
 
 TEST_F(WorldFilesTest, RefuseToLeadOutOfModelsEvenWhereFilesMayBeMissing) {

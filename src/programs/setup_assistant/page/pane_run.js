@@ -1,7 +1,7 @@
 import {h} from './dom.js';
 import {count, duration, fixed, grouped} from './numbers.js';
 import {allProblems, count as countOf} from './problems.js';
-import {startRun, stopRun, store} from './store.js';
+import {changed, effective, startRun, stopRun, store} from './store.js';
 
 export const runPane = {
   id: 'run',
@@ -22,35 +22,91 @@ function percent() {
   return scenes ? Math.floor(100 * done / scenes) : 0;
 }
 
+// Whether the user was asked to confirm that files are removed.
+const asking = {
+  isOn: false
+};
+
+function ask(isOn) {
+  asking.isOn = isOn;
+  changed();
+}
+
 function draw() {
-  const {run, state, setup} = store;
-  const {error} = countOf(allProblems());
-  const isRunning = run.state === 'running';
-  const isBlocked = error > 0 || Boolean(state.error);
+  const {run, state} = store;
   return [
-    h('p', {class: 'buttons'},
-      isRunning ?
-          h('button', {key: 'stop', type: 'button', class: 'primary', disabled: run.elsewhere, onclick: stopRun},
-            run.stopping ? 'Stop at once' : 'Stop') :
-          h('button', {key: 'start', type: 'button', class: 'primary', disabled: isBlocked, onclick: startRun},
-            {stopped: 'Go on', failed: 'Try again', done: 'Run again'}[run.state] ?? 'Start'),
-      run.elsewhere ? h('span', {class: 'muted'}, 'Another program is writing this dataset.') :
-          isBlocked ? h('a', {href: '#problems'},
-                        state.error ? 'The file is no YAML' : `${count(error, 'error')} to mend first`) :
-                                      h('span', {class: 'muted'}, planned(setup))),
+    ...controls(),
     h('div', {class: 'progress-box', role: 'status'},
       h('progress', {max: run.scenes || 1, value: run.scenes_done ?? 0, 'aria-label': 'Scenes done'}),
       h('p', {class: 'facts'}, progress(run))),
     h('ul', {class: 'problems all'}, (run.errors ?? []).map((each) => h('li', {class: 'error'}, String(each)))),
-    run.state === 'done' ?
-        h('p', {class: 'buttons'}, h('a', {href: '#result', class: 'button primary'}, 'See the result'),
-          h('code', {}, run.output_folder ?? '')) :
-        null,
     h('section', {class: 'group'}, h('h2', {}, 'Log'),
       h('pre', {class: 'log', tabindex: '0', 'aria-label': 'Log'}, (run.log ?? []).join('\n') || ' ')),
     h('section', {class: 'group'}, h('h2', {}, 'The same by hand'),
       h('pre', {class: 'command'}, `rosrun synthetic_dataset generate --config ${state.file}`)),
   ];
+}
+
+function controls() {
+  const {run, state, setup} = store;
+  const {error} = countOf(allProblems());
+  if (run.state === 'running') {
+    asking.isOn = false;
+    const other = run.elsewhere && h('span', {class: 'muted'}, 'Another program is writing this dataset.');
+    return [row(
+        'running', button(run.stopping ? 'Stop at once' : 'Stop', stopRun, {disabled: run.elsewhere}),
+        other || h('span', {class: 'muted'}, planned(setup)))];
+  }
+  if (state.error || error > 0) {
+    const why = state.error ? 'The file is no YAML' : `${count(error, 'error')} to mend first`;
+    return [row('blocked', button('Start', startRun, {disabled: true}), h('a', {href: '#problems'}, why))];
+  }
+  const {earlier} = setup;
+  if (earlier && asking.isOn) return [confirmation(earlier)];
+  const isRefused = earlier && (earlier.differences.length > 0 || effective(['if_exists']) === 'error');
+  if (isRefused) return inTheWay(earlier);
+  if (earlier?.complete) {
+    return [row(
+        'made', h('a', {href: '#result', class: 'button primary'}, 'See the result'),
+        h('button', {type: 'button', onclick: () => ask(true)}, 'Make it anew\u2026'),
+        h('span', {class: 'muted'}, `Made: ${grouped(earlier.scenes)} scenes in `, h('code', {}, folder())))];
+  }
+  const action = earlier ? 'Go on' : run.state === 'failed' ? 'Try again' : 'Start';
+  return [row('ready', button(action, () => startRun()), h('span', {class: 'muted'}, planned(setup)))];
+}
+
+function row(key, ...children) {
+  return h('p', {key, class: 'buttons'}, children);
+}
+
+function button(text, onclick, props = {}) {
+  return h('button', {type: 'button', class: 'primary', onclick, ...props}, text);
+}
+
+function folder() {
+  return store.run.output_folder ?? '';
+}
+
+// A dataset of other settings, or one that must not be touched.
+function inTheWay(earlier) {
+  const MOST_SHOWN = 4;
+  const more = earlier.differences.length - MOST_SHOWN;
+  return [
+    h('p', {}, h('code', {}, folder()), ` holds a dataset of ${count(earlier.scenes, 'scene')}`,
+      earlier.differences.length ? ' that was made with other settings:' : '.'),
+    h('ul', {class: 'differences'}, earlier.differences.slice(0, MOST_SHOWN).map((each) => h('li', {}, each)),
+      more > 0 ? h('li', {}, `and ${more} more`) : null),
+    row('refused', button('Replace it\u2026', () => ask(true)),
+        h('a', {href: '#output:output_folder', class: 'button'}, 'Choose another folder')),
+  ];
+}
+
+function confirmation(earlier) {
+  return h(
+      'p', {key: 'asked', class: 'buttons', role: 'alertdialog', 'aria-label': 'Replace the dataset'},
+      h('span', {}, `This removes the ${count(earlier.scenes, 'scene')} in `, h('code', {}, folder()), '.'),
+      button('Remove and start', () => startRun({replace: true}), {class: 'danger'}),
+      h('button', {type: 'button', onclick: () => ask(false)}, 'Keep them'));
 }
 
 function planned(setup) {

@@ -134,8 +134,9 @@ export function answerOutside(take) {
   return enqueue(() => postState('/api/outside', {take}).catch(report));
 }
 
-export async function startRun() {
-  await post('/api/run/start').then(takeRun, report);
+// `replace`: what an earlier run made there is removed first.
+export async function startRun({replace = false} = {}) {
+  await post('/api/run/start', {replace}).then(takeRun, report);
 }
 
 export async function stopRun() {

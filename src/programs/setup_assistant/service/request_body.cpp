@@ -36,6 +36,11 @@ std::int64_t wholeNumberOf(const Value& body, const std::string& name) {
   throw HttpError(400, name + ": found " + value.text() + "; it should be a whole number");
 }
 
+Value entryOf(const Value& body, const std::string& name) {
+  const Value* value = bodyEntry(body, name);
+  return value == nullptr ? Value() : *value;
+}
+
 double numberOf(const Value& body, const std::string& name, double fallback) {
   const Value* value = bodyEntry(body, name);
   if (value == nullptr) return fallback;

@@ -16,6 +16,9 @@ namespace synthetic_dataset::programs {
 [[nodiscard]] const Value& requiredOf(const Value& body, const std::string& name);
 [[nodiscard]] std::int64_t wholeNumberOf(const Value& body, const std::string& name);
 
+/// An entry of a body; null where there is none.
+[[nodiscard]] Value entryOf(const Value& body, const std::string& name);
+
 /// A number, or the fallback where there is none.
 [[nodiscard]] double numberOf(const Value& body, const std::string& name, double fallback);
 

@@ -9,6 +9,7 @@
 #include "output/files/run_lock.h"
 #include "output/manifest/manifest_schema.h"
 #include "output/written_dataset.h"
+#include "programs/setup_assistant/service/request_body.h"
 #include "programs/setup_assistant/web/http_message.h"
 #include "synthetic_dataset/errors.h"
 
@@ -64,22 +65,25 @@ std::string outputFolderOf(const Value& settings) {
 }
 
 RunService::RunService(DocumentService& document, const AllowedFolders& allowed,
-                       std::function<void(const Value& state)> on_change)
+                       std::function<void(const Value& state)> on_change,
+                       std::function<void()> on_end)
     : document_(document),
       allowed_(allowed),
       on_change_(std::move(on_change)),
-      run_([this] { on_change_(state()); }) {}
+      on_end_(std::move(on_end)),
+      run_([this] {
+        on_change_(state());
+        if (!run_.isRunning()) on_end_();
+      }) {}
 
 Value RunService::start(const Value& body) {
   const Value::Map own = settings();
   requireOwnFolders(own);
   if (isHeldNow(outputFolderOf(own))) throw HttpError(409, "a run writes this dataset already");
   std::vector<std::string> command = {generateProgram(), "--config", document_.file(), "--json"};
-  const auto* group = body.as<Value::Map>();
-  const auto scenes = group == nullptr ? Value::Map::const_iterator() : group->find("scenes");
-  if (group != nullptr && scenes != group->end() && !scenes->second.isNull()) {
-    command.push_back(onlyScenes(scenes->second));
-  }
+  const Value scenes = entryOf(body, "scenes");
+  if (!scenes.isNull()) command.push_back(onlyScenes(scenes));
+  if (entryOf(body, "replace") == Value(true)) command.emplace_back("if_exists:=overwrite");
   run_.start(command);
   return state();
 }
@@ -111,6 +115,7 @@ void RunService::look() {
     was_elsewhere_ = is_elsewhere;
   }
   on_change_(state());
+  on_end_();
 }
 
 /// What the run will read from the disk.

@@ -17,10 +17,12 @@ class RunService {
  public:
   /// @param document, allowed  have to outlive this
   /// @param on_change  gets the state when there is news
+  /// @param on_end  called when a run has ended, or begun elsewhere
   RunService(DocumentService& document, const AllowedFolders& allowed,
-             std::function<void(const Value& state)> on_change);
+             std::function<void(const Value& state)> on_change, std::function<void()> on_end);
 
-  /// @param body  `scenes`, a number or a list of them: only these are made, others another time
+  /// @param body  `scenes`, a number or a list of them: only these are made, others another time;
+  ///     `replace`: what an earlier run made there is removed first
   /// @throws HttpError where the settings on the disk are not those of the page, or the run would
   ///     write where the page may not
   [[nodiscard]] Value start(const Value& body);
@@ -37,6 +39,7 @@ class RunService {
   DocumentService& document_;
   const AllowedFolders& allowed_;
   std::function<void(const Value& state)> on_change_;
+  std::function<void()> on_end_;
   std::mutex mutex_;
   bool was_elsewhere_ = false;
   RunControl run_;  ///< last: it uses the others

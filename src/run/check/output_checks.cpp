@@ -1,0 +1,40 @@
+#include "run/check/output_checks.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace synthetic_dataset::run {
+
+std::optional<output::EarlierRun> earlierRunOf(const RunSetup& setup) {
+  const output::StoreOptions& options = setup.config.output;
+  // Without an output_folder, each writer has one of its own.
+  if (options.folder.empty() || options.if_exists == output::IfExists::kOverwrite) {
+    return std::nullopt;
+  }
+  return output::findEarlierRun(options, setup.writers->storeWriters(), setup.description);
+}
+
+std::optional<Finding> checkEarlierRun(const RunSetup& setup,
+                                       const std::optional<output::EarlierRun>& earlier) {
+  if (!earlier) return std::nullopt;
+  const output::StoreOptions& options = setup.config.output;
+  const std::string dataset = std::string(earlier->complete ? "a complete" : "an unfinished") +
+                              " dataset of " + std::to_string(earlier->scene_count) + " scenes";
+  Finding finding{kEarlierDataset, "output_folder", "",
+                  "choose another folder, or set `if_exists: overwrite` to replace that dataset"};
+  if (options.if_exists == output::IfExists::kError) {
+    finding.found = "'" + options.folder + "' holds " + dataset + ", and `if_exists: error`";
+    return finding;
+  }
+  const std::vector<std::string>& differences = earlier->differences;
+  if (differences.empty()) return std::nullopt;
+  finding.found =
+      "'" + options.folder + "' holds " + dataset + " of other settings (" + differences.front();
+  const std::size_t more = differences.size() - 1;
+  if (more > 0) finding.found += ", and " + std::to_string(more) + " more";
+  finding.found += ")";
+  return finding;
+}
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "output/dataset_opening.h"
+#include "run/check/finding.h"
+#include "run/setup/run_setup.h"
+
+namespace synthetic_dataset::run {
+
+/// The kind of what checkEarlierRun finds.
+constexpr const char* kEarlierDataset = "earlier dataset";
+
+/// The dataset that lies where the run is to write; nothing where there is none, or where the run
+/// replaces it without asking (`if_exists: overwrite`).
+[[nodiscard]] std::optional<output::EarlierRun> earlierRunOf(const RunSetup& setup);
+
+/// That the run would be refused for that dataset's sake.
+[[nodiscard]] std::optional<Finding> checkEarlierRun(
+    const RunSetup& setup, const std::optional<output::EarlierRun>& earlier);
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,74 @@
+#include "run/setup/model_folder_hint.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <system_error>
+#include <vector>
+
+namespace synthetic_dataset::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+/// The folders in a folder, in alphabetical order.
+std::vector<fs::path> foldersIn(const fs::path& folder) {
+  constexpr std::size_t kMost = 500;  // a larger one is no workspace
+  std::vector<fs::path> folders;
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (const fs::directory_iterator end; !error && entry != end && folders.size() < kMost;
+       entry.increment(error)) {
+    if (isFolder(entry->path())) folders.push_back(entry->path());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+bool isModel(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / "model.config", ignored) || fs::exists(folder / "model.sdf", ignored);
+}
+
+/// From the nearest on: the world's folder, those above it, what lies in these, and the folders
+/// `models` in that.
+std::vector<fs::path> foldersNear(const fs::path& world_file) {
+  constexpr int kLevels = 3;
+  std::vector<fs::path> near;
+  std::error_code error;
+  fs::path level = fs::absolute(world_file, error).lexically_normal().parent_path();
+  for (int i = 0; i < kLevels && level.has_relative_path(); ++i, level = level.parent_path()) {
+    near.push_back(level);
+    for (const fs::path& each : foldersIn(level)) {
+      near.push_back(each);
+      if (isFolder(each / "models")) near.push_back(each / "models");
+    }
+  }
+  return near;
+}
+
+}  // namespace
+
+std::string modelFolderHint(const fs::path& world_file, const std::set<fs::path>& missed) {
+  std::set<fs::path> names;
+  for (const fs::path& path : missed) names.insert(path.begin(), path.end());
+  fs::path best;
+  std::ptrdiff_t most = 0;
+  for (const fs::path& folder : foldersNear(world_file)) {
+    const std::ptrdiff_t count = std::count_if(
+        names.begin(), names.end(), [&](const fs::path& name) { return isModel(folder / name); });
+    if (count <= most) continue;
+    most = count;
+    best = folder;
+  }
+  if (most == 0) return "";
+  return "world/model_folders: '" + best.string() + "' has " +
+         (most == 1 ? "one" : std::to_string(most)) +
+         " of the missing models; it should be listed here, or in GAZEBO_MODEL_PATH";
+}
+
+}  // namespace synthetic_dataset::run

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace synthetic_dataset::run {
+
+/// Where models that were not found may lie: the folder near a world's file that has the most of
+/// them. Worlds are often handed on with their models, whose folder only the environment of whoever
+/// made them names.
+/// @param missed  paths that were tried and are not there; the models' names are in them
+/// @return an error's message; empty where no folder has any of them
+[[nodiscard]] std::string modelFolderHint(const std::filesystem::path& world_file,
+                                          const std::set<std::filesystem::path>& missed);
+
+}  // namespace synthetic_dataset::run
