@@ -24,9 +24,12 @@ tf2::Quaternion rotationOf(const LinkHistory::Sample& sample) {
   return {q.x, q.y, q.z, q.w};
 }
 
-/// With tf2's own arithmetic: it makes whatever tf2::BufferCore would make.
+/// With tf2's own arithmetic: it makes whatever tf2::BufferCore would make. Only what stands still
+/// is at the very same place at all times, without the rounding of a mean of two equal numbers: a
+/// picture from there can be kept.
 geometry_msgs::Transform interpolated(const LinkHistory::Sample& before,
                                       const LinkHistory::Sample& after, Stamp time) {
+  if (before.X_PC == after.X_PC) return before.X_PC;
   const double ratio = toRosDuration(time - before.stamp).toSec() /
                        toRosDuration(after.stamp - before.stamp).toSec();
   tf2::Vector3 position;

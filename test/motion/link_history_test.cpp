@@ -54,6 +54,17 @@ TEST(LinkHistory, HasNoGapAtASample) {
   EXPECT_EQ(gapLength(Stamp(70)), Duration(0));
 }
 
+TEST(LinkHistory, HasWhatStandsStillAtTheVerySamePlaceAllTheTime) {
+  geometry_msgs::Transform here;
+  here.translation.x = 0.1;
+  here.translation.y = 1.0 / 3.0;
+  here.rotation.x = 0.6;
+  here.rotation.z = 0.48;
+  here.rotation.w = 0.64;
+  const LinkHistory link = LinkHistory::sampledAt({{Stamp(0), kA, here}, {Stamp(1000), kA, here}});
+  for (int time = 0; time <= 1000; ++time) EXPECT_EQ(link.transformAt(Stamp(time)), here) << time;
+}
+
 TEST(LinkHistory, SaysWhetherAThingStoodStillOverAGap) {
   geometry_msgs::Transform here;
   here.rotation.w = 1.0;

@@ -21,8 +21,9 @@ class GeometryPainter {
   /// The selected parts that one cannot see through.
   /// @param stand_still  those that do, which have to be drawn before the others, or the others
   /// @param bits  that the parts set in the stencil, hidden or not
+  /// @param pixels  all others stay as they are
   void paint(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
-             bool stand_still, const SilhouetteBits& bits);
+             bool stand_still, const SilhouetteBits& bits, const cv::Rect& pixels);
 
  private:
   void setStencil(GLuint bits);

@@ -54,6 +54,14 @@ std::vector<std::vector<Eigen::Vector3d>> hullsOfGroups(
   return hulls;
 }
 
+cv::Rect regionOf(const Part& part, const View& view, const Pose& X_WL) {
+  if (part.bounds_V.isEmpty()) return {};
+  std::vector<Eigen::Vector3d> corners = cornersOf(part.bounds_V);
+  const Pose X_WV = X_WL * part.X_LV;
+  for (Eigen::Vector3d& corner : corners) corner = X_WV * corner;
+  return pixelsOfHull(corners, view);
+}
+
 std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,
                                 const std::vector<Pose>& X_WL,
                                 const std::function<bool(const Part&)>& is_chosen) {

@@ -18,6 +18,9 @@ namespace synthetic_dataset::render {
     const std::vector<Part>& parts, const std::vector<Pose>& X_WL, double margin,
     const std::function<bool(const Part&)>& is_chosen);
 
+/// Where a part may be seen: a rectangle of pixels, maybe larger than need be; empty for none.
+[[nodiscard]] cv::Rect regionOf(const Part& part, const View& view, const Pose& X_WL);
+
 /// Where some parts may be seen: rectangles of pixels, which may overlap, some larger than need be.
 [[nodiscard]] std::vector<cv::Rect> regionsOf(const std::vector<Part>& parts, const View& view,
                                               const std::vector<Pose>& X_WL,

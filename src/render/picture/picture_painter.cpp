@@ -43,8 +43,8 @@ bool PicturePainter::LightKey::operator==(const LightKey& other) const {
          lens == other.lens;
 }
 
-bool PicturePainter::Content::operator==(const Content& other) const {
-  return drawn == other.drawn && X_WL == other.X_WL;
+bool PicturePainter::Content::has(const Content& other) const {
+  return drawn == other.drawn && X_WL == other.X_WL && (pixels & other.pixels) == other.pixels;
 }
 
 PicturePainter::PicturePainter(const PictureCrew& crew, const cv::Size& size)
@@ -80,15 +80,16 @@ UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSele
   if (!regions.empty() && maskBounds(wanted).empty()) {
     return {plainPicture(scene.exposure), {}, {}, {}, std::nullopt};
   }
-  drawGeometry(scene.view, scene.X_WL, scene.drawn);
+  const cv::Rect pixels = neededFor(regions);
+  drawGeometry(scene.view, scene.X_WL, scene.drawn, pixels);
   const KeptPicture* kept = keptPicture(scene, casting, smooth);
   if (kept == nullptr) {
-    crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
+    paintShadows(scene, casting, pixels);
     UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, wanted);
     picture.elsewhere = plainPicture(scene.exposure);
     return picture;
   }
-  drawGeometry(scene.view, scene.X_WL, scene.drawn);
+  drawGeometry(scene.view, scene.X_WL, scene.drawn, pixels);
   const cv::Mat changed = changedPixels(scene, casting, kept->edges, wanted, regions.empty());
   UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, changed);
   picture.elsewhere = kept->pixels;
@@ -99,12 +100,34 @@ UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSele
   return picture;
 }
 
+/// The pixels of which regions are made, of which none means all: edges are found, and lit, by what
+/// is just beside them.
+cv::Rect PicturePainter::neededFor(const std::vector<cv::Rect>& regions) const {
+  if (regions.empty()) return image_;
+  constexpr int kBeside = 2;
+  const cv::Rect wanted = boundsOf(regions) & image_;
+  return cv::Rect(wanted.tl() - cv::Point(kBeside, kBeside),
+                  wanted.br() + cv::Point(kBeside, kBeside)) &
+         image_;
+}
+
 /// CV_8UC1: 255 for those of the regions, of which none means all.
 cv::Mat PicturePainter::wantedPixels(const std::vector<cv::Rect>& regions) const {
   if (regions.empty()) return {image_.size(), CV_8UC1, cv::Scalar(255)};
   cv::Mat wanted = cv::Mat::zeros(image_.size(), CV_8UC1);
   for (const cv::Rect& region : regions) wanted(region & image_).setTo(255);
   return wanted;
+}
+
+/// Draws the shadow maps as far as they matter to some pixels.
+void PicturePainter::paintShadows(const ColourScene& scene, const LinkSelection& casting,
+                                  const cv::Rect& pixels) {
+  std::vector<LinkSelection> moving;
+  if (pixels != image_) {
+    moving = castersOnto(pixels, crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
+                         crew_.lights, scene.shadows);
+  }
+  crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting, moving);
 }
 
 /// Draws the shadow maps, and finds which pixels differ from those of the kept picture.
@@ -120,7 +143,7 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
   if (!wants_all) possible &= withPixelsAround(wanted);
   const cv::Rect place = maskBounds(possible);
   if (place.empty()) return possible;
-  crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
+  paintShadows(scene, casting, wants_all ? image_ : place);
   std::vector<ChangedTexels> texels;
   for (const ShadowProjection& shadow : scene.shadows) {
     texels.push_back(crew_.shadow_painter.changedTexels(shadow));
@@ -133,12 +156,13 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
 
 GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose>& X_WL,
                                         const LinkSelection& drawn) {
-  drawGeometry(view, X_WL, drawn);
+  drawGeometry(view, X_WL, drawn, image_);
   return read(image_);
 }
 
 /// Of what geometry_ shows. Most of a picture is read as a whole: what labels ask for next.
 GeometryImages PicturePainter::read(const cv::Rect& pixels) {
+  if (content_ && content_->pixels != image_) return geometry_.read(pixels);
   if (images_.parts.empty() && keeps_geometry_) {
     readOverKept();
   } else if (images_.parts.empty()) {
@@ -166,7 +190,7 @@ std::optional<CoveredPixels> PicturePainter::covered(const View& view,
     return pose.matrix() == drawn;
   };
   const bool is_drawn =
-      content_ && drewFrom(view) &&
+      content_ && content_->pixels == image_ && drewFrom(view) &&
       std::equal(X_WL.begin(), X_WL.end(), content_->X_WL.begin(), content_->X_WL.end(), isThere);
   const auto place = is_drawn ? bits_.find(links) : std::nullopt;
   if (!place) return std::nullopt;
@@ -191,13 +215,14 @@ PicturePainter::LightKey PicturePainter::lightKey(const ColourScene& scene,
 }
 
 /// Afterwards geometry_ shows these links.
+/// @param pixels  of others nothing is sure
 void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_WL,
-                                  const LinkSelection& drawn) {
-  Content content{drawn, {}};
+                                  const LinkSelection& drawn, const cv::Rect& pixels) {
+  Content content{drawn, {}, pixels};
   for (const Pose& pose : X_WL) content.X_WL.push_back(pose.matrix());
   GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), standing(drawn)};
   const bool came_before = crew_.keeps && geometry_key_ == key;
-  if (came_before && content_ && *content_ == content) return;
+  if (came_before && content_ && content_->has(content)) return;
   forgetContent();
   if (came_before) {
     drawStandingGeometry(view, X_WL, drawn);
@@ -207,16 +232,17 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
     keeps_geometry_ = false;
     for (KeptPicture& kept : kept_pictures_) kept = {};
     geometry_.begin();
-    crew_.geometry_painter.paint(view, X_WL, drawn, true, {});
+    crew_.geometry_painter.paint(view, X_WL, drawn, true, {}, pixels);
   }
   // What a first picture would save, OpenGL takes to make shaders for it.
   bits_ =
       crew_.keeps && has_drawn_ ? SilhouetteBits(crew_.parts, view, X_WL, drawn) : SilhouetteBits();
   has_drawn_ = true;
   geometry_.bind();
-  crew_.geometry_painter.paint(view, X_WL, drawn, false, bits_);
+  crew_.geometry_painter.paint(view, X_WL, drawn, false, bits_, pixels);
   covered_ = regionsOf(crew_.parts.parts(), view, X_WL,
                        [&](const Part& part) { return drawn[part.link] && !part.stands_still; });
+  for (cv::Rect& region : covered_) region &= pixels;
   content_ = std::move(content);
   crew_.gl.Flush();  // Mesa's threads begin now, not when somebody asks for what they draw
 }
@@ -226,12 +252,14 @@ void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Po
                                           const LinkSelection& drawn) {
   forgetContent();
   if (keeps_geometry_) {
-    for (const cv::Rect& region : covered_) kept_geometry_->copyTo(geometry_, region);
+    for (const cv::Rect& region : covered_) {
+      if (!region.empty()) kept_geometry_->copyTo(geometry_, region);
+    }
     covered_.clear();
     return;
   }
   geometry_.begin();
-  crew_.geometry_painter.paint(view, X_WL, drawn, true, {});
+  crew_.geometry_painter.paint(view, X_WL, drawn, true, {}, image_);
   if (!kept_geometry_) {
     kept_geometry_.emplace(crew_.gl, image_.width, image_.height, crew_.geometry_painter.planes());
   }

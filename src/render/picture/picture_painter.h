@@ -96,8 +96,10 @@ class PicturePainter {
   struct Content {
     LinkSelection drawn;
     std::vector<Eigen::Matrix4d> X_WL;
+    cv::Rect pixels;  ///< others are not sure
 
-    [[nodiscard]] bool operator==(const Content& other) const;
+    /// Whether another one's pixels are among these.
+    [[nodiscard]] bool has(const Content& other) const;
   };
 
   [[nodiscard]] GeometryImages read(const cv::Rect& pixels);
@@ -105,13 +107,16 @@ class PicturePainter {
   void forgetContent();
   [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
   [[nodiscard]] LightKey lightKey(const ColourScene& scene, const LinkSelection& casting) const;
-  void drawGeometry(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn);
+  void drawGeometry(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
+                    const cv::Rect& pixels);
   void drawStandingGeometry(const View& view, const std::vector<Pose>& X_WL,
                             const LinkSelection& drawn);
   [[nodiscard]] const KeptPicture* keptPicture(const ColourScene& scene,
                                                const LinkSelection& casting, bool smooth);
+  void paintShadows(const ColourScene& scene, const LinkSelection& casting, const cv::Rect& pixels);
   [[nodiscard]] cv::Mat changedPixels(const ColourScene& scene, const LinkSelection& casting,
                                       const cv::Mat& edges, const cv::Mat& wanted, bool wants_all);
+  [[nodiscard]] cv::Rect neededFor(const std::vector<cv::Rect>& regions) const;
   [[nodiscard]] cv::Mat wantedPixels(const std::vector<cv::Rect>& regions) const;
   [[nodiscard]] UnfinishedPicture light(const ColourScene& scene, const LinkSelection& seen,
                                         bool see_through, bool smooth, const cv::Mat& pixels);

@@ -77,16 +77,22 @@ double blurOf(const world::Light& light, const ShadowProjection& shadow) {
   return kTexels * shadow.texel * (is_lamp ? std::max(light.range, 1.0) : 1.0);
 }
 
-/// Marks the pixels on which the shadow of a caster may be seen, and a few more.
+/// The hull of a caster and its shadow, as far as something receives it; nothing where that may be
+/// anywhere.
 /// @param caster  a hull around it and its shadow's blur
+std::optional<Points> shadowOf(const Points& caster, const world::Light& light,
+                               const Bounds& receivers) {
+  if (light.type == world::LightType::kSpot) {
+    return pointShadow(caster, light.X_WL.translation(), light.range, receivers);
+  }
+  const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
+  return parallelShadow(caster, direction, receivers);
+}
+
+/// Marks the pixels on which the shadow of a caster may be seen, and a few more.
 void markShadow(const Points& caster, const world::Light& light, const Bounds& receivers,
                 const View& view, cv::Mat& pixels) {
-  const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
-  const std::optional<Points> hull =
-      light.type == world::LightType::kSpot
-          ? pointShadow(caster, light.X_WL.translation(), light.range, receivers)
-          : parallelShadow(caster, direction, receivers);
-  if (hull) {
+  if (const std::optional<Points> hull = shadowOf(caster, light, receivers)) {
     markHull(*hull, view, pixels);
   } else {
     pixels.setTo(255);
@@ -97,7 +103,43 @@ cv::Mat noPixels(const View& view) {
   return cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
 }
 
+/// Around the parts of each link that casts shadows and moves, by link; empty for all others.
+std::vector<Bounds> movingCasters(const std::vector<Part>& parts, const std::vector<Pose>& X_WL,
+                                  const LinkSelection& casting) {
+  std::vector<Bounds> casters(X_WL.size());
+  for (const Part& part : parts) {
+    const bool casts = casting[part.link] && part.casts_shadow && !part.stands_still;
+    if (casts) extend(casters[part.link], part, X_WL[part.link]);
+  }
+  return casters;
+}
+
 }  // namespace
+
+std::vector<LinkSelection> castersOnto(const cv::Rect& pixels, const std::vector<Part>& parts,
+                                       const View& view, const std::vector<Pose>& X_WL,
+                                       const LinkSelection& drawn, const LinkSelection& casting,
+                                       const std::vector<world::Light>& lights,
+                                       const std::vector<ShadowProjection>& shadows) {
+  Bounds receivers;
+  for (const Part& part : parts) {
+    if (drawn[part.link]) extend(receivers, part, X_WL[part.link]);
+  }
+  const std::vector<Bounds> casters = movingCasters(parts, X_WL, casting);
+  std::vector<LinkSelection> selected;
+  for (const ShadowProjection& shadow : shadows) {
+    const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
+    const Eigen::Vector3d blur = Eigen::Vector3d::Constant(blurOf(light, shadow));
+    LinkSelection& links = selected.emplace_back(casters.size(), false);
+    for (std::size_t link = 0; link < casters.size(); ++link) {
+      if (casters[link].isEmpty()) continue;
+      const Bounds caster(casters[link].min() - blur, casters[link].max() + blur);
+      const std::optional<Points> hull = shadowOf(cornersOf(caster), light, receivers);
+      links[link] = !hull || !(pixelsOfHull(*hull, view) & pixels).empty();
+    }
+  }
+  return selected;
+}
 
 PossibleChanges possibleChanges(const std::vector<Part>& parts, const View& view,
                                 const std::vector<Pose>& X_WL, const LinkSelection& drawn,

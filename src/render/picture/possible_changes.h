@@ -30,4 +30,11 @@ struct PossibleChanges {
                                               const std::vector<world::Light>& lights,
                                               const std::vector<ShadowProjection>& shadows);
 
+/// Of each of the shadows, the links that move and may cast it on some of these pixels.
+/// @param pixels  of the picture
+[[nodiscard]] std::vector<LinkSelection> castersOnto(
+    const cv::Rect& pixels, const std::vector<Part>& parts, const View& view,
+    const std::vector<Pose>& X_WL, const LinkSelection& drawn, const LinkSelection& casting,
+    const std::vector<world::Light>& lights, const std::vector<ShadowProjection>& shadows);
+
 }  // namespace synthetic_dataset::render

@@ -25,6 +25,22 @@ bool isParallel(const ShadowProjection& shadow) {
   return shadow.shadow_from_world.row(3).head<3>().isZero();
 }
 
+/// On which side of a light's plane a part is, before which it shines.
+enum class LightSide { kBefore, kBehind, kBoth };
+
+LightSide sideOf(const Part& part, const Pose& X_WL, const ShadowProjection& shadow) {
+  constexpr double kNearest = 1e-3;  // [m]
+  const Eigen::RowVector4d distance = shadow.shadow_from_world.row(3) * (X_WL * part.X_LV).matrix();
+  bool is_before = true;
+  bool is_behind = true;
+  for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
+    const double along = distance.dot(corner.homogeneous());
+    is_before = is_before && along > kNearest;
+    is_behind = is_behind && along < 0.0;
+  }
+  return is_before ? LightSide::kBefore : is_behind ? LightSide::kBehind : LightSide::kBoth;
+}
+
 /// Columns and rows of a map from its clip coordinates.
 Eigen::Matrix4d texelsFromShadow(int size) {
   const double half = 0.5 * size;
@@ -111,9 +127,12 @@ void ShadowPainter::begin() {
 }
 
 void ShadowPainter::paint(const std::vector<ShadowProjection>& shadows,
-                          const std::vector<Pose>& X_WL, const LinkSelection& casting) {
+                          const std::vector<Pose>& X_WL, const LinkSelection& casting,
+                          const std::vector<LinkSelection>& moving) {
   begin();
-  for (const ShadowProjection& shadow : shadows) paintLayer(shadow, X_WL, casting);
+  for (std::size_t i = 0; i < shadows.size(); ++i) {
+    paintLayer(shadows[i], X_WL, casting, moving.empty() ? casting : moving[i]);
+  }
   gl_.Disable(GL_DEPTH_CLAMP);
 }
 
@@ -135,17 +154,20 @@ void ShadowPainter::paintStandingLayer(const ShadowProjection& shadow,
   } else {
     maps_.begin(shadow.layer);
     draw(shadow, X_WL, casting, Casters::kStanding);
-    if (!isCastByRaster(shadow, casting)) maps_.keep(shadow.layer);
+    // In a light with a place, things may move to where OpenGL has to draw them.
+    const bool is_needed = !isParallel(shadow) || !isCastByRaster(shadow, X_WL, casting);
+    if (is_needed) maps_.keep(shadow.layer);
     layer = {shadow.shadow_from_world, casting, true, {}, {}, readAll(shadow.layer)};
   }
 }
 
+/// @param moving  the links that cast among those that move
 void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
-                               const LinkSelection& casting) {
+                               const LinkSelection& casting, const LinkSelection& moving) {
   Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
-  if (isCastByRaster(shadow, casting)) {
+  if (isCastByRaster(shadow, X_WL, casting)) {
     paintStandingLayer(shadow, X_WL, casting);
-    layer.moving = castPieces(shadow, X_WL, casting);
+    layer.moving = castPieces(shadow, X_WL, moving);
     return;
   }
   if (!isSame(layer, shadow, casting)) {
@@ -156,21 +178,21 @@ void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector
     return;
   }
   paintStandingLayer(shadow, X_WL, casting);
-  draw(shadow, X_WL, casting, Casters::kMoving);
-  layer.overdrawn = texelsOfMoving(shadow, X_WL, casting);
+  draw(shadow, X_WL, moving, Casters::kMoving);
+  layer.overdrawn = texelsOfMoving(shadow, X_WL, moving);
   for (const cv::Rect& texels : layer.overdrawn) {
     layer.moving.push_back({texels, maps_.read(shadow.layer, texels)});
   }
 }
 
 /// Whether what moves need not be drawn with OpenGL.
-bool ShadowPainter::isCastByRaster(const ShadowProjection& shadow,
+bool ShadowPainter::isCastByRaster(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                    const LinkSelection& casting) const {
   const std::vector<Part>& parts = parts_.parts();
-  return isParallel(shadow) && !has_glass_ &&
-         std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
-           return part.has_holes && part.casts_shadow && !part.stands_still && casting[part.link];
-         });
+  return !has_glass_ && std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
+    if (!part.casts_shadow || part.stands_still || !casting[part.link]) return false;
+    return part.has_holes || sideOf(part, X_WL[part.link], shadow) == LightSide::kBoth;
+  });
 }
 
 std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
@@ -181,9 +203,12 @@ std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
   std::vector<MapPiece> pieces;
   for (const Part& part : parts_.parts()) {
     if (!part.casts_shadow || !casting[part.link] || part.stands_still) continue;
+    if (sideOf(part, X_WL[part.link], shadow) == LightSide::kBehind) continue;
     const Eigen::Matrix4d map_from_mesh = map_from_world * (X_WL[part.link] * part.X_LV).matrix();
-    auto piece = castPiece(*part.shape, Eigen::Affine3f(map_from_mesh.cast<float>()), size,
-                           part.casts_by_front);
+    // A light may be within a body.
+    const bool fronts_alone = part.casts_by_front && isParallel(shadow);
+    auto piece = castPiece(*part.shape, Eigen::Projective3f(map_from_mesh.cast<float>()), size,
+                           fronts_alone);
     if (piece) pieces.push_back(std::move(*piece));
   }
   return pieces;

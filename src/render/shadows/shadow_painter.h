@@ -22,8 +22,10 @@ class ShadowPainter {
   /// @param size  of a map's side [texel]
   ShadowPainter(const GlFunctions& gl, const DrawList& parts, int size, int layers);
 
+  /// @param moving  of each shadow, the links that are of interest among those that cast it and
+  ///     move; empty for all
   void paint(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
-             const LinkSelection& casting);
+             const LinkSelection& casting, const std::vector<LinkSelection>& moving = {});
 
   /// The shadows of what never moves alone.
   void paintStanding(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
@@ -57,8 +59,8 @@ class ShadowPainter {
   void paintStandingLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                           const LinkSelection& casting);
   void paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
-                  const LinkSelection& casting);
-  [[nodiscard]] bool isCastByRaster(const ShadowProjection& shadow,
+                  const LinkSelection& casting, const LinkSelection& moving);
+  [[nodiscard]] bool isCastByRaster(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                     const LinkSelection& casting) const;
   [[nodiscard]] std::vector<MapPiece> castPieces(const ShadowProjection& shadow,
                                                  const std::vector<Pose>& X_WL,

@@ -28,11 +28,11 @@ float rounded(float texels) {
   return static_cast<float>(static_cast<int>(steps + std::copysign(0.5F, steps))) / kSteps;
 }
 
-Corners cornersOf(const world::Mesh& mesh, const Eigen::Affine3f& map_from_mesh) {
+Corners cornersOf(const world::Mesh& mesh, const Eigen::Projective3f& map_from_mesh) {
   Corners corners;
   corners.reserve(mesh.positions.size());
   for (const Eigen::Vector3f& position : mesh.positions) {
-    const Eigen::Vector3f place = map_from_mesh * position;
+    const Eigen::Vector3f place = (map_from_mesh.matrix() * position.homogeneous()).hnormalized();
     corners.emplace_back(rounded(place.x() - 0.5F), rounded(place.y() - 0.5F), place.z());
   }
   return corners;
@@ -218,7 +218,7 @@ class PieceRaster {
 
 }  // namespace
 
-std::optional<MapPiece> castPiece(const world::Mesh& mesh, const Eigen::Affine3f& map_from_mesh,
+std::optional<MapPiece> castPiece(const world::Mesh& mesh, const Eigen::Projective3f& map_from_mesh,
                                   int size, bool fronts_alone) {
   const Corners corners = cornersOf(mesh, map_from_mesh);
   MapPiece piece;

@@ -111,6 +111,46 @@ TEST_P(KeptPictures, AreThoseThatAreDrawnAnew) {
   expectAsDrawnAnew(pictures);
 }
 
+/// As a rolling shutter takes them: some rows, then the world, and maybe the camera, has moved.
+TEST_P(KeptPictures, HaveTheRowsOfWholePictures) {
+  const Pose X_WC = view.X_WC;
+  for (const double step : {0.0, 0.02}) {
+    const auto moveTo = [&](int time) {
+      move(time);
+      view.X_WC = X_WC;
+      view.X_WC.translation().y() += step * time;
+    };
+    const cv::Rect image(0, 0, 320, 240);
+    const auto rowsAt = [&](int time) {
+      return cv::Rect(0, 50 * (time % 4) + 12, 320, 50) & image;
+    };
+    std::vector<cv::Mat> bands;
+    std::vector<cv::Mat> parts;
+    {
+      Renderer renderer(description, stage.links(), {});
+      for (int time = 0; time < 8; ++time) {
+        moveTo(time);
+        ColourPass pass{stage.all(), stage.all()};
+        pass.regions = {rowsAt(time)};
+        bands.push_back(renderer.colour(view, stage.poses(), pass)(rowsAt(time)).clone());
+        if (time % 3 == 0) {
+          parts.push_back(renderer.labels(view, stage.poses(), {stage.all()}).ids.clone());
+        }
+      }
+    }
+    for (int time = 0; time < 8; ++time) {
+      moveTo(time);
+      Renderer renderer(description, stage.links(), {});
+      const cv::Mat whole = draw(renderer);
+      const auto at = static_cast<std::size_t>(time);
+      EXPECT_EQ(cv::norm(bands[at], whole(rowsAt(time)), cv::NORM_INF), 0.0) << time;
+      if (time % 3 != 0) continue;
+      const LabelImages labels = renderer.labels(view, stage.poses(), {stage.all()});
+      EXPECT_EQ(cv::norm(parts[at / 3], labels.ids, cv::NORM_INF), 0.0) << time;
+    }
+  }
+}
+
 TEST_P(KeptPictures, HaveTheBlurredRimsOfShadowsToo) {
   RenderOptions coarse;
   coarse.shadow_map_size = 128;

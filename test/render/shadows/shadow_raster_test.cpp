@@ -81,6 +81,39 @@ TEST(ShadowRaster, HasTheLeastDepthAtTheCentreOfEachTexel) {
   }
 }
 
+/// A triangle's places in the map divided by their distances, as a lamp sees it.
+TEST(ShadowRaster, OfALampHasThePerspectiveOfItsPlace) {
+  world::Mesh mesh;
+  mesh.positions = {{-0.5F, -0.4F, 2.0F}, {0.6F, -0.3F, 4.0F}, {0.1F, 0.7F, 3.0F}};
+  mesh.indices = {0, 1, 2};
+  constexpr double kFocal = 100.0;  // [texel]
+  constexpr double kNear = 0.5;
+  constexpr double kFar = 10.0;
+  Eigen::Projective3d map = Eigen::Projective3d::Identity();
+  map.matrix() << kFocal, 0.0, 48.0, 0.0,                               //
+      0.0, kFocal, 48.0, 0.0,                                           //
+      0.0, 0.0, kFar / (kFar - kNear), -kFar * kNear / (kFar - kNear),  //
+      0.0, 0.0, 1.0, 0.0;
+  const cv::Mat found =
+      whole(castPiece(mesh, Eigen::Projective3f(map.cast<float>()), kSize, false));
+  const Eigen::Vector3d a = mesh.positions[0].cast<double>();
+  const Eigen::Vector3d normal =
+      (mesh.positions[1].cast<double>() - a).cross(mesh.positions[2].cast<double>() - a);
+  int covered = 0;
+  for (int v = 0; v < kSize; ++v) {
+    for (int u = 0; u < kSize; ++u) {
+      if (!(found.at<float>(v, u) < 1.0F)) continue;
+      ++covered;
+      const Eigen::Vector3d ray((u + 0.5 - 48.0) / kFocal, (v + 0.5 - 48.0) / kFocal, 1.0);
+      const double distance = normal.dot(a) / normal.dot(ray);
+      EXPECT_NEAR(found.at<float>(v, u),
+                  (map.matrix() * (distance * ray).homogeneous()).hnormalized().z(), 1e-4)
+          << u << ", " << v;
+    }
+  }
+  EXPECT_NEAR(covered, 690, 15) << "the area of the triangle as the lamp sees it";
+}
+
 TEST(ShadowRaster, LeavesNoGapsBetweenTriangles) {
   std::mt19937 random(5);
   const auto ball = world::sphereMesh(0.4);
