@@ -46,6 +46,7 @@ in_system() {
     mount -o remount,bind,ro "$1/repository"
     mount --bind "$3" "$1$3"
     mount -t proc proc "$1/proc"
+    mount -t tmpfs tmpfs "$1/dev/shm"
     exec chroot "$1" /usr/bin/env -i HOME=/root LANG=C.UTF-8 TERM="${TERM:-dumb}" \
       PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "${@:4}"
   ' in_system "$root" "$repository" "$2" "${@:3}"

@@ -89,7 +89,8 @@ WriterLoader::Instance WriterLoader::create(const std::string& type) {
     return loader.createUniqueInstance(type);
   } catch (const pluginlib::PluginlibException& exception) {
     throw Error("the writer type '" + type + "' of package '" + loader.getClassPackage(type) +
-                "' cannot be loaded: " + exception.what());
+                "' cannot be loaded, as '" + loader.getPluginManifestPath(type) +
+                "' describes it: " + exception.what());
   }
 }
 

@@ -24,6 +24,7 @@
 #include "synthetic_dataset/errors.h"
 #include "world/material/colour_encoding.h"
 #include "world/mesh/assimp_conversions.h"
+#include "world/mesh/assimp_gaps.h"
 #include "world/mesh/collada_repair.h"
 #include "world/mesh/mesh_file_access.h"
 #include "world/mesh/mesh_file_bytes.h"
@@ -322,6 +323,7 @@ MeshFile importMeshFile(const std::filesystem::path& file,
   result.parts = std::move(reader.parts);
   result.has_lines = hasLines(*scene);
   result.notes = notesOn(result, access);
+  fillAssimpGaps(file, result);
   whitenMadeUp(result);
   return result;
 }

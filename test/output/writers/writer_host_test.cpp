@@ -129,7 +129,7 @@ TEST_F(WriterHostTest, TellsAllWritersThatCannotBegin) {
               ElementsAre(AllOf(HasSubstr("writer 'a': there is no writer type 'test/Misbehavin'"),
                                 HasSubstr("did you mean 'test/Misbehaving'?")),
                           HasSubstr("writer 'b': there is no calibration"),
-                          AllOf(HasSubstr("writer 'c'"), HasSubstr("no_such_library"))));
+                          AllOf(HasSubstr("writer 'c'"), HasSubstr("test/NoLibrary"))));
 }
 
 TEST_F(WriterHostTest, NamesTheWriterThatThrows) {
