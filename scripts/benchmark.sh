@@ -29,4 +29,4 @@ shift || true
 programs=$workspace/devel/lib
 "$environment/bin/python" "$repository/benchmark/speed/run.py" "$programs" "$results" "$@"
 "$environment/bin/python" "$repository/benchmark/speed/costs.py" "$programs/synthetic_dataset/generate" "$results"
-"$environment/bin/python" "$repository/benchmark/speed/cameras.py" "$programs/synthetic_dataset/generate" "$results"
+/usr/bin/python3 "$repository/benchmark/speed/cameras.py" "$programs/synthetic_dataset/generate" "$results"

@@ -1,10 +1,12 @@
-"""What real cameras cost beside a pinhole: lenses with distortion, motion blur, a rolling shutter.
+"""What real cameras cost beside a pinhole: lenses with distortion, motion blur, rolling shutters,
+background subtraction, several cameras; where the camera stands, and where it rides.
 
-  cameras.py PROGRAM RESULTS [--rounds 3]
+  cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT]
 
-PROGRAM is `generate`. The bundled example at 640 x 480, COCO and Yolo, exact masks. Measured is
-processor time, camera after camera, several times over, so that what else runs on the machine
-matters little. RESULTS gets cameras.json and cameras.md.
+PROGRAM is `generate`. The bundled example at 640 x 480, COCO and Yolo, exact masks. A camera that rides is on
+the example's mast, which then swings by 0.3 m. Measured is processor time of an instant, camera after
+camera, several times over, so that what else runs on the machine matters little. RESULTS gets
+cameras.json and cameras.md.
 """
 
 import argparse
@@ -12,26 +14,40 @@ import json
 import math
 import os
 import resource
+import sqlite3
 import statistics
 import subprocess
 import tempfile
 
+import rosbag
 import yaml
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-EXAMPLE = f"{HERE}/../../config/example.yaml"
+PACKAGE = os.path.realpath(f"{HERE}/../..")
+EXAMPLE = f"{PACKAGE}/config/example.yaml"
 RATE = 10.0  # [Hz]
 FEW, MANY = 1.0, 5.0  # [s] of the recording: the difference is without the start
 
+SWING = 0.3  # [m]
+SWINGS = 0.5  # [Hz]
+
 WIDE = math.radians(140.0)
 PINHOLE = (474.0, "plumb_bob", [0.0] * 5)
-CAMERAS = {  # focal length [px], distortion, effects
-    "pinhole": (PINHOLE, {}),
-    "plumb_bob, k1 -0.28": ((474.0, "plumb_bob", [-0.28, 0.0, 0.0, 0.0, 0.0]), {}),
-    "equidistant, 140 degrees": ((640.0 / WIDE, "equidistant", [0.0] * 4), {}),
-    "motion blur, 8 samples": (PINHOLE, {"exposure_time": 0.02, "motion_samples": 8}),
-    "rolling shutter, 24 bands": (PINHOLE, {"readout_time": 0.03, "readout_bands": 24}),
+BARREL = (474.0, "plumb_bob", [-0.28, 0.0, 0.0, 0.0, 0.0])
+FISHEYE = (640.0 / WIDE, "equidistant", [0.0] * 4)
+BLUR = {"exposure_time": 0.02, "motion_samples": 8}
+ROLLING = {"readout_time": 0.03, "readout_bands": 24}
+SUBTRACTION = {"masks": {"method": "mog2"}}
+CAMERAS = {  # lens: focal length [px], distortion; effects; other settings
+    "pinhole": (PINHOLE, {}, {}),
+    "plumb_bob, k1 -0.28": (BARREL, {}, {}),
+    "equidistant, 140 degrees": (FISHEYE, {}, {}),
+    "motion blur, 8 samples": (PINHOLE, BLUR, {}),
+    "rolling shutter, 24 bands": (PINHOLE, ROLLING, {}),
+    "MOG2": (PINHOLE, {}, SUBTRACTION),
+    "four cameras": (PINHOLE, {}, {"count": 4}),
 }
+STANDS, RIDES = "stands", "rides"
 
 
 def write_calibration(lens, path):
@@ -45,36 +61,65 @@ def write_calibration(lens, path):
                                                "data": coefficients}}, out)
 
 
-def settings_of(lens, effects, folder):
+def write_swinging(source, path):
+    """The recording with a mast that swings."""
+    with rosbag.Bag(source) as bag, rosbag.Bag(path, "w") as out:
+        for topic, message, stamp in bag.read_messages():
+            for each in message.transforms if topic == "/tf" else []:
+                if each.child_frame_id == "camera/mast":
+                    phase = 2.0 * math.pi * SWINGS * each.header.stamp.to_sec()
+                    each.transform.translation.y += SWING * math.sin(phase)
+            out.write(topic, message, stamp)
+
+
+def camera_settings(calibration, effects, count):
+    camera = {"info_file": calibration, "effects": effects}
+    if count == 1:
+        return {"camera": camera}
+    corners = [[4.0, 3.0], [-4.0, 3.0], [-4.0, -3.0], [4.0, -3.0]]
+    return {"cameras": {f"camera_{i}": {**camera, "pose": {"position": [x, y, 3.0],
+                                                           "look_at": [0.0, 0.0, 0.0]}}
+                        for i, (x, y) in enumerate(corners[:count])}}
+
+
+def settings_of(camera, bag, folder):
+    lens, effects, others = camera
     with open(EXAMPLE) as file:
-        settings = yaml.safe_load(file)
-    write_calibration(lens, f"{folder}/camera.yaml")
-    del settings["bounding_shape"]
+        settings = yaml.safe_load(file.read().replace("$(find synthetic_dataset)", PACKAGE))
+    calibration = f"{folder}/camera.yaml"
+    write_calibration(lens, calibration)
+    others = dict(others)
+    count = others.pop("count", 1)
+    for name in ["bounding_shape", "camera"] + ([] if count == 1 else ["camera_frame_id"]):
+        del settings[name]
     settings.update({
-        "simulated_rate": RATE, "output_folder": f"{folder}/dataset", "if_exists": "overwrite",
+        "bag_file": bag, "simulated_rate": RATE, "output_folder": f"{folder}/dataset",
+        "if_exists": "overwrite",
         "writers": [{"name": "coco", "type": "synthetic_dataset/Coco"},
                     {"name": "yolo", "type": "synthetic_dataset/Yolo"}],
-        "camera": {"info_file": f"{folder}/camera.yaml", "effects": effects}})
+        **camera_settings(calibration, effects, count), **others})
     return settings
 
 
 def run(program, settings, folder):
-    """The processor time of the whole process [s], and the number of scenes."""
+    """The processor time of the whole process [s], and the number of instants."""
     path = f"{folder}/settings.yaml"
     with open(path, "w") as out:
         yaml.safe_dump(settings, out)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run([program, "--config", path], check=True, stdout=subprocess.DEVNULL)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime - before.ru_utime, len(os.listdir(f"{folder}/dataset/coco/images"))
+    with sqlite3.connect(f"{folder}/dataset/manifest.sqlite") as manifest:
+        instants, = manifest.execute("SELECT count(DISTINCT instant) FROM scene").fetchone()
+    return after.ru_utime - before.ru_utime, instants
 
 
-def scene_seconds(program, camera, folder):
-    """Processor time of a scene, without the start."""
-    settings = settings_of(*CAMERAS[camera], folder)
-    few, few_scenes = run(program, {**settings, "duration": FEW}, folder)
-    many, many_scenes = run(program, {**settings, "duration": MANY}, folder)
-    return (many - few) / (many_scenes - few_scenes)
+def instant_seconds(program, camera, bag, folder):
+    """Processor time of an instant, without the start."""
+    settings = settings_of(camera, bag, folder)
+    few, few_instants = run(program, {**settings, "duration": FEW}, folder)
+    many, many_instants = run(program, {**settings, "duration": MANY}, folder)
+    return (many - few) / (many_instants - few_instants)
 
 
 def main():
@@ -82,21 +127,30 @@ def main():
     parser.add_argument("program")
     parser.add_argument("results")
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--only", default="", help="cameras with this text in their names, and the pinhole")
     arguments = parser.parse_args()
     os.makedirs(arguments.results, exist_ok=True)
-    seconds = {camera: [] for camera in CAMERAS}
+    chosen = [each for each in CAMERAS if each == "pinhole" or arguments.only in each]
+    rows = [(name, how) for name in chosen for how in (STANDS, RIDES)
+            if how == STANDS or CAMERAS[name][2].get("count", 1) == 1]
+    seconds = {row: [] for row in rows}
     with tempfile.TemporaryDirectory() as folder:
+        bags = {STANDS: f"{PACKAGE}/worlds/example.bag", RIDES: f"{folder}/swinging.bag"}
+        write_swinging(bags[STANDS], bags[RIDES])
         for _ in range(arguments.rounds):
-            for camera, measured in seconds.items():
-                measured.append(scene_seconds(arguments.program, camera, folder))
-    best = {camera: statistics.median(measured) for camera, measured in seconds.items()}
+            for (name, how), measured in seconds.items():
+                measured.append(instant_seconds(arguments.program, CAMERAS[name], bags[how], folder))
+    typical = {row: statistics.median(measured) for row, measured in seconds.items()}
+    unit = typical["pinhole", STANDS]
     with open(f"{arguments.results}/cameras.json", "w") as out:
-        json.dump(seconds, out, indent=1)
+        json.dump({f"{name}, {how}": each for (name, how), each in seconds.items()}, out, indent=1)
     with open(f"{arguments.results}/cameras.md", "w") as out:
-        out.write("| camera | processor time of a scene | as a multiple of the pinhole's |\n"
-                  "| --- | --- | --- |\n")
-        for camera, each in best.items():
-            row = f"| {camera} | {1000 * each:.0f} ms | {each / best['pinhole']:.1f} |"
+        out.write(f"As multiples of the standing pinhole's {1000 * unit:.0f} ms of processor time an instant:\n\n"
+                  "| camera | it stands | it rides |\n| --- | --- | --- |\n")
+        for name in chosen:
+            cells = [f"{typical[name, how] / unit:.1f}" if (name, how) in typical else "-"
+                     for how in (STANDS, RIDES)]
+            row = f"| {name} | {cells[0]} | {cells[1]} |"
             print(row, flush=True)
             out.write(row + "\n")
 

@@ -46,12 +46,22 @@ bool comesBack(const Samples& samples, std::size_t from, double jump) {
   return false;
 }
 
+/// Whether a step goes on with the one before, as those of a thing that swings do.
+bool goesOn(const Samples& samples, std::size_t from) {
+  constexpr double kLeast = 0.5;  // of the step
+  if (from == 0 || samples[from - 1].parent != samples[from].parent) return false;
+  const Eigen::Vector3d here = positionIn(samples[from]);
+  const Eigen::Vector3d before = here - positionIn(samples[from - 1]);
+  const Eigen::Vector3d step = positionIn(samples[from + 1]) - here;
+  return before.dot(step) >= kLeast * step.squaredNorm();
+}
+
 Jumps jumpsToAndFro(const Samples& samples) {
   Jumps jumps;
   for (std::size_t i = 0; i + 2 < samples.size(); ++i) {
     if (samples[i].parent != samples[i + 1].parent) continue;
     const double jump = distance(samples[i], samples[i + 1]);
-    if (jump < kLeastJump || !comesBack(samples, i, jump)) continue;
+    if (jump < kLeastJump || goesOn(samples, i) || !comesBack(samples, i, jump)) continue;
     if (jumps.count++ == 0) jumps = {1, samples[i + 1].stamp, jump};
   }
   return jumps;

@@ -197,10 +197,10 @@ std::optional<EarlierRun> findEarlierRun(StoreOptions options, std::vector<Store
     // Who draws knows it, and has not begun.
     const auto opengl = earlier.run.software.find("opengl");
     if (opengl != earlier.run.software.end()) run.software.insert(*opengl);
-    return EarlierRun{earlier.complete, earlier.scene_count,
+    return EarlierRun{earlier.complete, earlier.scene_count, "",
                       reasonsNotToResume(earlier, writers, run)};
   } catch (const Error& error) {
-    return EarlierRun{false, 0, {error.what()}};
+    return EarlierRun{false, 0, error.what()};
   }
 }
 

@@ -23,9 +23,10 @@ struct OpenedDataset {
 struct EarlierRun {
   bool complete = false;
   std::int64_t scene_count = 0;  ///< that are there
+  std::string fault = {};        ///< why its manifest cannot be read; then all else is empty
 
   /// Why the run cannot go on with it: what differs, a line each. Empty: it can.
-  std::vector<std::string> differences;
+  std::vector<std::string> differences = {};
 };
 
 /// Makes paths absolute and normalises them.

@@ -1,5 +1,7 @@
 #include "motion/frame_findings.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,6 +61,18 @@ TEST(FrameFindings, FindNoFightInNoiseOrATurnBack) {
     }
   });
   EXPECT_THAT(warningsOf(motion, {"alpha"}), IsEmpty());
+}
+
+TEST(FrameFindings, FindNoFightInASwing) {
+  constexpr double kTurn = 6.283185307179586;
+  for (const int samples : {6, 8, 10, 14}) {  // in a swing
+    const BagMotion motion = recorded([&](BagBuilder& bag) {
+      for (int i = 0; i < 60; ++i) {
+        bag.add(sentBy("", 1000 + 200 * i, 0.0, 0.3 * std::sin(kTurn * i / samples + 0.1)));
+      }
+    });
+    EXPECT_THAT(warningsOf(motion, {"alpha"}), IsEmpty()) << samples;
+  }
 }
 
 TEST(FrameFindings, NameAFramesNewParent) {

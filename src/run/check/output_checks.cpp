@@ -18,6 +18,9 @@ std::optional<output::EarlierRun> earlierRunOf(const RunSetup& setup) {
 std::optional<Finding> checkEarlierRun(const RunSetup& setup,
                                        const std::optional<output::EarlierRun>& earlier) {
   if (!earlier) return std::nullopt;
+  if (!earlier->fault.empty()) {
+    return Finding{kEarlierDataset, "output_folder", earlier->fault, ""};
+  }
   const output::StoreOptions& options = setup.config.output;
   const std::string dataset = std::string(earlier->complete ? "a complete" : "an unfinished") +
                               " dataset of " + std::to_string(earlier->scene_count) + " scenes";

@@ -48,6 +48,7 @@ std::string textOf(const LiveProblem& problem) {
 Value earlierValue(const output::EarlierRun& earlier) {
   return Value::Map{{"complete", earlier.complete},
                     {"scenes", earlier.scene_count},
+                    {"fault", earlier.fault},
                     {"differences", namesValue(earlier.differences)}};
 }
 

@@ -330,6 +330,14 @@ TEST_F(RunCheckTest, ADatasetOfOtherSettingsInTheFolderIsFoundAndStays) {
   EXPECT_TRUE(std::filesystem::exists(folder + "/manifest.sqlite"));
 }
 
+TEST_F(RunCheckTest, AManifestThatCannotBeReadIsFound) {
+  std::filesystem::create_directories(folder);
+  run.folder().write("out/manifest.sqlite", "no manifest");
+  EXPECT_THAT(odd(), ElementsAre(AllOf(HasSubstr("output_folder: the manifest '" + folder),
+                                       HasSubstr("cannot be read"),
+                                       HasSubstr("remove it together with its dataset"))));
+}
+
 TEST_F(RunCheckTest, ADatasetThatMustNotBeTouchedIsFound) {
   (void)generate();
   parameters["if_exists"] = Value("error");

@@ -62,6 +62,7 @@ function controls() {
     return [row('blocked', button('Start', startRun, {disabled: true}), h('a', {href: '#problems'}, why))];
   }
   const {earlier} = setup;
+  if (earlier?.fault) return [h('p', {}, earlier.fault), row('unreadable', elsewhere())];
   if (earlier && asking.isOn) return [confirmation(earlier)];
   const isRefused = earlier && (earlier.differences.length > 0 || effective(['if_exists']) === 'error');
   if (isRefused) return inTheWay(earlier);
@@ -87,6 +88,10 @@ function folder() {
   return store.run.output_folder ?? '';
 }
 
+function elsewhere() {
+  return h('a', {href: '#output:output_folder', class: 'button'}, 'Choose another folder');
+}
+
 // A dataset of other settings, or one that must not be touched.
 function inTheWay(earlier) {
   const MOST_SHOWN = 4;
@@ -96,8 +101,7 @@ function inTheWay(earlier) {
       earlier.differences.length ? ' that was made with other settings:' : '.'),
     h('ul', {class: 'differences'}, earlier.differences.slice(0, MOST_SHOWN).map((each) => h('li', {}, each)),
       more > 0 ? h('li', {}, `and ${more} more`) : null),
-    row('refused', button('Replace it\u2026', () => ask(true)),
-        h('a', {href: '#output:output_folder', class: 'button'}, 'Choose another folder')),
+    row('refused', button('Replace it\u2026', () => ask(true)), elsewhere()),
   ];
 }
 
