@@ -46,4 +46,25 @@ namespace synthetic_dataset::config {
 /// that <this>", or nothing. Such names are of one line of UTF-8, and may hold anything else.
 [[nodiscard]] std::optional<std::string> nameProblem(const std::string& text);
 
+/// One of some words; left out, the first.
+template <class Choice>
+Choice choice(Parameters& group, const std::string& name,
+              const std::vector<std::pair<std::string, Choice>>& choices) {
+  auto found = group.maybe<Value>(name);
+  if (!found) return choices.front().second;
+  // YAML takes `off` for false.
+  const std::string text = found->is<bool>() ? (*found->as<bool>() ? "on" : "off") : found->text();
+  std::string words;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (choices[i].first == text) return choices[i].second;
+    words += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i].first;
+  }
+  const std::string is_bool = found->is<bool>() ? " (" + found->text() +
+                                                      ", as YAML reads yes, no, on and off without "
+                                                      "quotes)"
+                                                : "";
+  group.addError(name, "found '" + text + "'" + is_bool + "; it should be " + words);
+  return choices.front().second;
+}
+
 }  // namespace synthetic_dataset::config

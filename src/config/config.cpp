@@ -206,6 +206,12 @@ render::RenderOptions readRendering(Parameters& root) {
       group.optionalBetween("shadow_map_size", rendering.shadow_map_size, 64, 8192);
   rendering.shadow_distance = numberAbove(group, "shadow_distance", rendering.shadow_distance, 0.0);
   rendering.reuse = group.optional("reuse", rendering.reuse);
+  Parameters labels = root.group("labels");
+  rendering.glass_in_labels =
+      choice<render::GlassInLabels>(labels, "glass",
+                                    {{"objects", render::GlassInLabels::kOfObjects},
+                                     {"solid", render::GlassInLabels::kSolid},
+                                     {"clear", render::GlassInLabels::kClear}});
   return rendering;
 }
 

@@ -34,7 +34,7 @@ struct Renderer::Impl {
       : options(render_options),
         lights(description.lights),
         gl(context.gl()),
-        draw_list(gl, links, description.simulator),
+        draw_list(gl, links, description.simulator, options.glass_in_labels),
         geometry_painter(gl, draw_list),
         light_painter(gl, draw_list, description),
         shadow_painter(gl, draw_list, options.shadow_map_size, shadowCount(description.lights)),

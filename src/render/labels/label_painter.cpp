@@ -67,7 +67,7 @@ LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>
   const auto draw = [&](const std::vector<const Part*>& parts, GLenum depth_func) {
     gl_.DepthFunc(depth_func);
     for (const Part* part : parts) {
-      if (seenThroughInLabels(*part)) continue;
+      if (part->seen_through_in_labels) continue;
       const ShaderProgram& program = programs_.get(part->features | featuresOf(view));
       program.set("identifier", part->identifier);
       program.set("link", static_cast<std::uint32_t>(part->link + 1));

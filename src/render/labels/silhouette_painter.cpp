@@ -83,7 +83,7 @@ struct SilhouettePainter::Subject {
   const LinkSelection& links;
 
   [[nodiscard]] bool has(const Part& part) const {
-    return links[part.link] && !seenThroughInLabels(part);
+    return links[part.link] && !part.seen_through_in_labels;
   }
 };
 

@@ -131,7 +131,7 @@ std::shared_ptr<const LensSight> LensEye::look(const View& view, const std::vect
   for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, false)) draw(part);
   if (glass == Glass::kSeen) {
     for (const Part* part : parts_.transparentParts(X_CW, X_WL, drawn)) {
-      if (!seenThroughInLabels(*part)) draw(part);
+      if (!part->seen_through_in_labels) draw(part);
     }
   }
   auto sight = std::make_shared<LensSight>(before.sight);

@@ -49,8 +49,11 @@ void extend(Bounds& bounds, const Part& part, const Pose& X_WL) {
 }
 
 DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links,
-                   world::Simulator simulator)
-    : simulator_(simulator), meshes_(gl, meaningOfColours(simulator)), textures_(gl) {
+                   world::Simulator simulator, GlassInLabels glass)
+    : simulator_(simulator),
+      glass_(glass),
+      meshes_(gl, meaningOfColours(simulator)),
+      textures_(gl) {
   for (std::size_t link = 0; link < links.size(); ++link) {
     for (const world::Visual& visual : links[link].link->visuals) {
       for (const world::Surface& surface : visual.surfaces) {
@@ -61,12 +64,18 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
           part.identifier = static_cast<std::uint32_t>(links[link].object + 1);
           part.stands_still = links[link].role == world::Role::kStatic;
           place(visual, surface, part);
+          part.seen_through_in_labels = isSeenThroughInLabels(part);
           features_ |= part.features;
           parts_.push_back(std::move(part));
         }
       }
     }
   }
+}
+
+bool DrawList::isSeenThroughInLabels(const Part& part) const {
+  if (!part.transparent || glass_ == GlassInLabels::kSolid) return false;
+  return glass_ == GlassInLabels::kClear || part.identifier == 0;
 }
 
 void DrawList::place(const world::Visual& visual, const world::Surface& surface, Part& part) {
@@ -166,7 +175,7 @@ Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection
 
 bool DrawList::hasGlassInLabels(const LinkSelection& drawn) const {
   return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
-    return drawn[part.link] && part.transparent && !seenThroughInLabels(part);
+    return drawn[part.link] && part.transparent && !part.seen_through_in_labels;
   });
 }
 

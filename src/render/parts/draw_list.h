@@ -11,6 +11,7 @@
 #include "render/parts/mesh_library.h"
 #include "render/parts/surface_features.h"
 #include "render/parts/texture_library.h"
+#include "render/render_options.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::render {
@@ -44,12 +45,10 @@ struct Part {
   bool stands_still = false;    ///< the link is of what never moves
   bool double_sided = false;
   bool has_holes = false;  ///< where its texture's alpha is small
-};
 
-/// Whether labels leave the part out: the world's glass does not hide what is behind it.
-[[nodiscard]] inline bool seenThroughInLabels(const Part& part) {
-  return part.transparent && part.identifier == 0;
-}
+  /// Labels leave it out, and do not hide what is behind it.
+  bool seen_through_in_labels = false;
+};
 
 /// Grows bounds in the world by a part; not by one without triangles.
 void extend(Bounds& bounds, const Part& part, const Pose& X_WL);
@@ -60,8 +59,9 @@ class DrawList {
   /// @param links  have to outlive the list
   /// @param simulator  whose light falls on it: colours are linear for gz-sim's, sRGB-encoded for
   ///     Gazebo Classic's
+  /// @param glass  which of what is transparent labels show
   DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links,
-           world::Simulator simulator);
+           world::Simulator simulator, GlassInLabels glass = GlassInLabels::kOfObjects);
 
   [[nodiscard]] world::Simulator simulator() const { return simulator_; }
   [[nodiscard]] bool isClassic() const { return simulator_ == world::Simulator::kClassic; }
@@ -102,6 +102,7 @@ class DrawList {
   [[nodiscard]] Part makePart(const std::shared_ptr<const world::Mesh>& mesh,
                               const world::Material& material);
   void place(const world::Visual& visual, const world::Surface& surface, Part& part);
+  [[nodiscard]] bool isSeenThroughInLabels(const Part& part) const;
   void dress(Part& part);
   [[nodiscard]] const BoundingHull& hullOf(const world::Mesh& mesh);
   [[nodiscard]] bool isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh);
@@ -112,6 +113,7 @@ class DrawList {
       const std::function<bool(const Part&)>& wanted) const;
 
   world::Simulator simulator_;
+  GlassInLabels glass_;
   MeshLibrary meshes_;
   TextureLibrary textures_;
   SurfaceFeatures features_ = 0;

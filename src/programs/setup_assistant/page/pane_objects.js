@@ -217,5 +217,8 @@ function classes() {
           ['labels', 'min_pixels'],
           {label: 'Fewest visible pixels', unit: 'px', range: [0, 400], step: 1, fallback: 'one, mostly'}),
       numberField(
-          ['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', unit: 'm', step: 0.005}));
+          ['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', unit: 'm', step: 0.005}),
+      choiceField(
+          ['labels', 'glass'], [['objects', 'of objects'], ['solid', 'all'], ['clear', 'none']],
+          {label: 'Glass that hides what is behind it'}));
 }

@@ -1,0 +1,84 @@
+#include <array>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "render/renderer.h"
+#include "support/box_world.h"
+
+namespace synthetic_dataset::render {
+namespace glass_in_labels_test {
+
+using test::Stage;
+
+/// A lens that bends nothing, whose pixels have rays of their own.
+const Distortion kSlight{DistortionModel::kPlumbBob, {1e-9, 0.0, 0.0, 0.0, 0.0}};
+
+/// At the left an object behind a pane of the world, at the right one behind the window of another.
+class GlassInLabelsTest : public testing::TestWithParam<bool> {
+ protected:
+  GlassInLabelsTest() {
+    world::Material glass;
+    glass.diffuse.w() = 0.3F;
+    addPlate(-0.5, 2.0, -1, glass);
+    addPlate(-0.5, 3.0, 0);
+    addPlate(0.5, 2.0, 1, glass);
+    addPlate(0.5, 3.0, 2);
+  }
+
+  /// A plate of 0.9 m whose front is so far away.
+  void addPlate(double x, double distance, int object, const world::Material& material = {}) {
+    constexpr double kThickness = 0.01;
+    stage_.addBox({0.9, 0.9, kThickness},
+                  makePose({x, 0.0, distance + 0.5 * kThickness}, Eigen::Quaterniond::Identity()),
+                  object, material);
+  }
+
+  /// What is seen behind the pane and behind the window: id and depth.
+  [[nodiscard]] std::array<std::pair<int, float>, 2> seen(GlassInLabels glass) const {
+    RenderOptions options;
+    options.glass_in_labels = glass;
+    const Intrinsics k{200.0, 200.0, 159.5, 119.5};
+    const CameraModel camera = GetParam() ? CameraModel(320, 240, k, 0.05, 100.0, kSlight)
+                                          : CameraModel(320, 240, k, 0.05, 100.0);
+    Renderer renderer({}, stage_.links(), options);
+    const LabelImages labels =
+        renderer.labels({camera, Pose::Identity()}, stage_.poses(), {stage_.all()});
+    std::array<std::pair<int, float>, 2> found;
+    const std::array<cv::Point, 2> pixels = {cv::Point(120, 120), cv::Point(200, 120)};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      found[i] = {labels.ids.at<int>(pixels[i]), labels.depth.at<float>(pixels[i])};
+    }
+    return found;
+  }
+
+  static void expect(const std::pair<int, float>& seen, int id, float depth) {
+    EXPECT_EQ(seen.first, id);
+    EXPECT_NEAR(seen.second, depth, 1e-4);
+  }
+
+  Stage stage_;
+};
+
+TEST_P(GlassInLabelsTest, IsThatOfObjects) {
+  const auto found = seen(GlassInLabels::kOfObjects);
+  expect(found[0], 1, 3.0F);
+  expect(found[1], 2, 2.0F);
+}
+
+TEST_P(GlassInLabelsTest, MayBeSolid) {
+  const auto found = seen(GlassInLabels::kSolid);
+  expect(found[0], 0, 2.0F);
+  expect(found[1], 2, 2.0F);
+}
+
+TEST_P(GlassInLabelsTest, MayBeClear) {
+  const auto found = seen(GlassInLabels::kClear);
+  expect(found[0], 1, 3.0F);
+  expect(found[1], 3, 3.0F);
+}
+
+INSTANTIATE_TEST_SUITE_P(ThroughALens, GlassInLabelsTest, testing::Bool());
+
+}  // namespace glass_in_labels_test
+}  // namespace synthetic_dataset::render
