@@ -191,17 +191,23 @@ std::optional<EarlierRun> findEarlierRun(StoreOptions options, std::vector<Store
                                          RunDescription run) {
   makeAbsolute(options, writers);
   const std::string manifest = manifestFile(options.folder, options.shard);
-  if (!std::filesystem::exists(manifest)) return std::nullopt;
+  std::error_code error;  // of a folder that may not be looked into: who needs it says so
+  if (!std::filesystem::exists(manifest, error)) return std::nullopt;
+  EarlierRun found;
+  found.is_written = RunLock::isHeld(manifest);
+  if (found.is_written) return found;
   try {
     const ManifestContent earlier = readManifest(manifest, ManifestFiles::kLeftOut);
     // Who draws knows it, and has not begun.
     const auto opengl = earlier.run.software.find("opengl");
     if (opengl != earlier.run.software.end()) run.software.insert(*opengl);
-    return EarlierRun{earlier.complete, earlier.scene_count, "",
-                      reasonsNotToResume(earlier, writers, run)};
-  } catch (const Error& error) {
-    return EarlierRun{false, 0, error.what()};
+    found.complete = earlier.complete;
+    found.scene_count = earlier.scene_count;
+    found.differences = reasonsNotToResume(earlier, writers, run);
+  } catch (const Error& fault) {
+    found.fault = fault.what();
   }
+  return found;
 }
 
 OpenedDataset openDataset(const StoreOptions& options, const std::vector<StoreWriter>& writers,

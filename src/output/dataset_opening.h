@@ -23,7 +23,8 @@ struct OpenedDataset {
 struct EarlierRun {
   bool complete = false;
   std::int64_t scene_count = 0;  ///< that are there
-  std::string fault = {};        ///< why its manifest cannot be read; then all else is empty
+  bool is_written = false;       ///< another run writes it now; then nothing else is known
+  std::string fault = {};        ///< why its manifest cannot be read; then nothing else is known
 
   /// Why the run cannot go on with it: what differs, a line each. Empty: it can.
   std::vector<std::string> differences = {};

@@ -76,7 +76,7 @@ std::vector<std::string> unlabelledSplits(const std::vector<output::SplitCounts>
     if (hasLabels(split)) continue;
     messages.push_back("split " + split.name + " has no label: no object has one in its " +
                        std::to_string(split.scenes) + (split.scenes == 1 ? " scene" : " scenes") +
-                       " (other shares of `split`, or `split/by: scenes`, divide the recording "
+                       " (other shares of `split`, or another `split/by`, divide the recording "
                        "otherwise)");
   }
   return messages;

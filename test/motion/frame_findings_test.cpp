@@ -65,13 +65,16 @@ TEST(FrameFindings, FindNoFightInNoiseOrATurnBack) {
 
 TEST(FrameFindings, FindNoFightInASwing) {
   constexpr double kTurn = 6.283185307179586;
-  for (const int samples : {6, 8, 10, 14}) {  // in a swing
-    const BagMotion motion = recorded([&](BagBuilder& bag) {
-      for (int i = 0; i < 60; ++i) {
-        bag.add(sentBy("", 1000 + 200 * i, 0.0, 0.3 * std::sin(kTurn * i / samples + 0.1)));
-      }
-    });
-    EXPECT_THAT(warningsOf(motion, {"alpha"}), IsEmpty()) << samples;
+  for (const int samples : {7, 8, 10, 14}) {  // in a swing; fewer tell too little
+    for (int phase = 0; phase < 20; ++phase) {
+      const BagMotion motion = recorded([&](BagBuilder& bag) {
+        for (int i = 0; i < 60; ++i) {
+          const double turns = static_cast<double>(i) / samples + 0.05 * phase;
+          bag.add(sentBy("", 1000 + 200 * i, 0.0, 0.3 * std::sin(kTurn * turns)));
+        }
+      });
+      EXPECT_THAT(warningsOf(motion, {"alpha"}), IsEmpty()) << samples << ", " << phase;
+    }
   }
 }
 

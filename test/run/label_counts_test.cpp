@@ -61,7 +61,7 @@ TEST(UnlabelledSplits, AreNamedWhereOthersHaveLabels) {
   EXPECT_THAT(unlabelledSplits({{"test", 1, 0}, {"train", 80, 70}, {"val", 10, 0}}),
               ElementsAre(HasSubstr("in its 1 scene "),
                           StartsWith("split val has no label: no object has one in its 10 scenes "
-                                     "(other shares of `split`, or `split/by: scenes`")));
+                                     "(other shares of `split`, or another `split/by`")));
   EXPECT_THAT(unlabelledSplits({{"train", 80, 70}, {"val", 10, 1}}), IsEmpty());
   EXPECT_THAT(unlabelledSplits({{"train", 80, 0}, {"val", 10, 0}}), IsEmpty())
       << "that is said of the dataset as a whole";

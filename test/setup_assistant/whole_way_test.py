@@ -170,11 +170,36 @@ class WholeWay(unittest.TestCase):
         self.page.click('#pane button', 'Keep them')
         self.assertEqual(manifest.read_bytes(), first)
         self.page.click('#pane button', 'Replace it\u2026')
+        self.ask_again_elsewhere()
+        self.page.click('#pane button', 'Replace it\u2026')
         self.page.click('#pane button', 'Remove and start')
         self.page.wait(lambda: 'Made:' in self.page.text('#pane'), 'the new dataset', timeout=300)
         self.assertNotEqual(manifest.read_bytes(), first)
         self.page.go('problems')
         self.assertNotIn('of other settings', self.page.text('#pane'))
+
+    def ask_again_elsewhere(self):
+        """What was asked about one folder is not answered for another."""
+        here, there = str(self.folder / 'dataset'), str(self.folder / 'other')
+        subprocess.run(['rosrun', 'synthetic_dataset', 'generate', '--config', str(self.file), f'output_folder:={there}',
+                        'simulated_rate:=3'], check=True, stdout=subprocess.DEVNULL)
+        self.output_to(there)
+        self.page.wait(lambda: f'{there} holds a dataset' in self.page.text('#pane'), 'the other dataset to be named')
+        self.assertNotIn('Remove and start', self.page.text('#pane'))
+        answer = self.page.script('''return fetch("/api/run/start", {method: "POST",
+            headers: {"Content-Type": "application/json"}, body: JSON.stringify({replace: arguments[0]})})
+            .then(answer => answer.json())''', here)
+        self.assertIn('the output folder has changed', answer['error'])
+        self.output_to(here)
+        self.page.wait(lambda: f'{here} holds a dataset' in self.page.text('#pane'), 'the first dataset')
+
+    def output_to(self, folder):
+        self.page.go('output')
+        field = self.page.input('output_folder')
+        field.clear()
+        field.send_keys(folder, '\ue004')
+        self.page.wait(lambda: folder in self.page.yaml(), 'the folder to be written')
+        self.page.go('run')
 
 
 if __name__ == '__main__':

@@ -18,12 +18,19 @@ std::optional<output::EarlierRun> earlierRunOf(const RunSetup& setup) {
 std::optional<Finding> checkEarlierRun(const RunSetup& setup,
                                        const std::optional<output::EarlierRun>& earlier) {
   if (!earlier) return std::nullopt;
+  const output::StoreOptions& options = setup.config.output;
+  if (earlier->is_written) {
+    return Finding{kEarlierDataset, "output_folder",
+                   "another run is writing the dataset in '" + options.folder + "'",
+                   "wait for its end, or choose another folder"};
+  }
   if (!earlier->fault.empty()) {
     return Finding{kEarlierDataset, "output_folder", earlier->fault, ""};
   }
-  const output::StoreOptions& options = setup.config.output;
+  const std::int64_t scenes = earlier->scene_count;
   const std::string dataset = std::string(earlier->complete ? "a complete" : "an unfinished") +
-                              " dataset of " + std::to_string(earlier->scene_count) + " scenes";
+                              " dataset of " + std::to_string(scenes) +
+                              (scenes == 1 ? " scene" : " scenes");
   Finding finding{kEarlierDataset, "output_folder", "",
                   "choose another folder, or set `if_exists: overwrite` to replace that dataset"};
   if (options.if_exists == output::IfExists::kError) {

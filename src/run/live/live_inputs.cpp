@@ -153,6 +153,7 @@ const MotionSetup* LiveInputs::madeMotionWith(const std::string& object) const {
 
 const MotionSetup& LiveInputs::motionWith(const std::string& object) {
   (void)described();
+  if (madeRun() == nullptr && !errors_) setUp();  // after a check that has failed
   if (const MotionSetup* made = madeMotionWith(object)) return *made;
   if (!errors_) {
     throw ErrorList({"found no object '" + object + "'" + didYouMean(object, described_->objects)});

@@ -139,6 +139,7 @@ LiveSetup describeCheck(const RunCheck& check, const std::vector<std::string>& w
 
 void addEarlierRun(const RunSetup& run, LiveSetup& live) {
   live.earlier = earlierRunOf(run);
+  if (live.earlier && live.earlier->is_written) live.earlier.reset();  // maybe the user's own
   const auto finding = checkEarlierRun(run, live.earlier);
   if (finding) live.problems.push_back(problemOf(*finding));
 }

@@ -37,7 +37,7 @@ struct LiveSetup {
   std::string output_folder;
   std::optional<RunFigures> figures;  ///< of a run that was checked
 
-  /// The dataset that is where the run would write.
+  /// The dataset that is where the run would write; nothing while a run writes it.
   std::optional<output::EarlierRun> earlier;
 };
 

@@ -29,9 +29,15 @@ std::vector<fs::path> foldersIn(const fs::path& folder) {
   return folders;
 }
 
-bool isModel(const fs::path& folder) {
-  std::error_code ignored;
-  return fs::exists(folder / "model.config", ignored) || fs::exists(folder / "model.sdf", ignored);
+/// What a URI names in a folder of models: "shelf/meshes/shelf.dae"; empty for what it does not.
+fs::path placeInModels(const std::string& uri) {
+  for (const char* scheme : {"model://", "package://"}) {
+    if (uri.rfind(scheme, 0) != 0) continue;
+    const fs::path place = uri.substr(std::string(scheme).size());
+    const bool leads_out = std::find(place.begin(), place.end(), "..") != place.end();
+    return place.is_absolute() || leads_out ? fs::path() : place;
+  }
+  return {};
 }
 
 /// From the nearest on: the world's folder, those above it, what lies in these, and the folders
@@ -53,14 +59,20 @@ std::vector<fs::path> foldersNear(const fs::path& world_file) {
 
 }  // namespace
 
-std::string modelFolderHint(const fs::path& world_file, const std::set<fs::path>& missed) {
-  std::set<fs::path> names;
-  for (const fs::path& path : missed) names.insert(path.begin(), path.end());
+std::string modelFolderHint(const fs::path& world_file, const std::set<std::string>& uris) {
+  std::set<fs::path> places;
+  for (const std::string& uri : uris) {
+    if (const fs::path place = placeInModels(uri); !place.empty()) places.insert(place);
+  }
+  if (places.empty()) return "";
   fs::path best;
   std::ptrdiff_t most = 0;
   for (const fs::path& folder : foldersNear(world_file)) {
-    const std::ptrdiff_t count = std::count_if(
-        names.begin(), names.end(), [&](const fs::path& name) { return isModel(folder / name); });
+    const std::ptrdiff_t count =
+        std::count_if(places.begin(), places.end(), [&](const fs::path& place) {
+          std::error_code ignored;
+          return fs::exists(folder / place, ignored);
+        });
     if (count <= most) continue;
     most = count;
     best = folder;
@@ -68,7 +80,7 @@ std::string modelFolderHint(const fs::path& world_file, const std::set<fs::path>
   if (most == 0) return "";
   return "world/model_folders: '" + best.string() + "' has " +
          (most == 1 ? "one" : std::to_string(most)) +
-         " of the missing models; it should be listed here, or in GAZEBO_MODEL_PATH";
+         " of the missing models and files; it should be listed here, or in GAZEBO_MODEL_PATH";
 }
 
 }  // namespace synthetic_dataset::run

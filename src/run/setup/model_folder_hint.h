@@ -6,12 +6,12 @@
 
 namespace synthetic_dataset::run {
 
-/// Where models that were not found may lie: the folder near a world's file that has the most of
-/// them. Worlds are often handed on with their models, whose folder only the environment of whoever
-/// made them names.
-/// @param missed  paths that were tried and are not there; the models' names are in them
+/// Where models and their files that were not found may lie: the folder near a world's file that
+/// has the most of them. Worlds are often handed on with their models, whose folder only the
+/// environment of whoever made them names.
+/// @param uris  that were not found; those count that name a model (model://, package://)
 /// @return an error's message; empty where no folder has any of them
 [[nodiscard]] std::string modelFolderHint(const std::filesystem::path& world_file,
-                                          const std::set<std::filesystem::path>& missed);
+                                          const std::set<std::string>& uris);
 
 }  // namespace synthetic_dataset::run

@@ -30,7 +30,7 @@ auto explainingMissing(const std::string& world_file, const world::ResourceFinde
     return load();
   } catch (const world::MissingAssets& missing) {
     std::vector<std::string> messages = missing.messages();
-    const std::string hint = modelFolderHint(world_file, finder.missed());
+    const std::string hint = modelFolderHint(world_file, finder.unresolved());
     if (!hint.empty()) messages.push_back(hint);
     const bool one = missing.count() == 1;
     messages.push_back((one ? "1 file is" : std::to_string(missing.count()) + " files are") +

@@ -124,12 +124,15 @@ class WorldBuilder {
     for (const scene::ObjectVariant& variant : variants) {
       const auto key = std::make_pair(variant.model, object.model_arguments);
       if (variant.model && broken_models_.count(key) != 0) continue;
-      if (found_.attempt([&] { moving.push_back(makeVariant(variant, object, in_world)); })) {
+      const bool is_loaded =
+          !variant.model || found_.attempt([&] { (void)modelOf(variant, object); });
+      if (!is_loaded) broken_models_.insert(key);
+      if (is_loaded &&
+          found_.attempt([&] { moving.push_back(makeVariant(variant, object, in_world)); })) {
         continue;
       }
       lacks_objects_ = true;
       if (!variant.model) return;
-      broken_models_.insert(key);
     }
     objects_.emplace_back(std::move(moving));
   }

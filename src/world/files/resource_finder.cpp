@@ -234,6 +234,7 @@ std::optional<fs::path> ResourceFinder::find(const std::string& uri, const fs::p
   for (const std::string& spelling : all) {
     if (auto found = firstOf(exportedCandidates(spelling))) return found;
   }
+  unresolved_.insert(uri);
   if (leadsOut(uri, folder)) {
     refuse("'" + uri + "' in a file of " + folder.string() +
            " leads out of the folders that it may name, and is not read");

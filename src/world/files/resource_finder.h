@@ -70,6 +70,9 @@ class ResourceFinder {
   /// Where something was looked for so far and nothing was.
   [[nodiscard]] const std::set<std::filesystem::path>& missed() const { return missed_; }
 
+  /// The URIs that were found nowhere so far.
+  [[nodiscard]] const std::set<std::string>& unresolved() const { return unresolved_; }
+
   /// Where `find` looks for the URI, for messages: "looked in a, b, c".
   [[nodiscard]] std::string searchedPlaces(const std::string& uri,
                                            const std::filesystem::path& folder) const;
@@ -110,6 +113,7 @@ class ResourceFinder {
   ExportFinder export_finder_;
   mutable std::set<std::filesystem::path> found_;   ///< a memory that changes no answer
   mutable std::set<std::filesystem::path> missed_;  ///< another
+  mutable std::set<std::string> unresolved_;        ///< another
   mutable std::set<std::string> refusals_;          ///< another
 };
 

@@ -18,10 +18,9 @@ class ModelFolderHint : public ::testing::Test {
   }
 
   [[nodiscard]] std::string hint() const {
-    return modelFolderHint(
-        folder_.path() / "my_package/worlds/hall.world",
-        {"/home/someone/.gazebo/models/shelf",
-         "/home/someone/.gazebo/models/crate/meshes/crate.dae", "/usr/share/gazebo/models/lamp"});
+    return modelFolderHint(folder_.path() / "my_package/worlds/hall.world",
+                           {"model://shelf", "model://crate/model.config", "package://lamp",
+                            "model://../my_package", "shelf.png", "file:///tmp/x.dae"});
   }
 
   [[nodiscard]] std::string inFolder(const std::string& name) const {
@@ -36,13 +35,14 @@ TEST_F(ModelFolderHint, IsOfTheFolderWithMostOfTheMissingModels) {
   makeModel("my_package/models/shelf");
   makeModel("my_package/models/crate");
   EXPECT_EQ(hint(), inFolder("my_package/models") +
-                        "2 of the missing models; it should be listed here, or in "
+                        "2 of the missing models and files; it should be listed here, or in "
                         "GAZEBO_MODEL_PATH");
 }
 
 TEST_F(ModelFolderHint, FindsThoseOfAPackageNearby) {
   makeModel("gazebo_things/models/lamp");
-  EXPECT_THAT(hint(), StartsWith(inFolder("gazebo_things/models") + "one of the missing models"));
+  EXPECT_THAT(hint(),
+              StartsWith(inFolder("gazebo_things/models") + "one of the missing models and files"));
 }
 
 TEST_F(ModelFolderHint, PrefersTheNearestFolder) {
@@ -53,7 +53,7 @@ TEST_F(ModelFolderHint, PrefersTheNearestFolder) {
 
 TEST_F(ModelFolderHint, IsEmptyWhereNoFolderHasAny) {
   makeModel("my_package/models/table");
-  folder_.write("my_package/models/lamp/notes.txt", "no model");
+  folder_.write("my_package/models/crate/notes.txt", "without what is missing of it");
   EXPECT_THAT(hint(), IsEmpty());
 }
 

@@ -17,6 +17,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 std::string worldOf(const std::vector<std::string>& meshes) {
   std::string models;
@@ -60,12 +61,20 @@ TEST_F(WorldFilesTest, SayHowToDoWithoutFilesThatAreMissing) {
 }
 
 TEST_F(WorldFilesTest, SayWhichFolderNearbyHasTheModelsThatAreMissing) {
-  (void)folder_.write("models/box/model.config", "<model/>");
+  (void)folder_.write("models/box/box.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   WorldFiles files(configOf({"model://box/box.obj"}), base::ignoreStage);
   EXPECT_THAT(messagesOf([&] { (void)files.world(); }),
               Contains("world/model_folders: '" + (folder_ / "models").string() +
-                       "' has one of the missing models; it should be listed here, or in "
+                       "' has one of the missing models and files; it should be listed here, or in "
                        "GAZEBO_MODEL_PATH"));
+}
+
+TEST_F(WorldFilesTest, SuggestNoFolderThatIsSearchedAlready) {
+  config::WorldConfig config = configOf({"model://box/gone.obj"});
+  config.model_folders = {(folder_ / "models").string()};
+  (void)folder_.write("models/box/model.config", "<model/>");
+  WorldFiles files(config, base::ignoreStage);
+  EXPECT_THAT(messagesOf([&] { (void)files.world(); }), Not(Contains(HasSubstr("model_folders:"))));
 }
 
 TEST_F(WorldFilesTest, RefuseToLeadOutOfModelsEvenWhereFilesMayBeMissing) {

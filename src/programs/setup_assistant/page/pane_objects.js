@@ -1,5 +1,5 @@
 import {h} from './dom.js';
-import {fileField, flowField, more, numberField, problemList, section, textField, vectorField} from './fields.js';
+import {choiceField, fileField, flowField, more, numberField, problemList, section, textField, vectorField} from './fields.js';
 import {fixed} from './numbers.js';
 import {freeName} from './paths.js';
 import {modelOf, portrait} from './portrait.js';

@@ -22,13 +22,13 @@ function percent() {
   return scenes ? Math.floor(100 * done / scenes) : 0;
 }
 
-// Whether the user was asked to confirm that files are removed.
+// The folder whose dataset the user was asked about: may it be removed?
 const asking = {
-  isOn: false
+  folder: null
 };
 
-function ask(isOn) {
-  asking.isOn = isOn;
+function ask(folder) {
+  asking.folder = folder;
   changed();
 }
 
@@ -51,7 +51,7 @@ function controls() {
   const {run, state, setup} = store;
   const {error} = countOf(allProblems());
   if (run.state === 'running') {
-    asking.isOn = false;
+    asking.folder = null;
     const other = run.elsewhere && h('span', {class: 'muted'}, 'Another program is writing this dataset.');
     return [row(
         'running', button(run.stopping ? 'Stop at once' : 'Stop', stopRun, {disabled: run.elsewhere}),
@@ -63,13 +63,14 @@ function controls() {
   }
   const {earlier} = setup;
   if (earlier?.fault) return [h('p', {}, earlier.fault), row('unreadable', elsewhere())];
-  if (earlier && asking.isOn) return [confirmation(earlier)];
+  if (earlier && asking.folder === folder()) return [confirmation(earlier)];
+  asking.folder = null;
   const isRefused = earlier && (earlier.differences.length > 0 || effective(['if_exists']) === 'error');
   if (isRefused) return inTheWay(earlier);
   if (earlier?.complete) {
     return [row(
         'made', h('a', {href: '#result', class: 'button primary'}, 'See the result'),
-        h('button', {type: 'button', onclick: () => ask(true)}, 'Make it anew\u2026'),
+        h('button', {type: 'button', onclick: () => ask(folder())}, 'Make it anew\u2026'),
         h('span', {class: 'muted'}, `Made: ${grouped(earlier.scenes)} scenes in `, h('code', {}, folder())))];
   }
   const action = earlier ? 'Go on' : run.state === 'failed' ? 'Try again' : 'Start';
@@ -84,8 +85,9 @@ function button(text, onclick, props = {}) {
   return h('button', {type: 'button', class: 'primary', onclick, ...props}, text);
 }
 
+// Of the dataset that the set-up knows, as `earlier` is.
 function folder() {
-  return store.run.output_folder ?? '';
+  return store.setup.figures?.output_folder ?? '';
 }
 
 function elsewhere() {
@@ -101,7 +103,7 @@ function inTheWay(earlier) {
       earlier.differences.length ? ' that was made with other settings:' : '.'),
     h('ul', {class: 'differences'}, earlier.differences.slice(0, MOST_SHOWN).map((each) => h('li', {}, each)),
       more > 0 ? h('li', {}, `and ${more} more`) : null),
-    row('refused', button('Replace it\u2026', () => ask(true)), elsewhere()),
+    row('refused', button('Replace it\u2026', () => ask(folder())), elsewhere()),
   ];
 }
 
@@ -109,8 +111,8 @@ function confirmation(earlier) {
   return h(
       'p', {key: 'asked', class: 'buttons', role: 'alertdialog', 'aria-label': 'Replace the dataset'},
       h('span', {}, `This removes the ${count(earlier.scenes, 'scene')} in `, h('code', {}, folder()), '.'),
-      button('Remove and start', () => startRun({replace: true}), {class: 'danger'}),
-      h('button', {type: 'button', onclick: () => ask(false)}, 'Keep them'));
+      button('Remove and start', () => startRun({replace: asking.folder}), {class: 'danger'}),
+      h('button', {type: 'button', onclick: () => ask(null)}, 'Keep them'));
 }
 
 function planned(setup) {

@@ -134,8 +134,8 @@ export function answerOutside(take) {
   return enqueue(() => postState('/api/outside', {take}).catch(report));
 }
 
-// `replace`: what an earlier run made there is removed first.
-export async function startRun({replace = false} = {}) {
+// `replace`: the folder whose dataset is removed first.
+export async function startRun({replace = null} = {}) {
   await post('/api/run/start', {replace}).then(takeRun, report);
 }
 

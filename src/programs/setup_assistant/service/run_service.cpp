@@ -83,7 +83,12 @@ Value RunService::start(const Value& body) {
   std::vector<std::string> command = {generateProgram(), "--config", document_.file(), "--json"};
   const Value scenes = entryOf(body, "scenes");
   if (!scenes.isNull()) command.push_back(onlyScenes(scenes));
-  if (entryOf(body, "replace") == Value(true)) command.emplace_back("if_exists:=overwrite");
+  const std::string replaced = textOf(body, "replace");
+  if (!replaced.empty() && replaced != outputFolderOf(own)) {
+    throw HttpError(409, "the output folder has changed from '" + replaced + "' to '" +
+                             outputFolderOf(own) + "'; nothing was removed");
+  }
+  if (!replaced.empty()) command.emplace_back("if_exists:=overwrite");
   run_.start(command);
   return state();
 }

@@ -22,9 +22,9 @@ class RunService {
              std::function<void(const Value& state)> on_change, std::function<void()> on_end);
 
   /// @param body  `scenes`, a number or a list of them: only these are made, others another time;
-  ///     `replace`: what an earlier run made there is removed first
-  /// @throws HttpError where the settings on the disk are not those of the page, or the run would
-  ///     write where the page may not
+  ///     `replace`, the output folder: what an earlier run made there is removed first
+  /// @throws HttpError where the settings on the disk are not those of the page, the run would
+  ///     write where the page may not, or the folder is not the one to be replaced
   [[nodiscard]] Value start(const Value& body);
   [[nodiscard]] Value stop();
   [[nodiscard]] Value state();
