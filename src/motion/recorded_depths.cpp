@@ -12,6 +12,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
+
 struct RecordedDepths::Impl {
   std::vector<PictureHead> heads;
   std::optional<MessageIndex> messages;  ///< of heads

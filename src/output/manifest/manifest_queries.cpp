@@ -1,10 +1,15 @@
 /// What a manifest that is being written answers.
 
+#include <string>
+
 #include "output/manifest/manifest.h"
 #include "output/manifest/manifest_paths.h"
 
 namespace synthetic_dataset::output {
 namespace {
+
+/// Of a row of scene_object: whether the object should have a label (ObjectCounts::labelled).
+const std::string kIsLabelled = "NOT dropped AND coalesce(visible_pixels > 0, in_view)";
 
 SceneState stateOf(const std::string& text) {
   if (text == "complete" || text == "left out") return SceneState::kComplete;
@@ -88,10 +93,13 @@ std::vector<ObjectCounts> Manifest::objectCounts() const {
       database_,
       "SELECT count(scene) FILTER (WHERE in_view), count(scene) FILTER (WHERE visible_pixels > 0), "
       "count(scene) FILTER (WHERE in_view AND dropped), count(visible_pixels), "
-      "count(scene) FILTER (WHERE NOT dropped AND coalesce(visible_pixels > 0, in_view)), "
-      "count(mask_agreement), avg(mask_agreement) FROM object LEFT JOIN scene_object ON object = "
-      "object.\"index\" "
-      "GROUP BY object.\"index\" ORDER BY object.\"index\"");
+      "count(scene) FILTER (WHERE " +
+          kIsLabelled +
+          "), "
+          "count(mask_agreement), avg(mask_agreement) FROM object LEFT JOIN scene_object ON object "
+          "= "
+          "object.\"index\" "
+          "GROUP BY object.\"index\" ORDER BY object.\"index\"");
   while (rows.step()) {
     counts.push_back({rows.integer(0), rows.integer(1), rows.integer(2), rows.integer(3),
                       rows.integer(4), rows.integer(5), rows.real(6)});
@@ -104,9 +112,11 @@ std::vector<SplitCounts> Manifest::splitCounts() const {
   SqliteStatement rows(
       database_,
       "SELECT split, count(*), count(*) FILTER (WHERE EXISTS (SELECT 1 FROM scene_object WHERE "
-      "scene = scene.\"index\" AND NOT dropped AND coalesce(visible_pixels > 0, in_view))) "
-      "FROM scene WHERE split <> '' AND state IN ('written', 'complete') GROUP BY split "
-      "ORDER BY split");
+      "scene = scene.\"index\" AND " +
+          kIsLabelled +
+          ")) "
+          "FROM scene WHERE split <> '' AND state IN ('written', 'complete') GROUP BY split "
+          "ORDER BY split");
   while (rows.step()) counts.push_back({rows.text(0), rows.integer(1), rows.integer(2)});
   return counts;
 }

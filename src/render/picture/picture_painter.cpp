@@ -100,8 +100,8 @@ UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSele
   return picture;
 }
 
-/// The pixels of which regions are made, of which none means all: edges are found, and lit, by what
-/// is just beside them.
+/// The pixels from which those of some regions are found; without regions, all. Edges are found by
+/// the pixels beside them, and take their light.
 cv::Rect PicturePainter::neededFor(const std::vector<cv::Rect>& regions) const {
   if (regions.empty()) return image_;
   constexpr int kBeside = 2;
@@ -215,7 +215,7 @@ PicturePainter::LightKey PicturePainter::lightKey(const ColourScene& scene,
 }
 
 /// Afterwards geometry_ shows these links.
-/// @param pixels  of others nothing is sure
+/// @param pixels  all others may hold anything
 void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_WL,
                                   const LinkSelection& drawn, const cv::Rect& pixels) {
   Content content{drawn, {}, pixels};

@@ -96,7 +96,7 @@ class PicturePainter {
   struct Content {
     LinkSelection drawn;
     std::vector<Eigen::Matrix4d> X_WL;
-    cv::Rect pixels;  ///< others are not sure
+    cv::Rect pixels;  ///< all others may hold anything
 
     /// Whether another one's pixels are among these.
     [[nodiscard]] bool has(const Content& other) const;

@@ -103,13 +103,16 @@ cv::Mat noPixels(const View& view) {
   return cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
 }
 
+bool castsAndMoves(const Part& part, const LinkSelection& casting) {
+  return casting[part.link] && part.casts_shadow && !part.stands_still;
+}
+
 /// Around the parts of each link that casts shadows and moves, by link; empty for all others.
 std::vector<Bounds> movingCasters(const std::vector<Part>& parts, const std::vector<Pose>& X_WL,
                                   const LinkSelection& casting) {
   std::vector<Bounds> casters(X_WL.size());
   for (const Part& part : parts) {
-    const bool casts = casting[part.link] && part.casts_shadow && !part.stands_still;
-    if (casts) extend(casters[part.link], part, X_WL[part.link]);
+    if (castsAndMoves(part, casting)) extend(casters[part.link], part, X_WL[part.link]);
   }
   return casters;
 }
@@ -164,9 +167,7 @@ PossibleChanges possibleChanges(const std::vector<Part>& parts, const View& view
     if (drawn[part.link] && part.stands_still) extend(receivers, part, X_WL[part.link]);
   }
   if (receivers.isEmpty()) return regions;
-  const auto moves = [&](const Part& part) {
-    return casting[part.link] && part.casts_shadow && !part.stands_still;
-  };
+  const auto moves = [&](const Part& part) { return castsAndMoves(part, casting); };
   for (const ShadowProjection& shadow : shadows) {
     const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
     for (const Points& caster : hullsOfGroups(parts, X_WL, blurOf(light, shadow), moves)) {

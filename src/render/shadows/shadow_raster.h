@@ -14,9 +14,8 @@ namespace synthetic_dataset::render {
 ///
 /// Corners are rounded to 1/256 of a texel, and what is on a triangle's side belongs to it, so that
 /// there are no gaps between triangles.
-/// @param map_from_mesh  to column, row [texel] and depth, times a factor that is above 0 for all
-/// of
-///     the body: 1 in parallel light, else the distance along the light's axis
+/// @param map_from_mesh  to column, row [texel] and depth, times a factor above 0:
+///     1 in parallel light, else the distance along the light's axis
 /// @param size  of the map's side [texel]
 /// @param fronts_alone  leaves out triangles that turn away from the light
 /// @return the texels around it, with depth 1 where it is not; nothing where all of it lies beside

@@ -1,6 +1,7 @@
 #include "run/check/output_checks.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 

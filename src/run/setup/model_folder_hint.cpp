@@ -29,7 +29,8 @@ std::vector<fs::path> foldersIn(const fs::path& folder) {
   return folders;
 }
 
-/// What a URI names in a folder of models: "shelf/meshes/shelf.dae"; empty for what it does not.
+/// The path below a folder of models that a URI names, as "shelf/meshes/shelf.dae"; empty for URIs
+/// that name none.
 fs::path placeInModels(const std::string& uri) {
   for (const char* scheme : {"model://", "package://"}) {
     if (uri.rfind(scheme, 0) != 0) continue;
@@ -40,8 +41,8 @@ fs::path placeInModels(const std::string& uri) {
   return {};
 }
 
-/// From the nearest on: the world's folder, those above it, what lies in these, and the folders
-/// `models` in that.
+/// From the nearest on: the world's folder and those above it, the folders in each of these, and
+/// theirs that are called `models`.
 std::vector<fs::path> foldersNear(const fs::path& world_file) {
   constexpr int kLevels = 3;
   std::vector<fs::path> near;

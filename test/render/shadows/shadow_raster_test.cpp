@@ -81,7 +81,7 @@ TEST(ShadowRaster, HasTheLeastDepthAtTheCentreOfEachTexel) {
   }
 }
 
-/// A triangle's places in the map divided by their distances, as a lamp sees it.
+/// The depths of a triangle below a lamp, against where the ray of each texel meets its plane.
 TEST(ShadowRaster, OfALampHasThePerspectiveOfItsPlace) {
   world::Mesh mesh;
   mesh.positions = {{-0.5F, -0.4F, 2.0F}, {0.6F, -0.3F, 4.0F}, {0.1F, 0.7F, 3.0F}};
@@ -111,7 +111,7 @@ TEST(ShadowRaster, OfALampHasThePerspectiveOfItsPlace) {
           << u << ", " << v;
     }
   }
-  EXPECT_NEAR(covered, 690, 15) << "the area of the triangle as the lamp sees it";
+  EXPECT_NEAR(covered, 690, 15) << "the area of the projected triangle [texel]";
 }
 
 TEST(ShadowRaster, LeavesNoGapsBetweenTriangles) {

@@ -148,12 +148,15 @@ TEST_F(MeshMaterialTest, ReadsGltfsUnlitMaterials) {
 }
 
 TEST_F(MeshMaterialTest, ReadsGltfsTextureTransform) {
-  if (assimpHasGaps()) GTEST_SKIP() << "this assimp does not read it, which is noted";
   writePicture("p.png", cv::Mat(1, 1, CV_8UC3, cv::Scalar(1, 2, 3)));
   const Material found = materialOf(write(
       "a.gltf", gltf(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions":
                   {"KHR_texture_transform": {"offset": [0.25, 0.125], "scale": [2, 4]}}}}})",
                      texture("p.png") + R"(, "extensionsUsed": ["KHR_texture_transform"])")));
+  if (assimpHasGaps()) {  // which is noted
+    EXPECT_TRUE(found.texture_scale.isOnes());
+    return;
+  }
   // KHR_texture_transform: scaled, then shifted, with v downwards as here.
   EXPECT_TRUE(found.texture_scale.isApprox(Eigen::Vector2f(2, 4)));
   EXPECT_TRUE(found.texture_offset.isApprox(Eigen::Vector2f(0.25F, 0.125F)));
@@ -202,10 +205,13 @@ std::string binaryStl(std::uint16_t attribute) {
 }
 
 TEST_F(MeshMaterialTest, ReadsVisCamsColoursOfBinaryStlFiles) {
-  if (assimpHasGaps()) GTEST_SKIP() << "this assimp has wrong ones, which are left out";
   // Bit 15 says that there is a colour; five bits of red, green and blue from the highest on.
   const MeshRequest request = write("a.stl", binaryStl(0x8000U | 31U << 10U));
   const Mesh& mesh = meshOf(request);
+  if (assimpHasGaps()) {  // it would have wrong ones
+    EXPECT_THAT(mesh.colours, IsEmpty());
+    return;
+  }
   ASSERT_THAT(mesh.colours, SizeIs(3));
   EXPECT_TRUE(mesh.colours[0].isApprox(Eigen::Vector4f(1, 0, 0, 1)));
   EXPECT_EQ(materialOf(request).diffuse, Eigen::Vector4f(1, 1, 1, 1));
