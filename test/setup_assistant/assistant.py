@@ -81,6 +81,7 @@ class Page:
 
     def __init__(self, driver):
         self.driver = driver
+        self.server_was_killed = False
 
     def open(self, address):
         self.driver.get(address)
@@ -180,9 +181,11 @@ class Page:
 
     def complaints(self):
         """Errors in the browser's console but for requests that were refused, which the page shows."""
+        shown = ['status of 4', 'ERR_CONNECTION_REFUSED', 'ERR_INCOMPLETE']
+        if self.server_was_killed:  # the requests that it was answering are lost
+            shown += ['ERR_CONNECTION_RESET', 'ERR_EMPTY_RESPONSE']
         return [each['message'] for each in self.driver.get_log('browser')
-                if each['level'] == 'SEVERE' and 'status of 4' not in each['message'] and
-                'ERR_CONNECTION_REFUSED' not in each['message'] and 'ERR_INCOMPLETE' not in each['message']]
+                if each['level'] == 'SEVERE' and not any(words in each['message'] for words in shown)]
 
     def save(self, folder, name):
         if folder is not None:

@@ -159,6 +159,7 @@ class Server(WithPage):
     def test_may_be_killed_and_started_again(self):
         self.page.type('simulated_rate', '2.5')
         self.assistant.stop(signal.SIGKILL)
+        self.page.server_was_killed = True
         self.page.wait(lambda: 'No answer' in self.page.text('#banners'), 'the page to say so')
         self.start('--port', str(self.assistant.port))
         self.page.wait(lambda: 'new token' in self.page.text('#banners'), 'the page to say so')
