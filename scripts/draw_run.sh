@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes the README's pictures: docs/images/run.gif, the bundled example's scenes with the labels of their
-# COCO files, and docs/randomize.jpg, the scenes of config/example_placement.yaml.
+# COCO files, docs/randomize.jpg, the scenes of config/example_placement.yaml, and docs/images/weather.jpg, one
+# scene without weather, in fog, in rain and in snow.
 #   ./scripts/draw_run.sh [FOLDER]    puts them into FOLDER (docs)
 # Built and sourced before: the workspace, as by demo.sh.
 set -euo pipefail
@@ -22,3 +23,12 @@ rosrun synthetic_dataset generate --config "$repository/config/example_placement
   output_folder:="$scratch/placed"
 ffmpeg -v error -y -pattern_type glob -i "$scratch/placed/coco/images/*.png" -frames:v 1 -q:v 4 \
   -vf "scale=256:-1:flags=area,tile=5x5:padding=4:margin=2:color=white" "$folder/randomize.jpg"
+
+weathers=0
+for weather in "{}" "{visibility: 12}" "{rain: 60}" "{snow: 1}"; do
+  rosrun synthetic_dataset generate --config "$repository/config/example.yaml" only_scenes:=[6] \
+    randomize/weather:="$weather" output_folder:="$scratch/weather" if_exists:=overwrite
+  cp "$scratch/weather/coco/images/00000006.png" "$scratch/in_weather_$((++weathers)).png"
+done
+ffmpeg -v error -y -pattern_type glob -i "$scratch/in_weather_*.png" -frames:v 1 -q:v 5 \
+  -vf "scale=480:-1:flags=area,tile=2x2:padding=4:color=white" "$folder/images/weather.jpg"

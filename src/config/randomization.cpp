@@ -106,6 +106,25 @@ randomize::SensorRandomization readSensor(Parameters group) {
   return sensor;
 }
 
+randomize::WeatherRandomization readWeather(Parameters group) {
+  constexpr double kNearest = 1.0;      // [m]
+  constexpr double kFarthest = 1e6;     // [m]
+  constexpr double kHeaviest = 500.0;   // [mm/h]
+  constexpr double kStrongest = 100.0;  // [m/s]
+  randomize::WeatherRandomization weather;
+  weather.present = maybeProbability(group, "present");
+  weather.visibility = maybeDistribution(group, "visibility", {1, kNearest, kFarthest});
+  weather.rain = maybeDistribution(group, "rain", {1, 0.0, kHeaviest});
+  weather.snow = maybeDistribution(group, "snow", {1, 0.0, kHeaviest});
+  weather.wind = maybeDistribution(group, "wind", {3, -kStrongest, kStrongest, true});
+  weather.colour = maybeDistribution(group, "colour", {3, 0.0, 1.0});
+  for (const char* entry : {"present", "wind", "colour"}) {
+    if (!group.has(entry) || weather.changesAir()) continue;
+    group.addError(entry, "found without visibility, rain or snow, of which it speaks");
+  }
+  return weather;
+}
+
 }  // namespace
 
 randomize::Randomization readRandomization(Parameters root) {
@@ -129,6 +148,7 @@ randomize::Randomization readRandomization(Parameters root) {
   randomization.ambient = maybeDistribution(group, "ambient", {3, 0.0, 1.0});
   randomization.background = readBackground(group);
   randomization.sensor = readSensor(group.group("sensor"));
+  randomization.weather = readWeather(group.group("weather"));
   constexpr double kLongest = 1e6;  // [s]; the time from scene to scene is the real limit
   Parameters time = group.group("time");
   randomization.time_jitter = maybeDistribution(time, "jitter", {1, -kLongest, kLongest});

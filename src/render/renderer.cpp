@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -167,6 +168,19 @@ LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,
   if (needs_own_pass) return impl.label_painter.paint(view, X_WL, pass);
   const GeometryImages images = impl.pictures.get(view).geometry(view, X_WL, pass.drawn);
   return labelsOf(images, impl.draw_list, view.camera.intrinsics(), pass);
+}
+
+cv::Mat Renderer::distances(const View& view, const std::vector<Pose>& X_WL,
+                            const LinkSelection& drawn) {
+  LabelPass pass{drawn};
+  pass.range = true;
+  const LabelImages images = labels(view, X_WL, pass);
+  cv::Mat distances = images.range.clone();
+  distances.setTo(std::numeric_limits<float>::infinity(), images.range == 0.0F);
+  if (hasDistortion(view.camera)) {
+    distances.setTo(0.0F, impl_->lenses.get(view.camera)->face < 0);
+  }
+  return distances;
 }
 
 Silhouette Renderer::silhouette(const View& view, const std::vector<Pose>& X_WL,

@@ -81,6 +81,12 @@ class Renderer {
   [[nodiscard]] LabelImages labels(const View& view, const std::vector<Pose>& X_WL,
                                    const LabelPass& pass);
 
+  /// How far away [m] along its ray each pixel's centre sees something: CV_32FC1, infinity where
+  /// there is nothing but the background, 0 where the lens sees nothing. Glass counts as for
+  /// labels().
+  [[nodiscard]] cv::Mat distances(const View& view, const std::vector<Pose>& X_WL,
+                                  const LinkSelection& drawn);
+
   /// What the selected links cover as if nothing stood in front of them, past the image's edge too.
   /// In the image, its pixels are those that labels() has for these links alone.
   [[nodiscard]] Silhouette silhouette(const View& view, const std::vector<Pose>& X_WL,

@@ -42,6 +42,13 @@ void PictureTaker::expose(std::size_t camera, Stamp instant, Duration offset) {
     const cv::Rect rows(0, shot.first_row, rig.model.width(), shot.row_count);
     sensor.light->add(draw(rig, instant, offset, {rows})()(rows), rows, shot.weight);
   }
+  if (offset == Duration{0} && !rig.weather.isClear()) {
+    sensor.in_weather = lookThroughWeather(rig, instant);
+  }
+}
+
+render::View PictureTaker::viewOf(const CameraRig& camera, Stamp instant, Duration offset) const {
+  return {camera.model, cameraPose(camera, world_, frames_, instant, offset)};
 }
 
 render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset,
@@ -49,8 +56,16 @@ render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant
   render::ColourPass pass{world_.presentLinks(), world_.presentLinks()};
   pass.regions = std::move(regions);
   pass.exposure = static_cast<float>(render::gainOf(camera.effects));
-  const Pose X_GC = cameraPose(camera, world_, frames_, instant, offset);
-  return renderer_.draw({camera.model, X_GC}, world_.linkPoses(), pass);
+  return renderer_.draw(viewOf(camera, instant, offset), world_.linkPoses(), pass);
+}
+
+/// What the weather hides follows from the middle of the exposure.
+render::TakenView PictureTaker::lookThroughWeather(const CameraRig& camera, Stamp instant) {
+  constexpr double kUnblurred = 0.005;  // [s]: drops are streaks in any picture
+  const double exposure = toSeconds(camera.shutter.exposure_time);
+  const render::View view = viewOf(camera, instant, Duration{0});
+  return {view, renderer_.distances(view, world_.linkPoses(), world_.presentLinks()),
+          render::gainOf(camera.effects), exposure > 0.0 ? exposure : kUnblurred};
 }
 
 render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t scene_index) {
@@ -59,7 +74,18 @@ render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t sc
     sensor.picture = [seen = sensor.light->result()] { return seen; };
     sensor.light->clear();
   }
-  return [picture = std::exchange(sensor.picture, {}), effects = cameras_[camera].effects,
+  render::PendingPicture seen = std::exchange(sensor.picture, {});
+  if (sensor.in_weather) {
+    // The cameras of an instant see the same drops.
+    const std::int64_t instant = scene_index / static_cast<std::int64_t>(cameras_.size());
+    seen = [picture = std::move(seen), taken = std::move(*sensor.in_weather),
+            weather = cameras_[camera].weather,
+            seed = base::randomSeed(seed_, instant, "weather")] {
+      return render::throughWeather(picture(), taken, weather, seed);
+    };
+    sensor.in_weather.reset();
+  }
+  return [picture = std::move(seen), effects = cameras_[camera].effects,
           seed = base::randomSeed(seed_, scene_index, "sensor noise")] {
     return render::applyEffects(picture(), effects, seed);
   };

@@ -8,6 +8,7 @@
 #include "motion/frame_source.h"
 #include "render/renderer.h"
 #include "render/sensor/linear_accumulator.h"
+#include "render/weather/through_weather.h"
 #include "scene/camera_rig.h"
 #include "scene/shutter.h"
 #include "synthetic_dataset/scene.h"
@@ -48,10 +49,13 @@ class PictureTaker {
     std::vector<Shot> shots;
     std::optional<render::LinearAccumulator> light;  ///< where a picture takes several shots
     render::PendingPicture picture;                  ///< where it takes one
+    std::optional<render::TakenView> in_weather;     ///< at the instant, unless the air is clear
   };
 
+  [[nodiscard]] render::View viewOf(const CameraRig& camera, Stamp instant, Duration offset) const;
   [[nodiscard]] render::PendingPicture draw(const CameraRig& camera, Stamp instant, Duration offset,
                                             std::vector<cv::Rect> regions);
+  [[nodiscard]] render::TakenView lookThroughWeather(const CameraRig& camera, Stamp instant);
 
   const world::World& world_;
   render::Renderer& renderer_;

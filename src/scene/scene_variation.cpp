@@ -78,18 +78,34 @@ void SceneVariation::choose(std::int64_t instant, world::World& world) {
 
 void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,
                           std::vector<CameraRig>& cameras) {
-  if (looks_) {
-    randomize::EntryDraws draws(seed_, instant);
-    renderer.setLook(looks_->sample(draws));
-    shared_ = draws.values();
-  }
+  randomize::EntryDraws shared(seed_, instant);
+  if (looks_) renderer.setLook(looks_->sample(shared));
+  const render::Weather air = weather(shared);
+  shared_ = shared.values();
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     randomize::EntryDraws draws(seed_, instant, cameras[i].name);
+    cameras[i].weather = air;
     cameras[i].effects = varied(effects_[i], draws);
     const auto angle = draws.number("sensor/field_of_view", config_.sensor.field_of_view);
     if (angle) cameras[i].model = withFieldOfView(models_[i], *angle);
     cameras_[i] = draws.values();
   }
+}
+
+/// That of all cameras.
+render::Weather SceneVariation::weather(randomize::EntryDraws& draws) const {
+  const randomize::WeatherRandomization& entries = config_.weather;
+  if (!entries.changesAir()) return {};
+  if (entries.present && !draws.happens("weather/present", *entries.present)) return {};
+  render::Weather weather;
+  weather.visibility =
+      draws.number("weather/visibility", entries.visibility).value_or(weather.visibility);
+  weather.rain = draws.number("weather/rain", entries.rain).value_or(0.0);
+  weather.snow = draws.number("weather/snow", entries.snow).value_or(0.0);
+  weather.wind_G = draws.vector("weather/wind", entries.wind).value_or(weather.wind_G);
+  const auto colour = draws.vector("weather/colour", entries.colour);
+  if (colour) weather.colour = colour->cast<float>();
+  return weather;
 }
 
 render::SensorEffects SceneVariation::varied(const render::SensorEffects& effects,

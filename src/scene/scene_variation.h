@@ -42,6 +42,7 @@ class SceneVariation {
   [[nodiscard]] std::vector<output::DrawFacts> draws(std::size_t camera) const;
 
  private:
+  [[nodiscard]] render::Weather weather(randomize::EntryDraws& draws) const;
   [[nodiscard]] render::SensorEffects varied(const render::SensorEffects& effects,
                                              randomize::EntryDraws& draws) const;
 

@@ -37,11 +37,11 @@ std::vector<std::string> errorsOf(const std::string& randomize) {
   return root.errors();
 }
 
-/// The one error of `sun`, `objects` or `sensor` with an entry.
+/// The one error of a group with an entry: "lights/sun", "sensor".
 std::string errorOf(const std::string& group, const std::string& entry) {
-  const bool is_flat = group == "sensor";
+  const bool is_flat = group.find('/') == std::string::npos;
   const auto errors =
-      errorsOf(is_flat ? "{sensor: {" + entry + "}}"
+      errorsOf(is_flat ? "{" + group + ": {" + entry + "}}"
                        : "{" + group.substr(0, group.find('/')) + ": {" +
                              group.substr(group.find('/') + 1) + ": {" + entry + "}}}");
   EXPECT_EQ(errors.size(), 1U) << entry;
@@ -196,6 +196,33 @@ TEST(Randomization, ReadsAllOfASensor) {
   expectRange(given.sensor.exposure, 1, -10.0, 10.0);
   expectRange(given.sensor.blur, 1, 0.0, 1.5);
   expectRange(given.sensor.noise_stddev, 1, 0.01, 0.02);
+}
+
+TEST(Randomization, ReadsAllOfTheWeather) {
+  const randomize::WeatherRandomization weather =
+      read(
+          "{weather: {present: 0.3, visibility: {log_uniform: [20, 500]}, rain: {uniform: [1, "
+          "60]}, "
+          "snow: 2, wind: {normal: [[0, 0, 0], [2, 2, 0]]}, colour: {uniform: [0.6, 0.9]}}}")
+          .weather;
+  EXPECT_EQ(weather.present, 0.3);
+  expectRange(weather.visibility, 1, 20.0, 500.0);
+  expectRange(weather.rain, 1, 1.0, 60.0);
+  expectRange(weather.snow, 1, 2.0, 2.0);
+  expectRange(weather.wind, 3, -100.0, 100.0);
+  expectRange(weather.colour, 3, 0.6, 0.9);
+  EXPECT_TRUE(weather.changesAir());
+  EXPECT_FALSE(read("{}").weather.changesAir());
+}
+
+TEST(Randomization, RefusesWeatherOutOfRange) {
+  EXPECT_EQ(errorOf("weather", "visibility: 0"),
+            "visibility: found 0; it should be 1.0 to 1000000.0");
+  EXPECT_EQ(errorOf("weather", "rain: -1"), "rain: found -1; it should be 0.0 to 500.0");
+  EXPECT_EQ(errorOf("weather", "snow: {uniform: [0, 900]}"),
+            "snow: found uniform: [0, 900]; it should be 0.0 to 500.0");
+  EXPECT_EQ(errorOf("weather", "wind: [0, 0, 0]"),
+            "wind: found without visibility, rain or snow, of which it speaks");
 }
 
 TEST(Randomization, ChangesTheLookUnlessItIsOfSensorsAlone) {

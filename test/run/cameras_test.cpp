@@ -280,6 +280,20 @@ TEST_F(CamerasTest, NoiseIsInThePictureAndNotInTheMask) {
   EXPECT_TRUE(test::readFile(file("stvnet/alpha/mask/00000001.png")) == mask);
 }
 
+TEST_F(CamerasTest, CamerasSeeTheSameDropsAndNewOnesAtEachInstant) {
+  parameters["randomize"] =
+      base::parseYaml("{weather: {snow: 3, colour: 1}, sensor: {exposure: 0}}", "test");
+  parameters["cameras"] = Value(Value::Map{{"first", Value(camera())}, {"same", Value(camera())}});
+  parameters.erase("camera");
+  generate();
+  const cv::Mat first = picture("yolo/first/00000001.png");
+  EXPECT_EQ(cv::norm(first, picture("yolo/same/00000001.png"), cv::NORM_INF), 0.0);
+  // Nothing else moves in the image's lower rows, on the floor.
+  const cv::Rect floor(0, first.rows * 7 / 8, first.cols, first.rows / 8);
+  const cv::Mat next = picture("yolo/first/00000002.png");
+  EXPECT_GT(cv::norm(first(floor), next(floor), cv::NORM_INF), 10.0);
+}
+
 TEST_F(CamerasTest, AnExposureLongerThanThePeriodIsRefused) {
   setEffects({{"exposure_time", Value(0.2)}, {"readout_time", Value(0.1)}});
   EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("camera/effects: found exposure_time + "

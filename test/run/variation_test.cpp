@@ -165,7 +165,9 @@ TEST_F(Variation, LeavesLabelsAndMasksAsTheyAre) {
       "{lights: {every: {intensity: {uniform: [0.1, 3]}, azimuth: {uniform: [-3, 3]}}}, ambient: "
       "{uniform: [0, 1]}, background: {uniform: [[0, 0, 0], 1]}, materials: {objects: {textures: "
       "procedural}, world: {colour: {uniform: [[0, 0, 0], 1]}}}, sensor: {exposure: {uniform: [-1, "
-      "1]}, noise_stddev: {uniform: [0.01, 0.05]}, blur: {uniform: [0.5, 2]}}}");
+      "1]}, noise_stddev: {uniform: [0.01, 0.05]}, blur: {uniform: [0.5, 2]}}, weather: "
+      "{visibility: "
+      "{uniform: [2, 20]}, rain: 30, snow: 2}}");
   Files varied = filesAnew();
   ASSERT_EQ(varied.size(), plain.size());
   int labels = 0;
@@ -332,7 +334,10 @@ class VariedRun : public ::testing::Test {
         "lights: {sun: {intensity: {uniform: [0.2, 2]}, azimuth: {uniform: [-3, 3]}}}, ambient: "
         "{uniform: [0.1, 0.8]}, materials: {objects: {textures: procedural}, world: {for_each: "
         "model, colour: {uniform: [[0, 0, 0], 1]}}}, sensor: {exposure: {uniform: [-1, 1]}, "
-        "noise_stddev: {uniform: [0, 0.03]}}, objects: {bravo: {present: 0.6}}, distractors: "
+        "noise_stddev: {uniform: [0, 0.03]}}, weather: {present: 0.8, visibility: {uniform: [3, "
+        "30]}, "
+        "rain: {uniform: [5, 50]}, snow: {uniform: [0, 2]}}, objects: {bravo: {present: 0.6}}, "
+        "distractors: "
         "{class: clutter, mode: drop, pool: 8, count: {uniform: [0, 5]}, volume: {min: [-1, -1, "
         "0.3], max: [1, 1, 1.2]}}}");
   }

@@ -136,7 +136,7 @@ void closeGroups(Value::Map& root) {
   for (const char* path :
        {"placement", "world", "camera", "camera/sample", "camera/effects", "camera/depth_noise",
         "labels", "masks", "background_subtractor", "physics", "rendering", "image", "randomize",
-        "randomize/sensor", "randomize/background"}) {
+        "randomize/sensor", "randomize/background", "randomize/weather"}) {
     nodeOf(root, path)["additionalProperties"] = Value(false);
   }
 }

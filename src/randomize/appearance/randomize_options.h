@@ -76,6 +76,19 @@ struct SensorRandomization {
   std::optional<base::Distribution> field_of_view;
 };
 
+/// What is drawn anew of the air; nothing: none of it.
+struct WeatherRandomization {
+  std::optional<double> present;  ///< how likely there is any, 0 .. 1; nothing: always
+  std::optional<base::Distribution> visibility;  ///< in fog [m], > 0
+  std::optional<base::Distribution> rain;        ///< [mm/h], >= 0
+  std::optional<base::Distribution> snow;        ///< of the water that it melts to [mm/h], >= 0
+  std::optional<base::Distribution> wind;        ///< in the global frame [m/s]
+  std::optional<base::Distribution> colour;      ///< of fog, drops and flakes; sRGB-encoded red,
+                                                 ///< green, blue, 0 .. 1
+
+  [[nodiscard]] bool changesAir() const { return visibility || rain || snow; }
+};
+
 /// In the groups of lights and objects: those that have no group of their own.
 inline const char* const kOthers = "every";
 
@@ -93,6 +106,7 @@ struct Randomization {
   std::map<std::string, ObjectRandomization> objects;      ///< by their names; `every`: others
   std::optional<randomize::DistractorOptions> distractors;
   SensorRandomization sensor;  ///< of each camera
+  WeatherRandomization weather;
 
   /// How much later than the regular timeline has it a scene of a recording is [s]; below 0
   /// earlier.

@@ -107,7 +107,8 @@ bool variesByItself(const MotionSetup& motion) {
       std::any_of(motion.cameras.begin(), motion.cameras.end(),
                   [](const scene::CameraRig& camera) { return camera.sampled; });
   return is_sampled || drawn.changesLook() || !drawn.objects.empty() || drawn.distractors ||
-         drawn.sensor.exposure || drawn.sensor.blur || drawn.sensor.field_of_view;
+         drawn.weather.changesAir() || drawn.sensor.exposure || drawn.sensor.blur ||
+         drawn.sensor.field_of_view;
 }
 
 /// The frames of the links that move against their objects, too.

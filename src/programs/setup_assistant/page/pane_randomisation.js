@@ -33,6 +33,7 @@ function draw() {
         distribution(
             root('sensor', 'field_of_view'),
             {label: 'Field of view', unit: 'rad', range: [0.2, 3], start: {uniform: [0.7, 1.4]}})),
+    section('Weather', weather()),
     effective(['motion']) === 'placement' ?
         null :
         section(
@@ -140,6 +141,26 @@ function light() {
       isColour: true
     }),
     distribution(root('light_count'), {label: 'How many lights are on', range: [0, 10], start: {choice: [1, 2]}}),
+  ];
+}
+
+function weather() {
+  const at = (entry) => root('weather', entry);
+  const isSet = ['visibility', 'rain', 'snow'].some((entry) => effective(at(entry)) !== undefined);
+  return [
+    distribution(
+        at('visibility'), {label: 'Visibility in fog', unit: 'm', range: [1, 1000], start: {log_uniform: [20, 500]}}),
+    distribution(at('rain'), {label: 'Rain', unit: 'mm/h', range: [0, 100], start: {log_uniform: [2, 50]}}),
+    distribution(at('snow'), {label: 'Snow, as water', unit: 'mm/h', range: [0, 10], start: {log_uniform: [0.2, 3]}}),
+    isSet ?
+        [
+          distribution(
+              at('wind'), {label: 'Wind', unit: 'm/s', range: [-20, 20], start: {normal: [[0, 0, 0], [2, 2, 0]]}}),
+          distribution(
+              at('colour'), {label: 'Colour of the air', range: [0, 1], start: {uniform: [0.6, 0.85]}, isColour: true}),
+          numberField(at('present'), {label: 'Chance of any weather', range: [0, 1], step: 0.01, fallback: 1}),
+        ] :
+        null,
   ];
 }
 

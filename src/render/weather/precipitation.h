@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace synthetic_dataset::render {
+
+/// A drop or a flake.
+struct Drop {
+  Eigen::Vector3d p_G;  ///< [m]
+  double diameter;      ///< [m]
+};
+
+/// What falls: how many drops or flakes of which sizes the air holds, and how fast they fall. In a
+/// volume, those larger than a diameter D are as many as n e^(-L D), evenly spread.
+class Precipitation {
+ public:
+  /// Drops after Marshall and Palmer (1948), as fast as Atlas, Srivastava and Sekhon (1973) have
+  /// them. @param rate  [mm/h], > 0
+  [[nodiscard]] static Precipitation rain(double rate);
+
+  /// Flakes after Gunn and Marshall (1958), whose sizes are those of the drops that they melt to;
+  /// aggregates of dendrites, as wide and as fast as Locatelli and Hobbs (1974) have them.
+  /// @param rate  of melted snow [mm/h], > 0
+  [[nodiscard]] static Precipitation snow(double rate);
+
+  /// Those in a cube of the global frame, the largest first. With a smaller `least`, the same ones
+  /// and more.
+  /// @param cell  the cube's least corner [m]; its sides are 1 m long
+  /// @param least  the diameter of the smallest [m]
+  /// @param seed  the same seed has the same drops in a cell
+  [[nodiscard]] std::vector<Drop> in(const Eigen::Vector3i& cell, double least,
+                                     std::uint64_t seed) const;
+
+  /// The share of its outline that hides what is behind it, 0 .. 1: a flake has gaps (Mitchell
+  /// 1996, aggregates of side planes, columns and bullets).
+  [[nodiscard]] double opacityOf(double diameter) const;
+
+  /// How fast a drop or flake of this diameter [m] falls in still air [m/s].
+  [[nodiscard]] double speedOf(double diameter) const;
+
+ private:
+  enum class Kind { kRain, kSnow };
+
+  Precipitation(Kind kind, double number, double slope)
+      : kind_(kind), number_(number), slope_(slope) {}
+
+  [[nodiscard]] double diameterOf(double water) const;
+  [[nodiscard]] double waterOf(double diameter) const;
+
+  Kind kind_;
+  double number_;  ///< of all [1/m^3]
+  double slope_;   ///< L [1/mm]
+};
+
+}  // namespace synthetic_dataset::render
