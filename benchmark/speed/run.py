@@ -1,9 +1,10 @@
 """How fast scenes are made, beside what one would use instead, on the same scene in the same run.
 
-  run.py PROGRAMS RESULTS [--objects 1 4 16 64] [--scenes 40] [--rounds 3]
+  run.py PROGRAMS RESULTS [--objects 1 4 16 64] [--scenes 40] [--rounds 3] [--blenderproc PYTHON]
 
 PROGRAMS is the folder `lib` of a workspace's devel space. Rounds go in turns, so that what else the machine does falls on all alike; the
-best of each is taken. RESULTS gets results.json, table.md and, with matplotlib, plot.png.
+best of each is taken. RESULTS gets results.json, table.md and, with matplotlib, plot.png. BlenderProc takes part where an
+interpreter is given that has blenderproc_requirements.txt.
 """
 
 import argparse
@@ -18,6 +19,7 @@ import room
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 RIVALS = ["mujoco", "pybullet", "pyrender"]
+BLENDERPROC = {"BlenderProc, 1 sample": ("1", 10), "BlenderProc, 16 samples": ("16", 3)}  # samples, scenes
 FLOOR = "floor"  # a bare OpenGL program
 SAME = "floor, with shadows and smooth edges"  # the same picture as ours, drawn in the usual way
 OURS = {"image": (ours.IMAGE, {}), "image, masks, depth": (ours.EXACT, {}),
@@ -47,13 +49,16 @@ def measure(programs, folder, objects, size, arguments):
     for _ in range(arguments.rounds):
         for name, (writers, how) in OURS.items():
             for count in (few, many):
-                keep((name, count), ours.seconds_of(f"{programs}/synthetic_dataset/generate", scene, folder, writers, count,
-                                                    **how))
+                keep((name, count), ours.seconds_of(f"{programs}/synthetic_dataset/generate", scene, folder, writers,
+                                                    count, **how))
         keep((FLOOR, None), scene_seconds([f"{programs}/synthetic_dataset_tests/benchmark_floor"], folder, many))
         keep((SAME, None), scene_seconds([f"{programs}/synthetic_dataset_tests/benchmark_floor"], folder, many // 4, "same"))
         for name in RIVALS if size == (640, 480) else []:
             keep((name, None), scene_seconds([sys.executable, f"{HERE}/{name}_rival.py"], folder,
                                             max(arguments.scenes // 4, 5)))
+        for name, (samples, scenes) in BLENDERPROC.items() if arguments.blenderproc and size == (640, 480) else []:
+            keep((name, None), scene_seconds([arguments.blenderproc, f"{HERE}/blenderproc_rival.py"], folder, scenes,
+                                            samples))
     result = {name: (best[name, many] - best[name, few]) / (many - few) for name in OURS}
     result.update({name: seconds for (name, count), seconds in best.items() if count is None})
     return result
@@ -61,12 +66,13 @@ def measure(programs, folder, objects, size, arguments):
 
 def table(results):
     lines = ["| objects | size | what | ms a scene | scenes/s | times the speed of MuJoCo | PyBullet | pyrender "
-             "| the floor | the floor, with shadows and smooth edges |",
-             "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+             "| the floor | the floor, with shadows and smooth edges | BlenderProc, 1 sample | 16 samples |",
+             "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
     for result in results:
         best = result["seconds"]
         for name, seconds in best.items():
-            ratios = [f"{best[rival] / seconds:.2f}" if rival in best else "" for rival in [*RIVALS, FLOOR, SAME]]
+            ratios = [f"{best[rival] / seconds:.2f}" if rival in best else ""
+                      for rival in [*RIVALS, FLOOR, SAME, *BLENDERPROC]]
             lines.append(f"| {result['objects']} | {result['width']}x{result['height']} | {name} | "
                          f"{1000 * seconds:.1f} | {1 / seconds:.1f} | {' | '.join(ratios)} |")
     return "\n".join(lines) + "\n"
@@ -79,7 +85,7 @@ def plot(results, file):
 
     figure, axes = pyplot.subplots(figsize=(8, 4))
     small = [result for result in results if result["width"] == 640]
-    for name in [*OURS, FLOOR, SAME, *RIVALS]:
+    for name in [each for each in [*OURS, FLOOR, SAME, *RIVALS, *BLENDERPROC] if each in small[0]["seconds"]]:
         axes.loglog([result["objects"] for result in small],
                     [1 / result["seconds"][name] for result in small],
                     marker="o", linestyle="-" if name in OURS else "--", label=name)
@@ -94,6 +100,18 @@ def plot(results, file):
     figure.savefig(file, dpi=100)
 
 
+def has_blenderproc(python):
+    """Says why BlenderProc takes no part, if it does not."""
+    if not python:
+        print("no BlenderProc: --blenderproc names no interpreter that has it")
+        return False
+    look = "from importlib.metadata import version; version('blenderproc'), version('bpy')"
+    done = subprocess.run([python, "-c", look], stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        print(f"no BlenderProc: {done.stderr.strip().splitlines()[-1]}")
+    return done.returncode == 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("programs")
@@ -101,7 +119,9 @@ def main():
     parser.add_argument("--objects", type=int, nargs="+", default=[1, 4, 16, 64])
     parser.add_argument("--scenes", type=int, default=40)
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--blenderproc", help="a Python with blenderproc_requirements.txt")
     arguments = parser.parse_args()
+    arguments.blenderproc = arguments.blenderproc if has_blenderproc(arguments.blenderproc) else None
     os.makedirs(arguments.results, exist_ok=True)
     results = []
     with tempfile.TemporaryDirectory() as folder:  # deleted at the end alone (ours.set_aside)
