@@ -196,6 +196,9 @@ Duration readSettling(Parameters& physics, bool is_placed) {
 render::RenderOptions readRendering(Parameters& root) {
   render::RenderOptions rendering;
   Parameters group = root.group("rendering");
+  rendering.light = choice<render::LightDetail>(
+      group, "light",
+      {{"simple", render::LightDetail::kSimple}, {"full", render::LightDetail::kFull}});
   rendering.samples = group.optional("samples", rendering.samples);
   if (rendering.samples != 1 && rendering.samples != 4) {
     group.addError("samples", "found " + std::to_string(rendering.samples) +

@@ -10,12 +10,19 @@ enum class GlassInLabels {
   kClear,      ///< none
 };
 
+/// How much of the light that is everywhere is worked out.
+enum class LightDetail {
+  kSimple,  ///< it is the same on all surfaces, as in Gazebo
+  kFull,    ///< less of it reaches what others are near
+};
+
 struct RenderOptions {
   int samples = 4;                ///< of pixels by an edge, 1 or 4
   int shadow_map_size = 2048;     ///< [texel]
   double shadow_distance = 50.0;  ///< [m] from the camera; sunlight casts shadows up to it
   GlassInLabels glass_in_labels = GlassInLabels::kOfObjects;
   bool reuse = true;  ///< keeps what has not changed from picture to picture: faster, nothing else
+  LightDetail light = LightDetail::kSimple;
 };
 
 }  // namespace synthetic_dataset::render

@@ -64,13 +64,19 @@ struct Renderer::Impl {
             options.reuse};
   }
 
+  /// What is subtracted from one another has simple light.
+  [[nodiscard]] LightDetail detailOf(const ColourPass& pass) const {
+    return pass.sampling == Sampling::kSmooth ? options.light : LightDetail::kSimple;
+  }
+
   PendingPicture drawPinhole(const View& view, const std::vector<Pose>& X_WL,
                              const ColourPass& pass, const std::vector<cv::Rect>& regions,
                              const std::vector<ShadowProjection>& shadows,
                              const View* whole = nullptr) {
     const bool smooth = pass.sampling == Sampling::kSmooth;
     UnfinishedPicture picture = pictures.get(view).paint(
-        {view, X_WL, pass.drawn, shadows, pass.exposure, whole}, pass.casting, smooth, regions);
+        {view, X_WL, pass.drawn, shadows, pass.exposure, whole, detailOf(pass)}, pass.casting,
+        smooth, regions);
     return [this, picture = std::move(picture)] { return finished(picture, edge_smoother); };
   }
 
@@ -78,8 +84,9 @@ struct Renderer::Impl {
                                  const ColourPass& pass,
                                  const std::vector<ShadowProjection>& shadows) {
     if (!light_painter.hasOverlay(pass.drawn)) {
-      return lens_painter.paint({view, X_WL, pass.drawn, shadows, pass.exposure}, pass.casting,
-                                pass.sampling == Sampling::kSmooth, pass.regions);
+      return lens_painter.paint(
+          {view, X_WL, pass.drawn, shadows, pass.exposure, nullptr, detailOf(pass)}, pass.casting,
+          pass.sampling == Sampling::kSmooth, pass.regions);
     }
     const std::shared_ptr<const LensMap> lens = lenses.get(view.camera);
     const cv::Rect image(0, 0, view.camera.width(), view.camera.height());

@@ -381,6 +381,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadSetting{"world:", "background_subtractor: {history_length: 0}\nworld:",
                    "background_subtractor/history_length: found 0; it should be 1 to"},
         BadSetting{"world:", "rendering: {samples: 3}\nworld:", "it should be 1 or 4"},
+        BadSetting{"world:", "rendering: {light: bright}\nworld:",
+                   "rendering/light: found 'bright'; it should be simple or full"},
         BadSetting{"world:", "labels: {glass: tinted}\nworld:",
                    "labels/glass: found 'tinted'; it should be objects, solid or clear"},
         BadSetting{"world:", "writers: []\nworld:", "writers: found an empty list"},

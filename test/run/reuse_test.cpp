@@ -15,6 +15,7 @@ struct Case {
   const char* name;
   const char* method;  ///< of masks
   Value::Map effects;  ///< of the cameras
+  const char* light = "simple";
 };
 
 class Reuse : public testing::TestWithParam<Case> {
@@ -30,7 +31,8 @@ class Reuse : public testing::TestWithParam<Case> {
 
   std::map<std::string, std::string> filesWith(bool reuse) {
     std::filesystem::remove_all(run_.folder());
-    run_.parameters["rendering"] = Value(Value::Map{{"reuse", Value(reuse)}});
+    run_.parameters["rendering"] =
+        Value(Value::Map{{"reuse", Value(reuse)}, {"light", Value(GetParam().light)}});
     (void)run_.run();
     return AllAtOnceRun::files(run_.folder());
   }
@@ -48,6 +50,7 @@ TEST_P(Reuse, ChangesNoByte) {
 
 INSTANTIATE_TEST_SUITE_P(Datasets, Reuse,
                          testing::Values(Case{"Exact", "exact", {}}, Case{"Mog2", "mog2", {}},
+                                         Case{"FullLight", "mog2", {}, "full"},
                                          Case{"RollingShutter",
                                               "exact",
                                               {{"readout_time", Value(0.05)},

@@ -183,6 +183,23 @@ TEST_F(Variation, LeavesLabelsAndMasksAsTheyAre) {
   EXPECT_GE(pictures, 8);
 }
 
+TEST_F(Variation, FullLightLeavesLabelsAndSubtractedMasks) {
+  parameters["masks"] = yaml("{method: mog2}");
+  const Files simple = filesAnew();
+  parameters["rendering"] = yaml("{light: full}");
+  Files full = filesAnew();
+  ASSERT_EQ(full.size(), simple.size());
+  int darker = 0;
+  for (const auto& [name, bytes] : simple) {
+    const bool is_picture =
+        name.find("mask") == std::string::npos && fs::path(name).extension() == ".png";
+    if (name == "manifest.sqlite") continue;
+    EXPECT_EQ(full[name] == bytes, !is_picture) << name;
+    darker += is_picture ? 1 : 0;
+  }
+  EXPECT_GE(darker, 8);
+}
+
 TEST_F(Variation, OfOneEntryLeavesTheOthersDraws) {
   randomize(
       "{lights: {sun: {intensity: {uniform: [0, 2]}, azimuth: {uniform: [0, 3]}}}, ambient: "

@@ -11,7 +11,9 @@ Lanes3 ClassicShading::seen(const ClassicLanes& surface) const {
   const Lanes3 nothing = lanes(0.0F, 0.0F, 0.0F);
   Sums sums{nothing, nothing};
   for (std::size_t i = 0; i < lights_.count(); ++i) add(i, surface, sums);
-  Lanes3 light = (surface.around + surface.diffuse * sums.diffuse) * surface.picture +
+  // What is encoded is about the square root of light.
+  const Lanes3 around = surface.ambient * cv::v_sqrt(surface.open) + surface.own;
+  Lanes3 light = (around + surface.diffuse * sums.diffuse) * surface.picture +
                  surface.specular * sums.specular + surface.glow;
   const Lanes most = lanes(brightestEncoded(surroundings_.exposure));
   light = {cv::v_min(light.x, most), cv::v_min(light.y, most), cv::v_min(light.z, most)};

@@ -17,7 +17,9 @@ struct ClassicLanes {
   Lanes3 face;     ///< its normal, towards the camera
   Lanes3 normal;   ///< as a normal map bends it; of backs, that of their fronts
   Lanes3 picture;  ///< of its texture; white where it has none
-  Lanes3 around;   ///< what it sends whatever the lights: ambient and emissive
+  Lanes3 ambient;  ///< what it sends of the light from everywhere
+  Lanes open;      ///< the share of that which arrives
+  Lanes3 own;      ///< what it sends whatever the light: emissive
   Lanes3 diffuse;
   Lanes3 specular;
   Lanes shininess;  ///< Blinn-Phong's exponent; where it is 0 there is no highlight

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/parts/draw_list.h"
+#include "render/render_options.h"
 #include "render/shadows/shadow_projection.h"
 #include "render/view.h"
 
@@ -18,6 +19,8 @@ struct ColourScene {
 
   /// Through a lens: what it sees, of which `view` is a face.
   const View* whole = nullptr;
+
+  LightDetail detail = LightDetail::kSimple;
 };
 
 }  // namespace synthetic_dataset::render

@@ -83,6 +83,11 @@ struct SurfaceLighter::Row {
   std::uint16_t* light;
   float slope_y = 0.0F;
   const float* rays = nullptr;  ///< of the first column
+  const float* open = nullptr;
+
+  [[nodiscard]] Lanes openAt(int column) const {
+    return open == nullptr ? lanes(1.0F) : cv::v_load(open + column);
+  }
 };
 
 SurfaceLighter::SurfaceLighter(const Surroundings& surroundings,
@@ -98,10 +103,11 @@ SurfaceLighter::SurfaceLighter(const Surroundings& surroundings,
 
 cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImages& surfaces,
                               const cv::Rect& place, const std::vector<cv::Rect>& regions,
-                              const cv::Mat& wanted) const {
+                              const cv::Mat& wanted, const cv::Mat& open) const {
   const GeometryImages what = widened(geometry);
   const SurfaceImages how = widened(surfaces);
   const cv::Mat which = render::widened(wanted);
+  const cv::Mat how_open = render::widened(open);
   const cv::Mat along = rays_.empty() ? rays_ : render::widened(rays_(place));
   cv::Mat light(what.parts.size(), CV_16UC4);
   for (const cv::Rect& region : regions) {
@@ -110,6 +116,7 @@ cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImage
       Row row(what, how, v, light);
       row.slope_y = static_cast<float>((place.y + v - intrinsics_.cy) / intrinsics_.fy);
       if (!along.empty()) row.rays = along.ptr<float>(v);
+      if (!how_open.empty()) row.open = how_open.ptr<float>(v);
       for (int u = pixels.x; u < pixels.x + pixels.width; u += kLaneCount) {
         // Some pixels may be lit twice, or beside the region.
         const int first = firstLane(u, light.cols);
@@ -165,6 +172,7 @@ SurfaceLanes SurfaceLighter::surfacesAt(const Row& row, int column, float u) con
   surface.roughness = base.w;
   surface.metalness = normal.w;
   surface.reflectance = part.w;
+  surface.open = row.openAt(column);
   surface.is_lit = part.w >= lanes(0.0F);
   surface.glow = part.xyz;
   if (row.glows != nullptr) surface.glow = surface.glow * loadHalves(row.glows + 4 * column).xyz;
@@ -175,8 +183,9 @@ ClassicLanes SurfaceLighter::classicAt(const Row& row, int column, float u) cons
   const int* const parts = row.parts + column;
   const auto of = [&](const auto& wanted) { return ofParts(parts_, parts, wanted); };
   using Four = std::pair<const Eigen::Vector3f&, float>;
-  const PixelLanes around =
-      of([](const PartLight& light) { return Four(light.classic.around, 0.0F); });
+  const PixelLanes ambient =
+      of([](const PartLight& light) { return Four(light.classic.ambient, 0.0F); });
+  const PixelLanes own = of([](const PartLight& light) { return Four(light.classic.own, 0.0F); });
   const PixelLanes diffuse =
       of([](const PartLight& light) { return Four(light.classic.diffuse, 0.0F); });
   const PixelLanes specular = of(
@@ -187,7 +196,9 @@ ClassicLanes SurfaceLighter::classicAt(const Row& row, int column, float u) cons
   surface.face =
       row.faces == nullptr ? surface.normal : normalized(loadHalves(row.faces + 4 * column).xyz);
   surface.picture = loadHalves(row.base_roughness + 4 * column).xyz;
-  surface.around = around.xyz;
+  surface.ambient = ambient.xyz;
+  surface.open = row.openAt(column);
+  surface.own = own.xyz;
   surface.diffuse = diffuse.xyz;
   surface.specular = specular.xyz;
   surface.shininess = specular.w;

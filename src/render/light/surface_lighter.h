@@ -37,12 +37,14 @@ class SurfaceLighter {
   /// @param place  of the images in the picture
   /// @param regions  of the picture, within `place`, around the pixels that are wanted
   /// @param wanted  CV_8UC1 of `place`: not 0 for these; what others hold is not sure
+  /// @param open  CV_32FC1 of `place`: the share of the light from everywhere that arrives; empty
+  ///     where all does
   /// @return CV_16UC4 of `place`: red, green, blue, 1, numbers of 16 bits: exposed and linear, or
   /// in
   ///     Gazebo Classic's worlds encoded and not exposed
   [[nodiscard]] cv::Mat light(const GeometryImages& geometry, const SurfaceImages& surfaces,
                               const cv::Rect& place, const std::vector<cv::Rect>& regions,
-                              const cv::Mat& wanted) const;
+                              const cv::Mat& wanted, const cv::Mat& open = {}) const;
 
  private:
   struct Row;

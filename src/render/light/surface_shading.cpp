@@ -11,6 +11,20 @@ Lanes3 fresnel(const Lanes3& f0, const Lanes& cosine) {
   return f0 + (lanes(1.0F, 1.0F, 1.0F) - f0) * (x2 * x2 * x);
 }
 
+/// The share of the light from everywhere that arrives in the end, with what surfaces of the same
+/// colour send one another (Jimenez et al. 2016, a fit to path-traced scenes).
+Lanes reaching(const Lanes& open, const Lanes& albedo) {
+  const Lanes a = lanes(2.0404F) * albedo - lanes(0.3324F);
+  const Lanes b = lanes(-4.7951F) * albedo + lanes(0.6417F);
+  const Lanes c = lanes(2.7552F) * albedo + lanes(0.6903F);
+  return cv::v_min(cv::v_max(open, ((open * a + b) * open + c) * open), lanes(1.0F));
+}
+
+Lanes3 reaching(const Lanes& open, const Lanes3& albedo) {
+  if (cv::v_check_all(open == lanes(1.0F))) return lanes(1.0F, 1.0F, 1.0F);
+  return {reaching(open, albedo.x), reaching(open, albedo.y), reaching(open, albedo.z)};
+}
+
 /// Linear up to 0.8, then bending towards 1 so that bright surfaces keep their drawing.
 Lanes shoulder(const Lanes& linear) {
   constexpr float kStart = 0.8F;
@@ -57,7 +71,9 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
   const Lanes3 around = lanes(surroundings_.ambient) * mix(lanes(0.55F), one, sky);
   const Lanes3 reflected =
       fresnel(response.f0, response.n_dot_v) * mix(one, lanes(0.4F), surface.roughness);
-  Lanes3 sum = around * (response.matte + reflected) + surface.glow;
+  Lanes3 sum =
+      around * (response.matte * reaching(surface.open, surface.base) + reflected * surface.open) +
+      surface.glow;
   for (std::size_t i = 0; i < lights_.count(); ++i) sum = sum + sent(i, surface, response);
   return sum;
 }

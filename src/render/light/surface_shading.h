@@ -20,6 +20,7 @@ struct SurfaceLanes {
   Lanes roughness;
   Lanes metalness;
   Lanes3 glow;
+  Lanes open;    ///< the share of the light from everywhere that arrives
   Lanes is_lit;  ///< 0 where light leaves it as it is
 };
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "render/light/light_setup.h"
+#include "render/render_options.h"
 #include "render/shadows/map_depths.h"
 #include "world/description.h"
 
@@ -27,6 +28,7 @@ struct Surroundings {
   float exposure;
   std::optional<world::Fog> fog;
   world::Simulator simulator = world::Simulator::kGz;  ///< whose light it is
+  LightDetail detail = LightDetail::kSimple;
 };
 
 }  // namespace synthetic_dataset::render

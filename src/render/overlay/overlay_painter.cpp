@@ -88,7 +88,7 @@ void OverlayPainter::setLight(const ShaderProgram& program, const world::Materia
     return;
   }
   const ClassicLight light = classicLight(material, ambient_);
-  program.set("around", light.around);
+  program.set("around", Eigen::Vector3f(light.ambient + light.own));
   program.set("diffuse_colour", light.diffuse);
   program.set("specular_colour", light.specular);
   program.set("shininess", light.shininess);

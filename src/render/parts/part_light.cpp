@@ -9,11 +9,11 @@ bool hasGlowOfItsOwn(const world::Material& material) {
 ClassicLight classicLight(const world::Material& material, const Eigen::Vector3f& ambient) {
   ClassicLight light;
   if (!material.lit) {
-    light.around = material.diffuse.head<3>();
+    light.own = material.diffuse.head<3>();
     return light;
   }
-  light.around = material.ambient.cwiseProduct(ambient);
-  (hasGlowOfItsOwn(material) ? light.glow : light.around) += material.emissive;
+  light.ambient = material.ambient.cwiseProduct(ambient);
+  (hasGlowOfItsOwn(material) ? light.glow : light.own) += material.emissive;
   light.diffuse = material.diffuse.head<3>();
   if (material.shininess > 0.0F && !material.specular.isZero()) {
     light.specular = material.specular;

@@ -8,7 +8,8 @@ namespace synthetic_dataset::render {
 
 /// What of a surface's light in Gazebo Classic is the same all over it: of ClassicLanes.
 struct ClassicLight {
-  Eigen::Vector3f around{0.0F, 0.0F, 0.0F};
+  Eigen::Vector3f ambient{0.0F, 0.0F, 0.0F};
+  Eigen::Vector3f own{0.0F, 0.0F, 0.0F};
   Eigen::Vector3f diffuse{0.0F, 0.0F, 0.0F};
   Eigen::Vector3f specular{0.0F, 0.0F, 0.0F};
   Eigen::Vector3f glow{0.0F, 0.0F, 0.0F};  ///< times its picture's colour

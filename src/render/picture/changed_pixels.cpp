@@ -63,6 +63,7 @@ cv::Mat ChangedPixels::find(const PossibleChanges& regions, const SeenGeometry& 
                             const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const {
   cv::Mat pixels = regions.glass.clone();
   markMoving(seen, pixels);
+  if (!seen.reaches.empty()) markNear(seen, pixels);
   for (const ChangedTexels& each : texels) markShaded(regions.shadows, seen, each, pixels);
   if (edges.empty()) return pixels;
   // Pixels by an edge take light from those around them,
@@ -82,6 +83,14 @@ void ChangedPixels::markMoving(const SeenGeometry& seen, cv::Mat& pixels) const 
       if (moves[static_cast<std::size_t>(parts[column])] != 0) marked[column] = 255;
     }
   }
+}
+
+/// Those that are near to what is marked.
+void ChangedPixels::markNear(const SeenGeometry& seen, cv::Mat& pixels) {
+  cv::Mat marked = pixels(seen.place);
+  cv::Mat distances;
+  cv::distanceTransform(marked == 0, distances, cv::DIST_C, 3);
+  marked.setTo(255, distances <= seen.reaches);
 }
 
 /// @param candidates  the pixels that are looked at

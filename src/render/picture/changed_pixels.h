@@ -20,6 +20,10 @@ struct SeenGeometry {
   /// CV_32FC3 of the picture: what pixels look along, in whose lengths depths are; empty for those
   /// of a pinhole.
   cv::Mat rays = {};
+
+  /// CV_32FC1: how far away what is seen has a part in each pixel's light [px]; empty where nothing
+  /// has.
+  cv::Mat reaches = {};
 };
 
 /// Finds which pixels of a picture differ from those of a picture of what never moves.
@@ -43,6 +47,7 @@ class ChangedPixels {
 
  private:
   void markMoving(const SeenGeometry& seen, cv::Mat& pixels) const;
+  static void markNear(const SeenGeometry& seen, cv::Mat& pixels);
   void markShaded(const cv::Mat& candidates, const SeenGeometry& seen, const ChangedTexels& texels,
                   cv::Mat& pixels) const;
 

@@ -27,6 +27,7 @@ struct UnlitLens {
   cv::Mat pixels;                 ///< CV_8UC1: 255 for the other pixels
   std::vector<cv::Rect> regions;  ///< around these
   UnlitPixels unlit;              ///< them, and those by them where edges are smooth
+  cv::Mat known;                  ///< CV_8UC1: not 0 for those whose surfaces these need
   EdgeScene scene;
   GeometryPlanes planes;
   bool is_classic = false;
@@ -40,7 +41,7 @@ cv::Mat finishedThroughLens(const UnlitLens& picture, const DrawList& parts, cv:
   UnlitPixels unlit = picture.unlit;
   SeenSurfaces& seen = unlit.seen;
   seen.surfaces =
-      surfacesOf(*picture.sight, picture.planes, picture.is_classic, seen.place, unlit.wanted);
+      surfacesOf(*picture.sight, picture.planes, picture.is_classic, seen.place, picture.known);
   seen.geometry.normals = seen.surfaces.vertexNormals();
   const cv::Mat light = unlit.light();
   for (const cv::Rect& region : picture.regions) {
@@ -63,7 +64,7 @@ cv::Mat finishedThroughLens(const UnlitLens& picture, const DrawList& parts, cv:
 bool LensPainter::Key::operator==(const Key& other) const {
   return lens == other.lens && X_WC == other.X_WC && drawn == other.drawn &&
          casting == other.casting && shadows == other.shadows && exposure == other.exposure &&
-         smooth == other.smooth;
+         detail == other.detail && smooth == other.smooth;
 }
 
 LinkSelection LensPainter::standing(const LinkSelection& links) const {
@@ -76,12 +77,17 @@ LinkSelection LensPainter::standing(const LinkSelection& links) const {
 
 namespace {
 
+Occluders occludersOf(const LensSight& sight, const CameraModel& camera) {
+  const cv::Size size = sight.parts.size();
+  return {sight.distance, {cv::Point(), size}, size, camera.intrinsics(), sight.lens->rays};
+}
+
 /// Gathers what a picture's pixels are found from.
 /// @param pixels  those that are not 0
 UnlitLens gather(const PictureCrew& crew, const ColourScene& scene,
                  const std::shared_ptr<const LensSight>& sight, bool smooth,
                  const cv::Mat& pixels) {
-  UnlitLens picture{sight, {}, {}, {}, {}, {scene.view, scene.X_WL, scene.drawn}, {}};
+  UnlitLens picture{sight, {}, {}, {}, {}, {}, {scene.view, scene.X_WL, scene.drawn}, {}};
   picture.elsewhere =
       cv::Mat(pixels.size(), CV_8UC3, crew.light_painter.backgroundPixel(scene.exposure));
   picture.pixels = pixels;
@@ -93,9 +99,12 @@ UnlitLens gather(const PictureCrew& crew, const ColourScene& scene,
   // Edges take their light from the pixels around them.
   const cv::Mat wanted = smooth ? withPixelsAround(pixels) : pixels;
   const std::vector<cv::Rect> lit = smooth ? bandsOf(wanted) : picture.regions;
-  const cv::Rect place = boundsOf(lit);
-  const SeenSurfaces seen{
+  const bool is_full = scene.detail == LightDetail::kFull;
+  picture.known = is_full ? withPixelsAround(wanted, kOcclusionSmoothing) : wanted;
+  const cv::Rect place = is_full ? boundsOf(bandsOf(picture.known)) : boundsOf(lit);
+  SeenSurfaces seen{
       {sight->parts(place), sight->distance(place), {}}, {}, place, sight->lens->rays};
+  if (is_full) seen.occluders = occludersOf(*sight, scene.view.camera);
   picture.unlit = crew.light_painter.surfacesAlone(scene, seen, crew.shadow_painter, lit, wanted);
   return picture;
 }
@@ -107,13 +116,8 @@ const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensS
                                            const LinkSelection& casting, bool smooth) {
   constexpr std::size_t kMost = 8;
   if (!crew_.keeps) return nullptr;
-  Key key{sight.lens,
-          scene.view.X_WC.matrix(),
-          standing(scene.drawn),
-          standing(casting),
-          {},
-          scene.exposure,
-          smooth};
+  Key key{sight.lens, scene.view.X_WC.matrix(), standing(scene.drawn), standing(casting),
+          {},         scene.exposure,           scene.detail,          smooth};
   for (const ShadowProjection& shadow : scene.shadows) {
     key.shadows.push_back(shadow.shadow_from_world);
   }
@@ -129,7 +133,8 @@ const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensS
   if (!here.pixels.empty()) return &here;
   crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
   const LinkSelection drawn = standing(scene.drawn);
-  const ColourScene alone{scene.view, scene.X_WL, drawn, scene.shadows, scene.exposure};
+  const ColourScene alone{scene.view,     scene.X_WL, drawn,       scene.shadows,
+                          scene.exposure, nullptr,    scene.detail};
   const auto seen = eye_.look(scene.view, scene.X_WL, drawn, Glass::kSeenThrough);
   here.pixels = finishedThroughLens(
       gather(crew_, alone, seen, smooth, allPixels(seen->parts.size())), crew_.parts, &here.edges);
@@ -174,10 +179,11 @@ cv::Mat LensPainter::changedPixels(const ColourScene& scene, const LensSight& si
   regions.glass = cv::Mat::zeros(size, CV_8UC1);
   regions.shadows = allPixels(size);
   regions.surfaces = edges.empty() ? regions.glass : possibleSurfaces(scene);
-  const ChangedPixels changed(crew_.parts, scene.view);
-  return changed.find(regions,
-                      {{sight.parts, sight.distance, {}}, {cv::Point(), size}, sight.lens->rays},
-                      texels, edges);
+  SeenGeometry seen{{sight.parts, sight.distance, {}}, {cv::Point(), size}, sight.lens->rays};
+  if (scene.detail == LightDetail::kFull) {
+    seen.reaches = occlusionReaches(occludersOf(sight, scene.view.camera));
+  }
+  return ChangedPixels(crew_.parts, scene.view).find(regions, seen, texels, edges);
 }
 
 PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection& casting,

@@ -39,6 +39,7 @@ class LensPainter {
     LinkSelection casting;  ///< of what never moves
     std::vector<Eigen::Matrix4d> shadows;
     float exposure = 0.0F;
+    LightDetail detail = LightDetail::kSimple;
     bool smooth = false;
 
     [[nodiscard]] bool operator==(const Key& other) const;

@@ -44,8 +44,10 @@ cv::Mat laidOver(const cv::Mat& surfaces, const cv::Mat& overlay) {
 cv::Mat UnlitPixels::light() const {
   if (regions.empty()) return {};
   const SurfaceLighter lighter(surroundings, *parts, intrinsics, nothing, seen.rays);
-  cv::Mat result =
-      lighter.light(seen.geometry, seen.surfaces, seen.place, regions, wanted(seen.place));
+  const cv::Mat which = wanted(seen.place);
+  cv::Mat open;
+  if (seen.occluders) open = openness(*seen.occluders, seen.geometry.normals, seen.place, which);
+  cv::Mat result = lighter.light(seen.geometry, seen.surfaces, seen.place, regions, which, open);
   if (!overlay.empty()) result = laidOver(result, overlay);
   if (surroundings.simulator == world::Simulator::kClassic) {
     std::vector<cv::Rect> pixels;

@@ -7,6 +7,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/geometry/geometry_buffer.h"
+#include "render/light/ambient_occlusion.h"
 #include "render/light/colour_scene.h"
 #include "render/light/surface_lighter.h"
 #include "render/overlay/overlay_painter.h"
@@ -24,6 +25,9 @@ struct SeenSurfaces {
   /// CV_32FC3 of the picture: what pixels look along, in whose lengths depths are; empty for those
   /// of a pinhole.
   cv::Mat rays = {};
+
+  /// What may hide these from the light that is everywhere; nothing with simple light.
+  std::optional<Occluders> occluders = std::nullopt;
 };
 
 /// Pixels whose light is to be found, when and in which thread ever.

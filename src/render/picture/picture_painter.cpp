@@ -80,7 +80,7 @@ UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSele
   if (!regions.empty() && maskBounds(wanted).empty()) {
     return {plainPicture(scene.exposure), {}, {}, {}, std::nullopt};
   }
-  const cv::Rect pixels = neededFor(regions);
+  const cv::Rect pixels = neededFor(scene, regions);
   drawGeometry(scene.view, scene.X_WL, scene.drawn, pixels);
   const KeptPicture* kept = keptPicture(scene, casting, smooth);
   if (kept == nullptr) {
@@ -100,15 +100,17 @@ UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSele
   return picture;
 }
 
+/// How many pixels away what is seen has a part in a pixel's light.
+int PicturePainter::reach(const ColourScene& scene) const {
+  return scene.detail == LightDetail::kFull ? occlusionReach(image_.size()) : 0;
+}
+
 /// The pixels from which those of some regions are found; without regions, all. Edges are found by
 /// the pixels beside them, and take their light.
-cv::Rect PicturePainter::neededFor(const std::vector<cv::Rect>& regions) const {
+cv::Rect PicturePainter::neededFor(const ColourScene& scene,
+                                   const std::vector<cv::Rect>& regions) const {
   if (regions.empty()) return image_;
-  constexpr int kBeside = 2;
-  const cv::Rect wanted = boundsOf(regions) & image_;
-  return cv::Rect(wanted.tl() - cv::Point(kBeside, kBeside),
-                  wanted.br() + cv::Point(kBeside, kBeside)) &
-         image_;
+  return grown(boundsOf(regions) & image_, 2 + reach(scene)) & image_;
 }
 
 /// CV_8UC1: 255 for those of the regions, of which none means all.
@@ -140,7 +142,7 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
                       crew_.lights, scene.shadows);
   // What is just beside the wanted pixels may make edges of them.
   cv::Mat possible = regions.all();
-  if (!wants_all) possible &= withPixelsAround(wanted);
+  if (!wants_all) possible &= withPixelsAround(wanted, 1 + reach(scene));
   const cv::Rect place = maskBounds(possible);
   if (place.empty()) return possible;
   paintShadows(scene, casting, wants_all ? image_ : place);
@@ -149,7 +151,7 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
     texels.push_back(crew_.shadow_painter.changedTexels(shadow));
   }
   const ChangedPixels changed(crew_.parts, scene.view);
-  cv::Mat pixels = changed.find(regions, {read(place), place}, texels, edges);
+  cv::Mat pixels = changed.find(regions, seenAround(place, scene), texels, edges);
   if (!wants_all) pixels &= wanted;
   return pixels;
 }
@@ -309,14 +311,33 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   // Edges take their light from the pixels around them.
   const cv::Mat wanted = smooth ? withPixelsAround(pixels) : pixels;
   const std::vector<cv::Rect> lit = smooth ? bandsOf(wanted) : picture.regions;
-  const cv::Rect place = boundsOf(lit);
-  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place, bandsOf(wanted, kCoarseBand)),
-                        place};
+  const bool is_full = scene.detail == LightDetail::kFull;
+  const cv::Mat known = is_full ? withPixelsAround(wanted, kOcclusionSmoothing) : wanted;
+  const std::vector<cv::Rect> bands = bandsOf(known, kCoarseBand);
+  const cv::Rect place = is_full ? boundsOf(bands) : boundsOf(lit);
+  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place, bands), place};
   surfaces.geometry.normals = surfaces.surfaces.vertexNormals();
+  if (is_full) surfaces.occluders = occludersAround(place, scene);
   picture.unlit = crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_,
                                             see_through, lit, wanted);
   if (smooth) picture.edges = EdgeScene{scene.view, scene.X_WL, seen};
   return picture;
+}
+
+/// What some pixels see, and those that have a part in their light.
+SeenGeometry PicturePainter::seenAround(const cv::Rect& place, const ColourScene& scene) {
+  if (scene.detail == LightDetail::kSimple) return {read(place), place};
+  const cv::Rect around = grown(place, reach(scene)) & content_->pixels;
+  SeenGeometry seen{read(around), around};
+  seen.reaches =
+      occlusionReaches({seen.images.depth, around, image_.size(), scene.view.camera.intrinsics()});
+  return seen;
+}
+
+/// What may hide what is seen in some pixels from the light that is everywhere.
+Occluders PicturePainter::occludersAround(const cv::Rect& place, const ColourScene& scene) {
+  const cv::Rect around = grown(place, reach(scene)) & image_;
+  return {read(around).depth, around, image_.size(), scene.view.camera.intrinsics()};
 }
 
 cv::Mat PicturePainter::plainPicture(float exposure) const {

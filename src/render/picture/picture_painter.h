@@ -13,6 +13,7 @@
 #include "render/labels/silhouette_painter.h"
 #include "render/overlay/overlay_target.h"
 #include "render/parts/draw_list.h"
+#include "render/picture/changed_pixels.h"
 #include "render/picture/light_painter.h"
 #include "render/picture/unfinished_picture.h"
 #include "render/shadows/shadow_painter.h"
@@ -116,10 +117,14 @@ class PicturePainter {
   void paintShadows(const ColourScene& scene, const LinkSelection& casting, const cv::Rect& pixels);
   [[nodiscard]] cv::Mat changedPixels(const ColourScene& scene, const LinkSelection& casting,
                                       const cv::Mat& edges, const cv::Mat& wanted, bool wants_all);
-  [[nodiscard]] cv::Rect neededFor(const std::vector<cv::Rect>& regions) const;
+  [[nodiscard]] int reach(const ColourScene& scene) const;
+  [[nodiscard]] cv::Rect neededFor(const ColourScene& scene,
+                                   const std::vector<cv::Rect>& regions) const;
   [[nodiscard]] cv::Mat wantedPixels(const std::vector<cv::Rect>& regions) const;
   [[nodiscard]] UnfinishedPicture light(const ColourScene& scene, const LinkSelection& seen,
                                         bool see_through, bool smooth, const cv::Mat& pixels);
+  [[nodiscard]] SeenGeometry seenAround(const cv::Rect& place, const ColourScene& scene);
+  [[nodiscard]] Occluders occludersAround(const cv::Rect& place, const ColourScene& scene);
   [[nodiscard]] cv::Mat plainPicture(float exposure) const;
 
   PictureCrew crew_;

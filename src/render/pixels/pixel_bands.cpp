@@ -50,10 +50,15 @@ std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height) {
   return bands;
 }
 
-cv::Mat withPixelsAround(const cv::Mat& pixels) {
+cv::Mat withPixelsAround(const cv::Mat& pixels, int distance) {
   cv::Mat result;
-  cv::dilate(pixels, result, cv::Mat());  // by one
+  cv::dilate(pixels, result, cv::Mat(), cv::Point(-1, -1), distance);  // by one each time
   return result;
+}
+
+cv::Rect grown(const cv::Rect& rectangle, int distance) {
+  const cv::Point more(distance, distance);
+  return {rectangle.tl() - more, rectangle.br() + more};
 }
 
 cv::Rect boundsOf(const std::vector<cv::Rect>& rectangles) {

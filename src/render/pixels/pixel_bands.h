@@ -18,9 +18,13 @@ inline constexpr int kCoarseBand = 64;
 /// @param height  of a rectangle at the most [px]
 [[nodiscard]] std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height = kFineBand);
 
-/// Pixels that are not 0, and those around them by one.
+/// Pixels that are not 0, and those around them.
 /// @param pixels  CV_8UC1
-[[nodiscard]] cv::Mat withPixelsAround(const cv::Mat& pixels);
+/// @param distance  how far in columns and rows
+[[nodiscard]] cv::Mat withPixelsAround(const cv::Mat& pixels, int distance = 1);
+
+/// With so many pixels more on each side.
+[[nodiscard]] cv::Rect grown(const cv::Rect& rectangle, int distance);
 
 /// Round all of them; empty for none.
 [[nodiscard]] cv::Rect boundsOf(const std::vector<cv::Rect>& rectangles);

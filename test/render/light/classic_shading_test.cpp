@@ -89,10 +89,11 @@ class ClassicLight : public testing::Test {
 
 ClassicLanes lanesOf(const Point& p) {
   const auto all = [](const Vector3d& v) { return lanes(Eigen::Vector3f(v.cast<float>())); };
-  return {all(p.position),        all(p.normal),
-          all(p.normal),          all(p.picture),
-          all(p.around),          all(p.diffuse),
-          all(p.specular),        lanes(static_cast<float>(p.shininess)),
+  return {all(p.position),         all(p.normal),
+          all(p.normal),           all(p.picture),
+          all(p.around),           lanes(1.0F),
+          lanes(0.0F, 0.0F, 0.0F), all(p.diffuse),
+          all(p.specular),         lanes(static_cast<float>(p.shininess)),
           lanes(0.0F, 0.0F, 0.0F)};
 }
 

@@ -125,7 +125,7 @@ class SurfaceLight : public testing::Test {
           {lanes(Eigen::Vector3f(p.position.cast<float>())), lanes(normal), lanes(normal),
            lanes(Eigen::Vector3f(p.base.cast<float>())), lanes(static_cast<float>(p.reflectance)),
            lanes(static_cast<float>(p.roughness)), lanes(static_cast<float>(p.metalness)),
-           lanes(Eigen::Vector3f(p.glow.cast<float>())),
+           lanes(Eigen::Vector3f(p.glow.cast<float>())), lanes(1.0F),
            p.is_lit ? lanes(0.0F) >= lanes(0.0F) : lanes(0.0F)});
       const Vector3d found(result.x.get0(), result.y.get0(), result.z.get0());
       EXPECT_LT((found - seen(all, p)).cwiseAbs().maxCoeff(), 2e-4) << i;

@@ -32,14 +32,20 @@ world::Material coloured(float red, float green, float blue, float alpha = 1.0F)
 /// of whose pixels have rays of their own.
 enum class Yard { kWithGlass, kWithoutGlass, kThroughALens };
 
-class KeptPictures : public testing::TestWithParam<Yard> {
+struct Case {
+  Yard yard;
+  LightDetail light = LightDetail::kSimple;
+};
+
+class KeptPictures : public testing::TestWithParam<Case> {
  protected:
   static constexpr std::size_t kBall = 4;
 
   KeptPictures() {
-    const bool has_glass = GetParam() == Yard::kWithGlass;
+    options.light = GetParam().light;
+    const bool has_glass = GetParam().yard == Yard::kWithGlass;
     description.ambient = {0.3F, 0.3F, 0.3F};
-    if (GetParam() == Yard::kThroughALens) {
+    if (GetParam().yard == Yard::kThroughALens) {
       view.camera = CameraModel(320, 240, {260.0, 260.0, 159.5, 119.5}, 0.05, 100.0,
                                 test::kPlumbBob.camera.distortion());
     } else {
@@ -87,7 +93,7 @@ class KeptPictures : public testing::TestWithParam<Yard> {
     return renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
   }
 
-  void expectAsDrawnAnew(const std::vector<cv::Mat>& pictures, const RenderOptions& options = {}) {
+  void expectAsDrawnAnew(const std::vector<cv::Mat>& pictures) {
     for (std::size_t time = 0; time < pictures.size(); ++time) {
       move(static_cast<int>(time));
       Renderer renderer(description, stage.links(), options);
@@ -95,6 +101,7 @@ class KeptPictures : public testing::TestWithParam<Yard> {
     }
   }
 
+  RenderOptions options;
   world::Description description;
   Stage stage;
   View view{CameraModel(320, 240, {260.0, 260.0, 159.5, 119.5}, 0.05, 100.0), {}};
@@ -103,7 +110,7 @@ class KeptPictures : public testing::TestWithParam<Yard> {
 TEST_P(KeptPictures, AreThoseThatAreDrawnAnew) {
   std::vector<cv::Mat> pictures;
   {
-    Renderer renderer(description, stage.links(), {});
+    Renderer renderer(description, stage.links(), options);
     for (int time = 0; time < 7; ++time) {
       move(time);
       pictures.push_back(draw(renderer));
@@ -129,7 +136,7 @@ TEST_P(KeptPictures, HaveTheRowsOfWholePictures) {
     std::vector<cv::Mat> bands;
     std::vector<cv::Mat> parts;
     {
-      Renderer renderer(description, stage.links(), {});
+      Renderer renderer(description, stage.links(), options);
       for (int time = 0; time < 8; ++time) {
         moveTo(time);
         ColourPass pass{stage.all(), stage.all()};
@@ -142,7 +149,7 @@ TEST_P(KeptPictures, HaveTheRowsOfWholePictures) {
     }
     for (int time = 0; time < 8; ++time) {
       moveTo(time);
-      Renderer renderer(description, stage.links(), {});
+      Renderer renderer(description, stage.links(), options);
       const cv::Mat whole = draw(renderer);
       const auto at = static_cast<std::size_t>(time);
       EXPECT_EQ(cv::norm(bands[at], whole(rowsAt(time)), cv::NORM_INF), 0.0) << time;
@@ -154,25 +161,24 @@ TEST_P(KeptPictures, HaveTheRowsOfWholePictures) {
 }
 
 TEST_P(KeptPictures, HaveTheBlurredRimsOfShadowsToo) {
-  RenderOptions coarse;
-  coarse.shadow_map_size = 128;
-  coarse.samples = 1;
+  options.shadow_map_size = 128;
+  options.samples = 1;
   std::vector<cv::Mat> pictures;
   {
-    Renderer renderer(description, stage.links(), coarse);
+    Renderer renderer(description, stage.links(), options);
     for (int time = 0; time < 5; ++time) {
       move(time);
       pictures.push_back(draw(renderer));
     }
   }
-  expectAsDrawnAnew(pictures, coarse);
+  expectAsDrawnAnew(pictures);
 }
 
 TEST_P(KeptPictures, HaveTheEdgesOfWhatStandsJustBesideARegion) {
   constexpr int kRows = 4;
   std::vector<cv::Mat> pictures;
   {
-    Renderer renderer(description, stage.links(), {});
+    Renderer renderer(description, stage.links(), options);
     for (int time = 0; time < 3; ++time) {
       move(time);
       cv::Mat picture = draw(renderer);
@@ -192,7 +198,7 @@ TEST_P(KeptPictures, HaveTheEdgesOfWhatStandsJustBesideARegion) {
 TEST_P(KeptPictures, AreFinishedInAnyOrderAndThread) {
   std::vector<cv::Mat> pictures(5);
   {
-    Renderer renderer(description, stage.links(), {});
+    Renderer renderer(description, stage.links(), options);
     std::vector<PendingPicture> pending;
     for (int time = 0; time < 5; ++time) {
       move(time);
@@ -228,7 +234,6 @@ TEST_P(KeptPictures, OfRegionsAreThoseThatAreDrawnAnew) {
     return pictures;
   };
   const auto drawTimes = [&](bool reuse) {
-    RenderOptions options;
     options.reuse = reuse;
     Renderer renderer(description, stage.links(), options);
     std::vector<cv::Mat> pictures;
@@ -246,21 +251,24 @@ TEST_P(KeptPictures, OfRegionsAreThoseThatAreDrawnAnew) {
   }
 }
 
-std::string nameOf(const testing::TestParamInfo<Yard>& yard) {
-  switch (yard.param) {
+std::string nameOf(const testing::TestParamInfo<Case>& each) {
+  const std::string light = each.param.light == LightDetail::kFull ? "_in_full_light" : "";
+  switch (each.param.yard) {
     case Yard::kWithGlass:
-      return "with_glass";
+      return "with_glass" + light;
     case Yard::kWithoutGlass:
-      return "without_glass";
+      return "without_glass" + light;
     case Yard::kThroughALens:
-      return "through_a_lens";
+      return "through_a_lens" + light;
   }
   return "";
 }
 
 INSTANTIATE_TEST_SUITE_P(Yards, KeptPictures,
-                         testing::Values(Yard::kWithGlass, Yard::kWithoutGlass,
-                                         Yard::kThroughALens),
+                         testing::Values(Case{Yard::kWithGlass}, Case{Yard::kWithoutGlass},
+                                         Case{Yard::kThroughALens},
+                                         Case{Yard::kWithGlass, LightDetail::kFull},
+                                         Case{Yard::kThroughALens, LightDetail::kFull}),
                          nameOf);
 
 TEST(KeptPicturesOfAnAisle, HaveTheShadowsOfASunWhoseMapIsNotSquare) {
@@ -302,7 +310,7 @@ TEST(KeptPicturesOfAnAisle, HaveTheShadowsOfASunWhoseMapIsNotSquare) {
 }
 
 TEST_P(KeptPictures, OfNoPixelsAreBackground) {
-  Renderer renderer(description, stage.links(), {});
+  Renderer renderer(description, stage.links(), options);
   for (int time = 0; time < 3; ++time) {
     move(time);
     const cv::Mat picture = renderer.colour(
@@ -316,7 +324,7 @@ TEST_P(KeptPictures, OfNoPixelsAreBackground) {
 TEST_P(KeptPictures, AreThoseOfSeveralCamerasToo) {
   std::vector<cv::Mat> pictures;
   {
-    Renderer renderer(description, stage.links(), {});
+    Renderer renderer(description, stage.links(), options);
     for (int time = 0; time < 7; ++time) {
       move(time);
       for (int camera = 1; camera < 4; ++camera) {
@@ -335,7 +343,7 @@ TEST_P(KeptPictures, AreThoseOfSeveralCamerasToo) {
 TEST_P(KeptPictures, AreNotMixedUpWithOthers) {
   std::vector<cv::Mat> pictures;
   {
-    Renderer renderer(description, stage.links(), {});
+    Renderer renderer(description, stage.links(), options);
     const View elsewhere{view.camera, view.X_WC * at(0.3, 0, 0)};
     const cv::Rect region(10, 10, 100, 100);
     for (int time = 0; time < 6; ++time) {

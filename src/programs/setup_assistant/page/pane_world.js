@@ -44,7 +44,8 @@ function draw() {
         numberField(['physics', 'contact_tolerance'], {label: 'Overlap that is reported', unit: 'm', step: 0.005}),
         numberField(['physics', 'settle'], {label: 'Time to come to rest', unit: 's', step: 0.5, fallback: 0})),
     more(
-        'Picture', ['samples', 'shadow_map_size', 'shadow_distance'].map((each) => ['rendering', each]),
+        'Picture', ['light', 'samples', 'shadow_map_size', 'shadow_distance'].map((each) => ['rendering', each]),
+        choiceField(['rendering', 'light'], ['simple', 'full'], {label: 'Light', fallback: 'simple'}),
         choiceField(['rendering', 'samples'], [[1, '1'], [4, '4']], {label: 'Samples at an edge'}),
         numberField(['rendering', 'shadow_map_size'], {label: 'Shadow map', unit: 'texels', step: 256}),
         numberField(

@@ -1,0 +1,401 @@
+#include "render/light/ambient_occlusion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "render/pixels/lanes.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+constexpr float kRadius = 0.4F;  // [m]
+constexpr int kSteps = 8;        // to each side
+constexpr int kPattern = 4;      // pixels of a square's side that differ in their directions
+constexpr float kFarthestShare = 1.0F / 10.0F;  // of the picture's width: no way is longer
+constexpr float kFading = 0.615F;               // of the radius, over which what is far away fades
+constexpr float kFlat = 0.02F;  // the sine of the angle over a surface up to which it is flat
+constexpr int kMargin = 4;      // pixels beside the images that may be read
+
+float farthest(const cv::Size& image) {
+  return std::max(4.0F, kFarthestShare * static_cast<float>(std::max(image.width, image.height)));
+}
+
+/// The angle whose cosine each is, to 7e-5 (Abramowitz and Stegun 4.4.45).
+Lanes arcCosine(const Lanes& cosine) {
+  const Lanes x = cv::v_min(cv::v_abs(cosine), lanes(1.0F));
+  const Lanes sum = ((lanes(-0.0187293F) * x + lanes(0.0742610F)) * x - lanes(0.2121144F)) * x +
+                    lanes(1.5707288F);
+  const Lanes angle = cv::v_sqrt(lanes(1.0F) - x) * sum;
+  return cv::v_select(cosine < lanes(0.0F), lanes(static_cast<float>(M_PI)) - angle, angle);
+}
+
+/// Of each pixel of a square: the direction of its slice, and how far out its steps begin.
+struct Pattern {
+  Pattern() {
+    // A square of which each row and column has numbers from all of the range.
+    constexpr std::array<int, 16> kOrder = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+    for (std::size_t i = 0; i < kOrder.size(); ++i) {
+      const double angle = M_PI * (kOrder[i] + 0.5) / 16.0;
+      x[i] = static_cast<float>(std::cos(angle));
+      y[i] = static_cast<float>(std::sin(angle));
+      starts[i] = (static_cast<float>(kOrder[(i + 7) % 16]) + 0.5F) / 16.0F;
+    }
+  }
+
+  /// Four pixels in a row of the picture.
+  /// @param values  of a square, row by row
+  [[nodiscard]] static Lanes four(const std::array<float, 16>& values, int u, int v) {
+    const std::size_t row = kPattern * (static_cast<unsigned>(v) % kPattern);
+    std::array<float, kLaneCount> of_pixels;
+    for (std::size_t i = 0; i < of_pixels.size(); ++i) {
+      of_pixels[i] = values[row + (static_cast<unsigned>(u) + i) % kPattern];
+    }
+    return cv::v_load(of_pixels.data());
+  }
+
+  std::array<float, 16> x;
+  std::array<float, 16> y;
+  std::array<float, 16> starts;
+};
+
+const Pattern& pattern() {
+  static const Pattern kThePattern;
+  return kThePattern;
+}
+
+/// Columns and rows of the picture.
+struct FourPixels {
+  std::array<int, kLaneCount> u;
+  std::array<int, kLaneCount> v;
+};
+
+/// Those at some offsets from four in a row.
+FourPixels beside(int u, int v, const Lanes& du, const Lanes& dv) {
+  FourPixels four;
+  cv::v_store(four.u.data(), cv::v_round(du) + cv::v_int32x4(u, u + 1, u + 2, u + 3));
+  cv::v_store(four.v.data(), cv::v_round(dv) + cv::v_setall_s32(v));
+  return four;
+}
+
+/// Depths with a margin, and where they lie.
+class Depths {
+ public:
+  explicit Depths(const Occluders& seen)
+      : place_(seen.place),
+        k_(seen.intrinsics),
+        rays_(seen.rays),
+        x_(static_cast<float>(1.0 / k_.fx)),
+        y_(static_cast<float>(1.0 / k_.fy)) {
+    cv::copyMakeBorder(seen.depth, depths_, kMargin, kMargin, kMargin, kMargin + kLaneCount,
+                       cv::BORDER_CONSTANT, cv::Scalar(0.0));
+    if (rays_.empty()) return;
+    cv::copyMakeBorder(rays_(place_), rays_, kMargin, kMargin, kMargin, kMargin + kLaneCount,
+                       cv::BORDER_REPLICATE);
+  }
+
+  /// Of four pixels in a row, up to kMargin beside those that are known.
+  [[nodiscard]] Lanes four(int u, int v) const {
+    return cv::v_load(depths_.ptr<float>(v - place_.y + kMargin, u - place_.x + kMargin));
+  }
+
+  [[nodiscard]] Lanes3 raysOfFour(int u, int v) const {
+    if (rays_.empty()) {
+      const Lanes columns = lanes(static_cast<float>(u)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
+      return pinholeRays(columns, lanes(static_cast<float>(v)));
+    }
+    Lanes3 ray;
+    cv::v_load_deinterleave(rays_.ptr<float>(v - place_.y + kMargin, u - place_.x + kMargin), ray.x,
+                            ray.y, ray.z);
+    return ray;
+  }
+
+  /// Of four pixels anywhere; 0 beside those that are known.
+  [[nodiscard]] Lanes at(const FourPixels& four) const {
+    return Lanes(at(four.u[0], four.v[0]), at(four.u[1], four.v[1]), at(four.u[2], four.v[2]),
+                 at(four.u[3], four.v[3]));
+  }
+
+  /// Of four pixels anywhere; of those beside the known ones, that of the nearest known.
+  [[nodiscard]] Lanes3 raysAt(const FourPixels& four) const {
+    const auto& [u, v] = four;
+    if (rays_.empty()) {
+      return pinholeRays(cv::v_cvt_f32(cv::v_load(u.data())), cv::v_cvt_f32(cv::v_load(v.data())));
+    }
+    std::array<cv::Vec3f, kLaneCount> rays;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const int column = std::clamp(u[i] - place_.x, 0, place_.width - 1);
+      const int row = std::clamp(v[i] - place_.y, 0, place_.height - 1);
+      rays[i] = rays_.at<cv::Vec3f>(row + kMargin, column + kMargin);
+    }
+    return {Lanes(rays[0][0], rays[1][0], rays[2][0], rays[3][0]),
+            Lanes(rays[0][1], rays[1][1], rays[2][1], rays[3][1]),
+            Lanes(rays[0][2], rays[1][2], rays[2][2], rays[3][2])};
+  }
+
+  [[nodiscard]] const cv::Rect& place() const { return place_; }
+
+ private:
+  [[nodiscard]] float at(int u, int v) const {
+    const int column = u - place_.x;
+    const int row = v - place_.y;
+    if (column < 0 || row < 0 || column >= place_.width || row >= place_.height) return 0.0F;
+    return depths_.at<float>(row + kMargin, column + kMargin);
+  }
+
+  [[nodiscard]] Lanes3 pinholeRays(const Lanes& u, const Lanes& v) const {
+    return {(u - lanes(static_cast<float>(k_.cx))) * lanes(x_),
+            (v - lanes(static_cast<float>(k_.cy))) * lanes(y_), lanes(1.0F)};
+  }
+
+  cv::Rect place_;
+  Intrinsics k_;
+  cv::Mat rays_;
+  float x_;
+  float y_;
+  cv::Mat depths_;
+};
+
+/// Four surfaces, and how far around them occluders are looked for.
+struct FourSurfaces {
+  int u;  ///< of the first, in the picture
+  int v;
+  Lanes3 ray;
+  Lanes3 position;
+  Lanes3 to_eye;
+  Lanes3 normal;
+  Lanes radius;  ///< [m]
+  Lanes pixels;  ///< the same [px]
+  Lanes start;   ///< of the steps
+};
+
+struct Angle {
+  Lanes sine;
+  Lanes cosine;
+};
+
+/// The light that reaches surfaces in one slice, in any unit.
+struct Reaching {
+  Lanes open;   ///< past what is near
+  Lanes whole;  ///< if there were nothing
+};
+
+class HorizonFinder {
+ public:
+  HorizonFinder(const Depths& depths, const Intrinsics& k, const cv::Size& image)
+      : depths_(depths), focal_(static_cast<float>(k.fx)), farthest_(farthest(image)) {}
+
+  /// What reaches four pixels in a row.
+  /// @param normals  of them, as numbers of 16 bits
+  [[nodiscard]] Reaching find(int u, int v, const std::uint16_t* normals) const {
+    const Lanes depth = depths_.four(u, v);
+    FourSurfaces four;
+    four.u = u;
+    four.v = v;
+    four.ray = depths_.raysOfFour(u, v);
+    four.position = four.ray * depth;
+    const Lanes distance = cv::v_max(length(four.position), lanes(1e-6F));
+    four.to_eye = four.position * (lanes(-1.0F) / distance);
+    four.normal = normalized(loadHalves(normals).xyz);
+    const Lanes scale = lanes(focal_) / distance;  // [px/m]
+    four.pixels = cv::v_min(lanes(kRadius) * scale, lanes(farthest_));
+    four.radius = four.pixels / scale;
+    four.start = Pattern::four(pattern().starts, u, v);
+    return openIn(four);
+  }
+
+ private:
+  struct Direction {
+    Lanes x, y;
+  };
+
+  [[nodiscard]] Reaching openIn(const FourSurfaces& four) const {
+    const Direction direction{Pattern::four(pattern().x, four.u, four.v),
+                              Pattern::four(pattern().y, four.u, four.v)};
+    // The slice is the plane of the eye's direction and this one.
+    const Lanes far = lanes(8.0F);  // [px]
+    const FourPixels pixels = beside(four.u, four.v, far * direction.x, far * direction.y);
+    const Lanes3 way = depths_.raysAt(pixels) - four.ray;
+    const Lanes3 across = normalized(way - four.to_eye * dot(way, four.to_eye));
+    const Lanes along_across = dot(four.normal, across);
+    const Lanes along_eye = dot(four.normal, four.to_eye);
+    const Lanes size = cv::v_sqrt(along_across * along_across + along_eye * along_eye);
+    const Lanes safe = cv::v_max(size, lanes(1e-6F));
+    const Angle normal{along_across / safe, along_eye / safe};
+    Reaching light{lanes(0.0F), lanes(0.0F)};
+    addSide(1.0F, direction, four, normal, light);
+    addSide(-1.0F, direction, four, normal, light);
+    return {size * light.open, size * light.whole};
+  }
+
+  /// What comes from angles between the eye's direction and one to a side of it.
+  /// @param cosine  of that angle
+  /// @param normal  by how much it is turned to the side 1
+  [[nodiscard]] static Lanes lightUpTo(const Lanes& cosine, float side, const Angle& normal) {
+    const Lanes angle = lanes(side) * arcCosine(cosine);
+    const Lanes sine =
+        lanes(side) * cv::v_sqrt(cv::v_max(lanes(1.0F) - cosine * cosine, lanes(0.0F)));
+    const Lanes two = lanes(2.0F);
+    const Lanes twice =
+        (two * cosine * cosine - lanes(1.0F)) * normal.cosine + two * sine * cosine * normal.sine;
+    return lanes(0.25F) * (normal.cosine - twice + two * angle * normal.sine);
+  }
+
+  /// On one side of the eye's direction, from the surface up: where something is seen above all
+  /// that was seen before, it hides the angles between.
+  void addSide(float side, const Direction& direction, const FourSurfaces& four,
+               const Angle& normal, Reaching& light) const {
+    Lanes horizon = lanes(-side) * normal.sine;
+    Lanes rest = lightUpTo(horizon, side, normal);
+    light.whole += rest;
+    light.open += rest;
+    for (int step = 0; step < kSteps; ++step) {
+      const Lanes out = (lanes(static_cast<float>(step)) + four.start) * lanes(1.0F / kSteps);
+      const Lanes far = lanes(side) * cv::v_max(lanes(1.0F), out * cv::v_sqrt(out) * four.pixels);
+      const FourPixels pixels = beside(four.u, four.v, far * direction.x, far * direction.y);
+      const Lanes there = depths_.at(pixels);
+      const Lanes3 way = depths_.raysAt(pixels) * there - four.position;
+      const Lanes distance = cv::v_max(length(way), lanes(1e-6F));
+      const Lanes cosine = clamped(dot(way, four.to_eye) / distance, -1.0F, 1.0F);
+      // A plane's own pixels are not exactly in the slice.
+      const Lanes is_above = dot(way, four.normal) > lanes(kFlat) * distance;
+      const Lanes hides = (there != lanes(0.0F)) & is_above & (cosine > horizon);
+      if (!cv::v_check_any(hides)) continue;
+      const Lanes near =
+          clamped((four.radius - distance) / (lanes(kFading) * four.radius), 0.0F, 1.0F);
+      horizon = cv::v_select(hides, cosine, horizon);
+      const Lanes left = cv::v_select(hides, lightUpTo(cosine, side, normal), rest);
+      light.open -= near * (rest - left);
+      rest = left;
+    }
+  }
+
+  const Depths& depths_;
+  float focal_;
+  float farthest_;
+};
+
+/// What reaches all pixels of a place, and kMargin around it.
+class ReachingLight {
+ public:
+  explicit ReachingLight(const cv::Rect& place)
+      : place_(place),
+        open_(place.height + 2 * kMargin, place.width + 2 * kMargin + kLaneCount, CV_32FC1,
+              cv::Scalar(0.0)),
+        whole_(open_.clone()) {}
+
+  void set(int u, int v, const Reaching& four) {
+    cv::v_store(at(open_, u, v), four.open);
+    cv::v_store(at(whole_, u, v), four.whole);
+  }
+
+  /// The share that reaches the pixels of a square which see the same surface.
+  [[nodiscard]] Lanes shareAt(int u, int v, const Depths& depths,
+                              const std::uint16_t* normals) const {
+    const Lanes3 position = depths.raysOfFour(u, v) * depths.four(u, v);
+    const Lanes3 normal = normalized(loadHalves(normals).xyz);
+    const Lanes thick = lanes(0.01F) * length(position);
+    Lanes open = lanes(0.0F);
+    Lanes whole = lanes(0.0F);
+    for (int dv = -kOcclusionSmoothing; dv < kOcclusionSmoothing; ++dv) {
+      for (int du = -kOcclusionSmoothing; du < kOcclusionSmoothing; ++du) {
+        const Lanes depth = depths.four(u + du, v + dv);
+        const Lanes3 way = depths.raysOfFour(u + du, v + dv) * depth - position;
+        const Lanes is_same = (cv::v_abs(dot(way, normal)) <= thick) & (depth != lanes(0.0F));
+        open += cv::v_load(at(open_, u + du, v + dv)) & is_same;
+        whole += cv::v_load(at(whole_, u + du, v + dv)) & is_same;
+      }
+    }
+    return clamped(open / cv::v_max(whole, lanes(1e-6F)), 0.0F, 1.0F);
+  }
+
+ private:
+  [[nodiscard]] float* at(cv::Mat& image, int u, int v) const {
+    return image.ptr<float>(v - place_.y + kMargin, u - place_.x + kMargin);
+  }
+  [[nodiscard]] const float* at(const cv::Mat& image, int u, int v) const {
+    return image.ptr<float>(v - place_.y + kMargin, u - place_.x + kMargin);
+  }
+
+  cv::Rect place_;
+  cv::Mat open_;   ///< CV_32FC1
+  cv::Mat whole_;  ///< CV_32FC1
+};
+
+/// With columns enough for four pixels from each.
+cv::Mat withLanes(const cv::Mat& image) {
+  cv::Mat wide;
+  cv::copyMakeBorder(image, wide, 0, 0, 0, kLaneCount, cv::BORDER_CONSTANT, cv::Scalar::all(0));
+  return wide;
+}
+
+/// Does something for every four pixels of which one is not 0.
+/// @param pixels  CV_8UC1, withLanes()
+template <class Action>
+void forEachFour(const cv::Mat& pixels, const Action& action) {
+  for (int row = 0; row < pixels.rows; ++row) {
+    const auto* is_meant = pixels.ptr<std::uint8_t>(row);
+    for (int column = 0; column < pixels.cols - kLaneCount; column += kLaneCount) {
+      const auto* four = is_meant + column;
+      if ((four[0] | four[1] | four[2] | four[3]) != 0) action(column, row);
+    }
+  }
+}
+
+}  // namespace
+
+int occlusionReach(const cv::Size& image) {
+  return static_cast<int>(std::ceil(farthest(image))) + kOcclusionSmoothing + 1;
+}
+
+cv::Mat occlusionReaches(const Occluders& seen) {
+  const Depths depths(seen);
+  const float most = farthest(seen.image);
+  const auto focal = static_cast<float>(seen.intrinsics.fx);
+  cv::Mat reaches(seen.place.height, seen.place.width + kLaneCount, CV_32FC1);
+  for (int row = 0; row < seen.place.height; ++row) {
+    for (int column = 0; column < seen.place.width; column += kLaneCount) {
+      const int u = seen.place.x + column;
+      const int v = seen.place.y + row;
+      const Lanes distance =
+          cv::v_max(length(depths.raysOfFour(u, v) * depths.four(u, v)), lanes(1e-6F));
+      cv::v_store(reaches.ptr<float>(row, column),
+                  cv::v_min(lanes(kRadius * focal) / distance, lanes(most)));
+    }
+  }
+  // Pixels share what those around them find.
+  cv::Mat shared;
+  const int square = 2 * kOcclusionSmoothing + 1;
+  cv::dilate(reaches.colRange(0, seen.place.width), shared, cv::Mat::ones(square, square, CV_8UC1));
+  return shared + kOcclusionSmoothing + 1.0;
+}
+
+cv::Mat openness(const Occluders& seen, const cv::Mat& normals, const cv::Rect& place,
+                 const cv::Mat& wanted) {
+  const Depths depths(seen);
+  const cv::Mat directions = withLanes(normals);
+  cv::Mat needed;
+  const int square = 2 * kOcclusionSmoothing + 1;
+  cv::dilate(wanted, needed, cv::Mat::ones(square, square, CV_8UC1));
+  const HorizonFinder finder(depths, seen.intrinsics, seen.image);
+  ReachingLight light(place);
+  forEachFour(withLanes(needed), [&](int column, int row) {
+    light.set(
+        place.x + column, place.y + row,
+        finder.find(place.x + column, place.y + row, directions.ptr<std::uint16_t>(row, column)));
+  });
+  cv::Mat open(place.height, place.width + kLaneCount, CV_32FC1, cv::Scalar(1.0));
+  forEachFour(withLanes(wanted), [&](int column, int row) {
+    cv::v_store(open.ptr<float>(row, column),
+                light.shareAt(place.x + column, place.y + row, depths,
+                              directions.ptr<std::uint16_t>(row, column)));
+  });
+  return open.colRange(0, place.width);
+}
+
+}  // namespace synthetic_dataset::render
