@@ -86,7 +86,7 @@ def draw(scene, objects, pose, indices, folder):
                                         instance_attribute_maps=data["instance_attribute_maps"],
                                         colors=data["colors"], color_file_format="PNG")
     for index, depth in zip(indices, data["depth"]):
-        units = np.clip(depth / DEPTH_UNIT, 0, 65535).astype(np.uint16)
+        units = np.clip(np.rint(depth / DEPTH_UNIT), 0, 65535).astype(np.uint16)
         cv2.imwrite(f"{folder}/depth_{index}.png", units, [cv2.IMWRITE_PNG_COMPRESSION, 1])
 
 
