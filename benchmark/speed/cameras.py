@@ -1,5 +1,5 @@
 """What real cameras cost beside a pinhole: lenses with distortion, motion blur, rolling shutters,
-background subtraction, several cameras; where the camera stands, and where it rides.
+background subtraction, several cameras, full light, weather; where the camera stands, and where it rides.
 
   cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT]
 
@@ -38,6 +38,7 @@ FISHEYE = (640.0 / WIDE, "equidistant", [0.0] * 4)
 BLUR = {"exposure_time": 0.02, "motion_samples": 8}
 ROLLING = {"readout_time": 0.03, "readout_bands": 24}
 SUBTRACTION = {"masks": {"method": "mog2"}}
+FULL = {"rendering": {"light": "full"}}
 CAMERAS = {  # lens: focal length [px], distortion; effects; other settings
     "pinhole": (PINHOLE, {}, {}),
     "plumb_bob, k1 -0.28": (BARREL, {}, {}),
@@ -45,6 +46,11 @@ CAMERAS = {  # lens: focal length [px], distortion; effects; other settings
     "motion blur, 8 samples": (PINHOLE, BLUR, {}),
     "rolling shutter, 24 bands": (PINHOLE, ROLLING, {}),
     "MOG2": (PINHOLE, {}, SUBTRACTION),
+    "full light": (PINHOLE, {}, FULL),
+    "full light through plumb_bob": (BARREL, {}, FULL),
+    "weather, fog": (PINHOLE, {}, {"randomize": {"weather": {"visibility": 50.0}}}),
+    "weather, rain 20 mm/h": (PINHOLE, {}, {"randomize": {"weather": {"rain": 20.0}}}),
+    "weather, snow 1 mm/h": (PINHOLE, {}, {"randomize": {"weather": {"snow": 1.0}}}),
     "four cameras": (PINHOLE, {}, {"count": 4}),
 }
 STANDS, RIDES = "stands", "rides"
