@@ -35,7 +35,8 @@ struct Look {
   Eigen::Vector3f ambient;     ///< sRGB-encoded
   Eigen::Vector3f background;  ///< sRGB-encoded
 
-  /// In place of the background's colour, and of the sky; it lights nothing.
+  /// In place of the background's colour, and of the sky. With full light a panorama is also in
+  /// place of the ambient light.
   std::optional<BackgroundPicture> background_picture;
 
   /// The materials of surfaces instead of those that they were made with. Each is as transparent

@@ -12,7 +12,8 @@ Lanes3 ClassicShading::seen(const ClassicLanes& surface) const {
   Sums sums{nothing, nothing};
   for (std::size_t i = 0; i < lights_.count(); ++i) add(i, surface, sums);
   // What is encoded is about the square root of light.
-  const Lanes3 around = surface.ambient * cv::v_sqrt(surface.open) + surface.own;
+  const Lanes3 around =
+      surface.ambient * everywhere(surface) * cv::v_sqrt(surface.open) + surface.own;
   Lanes3 light = (around + surface.diffuse * sums.diffuse) * surface.picture +
                  surface.specular * sums.specular + surface.glow;
   const Lanes most = lanes(brightestEncoded(surroundings_.exposure));
@@ -20,6 +21,14 @@ Lanes3 ClassicShading::seen(const ClassicLanes& surface) const {
   if (!surroundings_.fog) return light;
   return mix(light, lanes(surroundings_.fog->colour),
              lights_.fogginess(length(surface.position_C)));
+}
+
+/// The light that comes from everywhere.
+Lanes3 ClassicShading::everywhere(const ClassicLanes& surface) const {
+  if (surroundings_.environment == nullptr) return lanes(surroundings_.ambient);
+  const Lanes3 light =
+      surroundings_.environment->arriving(rotated(surroundings_.R_GC, surface.normal));
+  return {cv::v_sqrt(light.x), cv::v_sqrt(light.y), cv::v_sqrt(light.z)};
 }
 
 void ClassicShading::add(std::size_t light, const ClassicLanes& surface, Sums& sums) const {

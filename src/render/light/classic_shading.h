@@ -17,7 +17,7 @@ struct ClassicLanes {
   Lanes3 face;     ///< its normal, towards the camera
   Lanes3 normal;   ///< as a normal map bends it; of backs, that of their fronts
   Lanes3 picture;  ///< of its texture; white where it has none
-  Lanes3 ambient;  ///< what it sends of the light from everywhere
+  Lanes3 ambient;  ///< of the light from everywhere
   Lanes open;      ///< the share of that which arrives
   Lanes3 own;      ///< what it sends whatever the light: emissive
   Lanes3 diffuse;
@@ -49,6 +49,7 @@ class ClassicShading {
     Lanes3 specular;
   };
 
+  [[nodiscard]] Lanes3 everywhere(const ClassicLanes& surface) const;
   void add(std::size_t light, const ClassicLanes& surface, Sums& sums) const;
 
   const Surroundings& surroundings_;

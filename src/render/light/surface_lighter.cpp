@@ -46,14 +46,13 @@ PixelLanes ofParts(const std::vector<PartLight>& parts, const int* four, const W
 
 }  // namespace
 
-std::vector<PartLight> partLights(const std::vector<Part>& parts, world::Simulator simulator,
-                                  const Eigen::Vector3f& ambient) {
+std::vector<PartLight> partLights(const std::vector<Part>& parts, world::Simulator simulator) {
   std::vector<PartLight> lights = {PartLight()};
   for (const Part& part : parts) {
     const world::Material& material = *part.material;
     PartLight light;
     if (simulator == world::Simulator::kClassic) {
-      light.classic = classicLight(material, ambient);
+      light.classic = classicLight(material);
     } else {
       light.emissive = linearFromSrgb(material.emissive);
       light.reflectance = material.lit ? reflectance(material) : -1.0F;

@@ -16,10 +16,8 @@
 namespace synthetic_dataset::render {
 
 /// By the number that parts have in GeometryImages.
-/// @param ambient  the scene's, sRGB-encoded
 [[nodiscard]] std::vector<PartLight> partLights(const std::vector<Part>& parts,
-                                                world::Simulator simulator,
-                                                const Eigen::Vector3f& ambient);
+                                                world::Simulator simulator);
 
 /// Lights pixels whose surfaces OpenGL has drawn, each once, however many small triangles share it.
 /// OpenGL without a graphics card takes three times as long.

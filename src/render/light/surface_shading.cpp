@@ -66,16 +66,29 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
   response.alpha = cv::v_max(surface.roughness * surface.roughness, lanes(0.01F));
   response.n_dot_v = cv::v_max(dot(surface.normal, response.to_eye), lanes(1e-3F));
 
+  Lanes3 sum = everywhere(surface, response) + surface.glow;
+  for (std::size_t i = 0; i < lights_.count(); ++i) sum = sum + sent(i, surface, response);
+  return sum;
+}
+
+/// What of the light from everywhere a surface sends to the eye.
+Lanes3 SurfaceShading::everywhere(const SurfaceLanes& surface, const Response& response) const {
+  const Lanes one = lanes(1.0F);
+  const Lanes3 matte = response.matte * reaching(surface.open, surface.base);
+  const Lanes3 reflected = fresnel(response.f0, response.n_dot_v) *
+                           mix(one, lanes(0.4F), surface.roughness) * surface.open;
+  if (surroundings_.environment != nullptr) {
+    const auto from = [this](const Lanes3& direction_C) {
+      return surroundings_.environment->arriving(rotated(surroundings_.R_GC, direction_C));
+    };
+    const Lanes twice = lanes(2.0F) * response.n_dot_v;
+    return from(surface.normal) * matte +
+           from(normalized(surface.normal * twice - response.to_eye)) * reflected;
+  }
   const Lanes half = lanes(0.5F);
   const Lanes sky = half + half * dot(surface.normal, lanes(surroundings_.up_C));
   const Lanes3 around = lanes(surroundings_.ambient) * mix(lanes(0.55F), one, sky);
-  const Lanes3 reflected =
-      fresnel(response.f0, response.n_dot_v) * mix(one, lanes(0.4F), surface.roughness);
-  Lanes3 sum =
-      around * (response.matte * reaching(surface.open, surface.base) + reflected * surface.open) +
-      surface.glow;
-  for (std::size_t i = 0; i < lights_.count(); ++i) sum = sum + sent(i, surface, response);
-  return sum;
+  return around * (matte + reflected);
 }
 
 /// What of one light a surface sends to the eye.

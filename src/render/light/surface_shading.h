@@ -46,6 +46,7 @@ class SurfaceShading {
     Lanes n_dot_v;
   };
 
+  [[nodiscard]] Lanes3 everywhere(const SurfaceLanes& surface, const Response& response) const;
   [[nodiscard]] Lanes3 lit(const SurfaceLanes& surface) const;
   [[nodiscard]] Lanes3 sent(std::size_t light, const SurfaceLanes& surface,
                             const Response& response) const;

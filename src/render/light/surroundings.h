@@ -1,12 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "render/light/environment_light.h"
 #include "render/light/light_setup.h"
-#include "render/render_options.h"
 #include "render/shadows/map_depths.h"
 #include "world/description.h"
 
@@ -23,12 +24,15 @@ struct CastShadow {
 struct Surroundings {
   std::vector<LightInView> lights;
   std::vector<std::optional<CastShadow>> shadows;  ///< of each light
-  Eigen::Vector3f ambient;                         ///< linear
+  Eigen::Vector3f ambient;                         ///< linear; in Gazebo Classic's worlds encoded
   Eigen::Vector3f up_C;
   float exposure;
   std::optional<world::Fog> fog;
   world::Simulator simulator = world::Simulator::kGz;  ///< whose light it is
-  LightDetail detail = LightDetail::kSimple;
+
+  /// In the place of the ambient light; null for none.
+  std::shared_ptr<const EnvironmentLight> environment = nullptr;
+  Eigen::Matrix3f R_GC = Eigen::Matrix3f::Identity();  ///< for it
 };
 
 }  // namespace synthetic_dataset::render

@@ -87,8 +87,8 @@ void OverlayPainter::setLight(const ShaderProgram& program, const world::Materia
     program.set("reflectance", reflectance(material));
     return;
   }
-  const ClassicLight light = classicLight(material, ambient_);
-  program.set("around", Eigen::Vector3f(light.ambient + light.own));
+  const ClassicLight light = classicLight(material);
+  program.set("around", Eigen::Vector3f(light.ambient.cwiseProduct(ambient_) + light.own));
   program.set("diffuse_colour", light.diffuse);
   program.set("specular_colour", light.specular);
   program.set("shininess", light.shininess);

@@ -6,13 +6,13 @@ bool hasGlowOfItsOwn(const world::Material& material) {
   return material.emissive_map && material.emissive_map != material.texture;
 }
 
-ClassicLight classicLight(const world::Material& material, const Eigen::Vector3f& ambient) {
+ClassicLight classicLight(const world::Material& material) {
   ClassicLight light;
   if (!material.lit) {
     light.own = material.diffuse.head<3>();
     return light;
   }
-  light.ambient = material.ambient.cwiseProduct(ambient);
+  light.ambient = material.ambient;
   (hasGlowOfItsOwn(material) ? light.glow : light.own) += material.emissive;
   light.diffuse = material.diffuse.head<3>();
   if (material.shininess > 0.0F && !material.specular.isZero()) {

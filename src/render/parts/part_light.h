@@ -8,7 +8,7 @@ namespace synthetic_dataset::render {
 
 /// What of a surface's light in Gazebo Classic is the same all over it: of ClassicLanes.
 struct ClassicLight {
-  Eigen::Vector3f ambient{0.0F, 0.0F, 0.0F};
+  Eigen::Vector3f ambient{0.0F, 0.0F, 0.0F};  ///< times the scene's
   Eigen::Vector3f own{0.0F, 0.0F, 0.0F};
   Eigen::Vector3f diffuse{0.0F, 0.0F, 0.0F};
   Eigen::Vector3f specular{0.0F, 0.0F, 0.0F};
@@ -16,9 +16,7 @@ struct ClassicLight {
   float shininess = 0.0F;
 };
 
-/// @param ambient  the scene's, sRGB-encoded
-[[nodiscard]] ClassicLight classicLight(const world::Material& material,
-                                        const Eigen::Vector3f& ambient);
+[[nodiscard]] ClassicLight classicLight(const world::Material& material);
 
 /// What of a part's light is the same all over it.
 struct PartLight {

@@ -76,11 +76,12 @@ void LightPainter::setLook(const world::Look& look) {
   background_ = look.background;
   findPartLights();
   overlay_painter_.setLook(look);
+  panorama_ = look.background_picture;
+  environment_ = nullptr;
 }
 
 void LightPainter::findPartLights() {
-  part_lights_ =
-      std::make_shared<std::vector<PartLight>>(partLights(parts_.parts(), simulator_, ambient_));
+  part_lights_ = std::make_shared<std::vector<PartLight>>(partLights(parts_.parts(), simulator_));
 }
 
 /// The background's light, as that of surfaces is found.
@@ -108,7 +109,7 @@ UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& se
 UnlitPixels LightPainter::surfacesAlone(const ColourScene& scene, const SeenSurfaces& seen,
                                         const ShadowPainter& shadows,
                                         const std::vector<cv::Rect>& regions,
-                                        const cv::Mat& wanted) const {
+                                        const cv::Mat& wanted) {
   return {seen,
           regions,
           wanted,
@@ -119,16 +120,23 @@ UnlitPixels LightPainter::surfacesAlone(const ColourScene& scene, const SeenSurf
           {}};
 }
 
-Surroundings LightPainter::surroundings(const ColourScene& scene,
-                                        const ShadowPainter& shadows) const {
+Surroundings LightPainter::surroundings(const ColourScene& scene, const ShadowPainter& shadows) {
+  const bool is_classic = simulator_ == world::Simulator::kClassic;
   Surroundings result{lightsIn(scene.view, lights_),
                       {},
-                      linearFromSrgb(ambient_),
+                      is_classic ? ambient_ : linearFromSrgb(ambient_),
                       upIn(scene.view),
                       scene.exposure,
                       fog_,
                       simulator_};
   result.shadows.resize(result.lights.size());
+  const bool is_around =
+      panorama_ && panorama_->projection == world::BackgroundPicture::Projection::kPanorama;
+  if (scene.detail == LightDetail::kFull && is_around) {
+    if (environment_ == nullptr) environment_ = std::make_shared<EnvironmentLight>(*panorama_);
+    result.environment = environment_;
+    result.R_GC = scene.view.X_WC.linear().cast<float>();
+  }
   for (const ShadowProjection& shadow : scene.shadows) {
     result.shadows[static_cast<std::size_t>(shadow.light)] = CastShadow{
         shadows.depths(shadow), shadow.shadow_from_world * scene.view.X_WC.matrix(), shadow.texel};

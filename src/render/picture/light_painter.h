@@ -69,7 +69,7 @@ class LightPainter {
   [[nodiscard]] UnlitPixels surfacesAlone(const ColourScene& scene, const SeenSurfaces& seen,
                                           const ShadowPainter& shadows,
                                           const std::vector<cv::Rect>& regions,
-                                          const cv::Mat& wanted) const;
+                                          const cv::Mat& wanted);
 
   /// Whether something else is behind these links, or before them, in a picture.
   [[nodiscard]] bool hasOverlay(const LinkSelection& drawn) const {
@@ -83,8 +83,7 @@ class LightPainter {
  private:
   void findPartLights();
   [[nodiscard]] Eigen::Vector3f nothing(float exposure) const;
-  [[nodiscard]] Surroundings surroundings(const ColourScene& scene,
-                                          const ShadowPainter& shadows) const;
+  [[nodiscard]] Surroundings surroundings(const ColourScene& scene, const ShadowPainter& shadows);
 
   const DrawList& parts_;
   std::vector<world::Light> lights_;
@@ -92,6 +91,8 @@ class LightPainter {
   Eigen::Vector3f ambient_;     ///< sRGB-encoded
   Eigen::Vector3f background_;  ///< sRGB-encoded
   std::optional<world::Fog> fog_;
+  std::optional<world::BackgroundPicture> panorama_;
+  std::shared_ptr<const EnvironmentLight> environment_;  ///< its light, once that is asked for
   std::shared_ptr<const std::vector<PartLight>> part_lights_;
   OverlayPainter overlay_painter_;
 };

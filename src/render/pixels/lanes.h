@@ -47,6 +47,12 @@ struct Lanes3 {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+[[nodiscard]] inline Lanes3 rotated(const Eigen::Matrix3f& rotation, const Lanes3& a) {
+  return {dot(lanes(Eigen::Vector3f(rotation.row(0))), a),
+          dot(lanes(Eigen::Vector3f(rotation.row(1))), a),
+          dot(lanes(Eigen::Vector3f(rotation.row(2))), a)};
+}
+
 [[nodiscard]] inline Lanes length(const Lanes3& a) { return cv::v_sqrt(dot(a, a)); }
 
 /// Of unit length; nothing stays nothing.

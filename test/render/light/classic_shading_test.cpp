@@ -98,7 +98,7 @@ ClassicLanes lanesOf(const Point& p) {
 }
 
 Surroundings surroundings() {
-  return {{}, {}, {0, 0, 0}, {0, -1, 0}, 1.0F, std::nullopt, world::Simulator::kClassic};
+  return {{}, {}, {1, 1, 1}, {0, -1, 0}, 1.0F, std::nullopt, world::Simulator::kClassic};
 }
 
 Vector3d found(const ClassicShading& shading, const Point& p) {
