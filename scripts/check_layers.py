@@ -39,7 +39,7 @@ MAY_INCLUDE = {
 # Folders within a room, each of which may include those before it, and what lies beside them all.
 INNER_ORDER = {
     'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'urdf', 'sdf'),
-    'src/render': ('sensor', 'pixels', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay',
+    'src/render': ('sensor', 'pixels', 'weather', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay',
                    'edges', 'lens', 'labels', 'picture'),
     'src/output': ('files', 'manifest', 'writers', 'verify'),
     'src/randomize': ('placement', 'appearance'),
