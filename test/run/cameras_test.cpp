@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/yaml_value.h"
 #include "run/scene_loop.h"
 #include "run/setup/run_setup.h"
 #include "run_fixture.h"

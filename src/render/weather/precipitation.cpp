@@ -52,8 +52,8 @@ double Precipitation::speedOf(double diameter) const {
 
 std::vector<Drop> Precipitation::in(const Eigen::Vector3i& cell, double least,
                                     std::uint64_t seed) const {
-  for (const int coordinate : cell) {
-    seed = base::mixedBits(seed + static_cast<std::uint64_t>(coordinate) * base::kCounterStep);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    seed = base::mixedBits(seed + static_cast<std::uint64_t>(cell[axis]) * base::kCounterStep);
   }
   base::RandomSource random(seed + static_cast<std::uint64_t>(kind_));
   const double end = number_ * std::exp(-slope_ * waterOf(least / kMillimetre));

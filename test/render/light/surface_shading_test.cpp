@@ -177,6 +177,7 @@ TEST_F(SurfaceLight, FromBehindIsNone) {
                               lanes(1.0F),
                               lanes(0.0F),
                               lanes(0.0F, 0.0F, 0.0F),
+                              lanes(1.0F),
                               lanes(0.0F) >= lanes(0.0F)};
   EXPECT_EQ(shading.seen(surfaces).x.get0(), without.seen(surfaces).x.get0());
 }

@@ -1,8 +1,10 @@
 #include "render/weather/through_weather.h"
 
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 namespace synthetic_dataset::render {
 namespace through_weather_test {
