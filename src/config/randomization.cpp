@@ -107,20 +107,21 @@ randomize::SensorRandomization readSensor(Parameters group) {
 }
 
 randomize::WeatherRandomization readWeather(Parameters group) {
-  constexpr double kNearest = 1.0;      // [m]
-  constexpr double kFarthest = 1e6;     // [m]
-  constexpr double kHeaviest = 500.0;   // [mm/h]
-  constexpr double kStrongest = 100.0;  // [m/s]
+  constexpr double kNearest = 1.0;         // [m]
+  constexpr double kFarthest = 1e6;        // [m]
+  constexpr double kHeaviestRain = 500.0;  // [mm/h]
+  constexpr double kHeaviestSnow = 20.0;   // [mm/h]; denser, nothing is seen
+  constexpr double kStrongest = 100.0;     // [m/s]
   randomize::WeatherRandomization weather;
   weather.present = maybeProbability(group, "present");
   weather.visibility = maybeDistribution(group, "visibility", {1, kNearest, kFarthest});
-  weather.rain = maybeDistribution(group, "rain", {1, 0.0, kHeaviest});
-  weather.snow = maybeDistribution(group, "snow", {1, 0.0, kHeaviest});
+  weather.rain = maybeDistribution(group, "rain", {1, 0.0, kHeaviestRain});
+  weather.snow = maybeDistribution(group, "snow", {1, 0.0, kHeaviestSnow});
   weather.wind = maybeDistribution(group, "wind", {3, -kStrongest, kStrongest, true});
   weather.colour = maybeDistribution(group, "colour", {3, 0.0, 1.0});
   for (const char* entry : {"present", "wind", "colour"}) {
     if (!group.has(entry) || weather.changesAir()) continue;
-    group.addError(entry, "found without visibility, rain or snow, of which it speaks");
+    group.addError(entry, "has a meaning with visibility, rain or snow alone");
   }
   return weather;
 }

@@ -220,9 +220,9 @@ TEST(Randomization, RefusesWeatherOutOfRange) {
             "visibility: found 0; it should be 1.0 to 1000000.0");
   EXPECT_EQ(errorOf("weather", "rain: -1"), "rain: found -1; it should be 0.0 to 500.0");
   EXPECT_EQ(errorOf("weather", "snow: {uniform: [0, 900]}"),
-            "snow: found uniform: [0, 900]; it should be 0.0 to 500.0");
+            "snow: found uniform: [0, 900]; it should be 0.0 to 20.0");
   EXPECT_EQ(errorOf("weather", "wind: [0, 0, 0]"),
-            "wind: found without visibility, rain or snow, of which it speaks");
+            "wind: has a meaning with visibility, rain or snow alone");
 }
 
 TEST(Randomization, ChangesTheLookUnlessItIsOfSensorsAlone) {

@@ -17,7 +17,7 @@ namespace {
 constexpr float kRadius = 0.4F;  // [m]
 constexpr int kSteps = 8;        // to each side
 constexpr int kPattern = 4;      // pixels of a square's side that differ in their directions
-constexpr float kFarthestShare = 1.0F / 10.0F;  // of the picture's width: no way is longer
+constexpr float kFarthestShare = 1.0F / 10.0F;  // of the picture's longer side: no way is longer
 constexpr float kFading = 0.615F;               // of the radius, over which what is far away fades
 constexpr float kFlat = 0.02F;  // the sine of the angle over a surface up to which it is flat
 constexpr int kMargin = 4;      // pixels beside the images that may be read
@@ -264,10 +264,11 @@ class HorizonFinder {
       const Lanes cosine = clamped(dot(way, four.to_eye) / distance, -1.0F, 1.0F);
       // A plane's own pixels are not exactly in the slice.
       const Lanes is_above = dot(way, four.normal) > lanes(kFlat) * distance;
-      const Lanes hides = (there != lanes(0.0F)) & is_above & (cosine > horizon);
-      if (!cv::v_check_any(hides)) continue;
       const Lanes near =
           clamped((four.radius - distance) / (lanes(kFading) * four.radius), 0.0F, 1.0F);
+      const Lanes counts = (there != lanes(0.0F)) & is_above & (near > lanes(0.0F));
+      const Lanes hides = counts & (cosine > horizon);
+      if (!cv::v_check_any(hides)) continue;
       horizon = cv::v_select(hides, cosine, horizon);
       const Lanes left = cv::v_select(hides, lightUpTo(cosine, side, normal), rest);
       light.open -= near * (rest - left);

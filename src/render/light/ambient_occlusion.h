@@ -27,9 +27,8 @@ struct Occluders {
 /// Wu, Pesce and Jarabo 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"), of
 /// which the pixels of a 4 x 4 square take other ones each, and share what they find.
 /// @param seen  the pixels at least up to occlusionReach() around those that are wanted
-/// @param normals  CV_16UC4 of `place`: as of GeometryImages, of the wanted pixels and two more
-/// around
-///     them
+/// @param normals  CV_16UC4 of `place`: as of GeometryImages, of the wanted pixels and
+///     kOcclusionSmoothing more around them
 /// @param place  of the result in the picture
 /// @param wanted  CV_8UC1 of `place`: not 0 for these; of others nothing is sure
 /// @return CV_32FC1 of `place`

@@ -61,11 +61,13 @@ std::vector<Drop> Precipitation::in(const Eigen::Vector3i& cell, double least,
   // How many are larger is a Poisson process: from one to the next is exponentially distributed.
   for (double larger = 0.0;;) {
     larger -= std::log(1.0 - random.unit());
-    const Eigen::Vector3d within(random.unit(), random.unit(), random.unit());
+    const double x = random.unit();  // one by one: compilers differ in the order of arguments
+    const double y = random.unit();
+    const double z = random.unit();
     if (larger >= end) return drops;
     const double largest = kind_ == Kind::kRain ? kLargestDrop : kLargestMelted;
     const double diameter = diameterOf(std::min(-std::log(larger / number_) / slope_, largest));
-    drops.push_back({cell.cast<double>() + within, kMillimetre * diameter});
+    drops.push_back({cell.cast<double>() + Eigen::Vector3d(x, y, z), kMillimetre * diameter});
   }
 }
 
