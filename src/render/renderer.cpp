@@ -183,9 +183,9 @@ cv::Mat Renderer::distances(const View& view, const std::vector<Pose>& X_WL,
   pass.range = true;
   const LabelImages images = labels(view, X_WL, pass);
   cv::Mat distances = images.range.clone();
-  distances.setTo(std::numeric_limits<float>::infinity(), images.range == 0.0F);
+  distances.setTo(std::numeric_limits<double>::infinity(), images.range == 0.0);
   if (hasDistortion(view.camera)) {
-    distances.setTo(0.0F, impl_->lenses.get(view.camera)->face < 0);
+    distances.setTo(0.0, impl_->lenses.get(view.camera)->face < 0);
   }
   return distances;
 }

@@ -51,7 +51,7 @@ struct Pattern {
   /// Four pixels in a row of the picture.
   /// @param values  of a square, row by row
   [[nodiscard]] static Lanes four(const std::array<float, 16>& values, int u, int v) {
-    const std::size_t row = kPattern * (static_cast<unsigned>(v) % kPattern);
+    const std::size_t row = std::size_t{kPattern} * (static_cast<unsigned>(v) % kPattern);
     std::array<float, kLaneCount> of_pixels;
     for (std::size_t i = 0; i < of_pixels.size(); ++i) {
       of_pixels[i] = values[row + (static_cast<unsigned>(u) + i) % kPattern];
@@ -117,8 +117,8 @@ class Depths {
 
   /// Of four pixels anywhere; 0 beside those that are known.
   [[nodiscard]] Lanes at(const FourPixels& four) const {
-    return Lanes(at(four.u[0], four.v[0]), at(four.u[1], four.v[1]), at(four.u[2], four.v[2]),
-                 at(four.u[3], four.v[3]));
+    return {at(four.u[0], four.v[0]), at(four.u[1], four.v[1]), at(four.u[2], four.v[2]),
+            at(four.u[3], four.v[3])};
   }
 
   /// Of four pixels anywhere; of those beside the known ones, that of the nearest known.

@@ -22,8 +22,8 @@ cv::Mat throughWeather(const cv::Mat& picture, const TakenView& taken, const Wea
   for (int v = 0; v < picture.rows; ++v) {
     for (int u = 0; u < picture.cols; ++u) {
       const float share = passing.at<float>(v, u);
-      const cv::Vec3b& from = picture.at<cv::Vec3b>(v, u);
-      cv::Vec3b& to = result.at<cv::Vec3b>(v, u);
+      const auto& from = picture.at<cv::Vec3b>(v, u);
+      auto& to = result.at<cv::Vec3b>(v, u);
       for (int channel = 0; channel < 3; ++channel) {
         to[channel] =
             srgbFromLinear(share * linear[from[channel]] + (1.0F - share) * air[2 - channel]);
