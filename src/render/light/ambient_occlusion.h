@@ -30,7 +30,8 @@ struct Occluders {
 /// @param normals  CV_16UC4 of `place`: as of GeometryImages, of the wanted pixels and
 ///     kOcclusionSmoothing more around them
 /// @param place  of the result in the picture
-/// @param wanted  CV_8UC1 of `place`: not 0 for these; of others nothing is sure
+/// @param wanted  CV_8UC1 of `place`: not 0 for the pixels to compute; the result is undefined for
+///     all others
 /// @return CV_32FC1 of `place`
 [[nodiscard]] cv::Mat openness(const Occluders& seen, const cv::Mat& normals, const cv::Rect& place,
                                const cv::Mat& wanted);

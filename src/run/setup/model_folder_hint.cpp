@@ -29,8 +29,8 @@ std::vector<fs::path> foldersIn(const fs::path& folder) {
   return folders;
 }
 
-/// The path below a folder of models that a URI names, as "shelf/meshes/shelf.dae"; empty for URIs
-/// that name none.
+/// The part of a URI after "model://" or "package://", such as "shelf/meshes/shelf.dae"; empty for
+/// other URIs.
 fs::path placeInModels(const std::string& uri) {
   for (const char* scheme : {"model://", "package://"}) {
     if (uri.rfind(scheme, 0) != 0) continue;

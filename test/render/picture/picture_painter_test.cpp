@@ -84,7 +84,8 @@ class KeptPictures : public testing::TestWithParam<Case> {
     stage.poses()[kBall] = at(0.5 * std::sin(3 * t), std::cos(2 * t), 0.3 + 0.2 * t);
     stage.poses()[kBall + 1] = time == 3 ? at(-20, 0, 0.2) : at(1.2, t - 1, 0.2);
     stage.poses()[kBall + 2] = at(-1, t - 0.5, 0.15);
-    // At one time the rod is on both sides of the lamp, at the next one above it.
+    // At time 4 the rod reaches from below the spot light to above it; at time 5 all of it is
+    // above.
     const double height = time == 4 ? 2.2 : time == 5 ? 4.0 : 0.9;
     stage.poses()[kBall + 3] = at(1.5, 0.5 - 1.3 * t, height);
   }

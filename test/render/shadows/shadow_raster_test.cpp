@@ -81,7 +81,7 @@ TEST(ShadowRaster, HasTheLeastDepthAtTheCentreOfEachTexel) {
   }
 }
 
-/// The depths of a triangle below a lamp, against where the ray of each texel meets its plane.
+/// Compares the depths of a triangle in a spot light with where the ray of each texel meets it.
 TEST(ShadowRaster, OfALampHasThePerspectiveOfItsPlace) {
   world::Mesh mesh;
   mesh.positions = {{-0.5F, -0.4F, 2.0F}, {0.6F, -0.3F, 4.0F}, {0.1F, 0.7F, 3.0F}};
