@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <opencv2/core/fast_math.hpp>
 
+#include "render/lens/ray_side.h"
 #include "render/pixels/lanes.h"
 
 namespace synthetic_dataset::render {
@@ -16,28 +17,6 @@ namespace {
 
 /// Depths that differ by less are of the same place: which part is seen there is a matter of order.
 constexpr float kSameDepth = 1e-5F;
-
-/// One side of a triangle that turns right-handed in the image (whose v goes down).
-class RaySide {
- public:
-  RaySide(const Eigen::Vector2f& from, const Eigen::Vector2f& to) {
-    const bool turned = from.x() > to.x() || (from.x() == to.x() && from.y() > to.y());
-    const Eigen::Vector2f& start = turned ? to : from;
-    const Eigen::Vector2f along = turned ? Eigen::Vector2f(from - to) : Eigen::Vector2f(to - from);
-    const float sign = turned ? -1.0F : 1.0F;
-    u_ = lanes(start.x());
-    v_ = lanes(start.y());
-    along_u_ = lanes(sign * along.x());
-    along_v_ = lanes(sign * along.y());
-  }
-
-  [[nodiscard]] Lanes inside(const Lanes& u, const Lanes& v) const {
-    return along_u_ * (v - v_) >= (u - u_) * along_v_;
-  }
-
- private:
-  Lanes u_, v_, along_u_, along_v_;
-};
 
 Eigen::Vector3d placeInCells(const Intrinsics& k, const Eigen::Vector3d& p_F) {
   return {k.fx * p_F.x() / p_F.z() + k.cx, k.fy * p_F.y() / p_F.z() + k.cy, 1.0 / p_F.z()};
