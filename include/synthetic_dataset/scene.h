@@ -29,10 +29,11 @@ enum class KeypointState {
 
 /// One of an object's keypoints as the camera has it.
 struct Keypoint {
-  /// Where it falls [px], on the image or not; nothing behind the camera.
+  /// Where it falls [px], on the image or not; nothing behind the camera, and where the object is
+  /// not in the scene.
   std::optional<Eigen::Vector2d> pixel;
 
-  double depth = 0.0;  ///< its z in the optical frame [m]
+  double depth = 0.0;  ///< its z in the optical frame [m]; 0 where the object is not in the scene
 
   Required<KeypointState> state{"Keypoint::state", "keypoint_states"};
 };
@@ -63,8 +64,12 @@ struct SceneObject {
   int class_id = 0;        ///< of its class in DatasetInfo::classes
   int instance = 0;        ///< its value in Scene::instance_map: its index in `robot_list`, from 1
 
-  Pose X_GO = Pose::Identity();
-  Pose X_CO = Pose::Identity();
+  /// Its pose. Nothing where it is not in the scene: an object that is absent by chance, that does
+  /// not take part in the scene's motion, or a distractor of another scene. Such an object has no
+  /// pixels, no boxes and no keypoints in the image.
+  std::optional<Pose> X_GO = Pose::Identity();
+  std::optional<Pose> X_CO = Pose::Identity();
+
   std::vector<Eigen::Vector3d> keypoints_O;       ///< [m]
   std::vector<Eigen::Vector3d> bounding_shape_O;  ///< [m]
 
@@ -101,16 +106,18 @@ struct SceneObject {
   /// The share of the silhouette outside the image, 0 .. 1.
   Required<double> truncation{"SceneObject::truncation", "visibility"};
 
-  /// Too little of it is visible for the parameters `labels/min_visibility` and
-  /// `labels/min_pixels`; false where these are not set.
+  /// It is not in the scene, or too little of it is visible for the parameters
+  /// `labels/min_visibility` and `labels/min_pixels`.
   bool dropped = false;
 
   /// From the camera's centre to the origin of the object's frame [m].
-  [[nodiscard]] double distance() const { return X_CO.translation().norm(); }
+  /// @throws Error where it is not in the scene
+  [[nodiscard]] double distance() const;
 
-  /// Whether it should have a label: a pixel of it is visible, and the thresholds let it through.
+  /// Whether it should have a label: it is in the scene, a pixel of it is visible, and the
+  /// thresholds let it through.
   /// @throws Error unless visible masks or visibility are required
-  [[nodiscard]] bool labelled() const { return pixels.visible() > 0 && !dropped; }
+  [[nodiscard]] bool labelled() const { return pixels.visible() > 0 && !dropped && X_CO; }
 };
 
 /// Everything known about one instant through one camera. Valid only during the call that it is

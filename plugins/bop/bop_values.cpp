@@ -90,7 +90,7 @@ class BopValues : public ValueCheck {
     std::map<int, int> counts;  // of targets, by obj_id
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const SceneObject& object = scene.objects[i];
-      if (object.pixels.silhouette_in_image() == 0) continue;
+      if (!object.X_CO || object.pixels.silhouette_in_image() == 0) continue;
       const std::string end = "/" + name + "_" + digits(static_cast<std::int64_t>(poses.size()));
       files.compareMask(folder + "/mask" + end + ".png", object.silhouette());
       files.compareMask(folder + "/mask_visib" + end + ".png", object.visible_mask());
@@ -171,8 +171,8 @@ class BopValues : public ValueCheck {
   [[nodiscard]] json poseOf(const SceneObject& object, std::size_t index) const {
     const Eigen::Vector3d origin_O = models_.of(index).X_OM.translation();
     return {{"obj_id", models_.obj_ids.at(index)},
-            {"cam_R_m2c", rowsOf(object.X_CO.linear())},
-            {"cam_t_m2c", listOf(kMillimetres * (object.X_CO * origin_O))}};
+            {"cam_R_m2c", rowsOf(object.X_CO->linear())},
+            {"cam_t_m2c", listOf(kMillimetres * (*object.X_CO * origin_O))}};
   }
 
   [[nodiscard]] static json infoOf(const SceneObject& object, const cv::Mat& depth) {

@@ -142,7 +142,7 @@ class BopWriter : public LabelWriter {
     std::map<int, int> target_counts;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const SceneObject& object = scene.objects[i];
-      if (object.pixels.silhouette_in_image() == 0) continue;
+      if (!object.X_CO || object.pixels.silhouette_in_image() == 0) continue;
       const std::string end = "/" + name + "_" + sixDigits(image.poses.size()) + ".png";
       output.addMask(image.folder + "/mask" + end, object.silhouette());
       output.addMask(image.folder + "/mask_visib" + end, object.visible_mask());
@@ -204,7 +204,7 @@ class BopWriter : public LabelWriter {
   }
 
   [[nodiscard]] Json poseOf(const SceneObject& object, std::size_t place) const {
-    const Pose X_CM = object.X_CO * models_.of(place).X_OM;
+    const Pose X_CM = *object.X_CO * models_.of(place).X_OM;
     return {{"obj_id", models_.obj_ids.at(place)},
             {"cam_R_m2c", rotationMatrix(X_CM)},
             {"cam_t_m2c", millimetres(X_CM.translation())}};

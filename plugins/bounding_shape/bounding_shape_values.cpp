@@ -16,10 +16,10 @@ class BoundingShapeValues : public ValueCheck {
     const Pose X_FG = scene.transform(output_frame_, global_frame_);
     std::string lines;
     for (const SceneObject& object : scene.objects) {
-      if (object.dropped) continue;
+      if (!object.X_GO || object.dropped) continue;
       lines += object.id;
       for (const Eigen::Vector3d& p_O : object.bounding_shape_O) {
-        const Eigen::Vector3d p_F = X_FG * (object.X_GO * p_O);
+        const Eigen::Vector3d p_F = X_FG * (*object.X_GO * p_O);
         for (int i = 0; i < 3; ++i) lines += " " + fixed(p_F(i), kDecimals);
       }
       lines += "\n";

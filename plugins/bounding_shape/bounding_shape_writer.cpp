@@ -25,8 +25,8 @@ class BoundingShapeWriter : public LabelWriter {
     const Pose X_FG = scene.transform(output_frame_, global_frame_);  // F: the output frame
     std::string labels;
     for (const SceneObject& object : scene.objects) {
-      if (object.dropped) continue;
-      const Pose X_FO = X_FG * object.X_GO;
+      if (!object.X_GO || object.dropped) continue;
+      const Pose X_FO = X_FG * *object.X_GO;
       labels += object.id;
       for (const Eigen::Vector3d& vertex_O : object.bounding_shape_O) {
         const Eigen::Vector3d vertex_F = X_FO * vertex_O;

@@ -140,13 +140,13 @@ class DopeValues : public ValueCheck {
     json entry = {{"class", asJsonHasIt(object.class_name)},
                   {"name", asJsonHasIt(object.name)},
                   {"visibility", object.visibility()},
-                  {"location", listOf(Eigen::Vector3d(scale_ * object.X_CO.translation()))},
-                  {"quaternion_xyzw", quaternionOf(object.X_CO)}};
+                  {"location", listOf(Eigen::Vector3d(scale_ * object.X_CO->translation()))},
+                  {"quaternion_xyzw", quaternionOf(*object.X_CO)}};
     json local = json::array();
     json cuboid = json::array();
     json projected = json::array();
     for (const Eigen::Vector3d& corner_O : cornersOf(object.cuboid_O)) {
-      const Eigen::Vector3d corner_C = object.X_CO * corner_O;
+      const Eigen::Vector3d corner_C = *object.X_CO * corner_O;
       const auto pixel = camera.project(corner_C);
       if (!pixel) return std::nullopt;
       local.push_back(listOf(corner_O));
@@ -154,13 +154,13 @@ class DopeValues : public ValueCheck {
       projected.push_back(listOf(*pixel));
     }
     const Eigen::Vector3d centre_O = 0.5 * (object.cuboid_O.low + object.cuboid_O.high);
-    const Eigen::Vector3d centre_C = object.X_CO * centre_O;
+    const Eigen::Vector3d centre_C = *object.X_CO * centre_O;
     const auto centre = camera.project(centre_C);
     if (!centre) return std::nullopt;
     const auto box = boxOf(object, options_.box, camera);
     if (is_ndds_) {
       entry["instance_id"] = object.instance;
-      entry["pose_transform"] = transposed(object.X_CO, scale_);
+      entry["pose_transform"] = transposed(*object.X_CO, scale_);
       entry["cuboid_centroid"] = listOf(Eigen::Vector3d(scale_ * centre_C));
       entry["projected_cuboid_centroid"] = listOf(*centre);
       entry["cuboid"] = std::move(cuboid);

@@ -56,12 +56,12 @@ std::optional<ProjectedCuboid> projected(const SceneObject& object, const Camera
   ProjectedCuboid cuboid;
   const auto corners_O = object.cuboid_O.corners();
   for (std::size_t i = 0; i < kCorners; ++i) {
-    cuboid.corners_C[i] = object.X_CO * corners_O[kCornerOrder[i]];
+    cuboid.corners_C[i] = *object.X_CO * corners_O[kCornerOrder[i]];
     const auto pixel = camera.project(cuboid.corners_C[i]);
     if (!pixel) return std::nullopt;
     cuboid.corners.push_back(*pixel);
   }
-  cuboid.centre_C = object.X_CO * object.cuboid_O.centre();
+  cuboid.centre_C = *object.X_CO * object.cuboid_O.centre();
   const auto centre = camera.project(cuboid.centre_C);
   if (!centre) return std::nullopt;
   cuboid.centre = *centre;
@@ -73,7 +73,7 @@ double unitsInAMetre(DopeStyle style) { return style == DopeStyle::kNdds ? 100.0
 void addNddsShape(const SceneObject& object, const ProjectedCuboid& cuboid, Json& entry) {
   const double scale = unitsInAMetre(DopeStyle::kNdds);
   entry["instance_id"] = object.instance;
-  entry["pose_transform"] = transposedMatrix(object.X_CO, scale);
+  entry["pose_transform"] = transposedMatrix(*object.X_CO, scale);
   entry["cuboid_centroid"] = numbersOf(scale * cuboid.centre_C);
   entry["projected_cuboid_centroid"] = placeOf(cuboid.centre);
   for (const Eigen::Vector3d& corner_C : cuboid.corners_C) {
@@ -217,8 +217,8 @@ class DopeWriter : public LabelWriter {
         {"class", object.class_name},
         {"name", object.name},
         {"visibility", object.visibility()},
-        {"location", numbersOf(unitsInAMetre(options_.style) * object.X_CO.translation())},
-        {"quaternion_xyzw", quaternionOf(object.X_CO)}};
+        {"location", numbersOf(unitsInAMetre(options_.style) * object.X_CO->translation())},
+        {"quaternion_xyzw", quaternionOf(*object.X_CO)}};
     for (const Eigen::Vector2d& corner : cuboid.corners) {
       entry["projected_cuboid"].push_back(placeOf(corner));
     }

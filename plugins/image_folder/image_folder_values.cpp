@@ -135,8 +135,8 @@ class ImageFolderValues : public ValueCheck {
     objects["instances"].push_back(object.instance);
     objects["visibility"].push_back(object.visibility());
     objects["truncation"].push_back(object.truncation());
-    objects["distance"].push_back(object.X_CO.translation().norm());
-    objects["X_CO"].push_back(matrixOf(object.X_CO));
+    objects["distance"].push_back(object.X_CO->translation().norm());
+    objects["X_CO"].push_back(matrixOf(*object.X_CO));
     const auto& [low, high] = object.cuboid_O;
     objects["cuboid"].push_back({low.x(), low.y(), low.z(), high.x(), high.y(), high.z()});
     json places = json::array();

@@ -183,7 +183,7 @@ class ImageFolderWriter : public LabelWriter {
       objects["visibility"].push_back(object.visibility());
       objects["truncation"].push_back(object.truncation());
       objects["distance"].push_back(object.distance());
-      objects["X_CO"].push_back(jsonMatrix(object.X_CO));
+      objects["X_CO"].push_back(jsonMatrix(*object.X_CO));
       const auto& [low, high] = object.cuboid_O;
       objects["cuboid"].push_back({low.x(), low.y(), low.z(), high.x(), high.y(), high.z()});
       Json places = Json::array();

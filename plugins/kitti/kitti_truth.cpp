@@ -51,8 +51,8 @@ std::optional<TrueKittiLine> trueKittiLine(const SceneObject& object, const Came
   const Eigen::Vector3d size = cuboid.high - cuboid.low;
   const Eigen::Vector3d foot_O(0.5 * (cuboid.low.x() + cuboid.high.x()),
                                0.5 * (cuboid.low.y() + cuboid.high.y()), cuboid.low.z());
-  const Eigen::Vector3d foot_C = object.X_CO * foot_O;
-  const Eigen::Vector3d ahead_C = object.X_CO.linear() * Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d foot_C = *object.X_CO * foot_O;
+  const Eigen::Vector3d ahead_C = object.X_CO->linear() * Eigen::Vector3d::UnitX();
   const double rotation = std::atan2(-ahead_C.z(), ahead_C.x());
   return TrueKittiLine{
       options.types.at(object.class_name), edgesOf(*box),

@@ -61,7 +61,7 @@ class KittiTrackingWriter : public LabelWriter {
     for (const SceneObject& object : scene.objects) {
       if (object.labelled()) {
         labels += label(object, scene.camera);
-        is_tilted = is_tilted || kitti::isTilted(object.X_CO);
+        is_tilted = is_tilted || kitti::isTilted(*object.X_CO);
       } else if (options_.dont_care && object.pixels.visible() > 0) {
         labels += dontCare(object, scene.camera);
       }

@@ -149,9 +149,9 @@ class NuScenesValues : public ValueCheck {
         {"sample_token", token(NuScenesTable::kSample, scene.instant)},
         {"instance_token", token(NuScenesTable::kInstance, sequence, index)},
         {"attribute_tokens", json::array()},
-        {"translation", listOf(object.X_GO * middle_O)},
+        {"translation", listOf(*object.X_GO * middle_O)},
         {"size", {size.y(), size.x(), size.z()}},
-        {"rotation", rotationOf(object.X_GO.linear())},
+        {"rotation", rotationOf(object.X_GO->linear())},
         {"num_radar_pts", 0}};
   }
 

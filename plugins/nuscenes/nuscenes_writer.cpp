@@ -62,8 +62,8 @@ class NuScenesWriter : public LabelWriter {
 
   [[nodiscard]] static nuscenes::SeenObject seenObject(const SceneObject& object, const Box& box) {
     const Eigen::Vector3d size = object.cuboid_O.size();
-    Pose X_GB = object.X_GO;
-    X_GB.translation() = object.X_GO * object.cuboid_O.centre();
+    Pose X_GB = *object.X_GO;
+    X_GB.translation() = *object.X_GO * object.cuboid_O.centre();
     return {object.instance - 1,
             nuscenes::placementOf(X_GB),
             {size.y(), size.x(), size.z()},

@@ -115,12 +115,12 @@ class PvNetValues : public ValueCheck {
       const SceneObject& object = scene.objects[i];
       const std::string folder = folderOf(i, scene.camera_index);
       if (!object.labelled() || !models_.at(i).has_surface) continue;
-      if (!isBefore(i, folder, scene.camera, object.X_CO, files)) continue;
+      if (!isBefore(i, folder, scene.camera, *object.X_CO, files)) continue;
       const std::string number = sceneNumber(scene.instant);
       files.compareWithScene(folder + "scenes/rgb/" + number + image_format_, truth);
       files.compareMask(folder + "scenes/mask/" + number + ".png", object.visible_mask());
-      comparePose(folder + "scenes/pose/" + number + ".npy", object.X_CO, files);
-      samples_[folder].push_back({scene.instant, scene.splitFolder(), object.X_CO});
+      comparePose(folder + "scenes/pose/" + number + ".npy", *object.X_CO, files);
+      samples_[folder].push_back({scene.instant, scene.splitFolder(), *object.X_CO});
     }
   }
 

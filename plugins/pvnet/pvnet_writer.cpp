@@ -115,7 +115,7 @@ class PvNetWriter : public LabelWriter {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const SceneObject& object = scene.objects[i];
       const bool is_sample =
-          object.labelled() && models_.at(i) && models_.at(i)->isBefore(scene.camera, object.X_CO);
+          object.labelled() && models_.at(i) && models_.at(i)->isBefore(scene.camera, *object.X_CO);
       record.samples += is_sample ? '1' : '0';
       if (is_sample) {
         addSample(object, scene, folderOf(i, scene.camera_index).path + "scenes/", output);
@@ -132,7 +132,7 @@ class PvNetWriter : public LabelWriter {
     const std::string number = sceneNumber(scene.instant);
     output.addImage(scenes + "rgb/" + number + image_format_, scene.image);
     output.addMask(scenes + "mask/" + number + ".png", object.visible_mask());
-    output.addText(scenes + "pose/" + number + ".npy", numpyArray(rowsOf(object.X_CO)));
+    output.addText(scenes + "pose/" + number + ".npy", numpyArray(rowsOf(*object.X_CO)));
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {

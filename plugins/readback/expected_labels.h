@@ -22,7 +22,7 @@ struct MeasuredObject {
   std::string class_name;
   std::string class_text;
   int class_id = 0;
-  Pose X_CO = Pose::Identity();
+  std::optional<Pose> X_CO = {};  ///< nothing where it is not in the scene
   bool in_view = false;
   bool dropped = false;
   std::optional<Box> loose_box = {};

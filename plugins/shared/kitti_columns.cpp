@@ -42,8 +42,8 @@ Placement placementOf(const SceneObject& object) {
   const Cuboid& cuboid_O = object.cuboid_O;
   const Eigen::Vector3d centre_O = cuboid_O.centre();
   const Eigen::Vector3d bottom_C =
-      object.X_CO * Eigen::Vector3d(centre_O.x(), centre_O.y(), cuboid_O.low.z());
-  const Eigen::Vector3d ahead_C = object.X_CO.linear().col(0);
+      *object.X_CO * Eigen::Vector3d(centre_O.x(), centre_O.y(), cuboid_O.low.z());
+  const Eigen::Vector3d ahead_C = object.X_CO->linear().col(0);
   // A turn by rotation_y takes the camera's x axis to (cos, 0, -sin).
   const double rotation_y = std::atan2(-ahead_C.z(), ahead_C.x());
   const Eigen::Vector3d size = cuboid_O.size();

@@ -16,7 +16,7 @@ class StvNetValues : public ValueCheck {
   void checkScene(const TrueScene& truth, FoundFiles& files) override {
     const Scene& scene = truth.scene;
     for (const SceneObject& object : scene.objects) {
-      if (!object.in_view || object.dropped) continue;
+      if (!object.X_CO || !object.in_view || object.dropped) continue;
       const auto line = lineOf(object, scene.camera);
       if (!line) continue;  // a keypoint is behind the camera
       const std::string folder = stvNetFolder(object.name);
@@ -34,7 +34,7 @@ class StvNetValues : public ValueCheck {
     constexpr int kDecimals = 5;
     std::string line = object.id;
     for (const Eigen::Vector3d& p_O : object.keypoints_O) {
-      const auto pixel = camera.project(object.X_CO * p_O);
+      const auto pixel = camera.project(*object.X_CO * p_O);
       if (!pixel) return std::nullopt;
       line += " " + fixed((pixel->x() + origin_.offset) / camera.width(), kDecimals);
       line += " " + fixed((pixel->y() + origin_.offset) / camera.height(), kDecimals);

@@ -29,7 +29,7 @@ class StvNetWriter : public LabelWriter {
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     for (const SceneObject& object : scene.objects) {
-      if (!object.in_view || object.dropped) continue;
+      if (!object.X_CO || !object.in_view || object.dropped) continue;
       if (object.keypoints_O.size() != kKeypoints) {
         output.addWarning(object.name + ": stvNet reads " + std::to_string(kKeypoints) +
                           " keypoints of an object, and this one has " +
@@ -53,7 +53,7 @@ class StvNetWriter : public LabelWriter {
                                                  const CameraModel& camera) const {
     std::string text = object.id + " ";
     for (const Eigen::Vector3d& keypoint_O : object.keypoints_O) {
-      const auto pixel = camera.project(object.X_CO * keypoint_O);
+      const auto pixel = camera.project(*object.X_CO * keypoint_O);
       if (!pixel) return std::nullopt;
       text += fixed((pixel->x() + origin_.offset) / camera.width(), 5) + " " +
               fixed((pixel->y() + origin_.offset) / camera.height(), 5) + " ";

@@ -11,6 +11,8 @@ from synthetic_dataset.manifest import DatasetError
 class SceneObject:
     """What was measured of one object in one scene; None where no format asked for it.
 
+    An object that is not in the scene (`is_there` is False) has no pose, boxes or pixels.
+
     Boxes are [left, top, right, bottom] in pixels, as in the manifest: a pixel's centre has whole
     coordinates, so a mask of the pixel (0, 0) alone has the box [-0.5, -0.5, 0.5, 0.5].
     """
@@ -18,8 +20,9 @@ class SceneObject:
     def __init__(self, scene, row, description):
         self._scene = scene
         self.index, self.name, self.id, self.class_id, self.class_name = description
-        self.X_GO = poses.of_rows(row)  # its pose in the global frame, 4 x 4
-        self.distance = float(row['distance'])  # from the camera's centre to its frame [m]
+        self.is_there = _number(row['x']) is not None
+        self.X_GO = poses.of_rows(row) if self.is_there else None  # in the global frame, 4 x 4
+        self.distance = _number(row['distance'])  # from the camera's centre to its frame [m]
         self.in_view = bool(row['in_view'])
         self.dropped = bool(row['dropped'])  # too little of it is seen for a label
         self.loose_box = _box(row, 'loose')
@@ -32,8 +35,8 @@ class SceneObject:
 
     @property
     def X_CO(self):
-        """Its pose in the camera's optical frame (x right, y down, z ahead), 4 x 4."""
-        return poses.inverse(self._scene.X_GC) @ self.X_GO
+        """Its pose in the camera's optical frame (x right, y down, z ahead), 4 x 4, or None."""
+        return poses.inverse(self._scene.X_GC) @ self.X_GO if self.is_there else None
 
     @property
     def alignment(self):

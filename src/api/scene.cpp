@@ -6,6 +6,11 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
+double SceneObject::distance() const {
+  if (!X_CO) throw Error("'" + name + "' is not in the scene, and so at no distance");
+  return X_CO->translation().norm();
+}
+
 Pose Scene::transform(const std::string& target, const std::string& source) const {
   if (!transforms_) throw Error("the scene knows no frames, '" + source + "' neither");
   return transforms_(target, source);

@@ -1,10 +1,11 @@
 #include "label/object_labels.h"
 
-#include <utility>
+#include <cstddef>
+#include <vector>
 
 namespace synthetic_dataset::label {
 
-SceneObject labelObject(const ObjectShape& shape, const Pose& X_GO, const Pose& X_GC,
+SceneObject labelObject(const ObjectShape& shape, const std::optional<Pose>& X_GO, const Pose& X_GC,
                         const CameraModel& camera) {
   SceneObject object;
   object.name = shape.name;
@@ -17,16 +18,19 @@ SceneObject labelObject(const ObjectShape& shape, const Pose& X_GO, const Pose& 
   object.bounding_shape_O = shape.bounding_shape_O;
   object.cuboid_O = shape.cuboid_O;
   object.X_GO = X_GO;
-  object.X_CO = X_GC.inverse() * X_GO;
-  for (const Eigen::Vector3d& p_O : shape.keypoints_O) {
-    const Eigen::Vector3d p_C = object.X_CO * p_O;
-    Keypoint keypoint;
-    keypoint.pixel = camera.project(p_C);
-    keypoint.depth = p_C.z();
-    object.keypoints.push_back(std::move(keypoint));
+  object.X_CO.reset();
+  object.keypoints.resize(shape.keypoints_O.size());
+  object.dropped = !X_GO;
+  if (!X_GO) return object;
+  const Pose X_CO = X_GC.inverse() * *X_GO;
+  object.X_CO = X_CO;
+  for (std::size_t i = 0; i < shape.keypoints_O.size(); ++i) {
+    const Eigen::Vector3d p_C = X_CO * shape.keypoints_O[i];
+    object.keypoints[i].pixel = camera.project(p_C);
+    object.keypoints[i].depth = p_C.z();
   }
   std::vector<Eigen::Vector3d> shape_C;
-  for (const Eigen::Vector3d& p_O : shape.bounding_shape_O) shape_C.push_back(object.X_CO * p_O);
+  for (const Eigen::Vector3d& p_O : shape.bounding_shape_O) shape_C.push_back(X_CO * p_O);
   object.loose_box = camera.projectedBounds(shape_C);
   object.in_view =
       object.loose_box && intersection(*object.loose_box, camera.imageBounds()).has_value();

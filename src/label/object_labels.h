@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct ObjectShape {
 
 /// All of an object's labels that follow from its pose alone: no masks, and
 /// nothing of what hides what.
-[[nodiscard]] SceneObject labelObject(const ObjectShape& shape, const Pose& X_GO, const Pose& X_GC,
-                                      const CameraModel& camera);
+/// @param X_GO  nothing: it is not in the scene
+[[nodiscard]] SceneObject labelObject(const ObjectShape& shape, const std::optional<Pose>& X_GO,
+                                      const Pose& X_GC, const CameraModel& camera);
 
 }  // namespace synthetic_dataset::label

@@ -164,7 +164,7 @@ MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const cv::Mat& covered
       const auto of_all = static_cast<double>(object.pixels.silhouette());
       object.visibility = of_all > 0.0 ? static_cast<double>(parts[i].count) / of_all : 0.0;
     }
-    distances.push_back(object.distance());
+    distances.push_back(object.X_CO ? object.distance() : 0.0);  // without any pixel
   }
   if (subtracted) {
     std::vector<Mask> masks = subtracted();
@@ -206,8 +206,12 @@ void PixelLabeller::addKeypointStates(const render::LabelImages& images, bool ha
     return images.depth.at<float>(pixel) * ray.norm();
   };
   for (SceneObject& object : scene.objects) {
+    if (!object.X_CO) {
+      for (Keypoint& each : object.keypoints) each.state = KeypointState::kOutside;
+      continue;
+    }
     std::vector<Eigen::Vector3d> keypoints_C;
-    for (const Eigen::Vector3d& p_O : object.keypoints_O) keypoints_C.push_back(object.X_CO * p_O);
+    for (const Eigen::Vector3d& p_O : object.keypoints_O) keypoints_C.push_back(*object.X_CO * p_O);
     label::findKeypointStates(object.keypoints, keypoints_C, object.instance, images.ids, range,
                               scene.camera, options_.labels.keypoint_tolerance);
   }

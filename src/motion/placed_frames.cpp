@@ -7,24 +7,20 @@
 
 namespace synthetic_dataset::motion {
 
-const Pose& nowhere() {
-  constexpr double kDepth = 1e5;  // [m]
-  static const Pose X_GF = makePose({0, 0, -kDepth}, Eigen::Quaterniond::Identity());
-  return X_GF;
-}
-
 PlacedFrames::PlacedFrames(std::shared_ptr<const FrameSource> others)
     : FrameSource(others->globalFrame()),
       others_(std::move(others)),
       names_(std::make_shared<FrameNames>(others_->names())) {}
 
-FrameId PlacedFrames::place(const std::string& frame, const Pose& X_GF) {
+FrameId PlacedFrames::place(const std::string& frame, const std::optional<Pose>& X_GF) {
   const FrameId id = names_->findOrAdd(frame);
   place(id, X_GF);
   return id;
 }
 
-void PlacedFrames::place(FrameId frame, const Pose& X_GF) { placed_.insert_or_assign(frame, X_GF); }
+void PlacedFrames::place(FrameId frame, const std::optional<Pose>& X_GF) {
+  placed_.insert_or_assign(frame, X_GF);
+}
 
 bool PlacedFrames::isPlaced(const std::string& frame) const {
   const auto id = find(frame);

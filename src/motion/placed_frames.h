@@ -10,9 +10,6 @@
 
 namespace synthetic_dataset::motion {
 
-/// X_GF of what is not there: so deep that nothing meets it.
-[[nodiscard]] const Pose& nowhere();
-
 /// Frames that are placed anew for each scene, over a source that has all others. A copy keeps what
 /// is placed as it is, for use in another thread.
 class PlacedFrames : public FrameSource {
@@ -21,10 +18,11 @@ class PlacedFrames : public FrameSource {
 
   /// Puts a frame somewhere, from now on and whatever the other source has of it; at set-up, as
   /// all copies have the same names.
-  FrameId place(const std::string& frame, const Pose& X_GF);
+  /// @param X_GF  nothing: the frame is not there, and so not known at any time
+  FrameId place(const std::string& frame, const std::optional<Pose>& X_GF);
 
   /// The same for a frame of names().
-  void place(FrameId frame, const Pose& X_GF);
+  void place(FrameId frame, const std::optional<Pose>& X_GF);
 
   [[nodiscard]] bool isPlaced(const std::string& frame) const;
 
@@ -42,7 +40,7 @@ class PlacedFrames : public FrameSource {
 
   std::shared_ptr<const FrameSource> others_;
   std::shared_ptr<FrameNames> names_;  ///< those of the others, and those that are placed
-  std::map<FrameId, Pose> placed_;     ///< X_GF
+  std::map<FrameId, std::optional<Pose>> placed_;  ///< X_GF
 };
 
 }  // namespace synthetic_dataset::motion

@@ -51,7 +51,7 @@ std::vector<std::string> reasonsNotToResume(const ManifestContent& earlier,
     reasons.push_back(writers[i].name + "/output_folder: then '" + then + "', now '" +
                       writers[i].output_folder + "'");
   }
-  if (reasons.empty() && !earlier.has_truth) {
+  if (reasons.empty() && !earlier.is_current) {
     reasons.emplace_back("its manifest has another format version");
   }
   return reasons;

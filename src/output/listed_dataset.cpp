@@ -43,8 +43,8 @@ std::optional<double> numberAt(const SqliteStatement& row, int column) {
 
 ObjectFacts objectAt(const SqliteStatement& row) {
   ObjectFacts facts;
-  facts.X_GO = poseAt(row, 0);
-  facts.distance = row.real(7);
+  facts.X_GO = row.isNull(0) ? std::nullopt : std::optional(poseAt(row, 0));
+  facts.distance = numberAt(row, 7);
   facts.in_view = row.integer(8) != 0;
   facts.loose_box = boxAt(row, 9);
   facts.silhouette_box = boxAt(row, 13);

@@ -92,7 +92,7 @@ std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
                          std::to_string(each.content.scene_count) +
                          " scenes so far; run it again to go on with it");
     }
-    if (!each.content.has_truth) {
+    if (!each.content.is_current) {
       problems.push_back(named(each) + " has a manifest of another format version; merge it with " +
                          "the software that made it");
     }

@@ -140,7 +140,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   arrange(instant, stamp, is_wanted);
   for (const Duration offset : picture_taker_.offsets()) {
     moveWorld(stamp + offset);
-    std::vector<Pose> X_GO;
+    std::vector<std::optional<Pose>> X_GO;
     if (offset == Duration{0}) {
       passOn(stamp, pipeline);
       if (is_wanted) X_GO = object_motion_.objectPoses(stamp);
@@ -170,7 +170,7 @@ void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
 }
 
 MotionRun::DrawnScene MotionRun::look(std::size_t camera, std::int64_t instant, Stamp stamp,
-                                      const std::vector<Pose>& X_GO) {
+                                      const std::vector<std::optional<Pose>>& X_GO) {
   DrawnScene scene{
       scene_maker_.look(camera, instant, stamp, X_GO), {}, {}, {}, {}, drawsOf(camera, instant)};
   scene.seen.scene.split = splits_.at(instant);

@@ -58,7 +58,7 @@ class MotionRun {
                    ScenePipeline& pipeline);
   void arrange(std::int64_t instant, Stamp stamp, bool is_wanted);
   [[nodiscard]] DrawnScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
-                                const std::vector<Pose>& X_GO);
+                                const std::vector<std::optional<Pose>>& X_GO);
   [[nodiscard]] std::vector<output::DrawFacts> drawsOf(std::size_t camera,
                                                        std::int64_t instant) const;
   [[nodiscard]] std::vector<output::ContactFacts> findContacts(Stamp stamp);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "synthetic_dataset/pose.h"
@@ -14,8 +15,8 @@ namespace synthetic_dataset::run {
 class WorldHistory {
  public:
   struct Moment {
-    std::vector<Pose> X_WM;               ///< of the props
-    std::vector<world::ObjectPose> X_WO;  ///< of all objects' variants
+    std::vector<Pose> X_WM;                              ///< of the props
+    std::vector<std::optional<world::ObjectPose>> X_WO;  ///< of all objects' variants
   };
 
   /// Whether it has come as far as `time`.

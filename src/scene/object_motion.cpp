@@ -55,8 +55,8 @@ ObjectMotion::Variant ObjectMotion::makeVariant(std::size_t object,
   return variant;
 }
 
-const Pose& ObjectMotion::objectPose(Object& object, Stamp time) const {
-  if (const auto X_GO = frames_.pose(object.frame, time)) object.X_GO = *X_GO;
+const std::optional<Pose>& ObjectMotion::objectPose(Object& object, Stamp time) const {
+  if (const auto X_GO = frames_.pose(object.frame, time)) object.X_GO = X_GO;
   return object.X_GO;
 }
 
@@ -74,10 +74,12 @@ Pose ObjectMotion::linkPose(const Object& object, LinkState& link, const Pose& X
   return X_GP * link.X_PL;
 }
 
-world::ObjectPose ObjectMotion::at(int moving_object, Stamp time) {
+std::optional<world::ObjectPose> ObjectMotion::at(int moving_object, Stamp time) {
   Variant& variant = variants_[static_cast<std::size_t>(moving_object)];
   Object& object = objects_[variant.object];
-  world::ObjectPose pose(objectPose(object, time));
+  const std::optional<Pose>& X_GO = objectPose(object, time);
+  if (!X_GO) return std::nullopt;
+  world::ObjectPose pose(*X_GO);
   if (variant.driven.empty()) return pose;
   std::vector<Pose> X_GL(variant.links.size());
   for (const std::size_t i : variant.order) {
@@ -88,8 +90,8 @@ world::ObjectPose ObjectMotion::at(int moving_object, Stamp time) {
   return pose;
 }
 
-std::vector<Pose> ObjectMotion::objectPoses(Stamp time) {
-  std::vector<Pose> poses;
+std::vector<std::optional<Pose>> ObjectMotion::objectPoses(Stamp time) {
+  std::vector<std::optional<Pose>> poses;
   for (Object& object : objects_) poses.push_back(objectPose(object, time));
   return poses;
 }

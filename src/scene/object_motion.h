@@ -25,10 +25,11 @@ class ObjectMotion {
                const std::vector<std::vector<DrivenLinks>>& driven);
 
   /// @param moving_object  an object, or one of its variants: its index among all of them
-  [[nodiscard]] world::ObjectPose at(int moving_object, Stamp time);
+  /// @return nothing while its frame has not been known yet
+  [[nodiscard]] std::optional<world::ObjectPose> at(int moving_object, Stamp time);
 
-  /// X_GO of all objects at a time at which their frames are known.
-  [[nodiscard]] std::vector<Pose> objectPoses(Stamp time);
+  /// X_GO of all objects; nothing for those whose frames have not been known yet.
+  [[nodiscard]] std::vector<std::optional<Pose>> objectPoses(Stamp time);
 
   /// The links whose frames were found unknown at some time since the last call, each reported
   /// once in all.
@@ -44,7 +45,7 @@ class ObjectMotion {
   struct Object {
     std::string name;
     motion::FrameId frame;
-    Pose X_GO = Pose::Identity();  ///< last known
+    std::optional<Pose> X_GO = {};  ///< last known
   };
   struct Variant {
     std::size_t object;
@@ -56,7 +57,7 @@ class ObjectMotion {
   [[nodiscard]] static Variant makeVariant(std::size_t object,
                                            const std::vector<const world::Link*>& links,
                                            const DrivenLinks& driven);
-  [[nodiscard]] const Pose& objectPose(Object& object, Stamp time) const;
+  [[nodiscard]] const std::optional<Pose>& objectPose(Object& object, Stamp time) const;
   [[nodiscard]] Pose linkPose(const Object& object, LinkState& link, const Pose& X_GP, Stamp time);
 
   const motion::FrameSource& frames_;

@@ -99,7 +99,8 @@ std::vector<Cuboid> ObjectShapes::boxesAtRest(std::size_t object) const {
   return boxes;
 }
 
-std::vector<label::ObjectShape> ObjectShapes::at(const std::vector<Pose>& X_WO) const {
+std::vector<label::ObjectShape> ObjectShapes::at(
+    const std::vector<std::optional<Pose>>& X_WO) const {
   std::vector<label::ObjectShape> shapes;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     shapes.push_back(shapeOf(objects_[i][world_.variant(i)], X_WO[i]));
@@ -107,14 +108,14 @@ std::vector<label::ObjectShape> ObjectShapes::at(const std::vector<Pose>& X_WO) 
   return shapes;
 }
 
-label::ObjectShape ObjectShapes::shapeOf(const Variant& variant, const Pose& X_WO) const {
+label::ObjectShape ObjectShapes::shapeOf(const Variant& variant,
+                                         const std::optional<Pose>& X_WO) const {
   label::ObjectShape shape = variant.given;
-  const Pose X_OW = X_WO.inverse();
+  std::optional<Pose> X_OW;
+  if (X_WO) X_OW = X_WO->inverse();
   std::vector<Pose> X_OL;
   for (const std::size_t link : variant.links) {
-    // What is absent lies where it was last put, which depends on the scenes before this one.
-    const bool is_present = world_.presentLinks()[link];
-    X_OL.push_back(is_present ? X_OW * world_.linkPoses()[link] : world_.links()[link].link->X_ML);
+    X_OL.push_back(X_OW ? *X_OW * world_.linkPoses()[link] : world_.links()[link].link->X_ML);
   }
   const bool is_seen = !variant.geometry.isEmpty();
   if (is_seen && shape.bounding_shape_O.empty()) {

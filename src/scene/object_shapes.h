@@ -31,7 +31,8 @@ class ObjectShapes {
   [[nodiscard]] std::vector<Cuboid> boxesAtRest(std::size_t object) const;
 
   /// The shapes of all objects as the world stands.
-  [[nodiscard]] std::vector<label::ObjectShape> at(const std::vector<Pose>& X_WO) const;
+  [[nodiscard]] std::vector<label::ObjectShape> at(
+      const std::vector<std::optional<Pose>>& X_WO) const;
 
  private:
   struct Variant {
@@ -44,7 +45,8 @@ class ObjectShapes {
   using Object = std::vector<Variant>;
 
   [[nodiscard]] Variant measure(Variant variant, const ObjectOptions& config) const;
-  [[nodiscard]] label::ObjectShape shapeOf(const Variant& variant, const Pose& X_WO) const;
+  [[nodiscard]] label::ObjectShape shapeOf(const Variant& variant,
+                                           const std::optional<Pose>& X_WO) const;
 
   const world::World& world_;
   std::vector<Object> objects_;

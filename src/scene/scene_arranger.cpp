@@ -74,8 +74,7 @@ SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<Camer
 randomize::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
                                                 bool on_map, base::Diagnostics& found) {
   const ObjectOptions& config = objects_[object];
-  randomize::PlacedObject placed{config.name, {}};
-  if (!config.takes_part) placed.X_GO_kept = frames_.knownPose(object_frames_[object], Stamp{0});
+  randomize::PlacedObject placed{config.name, {}, config.takes_part};
   std::vector<double> reaches;
   for (std::size_t i = 0; i < variants.all().size(); ++i) {
     const Cuboid& box_O = boxes_O_[object][i];
@@ -136,10 +135,8 @@ void SceneArranger::setUpCameras(const SceneOptions& config,
 
 void SceneArranger::placeObjects(std::int64_t instant) {
   if (!placer_) return;
-  const std::vector<Pose> X_GO = placer_->place(instant);
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
-    if (objects_[i].takes_part) frames_.place(object_frames_[i], X_GO[i]);
-  }
+  const std::vector<std::optional<Pose>> X_GO = placer_->place(instant);
+  for (std::size_t i = 0; i < objects_.size(); ++i) frames_.place(object_frames_[i], X_GO[i]);
 }
 
 void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
@@ -152,7 +149,7 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
   distractors_there_ = distractor_placer_->place(instant, cameras_G);
   const std::vector<std::optional<Pose>> X_GM = world_.distractorPoses();
   for (std::size_t i = 0; i < distractor_frames_.size(); ++i) {
-    frames_.place(distractor_frames_[i], X_GM[i].value_or(motion::nowhere()));
+    frames_.place(distractor_frames_[i], X_GM[i]);
   }
 }
 

@@ -8,16 +8,6 @@
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::scene {
-namespace {
-
-/// An object that is not there has a pose, and no label.
-void leaveOut(SceneObject& object) {
-  object.in_view = false;
-  object.loose_box.reset();
-  object.dropped = true;
-}
-
-}  // namespace
 
 SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
                        const motion::PlacedFrames& frames, const std::vector<CameraRig>& cameras,
@@ -34,7 +24,7 @@ SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
 }
 
 SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp,
-                           const std::vector<Pose>& X_GO) {
+                           std::vector<std::optional<Pose>> X_GO) {
   const CameraRig& rig = cameras_[camera];
   const render::View view{rig.model, cameraPose(rig, world_, frames_, stamp)};
   const auto count = static_cast<std::int64_t>(cameras_.size());
@@ -46,10 +36,12 @@ SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp
   scene.camera_index = camera;
   scene.stamp = stamp;
   scene.X_GC = view.X_WC;
+  for (std::size_t i = 0; i < X_GO.size(); ++i) {
+    if (!world_.isPresent(i)) X_GO[i].reset();
+  }
   const std::vector<label::ObjectShape> shapes = shapes_.at(X_GO);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     scene.objects.push_back(label::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
-    if (!world_.isPresent(i)) leaveOut(scene.objects.back());
   }
   // Writers ask in their own thread, when the next scene may have been placed already.
   scene.setTransforms([frames = frames_, stamp, X_GC = cameraPoses(stamp)](

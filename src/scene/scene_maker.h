@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,7 @@ class SceneMaker {
   /// @param instant  the place of the scene's time in the timeline
   /// @param X_GO  the objects' poses, in their order
   [[nodiscard]] SeenScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
-                               const std::vector<Pose>& X_GO);
+                               std::vector<std::optional<Pose>> X_GO);
 
   /// Whether scenes have to wait for the next one.
   [[nodiscard]] bool needsOpticalFlow() const { return needs_optical_flow_; }

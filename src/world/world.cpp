@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "synthetic_dataset/errors.h"
 #include "world/material/default_paint.h"
 #include "world/world_impl.h"
@@ -27,32 +28,23 @@ PhysicsOptions checked(const PhysicsOptions& options) {
   return options;
 }
 
-/// Runs `make` and keeps what it complains about.
-template <class Make>
-void collectErrors(std::vector<std::string>& errors, const Make& make) {
-  try {
-    make();
-  } catch (const ErrorList& list) {
-    errors.insert(errors.end(), list.messages().begin(), list.messages().end());
-  }
-}
-
-/// X_WB of each body of a variant.
+/// X_WB of each body of a variant; nothing for all of one that is nowhere.
 /// @param index  of the variant, as the motion counts
-std::vector<Pose> bodyPoses(const MovingModel& moving, int index, Stamp time,
-                            const World::ObjectMotion& motion) {
-  const ObjectPose pose = motion(index, time);
-  if (pose.X_WL.size() != moving.driven_links.size()) {
+std::vector<std::optional<Pose>> bodyPoses(const MovingModel& moving, int index, Stamp time,
+                                           const World::ObjectMotion& motion) {
+  const std::optional<ObjectPose> pose = motion(index, time);
+  if (!pose) return std::vector<std::optional<Pose>>(moving.driven_links.size() + 1);
+  if (pose->X_WL.size() != moving.driven_links.size()) {
     throw Error("object '" + moving.model.name +
                 "': " + std::to_string(moving.driven_links.size()) + " links are driven, but " +
-                std::to_string(pose.X_WL.size()) + " poses given");
+                std::to_string(pose->X_WL.size()) + " poses given");
   }
-  std::vector<Pose> poses = ObjectBodies::poses(pose);
+  const std::vector<Pose> poses = ObjectBodies::poses(*pose);
   for (const Pose& X_WB : poses) {
     if (X_WB.matrix().allFinite()) continue;
     throw Error("object '" + moving.model.name + "': its pose at " + text(time) + " is not finite");
   }
-  return poses;
+  return {poses.begin(), poses.end()};
 }
 
 /// @throws ErrorList
@@ -67,7 +59,7 @@ PropModel makeFalling(const Model& model, const std::string& what) {
 World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_in,
                   const PhysicsOptions& options_in, std::vector<Model> distractors_in)
     : description(std::move(description_in)), options(checked(options_in)) {
-  std::vector<std::string> errors;
+  base::Diagnostics errors;
   for (Model& model : description.models) paintDefaults(description.simulator, model);
   for (MovingObject& object : objects_in) {
     for (MovingModel& variant : object.variants) {
@@ -85,8 +77,8 @@ World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_
   }
   for (MovingObject& object : objects_in) addObject(std::move(object), errors);
   for (Model& model : distractors_in) addDistractor(std::move(model), errors);
-  if (!description.gravity.allFinite()) errors.emplace_back("the world's gravity is not finite");
-  if (!errors.empty()) throw ErrorList(std::move(errors));
+  if (!description.gravity.allFinite()) errors.error("", "the world's gravity is not finite");
+  errors.throwIfAny();
 
   overlaps = std::make_unique<OverlapFinder>(fixed);
   for (const LinkInstance& link : links) present_links.push_back(link.role != Role::kDistractor);
@@ -114,28 +106,28 @@ MovingCollisions World::Impl::collisionsOf(const Model& body) {
   return collisions;
 }
 
-void World::Impl::addFixed(const Model& model, std::vector<std::string>& errors) {
+void World::Impl::addFixed(const Model& model, base::Diagnostics& errors) {
   static_cast<void>(addLinks(model, {nullptr, Role::kStatic}));
   if (!model.is_static) {
     description.notes.push_back("model '" + model.name +
                                 "': it is not static, but has no collision that could hold it: it "
                                 "stays where it is");
   }
-  collectErrors(errors, [&] {
+  errors.attempt([&] {
     for (FixedCollision& collision : fixedCollisions(model)) fixed.push_back(std::move(collision));
   });
 }
 
-void World::Impl::addProp(const Model& model, std::vector<std::string>& errors) {
+void World::Impl::addProp(const Model& model, base::Diagnostics& errors) {
   const std::size_t first_link = addLinks(model, {nullptr, Role::kProp});
-  collectErrors(errors, [&] {
+  errors.attempt([&] {
     props.push_back({&model, first_link, makeProp(model), model.X_WM, model.X_WM, model.X_WM});
     const auto& notes = props.back().body.collisions.notes;
     description.notes.insert(description.notes.end(), notes.begin(), notes.end());
   });
 }
 
-void World::Impl::addObject(MovingObject object, std::vector<std::string>& errors) {
+void World::Impl::addObject(MovingObject object, base::Diagnostics& errors) {
   const auto index = static_cast<int>(objects.size());
   Object& added = objects.emplace_back();
   for (std::size_t i = 0; i < object.variants.size(); ++i) {
@@ -143,9 +135,9 @@ void World::Impl::addObject(MovingObject object, std::vector<std::string>& error
     const std::size_t first_link = addLinks(model, {nullptr, Role::kObject, index, "", i});
     std::optional<PropModel> falling;
     if (options.drops_objects && !model.links.empty()) {
-      collectErrors(errors, [&] { falling = makeFalling(model, "object"); });
+      errors.attempt([&] { falling = makeFalling(model, "object"); });
     }
-    collectErrors(errors, [&] {
+    errors.attempt([&] {
       const ObjectBodies parts(object.variants[i]);
       std::vector<Body> bodies;
       for (const Model& body : parts.models(model)) bodies.push_back({collisionsOf(body), {}});
@@ -155,22 +147,23 @@ void World::Impl::addObject(MovingObject object, std::vector<std::string>& error
   }
 }
 
-void World::Impl::addDistractor(Model model, std::vector<std::string>& errors) {
+void World::Impl::addDistractor(Model model, base::Diagnostics& errors) {
   const auto index = static_cast<int>(objects.size() + distractors.size());
   Distractor& added = distractors.emplace_back();
   added.model = std::move(model);
   added.first_link =
       addLinks(added.model, {nullptr, Role::kDistractor, options.labels_distractors ? index : -1});
-  collectErrors(errors, [&] { added.collisions = collisionsOf(added.model); });
+  errors.attempt([&] { added.collisions = collisionsOf(added.model); });
   if (!options.drops_distractors) return;
-  collectErrors(errors, [&] { added.falling = makeFalling(added.model, "distractor"); });
+  errors.attempt([&] { added.falling = makeFalling(added.model, "distractor"); });
 }
 
 void World::Impl::moveObjects(Stamp time, const ObjectMotion& motion) {
   int index = 0;
   for (Object& object : objects) {
     for (Variant& variant : object.variants) {
-      const std::vector<Pose> X_WB = bodyPoses(variant.moving, index++, time, motion);
+      const std::vector<std::optional<Pose>> X_WB =
+          bodyPoses(variant.moving, index++, time, motion);
       for (std::size_t i = 0; i < X_WB.size(); ++i) variant.bodies[i].X_WB = X_WB[i];
     }
   }
@@ -185,7 +178,8 @@ std::vector<std::optional<Pose>> World::Impl::activePoses(Stamp time,
   for (const Object& object : objects) {
     for (const Variant& variant : object.variants) {
       if (&variant == &object.variants[object.active]) {
-        const std::vector<Pose> X_WB = bodyPoses(variant.moving, index, time, motion);
+        const std::vector<std::optional<Pose>> X_WB =
+            bodyPoses(variant.moving, index, time, motion);
         all.insert(all.end(), X_WB.begin(), X_WB.end());
       } else {
         all.insert(all.end(), variant.bodies.size(), std::nullopt);
@@ -270,7 +264,7 @@ void World::Impl::showObjects() {
     for (const Variant& variant : object.variants) {
       for (std::size_t i = 0; i < variant.moving.model.links.size(); ++i) {
         const Body& body = variant.bodies[variant.parts.bodyOf(i)];
-        X_WL[variant.first_link + i] = variant.parts.linkPose(i, *body.X_WB);
+        if (body.X_WB) X_WL[variant.first_link + i] = variant.parts.linkPose(i, *body.X_WB);
       }
     }
   }
@@ -299,7 +293,8 @@ void World::advanceTo(Stamp time, const ObjectMotion& motion) {
   world.showObjects();
 }
 
-void World::showAt(Stamp time, const std::vector<Pose>& X_WM, const std::vector<ObjectPose>& X_WO) {
+void World::showAt(Stamp time, const std::vector<Pose>& X_WM,
+                   const std::vector<std::optional<ObjectPose>>& X_WO) {
   Impl& world = *impl_;
   if (X_WM.size() != world.props.size()) {
     throw Error(std::to_string(world.props.size()) + " props are to be shown, but " +

@@ -50,11 +50,12 @@ struct Interpenetration {
 /// static; a prop that falls off the world stops after 10 km.
 class World {
  public:
-  /// Where a variant and its driven links are at a time. Variants are counted through all objects:
+  /// Where a variant and its driven links are at a time; nothing while they are nowhere in the
+  /// world, and push nothing. Variants are counted through all objects:
   /// those of the first object, then those of the second. Called for active variants at every step
   /// of the simulation, so it has to answer at any time between two scenes; for the others at the
   /// times of advanceTo alone.
-  using ObjectMotion = std::function<ObjectPose(int variant, Stamp time)>;
+  using ObjectMotion = std::function<std::optional<ObjectPose>(int variant, Stamp time)>;
 
   /// @param description  models that are no object and not static are props
   /// @param objects  in the order of `robot_list`; their models' poses are ignored
@@ -79,7 +80,8 @@ class World {
   /// @param X_WM  of the props, as propPoses
   /// @param X_WO  of all objects' variants, as ObjectMotion counts them
   /// @throws Error as advanceTo where a pose is missing or not finite
-  void showAt(Stamp time, const std::vector<Pose>& X_WM, const std::vector<ObjectPose>& X_WO);
+  void showAt(Stamp time, const std::vector<Pose>& X_WM,
+              const std::vector<std::optional<ObjectPose>>& X_WO);
 
   /// X_WM of each prop, in their order, as it is shown.
   [[nodiscard]] std::vector<Pose> propPoses() const;
@@ -134,14 +136,16 @@ class World {
   /// until all have come to rest. The props start there until restart(); the objects are where the
   /// next advanceTo puts them. Call it before the first advanceTo, or after restart(), and only
   /// where the options say so.
+  /// @param X_WO  of each object; nothing for one that is nowhere
   /// @return where the objects lie; nothing where something still moves after `time`
-  [[nodiscard]] std::optional<std::vector<Pose>> drop(const std::vector<Pose>& X_WO, Duration time);
+  [[nodiscard]] std::optional<std::vector<std::optional<Pose>>> drop(
+      const std::vector<std::optional<Pose>>& X_WO, Duration time);
 
   /// What an object would be inside of at X_WO, by more than the contact tolerance: the name of a
   /// static model, of a prop where it stands now, or of one of the objects before it, where
   /// `X_WO_before` puts them. Its links are where its model has them.
-  [[nodiscard]] std::optional<std::string> obstacleAt(int object, const Pose& X_WO,
-                                                      const std::vector<Pose>& X_WO_before) const;
+  [[nodiscard]] std::optional<std::string> obstacleAt(
+      int object, const Pose& X_WO, const std::vector<std::optional<Pose>>& X_WO_before) const;
 
   /// What a ball would touch, as everything stands now: the name of a static model, a prop, an
   /// object or distractor that is present.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "world/physics/collision_models.h"
 #include "world/physics/overlap_finder.h"
 #include "world/physics/physics.h"
@@ -56,10 +57,10 @@ struct World::Impl {
   Impl(Description description_in, std::vector<MovingObject> objects_in,
        const PhysicsOptions& options_in, std::vector<Model> distractors_in);
 
-  void addFixed(const Model& model, std::vector<std::string>& errors);
-  void addProp(const Model& model, std::vector<std::string>& errors);
-  void addObject(MovingObject object, std::vector<std::string>& errors);
-  void addDistractor(Model model, std::vector<std::string>& errors);
+  void addFixed(const Model& model, base::Diagnostics& errors);
+  void addProp(const Model& model, base::Diagnostics& errors);
+  void addObject(MovingObject object, base::Diagnostics& errors);
+  void addDistractor(Model model, base::Diagnostics& errors);
   [[nodiscard]] std::size_t addLinks(const Model& model, LinkInstance instance);
   [[nodiscard]] MovingCollisions collisionsOf(const Model& body);
 

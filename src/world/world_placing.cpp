@@ -1,3 +1,4 @@
+#include <optional>
 #include <utility>
 
 #include "world/world.h"
@@ -93,32 +94,33 @@ void World::settleProps(Duration time) {
   world.startPropsAt(X_WM);
 }
 
-std::optional<std::vector<Pose>> World::drop(const std::vector<Pose>& X_WO, Duration time) {
+std::optional<std::vector<std::optional<Pose>>> World::drop(
+    const std::vector<std::optional<Pose>>& X_WO, Duration time) {
   Impl& world = *impl_;
   std::vector<StartingProp> falling = world.startingProps();
   std::vector<std::size_t> dropped;  // objects, in the order in which they follow the props
   for (std::size_t i = 0; i < X_WO.size(); ++i) {
     const Impl::Object& object = world.objects[i];
     const std::optional<PropModel>& model = object.variants[object.active].falling;
-    if (!object.is_present || !model) continue;
-    falling.push_back({&*model, X_WO[i]});
+    if (!X_WO[i] || !object.is_present || !model) continue;
+    falling.push_back({&*model, *X_WO[i]});
     dropped.push_back(i);
   }
   Physics physics(world.description.gravity, world.options.step, world.fixed, kNoObjects, falling);
   if (!runToRest(physics, time, world.options.step)) return std::nullopt;
   std::size_t next = world.props.size();
-  std::vector<Pose> objects = X_WO;
+  std::vector<std::optional<Pose>> objects = X_WO;
   for (const std::size_t i : dropped) objects[i] = physics.propPose(next++, Duration::zero());
   world.startPropsAt(firstPoses(physics, world.props.size()));
   return objects;
 }
 
-std::optional<std::string> World::obstacleAt(int object, const Pose& X_WO,
-                                             const std::vector<Pose>& X_WO_before) const {
+std::optional<std::string> World::obstacleAt(
+    int object, const Pose& X_WO, const std::vector<std::optional<Pose>>& X_WO_before) const {
   const Impl& world = *impl_;
   std::vector<StandingBody> others = world.standingProps();
   for (std::size_t i = 0; i < X_WO_before.size(); ++i) {
-    others.push_back(world.standingObject(i, X_WO_before[i]));
+    if (X_WO_before[i]) others.push_back(world.standingObject(i, *X_WO_before[i]));
   }
   return world.overlaps->obstacle(world.standingObject(static_cast<std::size_t>(object), X_WO),
                                   others, world.options.contact_tolerance);

@@ -140,7 +140,7 @@ def no_manifests(_: int) -> List:
 
 
 def versions(_: int) -> List:
-    changes = ("UPDATE run SET value = '7' WHERE key = 'format_version'",
+    changes = ("UPDATE run SET value = '8' WHERE key = 'format_version'",
                "UPDATE run SET value = '2000' WHERE key = 'format_version'",
                "DELETE FROM run WHERE key = 'format_version'")
     return [functools.partial(refuse, sql(change), complete, 'version')

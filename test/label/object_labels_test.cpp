@@ -1,6 +1,12 @@
 #include "label/object_labels.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
+
+#include "support/error_messages.h"
 
 namespace synthetic_dataset::label {
 namespace object_labels_test {
@@ -36,8 +42,8 @@ TEST(LabelObject, GivesPosesInBothFrames) {
   R_GC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   const Pose X_GC = makePose({1, 2, 3}, Eigen::Quaterniond(R_GC));
   const SceneObject object = labelObject(cube(), at(5, 1.5, 3.25), X_GC, kCamera);
-  EXPECT_TRUE(object.X_CO.translation().isApprox(Eigen::Vector3d(0.5, -0.25, 4)));
-  EXPECT_TRUE(object.X_GO.translation().isApprox(Eigen::Vector3d(5, 1.5, 3.25)));
+  EXPECT_TRUE(object.X_CO->translation().isApprox(Eigen::Vector3d(0.5, -0.25, 4)));
+  EXPECT_TRUE(object.X_GO->translation().isApprox(Eigen::Vector3d(5, 1.5, 3.25)));
   EXPECT_EQ(object.name, "cube");
   EXPECT_EQ(object.class_name, "box");
   EXPECT_EQ(object.class_text, "4");
@@ -90,6 +96,17 @@ TEST(LabelObject, BehindTheCameraThereIsNoBox) {
   const SceneObject object = labelObject(cube(), at(0, 0, -3), Pose::Identity(), kCamera);
   EXPECT_FALSE(object.loose_box);
   EXPECT_FALSE(object.in_view);
+}
+
+TEST(LabelObject, NotInTheSceneItHasNothingThatFollowsFromAPose) {
+  const SceneObject object = labelObject(cube(), std::nullopt, Pose::Identity(), kCamera);
+  EXPECT_FALSE(object.X_GO || object.X_CO || object.loose_box || object.in_view);
+  EXPECT_TRUE(object.dropped);
+  ASSERT_EQ(object.keypoints.size(), 1U) << "as many as in other scenes";
+  EXPECT_FALSE(object.keypoints[0].pixel);
+  EXPECT_EQ(object.bounding_shape_O.size(), 8U);
+  EXPECT_EQ(test::messagesOf([&] { (void)object.distance(); }),
+            std::vector<std::string>{"'cube' is not in the scene, and so at no distance"});
 }
 
 TEST(LabelObject, AroundTheCameraTheBoxCoversTheImage) {

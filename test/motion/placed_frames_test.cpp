@@ -1,6 +1,7 @@
 #include "motion/placed_frames.h"
 
 #include <memory>
+#include <optional>
 
 #include <gmock/gmock.h>
 
@@ -49,6 +50,23 @@ TEST(PlacedFrames, AreWhereTheyWerePlacedLast) {
   frames.place(bravo, poseAt(3, 0, 0));
   expectAt(frames, "bravo", milliseconds(1), 3, 0);
   expectAt(frames, "//charlie", milliseconds(1), 2, 0);
+}
+
+TEST(PlacedFrames, AreNotKnownWhileTheyAreNotThere) {
+  PlacedFrames frames = placedOverMotion();
+  const FrameId bravo = frames.place("bravo", std::nullopt);
+  EXPECT_TRUE(frames.isPlaced("bravo"));
+  EXPECT_FALSE(isKnown(frames, "bravo", milliseconds(1)));
+  frames.place(bravo, poseAt(1, 0, 0));
+  expectAt(frames, "bravo", milliseconds(1), 1, 0);
+  frames.place(bravo, std::nullopt);
+  EXPECT_FALSE(isKnown(frames, "bravo", milliseconds(1)));
+}
+
+TEST(PlacedFrames, AreNotThereWhateverTheirSourceSays) {
+  PlacedFrames frames = placedOverMotion();
+  frames.place("alpha/base_link", std::nullopt);
+  EXPECT_FALSE(isKnown(frames, "alpha/base_link", milliseconds(1250)));
 }
 
 TEST(PlacedFrames, LeaveAllOthersToTheirSource) {

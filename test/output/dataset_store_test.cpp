@@ -145,6 +145,19 @@ TEST_F(DatasetStoreTest, ListsWhatWasMeasuredAndNothingElse) {
   EXPECT_THAT(query("SELECT * FROM warning"), ElementsAre("0|0|1|it rains|a lot"));
 }
 
+TEST_F(DatasetStoreTest, ListsAnObjectThatIsNotInTheSceneWithoutAPose) {
+  auto store = makeStore();
+  SceneFacts facts{0, Stamp{0}};
+  ObjectFacts absent;
+  absent.X_GO.reset();
+  absent.distance.reset();
+  absent.dropped = true;
+  facts.objects = {absent};
+  store->commitScene(facts, {{}, {}});
+  EXPECT_THAT(query("SELECT x, y, z, qx, qy, qz, qw, distance, dropped FROM scene_object"),
+              ElementsAre("NULL|NULL|NULL|NULL|NULL|NULL|NULL|NULL|1"));
+}
+
 TEST_F(DatasetStoreTest, StopsWhenItsManifestIsGone) {
   auto store = makeStore();
   store->commitScene({0, Stamp{0}}, someScene(0));

@@ -145,7 +145,7 @@ TEST_F(EarlierDatasetTest, AnotherVersionsManifestIsAnError) {
   (void)query("UPDATE run SET value = '99' WHERE key = 'format_version'");
   EXPECT_THAT(
       errors(IfExists::kOverwrite),
-      ElementsAre(HasSubstr("format version is '99', and this software reads versions 4 to 6")));
+      ElementsAre(HasSubstr("format version is '99', and this software reads versions 4 to 7")));
 }
 
 TEST_F(EarlierDatasetTest, OfTheVersionBeforeIsRemovedWhenOverwriting) {
@@ -222,9 +222,13 @@ TEST_F(EarlierDatasetTest, IsNeitherGoneOnWithNorRemovedThroughALinkToAFolder) {
 
 TEST_F(EarlierDatasetTest, OfAnEarlierFormatVersionIsNotGoneOnWith) {
   earlierRun();
-  (void)query("UPDATE run SET value = '5' WHERE key = 'format_version'");
-  EXPECT_THAT(errors(IfExists::kResume),
-              ElementsAre(HasSubstr("its manifest has another format version")));
+  for (const char* earlier : {"5", "6"}) {
+    (void)query("UPDATE run SET value = '" + std::string(earlier) +
+                "' WHERE key = 'format_version'");
+    EXPECT_THAT(errors(IfExists::kResume),
+                ElementsAre(HasSubstr("its manifest has another format version")))
+        << earlier;
+  }
 }
 
 TEST_F(EarlierDatasetTest, CanBeMovedAndThenOverwritten) {

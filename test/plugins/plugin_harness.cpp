@@ -37,7 +37,7 @@ Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
     const cv::Mat visible = each.visible_mask().whole();
     instance_map.setTo(each.instance, visible);
     class_map.setTo(each.class_id + 1, visible);
-    depth.setTo(each.X_CO.translation().z(), visible);
+    depth.setTo(each.X_CO->translation().z(), visible);
     scene.objects.push_back(std::move(each));
   }
   scene.instance_map = instance_map;
@@ -82,7 +82,7 @@ SceneObject PluginTest::object(const std::string& name) {
   object.name = name;
   object.class_name = object.class_text = name + "_class";
   object.id = name + "_id";
-  object.X_GO.translation() = Eigen::Vector3d(0.0, 0.0, 10.0);
+  object.X_GO->translation() = Eigen::Vector3d(0.0, 0.0, 10.0);
   object.X_CO = object.X_GO;
   object.in_view = true;
   object.silhouette = Mask(kImageSize);

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 """`from synthetic_dataset import Dataset`, against the files and the manifest itself."""
 import concurrent.futures
+import contextlib
 import json
 import multiprocessing
 import os
+import shutil
 import sqlite3
+import tempfile
 import unittest
 
 import numpy as np
@@ -52,6 +55,24 @@ class Scenes(DatasetCase):
         self.assertTrue(all(scene.split == 'val' for scene in self.dataset.split('val')))
         with self.assertRaisesRegex(DatasetError, "no split 'test'; found 'train', 'val'"):
             self.dataset.split('test')
+
+    def test_have_objects_that_are_not_in_them(self):
+        columns = ['x', 'y', 'z', 'qx', 'qy', 'qz', 'qw', 'distance'] + [
+            f'{kind}_{edge}' for kind in ('loose', 'silhouette', 'visible')
+            for edge in ('left', 'top', 'right', 'bottom')]
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(self.folder / 'manifest.sqlite', folder)
+            with contextlib.closing(sqlite3.connect(f'{folder}/manifest.sqlite')) as database:
+                database.execute(
+                    'UPDATE scene_object SET ' + ', '.join(f'{each} = NULL' for each in columns)
+                    + ', in_view = 0, dropped = 1, silhouette_pixels = 0, visible_pixels = 0, '
+                    'visibility = 0 WHERE scene = 1 AND object = 2')
+                database.commit()
+            rover, _, drone = Dataset(folder)[1].objects
+            self.assertTrue(rover.is_there)
+            self.assertEqual(rover.X_CO.shape, (4, 4))
+            self.assertFalse(drone.is_there or drone.is_labelled)
+            self.assertEqual([drone.X_GO, drone.X_CO, drone.distance], [None, None, None])
 
     def test_have_classes_and_objects(self):
         self.assertEqual(sorted(self.dataset.classes.values()), ['drone', 'rover'])

@@ -174,7 +174,7 @@ TEST_F(CamerasTest, ACameraThatLooksAtAnObjectFollowsIt) {
   const auto scenes = scenesOf();
   ASSERT_EQ(scenes.size(), 4U);
   for (const FinishedScene& each : scenes) {
-    const Eigen::Vector3d middle_C = each.scene.objects[0].X_CO * Eigen::Vector3d(0, 0, 0.2);
+    const Eigen::Vector3d middle_C = *each.scene.objects[0].X_CO * Eigen::Vector3d(0, 0, 0.2);
     EXPECT_LT(middle_C.head<2>().norm(), 1e-9) << "on the optical axis in every scene";
     EXPECT_EQ(each.scene.X_GC.translation(), Eigen::Vector3d(-3.0, 0.2, 1.5));
     EXPECT_GT(-each.scene.X_GC.linear()(2, 1), 0.8) << "the image's up is the world's";
@@ -186,9 +186,9 @@ TEST_F(CamerasTest, ACameraOnAnObjectLooksAtAnother) {
   aim({{"position", vector(0.0, 0.0, 1.0)}, {"look_at", Value("bravo")}});
   camera()["mounted_on"] = Value("alpha");
   for (const FinishedScene& each : scenesOf()) {
-    const Eigen::Vector3d middle_C = each.scene.objects[1].X_CO * Eigen::Vector3d(0, 0, 0.2);
+    const Eigen::Vector3d middle_C = *each.scene.objects[1].X_CO * Eigen::Vector3d(0, 0, 0.2);
     EXPECT_LT(middle_C.head<2>().norm(), 1e-9);
-    const Eigen::Vector3d p_O = each.scene.objects[0].X_CO.inverse().translation();
+    const Eigen::Vector3d p_O = each.scene.objects[0].X_CO->inverse().translation();
     EXPECT_TRUE(p_O.isApprox(Eigen::Vector3d(0, 0, 1), 1e-9)) << "it rides along";
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -273,7 +274,7 @@ TEST_F(Variation, DistractorsAreSeenAndHaveNoLabel) {
 struct ObjectRow {
   bool in_view;
   bool dropped;
-  double height;  ///< of its frame [m]
+  std::optional<double> height;  ///< of its frame [m]; nothing where it is not in the scene
 };
 
 /// By scene and the object's name.
@@ -285,9 +286,25 @@ std::map<std::int64_t, std::map<std::string, ObjectRow>> objectsIn(const std::st
                               "FROM scene_object JOIN object ON object = object.\"index\"");
   std::map<std::int64_t, std::map<std::string, ObjectRow>> objects;
   while (row.step()) {
-    objects[row.integer(0)][row.text(1)] = {row.integer(2) != 0, row.integer(3) != 0, row.real(4)};
+    objects[row.integer(0)][row.text(1)] = {
+        row.integer(2) != 0, row.integer(3) != 0,
+        row.isNull(4) ? std::nullopt : std::optional(row.real(4))};
   }
   return objects;
+}
+
+TEST_F(Variation, AnObjectThatIsAbsentIsNowhere) {
+  randomize("{objects: {bravo: {present: 0.5}}}");
+  (void)filesAnew();
+  std::set<bool> met;
+  const auto draws = drawsIn(folder);
+  for (const auto& [scene, objects] : objectsIn(folder)) {
+    const bool is_there = draws.at(scene).at("objects/bravo/present") == std::vector<double>{1.0};
+    EXPECT_EQ(objects.at("bravo").height.has_value(), is_there) << scene;
+    EXPECT_TRUE(objects.at("alpha").height.has_value()) << scene;
+    met.insert(is_there);
+  }
+  EXPECT_EQ(met.size(), 2U);
 }
 
 TEST_F(Variation, DistractorsWithAClassAreLabelledWhereTheyAre) {
@@ -310,7 +327,8 @@ TEST_F(Variation, DistractorsWithAClassAreLabelledWhereTheyAre) {
       const bool is_there = std::find(there.begin(), there.end(), number) != there.end();
       EXPECT_EQ(object.dropped, !is_there) << scene << ": " << name;
       EXPECT_TRUE(is_there || !object.in_view) << scene << ": " << name;
-      EXPECT_TRUE(is_there ? object.height > 0.3 && object.height < 1.5 : object.height < -1e4);
+      ASSERT_EQ(object.height.has_value(), is_there) << scene << ": " << name;
+      EXPECT_TRUE(!is_there || (*object.height > 0.3 && *object.height < 1.5));
       seen += object.in_view ? 1 : 0;
     }
   }

@@ -53,7 +53,7 @@ class ObjectMotionTest : public testing::Test {
 
 TEST_F(ObjectMotionTest, FollowsTheFramesOfTheObjectAndOfItsLinks) {
   ObjectMotion alpha = motion();
-  const world::ObjectPose pose = alpha.at(0, milliseconds(1500));
+  const world::ObjectPose pose = alpha.at(0, milliseconds(1500)).value();
   EXPECT_TRUE(pose.X_WO.isApprox(poseAt(1.5, 0, 0)));
   ASSERT_THAT(pose.X_WL, SizeIs(1));
   EXPECT_TRUE(pose.X_WL.front().isApprox(poseAt(1.5, 0, 3)));
@@ -63,12 +63,19 @@ TEST_F(ObjectMotionTest, FollowsTheFramesOfTheObjectAndOfItsLinks) {
 TEST_F(ObjectMotionTest, LeavesAnObjectWhereItWasSeenLast) {
   ObjectMotion alpha = motion();
   static_cast<void>(alpha.objectPoses(milliseconds(1750)));
-  EXPECT_TRUE(alpha.objectPoses(milliseconds(2500)).front().isApprox(poseAt(1.75, 0, 0)));
+  EXPECT_TRUE(alpha.objectPoses(milliseconds(2500)).front()->isApprox(poseAt(1.75, 0, 0)));
+}
+
+TEST_F(ObjectMotionTest, LeavesAnObjectNowhereThatWasNeverSeen) {
+  options_.frame = "bravo/base_link";
+  ObjectMotion bravo = motion();
+  EXPECT_FALSE(bravo.at(0, milliseconds(250)).has_value());
+  EXPECT_FALSE(bravo.objectPoses(milliseconds(250)).front().has_value());
 }
 
 TEST_F(ObjectMotionTest, LeavesALinkWhereItIsOnItsParentAndReportsThatOnce) {
   ObjectMotion alpha = motion();
-  EXPECT_TRUE(alpha.at(0, milliseconds(250)).X_WL.front().isApprox(poseAt(0.25, 0, 0.5)));
+  EXPECT_TRUE(alpha.at(0, milliseconds(250))->X_WL.front().isApprox(poseAt(0.25, 0, 0.5)));
   EXPECT_THAT(alpha.takeGaps(), ElementsAre(HasSubstr("'alpha': the frame 'alpha/fore' of its "
                                                       "link 'fore' is not known")));
   static_cast<void>(alpha.at(0, milliseconds(500)));

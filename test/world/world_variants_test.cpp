@@ -1,5 +1,7 @@
 /// Objects of several models, one of which is active at a time.
 
+#include <optional>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -117,6 +119,25 @@ TEST(WorldVariants, CanComeBackWhereTheyWere) {
   EXPECT_GT(world.linkPoses()[0].translation().z(), 0.25) << "it fell on the large one";
 }
 
+/// A ball that lies on an object until that is nowhere any more.
+TEST(WorldObjects, ThatAreNowherePushNothingAndAreInNothingsWay) {
+  World world(descriptionOf({modelOf("ball", SphereShape{0.1}, at(0, 0, 1.0))}),
+              {smallOrLarge(0.2, 1.0)}, {});
+  world.setVariants({1});
+  const auto leaving = [](int, Stamp time) -> std::optional<ObjectPose> {
+    if (time > seconds(4)) return std::nullopt;
+    return ObjectPose(at(0, 0, 0.4));
+  };
+  world.advanceTo(seconds(0), leaving);
+  world.advanceTo(seconds(4), leaving);
+  EXPECT_NEAR(world.linkPoses()[0].translation().z(), 1.0, 0.01);
+  EXPECT_EQ(world.obstacleNear({0, 0, 0.4}, 0.1), "one");
+  world.advanceTo(seconds(5), leaving);
+  EXPECT_LT(world.linkPoses()[0].translation().z(), 0.7) << "through where it was";
+  EXPECT_EQ(world.obstacleNear({0, 0, 0.4}, 0.05), std::nullopt);
+  EXPECT_EQ(world.obstacleAt(0, at(0, 0, 0.4), {std::nullopt}), std::nullopt);
+}
+
 /// They lie as high as they are large.
 TEST(WorldVariants, FallInTheActiveOne) {
   PhysicsOptions options;
@@ -127,7 +148,7 @@ TEST(WorldVariants, FallInTheActiveOne) {
     world.setVariants({variant});
     const auto lying = world.drop({at(0, 0, 1)}, seconds(10));
     ASSERT_TRUE(lying);
-    EXPECT_NEAR(lying->at(0).translation().z(), variant == 0 ? 0.1 : 0.4, 0.01);
+    EXPECT_NEAR(lying->at(0)->translation().z(), variant == 0 ? 0.1 : 0.4, 0.01);
   }
 }
 

@@ -89,8 +89,8 @@ Marker boxMarker(const std_msgs::Header& header, const SceneObject& object) {
   box.ns = object.class_name;
   box.id = object.instance;
   box.type = Marker::CUBE;
-  box.pose.position = toXyz<geometry_msgs::Point>(object.X_GO * object.cuboid_O.centre());
-  box.pose.orientation = toQuaternion(object.X_GO);
+  box.pose.position = toXyz<geometry_msgs::Point>(*object.X_GO * object.cuboid_O.centre());
+  box.pose.orientation = toQuaternion(*object.X_GO);
   box.scale = toXyz<geometry_msgs::Vector3>(object.cuboid_O.size());
   box.color = classColour(object.class_id, 0.35F);
   return box;
@@ -99,9 +99,9 @@ Marker boxMarker(const std_msgs::Header& header, const SceneObject& object) {
 /// The object's name, above its box.
 Marker nameMarker(const std_msgs::Header& header, const SceneObject& object) {
   const double letter_height = 0.2 * object.cuboid_O.size().norm();  // [m]
-  Eigen::Vector3d p_GN = object.X_GO * object.cuboid_O.centre();
+  Eigen::Vector3d p_GN = *object.X_GO * object.cuboid_O.centre();
   for (const Eigen::Vector3d& corner_O : object.cuboid_O.corners()) {
-    p_GN.z() = std::max(p_GN.z(), (object.X_GO * corner_O).z() + letter_height);
+    p_GN.z() = std::max(p_GN.z(), (*object.X_GO * corner_O).z() + letter_height);
   }
   Marker name;
   name.header = header;
@@ -174,7 +174,7 @@ tf2_msgs::TFMessage transforms(const Scene& scene, const CameraFrame& camera,
   if (camera.has_pose) addTransform(global, frames.of(camera.name), scene.X_GC, result);
   if (camera.has_objects) {
     for (const SceneObject& object : scene.objects) {
-      addTransform(global, frames.of(object.name), object.X_GO, result);
+      if (object.X_GO) addTransform(global, frames.of(object.name), *object.X_GO, result);
     }
   }
   return result;

@@ -272,9 +272,12 @@ void Manifest::withdraw(const std::string& path) {
 void Manifest::insertMeasures(const SceneFacts& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const ObjectFacts& each = scene.objects[i];
-    const Eigen::Vector3d p = each.X_GO.translation();
-    const Eigen::Quaterniond q(each.X_GO.linear());
-    insert_object_.run(scene.index, signedIndex(i), p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w(),
+    using Number = std::optional<double>;
+    const Eigen::Vector3d p = each.X_GO.value_or(Pose::Identity()).translation();
+    const Eigen::Quaterniond q(each.X_GO.value_or(Pose::Identity()).linear());
+    const auto ifThere = [&](double number) { return each.X_GO ? Number(number) : std::nullopt; };
+    insert_object_.run(scene.index, signedIndex(i), ifThere(p.x()), ifThere(p.y()), ifThere(p.z()),
+                       ifThere(q.x()), ifThere(q.y()), ifThere(q.z()), ifThere(q.w()),
                        each.distance, flag(each.in_view), left(each.loose_box), top(each.loose_box),
                        right(each.loose_box), bottom(each.loose_box), left(each.silhouette_box),
                        top(each.silhouette_box), right(each.silhouette_box),

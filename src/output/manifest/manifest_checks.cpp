@@ -20,11 +20,11 @@ std::vector<std::string> schemaOf(const SqliteDatabase& database) {
                  "FROM sqlite_master ORDER BY type, name");
 }
 
-/// The same without constraints other than keys and NOT NULL.
+/// The same without constraints other than keys: those of earlier versions are others.
 std::vector<std::string> columnsOf(const SqliteDatabase& database) {
   return textsOf(database,
                  "SELECT m.type || ' ' || m.name || coalesce(' ' || c.name || ' ' || c.type || ' ' "
-                 "|| c.\"notnull\" || ' ' || c.pk, '') FROM sqlite_master m LEFT JOIN "
+                 "|| c.pk, '') FROM sqlite_master m LEFT JOIN "
                  "pragma_table_info(m.name) c ON m.type = 'table' "
                  "WHERE m.name NOT LIKE 'sqlite_autoindex_%' ORDER BY m.type, m.name, c.cid");
 }
@@ -72,8 +72,9 @@ std::vector<std::string> findStructureProblems(const SqliteDatabase& database) {
   requireKnownVersion(version);
   const SqliteDatabase empty(":memory:", SqliteDatabase::Mode::kCreate);
   empty.execute(kManifestTables);
-  if (version == kManifestVersion) empty.execute(kTruthTables);
-  const auto parts = version == kUncheckedVersion ? &columnsOf : &schemaOf;
+  const bool is_current = version == kManifestVersion;
+  if (is_current || version == kVersionWithAllPoses) empty.execute(kTruthTables);
+  const auto parts = is_current ? &schemaOf : &columnsOf;
   if (parts(database) != parts(empty)) {
     return {"its tables are not those of version " + version};
   }

@@ -29,7 +29,10 @@ std::string versionOf(const SqliteDatabase& database) {
   return version;
 }
 
-bool hasTruth(const SqliteDatabase& database) { return versionOf(database) == kManifestVersion; }
+bool hasTruth(const SqliteDatabase& database) {
+  const std::string version = versionOf(database);
+  return version == kManifestVersion || version == kVersionWithAllPoses;
+}
 
 void checkWholeness(const SqliteDatabase& database) {
   std::string finding;
@@ -135,6 +138,7 @@ ManifestContent readWithoutFiles(const SqliteDatabase& database, const std::stri
   ManifestContent content;
   readRun(database, content);
   readDescription(database, content.run);
+  content.is_current = versionOf(database) == kManifestVersion;
   content.has_truth = hasTruth(database);
   if (content.has_truth) readTruth(database, content.run);
   content.writers = readWriters(database, folder);

@@ -43,9 +43,8 @@ const char* const kManifestTables = R"sql(
       CHECK (state IN ('begun', 'written', 'complete', 'left out')));
   CREATE TABLE scene_object (
     scene INTEGER NOT NULL REFERENCES scene ("index"),
-    object INTEGER NOT NULL REFERENCES object ("index"), x REAL NOT NULL, y REAL NOT NULL,
-    z REAL NOT NULL, qx REAL NOT NULL, qy REAL NOT NULL, qz REAL NOT NULL, qw REAL NOT NULL,
-    distance REAL NOT NULL, in_view INTEGER NOT NULL,
+    object INTEGER NOT NULL REFERENCES object ("index"), x REAL, y REAL, z REAL, qx REAL, qy REAL,
+    qz REAL, qw REAL, distance REAL, in_view INTEGER NOT NULL,
     loose_left REAL, loose_top REAL, loose_right REAL, loose_bottom REAL,
     silhouette_left REAL, silhouette_top REAL, silhouette_right REAL, silhouette_bottom REAL,
     visible_left REAL, visible_top REAL, visible_right REAL, visible_bottom REAL,
@@ -76,7 +75,14 @@ const char* const kManifestTables = R"sql(
       CHECK (mask_agreement IS NOT NULL OR visible_left IS NULL OR visible_pixels <=
              (visible_right - visible_left) * (visible_bottom - visible_top) + 1e-6),
     CONSTRAINT "poses that are no turn and shift (the quaternion's length is not 1)"
-      CHECK (abs(qx * qx + qy * qy + qz * qz + qw * qw - 1) <= 1e-6)) WITHOUT ROWID;
+      CHECK (abs(qx * qx + qy * qy + qz * qz + qw * qw - 1) <= 1e-6),
+    CONSTRAINT "poses and distances of which a number is missing" CHECK (
+      (x IS NULL) + (y IS NULL) + (z IS NULL) + (qx IS NULL) + (qy IS NULL) + (qz IS NULL) +
+        (qw IS NULL) + (distance IS NULL) IN (0, 8)),
+    CONSTRAINT "objects without a pose that are seen, or not dropped" CHECK (
+      x IS NOT NULL OR (in_view = 0 AND dropped = 1 AND loose_left IS NULL AND
+        silhouette_left IS NULL AND visible_left IS NULL AND
+        coalesce(silhouette_pixels, 0) = 0 AND coalesce(visible_pixels, 0) = 0))) WITHOUT ROWID;
   CREATE TABLE contact (scene INTEGER NOT NULL REFERENCES scene ("index"),
                         sequence INTEGER NOT NULL, first TEXT NOT NULL, second TEXT NOT NULL,
                         depth REAL NOT NULL, PRIMARY KEY (scene, sequence)) WITHOUT ROWID;
@@ -100,7 +106,8 @@ const char* const kManifestTables = R"sql(
 )sql";
 
 void requireKnownVersion(const std::string& version) {
-  for (const char* known : {kManifestVersion, kVersionWithoutTruth, kUncheckedVersion}) {
+  for (const char* known :
+       {kManifestVersion, kVersionWithAllPoses, kVersionWithoutTruth, kUncheckedVersion}) {
     if (version == known) return;
   }
   throw Error("its format version is '" + version + "', and this software reads versions " +

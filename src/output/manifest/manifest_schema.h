@@ -8,10 +8,12 @@
 namespace synthetic_dataset::output {
 
 /// The version of the manifest's tables; docs/manifest.md describes them.
-constexpr const char* kManifestVersion = "6";
+constexpr const char* kManifestVersion = "7";
 
-/// The versions before, which are read as well: without the truth that labels are held against,
-/// and without constraints, too.
+/// The versions before, which are read as well. In all of them objects that are not in the scene
+/// have a pose: where they would be, or 100 km below the world. The second one lacks the truth that
+/// labels are held against, and the third one constraints, too.
+constexpr const char* kVersionWithAllPoses = "6";
 constexpr const char* kVersionWithoutTruth = "5";
 constexpr const char* kUncheckedVersion = "4";
 

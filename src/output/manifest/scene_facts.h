@@ -34,8 +34,8 @@ struct CoverFacts {
 /// What was measured of an object in a scene; what nobody asked for is nothing. The members are
 /// those of SceneObject.
 struct ObjectFacts {
-  Pose X_GO = Pose::Identity();
-  double distance = 0.0;  ///< [m]
+  std::optional<Pose> X_GO = Pose::Identity();
+  std::optional<double> distance = 0.0;  ///< [m]; nothing without a pose
   bool in_view = false;
   bool dropped = false;
   std::optional<Box> loose_box = {};

@@ -67,7 +67,7 @@ formats::MeasuredScene MeasuredScenes::scene(const output::SceneFacts& facts,
   for (std::size_t i = 0; i < std::min(facts.objects.size(), objects_.size()); ++i) {
     const output::ObjectFacts& of_object = facts.objects[i];
     formats::MeasuredObject object = objects_[i];
-    object.X_CO = X_CG * of_object.X_GO;
+    if (of_object.X_GO) object.X_CO = X_CG * *of_object.X_GO;
     object.in_view = of_object.in_view;
     object.dropped = of_object.dropped;
     object.loose_box = of_object.loose_box;

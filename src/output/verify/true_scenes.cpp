@@ -22,8 +22,10 @@ std::string classTextOf(const RunDescription& run, const ObjectInfo& object) {
 }
 
 /// What the facts say of an object; what they do not say stays unknown.
-void addMeasures(const ObjectFacts& facts, SceneObject& object) {
+void addMeasures(const ObjectFacts& facts, const Pose& X_CG, SceneObject& object) {
   object.X_GO = facts.X_GO;
+  object.X_CO.reset();
+  if (facts.X_GO) object.X_CO = X_CG * *facts.X_GO;
   object.in_view = facts.in_view;
   object.dropped = facts.dropped;
   object.loose_box = facts.loose_box;
@@ -33,7 +35,7 @@ void addMeasures(const ObjectFacts& facts, SceneObject& object) {
     object.keypoints_O.push_back(each.p_O);
     Keypoint keypoint;
     keypoint.pixel = each.pixel;
-    keypoint.depth = (object.X_CO * each.p_O).z();
+    if (object.X_CO) keypoint.depth = (*object.X_CO * each.p_O).z();
     if (each.state) keypoint.state = *each.state;
     object.keypoints.push_back(std::move(keypoint));
   }
@@ -138,8 +140,7 @@ formats::TrueScene TrueScenes::scene(const SceneFacts& facts, const StoreWriter&
     object.id = info.id;
     object.class_id = info.class_id;
     object.instance = static_cast<int>(i) + 1;
-    object.X_CO = facts.X_GC.inverse() * facts.objects[i].X_GO;
-    addMeasures(facts.objects[i], object);
+    addMeasures(facts.objects[i], facts.X_GC.inverse(), object);
     has_masks = has_masks && object.visible_mask.isKnown();
     scene.objects.push_back(std::move(object));
   }

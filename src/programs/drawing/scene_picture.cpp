@@ -18,7 +18,7 @@ formats::DrawnLabel labelOf(const Scene& scene, const SceneObject& object) {
                   fixed(object.distance(), 1) + " m";
   label.mask = object.visible_mask().whole();
   label.box = object.visible_box();
-  label.lines = formats::cuboidLines(object.cuboid_O, object.X_CO, scene.camera);
+  label.lines = formats::cuboidLines(object.cuboid_O, *object.X_CO, scene.camera);
   for (const Keypoint& keypoint : object.keypoints) {
     if (!keypoint.pixel) continue;
     const bool is_hidden = keypoint.state.isKnown() && keypoint.state() != KeypointState::kVisible;

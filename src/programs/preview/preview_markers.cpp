@@ -55,7 +55,7 @@ Marker keypointMarker(const std_msgs::Header& header, const SceneObject& object)
   Marker marker =
       markerOf(header, "keypoints", object.instance, Marker::SPHERE_LIST, 2.0 * kPointSize);
   for (std::size_t i = 0; i < object.keypoints_O.size(); ++i) {
-    marker.points.push_back(pointOf(object.X_GO * object.keypoints_O[i]));
+    marker.points.push_back(pointOf(*object.X_GO * object.keypoints_O[i]));
     const bool is_seen = object.keypoints[i].state() == KeypointState::kVisible;
     marker.colors.push_back(is_seen ? kSeen : kHidden);
   }
@@ -67,7 +67,7 @@ Marker shapeMarker(const std_msgs::Header& header, const SceneObject& object) {
       markerOf(header, "bounding shapes", object.instance, Marker::SPHERE_LIST, kPointSize);
   marker.color = kShape;
   for (const Eigen::Vector3d& p_O : object.bounding_shape_O) {
-    marker.points.push_back(pointOf(object.X_GO * p_O));
+    marker.points.push_back(pointOf(*object.X_GO * p_O));
   }
   return marker;
 }

@@ -34,7 +34,7 @@ ScenePlacer::ScenePlacer(const PlacementOptions& config, const std::optional<Occ
   if (config_.mode != PlacementMode::kMap) return;
   std::vector<std::string> errors;
   for (const PlacedObject& object : objects_) {
-    if (object.X_GO_kept) continue;
+    if (!object.takes_part) continue;
     double greatest = 0.0;
     for (const NeededRoom& room : object.rooms) {
       const double radius = room.safety_radius;
@@ -50,7 +50,7 @@ ScenePlacer::ScenePlacer(const PlacementOptions& config, const std::optional<Occ
   }
 }
 
-std::vector<Pose> ScenePlacer::place(std::int64_t scene) {
+std::vector<std::optional<Pose>> ScenePlacer::place(std::int64_t scene) {
   std::vector<base::RandomSource> sources;
   for (const PlacedObject& object : objects_) {
     sources.emplace_back(seed_, scene, "placement/" + object.name);
@@ -73,12 +73,12 @@ std::vector<Pose> ScenePlacer::place(std::int64_t scene) {
               std::to_string(kMostAttempts) + " times: " + problem);
 }
 
-std::optional<std::vector<Pose>> ScenePlacer::placeAll(std::vector<base::RandomSource>& sources,
-                                                       std::string& problem) const {
-  std::vector<Pose> placed;
+std::optional<ScenePlacer::Poses> ScenePlacer::placeAll(std::vector<base::RandomSource>& sources,
+                                                        std::string& problem) const {
+  Poses placed;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    if (objects_[i].X_GO_kept) {
-      placed.push_back(*objects_[i].X_GO_kept);
+    if (!objects_[i].takes_part) {
+      placed.emplace_back();
       continue;
     }
     Misses misses;
@@ -88,13 +88,13 @@ std::optional<std::vector<Pose>> ScenePlacer::placeAll(std::vector<base::RandomS
                 " (placement/tries): " + reasonsText(misses);
       return std::nullopt;
     }
-    placed.push_back(*X_GO);
+    placed.push_back(X_GO);
   }
   return placed;
 }
 
 std::optional<Pose> ScenePlacer::findPlace(std::size_t object, base::RandomSource& source,
-                                           const std::vector<Pose>& placed, Misses& misses) const {
+                                           const Poses& placed, Misses& misses) const {
   for (int i = 0; i < config_.tries; ++i) {
     const PoseOrReason drawn = draw(object, source);
     if (const auto* reason = std::get_if<std::string>(&drawn)) {
@@ -137,11 +137,11 @@ Pose ScenePlacer::drawInVolume(base::RandomSource& source) const {
 }
 
 std::optional<std::string> ScenePlacer::whyNot(std::size_t object, const Pose& X_GO,
-                                               const std::vector<Pose>& placed) const {
+                                               const Poses& placed) const {
   const double radius = roomOf(object).safety_radius;
   for (std::size_t i = 0; i < placed.size(); ++i) {
-    if (objects_[i].X_GO_kept) continue;
-    Eigen::Vector3d apart = placed[i].translation() - X_GO.translation();
+    if (!placed[i]) continue;
+    Eigen::Vector3d apart = placed[i]->translation() - X_GO.translation();
     if (config_.mode == PlacementMode::kMap) apart.z() = 0.0;  // as seen from above
     if (apart.norm() < radius + roomOf(i).safety_radius) {
       return "were too near '" + objects_[i].name + "'";

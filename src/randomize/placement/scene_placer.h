@@ -27,9 +27,7 @@ struct NeededRoom {
 struct PlacedObject {
   std::string name;
   std::vector<NeededRoom> rooms;  ///< of each of its variants
-
-  /// Where it is if it is not to be put anywhere; it is out of the way of all others there.
-  std::optional<Pose> X_GO_kept = std::nullopt;
+  bool takes_part = true;         ///< else it is nowhere
 };
 
 /// Puts objects somewhere at random, scene by scene: on the free places of a map as the paper's
@@ -48,23 +46,24 @@ class ScenePlacer {
               std::uint64_t seed);
 
   /// X_GO of all objects in a scene, in their active variants; the world starts anew.
+  /// @return nothing for those that do not take part
   /// @throws Error naming an object for which no place was found, and why
-  [[nodiscard]] std::vector<Pose> place(std::int64_t scene);
+  [[nodiscard]] std::vector<std::optional<Pose>> place(std::int64_t scene);
 
  private:
   using Misses = std::map<std::string, int>;  ///< how often, by what happened
+  using Poses = std::vector<std::optional<Pose>>;
 
   [[nodiscard]] const NeededRoom& roomOf(std::size_t object) const;
   [[nodiscard]] PoseOrReason draw(std::size_t object, base::RandomSource& source) const;
   [[nodiscard]] PoseOrReason drawOnMap(std::size_t object, base::RandomSource& source) const;
   [[nodiscard]] Pose drawInVolume(base::RandomSource& source) const;
   [[nodiscard]] std::optional<std::string> whyNot(std::size_t object, const Pose& X_GO,
-                                                  const std::vector<Pose>& placed) const;
+                                                  const Poses& placed) const;
   [[nodiscard]] std::optional<Pose> findPlace(std::size_t object, base::RandomSource& source,
-                                              const std::vector<Pose>& placed,
-                                              Misses& misses) const;
-  [[nodiscard]] std::optional<std::vector<Pose>> placeAll(std::vector<base::RandomSource>& sources,
-                                                          std::string& problem) const;
+                                              const Poses& placed, Misses& misses) const;
+  [[nodiscard]] std::optional<Poses> placeAll(std::vector<base::RandomSource>& sources,
+                                              std::string& problem) const;
 
   PlacementOptions config_;
   std::vector<PlacedObject> objects_;

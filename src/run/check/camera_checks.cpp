@@ -20,7 +20,8 @@ Links shellsAround(const NamedRays& rays, const std::vector<const Scene*>& scene
   Links shells;
   for (const Scene* scene : scenes) {
     for (const SceneObject& object : scene->objects) {
-      const Links around = rays.around(object.X_GO * object.cuboid_O.centre());
+      if (!object.X_GO) continue;
+      const Links around = rays.around(*object.X_GO * object.cuboid_O.centre());
       shells.insert(around.begin(), around.end());
     }
   }

@@ -22,7 +22,7 @@ Moment placedMoment(const MotionSetup& motion, const Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const scene::ObjectOptions& object = motion.config.objects[i];
     const bool is_there = object.takes_part && !object.is_distractor;
-    moment.X_GO.push_back(is_there ? std::optional(scene.objects[i].X_GO) : std::nullopt);
+    moment.X_GO.push_back(is_there ? scene.objects[i].X_GO : std::nullopt);
   }
   return moment;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -37,7 +38,7 @@ std::string coveringObject(const Scene& scene, const SceneObject& hidden) {
 std::string hiddenBy(const Scene& scene, const SceneObject& object, const NamedRays& rays) {
   const std::string other = coveringObject(scene, object);
   if (!other.empty()) return "hidden by '" + other + "'";
-  const Eigen::Vector3d middle_G = object.X_GO * object.cuboid_O.centre();
+  const Eigen::Vector3d middle_G = *object.X_GO * object.cuboid_O.centre();
   const Eigen::Vector3d sight_G = middle_G - scene.X_GC.translation();
   const auto hit = rays.cast(scene.X_GC.translation(), sight_G, sight_G.norm());
   if (!hit) return "hidden";
@@ -45,8 +46,9 @@ std::string hiddenBy(const Scene& scene, const SceneObject& object, const NamedR
 }
 
 /// Kinds of reasons, without figures that differ from scene to scene.
+/// @param object  that is in the scene
 std::string whyUnseen(const Scene& scene, const SceneObject& object, const NamedRays& rays) {
-  const Eigen::Vector3d p_C = object.X_CO * object.cuboid_O.centre();
+  const Eigen::Vector3d p_C = *object.X_CO * object.cuboid_O.centre();
   if (!object.in_view || !object.loose_box) {
     return p_C.z() > 0.0 ? "beside the picture" : "behind the camera";
   }
@@ -65,6 +67,15 @@ std::string textOf(const Reasons& reasons) {
   return text;
 }
 
+/// The scenes that an object is in.
+std::vector<const Scene*> scenesWith(std::size_t object, const std::vector<const Scene*>& scenes) {
+  std::vector<const Scene*> with;
+  std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(with),
+               [&](const Scene* scene) { return scene->objects[object].X_GO.has_value(); });
+  return with;
+}
+
+/// @param scenes  that it is in, one at least
 double nearest(const std::vector<const Scene*>& scenes, std::size_t object) {
   double distance = scenes.front()->objects[object].distance();
   for (const Scene* scene : scenes) {
@@ -88,12 +99,14 @@ std::vector<Finding> checkVisibility(const MotionSetup& motion, const NamedRays&
                                      const std::vector<const Scene*>& scenes) {
   std::vector<Finding> findings;
   const std::size_t few = fewestThatTell(motion);
-  for (std::size_t i = 0; !scenes.empty() && i < motion.config.objects.size(); ++i) {
+  for (std::size_t i = 0; i < motion.config.objects.size(); ++i) {
     const scene::ObjectOptions& config = motion.config.objects[i];
     if (!config.takes_part || config.is_distractor) continue;
+    const std::vector<const Scene*> with_it = scenesWith(i, scenes);
+    if (with_it.empty()) continue;
     Reasons reasons;
     std::size_t seen = 0;
-    for (const Scene* scene : scenes) {
+    for (const Scene* scene : with_it) {
       const SceneObject& object = scene->objects[i];
       if (object.pixels.visible() > 0) {
         ++seen;
@@ -101,12 +114,13 @@ std::vector<Finding> checkVisibility(const MotionSetup& motion, const NamedRays&
         ++reasons[whyUnseen(*scene, object, rays)];
       }
     }
-    const bool is_rare = seen == 0 ? scenes.size() >= few : seen == 1 && scenes.size() >= 4 * few;
+    const std::size_t count = with_it.size();
+    const bool is_rare = seen == 0 ? count >= few : seen == 1 && count >= 4 * few;
     if (!is_rare) continue;
     findings.push_back({"not seen", config.name,
                         "seen in " + std::string(seen == 0 ? "none" : "1") + " of " +
-                            std::to_string(scenes.size()) + " scenes: " + textOf(reasons) +
-                            "; it is at least " + fixed(nearest(scenes, i), 1) + " m away",
+                            std::to_string(count) + " scenes: " + textOf(reasons) +
+                            "; it is at least " + fixed(nearest(with_it, i), 1) + " m away",
                         "`camera/pose: {position: [x, y, z], look_at: " + config.name +
                             "}` aims the camera at it; the map shows where both are"});
   }

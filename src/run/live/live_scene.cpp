@@ -46,11 +46,13 @@ Value keypointValue(const Keypoint& keypoint) {
   return values;
 }
 
+/// @param X_CO  nothing: the points are nowhere
 template <class Points>
-Value projectedValue(const Points& points_O, const Pose& X_CO, const CameraModel& camera) {
+Value projectedValue(const Points& points_O, const std::optional<Pose>& X_CO,
+                     const CameraModel& camera) {
   Value::List pixels;
   for (const Eigen::Vector3d& p_O : points_O)
-    pixels.push_back(pixelValue(camera.project(X_CO * p_O)));
+    pixels.push_back(X_CO ? pixelValue(camera.project(*X_CO * p_O)) : Value());
   return pixels;
 }
 
@@ -71,8 +73,8 @@ Value objectValue(const SceneObject& object, const CameraModel& camera) {
       {"keypoints", keypoints},
       {"cuboid", projectedValue(object.cuboid_O.corners(), object.X_CO, camera)},
       {"bounding_shape", projectedValue(object.bounding_shape_O, object.X_CO, camera)},
-      {"distance", object.distance()},
-      {"pose", poseValue(object.X_GO)}};
+      {"distance", object.X_CO ? Value(object.distance()) : Value()},
+      {"pose", object.X_GO ? poseValue(*object.X_GO) : Value()}};
 }
 
 Value cameraValue(const Scene& scene) {

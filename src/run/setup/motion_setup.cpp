@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/seconds.h"
@@ -85,8 +86,9 @@ class MotionBuilder {
     if (!source) return;
     setup_.frames = std::make_unique<motion::PlacedFrames>(std::move(source));
     if (config().isPlaced()) placeObjects();
+    // Labelled distractors among them are placed scene by scene.
     for (const scene::ObjectOptions& each : config().objects) {
-      if (!each.takes_part) setup_.frames->place(each.frame, motion::nowhere());
+      if (!each.takes_part) setup_.frames->place(each.frame, std::nullopt);
     }
   }
 

@@ -19,7 +19,7 @@ Scene sceneWithABox() {
   box.name = "/box";
   box.class_name = "crate";
   box.instance = 1;
-  box.X_GO.translation() = Eigen::Vector3d(5.0, 0.0, 0.0);
+  box.X_GO->translation() = Eigen::Vector3d(5.0, 0.0, 0.0);
   box.cuboid_O = {{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};
   box.pixels.visible = 10;
   scene.objects.push_back(box);
@@ -56,6 +56,17 @@ TEST(SceneMessages, GiveThePosesThatTheCamerasScenesAreToGive) {
   EXPECT_THAT(childrenOf({"optical"}), ElementsAre("synthetic/optical", "synthetic/box"));
   EXPECT_THAT(childrenOf({"optical", false, true}), ElementsAre("synthetic/box"));
   EXPECT_THAT(childrenOf({"optical", false, false}), IsEmpty());
+}
+
+TEST(SceneMessages, LeaveOutWhatIsNotInTheScene) {
+  Scene scene = sceneWithABox();
+  scene.objects[0].X_GO.reset();
+  scene.objects[0].X_CO.reset();
+  const SceneFrames frames("map", "synthetic/");
+  const auto poses = transforms(scene, {"optical"}, frames).transforms;
+  ASSERT_EQ(poses.size(), 1U);
+  EXPECT_EQ(poses[0].child_frame_id, "synthetic/optical");
+  EXPECT_EQ(objectMarkers(scene, frames).markers.size(), 1U) << "that removes those before";
 }
 
 TEST(SceneMessages, RefuseATimeThatRosDoesNotHave) {

@@ -129,7 +129,9 @@ TEST_P(VerifyEveryFormat, SeesALabelOfAnObjectThatIsNotThere) {
   write({sceneOfBoth(0), sceneOfBoth(1)}, GetParam().parameters);
   // The second object is nowhere in scene 1, as the manifest has it now.
   change(
-      "UPDATE scene_object SET in_view = 0, dropped = 1, visible_pixels = 0, silhouette_pixels = "
+      "UPDATE scene_object SET x = NULL, y = NULL, z = NULL, qx = NULL, qy = NULL, qz = NULL, "
+      "qw = NULL, distance = NULL, in_view = 0, dropped = 1, visible_pixels = 0, silhouette_pixels "
+      "= "
       "0, visibility "
       "= 0, loose_left = NULL, loose_top = NULL, loose_right = NULL, loose_bottom = NULL, "
       "visible_left = NULL, visible_top = NULL, visible_right = NULL, visible_bottom = NULL, "

@@ -10,6 +10,7 @@ namespace synthetic_dataset::output {
 namespace manifest_rows_test {
 
 using testing::Contains;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -34,17 +35,17 @@ TEST_P(VerifyManifest, TellsOf) {
 }
 
 const Change kStructure[] = {
-    {"Version", "UPDATE run SET value = '7' WHERE key = 'format_version'",
-     "it cannot be read: its format version is '7', and this software reads versions 4 to 6"},
+    {"Version", "UPDATE run SET value = '8' WHERE key = 'format_version'",
+     "it cannot be read: its format version is '8', and this software reads versions 4 to 7"},
     {"AnEarlierVersion",
      "UPDATE run SET value = '3' WHERE key = 'format_version'; DROP TABLE motion",
-     "it cannot be read: its format version is '3', and this software reads versions 4 to 6"},
+     "it cannot be read: its format version is '3', and this software reads versions 4 to 7"},
     {"NoVersion", "DELETE FROM run", "it cannot be read: its format version is ''"},
-    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 6"},
-    {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 6"},
-    {"LackingMotions", "DROP TABLE motion", "its tables are not those of version 6"},
+    {"LackingTable", "DROP TABLE contact", "its tables are not those of version 7"},
+    {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 7"},
+    {"LackingMotions", "DROP TABLE motion", "its tables are not those of version 7"},
     {"MoreTables", "CREATE VIEW more AS SELECT * FROM file",
-     "its tables are not those of version 6"},
+     "its tables are not those of version 7"},
     {"TextForNumber", "UPDATE scene SET stamp_ns = 'soon'",
      "scene: 4 values of 'stamp_ns' are of another kind; they should be integers"},
     {"Infinity", "UPDATE scene_object SET x = 9e999 WHERE scene = 0",
@@ -54,7 +55,7 @@ const Change kStructure[] = {
     {"Null",
      "PRAGMA writable_schema = ON; UPDATE sqlite_master SET sql = replace(sql, 'bytes INTEGER NOT "
      "NULL', 'bytes INTEGER') WHERE name = 'file'",
-     "its tables are not those of version 6"},
+     "its tables are not those of version 7"},
 };
 
 const Change kRun[] = {
@@ -198,6 +199,12 @@ const Change kMeasures[] = {
     {"Quaternions", "UPDATE scene_object SET qw = 0 WHERE scene = 1 AND object = 0",
      "scene_object: poses that are no turn and shift (the quaternion's length is not 1): scene 1 "
      "object 0"},
+    {"LackingNumbers", "UPDATE scene_object SET qw = NULL WHERE scene = 1 AND object = 0",
+     "scene_object: poses and distances of which a number is missing: scene 1 object 0"},
+    {"SeenNowhere",
+     "UPDATE scene_object SET x = NULL, y = NULL, z = NULL, qx = NULL, qy = NULL, qz = NULL, qw = "
+     "NULL, distance = NULL WHERE scene = 1 AND object = 0",
+     "scene_object: objects without a pose that are seen, or not dropped: scene 1 object 0"},
     {"Distances", "UPDATE scene_object SET distance = 11 WHERE scene = 1 AND object = 0",
      "scene_object: a distance that is not the one between the poses of object and camera: scene "
      "1 object 0"},
@@ -244,6 +251,21 @@ INSTANTIATE_TEST_SUITE_P(Scenes, VerifyManifest, testing::ValuesIn(kScenes), kNa
 INSTANTIATE_TEST_SUITE_P(References, VerifyManifest, testing::ValuesIn(kReferences), kNameOf);
 INSTANTIATE_TEST_SUITE_P(Numbers, VerifyManifest, testing::ValuesIn(kNumbers), kNameOf);
 INSTANTIATE_TEST_SUITE_P(Measures, VerifyManifest, testing::ValuesIn(kMeasures), kNameOf);
+
+/// Objects that are not in a scene had a pose in it: far below the world.
+TEST_F(VerifyManifest, ReadsManifestsInWhichAllObjectsHavePoses) {
+  change(
+      "UPDATE scene_object SET x = 0, y = 0, z = -100000, qx = 0, qy = 0, qz = 0, qw = 1, distance "
+      "= (SELECT sqrt(s.x * s.x + s.y * s.y + (s.z + 100000) * (s.z + 100000)) FROM scene s WHERE "
+      "s.\"index\" = scene), in_view = 0, dropped = 1, visible_pixels = 0, silhouette_pixels = 0, "
+      "visibility = 0, loose_left = NULL, loose_top = NULL, loose_right = NULL, loose_bottom = "
+      "NULL, visible_left = NULL, visible_top = NULL, visible_right = NULL, visible_bottom = NULL, "
+      "silhouette_left = NULL, silhouette_top = NULL, silhouette_right = NULL, silhouette_bottom = "
+      "NULL WHERE scene = 1 AND object = 1; UPDATE run SET value = '6' WHERE key = "
+      "'format_version'");
+  // The file still has the label of the object that is not there any more.
+  EXPECT_THAT(problems(), Each(HasSubstr("scene 1, writer 'w': ")));
+}
 
 /// A manifest as version 0.1 of this software has written it.
 class VerifyEarlierManifest : public VerifyManifest {

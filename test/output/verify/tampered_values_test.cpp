@@ -256,7 +256,7 @@ class TamperedValues : public VerificationTest, public testing::WithParamInterfa
     };
     for (SceneObject object : whole.objects) {
       object.X_CO = object.X_GO;
-      object.X_GO = scene.X_GC * object.X_CO;
+      object.X_GO = scene.X_GC * *object.X_CO;
       object.silhouette = Mask(object.silhouette().whole()(part).clone());
       object.visible_mask = Mask(object.visible_mask().whole()(part).clone());
       object.loose_box = moved(object.loose_box);

@@ -39,8 +39,8 @@ TEST_F(Bop, WritesPosesOfTheBoxesCentresInMillimetres) {
   load({});
   SceneObject rover = seen("rover", {100, 80, 50, 40});
   // Its z points up (the camera's -y), its x to the right; the model's centre is 0.3 m up.
-  rover.X_CO.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  rover.X_CO.translation() = Eigen::Vector3d(0.5, 1.0, 4.0);
+  rover.X_CO->linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  rover.X_CO->translation() = Eigen::Vector3d(0.5, 1.0, 4.0);
   runAll({scene(0, {rover})});
   const json pose = jsonOf("train/000000/scene_gt.json").at("0").at(0);
   EXPECT_EQ(pose.at("obj_id"), 1);
@@ -52,7 +52,7 @@ TEST_F(Bop, WritesPosesOfTheBoxesCentresInMillimetres) {
 TEST_F(Bop, KeepsTheObjectsOwnFrameWhenAsked) {
   load({{"centre_models", false}});
   SceneObject rover = seen("rover", {100, 80, 50, 40});
-  rover.X_CO.translation() = Eigen::Vector3d(0.5, 1.0, 4.0);
+  rover.X_CO->translation() = Eigen::Vector3d(0.5, 1.0, 4.0);
   runAll({scene(0, {rover})});
   EXPECT_EQ(jsonOf("train/000000/scene_gt.json").at("0").at(0).at("cam_t_m2c"),
             json({500.0, 1000.0, 4000.0}));
@@ -64,9 +64,9 @@ TEST_F(Bop, KeepsTheObjectsOwnFrameWhenAsked) {
 TEST_F(Bop, ReprojectsModelsToTheScenesOwnPixels) {
   load({});
   SceneObject rover = seen("rover", {100, 80, 50, 40});
-  rover.X_CO.linear() =
+  rover.X_CO->linear() =
       Eigen::AngleAxisd(1.1, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).matrix();
-  rover.X_CO.translation() = Eigen::Vector3d(-0.4, 0.2, 6.0);
+  rover.X_CO->translation() = Eigen::Vector3d(-0.4, 0.2, 6.0);
   runAll({scene(0, {rover})});
 
   const json camera_json = jsonOf("train/000000/scene_camera.json").at("0");
@@ -84,7 +84,7 @@ TEST_F(Bop, ReprojectsModelsToTheScenesOwnPixels) {
     for (int i = 0; i < 3; ++i) {
       p[i] = r[3 * i] * m[0] + r[3 * i + 1] * m[1] + r[3 * i + 2] * m[2] + t[i];
     }
-    const auto expected = scene(0, {}).camera.project(rover.X_CO * corner_O);
+    const auto expected = scene(0, {}).camera.project(*rover.X_CO * corner_O);
     EXPECT_NEAR(k[0] * p[0] / p[2] + k[2], expected->x(), 1e-4);
     EXPECT_NEAR(k[4] * p[1] / p[2] + k[5], expected->y(), 1e-4);
   }

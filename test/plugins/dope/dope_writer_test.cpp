@@ -37,8 +37,8 @@ class Dope : public PluginTest {
     SceneObject object = seen("rover", {100, 80, 50, 40});
     object.class_name = "vehicle";
     object.cuboid_O = kRover;
-    object.X_CO.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-    object.X_CO.translation() = Eigen::Vector3d(0.0, 0.0, 10.0);
+    object.X_CO->linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    object.X_CO->translation() = Eigen::Vector3d(0.0, 0.0, 10.0);
     return object;
   }
 
@@ -101,7 +101,7 @@ TEST_F(Dope, TellsThePoseInMetres) {
 TEST_F(Dope, ChoosesTheQuaternionWithAPositiveScalar) {
   load({});
   SceneObject object = rover();
-  object.X_CO.linear() = Eigen::AngleAxisd(1.5 * M_PI, Eigen::Vector3d::UnitZ()).matrix();
+  object.X_CO->linear() = Eigen::AngleAxisd(1.5 * M_PI, Eigen::Vector3d::UnitZ()).matrix();
   EXPECT_THAT(numbers(entryOf(object).at("quaternion_xyzw")),
               Pointwise(DoubleNear(1e-12), {0.0, 0.0, -std::sqrt(0.5), std::sqrt(0.5)}));
 }
@@ -152,7 +152,7 @@ TEST_F(Dope, HasAnEmptyListForASceneWithoutLabels) {
 TEST_F(Dope, LeavesOutWhatIsPartlyBehindTheCameraAndWarns) {
   const output::WriterHost& host = load({});
   SceneObject round = rover();
-  round.X_CO.translation().setZero();
+  round.X_CO->translation().setZero();
   EXPECT_EQ(labelsOf(scene(0, {round})).at("objects"), json::array());
   EXPECT_THAT(host.writeScene(scene(0, {round})).warnings,
               ElementsAre(HasSubstr("rover: part of it is behind the camera")));
@@ -162,7 +162,7 @@ TEST_F(Dope, KeepsCornersOutsideTheImageAndCutsBoxes) {
   load({{"box", "silhouette"}});
   SceneObject object = rover();
   object.silhouette_box = Box{-20.5, -10.5, 29.5, 39.5};
-  object.X_CO.translation().x() = -7.0;
+  object.X_CO->translation().x() = -7.0;
   const json entry = entryOf(object);
   EXPECT_LT(entry.at("projected_cuboid").at(1).at(0).get<double>(), 0.0);
   EXPECT_EQ(entry.at("bounding_box_minx_maxx_miny_maxy"), json({0.0, 29.0, 0.0, 39.0}));

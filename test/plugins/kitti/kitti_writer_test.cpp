@@ -39,8 +39,8 @@ class Kitti : public PluginTest {
     object.cuboid_O = {{-2.0, -1.0, 0.0}, {2.0, 1.0, 1.5}};
     const double c = std::cos(rotation_y);
     const double s = std::sin(rotation_y);
-    object.X_CO.linear() << c, s, 0.0, 0.0, 0.0, -1.0, -s, c, 0.0;
-    object.X_CO.translation() = bottom_C;
+    object.X_CO->linear() << c, s, 0.0, 0.0, 0.0, -1.0, -s, c, 0.0;
+    object.X_CO->translation() = bottom_C;
     return object;
   }
 
@@ -92,7 +92,7 @@ TEST_F(Kitti, TellsABoxWhoseCornersAreTheObjectsOwn) {
     for (const double z : {-n[8] / 2, n[8] / 2}) {
       for (const double y : {0.0, -n[7]}) {
         const Eigen::Vector3d p_C(c * x + s * z + n[10], y + n[11], -s * x + c * z + n[12]);
-        const auto expected = object.X_CO * object.cuboid_O.corners()[corner++];
+        const auto expected = *object.X_CO * object.cuboid_O.corners()[corner++];
         EXPECT_LT((p_C - expected).norm(), 1e-5);
       }
     }
@@ -199,8 +199,8 @@ TEST_F(Kitti, WarnsOfObjectsTiltedByMoreThanADegree) {
   SceneObject object = upright({0.0, 0.0, 5.0}, 0.3);
   const auto tilt = [&](double degrees) {
     SceneObject tilted = object;
-    tilted.X_CO.linear() =
-        Eigen::AngleAxisd(degrees * M_PI / 180.0, Eigen::Vector3d::UnitX()) * object.X_CO.linear();
+    tilted.X_CO->linear() =
+        Eigen::AngleAxisd(degrees * M_PI / 180.0, Eigen::Vector3d::UnitX()) * object.X_CO->linear();
     return host.writeScene(scene(0, {tilted})).warnings;
   };
   EXPECT_THAT(tilt(0.9), IsEmpty());

@@ -22,8 +22,8 @@ class KittiTracking : public PluginTest {
   [[nodiscard]] static SceneObject upright(const cv::Rect& pixels) {
     SceneObject object = seen("rover", pixels);
     object.cuboid_O = {{-2.0, -1.0, 0.0}, {2.0, 1.0, 1.5}};
-    object.X_CO.linear() << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.0, 1.0, 0.0;
-    object.X_CO.translation() = Eigen::Vector3d(0.0, 1.0, 10.0);
+    object.X_CO->linear() << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.0, 1.0, 0.0;
+    object.X_CO->translation() = Eigen::Vector3d(0.0, 1.0, 10.0);
     return object;
   }
 

@@ -45,9 +45,9 @@ class PvNet : public PluginTest {
   [[nodiscard]] static SceneObject rover() {
     SceneObject object = seen("rover", {100, 80, 50, 40});
     object.cuboid_O = kRover;
-    object.X_CO.linear() =
+    object.X_CO->linear() =
         Eigen::AngleAxisd(1.1, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).matrix();
-    object.X_CO.translation() = Eigen::Vector3d(-0.4, 0.2, 6.0);
+    object.X_CO->translation() = Eigen::Vector3d(-0.4, 0.2, 6.0);
     return object;
   }
 
@@ -112,7 +112,7 @@ TEST_F(PvNet, WritesThePoseAsANumPyArray) {
   std::memcpy(numbers, file.data() + 128, sizeof numbers);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) {
-      EXPECT_EQ(numbers[4 * row + column], object.X_CO.matrix()(row, column));
+      EXPECT_EQ(numbers[4 * row + column], object.X_CO->matrix()(row, column));
     }
   }
 }
@@ -178,7 +178,7 @@ TEST_F(PvNet, TellsWhereItsPointsAreInTheImage) {
       EXPECT_NEAR(reprojected(in_3d.at(i)).y(), in_2d.at(i).at(1).get<double>(), 1e-9);
     }
   }
-  const auto corner = camera().project(object.X_CO * kRover.corners()[6]);
+  const auto corner = camera().project(*object.X_CO * kRover.corners()[6]);
   EXPECT_NEAR(annotation.at("corner_2d").at(6).at(0).get<double>(), corner->x(), 1e-9);
   EXPECT_EQ(annotation.at("corner_3d").at(1), json({-1.0, -0.5, 0.6}));
   EXPECT_EQ(annotation.at("center_3d"), json({0.0, 0.0, 0.3}));
@@ -204,7 +204,7 @@ TEST_F(PvNet, LeavesOutWhatIsPartlyBehindTheCamera) {
   const output::WriterHost& host = load({});
   for (const Eigen::Vector3d& p_C : {Eigen::Vector3d(0.0, 0.0, 0.5), Eigen::Vector3d(0, 0, 0)}) {
     SceneObject object = rover();
-    object.X_CO.translation() = p_C;
+    object.X_CO->translation() = p_C;
     const auto result = host.writeScene(scene(0, {object}));
     EXPECT_THAT(result.files.files, IsEmpty());
     EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("rover: part of it is behind")));
@@ -215,7 +215,7 @@ TEST_F(PvNet, KeepsSamplesThatReachOutOfTheImage) {
   load({});
   for (const double x : {-4.0, 4.0}) {
     SceneObject object = rover();
-    object.X_CO.translation() = Eigen::Vector3d(x, x, 6.0);
+    object.X_CO->translation() = Eigen::Vector3d(x, x, 6.0);
     EXPECT_EQ(filesOf(scene(0, {object})).size(), 3U);
   }
 }

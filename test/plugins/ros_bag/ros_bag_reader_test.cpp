@@ -22,7 +22,7 @@ class RosBagReader : public PluginTest {
   void writeScenes() {
     scenes_ = ofTwoCamerasAndSplits([](std::int64_t index) {
       SceneObject rover = seen("rover", {100, 100, 50, static_cast<int>(10 + index)});
-      rover.X_GO.translation().x() = 1.0;
+      rover.X_GO->translation().x() = 1.0;
       Scene made = scene(index, {object("wall"), rover});
       made.X_GC.translation().x() = 1.0;
       return made;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <gmock/gmock.h>
 
@@ -75,17 +76,24 @@ class ScenePlacerTest : public ::testing::Test {
     std::unique_ptr<Surroundings> surroundings;
     std::unique_ptr<ScenePlacer> placer;
 
-    [[nodiscard]] std::vector<Pose> place(std::int64_t scene) const { return placer->place(scene); }
+    /// Of all objects, which take part.
+    [[nodiscard]] std::vector<Pose> place(std::int64_t scene) const {
+      std::vector<Pose> X_GO;
+      for (const std::optional<Pose>& each : placer->place(scene)) X_GO.push_back(each.value());
+      return X_GO;
+    }
   };
 
-  [[nodiscard]] Placer make(std::uint64_t seed = 1) const {
+  /// @param absent  the object that does not take part, if any
+  [[nodiscard]] Placer make(std::uint64_t seed = 1, const std::string& absent = "") const {
     Placer made;
     const bool drops = config.mode == PlacementMode::kDrop;
     made.world = test::worldOf(standing, objects, props, drops);
     made.surroundings = std::make_unique<Surroundings>(*made.world);
     std::vector<PlacedObject> placed;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      placed.push_back({objects[i].name, {{radii[i], objects[i].cuboid()}}});
+      placed.push_back(
+          {objects[i].name, {{radii[i], objects[i].cuboid()}}, objects[i].name != absent});
     }
     made.placer =
         std::make_unique<ScenePlacer>(config, map, placed, *made.world, *made.surroundings, seed);
@@ -377,6 +385,21 @@ TEST_F(ScenePlacerTest, LeavesAnObjectWhereItIsWithoutTheOthers) {
     }
   }
   EXPECT_LT(met, 10);
+}
+
+TEST_F(ScenePlacerTest, PutsAnObjectThatDoesNotTakePartNowhereAndKeepsNoPlaceForIt) {
+  map = hall(60, 40);
+  radii[1] = 100.0;  // there is no room for bravo
+  const Placer without_bravo = make(1, "bravo");
+  objects.pop_back();
+  radii.pop_back();
+  const Placer alone = make();
+  for (int scene = 0; scene < 5; ++scene) {
+    const std::vector<std::optional<Pose>> X_GO = without_bravo.placer->place(scene);
+    ASSERT_EQ(X_GO.size(), 2U);
+    EXPECT_FALSE(X_GO[1].has_value()) << scene;
+    EXPECT_TRUE(X_GO[0].value().matrix() == alone.place(scene)[0].matrix()) << scene;
+  }
 }
 
 // --- What does not go ---
