@@ -1,5 +1,5 @@
 """What real cameras cost beside a pinhole: lenses with distortion, motion blur, rolling shutters,
-background subtraction, several cameras, full light, weather; where the camera stands, and where it rides.
+background subtraction, several cameras, full light, skies and panoramas, weather; where the camera stands, and where it rides.
 
   cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT]
 
@@ -16,8 +16,10 @@ import os
 import resource
 import sqlite3
 import statistics
+import struct
 import subprocess
 import tempfile
+import zlib
 
 import rosbag
 import yaml
@@ -48,6 +50,10 @@ CAMERAS = {  # lens: focal length [px], distortion; effects; other settings
     "MOG2": (PINHOLE, {}, SUBTRACTION),
     "full light": (PINHOLE, {}, FULL),
     "full light through plumb_bob": (BARREL, {}, FULL),
+    "sky": (PINHOLE, {}, {"sky": True}),
+    "full light, sky": (PINHOLE, {}, {"sky": True, **FULL}),
+    "panorama": (PINHOLE, {}, {"panorama": True}),
+    "full light, panorama": (PINHOLE, {}, {"panorama": True, **FULL}),
     "weather, fog": (PINHOLE, {}, {"randomize": {"weather": {"visibility": 50.0}}}),
     "weather, rain 20 mm/h": (PINHOLE, {}, {"randomize": {"weather": {"rain": 20.0}}}),
     "weather, snow 1 mm/h": (PINHOLE, {}, {"randomize": {"weather": {"snow": 1.0}}}),
@@ -78,6 +84,35 @@ def write_swinging(source, path):
             out.write(topic, message, stamp)
 
 
+def write_panorama(folder):
+    """A picture of 2048 x 1024 pixels, a gradient."""
+    rows = [b"\0" + bytes((row // 4, column // 8 % 256, 200)[channel] for column in range(2048)
+                          for channel in range(3)) for row in range(1024)]
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    os.makedirs(folder, exist_ok=True)
+    with open(f"{folder}/panorama.png", "wb") as out:
+        out.write(b"\x89PNG\r\n\x1a\n"
+                  + chunk(b"IHDR", struct.pack(">IIBBBBB", 2048, 1024, 8, 2, 0, 0, 0))
+                  + chunk(b"IDAT", zlib.compress(b"".join(rows))) + chunk(b"IEND", b""))
+
+
+def what_lies_behind(others, settings, folder):
+    """Settings of a sky, or of a panorama, where `others` name one."""
+    if others.pop("sky", False):
+        with open(settings["world"]["file"]) as file:
+            world = file.read().replace("<scene>", "<scene><sky/>", 1)
+        with open(f"{folder}/sky.sdf", "w") as out:
+            out.write(world)
+        return {"world": {**settings["world"], "file": f"{folder}/sky.sdf"}}
+    if others.pop("panorama", False):
+        write_panorama(f"{folder}/panoramas")
+        return {"randomize": {"background": {"pictures": f"{folder}/panoramas", "projection": "panorama"}}}
+    return {}
+
+
 def camera_settings(calibration, effects, count):
     camera = {"info_file": calibration, "effects": effects}
     if count == 1:
@@ -96,6 +131,7 @@ def settings_of(camera, bag, folder):
     write_calibration(lens, calibration)
     others = dict(others)
     count = others.pop("count", 1)
+    others.update(what_lies_behind(others, settings, folder))
     for name in ["bounding_shape", "camera"] + ([] if count == 1 else ["camera_frame_id"]):
         del settings[name]
     settings.update({

@@ -1,30 +1,39 @@
 #pragma once
 
-#include <array>
+#include <memory>
 
 #include <Eigen/Core>
 
+#include "render/light/matte_light.h"
+#include "render/light/panorama_light.h"
 #include "render/pixels/lanes.h"
-#include "world/look.h"
 
 namespace synthetic_dataset::render {
 
-/// The light of a panorama that lies around the world. What arrives at a surface varies slowly with
-/// its normal: nine numbers a colour are enough (Ramamoorthi and Hanrahan 2001, "An Efficient
-/// Representation for Irradiance Environment Maps"). Highlights of what is bright and small are
-/// lost.
+/// How bright the light of a panorama is, as factors.
+struct EnvironmentLevels {
+  Eigen::Vector3f above{1.0F, 1.0F, 1.0F};  ///< of what arrives at matte surfaces from above
+  Eigen::Vector3f below{1.0F, 1.0F, 1.0F};  ///< and from below
+  float mirrored = 1.0F;
+};
+
+/// The light of a panorama that lies around the world.
 class EnvironmentLight {
  public:
-  /// @param panorama  of this projection
-  explicit EnvironmentLight(const world::BackgroundPicture& panorama);
+  /// @param yaw  by which the panorama is turned about z, from x to y [rad]
+  EnvironmentLight(std::shared_ptr<const PanoramaLight> panorama, double yaw,
+                   const EnvironmentLevels& levels);
 
-  /// What arrives from the half of the world that surfaces face, as their cosine counts: linear
-  /// red, green and blue; 1 where all of it is white.
-  /// @param normals_G  unit vectors of the global frame
+  /// As MatteLight and PanoramaLight have them.
+  /// @param normals_G, directions_G  of the global frame
   [[nodiscard]] Lanes3 arriving(const Lanes3& normals_G) const;
+  [[nodiscard]] Lanes3 mirrored(const Lanes3& directions_G, const Lanes& roughness) const;
 
  private:
-  std::array<Eigen::Vector3f, 9> factors_;  ///< of the terms of a polynomial of the normal
+  std::shared_ptr<const PanoramaLight> panorama_;
+  Eigen::Matrix3f R_PG_;  ///< P is the panorama's frame
+  MatteLight matte_;
+  float brightness_;  ///< of what is mirrored
 };
 
 }  // namespace synthetic_dataset::render

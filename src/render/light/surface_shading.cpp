@@ -1,5 +1,6 @@
 #include "render/light/surface_shading.h"
 
+#include "render/light/environment_response.h"
 #include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
@@ -75,20 +76,29 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
 Lanes3 SurfaceShading::everywhere(const SurfaceLanes& surface, const Response& response) const {
   const Lanes one = lanes(1.0F);
   const Lanes3 matte = response.matte * reaching(surface.open, surface.base);
+  if (surroundings_.environment != nullptr) {
+    return fromAround(*surroundings_.environment, surface, response, matte);
+  }
   const Lanes3 reflected = fresnel(response.f0, response.n_dot_v) *
                            mix(one, lanes(0.4F), surface.roughness) * surface.open;
-  if (surroundings_.environment != nullptr) {
-    const auto from = [this](const Lanes3& direction_C) {
-      return surroundings_.environment->arriving(rotated(surroundings_.R_GC, direction_C));
-    };
-    const Lanes twice = lanes(2.0F) * response.n_dot_v;
-    return from(surface.normal) * matte +
-           from(normalized(surface.normal * twice - response.to_eye)) * reflected;
-  }
   const Lanes half = lanes(0.5F);
   const Lanes sky = half + half * dot(surface.normal, lanes(surroundings_.up_C));
-  const Lanes3 around = lanes(surroundings_.ambient) * mix(lanes(0.55F), one, sky);
+  const Lanes3 around = lanes(surroundings_.ambient) * mix(lanes(kAmbientFromBelow), one, sky);
   return around * (matte + reflected);
+}
+
+/// What of the light of all that lies around the world a surface sends to the eye.
+/// @param matte  the share of it that is scattered
+Lanes3 SurfaceShading::fromAround(const EnvironmentLight& environment, const SurfaceLanes& surface,
+                                  const Response& response, const Lanes3& matte) const {
+  const auto inWorld = [this](const Lanes3& direction_C) {
+    return rotated(surroundings_.R_GC, direction_C);
+  };
+  const Lanes3 mirrored = mirroredShare(response.f0, surface.roughness, response.n_dot_v) *
+                          mirroredOpenness(surface.open, surface.roughness, response.n_dot_v);
+  const Lanes3 direction = mirroredDirection(surface.normal, response.to_eye, surface.roughness);
+  return environment.arriving(inWorld(surface.normal)) * matte +
+         environment.mirrored(inWorld(direction), surface.roughness) * mirrored;
 }
 
 /// What of one light a surface sends to the eye.

@@ -24,6 +24,9 @@ struct SurfaceLanes {
   Lanes is_lit;  ///< 0 where light leaves it as it is
 };
 
+/// Of the ambient light of gz-sim's worlds, the share that reaches surfaces that face downwards.
+inline constexpr float kAmbientFromBelow = 0.55F;
+
 /// How light makes surfaces seen in gz-sim's worlds, as lighting.glsl has it, which lights what one
 /// can see through: Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and
 /// the height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
@@ -47,6 +50,8 @@ class SurfaceShading {
   };
 
   [[nodiscard]] Lanes3 everywhere(const SurfaceLanes& surface, const Response& response) const;
+  [[nodiscard]] Lanes3 fromAround(const EnvironmentLight& environment, const SurfaceLanes& surface,
+                                  const Response& response, const Lanes3& matte) const;
   [[nodiscard]] Lanes3 lit(const SurfaceLanes& surface) const;
   [[nodiscard]] Lanes3 sent(std::size_t light, const SurfaceLanes& surface,
                             const Response& response) const;

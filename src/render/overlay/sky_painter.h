@@ -1,9 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include <Eigen/Core>
+#include <opencv2/core/types.hpp>
 
 #include "render/gl/rectangle_drawing.h"
 #include "render/gl/shader_program.h"
@@ -11,14 +10,6 @@
 #include "world/description.h"
 
 namespace synthetic_dataset::render {
-
-/// Where the sun stands: the unit vector towards it.
-///
-/// By day it is where the first directional light comes from, so that shadows agree with the sky;
-/// without such a light, and at night, it follows the time: up at sunrise in the east (+x), at its
-/// highest in the south (-y) at 60 degrees, down at sunset in the west.
-[[nodiscard]] Eigen::Vector3d sunDirection(const world::Sky& sky,
-                                           const std::vector<world::Light>& lights);
 
 /// Paints the sky where nothing is drawn. What it paints depends on the view alone.
 class SkyPainter {

@@ -65,6 +65,7 @@ LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
       ambient_(description.ambient),
       background_(description.background),
       fog_(description.fog),
+      environment_(gl, description),
       overlay_painter_(gl, parts, description) {
   checkLightCount(lights_);
   findPartLights();
@@ -76,8 +77,7 @@ void LightPainter::setLook(const world::Look& look) {
   background_ = look.background;
   findPartLights();
   overlay_painter_.setLook(look);
-  panorama_ = look.background_picture;
-  environment_ = nullptr;
+  environment_.setLook(look);
 }
 
 void LightPainter::findPartLights() {
@@ -130,11 +130,8 @@ Surroundings LightPainter::surroundings(const ColourScene& scene, const ShadowPa
                       fog_,
                       simulator_};
   result.shadows.resize(result.lights.size());
-  const bool is_around =
-      panorama_ && panorama_->projection == world::BackgroundPicture::Projection::kPanorama;
-  if (scene.detail == LightDetail::kFull && is_around) {
-    if (environment_ == nullptr) environment_ = std::make_shared<EnvironmentLight>(*panorama_);
-    result.environment = environment_;
+  if (scene.detail == LightDetail::kFull) {
+    result.environment = environment_.light();
     result.R_GC = scene.view.X_WC.linear().cast<float>();
   }
   for (const ShadowProjection& shadow : scene.shadows) {

@@ -10,6 +10,7 @@
 #include "render/light/ambient_occlusion.h"
 #include "render/light/colour_scene.h"
 #include "render/light/surface_lighter.h"
+#include "render/overlay/environment.h"
 #include "render/overlay/overlay_painter.h"
 #include "render/overlay/overlay_target.h"
 #include "render/shadows/shadow_painter.h"
@@ -91,9 +92,8 @@ class LightPainter {
   Eigen::Vector3f ambient_;     ///< sRGB-encoded
   Eigen::Vector3f background_;  ///< sRGB-encoded
   std::optional<world::Fog> fog_;
-  std::optional<world::BackgroundPicture> panorama_;
-  std::shared_ptr<const EnvironmentLight> environment_;  ///< its light, once that is asked for
   std::shared_ptr<const std::vector<PartLight>> part_lights_;
+  Environment environment_;
   OverlayPainter overlay_painter_;
 };
 

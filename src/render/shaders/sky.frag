@@ -5,9 +5,13 @@
 
 const float kPi = 3.14159265;
 
+#ifdef PANORAMA
+uniform vec4 picture_size;   // [px]
+#else
 uniform mat4 world_from_camera;
 uniform vec4 intrinsics;     // fx, fy, cx, cy [px]
-uniform float exposure;       // multiplies all light
+uniform float exposure;      // multiplies all light
+#endif
 uniform vec3 sun_W;          // towards the sun, unit length
 uniform vec3 sunlight;       // before the atmosphere; 0 at night
 uniform vec3 night;          // what is left without the sun
@@ -105,6 +109,29 @@ vec3 withClouds(vec3 clear, vec3 direction) {
 }
 #endif
 
+vec3 skyAlong(vec3 direction, float sun_disc) {
+  vec3 above = normalize(vec3(direction.xy, max(direction.z, 0.0)));
+  vec3 seen = clearSky(above);
+  seen += sun_disc * 20.0 * sunlight * exp(-(air + haze) * sun_air_mass);
+#ifdef CLOUDS
+  seen = withClouds(seen, above);
+#endif
+  // Below the horizon lies land in the haze.
+  float below = smoothstep(0.0, 0.5, -direction.z);
+  return seen * mix(vec3(1.0), vec3(0.35, 0.33, 0.3), below);
+}
+
+#ifdef PANORAMA
+// All of the sky as an equirectangular picture, as light: without the sun, which is a light of its
+// own.
+void main() {
+  vec2 place = gl_FragCoord.xy / picture_size.xy;
+  float azimuth = kPi * (1.0 - 2.0 * place.x);
+  float elevation = kPi * (0.5 - place.y);
+  vec3 direction = vec3(cos(elevation) * vec2(cos(azimuth), sin(azimuth)), sin(elevation));
+  colour = vec4(skyAlong(direction, 0.0), 1.0);
+}
+#else
 #include "shown.glsl"
 
 vec3 shoulder(vec3 linear) {
@@ -116,17 +143,8 @@ void main() {
   vec2 pixel = gl_FragCoord.xy - 0.5;
   vec3 ray_C = vec3((pixel - intrinsics.zw) / intrinsics.xy, 1.0);
   vec3 direction = normalize(mat3(world_from_camera) * ray_C);
-  vec3 above = normalize(vec3(direction.xy, max(direction.z, 0.0)));
-
-  vec3 seen = clearSky(above);
   float disc = smoothstep(0.99998, 0.999992, dot(direction, sun_W));  // half a degree wide
   disc *= step(0.0, direction.z);
-  seen += disc * 20.0 * sunlight * exp(-(air + haze) * sun_air_mass);
-#ifdef CLOUDS
-  seen = withClouds(seen, above);
-#endif
-  // Below the horizon lies land in the haze.
-  float below = smoothstep(0.0, 0.5, -direction.z);
-  seen *= mix(vec3(1.0), vec3(0.35, 0.33, 0.3), below);
-  colour = vec4(shown(shoulder(exposure * seen)), 1.0);
+  colour = vec4(shown(shoulder(exposure * skyAlong(direction, disc))), 1.0);
 }
+#endif

@@ -29,13 +29,22 @@ world::Material coloured(float red, float green, float blue, float alpha = 1.0F)
 /// A yard under a sunny sky with a lamp: walls, a pane of glass before a part of them, and two
 /// balls, a cup of glass and a rod that move; the rod is thinner than a pixel. Or the same where
 /// nothing is of glass: OpenGL draws other shadows then. Or that without a sky, through a lens, all
-/// of whose pixels have rays of their own.
-enum class Yard { kWithGlass, kWithoutGlass, kThroughALens };
+/// of whose pixels have rays of their own; or that with the sky, whose pixels have not. Under
+/// gz-sim's light, one of the balls is a mirror.
+enum class Yard { kWithGlass, kWithoutGlass, kThroughALens, kSkyThroughALens };
 
 struct Case {
   Yard yard;
   LightDetail light = LightDetail::kSimple;
+  world::Simulator simulator = world::Simulator::kClassic;
 };
+
+world::Material mirror() {
+  world::Material material = coloured(0.9F, 0.8F, 0.8F);
+  material.metalness = 1.0F;
+  material.roughness = 0.1F;
+  return material;
+}
 
 class KeptPictures : public testing::TestWithParam<Case> {
  protected:
@@ -45,12 +54,13 @@ class KeptPictures : public testing::TestWithParam<Case> {
     options.light = GetParam().light;
     const bool has_glass = GetParam().yard == Yard::kWithGlass;
     description.ambient = {0.3F, 0.3F, 0.3F};
-    if (GetParam().yard == Yard::kThroughALens) {
+    description.simulator = GetParam().simulator;
+    const bool is_open = GetParam().yard != Yard::kThroughALens;
+    if (!is_open || GetParam().yard == Yard::kSkyThroughALens) {
       view.camera = CameraModel(320, 240, {260.0, 260.0, 159.5, 119.5}, 0.05, 100.0,
                                 test::kPlumbBob.camera.distortion());
-    } else {
-      description.sky = world::Sky();
     }
+    if (is_open) description.sky = world::Sky();
     world::Light sun;
     sun.casts_shadow = true;
     sun.direction_L = Eigen::Vector3d(0.5, 0.2, -1).normalized();
@@ -68,7 +78,9 @@ class KeptPictures : public testing::TestWithParam<Case> {
     stage.addBox({0.02, 1, 1}, at(0.5, -1, 0.5), -1,
                  coloured(0.5F, 0.7F, 0.9F, has_glass ? 0.4F : 1.0F));
     stage.addMesh(world::sphereMesh(0.3), at(0, 0, 0.3), 0, coloured(0.9F, 0.2F, 0.2F));
-    stage.addMesh(world::sphereMesh(0.2), at(0, -1, 0.2), 1, coloured(0.2F, 0.2F, 0.9F));
+    stage.addMesh(
+        world::sphereMesh(0.2), at(0, -1, 0.2), 1,
+        description.simulator == world::Simulator::kGz ? mirror() : coloured(0.2F, 0.2F, 0.9F));
     stage.addBox({0.3, 0.3, 0.3}, at(-1, 0, 0.15), 2,
                  coloured(0.9F, 0.9F, 0.9F, has_glass ? 0.5F : 1.0F));
     stage.addBox({0.003, 0.003, 1.8}, at(1.5, 0.5, 0.9), 3, coloured(0.1F, 0.1F, 0.1F));
@@ -253,7 +265,9 @@ TEST_P(KeptPictures, OfRegionsAreThoseThatAreDrawnAnew) {
 }
 
 std::string nameOf(const testing::TestParamInfo<Case>& each) {
-  const std::string light = each.param.light == LightDetail::kFull ? "_in_full_light" : "";
+  const std::string detail = each.param.light == LightDetail::kFull ? "_in_full_light" : "";
+  const std::string light =
+      detail + (each.param.simulator == world::Simulator::kGz ? "_of_gz_sim" : "");
   switch (each.param.yard) {
     case Yard::kWithGlass:
       return "with_glass" + light;
@@ -261,16 +275,20 @@ std::string nameOf(const testing::TestParamInfo<Case>& each) {
       return "without_glass" + light;
     case Yard::kThroughALens:
       return "through_a_lens" + light;
+    case Yard::kSkyThroughALens:
+      return "sky_through_a_lens" + light;
   }
   return "";
 }
 
-INSTANTIATE_TEST_SUITE_P(Yards, KeptPictures,
-                         testing::Values(Case{Yard::kWithGlass}, Case{Yard::kWithoutGlass},
-                                         Case{Yard::kThroughALens},
-                                         Case{Yard::kWithGlass, LightDetail::kFull},
-                                         Case{Yard::kThroughALens, LightDetail::kFull}),
-                         nameOf);
+INSTANTIATE_TEST_SUITE_P(
+    Yards, KeptPictures,
+    testing::Values(Case{Yard::kWithGlass}, Case{Yard::kWithoutGlass}, Case{Yard::kThroughALens},
+                    Case{Yard::kWithGlass, LightDetail::kFull},
+                    Case{Yard::kThroughALens, LightDetail::kFull},
+                    Case{Yard::kWithoutGlass, LightDetail::kFull, world::Simulator::kGz},
+                    Case{Yard::kSkyThroughALens, LightDetail::kFull, world::Simulator::kGz}),
+    nameOf);
 
 TEST(KeptPicturesOfAnAisle, HaveTheShadowsOfASunWhoseMapIsNotSquare) {
   world::Description description;

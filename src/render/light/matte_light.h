@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include "render/pixels/lanes.h"
+
+namespace synthetic_dataset::render {
+
+/// What matte surfaces make of the light of a panorama. It varies slowly with their normals: nine
+/// numbers a colour are enough (Ramamoorthi and Hanrahan 2001, "An Efficient Representation for
+/// Irradiance Environment Maps").
+class MatteLight {
+ public:
+  /// Of the rows of a panorama from one on to before another, as if the others were black.
+  /// @param panorama  CV_32FC4: equirectangular; red, green, blue and any, linear
+  MatteLight(const cv::Mat& panorama, int first_row, int end_row);
+
+  /// What arrives from the half of the world that surfaces face, as their cosine counts; 1 where
+  /// all of it is white.
+  /// @param normals  unit vectors of the panorama's frame
+  [[nodiscard]] Lanes3 arriving(const Lanes3& normals) const;
+  [[nodiscard]] Eigen::Vector3f arriving(const Eigen::Vector3f& normal) const;
+
+  /// That of both together, each multiplied.
+  [[nodiscard]] static MatteLight sum(const MatteLight& first, const Eigen::Vector3f& of_first,
+                                      const MatteLight& second, const Eigen::Vector3f& of_second);
+
+ private:
+  MatteLight() = default;
+
+  std::array<Eigen::Vector3f, 9> factors_;  ///< of the terms of a polynomial of the normal
+};
+
+}  // namespace synthetic_dataset::render
