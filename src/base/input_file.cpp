@@ -61,8 +61,12 @@ InputWatch::InputWatch() : outer_(watch) { watch = this; }
 
 InputWatch::~InputWatch() { watch = outer_; }
 
-std::ifstream openInput(const fs::path& file) {
+void InputWatch::note(const fs::path& file) {
   for (InputWatch* each = watch; each != nullptr; each = each->outer_) each->files_.insert(file);
+}
+
+std::ifstream openInput(const fs::path& file) {
+  InputWatch::note(file);
   const std::string fault = inputFault(file);
   if (!fault.empty()) throw Error(file.string() + ": " + fault);
   std::ifstream stream(file, std::ios::binary);

@@ -20,8 +20,8 @@ namespace synthetic_dataset::base {
 [[nodiscard]] std::string readInput(const std::filesystem::path& file);
 [[nodiscard]] std::vector<std::uint8_t> readInputBytes(const std::filesystem::path& file);
 
-/// Keeps which files its thread opens while it lives, those that cannot be opened too. Several may
-/// be nested.
+/// Keeps which files its thread opens while it lives, those that cannot be opened too, and those
+/// that sandboxed processes open for it. Several may be nested.
 class InputWatch {
  public:
   InputWatch();
@@ -31,9 +31,10 @@ class InputWatch {
 
   [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
 
- private:
-  friend std::ifstream openInput(const std::filesystem::path& file);
+  /// Has all watches of this thread keep a file.
+  static void note(const std::filesystem::path& file);
 
+ private:
   std::set<std::filesystem::path> files_;
   InputWatch* outer_;
 };

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <string>
 
 #include <gmock/gmock.h>
 
@@ -98,6 +100,30 @@ TEST_F(ResumedRunTest, NamesTheInputThatChanged) {
   const std::string text = test::readFile(world);
   std::ofstream(world) << text << "<!-- the same, but for this -->";
   EXPECT_THAT(run.errors(), Contains(HasSubstr("the file " + world + ": then ")));
+}
+
+TEST_F(ResumedRunTest, NamesTheFileOfAnIncludedModelThatChanged) {
+  std::string world = test::readFile(run.input("tiny.world"));
+  world.insert(world.rfind("</world>"), "<include><uri>file://crate</uri></include>");
+  std::ofstream(run.input("tiny.world")) << world;
+  std::filesystem::create_directory(run.input("crate"));
+  const std::map<std::string, std::string> texts = {
+      {"model.config", "<model><sdf>model.sdf</sdf></model>"},
+      {"model.sdf",
+       "<sdf version='1.6'><model name='crate'><static>true</static><link name='body'><visual "
+       "name='v'><geometry><mesh><uri>crate.obj</uri></mesh></geometry></visual></link></model>"
+       "</sdf>"},
+      {"crate.obj", "mtllib crate.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"},
+      {"crate.mtl", "newmtl red\nKd 1 0 0\n"}};
+  const auto fileOf = [&](const std::string& name) { return run.input("crate") + "/" + name; };
+  for (const auto& [name, text] : texts) std::ofstream(fileOf(name)) << text;
+  stopAfter(2);
+  for (const auto& [name, text] : texts) {
+    std::ofstream(fileOf(name)) << text << "\n";
+    EXPECT_THAT(run.errors(), Contains(HasSubstr("the file " + fileOf(name) + ": then "))) << name;
+    std::ofstream(fileOf(name)) << text;
+  }
+  EXPECT_EQ(run.run().dataset_scenes, 16);
 }
 
 TEST_F(ResumedRunTest, MayWriteWithOtherCare) {

@@ -152,6 +152,7 @@ class MotionBuilder {
     sensors_ = std::move(world.sensors);
     setup_.driven_links = std::move(world.driven_links);
     setup_.inputs = std::move(world.inputs);
+    setup_.included = std::move(world.included);
     setup_.world = std::move(world.world);
     if (!setup_.world) return;
     const std::vector<world::LinkInstance>& links = setup_.world->links();

@@ -47,8 +47,9 @@ struct MotionSetup {
   std::unique_ptr<scene::SceneArranger> arranger;
   std::unique_ptr<scene::SceneVariation> variation;
 
-  std::set<std::string> inputs;  ///< files of the world and of its models
-  base::Diagnostics found;       ///< where something is wrong, what needs it is not there
+  std::set<std::string> inputs;    ///< files of the world and of its models
+  std::set<std::string> included;  ///< others that these are described in: model.sdf, ...
+  base::Diagnostics found;         ///< where something is wrong, what needs it is not there
 
   /// How many times it gives to the run.
   [[nodiscard]] std::int64_t instantCount() const {

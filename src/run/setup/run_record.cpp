@@ -39,6 +39,17 @@ std::vector<std::string> pictureFolders(const randomize::Randomization& randomiz
   return folders;
 }
 
+/// What scenes are made of. What these include is described with them.
+std::set<std::string> sourcesOf(const std::vector<MotionSetup>& motions) {
+  std::set<std::string> files;
+  for (const MotionSetup& motion : motions) {
+    const std::set<std::string> named = inputsNamedBy(motion.config);
+    files.insert(named.begin(), named.end());
+    files.insert(motion.inputs.begin(), motion.inputs.end());
+  }
+  return files;
+}
+
 }  // namespace
 
 std::map<std::string, output::RunDescription::Setting> usedSettings(
@@ -92,11 +103,9 @@ output::RunDescription::Input describeInput(const std::string& file) {
 }
 
 std::set<std::string> inputsOf(const std::vector<MotionSetup>& motions) {
-  std::set<std::string> files;
+  std::set<std::string> files = sourcesOf(motions);
   for (const MotionSetup& motion : motions) {
-    const std::set<std::string> named = inputsNamedBy(motion.config);
-    files.insert(named.begin(), named.end());
-    files.insert(motion.inputs.begin(), motion.inputs.end());
+    files.insert(motion.included.begin(), motion.included.end());
   }
   return files;
 }
@@ -115,7 +124,7 @@ Credits describeCredits(const std::set<std::string>& files) {
 
 Credits creditsOf(const std::vector<MotionSetup>& motions) {
   try {
-    return describeCredits(inputsOf(motions));
+    return describeCredits(sourcesOf(motions));
   } catch (const Error&) {
     return {};
   }

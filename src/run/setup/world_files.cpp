@@ -39,16 +39,10 @@ auto explainingMissing(const std::string& world_file, const world::ResourceFinde
   }
 }
 
-/// A mesh file's companions are read in a process of their own, which does not say which: those
-/// beside it with these names.
-bool mayBelongToMesh(const std::filesystem::path& file) {
-  const std::filesystem::path extension = file.extension();
-  return extension == ".mtl" || extension == ".bin";
-}
-
-bool hasCompanions(const std::filesystem::path& mesh) {
-  const std::filesystem::path extension = mesh.extension();
-  return extension == ".obj" || extension == ".gltf";
+/// Whether an opened file is one of the world's: ROS packages are gone through to find them.
+bool isOfWorld(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return file.filename() != "package.xml" && std::filesystem::is_regular_file(file, ignored);
 }
 
 }  // namespace
@@ -65,27 +59,21 @@ auto WorldFiles::read(const Key& key, const Load& load) -> decltype(load()) {
   auto content = explainingMissing(world_file_, finder_, load);
   is_unsure_ = was_unsure;
   read_.push_back(key);
-  for (const auto& file : watch.files()) stamps_.add(file);
-  stampFiles();
+  keepFiles(watch.files());
   return content;
 }
 
-/// Files that were found to be read, and those that were not found.
-void WorldFiles::stampFiles() {
+/// Files that were found to be read, those that were not found, and all that these include.
+void WorldFiles::keepFiles(const std::set<std::filesystem::path>& opened) {
   namespace fs = std::filesystem;
   for (const fs::path& file : finder_.missed()) stamps_.add(file);
-  std::set<fs::path> folders;
   for (const fs::path& file : finder_.found()) {
     stamps_.add(file);
-    if (hasCompanions(file)) folders.insert(file.parent_path());
     if (world::isXacro(file)) is_unsure_ = true;  // it includes others
   }
-  for (const fs::path& folder : folders) {
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-      if (mayBelongToMesh(entry->path())) stamps_.add(entry->path());
-    }
+  for (const fs::path& file : opened) {
+    stamps_.add(file);
+    if (finder_.found().count(file) == 0 && isOfWorld(file)) included_.insert(file);
   }
 }
 

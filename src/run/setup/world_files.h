@@ -66,8 +66,12 @@ class WorldFiles {
   /// A line for each ROS package that cannot be read.
   [[nodiscard]] std::vector<std::string> packageNotes() const { return packages_.notes(); }
 
-  /// The files that were read so far.
+  /// The files that were found so far by what names them: worlds, meshes, pictures.
   [[nodiscard]] const std::set<std::filesystem::path>& found() const { return finder_.found(); }
+
+  /// All others that were read so far: models' descriptions, meshes' material libraries and
+  /// buffers.
+  [[nodiscard]] const std::set<std::filesystem::path>& included() const { return included_; }
 
  private:
   using Key = std::tuple<std::string, std::string, world::XacroArguments>;  ///< URI, name
@@ -75,7 +79,7 @@ class WorldFiles {
   template <class Load>
   auto read(const Key& key, const Load& load) -> decltype(load());
   void noteAsked(const Key& key);
-  void stampFiles();
+  void keepFiles(const std::set<std::filesystem::path>& opened);
 
   std::string world_file_;
   RosPackageIndex packages_;
@@ -85,6 +89,7 @@ class WorldFiles {
   std::map<Key, world::Model> models_;
   std::vector<Key> read_;   ///< the world, which is first or has no name, and the models
   std::vector<Key> asked_;  ///< of these, in this use
+  std::set<std::filesystem::path> included_;
   FileStamps stamps_;
   bool is_unsure_ = false;  ///< something failed, or was read of files that are not known
 };

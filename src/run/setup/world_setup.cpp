@@ -86,6 +86,7 @@ class WorldBuilder {
     found_.add(base::Severity::kWarning, files_.modelNotes());
     found_.add(base::Severity::kWarning, files_.packageNotes());
     for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
+    for (const auto& file : files_.included()) setup_.included.insert(file.string());
     const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
     setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
     if (!distractors || lacks_objects_) return std::move(setup_);

@@ -25,7 +25,8 @@ struct WorldSetup {
   /// Of the world and of the objects' models; nothing where the world cannot be read.
   std::optional<std::vector<world::CameraSensor>> sensors;
 
-  std::set<std::string> inputs;  ///< the files that were read
+  std::set<std::string> inputs;    ///< the files that were found by what names them
+  std::set<std::string> included;  ///< others that were read: models' descriptions, ...
 };
 
 /// Loads the world, the objects' models and the distractors. An object's model is that of its

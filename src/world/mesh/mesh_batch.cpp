@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 
+#include "base/input_file.h"
 #include "base/sandbox/sandboxed_batch.h"
 #include "synthetic_dataset/errors.h"
 #include "world/mesh/mesh_file_bytes.h"
@@ -21,7 +23,9 @@ std::map<std::string, MeshFile> readMeshFiles(const std::vector<std::filesystem:
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (!contents[i]) continue;
     try {
-      result.emplace(files[i].string(), meshFileOf(*contents[i]));
+      MeshFile content = meshFileOf(*contents[i]);
+      for (const std::filesystem::path& each : content.files) base::InputWatch::note(each);
+      result.emplace(files[i].string(), std::move(content));
     } catch (const Error&) {
       continue;  // it is read by itself then
     }

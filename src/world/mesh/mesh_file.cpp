@@ -323,6 +323,7 @@ MeshFile importMeshFile(const std::filesystem::path& file,
   result.parts = std::move(reader.parts);
   result.has_lines = hasLines(*scene);
   result.notes = notesOn(result, access);
+  result.files.assign(access.askedFor().begin(), access.askedFor().end());
   fillAssimpGaps(file, result);
   whitenMadeUp(result);
   return result;
@@ -336,7 +337,9 @@ MeshFile readMeshFile(const std::filesystem::path& file,
   if (const auto* crash = std::get_if<base::Crash>(&answer)) {
     throw Error("cannot be read (assimp, which reads it, " + crash->how + ")");
   }
-  return meshFileOf(std::get<std::string>(answer));
+  MeshFile content = meshFileOf(std::get<std::string>(answer));
+  for (const std::filesystem::path& each : content.files) base::InputWatch::note(each);
+  return content;
 }
 
 }  // namespace synthetic_dataset::world

@@ -22,8 +22,9 @@ struct MeshFile {
   std::vector<MeshPart> parts;  ///< in the order of the file's scene; at least one triangle in all
   std::vector<MaterialSource> materials;
   std::vector<std::string> notes;  ///< what is drawn otherwise than the file would have it
-  bool has_lines = false;          ///< which have no area, and are in no part
-  bool y_up = false;               ///< its COLLADA says that y points up, which is not heeded
+  std::vector<std::filesystem::path> files;  ///< that it was read of, or that are not there
+  bool has_lines = false;                    ///< which have no area, and are in no part
+  bool y_up = false;  ///< its COLLADA says that y points up, which is not heeded
   std::string
       refusal;  ///< what it names and may not ("names the file ..."); then all else is empty
 };

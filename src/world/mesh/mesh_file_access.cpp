@@ -46,6 +46,7 @@ class MeshFileAccess::IoSystem : public Assimp::DefaultIOSystem {
   bool Exists(const char* path) const override { return access_.allows(path); }
 
   Assimp::IOStream* Open(const char* path, const char* mode) override {
+    access_.asked_for_.insert(path);
     if (!access_.allows(path)) return nullptr;
     const std::string* text = access_.textOf(path);
     if (text == nullptr) return DefaultIOSystem::Open(path, mode);

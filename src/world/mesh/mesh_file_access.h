@@ -43,6 +43,9 @@ class MeshFileAccess {
   /// The material libraries that an OBJ file names and that are not there.
   [[nodiscard]] std::vector<std::string> missingLibraries() const;
 
+  /// All files that assimp has asked for, also those that are not there.
+  [[nodiscard]] const std::set<std::filesystem::path>& askedFor() const { return asked_for_; }
+
   /// The materials that the libraries read so far define.
   [[nodiscard]] const std::set<std::string>& libraryMaterials() const { return materials_; }
 
@@ -58,6 +61,7 @@ class MeshFileAccess {
   std::filesystem::path file_;
   std::optional<std::filesystem::path> root_;  ///< that all files have to be below
   std::map<std::string, std::string> texts_;
+  std::set<std::filesystem::path> asked_for_;
   std::optional<std::string> fault_;
   std::optional<std::string> refusal_;
   std::vector<std::string> libraries_;  ///< that an OBJ file names

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -152,6 +153,8 @@ std::string toBytes(const MeshFile& file) {
   for (const MeshPart& part : file.parts) write(part, writer);
   writer.number<std::uint64_t>(file.notes.size());
   for (const std::string& note : file.notes) writer.text(note);
+  writer.number<std::uint64_t>(file.files.size());
+  for (const std::filesystem::path& each : file.files) writer.text(each.string());
   writer.number(file.has_lines);
   writer.number(file.y_up);
   writer.text(file.refusal);
@@ -178,6 +181,8 @@ MeshFile meshFileOf(std::string_view bytes) {
   for (std::size_t i = 0; i < parts; ++i) file.parts.push_back(readPart(reader));
   file.notes.resize(reader.entries());
   for (std::string& note : file.notes) note = reader.text();
+  file.files.resize(reader.entries());
+  for (std::filesystem::path& each : file.files) each = reader.text();
   file.has_lines = reader.number<bool>();
   file.y_up = reader.number<bool>();
   file.refusal = reader.text();
