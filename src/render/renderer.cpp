@@ -112,6 +112,21 @@ struct Renderer::Impl {
     };
   }
 
+  /// A picture for each band, at the time of its middle.
+  static PendingPicture drawInBands(const RollingView& view, const ColourPass& pass,
+                                    Renderer& renderer) {
+    cv::Mat picture(view.camera.height(), view.camera.width(), CV_8UC3);
+    for (int band = 0; band < view.bands; ++band) {
+      const cv::Rect rows = view.rowsOf(band);
+      const RollingMoment moment = view.at(rows.y + 0.5 * (rows.height - 1));
+      ColourPass of_band = pass;
+      of_band.regions = {rows};
+      cv::Mat here = picture(rows);
+      renderer.colour({view.camera, moment.X_WC}, moment.X_WL, of_band)(rows).copyTo(here);
+    }
+    return [picture] { return picture; };
+  }
+
   RenderOptions options;
   std::vector<world::Light> lights;
   std::int64_t look_revision = 0;
@@ -165,6 +180,30 @@ PendingPicture Renderer::draw(const View& view, const std::vector<Pose>& X_WL,
       impl.options.shadow_map_size);
   return distorted ? impl.drawThroughLens(view, X_WL, pass, shadows)
                    : impl.drawPinhole(view, X_WL, pass, pass.regions, shadows);
+}
+
+PendingPicture Renderer::draw(const RollingView& view, const ColourPass& pass) {
+  Impl& impl = *impl_;
+  if (impl.light_painter.hasOverlay(pass.drawn)) return impl.drawInBands(view, pass, *this);
+  const RollingMoment middle = view.middle();
+  const View at_middle{view.camera, middle.X_WC};
+  const auto lens = impl.lenses.get(view.camera);
+  std::vector<View> views;
+  Bounds casters;
+  for (const RollingMoment& moment : view.moments) {
+    casters.extend(impl.draw_list.casterBounds(moment.X_WL, pass.casting));
+    if (!views.empty() && moment.X_WC.matrix() == views.back().X_WC.matrix()) continue;
+    views.push_back({view.camera, moment.X_WC});
+  }
+  std::vector<View> faces;
+  for (const View& each : views) {
+    for (const View& face : faceViews(*lens, each)) faces.push_back(face);
+  }
+  const auto shadows = shadowProjections(impl.lights, faces, casters, impl.options.shadow_distance,
+                                         impl.options.shadow_map_size);
+  return impl.lens_painter.paintInRows(
+      {at_middle, middle.X_WL, pass.drawn, shadows, pass.exposure, nullptr, impl.detailOf(pass)},
+      view, pass.casting, pass.sampling == Sampling::kSmooth);
 }
 
 LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,

@@ -13,6 +13,7 @@
 #include "render/parts/draw_list.h"
 #include "render/pending_picture.h"
 #include "render/render_options.h"
+#include "render/rolling_view.h"
 #include "render/view.h"
 #include "world/look.h"
 #include "world/world.h"
@@ -75,6 +76,12 @@ class Renderer {
   /// draws now; what is called later, in any thread, makes the picture of it.
   [[nodiscard]] PendingPicture draw(const View& view, const std::vector<Pose>& X_WL,
                                     const ColourPass& pass);
+
+  /// The same of a picture whose rows are taken one after the other: each shows what is seen at its
+  /// own time. Lights and shadows are those of its band; where there is a sky, a background picture
+  /// or glass, all is.
+  /// @param pass  of the whole image
+  [[nodiscard]] PendingPicture draw(const RollingView& view, const ColourPass& pass);
 
   /// What each pixel's centre sees: objects have their index + 1 as identifier, all else 0.
   /// World surfaces that one can see through (alpha below 1) do not hide what is behind them.

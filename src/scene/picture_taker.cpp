@@ -20,7 +20,10 @@ PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer
   for (const CameraRig& camera : cameras_) {
     Sensor sensor;
     sensor.shots = shotsOf(camera.shutter, camera.model.height());
-    for (const Shot& shot : sensor.shots) offsets_.push_back(shot.offset);
+    for (const Shot& shot : sensor.shots) {
+      for (const ShotMoment& moment : shot.moments) offsets_.push_back(moment.offset);
+    }
+    sensor.moments.resize(sensor.shots.size());
     if (sensor.shots.size() > 1) {
       sensor.light.emplace(cv::Size(camera.model.width(), camera.model.height()));
     }
@@ -33,14 +36,26 @@ PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer
 void PictureTaker::expose(std::size_t camera, Stamp instant, Duration offset) {
   const CameraRig& rig = cameras_[camera];
   Sensor& sensor = sensors_[camera];
-  for (const Shot& shot : sensor.shots) {
-    if (shot.offset != offset) continue;
-    if (!sensor.light) {
-      sensor.picture = draw(rig, instant, offset, {});
-      continue;
+  for (std::size_t i = 0; i < sensor.shots.size(); ++i) {
+    const Shot& shot = sensor.shots[i];
+    for (const ShotMoment& moment : shot.moments) {
+      if (moment.offset != offset) continue;
+      render::PendingPicture picture;
+      if (shot.rolls()) {
+        sensor.moments[i].push_back(
+            {moment.row, viewOf(rig, instant, offset).X_WC, world_.linkPoses()});
+        if (sensor.moments[i].size() < shot.moments.size()) continue;
+        picture = drawInRows(rig, std::exchange(sensor.moments[i], {}));
+      } else {
+        picture = draw(rig, instant, offset);
+      }
+      if (sensor.light) {
+        const cv::Mat pixels = picture();
+        sensor.light->add(pixels, {cv::Point(), pixels.size()}, shot.weight);
+      } else {
+        sensor.picture = std::move(picture);
+      }
     }
-    const cv::Rect rows(0, shot.first_row, rig.model.width(), shot.row_count);
-    sensor.light->add(draw(rig, instant, offset, {rows})()(rows), rows, shot.weight);
   }
   if (offset == Duration{0} && !rig.weather.isClear()) {
     sensor.in_weather = lookThroughWeather(rig, instant);
@@ -51,12 +66,20 @@ render::View PictureTaker::viewOf(const CameraRig& camera, Stamp instant, Durati
   return {camera.model, cameraPose(camera, world_, frames_, instant, offset)};
 }
 
-render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset,
-                                          std::vector<cv::Rect> regions) {
+render::ColourPass PictureTaker::pass(const CameraRig& camera) const {
   render::ColourPass pass{world_.presentLinks(), world_.presentLinks()};
-  pass.regions = std::move(regions);
   pass.exposure = static_cast<float>(render::gainOf(camera.effects));
-  return renderer_.draw(viewOf(camera, instant, offset), world_.linkPoses(), pass);
+  return pass;
+}
+
+render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset) {
+  return renderer_.draw(viewOf(camera, instant, offset), world_.linkPoses(), pass(camera));
+}
+
+render::PendingPicture PictureTaker::drawInRows(const CameraRig& camera,
+                                                std::vector<render::RollingMoment> moments) {
+  const int bands = static_cast<int>(moments.size()) - 1;
+  return renderer_.draw(render::RollingView{camera.model, std::move(moments), bands}, pass(camera));
 }
 
 /// What the weather hides follows from the middle of the exposure.

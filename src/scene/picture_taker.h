@@ -47,14 +47,18 @@ class PictureTaker {
   /// A camera's plan, and what has fallen on its sensor so far.
   struct Sensor {
     std::vector<Shot> shots;
+    std::vector<std::vector<render::RollingMoment>> moments;  ///< so far, of each shot that rolls
     std::optional<render::LinearAccumulator> light;  ///< where a picture takes several shots
     render::PendingPicture picture;                  ///< where it takes one
     std::optional<render::TakenView> in_weather;     ///< at the instant, unless the air is clear
   };
 
   [[nodiscard]] render::View viewOf(const CameraRig& camera, Stamp instant, Duration offset) const;
-  [[nodiscard]] render::PendingPicture draw(const CameraRig& camera, Stamp instant, Duration offset,
-                                            std::vector<cv::Rect> regions);
+  [[nodiscard]] render::ColourPass pass(const CameraRig& camera) const;
+  [[nodiscard]] render::PendingPicture draw(const CameraRig& camera, Stamp instant,
+                                            Duration offset);
+  [[nodiscard]] render::PendingPicture drawInRows(const CameraRig& camera,
+                                                  std::vector<render::RollingMoment> moments);
   [[nodiscard]] render::TakenView lookThroughWeather(const CameraRig& camera, Stamp instant);
 
   const world::World& world_;

@@ -15,19 +15,22 @@ double middleOf(int i, int count, Duration span) {
 
 std::vector<Shot> shotsOf(const Shutter& shutter, int height) {
   const int samples = shutter.exposure_time.count() > 0 ? shutter.motion_samples : 1;
-  const int bands = shutter.readout_time.count() > 0 ? std::min(shutter.readout_bands, height) : 1;
+  const bool rolls = shutter.readout_time.count() > 0;
+  const int bands = std::min(shutter.readout_bands, height);
   std::vector<Shot> shots;
-  for (int band = 0; band < bands; ++band) {
-    const int first = band * height / bands;
-    const int end = (band + 1) * height / bands;
-    for (int sample = 0; sample < samples; ++sample) {
-      const double offset = middleOf(band, bands, shutter.readout_time) +
-                            middleOf(sample, samples, shutter.exposure_time);
-      shots.push_back({Duration(std::llround(offset)), first, end - first, 1.0 / samples});
+  for (int sample = 0; sample < samples; ++sample) {
+    const double middle = middleOf(sample, samples, shutter.exposure_time);
+    Shot& shot = shots.emplace_back();
+    shot.weight = 1.0 / samples;
+    if (!rolls) shot.moments = {{Duration(std::llround(middle)), 0.0}};
+    for (int border = 0; rolls && border <= bands; ++border) {
+      const double share = static_cast<double>(border) / bands;
+      const double offset =
+          middle + (share - 0.5) * static_cast<double>(shutter.readout_time.count());
+      // A row's time is that of its middle.
+      shot.moments.push_back({Duration(std::llround(offset)), share * height - 0.5});
     }
   }
-  std::stable_sort(shots.begin(), shots.end(),
-                   [](const Shot& a, const Shot& b) { return a.offset < b.offset; });
   return shots;
 }
 

@@ -7,15 +7,23 @@
 
 namespace synthetic_dataset::scene {
 
-/// One look at some rows of the picture.
-struct Shot {
+/// A time at which it has to be known where all is.
+struct ShotMoment {
   Duration offset{0};  ///< from the picture's stamp
-  int first_row = 0;
-  int row_count = 0;
-  double weight = 1.0;  ///< in the average of these rows
+  double row = 0.0;    ///< that is taken then: from the first one; between rows, or beside all
 };
 
-/// All looks that make up a picture, in the order of their times.
+/// One look at the whole picture: all rows at one moment, or one row after the other, from the
+/// first moment to the last.
+struct Shot {
+  std::vector<ShotMoment> moments;  ///< ascending
+  double weight = 1.0;              ///< in the picture
+
+  [[nodiscard]] bool rolls() const { return moments.size() > 1; }
+};
+
+/// All looks that make up a picture, in the order of their times. One that rolls has a moment at
+/// each border of the bands of rows.
 /// @param height  of the picture [px]
 [[nodiscard]] std::vector<Shot> shotsOf(const Shutter& shutter, int height);
 

@@ -1,9 +1,12 @@
 #include "render/lens/lens_eye.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <Eigen/Geometry>
+
+#include "render/lens/row_raster.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -23,32 +26,65 @@ std::vector<Eigen::Matrix4d> matricesOf(const std::vector<Pose>& poses) {
   return matrices;
 }
 
-/// Puts what the rays see beyond the triangles that are known into pixels.
+/// Puts what the rays of a face see beyond the triangles that are known into pixels.
+/// @param rays  the pixels, as they are in the face's grid
 /// @param known  the number of these triangles
-void fillPixels(const RaySights& sights, std::size_t known, LensSight& sight) {
-  const LensMap& lens = *sight.lens;
-  const auto first = static_cast<int>(known);
-  std::vector<std::array<Eigen::Vector3d, 3>> corners;
-  for (std::size_t i = known; i < sight.seen.size(); ++i) {
-    const SeenTriangle& triangle = sight.seen[i];
-    const auto part = static_cast<std::size_t>(triangle.part);
-    corners.push_back(cornersOf(triangle, *(*sight.surfaces)[part].shape, sight.X_CV[part]));
-  }
-  const auto* rays = lens.rays.ptr<cv::Vec3f>();
+void fillPixels(const std::vector<int>& rays, const std::vector<int>& seen, std::size_t known,
+                LensSight& sight) {
+  const auto* directions = sight.lens->rays.ptr<cv::Vec3f>();
   auto* parts = sight.parts.ptr<int>();
   auto* triangles = sight.triangles.ptr<int>();
   auto* distance = sight.distance.ptr<float>();
-  for (std::size_t face = 0; face < lens.grids.size(); ++face) {
-    const RayGrid& grid = lens.grids[face];
-    const std::vector<int>& seen = sights.triangles[face];
-    for (std::size_t i = 0; i < grid.count(); ++i) {
-      if (seen[i] < first) continue;
-      const auto pixel = static_cast<std::size_t>(grid.rays[i]);
-      const auto triangle = static_cast<std::size_t>(seen[i]);
-      const Eigen::Vector3d ray = Eigen::Vector3f(rays[pixel].val).cast<double>();
-      parts[pixel] = sight.seen[triangle].part;
-      triangles[pixel] = seen[i];
-      distance[pixel] = static_cast<float>(distanceTo(corners[triangle - known], ray));
+  const bool in_rows = sight.rows != nullptr;
+  std::vector<std::array<Eigen::Vector3d, 3>> corners(1);
+  if (!in_rows) {
+    corners.clear();
+    for (std::size_t i = known; i < sight.seen.size(); ++i) {
+      corners.push_back(sight.cornersOf(sight.seen[i]));
+    }
+  }
+  int last = -1;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (seen[i] < static_cast<int>(known)) continue;
+    const SeenTriangle& triangle = sight.seen[static_cast<std::size_t>(seen[i])];
+    // A triangle is in one row alone then, and its pixels are side by side.
+    if (in_rows && seen[i] != last) corners.front() = sight.cornersOf(triangle);
+    last = seen[i];
+    const auto pixel = static_cast<std::size_t>(rays[i]);
+    const Eigen::Vector3d ray = Eigen::Vector3f(directions[pixel].val).cast<double>();
+    parts[pixel] = triangle.part;
+    triangles[pixel] = seen[i];
+    distance[pixel] = static_cast<float>(
+        distanceTo(corners[in_rows ? 0 : static_cast<std::size_t>(seen[i]) - known], ray));
+  }
+}
+
+std::shared_ptr<LensSight> copyOf(const LensSight& sight) {
+  auto copy = std::make_shared<LensSight>(sight);
+  copy->parts = sight.parts.clone();
+  copy->triangles = sight.triangles.clone();
+  copy->distance = sight.distance.clone();
+  return copy;
+}
+
+/// Rays see what they saw when they were in another order.
+/// @param from  of these grids, in the order of cells
+void takeOver(const RaySights& from, const std::vector<RayGrid>& cells,
+              const std::vector<RowRayGrid>& rows, RaySights& to) {
+  to.seen = from.seen;
+  for (std::size_t face = 0; face < cells.size(); ++face) {
+    const std::vector<int>& before = cells[face].rays;
+    const std::vector<int>& after = rows[face].grid.rays;
+    if (before.empty()) continue;
+    std::vector<std::size_t> place_of(
+        static_cast<std::size_t>(*std::max_element(before.begin(), before.end())) + 1);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      place_of[static_cast<std::size_t>(before[i])] = i;
+    }
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      const std::size_t place = place_of[static_cast<std::size_t>(after[i])];
+      to.inverse_depths[face][i] = from.inverse_depths[face][place];
+      to.triangles[face][i] = from.triangles[face][place];
     }
   }
 }
@@ -72,6 +108,24 @@ const std::shared_ptr<const std::vector<PartSurface>>& LensEye::surfaces() {
   return surfaces_;
 }
 
+LensSight LensEye::nothingSeen(const std::shared_ptr<const LensMap>& lens) {
+  const cv::Size size = lens->face.size();
+  return {lens,
+          cv::Mat::zeros(size, CV_32SC1),
+          cv::Mat(size, CV_32SC1, cv::Scalar(-1)),
+          cv::Mat::zeros(size, CV_32FC1),
+          {},
+          {},
+          surfaces()};
+}
+
+/// Of each part, by its number.
+std::vector<Pose> LensEye::posesOfParts(const Pose& X_CW, const std::vector<Pose>& X_WL) const {
+  std::vector<Pose> X_CV = {Pose::Identity()};
+  for (const Part& part : parts_.parts()) X_CV.push_back(X_CW * X_WL[part.link] * part.X_LV);
+  return X_CV;
+}
+
 const LensEye::Standing& LensEye::standing(const View& view, const std::vector<Pose>& X_WL,
                                            const LinkSelection& drawn) {
   constexpr std::size_t kMost = 8;
@@ -86,26 +140,19 @@ const LensEye::Standing& LensEye::standing(const View& view, const std::vector<P
   }
   if (!keeps_) standing_.clear();
   if (standing_.size() == kMost) standing_.pop_back();
-  Standing seen{lens, view.X_WC.matrix(), std::move(links), RaySights(lens->grids), {}};
-  const cv::Size size = lens->face.size();
-  seen.sight = {lens,
-                cv::Mat::zeros(size, CV_32SC1),
-                cv::Mat(size, CV_32SC1, cv::Scalar(-1)),
-                cv::Mat::zeros(size, CV_32FC1),
-                {},
-                {Pose::Identity()},
-                surfaces()};
   const Pose X_CW = view.X_WC.inverse();
-  for (const Part& part : parts_.parts()) {
-    seen.sight.X_CV.push_back(X_CW * X_WL[part.link] * part.X_LV);
-  }
+  Standing seen{lens, view.X_WC.matrix(), std::move(links), RaySights(lens->grids),
+                nothingSeen(lens)};
+  seen.sight.X_CV = posesOfParts(X_CW, X_WL);
   const RayRaster::IsHole is_hole = holesIn(parts_, surfaces());
   const RayRaster raster(view, *lens, lens->grids, is_hole);
   for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, true)) {
     raster.draw(*part, static_cast<int>(parts_.numberOf(*part)), X_WL[part->link], seen.sights);
   }
   seen.sight.seen = seen.sights.seen;
-  fillPixels(seen.sights, 0, seen.sight);
+  for (std::size_t face = 0; face < lens->grids.size(); ++face) {
+    fillPixels(lens->grids[face].rays, seen.sights.triangles[face], 0, seen.sight);
+  }
   standing_.push_front(std::move(seen));
   return standing_.front();
 }
@@ -134,18 +181,62 @@ std::shared_ptr<const LensSight> LensEye::look(const View& view, const std::vect
       if (!part->seen_through_in_labels) draw(part);
     }
   }
-  auto sight = std::make_shared<LensSight>(before.sight);
-  sight->parts = before.sight.parts.clone();
-  sight->triangles = before.sight.triangles.clone();
-  sight->distance = before.sight.distance.clone();
-  sight->X_CV = {Pose::Identity()};
-  for (const Part& part : parts_.parts()) {
-    sight->X_CV.push_back(X_CW * X_WL[part.link] * part.X_LV);
-  }
+  const std::shared_ptr<LensSight> sight = copyOf(before.sight);
+  sight->X_CV = posesOfParts(X_CW, X_WL);
   sight->seen = std::move(sights.seen);
-  fillPixels(sights, known, *sight);
+  for (std::size_t face = 0; face < lens->grids.size(); ++face) {
+    fillPixels(lens->grids[face].rays, sights.triangles[face], known, *sight);
+  }
   now.sight = sight;
   last_ = std::move(now);
+  return sight;
+}
+
+const std::vector<RowRayGrid>& LensEye::rowGrids(const std::shared_ptr<const LensMap>& lens) {
+  if (row_grids_.lens == lens) return row_grids_.grids;
+  row_grids_ = {lens, {}};
+  const int width = lens->face.cols;
+  for (const RayGrid& grid : lens->grids) {
+    std::vector<PlacedRay> rays;
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+      rays.push_back({grid.columns[i], grid.rows[i], grid.rays[i]});
+    }
+    row_grids_.grids.push_back(makeRowRayGrid(grid.intrinsics, grid.cells, rays, lens->face.rows,
+                                              [&](int ray) { return ray / width; }));
+  }
+  return row_grids_.grids;
+}
+
+std::shared_ptr<const LensSight> LensEye::lookInRows(const View& view,
+                                                     const std::vector<Pose>& X_WL,
+                                                     const LinkSelection& drawn,
+                                                     const std::shared_ptr<const RowPoses>& rows) {
+  const auto lens = lenses_.get(view.camera);
+  const std::vector<RowRayGrid>& grids = rowGrids(lens);
+  const Standing* before = rows->cameraStands() ? &standing(view, X_WL, drawn) : nullptr;
+  const std::shared_ptr<LensSight> sight =
+      copyOf(before != nullptr ? before->sight : nothingSeen(lens));
+  RaySights sights(grids);
+  std::size_t known = 0;
+  if (before != nullptr) {
+    takeOver(before->sights, lens->grids, grids, sights);
+    known = sights.seen.size();
+  }
+  const RayRaster::IsHole is_hole = holesIn(parts_, surfaces());
+  const RowRaster raster(*rows, *lens, grids, is_hole);
+  const Pose X_CW = view.X_WC.inverse();
+  for (const bool stand_still : {true, false}) {
+    if (stand_still && before != nullptr) continue;
+    for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, stand_still)) {
+      raster.draw(*part, static_cast<int>(parts_.numberOf(*part)), sights);
+    }
+  }
+  sight->X_CV = posesOfParts(X_CW, X_WL);
+  sight->rows = rows;
+  sight->seen = std::move(sights.seen);
+  for (std::size_t face = 0; face < grids.size(); ++face) {
+    fillPixels(grids[face].grid.rays, sights.triangles[face], known, *sight);
+  }
   return sight;
 }
 

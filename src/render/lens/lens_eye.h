@@ -8,6 +8,7 @@
 #include "render/lens/lens_library.h"
 #include "render/lens/lens_sight.h"
 #include "render/lens/ray_raster.h"
+#include "render/lens/row_poses.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/picture_pyramid.h"
 
@@ -28,6 +29,12 @@ class LensEye {
   [[nodiscard]] std::shared_ptr<const LensSight> look(const View& view,
                                                       const std::vector<Pose>& X_WL,
                                                       const LinkSelection& drawn, Glass glass);
+
+  /// The same of a picture whose rows are taken one after the other. One sees through glass.
+  /// @param view, X_WL  of some time in between
+  [[nodiscard]] std::shared_ptr<const LensSight> lookInRows(
+      const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
+      const std::shared_ptr<const RowPoses>& rows);
 
   /// CV_8UC1: 255 for the pixels whose rays would meet these parts if there were no others.
   [[nodiscard]] cv::Mat covered(const View& view, const std::vector<Pose>& X_WL,
@@ -54,7 +61,17 @@ class LensEye {
     std::shared_ptr<const LensSight> sight;
   };
 
+  /// The rays of a lens, row by row.
+  struct RowGrids {
+    std::shared_ptr<const LensMap> lens;
+    std::vector<RowRayGrid> grids;
+  };
+
   [[nodiscard]] const std::shared_ptr<const std::vector<PartSurface>>& surfaces();
+  [[nodiscard]] const std::vector<RowRayGrid>& rowGrids(const std::shared_ptr<const LensMap>& lens);
+  [[nodiscard]] LensSight nothingSeen(const std::shared_ptr<const LensMap>& lens);
+  [[nodiscard]] std::vector<Pose> posesOfParts(const Pose& X_CW,
+                                               const std::vector<Pose>& X_WL) const;
   [[nodiscard]] const Standing& standing(const View& view, const std::vector<Pose>& X_WL,
                                          const LinkSelection& drawn);
 
@@ -65,6 +82,7 @@ class LensEye {
   std::shared_ptr<const std::vector<PartSurface>> surfaces_;  ///< null until they are asked for
   std::deque<Standing> standing_;                             ///< the last used first
   std::optional<Last> last_;
+  RowGrids row_grids_;  ///< of the lens that was used last
 };
 
 }  // namespace synthetic_dataset::render

@@ -291,6 +291,7 @@ LensMap makeLensMap(const CameraModel& camera) {
                                        tiles[i].across.tileOf(place.x()));
     }
   }
+  map.is_pinhole = !hasDistortion(camera);
   map.grids = gridsOf(map);
   return map;
 }

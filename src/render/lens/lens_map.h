@@ -26,6 +26,10 @@ struct LensMap {
   cv::Mat rays;  ///< CV_32FC3: the unit vector that each pixel's centre looks along (C)
   cv::Mat face;  ///< CV_16SC1: the pixel's index in `faces`; -1 where the lens sees nothing
 
+  /// Whether it is a pinhole, whose other pictures are OpenGL's: textures are then looked up as
+  /// OpenGL does.
+  bool is_pinhole = false;
+
   /// Of each face, the pixels that look at it, as indices of an image that is gone through row by
   /// row; about one in a cell where they lie closest together.
   std::vector<RayGrid> grids;

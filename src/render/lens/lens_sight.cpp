@@ -19,10 +19,16 @@ RayRaster::IsHole holesIn(const DrawList& parts,
   };
 }
 
-std::array<Eigen::Vector3d, 3> cornersOf(const SeenTriangle& triangle, const world::Mesh& mesh,
-                                         const Pose& X_CV) {
+Pose LensSight::poseOf(const SeenTriangle& triangle) const {
+  return triangle.row < 0 ? X_CV[static_cast<std::size_t>(triangle.part)]
+                          : rows->X_CV(triangle.part, triangle.row);
+}
+
+std::array<Eigen::Vector3d, 3> LensSight::cornersOf(const SeenTriangle& triangle) const {
+  const world::Mesh& mesh = *(*surfaces)[static_cast<std::size_t>(triangle.part)].shape;
+  const Pose pose = poseOf(triangle);
   const auto corner = [&](std::uint32_t i) -> Eigen::Vector3d {
-    return X_CV * mesh.positions[mesh.indices[triangle.first + i]].cast<double>();
+    return pose * mesh.positions[mesh.indices[triangle.first + i]].cast<double>();
   };
   return {corner(0), corner(1), corner(2)};
 }
@@ -36,7 +42,7 @@ FacedTriangle LensSight::triangleAt(int index) const {
   const SeenTriangle& triangle = seen[static_cast<std::size_t>(index)];
   const auto part = static_cast<std::size_t>(triangle.part);
   const PartSurface& surface = (*surfaces)[part];
-  const std::array<Eigen::Vector3d, 3> corners = cornersOf(triangle, *surface.shape, X_CV[part]);
+  const std::array<Eigen::Vector3d, 3> corners = cornersOf(triangle);
   const auto& indices = surface.shape->indices;
   return {{corners[0].cast<float>(), corners[1].cast<float>(), corners[2].cast<float>()},
           {indices[triangle.first], indices[triangle.first + 1], indices[triangle.first + 2]},

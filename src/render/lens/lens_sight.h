@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -7,6 +8,7 @@
 
 #include "render/lens/lens_map.h"
 #include "render/lens/ray_raster.h"
+#include "render/lens/row_poses.h"
 #include "render/lens/surface_point.h"
 #include "render/parts/part_surface.h"
 
@@ -21,7 +23,12 @@ struct LensSight {
   std::vector<SeenTriangle> seen;
   std::vector<Pose> X_CV;  ///< of each part, by its number
   std::shared_ptr<const std::vector<PartSurface>> surfaces;
+  std::shared_ptr<const RowPoses> rows = nullptr;  ///< where rows are taken one after the other
 
+  /// X_CV of its part, at the time of its row where that has one.
+  [[nodiscard]] Pose poseOf(const SeenTriangle& triangle) const;
+
+  [[nodiscard]] std::array<Eigen::Vector3d, 3> cornersOf(const SeenTriangle& triangle) const;
   [[nodiscard]] FacedTriangle triangleAt(int index) const;
 };
 
@@ -30,10 +37,6 @@ struct LensSight {
 /// @param surfaces  by the parts' numbers
 [[nodiscard]] RayRaster::IsHole holesIn(
     const DrawList& parts, const std::shared_ptr<const std::vector<PartSurface>>& surfaces);
-
-/// The corners of a triangle that is seen.
-[[nodiscard]] std::array<Eigen::Vector3d, 3> cornersOf(const SeenTriangle& triangle,
-                                                       const world::Mesh& mesh, const Pose& X_CV);
 
 /// Where a ray meets the triangle's plane: how far away, in the ray's length.
 [[nodiscard]] double distanceTo(const std::array<Eigen::Vector3d, 3>& corners,

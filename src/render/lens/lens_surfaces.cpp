@@ -27,7 +27,7 @@ struct SeenByPixels {
       : index(triangle),
         is_front(sight.seen[static_cast<std::size_t>(triangle)].is_front),
         surface(&(*sight.surfaces)[partOf(sight, triangle)]),
-        R_CV(sight.X_CV[partOf(sight, triangle)].linear().cast<float>()),
+        R_CV(sight.poseOf(sight.seen[static_cast<std::size_t>(triangle)]).linear().cast<float>()),
         triangle_C(sight.triangleAt(triangle)) {}
 
   static std::size_t partOf(const LensSight& sight, int triangle) {
@@ -65,8 +65,15 @@ Eigen::Vector3f bentNormal(const SeenByPixels& seen, const Eigen::Vector3f& norm
       .normalized();
 }
 
-LensSurface lensSurfaceAt(const SeenByPixels& seen, bool is_classic, const Eigen::Vector3f& ray,
-                          const Eigen::Vector3f& across, const Eigen::Vector3f& along) {
+/// How surfaces of a picture are looked up.
+struct SurfaceLookup {
+  bool is_classic;
+  bool is_pinhole;
+};
+
+LensSurface lensSurfaceAt(const SeenByPixels& seen, const SurfaceLookup& lookup,
+                          const Eigen::Vector3f& ray, const Eigen::Vector3f& across,
+                          const Eigen::Vector3f& along) {
   const PartSurface& part = *seen.surface;
   const Eigen::Vector3f weights = seen.triangle_C.weights(ray);
   const Eigen::Vector3f shares = weights / weights.sum();
@@ -82,7 +89,8 @@ LensSurface lensSurfaceAt(const SeenByPixels& seen, bool is_classic, const Eigen
   if (part.colours || part.normals || part.roughnesses || part.metalnesses || part.glows) {
     const auto on = seen.triangle_C.onTexture(ray, across, along);
     const auto mean = [&](const PicturePyramid& picture) {
-      return picture.mean(on.place, on.across, on.along);
+      return lookup.is_pinhole ? picture.sample(on.place, on.across, on.along)
+                               : picture.mean(on.place, on.across, on.along);
     };
     if (part.colours) surface.base = surface.base.cwiseProduct(mean(*part.colours).head<3>());
     if (part.roughnesses) surface.roughness *= mean(*part.roughnesses).y();
@@ -92,7 +100,7 @@ LensSurface lensSurfaceAt(const SeenByPixels& seen, bool is_classic, const Eigen
   }
   if (!seen.is_front) {
     surface.face = -surface.face;
-    if (!is_classic) surface.normal = -surface.normal;
+    if (!lookup.is_classic) surface.normal = -surface.normal;
   }
   return surface;
 }
@@ -148,6 +156,7 @@ SurfaceImages surfacesOf(const LensSight& sight, const GeometryPlanes& planes, b
   HalfRow faces(planes.faces, place.size());
   HalfRow glows(planes.glows, place.size());
   const LensMap& lens = *sight.lens;
+  const SurfaceLookup lookup{is_classic, lens.is_pinhole};
   std::optional<SeenByPixels> seen;
   for (int row = 0; row < place.height; ++row) {
     const int v = place.y + row;
@@ -160,7 +169,7 @@ SurfaceImages surfacesOf(const LensSight& sight, const GeometryPlanes& planes, b
       if (!seen || seen->index != triangles[column]) seen.emplace(sight, triangles[column]);
       const int u = place.x + column;
       const Eigen::Vector3f ray(lens.rays.at<cv::Vec3f>(v, u).val);
-      const LensSurface surface = lensSurfaceAt(*seen, is_classic, ray, rayStepOf(lens, u, v, 1, 0),
+      const LensSurface surface = lensSurfaceAt(*seen, lookup, ray, rayStepOf(lens, u, v, 1, 0),
                                                 rayStepOf(lens, u, v, 0, 1));
       base_roughness.set(column, surface.base, surface.roughness);
       normal_metalness.set(column, surface.normal, surface.metalness);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <opencv2/core/types.hpp>
@@ -35,5 +36,30 @@ struct RayGrid {
 /// @param rays  that meet the plane within the cells
 [[nodiscard]] RayGrid makeRayGrid(const Intrinsics& intrinsics, const cv::Size& cells,
                                   const std::vector<PlacedRay>& rays);
+
+/// Rays in the order of the picture's rows that they belong to, each row's from left to right.
+struct RowRayGrid {
+  /// Around the places of a row's rays [cell].
+  struct Bounds {
+    float left, top, right, bottom;
+
+    void extend(const Bounds& other);
+  };
+
+  RayGrid grid;  ///< `first` is of each row's rays, not of each cell's
+  std::vector<Bounds> rows;
+
+  [[nodiscard]] int rayCount(int row) const {
+    const auto i = static_cast<std::size_t>(row);
+    return grid.first[i + 1] - grid.first[i];
+  }
+};
+
+/// @param intrinsics  of the plane, in cells
+/// @param rows  that the picture has
+/// @param row_of  the row to which one of the caller's rays belongs
+[[nodiscard]] RowRayGrid makeRowRayGrid(const Intrinsics& intrinsics, const cv::Size& cells,
+                                        const std::vector<PlacedRay>& rays, int rows,
+                                        const std::function<int(int ray)>& row_of);
 
 }  // namespace synthetic_dataset::render

@@ -19,6 +19,7 @@ struct SeenTriangle {
   int part = 0;             ///< its number in the draw list
   std::uint32_t first = 0;  ///< of its three indices, the first one's place in Mesh::indices
   bool is_front = true;
+  int row = -1;  ///< of the picture, at whose time it is seen; -1 where all rows have one time
 };
 
 /// What rays see so far.
@@ -29,13 +30,14 @@ struct RaySights {
 
   /// Of grids whose rays see nothing yet.
   explicit RaySights(const std::vector<RayGrid>& grids);
+  explicit RaySights(const std::vector<RowRayGrid>& grids);
+
+ private:
+  void add(const RayGrid& grid);
 };
 
 /// Finds exactly what rays through a lens see, by drawing triangles on the lens's faces for these
 /// rays' places alone.
-///
-/// Whether a place is on an edge's one side or the other is worked out from the same corners in the
-/// same order for both triangles that share it, so that no ray passes between them.
 class RayRaster {
  public:
   /// A ray's place on a triangle of a part, for whoever knows where its texture has holes.
@@ -54,8 +56,7 @@ class RayRaster {
             const IsHole& is_hole)
       : view_(view), lens_(lens), grids_(grids), is_hole_(is_hole) {}
 
-  /// Draws a part over what was drawn before. Of surfaces at the same place, of those that stand
-  /// still the last one is seen, and none that moves hides one of these.
+  /// Draws a part over what was drawn before.
   void draw(const Part& part, int number, const Pose& X_WL, RaySights& sights) const;
 
   /// Calls visit(index) for each ray that would see the part if it were alone; maybe several times.
@@ -63,8 +64,6 @@ class RayRaster {
                     const std::function<void(int ray)>& visit) const;
 
  private:
-  struct Corner;
-  struct Plane;
   class OnFace;
 
   const View& view_;

@@ -7,13 +7,15 @@
 #include "render/lens/lens_map.h"
 #include "render/lens/ray_grid.h"
 #include "render/lens/ray_raster.h"
+#include "render/lens/row_raster.h"
 
 namespace synthetic_dataset::render {
 namespace {
 
-/// The samples' places on the faces; a sample's index is its pixel's times kSampleCount and its
-/// own.
-std::vector<RayGrid> sampleGridsOf(const LensMap& lens, const std::vector<cv::Point>& pixels) {
+/// The samples' places on each of the faces; a sample's index is its pixel's times kSampleCount and
+/// its own.
+std::vector<std::vector<PlacedRay>> samplesOf(const LensMap& lens,
+                                              const std::vector<cv::Point>& pixels) {
   std::vector<std::vector<PlacedRay>> rays(lens.faces.size());
   std::vector<FacePlane> planes;
   for (const LensFace& face : lens.faces) planes.emplace_back(face);
@@ -37,16 +39,14 @@ std::vector<RayGrid> sampleGridsOf(const LensMap& lens, const std::vector<cv::Po
           {there.x(), there.y(), static_cast<int>(i * kSampleCount + sample)});
     }
   }
-  std::vector<RayGrid> grids;
-  for (std::size_t face = 0; face < rays.size(); ++face) {
-    grids.push_back(makeRayGrid(lens.grids[face].intrinsics, lens.grids[face].cells, rays[face]));
-  }
-  return grids;
+  return rays;
 }
 
+const std::vector<int>& raysOf(const RayGrid& grid) { return grid.rays; }
+const std::vector<int>& raysOf(const RowRayGrid& rows) { return rows.grid.rays; }
+
 SeenPlane planeOf(const SeenTriangle& triangle, const LensSight& sight) {
-  const auto part = static_cast<std::size_t>(triangle.part);
-  const auto corners = cornersOf(triangle, *(*sight.surfaces)[part].shape, sight.X_CV[part]);
+  const auto corners = sight.cornersOf(triangle);
   const Eigen::Vector3d normal =
       (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
   return {triangle.part, normal.cast<float>(), (normal / normal.dot(corners[0])).cast<float>()};
@@ -54,26 +54,60 @@ SeenPlane planeOf(const SeenTriangle& triangle, const LensSight& sight) {
 
 }  // namespace
 
-RaySamples::RaySamples(const DrawList& parts, const EdgeScene& scene, const LensSight& sight,
-                       const std::vector<cv::Point>& pixels)
-    : samples_(pixels.size() * kSampleCount, -1) {
-  const std::vector<RayGrid> grids = sampleGridsOf(*sight.lens, pixels);
-  RaySights sights(grids);
-  const RayRaster::IsHole is_hole = holesIn(parts, sight.surfaces);
-  const RayRaster raster(scene.view, *sight.lens, grids, is_hole);
-  const Pose X_CW = scene.view.X_WC.inverse();
-  for (const bool stand_still : {true, false}) {
-    for (const Part* part : parts.solidParts(X_CW, scene.X_WL, scene.drawn, stand_still)) {
-      raster.draw(*part, static_cast<int>(parts.numberOf(*part)), scene.X_WL[part->link], sights);
-    }
-  }
+template <class Grids>
+void RaySamples::take(const Grids& grids, const RaySights& sights, const LensSight& sight) {
   planes_.reserve(sights.seen.size());
   for (const SeenTriangle& triangle : sights.seen) planes_.push_back(planeOf(triangle, sight));
   for (std::size_t face = 0; face < grids.size(); ++face) {
-    for (std::size_t i = 0; i < grids[face].count(); ++i) {
-      samples_[static_cast<std::size_t>(grids[face].rays[i])] = sights.triangles[face][i];
+    const std::vector<int>& rays = raysOf(grids[face]);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      samples_[static_cast<std::size_t>(rays[i])] = sights.triangles[face][i];
     }
   }
+}
+
+RaySamples::RaySamples(const DrawList& parts, const EdgeScene& scene, const LensSight& sight,
+                       const std::vector<cv::Point>& pixels)
+    : samples_(pixels.size() * kSampleCount, -1) {
+  const LensMap& lens = *sight.lens;
+  const std::vector<std::vector<PlacedRay>> rays = samplesOf(lens, pixels);
+  const RayRaster::IsHole is_hole = holesIn(parts, sight.surfaces);
+  const Pose X_CW = scene.view.X_WC.inverse();
+  const auto look = [&](auto grids, const auto& make_grid, const auto& draw) {
+    for (std::size_t face = 0; face < rays.size(); ++face) {
+      grids.push_back(make_grid(lens.grids[face], rays[face]));
+    }
+    RaySights sights(grids);
+    for (const bool stand_still : {true, false}) {
+      for (const Part* part : parts.solidParts(X_CW, scene.X_WL, scene.drawn, stand_still)) {
+        draw(grids, *part, static_cast<int>(parts.numberOf(*part)), sights);
+      }
+    }
+    take(grids, sights, sight);
+  };
+  if (sight.rows == nullptr) {
+    look(
+        std::vector<RayGrid>(),
+        [](const RayGrid& face, const std::vector<PlacedRay>& here) {
+          return makeRayGrid(face.intrinsics, face.cells, here);
+        },
+        [&](const auto& grids, const Part& part, int number, RaySights& sights) {
+          RayRaster(scene.view, lens, grids, is_hole)
+              .draw(part, number, scene.X_WL[part.link], sights);
+        });
+    return;
+  }
+  const auto row_of = [&](int ray) {
+    return pixels[static_cast<std::size_t>(ray) / kSampleCount].y;
+  };
+  look(
+      std::vector<RowRayGrid>(),
+      [&](const RayGrid& face, const std::vector<PlacedRay>& here) {
+        return makeRowRayGrid(face.intrinsics, face.cells, here, sight.rows->rowCount(), row_of);
+      },
+      [&](const auto& grids, const Part& part, int number, RaySights& sights) {
+        RowRaster(*sight.rows, lens, grids, is_hole).draw(part, number, sights);
+      });
 }
 
 }  // namespace synthetic_dataset::render

@@ -34,6 +34,9 @@ class RaySamples {
   }
 
  private:
+  template <class Grids>
+  void take(const Grids& grids, const RaySights& sights, const LensSight& sight);
+
   std::vector<int> samples_;  ///< of each sample, its plane; -1 for none
   std::vector<SeenPlane> planes_;
 };

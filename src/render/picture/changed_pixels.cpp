@@ -65,6 +65,11 @@ cv::Mat ChangedPixels::find(const PossibleChanges& regions, const SeenGeometry& 
   markMoving(seen, pixels);
   if (!seen.reaches.empty()) markNear(seen, pixels);
   for (const ChangedTexels& each : texels) markShaded(regions.shadows, seen, each, pixels);
+  return withEdges(pixels, regions, edges);
+}
+
+cv::Mat ChangedPixels::withEdges(const cv::Mat& pixels, const PossibleChanges& regions,
+                                 const cv::Mat& edges) {
   if (edges.empty()) return pixels;
   // Pixels by an edge take light from those around them,
   cv::Mat grown;

@@ -45,6 +45,11 @@ class ChangedPixels {
   [[nodiscard]] cv::Mat find(const PossibleChanges& regions, const SeenGeometry& seen,
                              const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const;
 
+  /// Those that differ because others do.
+  /// @param pixels  that differ by what their centres see; not written to
+  [[nodiscard]] static cv::Mat withEdges(const cv::Mat& pixels, const PossibleChanges& regions,
+                                         const cv::Mat& edges);
+
  private:
   void markMoving(const SeenGeometry& seen, cv::Mat& pixels) const;
   static void markNear(const SeenGeometry& seen, cv::Mat& pixels);

@@ -26,36 +26,61 @@ struct UnlitLens {
   cv::Mat elsewhere;              ///< CV_8UC3: what is not in `pixels`
   cv::Mat pixels;                 ///< CV_8UC1: 255 for the other pixels
   std::vector<cv::Rect> regions;  ///< around these
-  UnlitPixels unlit;              ///< them, and those by them where edges are smooth
+  cv::Rect place;                 ///< around them, and those by them where edges are smooth
   cv::Mat known;                  ///< CV_8UC1: not 0 for those whose surfaces these need
+  std::vector<UnlitPixels> lit;   ///< in one or in bands, whose surfaces are still to be found
   EdgeScene scene;
-  GeometryPlanes planes;
+  GeometryPlanes planes = {};
   bool is_classic = false;
   bool smooth = false;
 };
+
+/// A part of images, in their own coordinates.
+SurfaceImages cut(const SurfaceImages& images, const cv::Rect& part) {
+  const auto of = [&](const cv::Mat& image) { return image.empty() ? image : image(part); };
+  return {of(images.base_roughness), of(images.normal_metalness), of(images.faces),
+          of(images.glows)};
+}
+
+/// The light of all that is to be lit: CV_16UC4 of the place.
+cv::Mat lightOf(const UnlitLens& picture, const SurfaceImages& surfaces) {
+  cv::Mat light;
+  for (UnlitPixels unlit : picture.lit) {
+    const cv::Rect here = unlit.seen.place - picture.place.tl();
+    unlit.seen.surfaces = cut(surfaces, here);
+    unlit.seen.geometry.normals = unlit.seen.surfaces.vertexNormals();
+    const cv::Mat found = unlit.light();
+    if (picture.lit.size() == 1) return found;
+    if (light.empty()) light.create(picture.place.size(), CV_16UC4);
+    for (const cv::Rect& region : unlit.regions) {
+      cv::Mat there = light(region - picture.place.tl());
+      found(region - unlit.seen.place.tl()).copyTo(there);
+    }
+  }
+  return light;
+}
 
 /// @param edges  gets the pixels of smoothed edges, if not null
 cv::Mat finishedThroughLens(const UnlitLens& picture, const DrawList& parts, cv::Mat* edges) {
   cv::Mat result = picture.elsewhere.clone();
   if (picture.regions.empty()) return result;
-  UnlitPixels unlit = picture.unlit;
-  SeenSurfaces& seen = unlit.seen;
-  seen.surfaces =
-      surfacesOf(*picture.sight, picture.planes, picture.is_classic, seen.place, picture.known);
-  seen.geometry.normals = seen.surfaces.vertexNormals();
-  const cv::Mat light = unlit.light();
+  const LensSight& sight = *picture.sight;
+  const SurfaceImages surfaces =
+      surfacesOf(sight, picture.planes, picture.is_classic, picture.place, picture.known);
+  const cv::Mat light = lightOf(picture, surfaces);
   for (const cv::Rect& region : picture.regions) {
     cv::Mat pixels = result(region);
-    encodeSrgb(light(region - seen.place.tl()), picture.pixels(region), pixels);
+    encodeSrgb(light(region - picture.place.tl()), picture.pixels(region), pixels);
   }
   if (picture.smooth) {
-    const EdgePixels found(seen.geometry, seen.place, picture.regions, picture.pixels,
-                           unlit.intrinsics, seen.rays);
-    smoothEdges(parts, picture.scene, *picture.sight, {seen.geometry, light, seen.place}, found,
-                result);
+    const GeometryImages geometry{sight.parts(picture.place), sight.distance(picture.place),
+                                  surfaces.vertexNormals()};
+    const EdgePixels found(geometry, picture.place, picture.regions, picture.pixels,
+                           picture.scene.view.camera.intrinsics(), sight.lens->rays);
+    smoothEdges(parts, picture.scene, sight, {geometry, light, picture.place}, found, result);
     if (edges != nullptr) *edges = found.mask(result.size());
   }
-  result.setTo(cv::Scalar::all(0), picture.sight->lens->face < 0);
+  result.setTo(cv::Scalar::all(0), sight.lens->face < 0);
   return result;
 }
 
@@ -82,12 +107,12 @@ Occluders occludersOf(const LensSight& sight, const CameraModel& camera) {
   return {sight.distance, {cv::Point(), size}, size, camera.intrinsics(), sight.lens->rays};
 }
 
-/// Gathers what a picture's pixels are found from.
+/// Gathers what a picture's pixels are found from, but for `lit`.
 /// @param pixels  those that are not 0
 UnlitLens gather(const PictureCrew& crew, const ColourScene& scene,
                  const std::shared_ptr<const LensSight>& sight, bool smooth,
                  const cv::Mat& pixels) {
-  UnlitLens picture{sight, {}, {}, {}, {}, {}, {scene.view, scene.X_WL, scene.drawn}, {}};
+  UnlitLens picture{sight, {}, {}, {}, {}, {}, {}, {scene.view, scene.X_WL, scene.drawn}};
   picture.elsewhere =
       cv::Mat(pixels.size(), CV_8UC3, crew.light_painter.backgroundPixel(scene.exposure));
   picture.pixels = pixels;
@@ -97,16 +122,35 @@ UnlitLens gather(const PictureCrew& crew, const ColourScene& scene,
   picture.planes = crew.geometry_painter.planes();
   picture.is_classic = crew.parts.isClassic();
   // Edges take their light from the pixels around them.
-  const cv::Mat wanted = smooth ? withPixelsAround(pixels) : pixels;
-  const std::vector<cv::Rect> lit = smooth ? bandsOf(wanted) : picture.regions;
-  const bool is_full = scene.detail == LightDetail::kFull;
-  picture.known = is_full ? withPixelsAround(wanted, kOcclusionSmoothing) : wanted;
-  const cv::Rect place = is_full ? boundsOf(bandsOf(picture.known)) : boundsOf(lit);
-  SeenSurfaces seen{
-      {sight->parts(place), sight->distance(place), {}}, {}, place, sight->lens->rays};
-  if (is_full) seen.occluders = occludersOf(*sight, scene.view.camera);
-  picture.unlit = crew.light_painter.surfacesAlone(scene, seen, crew.shadow_painter, lit, wanted);
+  picture.known = smooth ? withPixelsAround(pixels) : pixels;
+  if (scene.detail == LightDetail::kFull) {
+    picture.known = withPixelsAround(picture.known, kOcclusionSmoothing);
+  }
+  picture.place = boundsOf(bandsOf(picture.known));
   return picture;
+}
+
+/// Lights and shadows as they are drawn now, for pixels that are still to be chosen.
+UnlitPixels lightsOf(const PictureCrew& crew, const ColourScene& scene) {
+  return crew.light_painter.surfacesAlone(scene, {}, crew.shadow_painter, {}, {});
+}
+
+/// Lights a picture's pixels, as far as they are in some rows.
+/// @param lights  of these rows
+void addLit(UnlitPixels lights, const cv::Rect& rows, const ColourScene& scene,
+            UnlitLens& picture) {
+  if (picture.regions.empty()) return;
+  lights.wanted = picture.smooth ? withPixelsAround(picture.pixels) : picture.pixels;
+  for (const cv::Rect& region : bandsOf(lights.wanted)) {
+    if (!(region & rows).empty()) lights.regions.push_back(region & rows);
+  }
+  if (lights.regions.empty()) return;
+  const LensSight& sight = *picture.sight;
+  const bool is_full = scene.detail == LightDetail::kFull;
+  const cv::Rect place = picture.place & (is_full ? grown(rows, kOcclusionSmoothing) : rows);
+  lights.seen = {{sight.parts(place), sight.distance(place), {}}, {}, place, sight.lens->rays};
+  if (is_full) lights.seen.occluders = occludersOf(sight, scene.view.camera);
+  picture.lit.push_back(std::move(lights));
 }
 
 }  // namespace
@@ -136,21 +180,29 @@ const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensS
   const ColourScene alone{scene.view,     scene.X_WL, drawn,       scene.shadows,
                           scene.exposure, nullptr,    scene.detail};
   const auto seen = eye_.look(scene.view, scene.X_WL, drawn, Glass::kSeenThrough);
-  here.pixels = finishedThroughLens(
-      gather(crew_, alone, seen, smooth, allPixels(seen->parts.size())), crew_.parts, &here.edges);
+  const cv::Size size = seen->parts.size();
+  UnlitLens picture = gather(crew_, alone, seen, smooth, allPixels(size));
+  addLit(lightsOf(crew_, alone), {cv::Point(), size}, alone, picture);
+  here.pixels = finishedThroughLens(picture, crew_.parts, &here.edges);
   return &here;
 }
 
 /// CV_8UC1: 255 where something that moves may be seen beside pixels' centres.
-cv::Mat LensPainter::possibleSurfaces(const ColourScene& scene) const {
+/// @param X_WL_too  where all is at some other time, between which and the scene's it moves
+cv::Mat LensPainter::possibleSurfaces(const ColourScene& scene,
+                                      const std::vector<Pose>& X_WL_too) const {
   const cv::Rect image(0, 0, scene.view.camera.width(), scene.view.camera.height());
   cv::Mat pixels = cv::Mat::zeros(image.size(), CV_8UC1);
   const Pose X_CW = scene.view.X_WC.inverse();
   const auto is_chosen = [&](const Part& part) {
     return scene.drawn[part.link] && !part.stands_still;
   };
-  for (std::vector<Eigen::Vector3d>& hull :
-       hullsOfGroups(crew_.parts.parts(), scene.X_WL, 0.0, is_chosen)) {
+  std::vector<std::vector<Eigen::Vector3d>> hulls =
+      hullsOfGroups(crew_.parts.parts(), scene.X_WL, 0.0, is_chosen);
+  const auto later = hullsOfGroups(crew_.parts.parts(), X_WL_too, 0.0, is_chosen);
+  for (std::size_t i = 0; i < hulls.size(); ++i) {
+    std::vector<Eigen::Vector3d>& hull = hulls[i];
+    hull.insert(hull.end(), later[i].begin(), later[i].end());
     for (Eigen::Vector3d& point : hull) point = X_CW * point;
     const auto box = scene.view.camera.projectedBounds(hull);
     if (!box) continue;
@@ -166,25 +218,32 @@ cv::Mat LensPainter::possibleSurfaces(const ColourScene& scene) const {
   return pixels;
 }
 
-/// Which pixels differ from those of the kept picture.
-/// @param edges  of the kept picture
-cv::Mat LensPainter::changedPixels(const ColourScene& scene, const LensSight& sight,
-                                   const cv::Mat& edges) const {
+/// Where the shadow maps as they are drawn now differ from those of what never moves.
+std::vector<ChangedTexels> LensPainter::changedTexels(const ColourScene& scene) const {
   std::vector<ChangedTexels> texels;
   for (const ShadowProjection& shadow : scene.shadows) {
     texels.push_back(crew_.shadow_painter.changedTexels(shadow));
   }
-  const cv::Size size = sight.parts.size();
-  PossibleChanges regions;
-  regions.glass = cv::Mat::zeros(size, CV_8UC1);
-  regions.shadows = allPixels(size);
-  regions.surfaces = edges.empty() ? regions.glass : possibleSurfaces(scene);
-  SeenGeometry seen{{sight.parts, sight.distance, {}}, {cv::Point(), size}, sight.lens->rays};
+  return texels;
+}
+
+namespace {
+
+/// Where there is no glass, but a shadow may be anywhere.
+PossibleChanges changesOf(const cv::Size& size) {
+  return {cv::Mat::zeros(size, CV_8UC1), cv::Mat::zeros(size, CV_8UC1), allPixels(size)};
+}
+
+SeenGeometry seenBy(const LensSight& sight, const ColourScene& scene) {
+  SeenGeometry seen{
+      {sight.parts, sight.distance, {}}, {cv::Point(), sight.parts.size()}, sight.lens->rays};
   if (scene.detail == LightDetail::kFull) {
     seen.reaches = occlusionReaches(occludersOf(sight, scene.view.camera));
   }
-  return ChangedPixels(crew_.parts, scene.view).find(regions, seen, texels, edges);
+  return seen;
 }
+
+}  // namespace
 
 PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection& casting,
                                   bool smooth, const std::vector<cv::Rect>& regions) {
@@ -198,10 +257,18 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
   }
   const Kept* before = kept(scene, *sight, casting, smooth);
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
-  // Not by assigning to a copy of `wanted`: OpenCV would write into the pixels that both share.
-  const cv::Mat pixels =
-      before == nullptr ? wanted : cv::Mat(wanted & changedPixels(scene, *sight, before->edges));
+  cv::Mat pixels;
+  if (before == nullptr) {
+    pixels = wanted;
+  } else {
+    PossibleChanges possible = changesOf(size);
+    if (!before->edges.empty()) possible.surfaces = possibleSurfaces(scene, scene.X_WL);
+    pixels =
+        wanted & ChangedPixels(crew_.parts, scene.view)
+                     .find(possible, seenBy(*sight, scene), changedTexels(scene), before->edges);
+  }
   UnlitLens picture = gather(crew_, scene, sight, smooth, pixels);
+  addLit(lightsOf(crew_, scene), {cv::Point(), size}, scene, picture);
   if (before != nullptr) {
     if (regions.empty()) {
       picture.elsewhere = before->pixels;
@@ -209,6 +276,81 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
       before->pixels.copyTo(picture.elsewhere, wanted);
     }
   }
+  return [this, picture = std::move(picture)] {
+    return finishedThroughLens(picture, crew_.parts, nullptr);
+  };
+}
+
+/// Rows that have one time of their lights and shadows.
+struct LensPainter::Band {
+  cv::Rect rows;
+  RollingMoment begin, middle, end;
+  View view;
+  std::vector<LinkSelection> moving;  ///< as ShadowPainter::paint() has them
+
+  [[nodiscard]] ColourScene scene(const ColourScene& whole) const {
+    ColourScene here{view, middle.X_WL, whole.drawn, whole.shadows, whole.exposure};
+    here.detail = whole.detail;
+    return here;
+  }
+};
+
+std::vector<LensPainter::Band> LensPainter::bandsOfRows(const ColourScene& scene,
+                                                        const RollingView& rows,
+                                                        const LinkSelection& casting) const {
+  std::vector<Band> bands;
+  for (int i = 0; i < rows.bands; ++i) {
+    const cv::Rect here = rows.rowsOf(i);
+    const double first = here.y;
+    const double last = first + here.height - 1;
+    RollingMoment middle = rows.at(0.5 * (first + last));
+    const View view{rows.camera, middle.X_WC};
+    bands.push_back({here, rows.at(first), std::move(middle), rows.at(last), view, {}});
+    Band& band = bands.back();
+    if (hasDistortion(rows.camera)) continue;
+    band.moving =
+        castersOnto(grown(band.rows, 2) & cv::Rect(0, 0, rows.camera.width(), rows.camera.height()),
+                    crew_.parts.parts(), band.view, band.middle.X_WL, scene.drawn, casting,
+                    crew_.lights, scene.shadows);
+  }
+  return bands;
+}
+
+PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingView& rows,
+                                        const LinkSelection& casting, bool smooth) {
+  smooth = smooth && crew_.smooths;
+  const auto poses = std::make_shared<const RowPoses>(rows, crew_.parts, scene.drawn);
+  const auto sight = eye_.lookInRows(scene.view, scene.X_WL, scene.drawn, poses);
+  const cv::Size size = sight->parts.size();
+  const Kept* before = poses->cameraStands() ? kept(scene, *sight, casting, smooth) : nullptr;
+  const std::vector<Band> bands = bandsOfRows(scene, rows, casting);
+  std::vector<UnlitPixels> lights;
+  PossibleChanges possible = changesOf(size);
+  cv::Mat pixels;
+  if (before != nullptr) {
+    // What is near to what moves may be in another band.
+    pixels = ChangedPixels(crew_.parts, scene.view).find(possible, seenBy(*sight, scene), {}, {});
+  }
+  for (const Band& band : bands) {
+    const ColourScene here = band.scene(scene);
+    crew_.shadow_painter.paint(here.shadows, here.X_WL, casting, band.moving);
+    lights.push_back(lightsOf(crew_, here));
+    if (before == nullptr) continue;
+    const SeenGeometry seen{
+        {sight->parts(band.rows), sight->distance(band.rows), {}}, band.rows, sight->lens->rays};
+    pixels |= ChangedPixels(crew_.parts, here.view).find(possible, seen, changedTexels(here), {});
+    if (before->edges.empty()) continue;
+    ColourScene begin{here.view, band.begin.X_WL, here.drawn, here.shadows};
+    cv::Mat surfaces = possible.surfaces(band.rows);
+    possibleSurfaces(begin, band.end.X_WL)(band.rows).copyTo(surfaces);
+  }
+  pixels = before == nullptr ? allPixels(size)
+                             : ChangedPixels::withEdges(pixels, possible, before->edges);
+  UnlitLens picture = gather(crew_, scene, sight, smooth, pixels);
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    addLit(std::move(lights[i]), bands[i].rows, scene, picture);
+  }
+  if (before != nullptr) picture.elsewhere = before->pixels;
   return [this, picture = std::move(picture)] {
     return finishedThroughLens(picture, crew_.parts, nullptr);
   };

@@ -9,6 +9,7 @@
 #include "render/lens/lens_eye.h"
 #include "render/pending_picture.h"
 #include "render/picture/picture_painter.h"
+#include "render/rolling_view.h"
 
 namespace synthetic_dataset::render {
 
@@ -26,6 +27,12 @@ class LensPainter {
   /// @param regions  the pixels that are asked for; empty for the whole picture
   [[nodiscard]] PendingPicture paint(const ColourScene& scene, const LinkSelection& casting,
                                      bool smooth, const std::vector<cv::Rect>& regions);
+
+  /// The same of a picture whose rows are taken one after the other, from `rows`. Its bands have
+  /// each their own lights and shadows.
+  /// @param scene  at some time in between
+  [[nodiscard]] PendingPicture paintInRows(const ColourScene& scene, const RollingView& rows,
+                                           const LinkSelection& casting, bool smooth);
 
   /// Nothing is kept of what was painted so far: all looks different now.
   void forget() { kept_.clear(); }
@@ -53,9 +60,13 @@ class LensPainter {
   [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
   [[nodiscard]] const Kept* kept(const ColourScene& scene, const LensSight& sight,
                                  const LinkSelection& casting, bool smooth);
-  [[nodiscard]] cv::Mat changedPixels(const ColourScene& scene, const LensSight& sight,
-                                      const cv::Mat& edges) const;
-  [[nodiscard]] cv::Mat possibleSurfaces(const ColourScene& scene) const;
+  [[nodiscard]] std::vector<ChangedTexels> changedTexels(const ColourScene& scene) const;
+  [[nodiscard]] cv::Mat possibleSurfaces(const ColourScene& scene,
+                                         const std::vector<Pose>& X_WL_too) const;
+
+  struct Band;
+  [[nodiscard]] std::vector<Band> bandsOfRows(const ColourScene& scene, const RollingView& rows,
+                                              const LinkSelection& casting) const;
 
   PictureCrew crew_;
   LensEye& eye_;

@@ -1,0 +1,223 @@
+#include "render/lens/row_raster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "render/lens/face_drawing.h"
+
+namespace synthetic_dataset::render {
+namespace {
+
+/// The rays of one row.
+class RowRays {
+ public:
+  explicit RowRays(const RayGrid& grid) : grid_(grid) {}
+
+  void goTo(int row) { row_ = static_cast<std::size_t>(row); }
+
+  [[nodiscard]] const RayGrid& grid() const { return grid_; }
+
+  /// Calls visit(first of four rays, how many of them) for all that the triangle may cover.
+  template <class Visit>
+  void visit(const FaceTriangle& triangle, const Visit& visit) const {
+    const auto begin = grid_.columns.begin();
+    const auto end = begin + grid_.first[row_ + 1];
+    const auto first = std::lower_bound(begin + grid_.first[row_], end, triangle.low().x());
+    const auto last = std::upper_bound(first, end, triangle.high().x());
+    for (auto at = first; at < last; at += kLaneCount) {
+      visit(static_cast<std::size_t>(at - begin),
+            static_cast<int>(std::min<std::ptrdiff_t>(last - at, kLaneCount)));
+      if (last - at < kLaneCount) break;
+    }
+  }
+
+ private:
+  const RayGrid& grid_;
+  std::size_t row_ = 0;
+};
+
+/// The angle by which one frame is turned against another.
+double angleBetween(const Pose& one, const Pose& other) {
+  const double trace = (one.linear().transpose() * other.linear()).trace();
+  return std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0));
+}
+
+}  // namespace
+
+/// Draws a part on a face, some rows after the other.
+///
+/// Where a vertex is at the times of the first and the last of them says which rows a triangle may
+/// be seen in; in each of these it is drawn where it is then.
+class RowRaster::OnRows {
+ public:
+  OnRows(const RowRaster& raster, std::size_t face, const Part& part, int number)
+      : poses_(raster.poses_),
+        rows_(raster.grids_[face]),
+        rays_(rows_.grid),
+        part_(part),
+        number_(number),
+        X_FC_(raster.lens_.faces[face].X_CF.inverse()),
+        near_(raster.lens_.faces[face].camera.near()),
+        drawing_(raster.lens_.faces[face], rays_, part, raster.is_hole_) {}
+
+  void draw(SightRecorder& see) {
+    constexpr int kRows = 24;
+    for (int first = 0; first < poses_.rowCount(); first += kRows) {
+      const int end = std::min(first + kRows, poses_.rowCount());
+      takeRows(first, end);
+      if (bounds_.left <= bounds_.right && mayBeSeen()) drawTriangles(see);
+    }
+  }
+
+ private:
+  /// A vertex at the times of the first and the last row.
+  struct Way {
+    float left, top, right, bottom;
+    int kept;  ///< how many of both are before the near plane
+  };
+
+  void takeRows(int first, int end) {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    first_row_ = first;
+    bounds_ = {kFar, kFar, -kFar, -kFar};
+    for (int row = first; row < end; ++row)
+      bounds_.extend(rows_.rows[static_cast<std::size_t>(row)]);
+    if (bounds_.left > bounds_.right) return;
+    X_FV_.clear();
+    for (int row = first; row < end; ++row) X_FV_.push_back(X_FC_ * poses_.X_CV(number_, row));
+  }
+
+  /// Whether some of the part's bounds may be on these rows; finds how far ways may bend, too.
+  [[nodiscard]] bool mayBeSeen() {
+    if (part_.bounds_V.isEmpty()) return false;
+    const Intrinsics& k = rows_.grid.intrinsics;
+    std::array<bool, 5> beside = {true, true, true, true, true};
+    double nearest = std::numeric_limits<double>::infinity();
+    double radius = 0.0;
+    const auto corners = cornersOf(part_.bounds_V);
+    for (const Pose* pose : {&X_FV_.front(), &X_FV_.back()}) {
+      for (const Eigen::Vector3d& corner : corners) {
+        nearest = std::min(nearest, (*pose * corner).z());
+        radius = std::max(radius, (part_.X_LV * corner).norm());
+      }
+    }
+    // Poses turn evenly and move on straight lines: a point is off the line between its ends by
+    // the arrow of an arc.
+    const Pose& before = X_FV_.front();
+    const Pose& after = X_FV_.back();
+    const double arc = angleBetween(before, after);
+    const double reach = radius + (part_.X_LV.inverse().translation()).norm() +
+                         std::max(before.translation().norm(), after.translation().norm());
+    constexpr double kLeast = 0.5;  // [cell]
+    margin_ =
+        static_cast<float>(kLeast + 2.0 * std::max(k.fx, k.fy) * reach *
+                                        (1.0 - std::cos(0.5 * arc)) / std::max(nearest, near_));
+    const double margin = static_cast<double>(margin_);
+    for (const Pose* pose : {&before, &after}) {
+      for (const Eigen::Vector3d& corner : corners) {
+        const Eigen::Vector3d p = *pose * corner;
+        const double column = k.fx * p.x() + k.cx * p.z();
+        const double row = k.fy * p.y() + k.cy * p.z();
+        beside[0] &= p.z() < near_;
+        beside[1] &= column < (static_cast<double>(bounds_.left) - margin) * p.z();
+        beside[2] &= row < (static_cast<double>(bounds_.top) - margin) * p.z();
+        beside[3] &= column > (static_cast<double>(bounds_.right) + margin) * p.z();
+        beside[4] &= row > (static_cast<double>(bounds_.bottom) + margin) * p.z();
+      }
+    }
+    return std::none_of(beside.begin(), beside.end(), [](bool each) { return each; });
+  }
+
+  void drawTriangles(SightRecorder& see) {
+    const world::Mesh& mesh = *part_.shape;
+    ways_.clear();
+    ways_.reserve(mesh.positions.size());
+    for (const Eigen::Vector3f& position : mesh.positions) {
+      ways_.push_back(wayOf(position.cast<double>()));
+    }
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+      const Way& a = ways_[mesh.indices[i]];
+      const Way& b = ways_[mesh.indices[i + 1]];
+      const Way& c = ways_[mesh.indices[i + 2]];
+      const int kept = a.kept + b.kept + c.kept;
+      if (kept == 0) continue;
+      RowRayGrid::Bounds around = bounds_;
+      if (kept == 6) {
+        around = {std::min({a.left, b.left, c.left}) - margin_,
+                  std::min({a.top, b.top, c.top}) - margin_,
+                  std::max({a.right, b.right, c.right}) + margin_,
+                  std::max({a.bottom, b.bottom, c.bottom}) + margin_};
+        if (!meets(around, bounds_)) continue;
+      }
+      drawTriangle(static_cast<std::uint32_t>(i), around, see);
+    }
+  }
+
+  [[nodiscard]] Way wayOf(const Eigen::Vector3d& point_V) const {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    Way way{kFar, kFar, -kFar, -kFar, 0};
+    for (const Pose* pose : {&X_FV_.front(), &X_FV_.back()}) {
+      const FaceCorner corner = drawing_.cornerAt(*pose * point_V);
+      if (!(corner.point_F.z() >= near_)) continue;
+      ++way.kept;
+      way.left = std::min(way.left, corner.place.x());
+      way.top = std::min(way.top, corner.place.y());
+      way.right = std::max(way.right, corner.place.x());
+      way.bottom = std::max(way.bottom, corner.place.y());
+    }
+    return way;
+  }
+
+  [[nodiscard]] static bool meets(const RowRayGrid::Bounds& one, const RowRayGrid::Bounds& other) {
+    return one.left <= other.right && one.right >= other.left && one.top <= other.bottom &&
+           one.bottom >= other.top;
+  }
+
+  void drawTriangle(std::uint32_t first, const RowRayGrid::Bounds& around, SightRecorder& see) {
+    const world::Mesh& mesh = *part_.shape;
+    const auto corner = [&](const Pose& X_FV, std::uint32_t i) {
+      return drawing_.cornerAt(X_FV * mesh.positions[mesh.indices[first + i]].cast<double>());
+    };
+    for (std::size_t i = 0; i < X_FV_.size(); ++i) {
+      const int row = first_row_ + static_cast<int>(i);
+      if (!meets(around, rows_.rows[static_cast<std::size_t>(row)])) continue;
+      rays_.goTo(row);
+      see.beginTriangles(row);
+      const FaceCorner a = corner(X_FV_[i], 0);
+      const FaceCorner b = corner(X_FV_[i], 1);
+      const FaceCorner c = corner(X_FV_[i], 2);
+      drawing_.drawTriangle(first, a, b, c, see);
+    }
+  }
+
+  const RowPoses& poses_;
+  const RowRayGrid& rows_;
+  RowRays rays_;
+  const Part& part_;
+  int number_;
+  Pose X_FC_;
+  double near_;
+  FaceDrawing<RowRays> drawing_;
+
+  // Of the rows that are drawn.
+  int first_row_ = 0;
+  RowRayGrid::Bounds bounds_{};
+  std::vector<Pose> X_FV_;  ///< of each
+  float margin_ = 0.0F;     ///< [cell]
+  std::vector<Way> ways_;
+};
+
+void RowRaster::draw(const Part& part, int number, RaySights& sights) const {
+  for (std::size_t face = 0; face < grids_.size(); ++face) {
+    SightRecorder see(part, number, face, sights);
+    OnRows(*this, face, part, number).draw(see);
+  }
+}
+
+}  // namespace synthetic_dataset::render
