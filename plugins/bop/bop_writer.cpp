@@ -203,9 +203,9 @@ class BopWriter : public LabelWriter {
     return image;
   }
 
-  [[nodiscard]] Json poseOf(const SceneObject& object, std::size_t place) const {
-    const Pose X_CM = *object.X_CO * models_.of(place).X_OM;
-    return {{"obj_id", models_.obj_ids.at(place)},
+  [[nodiscard]] Json poseOf(const SceneObject& object, std::size_t index) const {
+    const Pose X_CM = *object.X_CO * models_.of(index).X_OM;
+    return {{"obj_id", models_.obj_ids.at(index)},
             {"cam_R_m2c", rotationMatrix(X_CM)},
             {"cam_t_m2c", millimetres(X_CM.translation())}};
   }
@@ -228,12 +228,12 @@ class BopWriter : public LabelWriter {
 
   /// Of an object with a visible pixel: its visible mask, in the box around the part of its
   /// silhouette in the image (calc_gt_coco.py looks at the files in `mask`).
-  void addAnnotation(const SceneObject& object, std::size_t place, const CameraModel& camera,
+  void addAnnotation(const SceneObject& object, std::size_t index, const CameraModel& camera,
                      BopImage& image) const {
     const Mask& visible = object.visible_mask();
     if (visible.empty()) return;
     image.annotations.push_back({{"image_id", image.im_id},
-                                 {"category_id", models_.obj_ids.at(place)},
+                                 {"category_id", models_.obj_ids.at(index)},
                                  {"iscrowd", 0},
                                  {"area", visible.count()},
                                  {"bbox", cocoBox(object.silhouette().bounds())},

@@ -16,7 +16,7 @@ struct CityscapesLabel {
 
 /// An object's part of `<image>_gtFine_polygons.json`.
 struct CityscapesPolygon {
-  std::string label;  ///< with "group" behind it where single objects are not told apart
+  std::string label;  ///< with "group" behind it where single objects are not distinguished
   std::vector<cv::Point> points;
 };
 

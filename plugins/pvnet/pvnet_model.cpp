@@ -77,9 +77,9 @@ std::vector<Eigen::Vector3d> farthestPoints(const ObjectModel& model, std::size_
   std::vector<Eigen::Vector3d> chosen;
   while (chosen.size() < count) {
     const auto farthest = std::max_element(distances.begin(), distances.end());
-    const auto place = static_cast<std::size_t>(farthest - distances.begin());
-    chosen.push_back(model.vertices[place].position);
-    approach(points, points[place], distances);
+    const auto index = static_cast<std::size_t>(farthest - distances.begin());
+    chosen.push_back(model.vertices[index].position);
+    approach(points, points[index], distances);
   }
   return chosen;
 }

@@ -150,15 +150,15 @@ BorderRing walk(const std::vector<BorderRing>& rings, const Branches& branches,
     std::size_t steps = 0;          // taken
     std::size_t branches_left = 0;  // of the step that it stands at
   };
-  const auto branchesAt = [&](std::size_t ring, std::size_t place) {
-    const auto found = branches.find({ring, place});
+  const auto branchesAt = [&](std::size_t ring, std::size_t index) {
+    const auto found = branches.find({ring, index});
     return found == branches.end() ? nullptr : &found->second;
   };
   BorderRing result;
   std::vector<Round> rounds;  // a stack of our own: masks of noise nest deeply
-  const auto stepTo = [&](Round& round, std::size_t place) {
-    const auto* leaving = branchesAt(round.ring.ring, place);
-    result.push_back(rings[round.ring.ring][place]);
+  const auto stepTo = [&](Round& round, std::size_t index) {
+    const auto* leaving = branchesAt(round.ring.ring, index);
+    result.push_back(rings[round.ring.ring][index]);
     round.branches_left = leaving == nullptr ? 0 : leaving->size();
   };
   rounds.push_back({root});
@@ -166,16 +166,16 @@ BorderRing walk(const std::vector<BorderRing>& rings, const Branches& branches,
   while (!rounds.empty()) {
     Round& round = rounds.back();
     const std::size_t size = rings[round.ring.ring].size();
-    const std::size_t place = (round.ring.start + round.steps) % size;
+    const std::size_t index = (round.ring.start + round.steps) % size;
     if (round.branches_left > 0) {
-      const auto& leaving = *branchesAt(round.ring.ring, place);
+      const auto& leaving = *branchesAt(round.ring.ring, index);
       const Branch branch = leaving[leaving.size() - round.branches_left];
       --round.branches_left;
       rounds.push_back({branch});
       stepTo(rounds.back(), branch.start);
     } else if (round.steps + 1 < size) {
       ++round.steps;
-      stepTo(round, (place + 1) % size);
+      stepTo(round, (index + 1) % size);
     } else {
       if (rounds.size() > 1) result.push_back(rings[round.ring.ring][round.ring.start]);
       rounds.pop_back();

@@ -34,8 +34,8 @@ struct Branch {
 /// By ring and step: all branches that leave there.
 using Branches = std::map<std::pair<std::size_t, std::size_t>, std::vector<Branch>>;
 
-/// One ring of several: a walk round `root` that makes, at each branch, the round of the other ring
-/// (with that one's own branches) and comes back to the step that it left.
+/// One ring of several: a walk around `root` that makes, at each branch, the round of the other
+/// ring (with that one's own branches) and comes back to the step that it left.
 /// @param branches  without circles
 [[nodiscard]] BorderRing walk(const std::vector<BorderRing>& rings, const Branches& branches,
                               const Branch& root);

@@ -226,7 +226,7 @@ bool isUnusedBlock(const Value& value) {
   return holds("output_folder") || (holds("class") && holds("id"));
 }
 
-/// An instance map has 16 bits for an object's place.
+/// An instance map has 16 bits for an object's index.
 void checkObjectCount(Parameters& root, std::size_t count) {
   constexpr std::size_t kMostObjects = 65535;
   if (count <= kMostObjects) return;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLongestGap = 1e9;  // [s], some thirty years
 
-constexpr int kLargestClass = 65534;  // its place + 1 fits into 16 bits of a class map
+constexpr int kLargestClass = 65534;  // its index + 1 fits into 16 bits of a class map
 
 label::MaskMethod readMethod(Parameters& group, label::MaskMethod fallback) {
   const auto found = group.maybe<std::string>("method");

@@ -77,10 +77,10 @@ class Reader {
     for (const std::string& message : all_.errors()) error(message);
   }
 
-  void readEntry(const Value& given, std::size_t place) {
+  void readEntry(const Value& given, std::size_t index) {
     MotionEntry entry;
-    entry.group = "motions/" + std::to_string(place);
-    entry.name = std::to_string(place);
+    entry.group = "motions/" + std::to_string(index);
+    entry.name = std::to_string(index);
     if (!given.is<Value::Map>()) {
       error(entry.group + ": found " + given.kind() +
             "; it should be a group of settings, such as {bag_file: walk.bag}");

@@ -13,7 +13,7 @@ namespace synthetic_dataset::config {
 /// One of the motions that a run's scenes come from.
 struct MotionEntry {
   std::string group;                   ///< "motions/0", for messages; empty: the run's only one
-  std::string name;                    ///< its setting `name`, else its place in the list
+  std::string name;                    ///< its setting `name`, else its index in the list
   double weight = 1.0;                 ///< > 0: its share of the scenes, beside the others'
   std::optional<std::string> split;    ///< in which all of its scenes are; nothing: as drawn
   std::set<std::string> objects = {};  ///< of robot_list, that take part in it; empty: all

@@ -115,16 +115,16 @@ void readKeypointNames(Parameters& group, scene::ObjectOptions& object) {
   }
 }
 
-/// One end of a skeleton's line: a keypoint's place, from 0, or its name.
+/// One end of a skeleton's line: a keypoint's index, from 0, or its name.
 std::optional<std::size_t> keypointOf(const Value& end, const scene::ObjectOptions& object) {
   const std::vector<std::string>& names = object.keypoint_names;
   const auto named = std::find(names.begin(), names.end(), end.text());
   const bool is_text = end.is<std::string>();
   if (is_text && named != names.end()) return static_cast<std::size_t>(named - names.begin());
-  const auto* place = end.as<std::int64_t>();
+  const auto* index = end.as<std::int64_t>();
   const bool fits =
-      place != nullptr && *place >= 0 && static_cast<std::size_t>(*place) < keypointCount(object);
-  return fits ? std::optional<std::size_t>(static_cast<std::size_t>(*place)) : std::nullopt;
+      index != nullptr && *index >= 0 && static_cast<std::size_t>(*index) < keypointCount(object);
+  return fits ? std::optional<std::size_t>(static_cast<std::size_t>(*index)) : std::nullopt;
 }
 
 /// `skeleton: [[0, 1], [nose, tail]]`.
@@ -145,7 +145,7 @@ void readSkeleton(Parameters& group, scene::ObjectOptions& object) {
       group.addError("skeleton",
                      "found " + line.text() +
                          "; each entry should be two different keypoints, by their names or by "
-                         "their places from 0");
+                         "their indices from 0");
       return;
     }
     object.skeleton.push_back({*first, *second});

@@ -21,21 +21,21 @@ inline constexpr int kNoObject = -1;
   return selection;
 }
 
-/// Where the links of an object's variant are.
+/// The indices of the links of an object's variant.
 [[nodiscard]] inline std::vector<std::size_t> linksOfVariant(
     std::size_t object, std::size_t variant, const std::vector<world::LinkInstance>& links) {
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const bool is_of_object = links[i].object == static_cast<int>(object);
-    if (is_of_object && links[i].variant == variant) places.push_back(i);
+    if (is_of_object && links[i].variant == variant) indices.push_back(i);
   }
-  return places;
+  return indices;
 }
 
 [[nodiscard]] inline std::vector<const world::Link*> linksAt(
-    const std::vector<std::size_t>& places, const std::vector<world::LinkInstance>& links) {
+    const std::vector<std::size_t>& indices, const std::vector<world::LinkInstance>& links) {
   std::vector<const world::Link*> result;
-  for (const std::size_t place : places) result.push_back(links[place].link);
+  for (const std::size_t index : indices) result.push_back(links[index].link);
   return result;
 }
 

@@ -42,7 +42,7 @@ Exit codes: 0 settings are found, 3 the recording cannot say, 1 a failure.
 int main(int argc, char** argv) {
   using namespace synthetic_dataset;
   constexpr int kDoesNotTell = 3;
-  heap::prepare();
+  programs::heap::prepare();
   programs::CommandLine line;
   run::AlignOptions options;
   try {

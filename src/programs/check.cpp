@@ -17,7 +17,7 @@
 int main(int argc, char** argv) {
   using namespace synthetic_dataset;
   constexpr int kOdd = 3;
-  heap::prepare();
+  programs::heap::prepare();
   programs::CommandLine line;
   try {
     line = programs::parseCheckLine({argv + 1, argv + argc});

@@ -81,8 +81,8 @@ void printErrors(const programs::CommandLine& command_line,
 }
 
 int stopped(run::Reporter& reporter) {
-  const int signal = stop_signals::requested();
-  reporter.warning(std::string("stopped by ") + stop_signals::name(signal) +
+  const int signal = programs::stop_signals::requested();
+  reporter.warning(std::string("stopped by ") + programs::stop_signals::name(signal) +
                    ": the scenes made so far are whole; run the same command again to go on "
                    "(`if_exists: overwrite` starts anew)");
   return kInterrupted + signal;
@@ -152,7 +152,7 @@ int generateOrReport(const programs::CommandLine& command_line, run::Reporter& r
 }  // namespace
 
 int main(int argc, char** argv) {
-  heap::prepare();
+  programs::heap::prepare();
   base::printUtf8();
   programs::CommandLine command_line;
   try {
@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
   // Messages appear when they are made, also in files: a program that is stopped at once loses
   // none.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  stop_signals::install();
+  programs::stop_signals::install();
   if (command_line.config) {
     programs::ConsoleReporter for_people;
     programs::ScriptReporter for_scripts;

@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     return wants_help ? 0 : 1;
   }
   base::printUtf8();
-  stop_signals::ignoreFailedWriting();
+  programs::stop_signals::ignoreFailedWriting();
   programs::ConsoleReporter reporter;
   try {
     const run::RunSummary summary =

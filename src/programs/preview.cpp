@@ -46,7 +46,7 @@ synthetic_dataset::Value readSettings() {
 
 int main(int argc, char** argv) {
   using namespace synthetic_dataset;
-  heap::prepare();
+  programs::heap::prepare();
   base::printUtf8();
   const std::string first = argc > 1 ? argv[1] : "";
   if (first == "--help" || first == "-h") {

@@ -66,7 +66,7 @@ int serve(const programs::AssistantOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  heap::prepare();
+  programs::heap::prepare();
   base::printUtf8();
   programs::AssistantOptions options;
   try {
@@ -79,6 +79,6 @@ int main(int argc, char** argv) {
     std::cout << programs::assistantUsage();
     return 0;
   }
-  stop_signals::ignoreFailedWriting();
+  programs::stop_signals::ignoreFailedWriting();
   return programs::reportingErrors("setup_assistant", [&] { return serve(options); });
 }

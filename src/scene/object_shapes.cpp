@@ -37,7 +37,7 @@ void leaveOutShape(label::ObjectShape& shape, const ObjectOptions& config) {
 
 }  // namespace
 
-Cuboid boxRound(const std::vector<Eigen::Vector3d>& points) {
+Cuboid boxAround(const std::vector<Eigen::Vector3d>& points) {
   Cuboid box{points.front(), points.front()};
   for (const Eigen::Vector3d& point : points) {
     box.low = box.low.cwiseMin(point);
@@ -89,7 +89,7 @@ ObjectShapes::Variant ObjectShapes::measure(Variant variant, const ObjectOptions
   std::vector<Pose> X_OL;
   for (const world::Link* link : own) X_OL.push_back(link->X_ML);
   variant.box_at_rest_O =
-      boxRound(is_seen ? variant.geometry.box(X_OL) : variant.given.bounding_shape_O);
+      boxAround(is_seen ? variant.geometry.box(X_OL) : variant.given.bounding_shape_O);
   return variant;
 }
 
@@ -121,7 +121,7 @@ label::ObjectShape ObjectShapes::shapeOf(const Variant& variant,
   if (is_seen && shape.bounding_shape_O.empty()) {
     shape.bounding_shape_O = variant.geometry.box(X_OL);
   }
-  shape.cuboid_O = boxRound(is_seen ? variant.geometry.box(X_OL) : shape.bounding_shape_O);
+  shape.cuboid_O = boxAround(is_seen ? variant.geometry.box(X_OL) : shape.bounding_shape_O);
   for (const world::SurfacePoint& point : variant.keypoints) {
     shape.keypoints_O.push_back(X_OL[point.link] * point.p_L);
   }

@@ -12,8 +12,8 @@
 
 namespace synthetic_dataset::scene {
 
-/// The smallest box along the axes round points, of which there is one at least.
-[[nodiscard]] Cuboid boxRound(const std::vector<Eigen::Vector3d>& points);
+/// The smallest box along the axes around points, of which there is one at least.
+[[nodiscard]] Cuboid boxAround(const std::vector<Eigen::Vector3d>& points);
 
 /// The objects' keypoints and bounding shapes: as the parameters give them, in the size of the
 /// active variants, or found on these, scene by scene.

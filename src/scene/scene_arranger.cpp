@@ -33,7 +33,7 @@ std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
   for (const std::vector<const world::Link*>& links : models) {
     std::vector<Pose> X_ML;
     for (const world::Link* link : links) X_ML.push_back(link->X_ML);
-    boxes.push_back(boxRound(world::ModelGeometry(links).box(X_ML)));
+    boxes.push_back(boxAround(world::ModelGeometry(links).box(X_ML)));
   }
   return boxes;
 }

@@ -38,7 +38,7 @@ class SceneMaker {
   /// What a camera sees of the world as it stands now; what follows from pixels is left to
   /// PendingLabels, the picture itself to the PictureTaker, the optical flow to addOpticalFlow, the
   /// split to who plans them.
-  /// @param instant  the place of the scene's time in the timeline
+  /// @param instant  the index of the scene's time in the run
   /// @param X_GO  the objects' poses, in their order
   [[nodiscard]] SeenScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
                                std::vector<std::optional<Pose>> X_GO);

@@ -6,7 +6,7 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// The middle of part `i` of `count` equal parts of a span of time round 0.
+/// The middle of part `i` of `count` equal parts of a span of time around 0.
 double middleOf(int i, int count, Duration span) {
   return ((i + 0.5) / count - 0.5) * static_cast<double>(span.count());
 }

@@ -38,7 +38,7 @@ class Measures:
         self.count = len(chosen)
         self.scene = all_scenes[chosen]  # the row of its scene in arrays named scene_...
         self.object = rows['object'].astype(int)
-        order = {number: place for place, number in enumerate(sorted(dataset.classes))}
+        order = {number: index for index, number in enumerate(sorted(dataset.classes))}
         class_of = np.array([order[each.class_id] for each in dataset.objects], int)
         self.label_class = class_of[self.object] if self.count else np.zeros(0, int)
         self.split = self.scene_split[self.scene]

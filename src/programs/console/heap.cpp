@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace synthetic_dataset::heap {
+namespace synthetic_dataset::programs::heap {
 namespace {
 
 constexpr int kMegabyte = 1 << 20;
@@ -57,4 +57,4 @@ void prepare() {
   useLargePages();
 }
 
-}  // namespace synthetic_dataset::heap
+}  // namespace synthetic_dataset::programs::heap

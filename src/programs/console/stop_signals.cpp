@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-namespace synthetic_dataset::stop_signals {
+namespace synthetic_dataset::programs::stop_signals {
 namespace {
 
 constexpr int kShellsOffset = 128;  // exit codes of what a signal ended, as shells have them
@@ -96,4 +96,4 @@ const char* name(int signal) {
   }
 }
 
-}  // namespace synthetic_dataset::stop_signals
+}  // namespace synthetic_dataset::programs::stop_signals

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace synthetic_dataset::stop_signals {
+namespace synthetic_dataset::programs::stop_signals {
 
 /// Whether a message on stderr says what a signal does.
 enum class Messages {
@@ -27,4 +27,4 @@ void waitForScenes();
 /// Its name.
 [[nodiscard]] const char* name(int signal);
 
-}  // namespace synthetic_dataset::stop_signals
+}  // namespace synthetic_dataset::programs::stop_signals

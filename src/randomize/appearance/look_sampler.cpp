@@ -146,23 +146,23 @@ void LookSampler::findSurfaces(const std::string& target, const MaterialRandomiz
     };
     if (!errors.attempt(make)) return;
   }
-  std::map<std::string, std::size_t> places;  // in materials_, by name
+  std::map<std::string, std::size_t> indices;  // in materials_, by name
   for (const world::LinkInstance& link : world_.links()) {
     for (const world::Visual& visual : link.link->visuals) {
       if (!isMeant(target, link, visual)) continue;
       const std::string what = config.for_each_visual ? namesOf(link, visual).back() : link.model;
       const std::string name = "materials/" + target + (what == target ? "" : "/" + what);
-      const auto [place, is_new] = places.try_emplace(name, materials_.size());
+      const auto [index, is_new] = indices.try_emplace(name, materials_.size());
       if (is_new) {
         materials_.push_back({name, config, {}, {}, textures, parameter + "/textures"});
       }
       for (const world::Surface& surface : visual.surfaces) {
-        materials_[place->second].surfaces.push_back(&surface);
-        materials_[place->second].takes_texture.push_back(takesTexture(surface));
+        materials_[index->second].surfaces.push_back(&surface);
+        materials_[index->second].takes_texture.push_back(takesTexture(surface));
       }
     }
   }
-  if (!places.empty()) return;
+  if (!indices.empty()) return;
   errors.error(parameter,
                "the world has nothing of this name that can be seen; it should be objects, "
                "distractors, world, a model, model::link or model::link::visual" +

@@ -17,7 +17,7 @@ namespace synthetic_dataset::render {
 /// A triangle that a ray sees.
 struct SeenTriangle {
   int part = 0;             ///< its number in the draw list
-  std::uint32_t first = 0;  ///< of its three indices, the first one's place in Mesh::indices
+  std::uint32_t first = 0;  ///< of its three indices, that of the first one in Mesh::indices
   bool is_front = true;
   int row = -1;  ///< of the picture, at whose time it is seen; -1 where all rows have one time
 };

@@ -34,7 +34,7 @@ struct SeenSurfaces {
 /// Pixels whose light is to be found, when and in which thread ever.
 struct UnlitPixels {
   SeenSurfaces seen;
-  std::vector<cv::Rect> regions;  ///< of the picture, round those that are wanted
+  std::vector<cv::Rect> regions;  ///< of the picture, around those that are wanted
   cv::Mat wanted;         ///< CV_8UC1 of the picture: not 0 for these; what others hold is not sure
   Intrinsics intrinsics;  ///< of the picture
   Surroundings surroundings;
@@ -52,7 +52,7 @@ class LightPainter {
   /// @param parts  has to outlive this
   LightPainter(const GlFunctions& gl, const DrawList& parts, const world::Description& description);
 
-  /// Lights and surroundings from now on; what the parts wear is read from them.
+  /// Lights and surroundings from now on; what the parts look like is read from them.
   void setLook(const world::Look& look);
 
   /// What the light of surfaces is found from; with a picture, the sky or the background's colour

@@ -17,7 +17,7 @@ class ShadowLookup {
   ShadowLookup(const cv::Mat& depths, const Eigen::Matrix4d& shadow_from_camera, double texel,
                bool is_lamp);
 
-  /// The share of the light that passes, from 0 to 1: the mean over a square of 3 x 3 texels round
+  /// The share of the light that passes, from 0 to 1: the mean over a square of 3 x 3 texels around
   /// the place, whose rim counts by its share.
   /// @param normal  of the surface, towards the eye
   /// @param n_dot_l  the cosine of the angle between it and the way to the light

@@ -27,7 +27,7 @@ struct LiveDraw {
 [[nodiscard]] Value drawsValue(const LiveDraw& draw);
 
 /// The scene without its pictures, for programs: the camera with its pose, and of each object
-/// boxes, polygons round its visible mask, keypoints, the cuboid's corners, the projected bounding
+/// boxes, polygons around its visible mask, keypoints, the cuboid's corners, the projected bounding
 /// shape, the distance. Pixels' centres have whole coordinates. What has no place on the image's
 /// plane is null.
 [[nodiscard]] Value::Map sceneValue(const LiveScene& live);

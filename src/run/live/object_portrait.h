@@ -30,7 +30,7 @@ struct PortraitPoint {
 struct ObjectPortrait {
   cv::Mat picture;                       ///< CV_8UC3
   std::vector<PortraitPoint> keypoints;  ///< as the settings have them
-  Cuboid box_O;                          ///< round all that is seen of it
+  Cuboid box_O;                          ///< around all that is seen of it
 };
 
 /// A point on an object's surface.

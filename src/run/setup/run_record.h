@@ -25,7 +25,7 @@ namespace synthetic_dataset::run {
 [[nodiscard]] std::map<std::string, std::string> softwareVersions();
 
 /// The files that settings name, but for the world's and its models': recordings, calibrations,
-/// maps, and the pictures that surfaces may wear or that lie behind the world.
+/// maps, and the pictures that surfaces may have or that lie behind the world.
 [[nodiscard]] std::set<std::string> inputsNamedBy(const config::Config& config);
 
 /// Size and digest of a file that a dataset is made from.

@@ -26,7 +26,7 @@ std::string metres(double length) { return fixed(length, 3) + " m"; }
 void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O, base::Diagnostics& found) {
   const double model = diagonal(box_O);
   if (!object.bounding_shape_O.empty()) {
-    const Cuboid given = scene::boxRound(object.bounding_shape_O);
+    const Cuboid given = scene::boxAround(object.bounding_shape_O);
     const double reach = diagonal(given);
     if (reach > kStrange * model || model > kStrange * reach) {
       found.warning(object.name + "/bounding_shape", "its points reach over " + metres(reach) +

@@ -75,7 +75,7 @@ class MissingAssets : public ErrorList {
   std::size_t count_;
 };
 
-/// What reading files has brought to light, each thing once, in the order of its finding.
+/// What was found while files were read, each thing once, in the order in which it was found.
 struct Findings {
   std::vector<std::string> errors;
   std::vector<std::string> notes;  ///< what was left out or replaced

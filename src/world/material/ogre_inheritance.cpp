@@ -23,13 +23,13 @@ std::string nameOf(const OgreObject& object) {
   return "line " + std::to_string(object.line) + ": " + object.kind + " '" + object.name + "' ";
 }
 
-/// The section of the base that a child's section changes: of its name, else in its place among
+/// The section of the base that a child's section changes: of its name, else of its index among
 /// those of its kind; null where it is a new one.
-OgreObject* counterpart(OgreObject& base, const OgreObject& child, std::size_t place) {
+OgreObject* counterpart(OgreObject& base, const OgreObject& child, std::size_t index) {
   std::size_t count = 0;
   for (OgreObject& candidate : base.objects) {
     if (candidate.kind != child.kind) continue;
-    const bool matches = child.name.empty() ? count == place : candidate.name == child.name;
+    const bool matches = child.name.empty() ? count == index : candidate.name == child.name;
     if (matches) return &candidate;
     ++count;
   }
@@ -40,11 +40,11 @@ void addTo(OgreObject& base, OgreObject child) {
   base.name = child.name.empty() ? base.name : child.name;
   base.line = child.line;
   for (OgreProperty& property : child.properties) base.properties.push_back(std::move(property));
-  std::map<std::string, std::size_t> places;  // of the child's unnamed sections, by kind
+  std::map<std::string, std::size_t> counts;  // of the child's unnamed sections, by kind
   std::vector<OgreObject> added;
   for (OgreObject& inner : child.objects) {
-    const std::size_t place = inner.name.empty() ? places[inner.kind]++ : 0;
-    if (OgreObject* const changed = counterpart(base, inner, place)) {
+    const std::size_t index = inner.name.empty() ? counts[inner.kind]++ : 0;
+    if (OgreObject* const changed = counterpart(base, inner, index)) {
       addTo(*changed, std::move(inner));
     } else {
       added.push_back(std::move(inner));

@@ -31,9 +31,9 @@ const OgreProperty* propertyOf(const OgreObject& object, const std::string& name
   return found;
 }
 
-std::string wordOf(const OgreObject& object, const std::string& name, std::size_t place) {
+std::string wordOf(const OgreObject& object, const std::string& name, std::size_t index) {
   const OgreProperty* const property = propertyOf(object, name);
-  return property != nullptr && property->values.size() > place ? property->values[place] : "";
+  return property != nullptr && property->values.size() > index ? property->values[index] : "";
 }
 
 std::vector<const OgreObject*> sectionsOf(const OgreObject& object, const std::string& kind) {

@@ -12,9 +12,9 @@ namespace synthetic_dataset::world {
 /// The last property of this name, which is the one that counts, or null.
 [[nodiscard]] const OgreProperty* propertyOf(const OgreObject& object, const std::string& name);
 
-/// A property's word at a place, or nothing.
+/// A property's word at an index, or nothing.
 [[nodiscard]] std::string wordOf(const OgreObject& object, const std::string& name,
-                                 std::size_t place = 0);
+                                 std::size_t index = 0);
 
 /// The inner sections of a kind.
 [[nodiscard]] std::vector<const OgreObject*> sectionsOf(const OgreObject& object,

@@ -33,8 +33,8 @@ EmbeddedPictures gather(const MeshFile& file) {
   return pictures;
 }
 
-// Places count from 1; 0 is no embedded picture.
-std::uint64_t placeOf(const Embedded& picture, const EmbeddedPictures& pictures) {
+// They count from 1; 0 is no embedded picture.
+std::uint64_t numberOf(const Embedded& picture, const EmbeddedPictures& pictures) {
   if (!picture) return 0;
   const auto found = std::find(pictures.begin(), pictures.end(), picture);
   return static_cast<std::uint64_t>(found - pictures.begin()) + 1;
@@ -45,7 +45,7 @@ void write(const Reference& reference, const EmbeddedPictures& pictures, base::B
   if (!reference) return;
   writer.text(reference->uri);
   writer.text(reference->folder.string());
-  writer.number(placeOf(reference->embedded, pictures));
+  writer.number(numberOf(reference->embedded, pictures));
   writer.number(reference->alpha);
   writer.number(reference->content);
 }
@@ -55,9 +55,9 @@ Reference readReference(const EmbeddedPictures& pictures, base::ByteReader& read
   TextureReference reference;
   reference.uri = reader.text();
   reference.folder = reader.text();
-  const auto place = reader.number<std::uint64_t>();
-  if (place > pictures.size()) throw Error("its content came over incomplete");
-  if (place > 0) reference.embedded = pictures[place - 1];
+  const auto number = reader.number<std::uint64_t>();
+  if (number > pictures.size()) throw Error("its content came over incomplete");
+  if (number > 0) reference.embedded = pictures[number - 1];
   reference.alpha = reader.number<AlphaMeaning>();
   reference.content = reader.number<PictureContent>();
   return reference;

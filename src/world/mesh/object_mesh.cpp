@@ -37,16 +37,16 @@ class SurfaceVertices {
   /// Adds the surface's triangles, and those vertices that they use, to a model.
   void addTo(ObjectModel& model) const {
     constexpr std::int32_t kUnused = -1;
-    std::vector<std::int32_t> places(mesh_.positions.size(), kUnused);
+    std::vector<std::int32_t> numbers(mesh_.positions.size(), kUnused);
     for (std::size_t i = 0; i + 2 < mesh_.indices.size(); i += 3) {
       ObjectModel::Triangle triangle{};
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        std::int32_t& place = places[mesh_.indices[i + corner]];
-        if (place == kUnused) {
-          place = static_cast<std::int32_t>(model.vertices.size());
+        std::int32_t& number = numbers[mesh_.indices[i + corner]];
+        if (number == kUnused) {
+          number = static_cast<std::int32_t>(model.vertices.size());
           model.vertices.push_back(vertex(i, corner));
         }
-        triangle[corner] = place;
+        triangle[corner] = number;
       }
       model.triangles.push_back(triangle);
     }

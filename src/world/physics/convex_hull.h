@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::world {
 
-/// The smallest convex solid round some points.
+/// The smallest convex solid around some points.
 struct ConvexHull {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> triangles;  ///< all of the same winding

@@ -38,7 +38,7 @@ MassProperties solidOf(const CylinderShape& cylinder) {
 MassProperties solidOf(const PlaneShape&) { return {}; }
 
 /// The box around the points, at least kThinnest wide.
-MassProperties boxRound(const std::vector<Eigen::Vector3d>& points) {
+MassProperties boxAround(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d lowest = points.front();
   Eigen::Vector3d highest = points.front();
   for (const Eigen::Vector3d& point : points) {
@@ -81,7 +81,7 @@ MassProperties solidOf(const MeshShape& shape) {
   for (const Eigen::Vector3f& position : shape.mesh->positions) {
     points.push_back(position.cast<double>());
   }
-  const MassProperties box = boxRound(points);
+  const MassProperties box = boxAround(points);
   const MassProperties hull = polyhedron(convexHull(points));
   constexpr double kFlat = 1e-3;  // of the box's volume: a leaf in space, not a solid
   return hull.mass > kFlat * box.mass ? hull : box;
