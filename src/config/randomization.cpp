@@ -112,6 +112,7 @@ randomize::WeatherRandomization readWeather(Parameters group) {
   constexpr double kHeaviestRain = 500.0;  // [mm/h]
   constexpr double kHeaviestSnow = 20.0;   // [mm/h]; denser, nothing is seen
   constexpr double kStrongest = 100.0;     // [m/s]
+  constexpr double kDustiest = 0.2;        // of the glass
   randomize::WeatherRandomization weather;
   weather.present = maybeProbability(group, "present");
   weather.visibility = maybeDistribution(group, "visibility", {1, kNearest, kFarthest});
@@ -119,6 +120,7 @@ randomize::WeatherRandomization readWeather(Parameters group) {
   weather.snow = maybeDistribution(group, "snow", {1, 0.0, kHeaviestSnow});
   weather.wind = maybeDistribution(group, "wind", {3, -kStrongest, kStrongest, true});
   weather.colour = maybeDistribution(group, "colour", {3, 0.0, 1.0});
+  weather.dust = maybeDistribution(group, "dust", {1, 0.0, kDustiest});
   for (const char* entry : {"present", "wind", "colour"}) {
     if (!group.has(entry) || weather.changesAir()) continue;
     group.addError(entry, "has a meaning with visibility, rain or snow alone");

@@ -7,6 +7,7 @@
 #include "base/diagnostics.h"
 #include "motion/frame_source.h"
 #include "render/sensor/sensor_effects.h"
+#include "render/weather/lens_dust.h"
 #include "render/weather/weather.h"
 #include "scene/camera_options.h"
 #include "scene/object_options.h"
@@ -51,6 +52,7 @@ struct CameraRig {
   Shutter shutter = {};
   render::SensorEffects effects = {};
   render::Weather weather = {};  ///< before it
+  render::LensDust dust = {};    ///< on its glass
   render::DepthNoise depth_noise = {};
 
   /// Whether its pose is that of its own frame, which the source of motion has.

@@ -5,6 +5,7 @@
 
 #include "base/random/random_seed.h"
 #include "render/sensor/depth_noise.h"
+#include "render/weather/lens_dust.h"
 
 namespace synthetic_dataset::scene {
 
@@ -107,6 +108,10 @@ render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t sc
       return render::throughWeather(picture(), taken, weather, seed);
     };
     sensor.in_weather.reset();
+  }
+  if (cameras_[camera].dust.share > 0.0) {
+    seen = [picture = std::move(seen), model = cameras_[camera].model,
+            dust = cameras_[camera].dust] { return render::throughDust(picture(), model, dust); };
   }
   return [picture = std::move(seen), effects = cameras_[camera].effects,
           seed = base::randomSeed(seed_, scene_index, "sensor noise")] {

@@ -7,6 +7,7 @@
 
 #include "base/diagnostics.h"
 #include "base/json_text.h"
+#include "base/random/random_seed.h"
 #include "scene/field_of_view.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
@@ -30,6 +31,7 @@ SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<Cam
                                base::Diagnostics& found)
     : config_(config.randomization),
       seed_(static_cast<std::uint64_t>(config.seed)),
+      is_placed_(config.isPlaced()),
       objects_(config.objects.begin(),
                config.objects.begin() + static_cast<std::ptrdiff_t>(config.robotCount())),
       variants_(std::move(variants)),
@@ -89,7 +91,21 @@ void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,
     const auto angle = draws.number("sensor/field_of_view", config_.sensor.field_of_view);
     if (angle) cameras[i].model = withFieldOfView(models_[i], *angle);
     cameras_[i] = draws.values();
+    cameras[i].dust = dust(instant, cameras[i].name, cameras_[i]);
   }
+}
+
+/// A recording has one lens for each camera, with the same dust in all of its scenes; scenes that
+/// have nothing to do with one another have dust of their own.
+/// @param drawn  gets what was drawn
+render::LensDust SceneVariation::dust(std::int64_t instant, const std::string& camera,
+                                      std::vector<randomize::DrawnValue>& drawn) const {
+  const std::int64_t of = is_placed_ ? instant : 0;
+  randomize::EntryDraws draws(seed_, of, camera);
+  const auto share = draws.number("weather/dust", config_.weather.dust);
+  if (!share) return {};
+  drawn.push_back(draws.values().front());
+  return {*share, base::randomSeed(seed_, of, "dust on " + camera)};
 }
 
 /// That of all cameras.

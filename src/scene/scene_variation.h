@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -43,11 +44,14 @@ class SceneVariation {
 
  private:
   [[nodiscard]] render::Weather weather(randomize::EntryDraws& draws) const;
+  [[nodiscard]] render::LensDust dust(std::int64_t instant, const std::string& camera,
+                                      std::vector<randomize::DrawnValue>& drawn) const;
   [[nodiscard]] render::SensorEffects varied(const render::SensorEffects& effects,
                                              randomize::EntryDraws& draws) const;
 
   randomize::Randomization config_;
   std::uint64_t seed_;
+  bool is_placed_;                              ///< each scene by itself, not along a recording
   std::vector<render::SensorEffects> effects_;  ///< of the cameras, as they are set
   std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
   std::optional<randomize::LookSampler> looks_;

@@ -203,7 +203,8 @@ TEST(Randomization, ReadsAllOfTheWeather) {
       read(
           "{weather: {present: 0.3, visibility: {log_uniform: [20, 500]}, rain: {uniform: [1, "
           "60]}, "
-          "snow: 2, wind: {normal: [[0, 0, 0], [2, 2, 0]]}, colour: {uniform: [0.6, 0.9]}}}")
+          "snow: 2, wind: {normal: [[0, 0, 0], [2, 2, 0]]}, colour: {uniform: [0.6, 0.9]}, dust: "
+          "{uniform: [0, 0.1]}}}")
           .weather;
   EXPECT_EQ(weather.present, 0.3);
   expectRange(weather.visibility, 1, 20.0, 500.0);
@@ -211,7 +212,9 @@ TEST(Randomization, ReadsAllOfTheWeather) {
   expectRange(weather.snow, 1, 2.0, 2.0);
   expectRange(weather.wind, 3, -100.0, 100.0);
   expectRange(weather.colour, 3, 0.6, 0.9);
+  expectRange(weather.dust, 1, 0.0, 0.1);
   EXPECT_TRUE(weather.changesAir());
+  EXPECT_FALSE(read("{weather: {dust: 0.1}}").weather.changesAir());
   EXPECT_FALSE(read("{}").weather.changesAir());
 }
 
@@ -221,6 +224,7 @@ TEST(Randomization, RefusesWeatherOutOfRange) {
   EXPECT_EQ(errorOf("weather", "rain: -1"), "rain: found -1; it should be 0.0 to 500.0");
   EXPECT_EQ(errorOf("weather", "snow: {uniform: [0, 900]}"),
             "snow: found uniform: [0, 900]; it should be 0.0 to 20.0");
+  EXPECT_EQ(errorOf("weather", "dust: 0.3"), "dust: found 0.3; it should be 0.0 to 0.2");
   EXPECT_EQ(errorOf("weather", "wind: [0, 0, 0]"),
             "wind: has a meaning with visibility, rain or snow alone");
 }

@@ -168,7 +168,7 @@ TEST_F(Variation, LeavesLabelsAndMasksAsTheyAre) {
       "procedural}, world: {colour: {uniform: [[0, 0, 0], 1]}}}, sensor: {exposure: {uniform: [-1, "
       "1]}, noise_stddev: {uniform: [0.01, 0.05]}, blur: {uniform: [0.5, 2]}}, weather: "
       "{visibility: "
-      "{uniform: [2, 20]}, rain: 30, snow: 2}}");
+      "{uniform: [2, 20]}, rain: 30, snow: 2, dust: 0.1}}");
   Files varied = filesAnew();
   ASSERT_EQ(varied.size(), plain.size());
   int labels = 0;
@@ -371,7 +371,8 @@ class VariedRun : public ::testing::Test {
         "model, colour: {uniform: [[0, 0, 0], 1]}}}, sensor: {exposure: {uniform: [-1, 1]}, "
         "noise_stddev: {uniform: [0, 0.03]}}, weather: {present: 0.8, visibility: {uniform: [3, "
         "30]}, "
-        "rain: {uniform: [5, 50]}, snow: {uniform: [0, 2]}}, objects: {bravo: {present: 0.6}}, "
+        "rain: {uniform: [5, 50]}, snow: {uniform: [0, 2]}, dust: {uniform: [0.01, 0.1]}}, "
+        "objects: {bravo: {present: 0.6}}, "
         "distractors: "
         "{class: clutter, mode: drop, pool: 8, count: {uniform: [0, 5]}, volume: {min: [-1, -1, "
         "0.3], max: [1, 1, 1.2]}}}");
@@ -406,6 +407,21 @@ TEST_F(VariedRun, HasAnExposureOfEachCamerasOwnAndALightForAll) {
     for (const Draws* each : {&left, &right}) exposures.insert(each->at("sensor/exposure").at(0));
   }
   EXPECT_EQ(exposures.size(), 16U);
+}
+
+TEST_F(VariedRun, HasTheSameDustOnEachLensInTheWholeRecording) {
+  (void)run.run();
+  const auto draws = drawsIn(run.folder());
+  ASSERT_EQ(draws.size(), 16U);
+  std::set<double> left;
+  std::set<double> right;
+  for (std::int64_t instant = 0; instant < 8; ++instant) {
+    left.insert(draws.at(2 * instant).at("weather/dust").at(0));
+    right.insert(draws.at(2 * instant + 1).at("weather/dust").at(0));
+  }
+  EXPECT_EQ(left.size(), 1U);
+  EXPECT_EQ(right.size(), 1U);
+  EXPECT_NE(left, right);
 }
 
 TEST_F(VariedRun, GivesTheBytesOfAnUnbrokenOneWhenResumed) {

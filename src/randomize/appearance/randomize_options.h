@@ -76,7 +76,7 @@ struct SensorRandomization {
   std::optional<base::Distribution> field_of_view;
 };
 
-/// What is drawn anew of the air; nothing: none of it.
+/// What is drawn anew of the air, and of dust; nothing: none of it.
 struct WeatherRandomization {
   std::optional<double> present;  ///< how likely there is any, 0 .. 1; nothing: always
   std::optional<base::Distribution> visibility;  ///< in fog [m], > 0
@@ -85,6 +85,10 @@ struct WeatherRandomization {
   std::optional<base::Distribution> wind;        ///< in the global frame [m/s]
   std::optional<base::Distribution> colour;      ///< of fog, drops and flakes; sRGB-encoded red,
                                                  ///< green, blue, 0 .. 1
+
+  /// On each camera's glass: the share of it that is covered, 0 .. 0.2; there whether there is
+  /// anything else or not.
+  std::optional<base::Distribution> dust;
 
   [[nodiscard]] bool changesAir() const { return visibility || rain || snow; }
 };

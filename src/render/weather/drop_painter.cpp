@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "render/weather/lens_aperture.h"
+
 namespace synthetic_dataset::render {
 namespace {
 
@@ -11,7 +13,6 @@ constexpr int kReach = 10;                 // [m] from the camera
 constexpr double kFaintest = 1.0 / 255.0;  // a share of a pixel's light
 constexpr double kSmallest = 2e-4;         // [m]
 constexpr double kLargest = 0.05;          // [m]
-constexpr double kAperture = 2e-3;         // [m]
 
 /// A straight stroke with round ends.
 struct Streak {
@@ -90,7 +91,7 @@ class DropPainter {
   /// @param length  of its way across the view [m]
   /// @param scale  [px/m]
   [[nodiscard]] double density(double diameter, double length, double scale) const {
-    const Outline outline = outlineOf(diameter * scale, kAperture * scale);
+    const Outline outline = outlineOf(diameter * scale, kLensAperture * scale);
     return precipitation_.opacityOf(diameter) *
            densityOf(diameter * scale, outline.width, length * scale);
   }
@@ -135,7 +136,7 @@ class DropPainter {
     const double scale = focal_ / distance;
     const double dense = density(drop.diameter, (*to - *from).norm() / scale, scale);
     if (dense < kFaintest) return;
-    const Outline outline = outlineOf(drop.diameter * scale, kAperture * scale);
+    const Outline outline = outlineOf(drop.diameter * scale, kLensAperture * scale);
     draw({*from, *to, outline.width, outline.rim, dense}, static_cast<float>(distance));
   }
 

@@ -152,6 +152,9 @@ function weather() {
         at('visibility'), {label: 'Visibility in fog', unit: 'm', range: [1, 1000], start: {log_uniform: [20, 500]}}),
     distribution(at('rain'), {label: 'Rain', unit: 'mm/h', range: [0, 100], start: {log_uniform: [2, 50]}}),
     distribution(at('snow'), {label: 'Snow, as water', unit: 'mm/h', range: [0, 10], start: {log_uniform: [0.2, 3]}}),
+    distribution(
+        at('dust'),
+        {label: 'Dust on the lens, share', range: [0, 0.2], start: {log_uniform: [0.002, 0.05]}}),
     isSet ?
         [
           distribution(
