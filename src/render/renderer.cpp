@@ -15,6 +15,7 @@
 #include "render/picture/light_painter.h"
 #include "render/picture/picture_cache.h"
 #include "render/pixels/pixel_bands.h"
+#include "render/shadows/held_casters.h"
 #include "render/shadows/shadow_projection.h"
 
 namespace synthetic_dataset::render {
@@ -72,21 +73,22 @@ struct Renderer::Impl {
   PendingPicture drawPinhole(const View& view, const std::vector<Pose>& X_WL,
                              const ColourPass& pass, const std::vector<cv::Rect>& regions,
                              const std::vector<ShadowProjection>& shadows,
-                             const View* whole = nullptr) {
+                             const View* whole = nullptr, const std::vector<Pose>* held = nullptr) {
     const bool smooth = pass.sampling == Sampling::kSmooth;
     UnfinishedPicture picture = pictures.get(view).paint(
-        {view, X_WL, pass.drawn, shadows, pass.exposure, whole, detailOf(pass)}, pass.casting,
+        {view, X_WL, pass.drawn, shadows, pass.exposure, whole, detailOf(pass), held}, pass.casting,
         smooth, regions);
     return [this, picture = std::move(picture)] { return finished(picture, edge_smoother); };
   }
 
   PendingPicture drawThroughLens(const View& view, const std::vector<Pose>& X_WL,
                                  const ColourPass& pass,
-                                 const std::vector<ShadowProjection>& shadows) {
+                                 const std::vector<ShadowProjection>& shadows,
+                                 const std::vector<Pose>* held = nullptr) {
     if (!light_painter.hasOverlay(pass.drawn)) {
       return lens_painter.paint(
-          {view, X_WL, pass.drawn, shadows, pass.exposure, nullptr, detailOf(pass)}, pass.casting,
-          pass.sampling == Sampling::kSmooth, pass.regions);
+          {view, X_WL, pass.drawn, shadows, pass.exposure, nullptr, detailOf(pass), held},
+          pass.casting, pass.sampling == Sampling::kSmooth, pass.regions);
     }
     const std::shared_ptr<const LensMap> lens = lenses.get(view.camera);
     const cv::Rect image(0, 0, view.camera.width(), view.camera.height());
@@ -97,7 +99,7 @@ struct Renderer::Impl {
       std::vector<cv::Rect> needed;
       for (const cv::Rect& region : regions) needed.push_back(neededOf(*lens, face, region));
       if (boundsOf(needed).empty()) continue;
-      faces[face] = drawPinhole(views[face], X_WL, pass, needed, shadows, &view);
+      faces[face] = drawPinhole(views[face], X_WL, pass, needed, shadows, &view, held);
     }
     const cv::Scalar background = light_painter.backgroundPixel(pass.exposure);
     const auto resample = pass.sampling == Sampling::kSmooth ? resampleSmooth : resampleCentres;
@@ -110,6 +112,28 @@ struct Renderer::Impl {
       }
       return picture;
     };
+  }
+
+  /// Shadow maps that hold what is seen shaded at any of these moments.
+  std::vector<ShadowProjection> sharedShadows(const CameraModel& camera,
+                                              const std::vector<RollingMoment>& moments,
+                                              const LinkSelection& casting) {
+    std::vector<View> views;
+    Bounds casters;
+    const Pose* last = nullptr;
+    for (const RollingMoment& moment : moments) {
+      casters.extend(draw_list.casterBounds(moment.X_WL, casting));
+      if (last != nullptr && moment.X_WC.matrix() == last->matrix()) continue;
+      last = &moment.X_WC;
+      const View view{camera, moment.X_WC};
+      const bool distorted = hasDistortion(camera);
+      for (const View& face :
+           distorted ? faceViews(*lenses.get(camera), view) : std::vector<View>{view}) {
+        views.push_back(face);
+      }
+    }
+    return shadowProjections(lights, views, casters, options.shadow_distance,
+                             options.shadow_map_size);
   }
 
   /// A picture for each band, at the time of its middle.
@@ -182,25 +206,29 @@ PendingPicture Renderer::draw(const View& view, const std::vector<Pose>& X_WL,
                    : impl.drawPinhole(view, X_WL, pass, pass.regions, shadows);
 }
 
+void Renderer::drawExposure(const CameraModel& camera, const std::vector<RollingMoment>& moments,
+                            const ColourPass& pass,
+                            const std::function<void(const cv::Mat&)>& see) {
+  Impl& impl = *impl_;
+  const auto shadows = impl.sharedShadows(camera, moments, pass.casting);
+  std::vector<const std::vector<Pose>*> poses;
+  for (const RollingMoment& moment : moments) poses.push_back(&moment.X_WL);
+  const auto held = heldForShadows(impl.draw_list.parts(), poses, shadows);
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const View view{camera, moments[i].X_WC};
+    const std::vector<Pose>& X_WL = moments[i].X_WL;
+    see(hasDistortion(camera)
+            ? impl.drawThroughLens(view, X_WL, pass, shadows, &held[i])()
+            : impl.drawPinhole(view, X_WL, pass, pass.regions, shadows, nullptr, &held[i])());
+  }
+}
+
 PendingPicture Renderer::draw(const RollingView& view, const ColourPass& pass) {
   Impl& impl = *impl_;
   if (impl.light_painter.hasOverlay(pass.drawn)) return impl.drawInBands(view, pass, *this);
   const RollingMoment middle = view.middle();
   const View at_middle{view.camera, middle.X_WC};
-  const auto lens = impl.lenses.get(view.camera);
-  std::vector<View> views;
-  Bounds casters;
-  for (const RollingMoment& moment : view.moments) {
-    casters.extend(impl.draw_list.casterBounds(moment.X_WL, pass.casting));
-    if (!views.empty() && moment.X_WC.matrix() == views.back().X_WC.matrix()) continue;
-    views.push_back({view.camera, moment.X_WC});
-  }
-  std::vector<View> faces;
-  for (const View& each : views) {
-    for (const View& face : faceViews(*lens, each)) faces.push_back(face);
-  }
-  const auto shadows = shadowProjections(impl.lights, faces, casters, impl.options.shadow_distance,
-                                         impl.options.shadow_map_size);
+  const auto shadows = impl.sharedShadows(view.camera, view.moments, pass.casting);
   return impl.lens_painter.paintInRows(
       {at_middle, middle.X_WL, pass.drawn, shadows, pass.exposure, nullptr, impl.detailOf(pass)},
       view, pass.casting, pass.sampling == Sampling::kSmooth);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -76,6 +77,14 @@ class Renderer {
   /// draws now; what is called later, in any thread, makes the picture of it.
   [[nodiscard]] PendingPicture draw(const View& view, const std::vector<Pose>& X_WL,
                                     const ColourPass& pass);
+
+  /// Pictures that follow one another closely, as an exposure has them: draw() at each moment, but
+  /// that shadow maps lie where they do for all of them, and that what moves by less than a texel
+  /// of them casts the same shadow.
+  /// @param moments  without rows
+  /// @param see  is called with each picture
+  void drawExposure(const CameraModel& camera, const std::vector<RollingMoment>& moments,
+                    const ColourPass& pass, const std::function<void(const cv::Mat&)>& see);
 
   /// The same of a picture whose rows are taken one after the other: each shows what is seen at its
   /// own time. Lights and shadows are those of its band; where there is a sky, a background picture

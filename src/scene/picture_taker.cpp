@@ -38,23 +38,12 @@ void PictureTaker::expose(std::size_t camera, Stamp instant, Duration offset) {
   const CameraRig& rig = cameras_[camera];
   Sensor& sensor = sensors_[camera];
   for (std::size_t i = 0; i < sensor.shots.size(); ++i) {
-    const Shot& shot = sensor.shots[i];
-    for (const ShotMoment& moment : shot.moments) {
+    for (const ShotMoment& moment : sensor.shots[i].moments) {
       if (moment.offset != offset) continue;
-      render::PendingPicture picture;
-      if (shot.rolls()) {
-        sensor.moments[i].push_back(
-            {moment.row, viewOf(rig, instant, offset).X_WC, world_.linkPoses()});
-        if (sensor.moments[i].size() < shot.moments.size()) continue;
-        picture = drawInRows(rig, std::exchange(sensor.moments[i], {}));
+      if (sensor.isSimple()) {
+        sensor.picture = draw(rig, instant, offset);
       } else {
-        picture = draw(rig, instant, offset);
-      }
-      if (sensor.light) {
-        const cv::Mat pixels = picture();
-        sensor.light->add(pixels, {cv::Point(), pixels.size()}, shot.weight);
-      } else {
-        sensor.picture = std::move(picture);
+        wait(rig, instant, i, moment, sensor);
       }
     }
   }
@@ -63,24 +52,52 @@ void PictureTaker::expose(std::size_t camera, Stamp instant, Duration offset) {
   }
 }
 
+/// Keeps in mind where all is; draws when the last moment of what is drawn at once has come.
+void PictureTaker::wait(const CameraRig& camera, Stamp instant, std::size_t shot,
+                        const ShotMoment& moment, Sensor& sensor) {
+  const bool rolls = sensor.shots[shot].rolls();
+  // Samples without rows are drawn one after the other, but with the same shadow maps.
+  std::vector<render::RollingMoment>& moments = sensor.moments[rolls ? shot : 0];
+  const std::size_t count = rolls ? sensor.shots[shot].moments.size() : sensor.shots.size();
+  const render::LinkSelection present = world_.presentLinks();
+  if (sensor.present.empty()) sensor.present = present;
+  for (std::size_t link = 0; link < present.size(); ++link) {
+    sensor.present[link] = sensor.present[link] && present[link];
+  }
+  moments.push_back({moment.row, viewOf(camera, instant, moment.offset).X_WC, world_.linkPoses()});
+  if (moments.size() < count) return;
+  const render::ColourPass pass = passOf(camera, sensor.present);
+  const auto add = [&](const cv::Mat& pixels) {
+    sensor.light->add(pixels, {cv::Point(), pixels.size()}, sensor.shots[shot].weight);
+  };
+  if (!rolls) {
+    renderer_.drawExposure(camera.model, std::exchange(moments, {}), pass, add);
+    return;
+  }
+  const int bands = static_cast<int>(count) - 1;
+  render::PendingPicture picture =
+      renderer_.draw(render::RollingView{camera.model, std::exchange(moments, {}), bands}, pass);
+  if (sensor.light) {
+    add(picture());
+  } else {
+    sensor.picture = std::move(picture);
+  }
+}
+
 render::View PictureTaker::viewOf(const CameraRig& camera, Stamp instant, Duration offset) const {
   return {camera.model, cameraPose(camera, world_, frames_, instant, offset)};
 }
 
-render::ColourPass PictureTaker::pass(const CameraRig& camera) const {
-  render::ColourPass pass{world_.presentLinks(), world_.presentLinks()};
+render::ColourPass PictureTaker::passOf(const CameraRig& camera,
+                                        const render::LinkSelection& present) {
+  render::ColourPass pass{present, present};
   pass.exposure = static_cast<float>(render::gainOf(camera.effects));
   return pass;
 }
 
 render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset) {
-  return renderer_.draw(viewOf(camera, instant, offset), world_.linkPoses(), pass(camera));
-}
-
-render::PendingPicture PictureTaker::drawInRows(const CameraRig& camera,
-                                                std::vector<render::RollingMoment> moments) {
-  const int bands = static_cast<int>(moments.size()) - 1;
-  return renderer_.draw(render::RollingView{camera.model, std::move(moments), bands}, pass(camera));
+  return renderer_.draw(viewOf(camera, instant, offset), world_.linkPoses(),
+                        passOf(camera, world_.presentLinks()));
 }
 
 /// What the weather hides follows from the middle of the exposure.
@@ -98,6 +115,7 @@ render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t sc
     sensor.picture = [seen = sensor.light->result()] { return seen; };
     sensor.light->clear();
   }
+  sensor.present.clear();
   render::PendingPicture seen = std::exchange(sensor.picture, {});
   if (sensor.in_weather) {
     // The cameras of an instant see the same drops.

@@ -47,18 +47,26 @@ class PictureTaker {
   /// A camera's plan, and what has fallen on its sensor so far.
   struct Sensor {
     std::vector<Shot> shots;
-    std::vector<std::vector<render::RollingMoment>> moments;  ///< so far, of each shot that rolls
+
+    /// That have come so far: of each shot that rolls, or of all other shots together.
+    std::vector<std::vector<render::RollingMoment>> moments;
+
+    render::LinkSelection present;                   ///< at all of these moments
     std::optional<render::LinearAccumulator> light;  ///< where a picture takes several shots
     render::PendingPicture picture;                  ///< where it takes one
     std::optional<render::TakenView> in_weather;     ///< at the instant, unless the air is clear
+
+    /// Whether the picture is that of one moment.
+    [[nodiscard]] bool isSimple() const { return shots.size() == 1 && !shots.front().rolls(); }
   };
 
   [[nodiscard]] render::View viewOf(const CameraRig& camera, Stamp instant, Duration offset) const;
-  [[nodiscard]] render::ColourPass pass(const CameraRig& camera) const;
+  [[nodiscard]] static render::ColourPass passOf(const CameraRig& camera,
+                                                 const render::LinkSelection& present);
   [[nodiscard]] render::PendingPicture draw(const CameraRig& camera, Stamp instant,
                                             Duration offset);
-  [[nodiscard]] render::PendingPicture drawInRows(const CameraRig& camera,
-                                                  std::vector<render::RollingMoment> moments);
+  void wait(const CameraRig& camera, Stamp instant, std::size_t shot, const ShotMoment& moment,
+            Sensor& sensor);
   [[nodiscard]] render::TakenView lookThroughWeather(const CameraRig& camera, Stamp instant);
 
   const world::World& world_;

@@ -128,6 +128,31 @@ TEST_P(RollingPicture, IsThatOfWhichNothingWasKept) {
   }
 }
 
+TEST_P(RollingPicture, ExposuresHaveThePicturesOfTheirMoments) {
+  world::Light sun;
+  sun.casts_shadow = true;
+  sun.direction_L = Eigen::Vector3d(0.3, 1, 0.4).normalized();
+  description.lights = {sun};
+  description.ambient = {0.3F, 0.3F, 0.3F};
+  Renderer renderer(description, stage.links(), {});
+  std::vector<RollingMoment> moments;
+  for (int i = 0; i < 4; ++i) moments.push_back(momentAt(0.001 * i));
+  std::size_t next = 0;
+  renderer.drawExposure(view().camera, moments, pass(Sampling::kSmooth), [&](const cv::Mat& seen) {
+    const RollingMoment& moment = moments[next++];
+    const cv::Mat expected =
+        renderer.colour({view().camera, moment.X_WC}, moment.X_WL, pass(Sampling::kSmooth));
+    cv::Mat difference;
+    cv::absdiff(seen, expected, difference);
+    cv::Mat differs;
+    cv::inRange(difference, cv::Scalar::all(0), cv::Scalar::all(1), differs);
+    // The rims of shadows follow the texels of their maps, which lie elsewhere.
+    EXPECT_LT(kWidth * kHeight - cv::countNonZero(differs), kWidth * kHeight / 50);
+    EXPECT_LT(cv::mean(difference.reshape(1))[0], 0.2);
+  });
+  EXPECT_EQ(next, moments.size());
+}
+
 TEST_P(RollingPicture, HasItsRowsUnderASkyInBands) {
   description.sky = world::Sky();
   Renderer renderer(description, stage.links(), {});

@@ -21,6 +21,11 @@ struct ColourScene {
   const View* whole = nullptr;
 
   LightDetail detail = LightDetail::kSimple;
+
+  /// Where links cast their shadows, where that is not quite X_WL.
+  const std::vector<Pose>* held = nullptr;
+
+  [[nodiscard]] const std::vector<Pose>& castingPoses() const { return held ? *held : X_WL; }
 };
 
 }  // namespace synthetic_dataset::render

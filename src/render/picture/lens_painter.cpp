@@ -13,6 +13,7 @@
 #include "render/picture/changed_pixels.h"
 #include "render/pixels/pixel_bands.h"
 #include "render/pixels/srgb.h"
+#include "render/shadows/held_casters.h"
 #include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::render {
@@ -26,9 +27,11 @@ struct UnlitLens {
   cv::Mat elsewhere;              ///< CV_8UC3: what is not in `pixels`
   cv::Mat pixels;                 ///< CV_8UC1: 255 for the other pixels
   std::vector<cv::Rect> regions;  ///< around these
-  cv::Rect place;                 ///< around them, and those by them where edges are smooth
-  cv::Mat known;                  ///< CV_8UC1: not 0 for those whose surfaces these need
-  std::vector<UnlitPixels> lit;   ///< in one or in bands, whose surfaces are still to be found
+  cv::Mat wanted;                 ///< CV_8UC1: these, and those by them where edges are smooth
+  std::vector<cv::Rect> wanted_regions;
+  cv::Mat known;                 ///< CV_8UC1: not 0 for those whose surfaces the wanted ones need
+  cv::Rect place;                ///< around them
+  std::vector<UnlitPixels> lit;  ///< in one or in bands, whose surfaces are still to be found
   EdgeScene scene;
   GeometryPlanes planes = {};
   bool is_classic = false;
@@ -112,7 +115,7 @@ Occluders occludersOf(const LensSight& sight, const CameraModel& camera) {
 UnlitLens gather(const PictureCrew& crew, const ColourScene& scene,
                  const std::shared_ptr<const LensSight>& sight, bool smooth,
                  const cv::Mat& pixels) {
-  UnlitLens picture{sight, {}, {}, {}, {}, {}, {}, {scene.view, scene.X_WL, scene.drawn}};
+  UnlitLens picture{sight, {}, {}, {}, {}, {}, {}, {}, {}, {scene.view, scene.X_WL, scene.drawn}};
   picture.elsewhere =
       cv::Mat(pixels.size(), CV_8UC3, crew.light_painter.backgroundPixel(scene.exposure));
   picture.pixels = pixels;
@@ -122,11 +125,11 @@ UnlitLens gather(const PictureCrew& crew, const ColourScene& scene,
   picture.planes = crew.geometry_painter.planes();
   picture.is_classic = crew.parts.isClassic();
   // Edges take their light from the pixels around them.
-  picture.known = smooth ? withPixelsAround(pixels) : pixels;
-  if (scene.detail == LightDetail::kFull) {
-    picture.known = withPixelsAround(picture.known, kOcclusionSmoothing);
-  }
-  picture.place = boundsOf(bandsOf(picture.known));
+  picture.wanted = smooth ? withPixelsAround(pixels) : pixels;
+  picture.wanted_regions = bandsOf(picture.wanted);
+  const bool is_full = scene.detail == LightDetail::kFull;
+  picture.known = is_full ? withPixelsAround(picture.wanted, kOcclusionSmoothing) : picture.wanted;
+  picture.place = boundsOf(is_full ? bandsOf(picture.known) : picture.wanted_regions);
   return picture;
 }
 
@@ -140,8 +143,8 @@ UnlitPixels lightsOf(const PictureCrew& crew, const ColourScene& scene) {
 void addLit(UnlitPixels lights, const cv::Rect& rows, const ColourScene& scene,
             UnlitLens& picture) {
   if (picture.regions.empty()) return;
-  lights.wanted = picture.smooth ? withPixelsAround(picture.pixels) : picture.pixels;
-  for (const cv::Rect& region : bandsOf(lights.wanted)) {
+  lights.wanted = picture.wanted;
+  for (const cv::Rect& region : picture.wanted_regions) {
     if (!(region & rows).empty()) lights.regions.push_back(region & rows);
   }
   if (lights.regions.empty()) return;
@@ -286,6 +289,7 @@ struct LensPainter::Band {
   cv::Rect rows;
   RollingMoment begin, middle, end;
   View view;
+  std::vector<Pose> X_WL_casting;
   std::vector<LinkSelection> moving;  ///< as ShadowPainter::paint() has them
 
   [[nodiscard]] ColourScene scene(const ColourScene& whole) const {
@@ -305,7 +309,7 @@ std::vector<LensPainter::Band> LensPainter::bandsOfRows(const ColourScene& scene
     const double last = first + here.height - 1;
     RollingMoment middle = rows.at(0.5 * (first + last));
     const View view{rows.camera, middle.X_WC};
-    bands.push_back({here, rows.at(first), std::move(middle), rows.at(last), view, {}});
+    bands.push_back({here, rows.at(first), std::move(middle), rows.at(last), view, {}, {}});
     Band& band = bands.back();
     if (hasDistortion(rows.camera)) continue;
     band.moving =
@@ -313,6 +317,11 @@ std::vector<LensPainter::Band> LensPainter::bandsOfRows(const ColourScene& scene
                     crew_.parts.parts(), band.view, band.middle.X_WL, scene.drawn, casting,
                     crew_.lights, scene.shadows);
   }
+  std::vector<const std::vector<Pose>*> poses;
+  for (const Band& band : bands) poses.push_back(&band.middle.X_WL);
+  const std::vector<std::vector<Pose>> held =
+      heldForShadows(crew_.parts.parts(), poses, scene.shadows);
+  for (std::size_t i = 0; i < bands.size(); ++i) bands[i].X_WL_casting = held[i];
   return bands;
 }
 
@@ -333,7 +342,7 @@ PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingV
   }
   for (const Band& band : bands) {
     const ColourScene here = band.scene(scene);
-    crew_.shadow_painter.paint(here.shadows, here.X_WL, casting, band.moving);
+    crew_.shadow_painter.paint(here.shadows, band.X_WL_casting, casting, band.moving);
     lights.push_back(lightsOf(crew_, here));
     if (before == nullptr) continue;
     const SeenGeometry seen{

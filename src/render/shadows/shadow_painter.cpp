@@ -197,7 +197,7 @@ bool ShadowPainter::isCastByRaster(const ShadowProjection& shadow, const std::ve
 
 std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
                                                 const std::vector<Pose>& X_WL,
-                                                const LinkSelection& casting) const {
+                                                const LinkSelection& casting) {
   const int size = maps_.whole().width;
   const Eigen::Matrix4d map_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
   std::vector<MapPiece> pieces;
@@ -207,9 +207,14 @@ std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
     const Eigen::Matrix4d map_from_mesh = map_from_world * (X_WL[part.link] * part.X_LV).matrix();
     // A light may be within a body.
     const bool fronts_alone = part.casts_by_front && isParallel(shadow);
-    auto piece = castPiece(*part.shape, Eigen::Projective3f(map_from_mesh.cast<float>()), size,
-                           fronts_alone);
-    if (piece) pieces.push_back(std::move(*piece));
+    const auto [known, is_new] = casts_.try_emplace({shadow.layer, &part});
+    Cast& cast = known->second;
+    if (is_new || cast.map_from_mesh != map_from_mesh || cast.fronts_alone != fronts_alone) {
+      const Eigen::Projective3f map_from_vertex(map_from_mesh.cast<float>());
+      cast = {map_from_mesh, fronts_alone,
+              castPiece(*part.shape, map_from_vertex, size, fronts_alone)};
+    }
+    if (cast.piece) pieces.push_back(*cast.piece);
   }
   return pieces;
 }

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
@@ -53,6 +58,13 @@ class ShadowPainter {
     std::shared_ptr<MapDepths::Standing> standing;  ///< or all casters, if they are not kept
   };
 
+  /// What a part was cast as last, on some layer. The same again is the same piece.
+  struct Cast {
+    Eigen::Matrix4d map_from_mesh;
+    bool fronts_alone = false;
+    std::optional<MapPiece> piece;
+  };
+
   [[nodiscard]] static bool isSame(const Layer& layer, const ShadowProjection& shadow,
                                    const LinkSelection& casting);
   void begin();
@@ -64,7 +76,7 @@ class ShadowPainter {
                                     const LinkSelection& casting) const;
   [[nodiscard]] std::vector<MapPiece> castPieces(const ShadowProjection& shadow,
                                                  const std::vector<Pose>& X_WL,
-                                                 const LinkSelection& casting) const;
+                                                 const LinkSelection& casting);
   [[nodiscard]] std::shared_ptr<MapDepths::Standing> readAll(int layer) const;
   [[nodiscard]] std::vector<cv::Rect> texelsOfMoving(const ShadowProjection& shadow,
                                                      const std::vector<Pose>& X_WL,
@@ -80,6 +92,7 @@ class ShadowPainter {
   ShadowMaps maps_;
   bool has_glass_;  ///< which OpenGL lights
   std::vector<Layer> layers_;
+  std::map<std::pair<int, const Part*>, Cast> casts_;  ///< by layer and part
 };
 
 }  // namespace synthetic_dataset::render
