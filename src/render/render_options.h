@@ -10,10 +10,10 @@ enum class GlassInLabels {
   kClear,      ///< none
 };
 
-/// How much of the light that is everywhere is worked out.
+/// How much of the light is worked out.
 enum class LightDetail {
-  kSimple,  ///< it is the same on all surfaces, as in Gazebo
-  kFull,    ///< less of it reaches what others are near
+  kSimple,  ///< as in Gazebo: what is everywhere is the same on all surfaces
+  kFull,    ///< less of it reaches what others are near; lights have a size, and points cast shadows
 };
 
 struct RenderOptions {

@@ -38,8 +38,9 @@ struct Renderer::Impl {
         gl(context.gl()),
         draw_list(gl, links, description.simulator, options.glass_in_labels),
         geometry_painter(gl, draw_list),
-        light_painter(gl, draw_list, description),
-        shadow_painter(gl, draw_list, options.shadow_map_size, shadowCount(description.lights)),
+        light_painter(gl, draw_list, description, options.light),
+        shadow_layout(shadowLayout(description.lights, options.shadow_map_size, options.light)),
+        shadow_painter(gl, draw_list, shadow_layout),
         edge_smoother(draw_list),
         eye(draw_list, lenses, options.reuse),
         label_painter(gl, draw_list, eye),
@@ -117,12 +118,12 @@ struct Renderer::Impl {
   /// Shadow maps that hold what is seen shaded at any of these moments.
   std::vector<ShadowProjection> sharedShadows(const CameraModel& camera,
                                               const std::vector<RollingMoment>& moments,
-                                              const LinkSelection& casting) {
+                                              const ColourPass& pass) {
     std::vector<View> views;
     Bounds casters;
     const Pose* last = nullptr;
     for (const RollingMoment& moment : moments) {
-      casters.extend(draw_list.casterBounds(moment.X_WL, casting));
+      casters.extend(draw_list.casterBounds(moment.X_WL, pass.casting));
       if (last != nullptr && moment.X_WC.matrix() == last->matrix()) continue;
       last = &moment.X_WC;
       const View view{camera, moment.X_WC};
@@ -132,8 +133,8 @@ struct Renderer::Impl {
         views.push_back(face);
       }
     }
-    return shadowProjections(lights, views, casters, options.shadow_distance,
-                             options.shadow_map_size);
+    return shadowProjections(lights, views, casters, options.shadow_distance, shadow_layout,
+                             detailOf(pass));
   }
 
   /// A picture for each band, at the time of its middle.
@@ -160,6 +161,7 @@ struct Renderer::Impl {
   DrawList draw_list;
   GeometryPainter geometry_painter;
   LightPainter light_painter;
+  ShadowLayout shadow_layout;
   ShadowPainter shadow_painter;
   EdgeSmoother edge_smoother;
   LensLibrary lenses;
@@ -201,7 +203,7 @@ PendingPicture Renderer::draw(const View& view, const std::vector<Pose>& X_WL,
       impl.lights,
       distorted ? faceViews(*impl.lenses.get(view.camera), view) : std::vector<View>{view},
       impl.draw_list.casterBounds(X_WL, pass.casting), impl.options.shadow_distance,
-      impl.options.shadow_map_size);
+      impl.shadow_layout, impl.detailOf(pass));
   return distorted ? impl.drawThroughLens(view, X_WL, pass, shadows)
                    : impl.drawPinhole(view, X_WL, pass, pass.regions, shadows);
 }
@@ -210,7 +212,7 @@ void Renderer::drawExposure(const CameraModel& camera, const std::vector<Rolling
                             const ColourPass& pass,
                             const std::function<void(const cv::Mat&)>& see) {
   Impl& impl = *impl_;
-  const auto shadows = impl.sharedShadows(camera, moments, pass.casting);
+  const auto shadows = impl.sharedShadows(camera, moments, pass);
   std::vector<const std::vector<Pose>*> poses;
   for (const RollingMoment& moment : moments) poses.push_back(&moment.X_WL);
   const auto held = heldForShadows(impl.draw_list.parts(), poses, shadows);
@@ -228,7 +230,7 @@ PendingPicture Renderer::draw(const RollingView& view, const ColourPass& pass) {
   if (impl.light_painter.hasOverlay(pass.drawn)) return impl.drawInBands(view, pass, *this);
   const RollingMoment middle = view.middle();
   const View at_middle{view.camera, middle.X_WC};
-  const auto shadows = impl.sharedShadows(view.camera, view.moments, pass.casting);
+  const auto shadows = impl.sharedShadows(view.camera, view.moments, pass);
   return impl.lens_painter.paintInRows(
       {at_middle, middle.X_WL, pass.drawn, shadows, pass.exposure, nullptr, impl.detailOf(pass)},
       view, pass.casting, pass.sampling == Sampling::kSmooth);

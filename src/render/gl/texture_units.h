@@ -12,12 +12,14 @@ enum TextureUnit : GLuint {
   kRoughnessUnit,
   kMetalnessUnit,
   kEmissiveUnit,
+  kShadowSideUnit,
 };
 
 /// Tells a program of them; samplers that it lacks make no difference.
 inline void setTextureUnits(const ShaderProgram& program) {
   program.set("diffuse_map", static_cast<int>(kDiffuseUnit));
   program.set("shadow_maps", static_cast<int>(kShadowUnit));
+  program.set("shadow_sides", static_cast<int>(kShadowSideUnit));
   program.set("normal_map", static_cast<int>(kNormalUnit));
   program.set("roughness_map", static_cast<int>(kRoughnessUnit));
   program.set("metalness_map", static_cast<int>(kMetalnessUnit));

@@ -23,11 +23,11 @@ Lanes withinCone(const LightInView& light, const Lanes& cosine) {
 ArrivingLights::ArrivingLights(const Surroundings& surroundings)
     : surroundings_(surroundings), lookups_(surroundings.lights.size()) {
   for (std::size_t i = 0; i < lookups_.size(); ++i) {
-    const std::optional<CastShadow>& shadow = surroundings.shadows[i];
-    if (!shadow) continue;
-    maps_.push_back(shadow->map.assemble());
-    lookups_[i].emplace(maps_.back().depths(), shadow->shadow_from_camera, shadow->texel,
-                        surroundings.lights[i].type == world::LightType::kSpot);
+    const bool is_lamp = surroundings.lights[i].type != world::LightType::kDirectional;
+    for (const CastShadow& shadow : surroundings.shadows[i]) {
+      maps_.push_back(shadow.map.assemble(shadow.isSoft()));
+      lookups_[i].emplace_back(shadow, maps_.back(), is_lamp);
+    }
   }
 }
 
@@ -50,9 +50,22 @@ Arriving ArrivingLights::at(std::size_t index, const Lanes3& position_C) const {
 
 Lanes ArrivingLights::passing(std::size_t light, const Lanes3& position_C, const Lanes3& face,
                               const Arriving& coming, const Lanes& faces) const {
-  const std::optional<ShadowLookup>& shadow = lookups_[light];
-  if (!shadow) return lanes(1.0F);
-  return shadow->passing(position_C, face, dot(face, coming.to_light), coming.distance, faces);
+  const std::vector<ShadowLookup>& shadows = lookups_[light];
+  if (shadows.empty()) return lanes(1.0F);
+  const Lanes n_dot_l = dot(face, coming.to_light);
+  if (shadows.size() == 1) {
+    return shadows.front().passing(position_C, face, n_dot_l, coming.distance, faces);
+  }
+  // A point is in the side of a cube before which it is farthest.
+  Lanes farthest = lanes(0.0F);
+  for (const ShadowLookup& side : shadows) farthest = cv::v_max(farthest, side.ahead(position_C));
+  Lanes result = lanes(1.0F);
+  for (const ShadowLookup& side : shadows) {
+    const Lanes is_there = faces & (side.ahead(position_C) == farthest);
+    if (!cv::v_check_any(is_there)) continue;
+    result = cv::v_min(result, side.passing(position_C, face, n_dot_l, coming.distance, is_there));
+  }
+  return result;
 }
 
 Lanes ArrivingLights::fogginess(const Lanes& distance) const {

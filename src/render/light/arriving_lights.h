@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <list>
-#include <optional>
 #include <vector>
 
 #include "render/light/surroundings.h"
@@ -41,8 +40,8 @@ class ArrivingLights {
 
  private:
   const Surroundings& surroundings_;
-  std::list<MapDepths::Assembled> maps_;              ///< which the lookups refer to
-  std::vector<std::optional<ShadowLookup>> lookups_;  ///< of each light
+  std::list<MapDepths::Assembled> maps_;            ///< which the lookups refer to
+  std::vector<std::vector<ShadowLookup>> lookups_;  ///< of each light
 };
 
 }  // namespace synthetic_dataset::render

@@ -36,7 +36,7 @@ void ClassicShading::add(std::size_t light, const ClassicLanes& surface, Sums& s
   const LightInView& sent = surroundings_.lights[light];
   const Arriving coming = lights_.at(light, surface.position_C);
   const Lanes n_dot_l = dot(surface.normal, coming.to_light);
-  const Lanes faces = n_dot_l > zero;
+  const Lanes faces = (n_dot_l > zero) & (coming.falling > zero);
   if (!cv::v_check_any(faces)) return;
   // Of the side on which the light falls.
   const Lanes is_back = dot(surface.face, coming.to_light) < zero;

@@ -1,5 +1,6 @@
 #include "render/light/light_setup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -19,29 +20,30 @@ void checkLightCount(const std::vector<world::Light>& lights) {
   }
 }
 
-std::string lightMacros(const std::vector<world::Light>& lights) {
-  const std::string raise = "#define SHADOW_RAISE " + std::to_string(kShadowRaise) +
-                            "\n#define GRAZING_SHADOW_RAISE " +
-                            std::to_string(kGrazingShadowRaise) + "\n";
+std::string lightMacros(const std::vector<world::Light>& lights, LightDetail detail) {
+  const ShadowLayout layout = shadowLayout(lights, 1, detail);
+  const std::string shadows =
+      "#define SHADOW_RAISE " + std::to_string(kShadowRaise) + "\n#define GRAZING_SHADOW_RAISE " +
+      std::to_string(kGrazingShadowRaise) + "\n#define SHADOW_MAPS " + std::to_string(layout.maps) +
+      "\n#define SHADOW_COUNT " + std::to_string(std::max(layout.maps + layout.sides, 1)) + "\n";
   // Each costs time to compile, in every program.
   constexpr std::size_t kMostUnrolled = 8;
-  const std::vector<int> layers = shadowLayers(lights);
   std::string each;
   std::string types;
-  std::string layer_list;
+  std::string first_maps;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const std::string type = std::to_string(static_cast<int>(lights[i].type));
-    const std::string layer = std::to_string(layers[i]);
-    if (i < kMostUnrolled) each += " LIGHT(" + std::to_string(i) + "," + type + "," + layer + ")";
+    const std::string first = std::to_string(layout.first_maps[i]);
+    if (i < kMostUnrolled) each += " LIGHT(" + std::to_string(i) + "," + type + "," + first + ")";
     types += (i > 0 ? "," : "") + type;
-    layer_list += (i > 0 ? "," : "") + layer;
+    first_maps += (i > 0 ? "," : "") + first;
   }
-  if (lights.size() <= kMostUnrolled) return raise + "#define EACH_LIGHT" + each + "\n";
+  if (lights.size() <= kMostUnrolled) return shadows + "#define EACH_LIGHT" + each + "\n";
   const std::string list = "const int kTypes[] = int[](" + types + ");\n" +
-                           "const int kLayers[] = int[](" + layer_list + ");\n";
-  return raise + list + "#define EACH_LIGHT" + each +
+                           "const int kFirstMaps[] = int[](" + first_maps + ");\n";
+  return shadows + list + "#define EACH_LIGHT" + each +
          " for (int i = " + std::to_string(kMostUnrolled) + "; i < " +
-         std::to_string(lights.size()) + "; ++i) { LIGHT(i, kTypes[i], kLayers[i]) }\n";
+         std::to_string(lights.size()) + "; ++i) { LIGHT(i, kTypes[i], kFirstMaps[i]) }\n";
 }
 
 std::vector<LightInView> lightsIn(const View& view, const std::vector<world::Light>& lights) {
@@ -81,7 +83,7 @@ void setLights(const ShaderProgram& program, const std::vector<world::Light>& li
     program.set(name + "cone", light.cone);
   }
   for (const ShadowProjection& shadow : shadows) {
-    const std::string index = "[" + std::to_string(shadow.layer) + "]";
+    const std::string index = "[" + std::to_string(shadow.map) + "]";
     const Eigen::Matrix4d shadow_from_camera = shadow.shadow_from_world * view.X_WC.matrix();
     program.set("shadow_from_camera" + index, Eigen::Matrix4f(shadow_from_camera.cast<float>()));
     program.set("shadow_texel" + index, static_cast<float>(shadow.texel));

@@ -17,7 +17,8 @@ void checkLightCount(const std::vector<world::Light>& lights);
 
 /// What shaders with lighting.glsl have to know of the lights when they are compiled: their macro
 /// EACH_LIGHT.
-[[nodiscard]] std::string lightMacros(const std::vector<world::Light>& lights);
+/// @param detail  the most that these shaders are used for
+[[nodiscard]] std::string lightMacros(const std::vector<world::Light>& lights, LightDetail detail);
 
 /// A light as a camera sees it, in its optical frame.
 struct LightInView {

@@ -107,7 +107,8 @@ Lanes3 SurfaceShading::sent(std::size_t light, const SurfaceLanes& surface,
   const Lanes zero = lanes(0.0F);
   const Arriving coming = lights_.at(light, surface.position_C);
   const Lanes n_dot_l = dot(surface.normal, coming.to_light);
-  const Lanes faces = (n_dot_l > zero) & (dot(surface.face, coming.to_light) > zero);
+  const Lanes faces =
+      (n_dot_l > zero) & (dot(surface.face, coming.to_light) > zero) & (coming.falling > zero);
   if (!cv::v_check_any(faces)) return {zero, zero, zero};
   const Lanes passing =
       n_dot_l * lights_.passing(light, surface.position_C, surface.face, coming, faces);

@@ -8,23 +8,16 @@
 
 #include "render/light/environment_light.h"
 #include "render/light/light_setup.h"
-#include "render/shadows/map_depths.h"
+#include "render/shadows/shadow_lookup.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::render {
 
-/// How a light's shadows were drawn.
-struct CastShadow {
-  MapDepths map;
-  Eigen::Matrix4d shadow_from_camera;  ///< to clip coordinates of the map
-  double texel;                        ///< as in ShadowProjection
-};
-
 /// What all surfaces of a picture have in common.
 struct Surroundings {
   std::vector<LightInView> lights;
-  std::vector<std::optional<CastShadow>> shadows;  ///< of each light
-  Eigen::Vector3f ambient;                         ///< linear; in Gazebo Classic's worlds encoded
+  std::vector<std::vector<CastShadow>> shadows;  ///< of each light: none, one, or those of a cube
+  Eigen::Vector3f ambient;                       ///< linear; in Gazebo Classic's worlds encoded
   Eigen::Vector3f up_C;
   float exposure;
   std::optional<world::Fog> fog;

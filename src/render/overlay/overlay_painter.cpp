@@ -18,21 +18,22 @@ namespace {
 
 constexpr SurfaceFeatures kAllFeatures = ~SurfaceFeatures{0};
 
-std::string macrosOf(const DrawList& parts, const std::vector<world::Light>& lights) {
-  return (parts.isClassic() ? "#define CLASSIC\n" : "") + lightMacros(lights);
+std::string macrosOf(const DrawList& parts, const std::vector<world::Light>& lights,
+                     LightDetail detail) {
+  return (parts.isClassic() ? "#define CLASSIC\n" : "") + lightMacros(lights, detail);
 }
 
 }  // namespace
 
 OverlayPainter::OverlayPainter(const GlFunctions& gl, const DrawList& parts,
-                               const world::Description& description)
+                               const world::Description& description, LightDetail detail)
     : gl_(gl),
       parts_(parts),
       lights_(description.lights),
       ambient_(description.ambient),
       fog_(description.fog),
       glass_programs_(gl, shaders::kMeshVertex, shaders::kGlassFragment, kAllFeatures,
-                      macrosOf(parts, description.lights)),
+                      macrosOf(parts, description.lights, detail)),
       background_painter_(gl, parts.isClassic()) {
   if (description.sky) sky_.emplace(gl, *description.sky, lights_, parts.isClassic());
 }
@@ -50,9 +51,10 @@ bool OverlayPainter::hasGlass(const LinkSelection& drawn) const {
                      [&](const Part& part) { return part.transparent && drawn[part.link]; });
 }
 
-void OverlayPainter::paint(const ColourScene& scene, GLuint shadow_maps, bool see_through,
+void OverlayPainter::paint(const ColourScene& scene, const ShadowPainter& shadows, bool see_through,
                            const std::vector<cv::Rect>& regions) {
-  gl_.BindTextureUnit(kShadowUnit, shadow_maps);
+  gl_.BindTextureUnit(kShadowUnit, shadows.maps());
+  gl_.BindTextureUnit(kShadowSideUnit, shadows.sides());
   gl_.DepthMask(GL_FALSE);
   gl_.DepthFunc(GL_GEQUAL);
   if (background_painter_.hasPicture()) {

@@ -9,6 +9,7 @@
 #include "render/overlay/background_painter.h"
 #include "render/overlay/sky_painter.h"
 #include "render/parts/shader_family.h"
+#include "render/shadows/shadow_painter.h"
 #include "world/description.h"
 #include "world/look.h"
 
@@ -19,8 +20,9 @@ namespace synthetic_dataset::render {
 class OverlayPainter {
  public:
   /// @param parts  has to outlive this
+  /// @param detail  the most that scenes ask for
   OverlayPainter(const GlFunctions& gl, const DrawList& parts,
-                 const world::Description& description);
+                 const world::Description& description, LightDetail detail);
 
   /// Lights and surroundings from now on; the parts' materials are read from them.
   void setLook(const world::Look& look);
@@ -33,7 +35,7 @@ class OverlayPainter {
 
   /// A picture or the sky, and what one can see through, if that is selected and `see_through`.
   /// @param regions  of the picture, none of them over another; beside them nothing is sure
-  void paint(const ColourScene& scene, GLuint shadow_maps, bool see_through,
+  void paint(const ColourScene& scene, const ShadowPainter& shadows, bool see_through,
              const std::vector<cv::Rect>& regions);
 
  private:

@@ -58,7 +58,7 @@ cv::Mat UnlitPixels::light() const {
 }
 
 LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
-                           const world::Description& description)
+                           const world::Description& description, LightDetail detail)
     : parts_(parts),
       lights_(description.lights),
       simulator_(description.simulator),
@@ -66,7 +66,7 @@ LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
       background_(description.background),
       fog_(description.fog),
       environment_(gl, description),
-      overlay_painter_(gl, parts, description) {
+      overlay_painter_(gl, parts, description, detail) {
   checkLightCount(lights_);
   findPartLights();
 }
@@ -100,7 +100,7 @@ UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& se
   see_through = see_through && overlay_painter_.hasGlass(scene.drawn);
   if (see_through || (has_background && showsNothing(seen, regions))) {
     target.begin(seen.place);
-    overlay_painter_.paint(scene, shadows.texture(), see_through, regions);
+    overlay_painter_.paint(scene, shadows, see_through, regions);
     result.overlay = target.read(seen.place);
   }
   return result;
@@ -135,8 +135,9 @@ Surroundings LightPainter::surroundings(const ColourScene& scene, const ShadowPa
     result.R_GC = scene.view.X_WC.linear().cast<float>();
   }
   for (const ShadowProjection& shadow : scene.shadows) {
-    result.shadows[static_cast<std::size_t>(shadow.light)] = CastShadow{
-        shadows.depths(shadow), shadow.shadow_from_world * scene.view.X_WC.matrix(), shadow.texel};
+    result.shadows[static_cast<std::size_t>(shadow.light)].push_back(
+        {shadows.depths(shadow), shadow.shadow_from_world * scene.view.X_WC.matrix(), shadow.texel,
+         shadow.softness});
   }
   return result;
 }

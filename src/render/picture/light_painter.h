@@ -50,7 +50,9 @@ struct UnlitPixels {
 class LightPainter {
  public:
   /// @param parts  has to outlive this
-  LightPainter(const GlFunctions& gl, const DrawList& parts, const world::Description& description);
+  /// @param detail  the most that scenes ask for
+  LightPainter(const GlFunctions& gl, const DrawList& parts, const world::Description& description,
+               LightDetail detail);
 
   /// Lights and surroundings from now on; what the parts look like is read from them.
   void setLook(const world::Look& look);

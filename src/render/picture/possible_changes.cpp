@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <opencv2/core.hpp>
 
@@ -73,8 +74,9 @@ std::optional<Points> pointShadow(const Points& corners, const Eigen::Vector3d& 
 /// What a shadow is blurred and pushed by [m], in texels of its map.
 double blurOf(const world::Light& light, const ShadowProjection& shadow) {
   constexpr double kTexels = 8.0;
-  const bool is_lamp = light.type == world::LightType::kSpot;
-  return kTexels * shadow.texel * (is_lamp ? std::max(light.range, 1.0) : 1.0);
+  const double softness = std::min(shadow.softness.maxCoeff(), kWidestSoftness);
+  const bool is_lamp = light.type != world::LightType::kDirectional;
+  return (kTexels + softness) * shadow.texel * (is_lamp ? std::max(light.range, 1.0) : 1.0);
 }
 
 /// The hull of a caster and its shadow, as far as something receives it; nothing where that may be
@@ -82,7 +84,7 @@ double blurOf(const world::Light& light, const ShadowProjection& shadow) {
 /// @param caster  a hull around it and its shadow's blur
 std::optional<Points> shadowOf(const Points& caster, const world::Light& light,
                                const Bounds& receivers) {
-  if (light.type == world::LightType::kSpot) {
+  if (light.type != world::LightType::kDirectional) {
     return pointShadow(caster, light.X_WL.translation(), light.range, receivers);
   }
   const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
@@ -130,7 +132,12 @@ std::vector<LinkSelection> castersOnto(const cv::Rect& pixels, const std::vector
   }
   const std::vector<Bounds> casters = movingCasters(parts, X_WL, casting);
   std::vector<LinkSelection> selected;
+  int selected_of = -1;
   for (const ShadowProjection& shadow : shadows) {
+    if (std::exchange(selected_of, shadow.light) == shadow.light) {  // another side of it
+      selected.push_back(LinkSelection(selected.back()));
+      continue;
+    }
     const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
     const Eigen::Vector3d blur = Eigen::Vector3d::Constant(blurOf(light, shadow));
     LinkSelection& links = selected.emplace_back(casters.size(), false);
@@ -168,7 +175,9 @@ PossibleChanges possibleChanges(const std::vector<Part>& parts, const View& view
   }
   if (receivers.isEmpty()) return regions;
   const auto moves = [&](const Part& part) { return castsAndMoves(part, casting); };
+  int marked = -1;
   for (const ShadowProjection& shadow : shadows) {
+    if (std::exchange(marked, shadow.light) == shadow.light) continue;  // another side of it
     const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
     for (const Points& caster : hullsOfGroups(parts, X_WL, blurOf(light, shadow), moves)) {
       markShadow(caster, light, receivers, view, regions.shadows);

@@ -4,11 +4,13 @@
 // Hammon's approximation), hemispheric ambient light, all of it linear. It happens in the camera's
 // optical frame.
 
-// LIGHT(i, TYPE, SHADOW_LAYER) for each light is EACH_LIGHT, set when this is compiled: llvmpipe
+// LIGHT(i, TYPE, FIRST_MAP) for each light is EACH_LIGHT, set when this is compiled: llvmpipe
 // runs every branch of a shader for every pixel, and a loop once more than it says, so what a light
-// has not costs nothing only if it is not there. The types are those of world::LightType; 1 is a
-// point. SHADOW_RAISE and GRAZING_SHADOW_RAISE [texel] are set with it.
+// has not costs nothing only if it is not there. The types are those of world::LightType.
+// SHADOW_RAISE and GRAZING_SHADOW_RAISE [texel] are set with it, and SHADOW_MAPS, after which the
+// sides of point lights come, and SHADOW_COUNT of both.
 #define DIRECTIONAL 0
+#define POINT 1
 #define SPOT 2
 const int kLinearFog = 0;
 const int kExponentialFog = 1;
@@ -25,9 +27,10 @@ struct Light {
 };
 
 uniform Light lights[MAX_LIGHTS];
-uniform mat4 shadow_from_camera[MAX_SHADOWS];
-uniform float shadow_texel[MAX_SHADOWS];  // size of a texel [m], for spot lights at 1 m
+uniform mat4 shadow_from_camera[SHADOW_COUNT];
+uniform float shadow_texel[SHADOW_COUNT];  // size of a texel [m], for spot and point lights at 1 m
 uniform sampler2DArrayShadow shadow_maps;
+uniform sampler2DArrayShadow shadow_sides;
 
 uniform float exposure;  // multiplies all light
 uniform vec3 ambient;
@@ -40,20 +43,20 @@ uniform vec3 fog_extent;  // start [m], end [m], density [1/m]
 #endif
 
 #ifdef SHADOWS
-// How much of the light passes: the mean over a square of 3 x 3 texels round the place, whose rim
+// How much of the light passes: the mean over a square of 3 x 3 texels around the place, whose rim
 // counts by its share, found from 4 x 4 texels.
-float passing(vec2 place, int layer, float depth) {
-  vec2 size = vec2(textureSize(shadow_maps, 0).xy);
+float passing(sampler2DArrayShadow maps, vec2 place, int layer, float depth) {
+  vec2 size = vec2(textureSize(maps, 0).xy);
   vec2 texel = place * size - 0.5;
   vec2 first = floor(texel);
   vec2 share = texel - first;
-  // A gather takes the four texels round a corner: lower left is w, right of it z, above that y, x.
+  // A gather takes the four texels around a corner: lower left is w, right of it z, above that y, x.
   vec2 corner = first / size;
   vec2 step = 2.0 / size;
-  vec4 a = textureGather(shadow_maps, vec3(corner, layer), depth);
-  vec4 b = textureGather(shadow_maps, vec3(corner + vec2(step.x, 0.0), layer), depth);
-  vec4 c = textureGather(shadow_maps, vec3(corner + vec2(0.0, step.y), layer), depth);
-  vec4 d = textureGather(shadow_maps, vec3(corner + step, layer), depth);
+  vec4 a = textureGather(maps, vec3(corner, layer), depth);
+  vec4 b = textureGather(maps, vec3(corner + vec2(step.x, 0.0), layer), depth);
+  vec4 c = textureGather(maps, vec3(corner + vec2(0.0, step.y), layer), depth);
+  vec4 d = textureGather(maps, vec3(corner + step, layer), depth);
   vec2 rim = 1.0 - share;
   float low = rim.x * a.w + a.z + b.w + share.x * b.z;
   float low_middle = rim.x * a.x + a.y + b.x + share.x * b.y;
@@ -62,20 +65,39 @@ float passing(vec2 place, int layer, float depth) {
   return (rim.y * low + low_middle + high_middle + share.y * high) / 9.0;
 }
 
-float shadow(Light light, int type, int layer, vec3 position_C, vec3 normal, float n_dot_l) {
+// The side of a point light's cube before which a point is farthest.
+int sideAt(int first, vec3 position_C) {
+  int side = first;
+  float farthest = 0.0;
+  for (int i = first; i < first + 6; ++i) {
+    float ahead = (shadow_from_camera[i] * vec4(position_C, 1.0)).w;
+    side = ahead > farthest ? i : side;
+    farthest = max(ahead, farthest);
+  }
+  return side;
+}
+
+float shadow(Light light, int type, int first_map, vec3 position_C, vec3 normal, float n_dot_l) {
+  int map = max(first_map, 0);
+  if (type == POINT) map = sideAt(map, position_C);
   // A surface is compared a little above itself, by about a texel, more at grazing light.
-  float texel = shadow_texel[max(layer, 0)];
-  if (type == SPOT) texel *= distance(position_C, light.position_C);
+  float texel = shadow_texel[map];
+  if (type != DIRECTIONAL) texel *= distance(position_C, light.position_C);
   float slope = sqrt(max(1.0 - n_dot_l * n_dot_l, 0.0));
   vec3 raised = position_C + normal * texel * (SHADOW_RAISE + GRAZING_SHADOW_RAISE * slope);
-  vec4 p = shadow_from_camera[max(layer, 0)] * vec4(raised, 1.0);
+  vec4 p = shadow_from_camera[map] * vec4(raised, 1.0);
   bool outside = p.w <= 0.0;
   p.xyz /= p.w;
   vec2 place = p.xy * 0.5 + 0.5;
   // Nothing is in the shadow of what lies outside of the map. (A border colour says the same, but
   // costs llvmpipe a third more time.)
   outside = outside || any(greaterThan(abs(place - 0.5), vec2(0.5)));
-  return outside ? 1.0 : passing(place, layer, min(p.z, 1.0));
+  if (type == POINT) {
+    // With simple light, points have none.
+    outside = outside || shadow_texel[map] == 0.0;
+    return outside ? 1.0 : passing(shadow_sides, place, map - SHADOW_MAPS, min(p.z, 1.0));
+  }
+  return outside ? 1.0 : passing(shadow_maps, place, map, min(p.z, 1.0));
 }
 #endif
 
@@ -122,17 +144,17 @@ uniform float shininess;       // 0: there is no highlight
 uniform float brightest;
 
 // Adds what of one light a surface sends.
-void add(Light light, int type, int layer, Surface surface, vec3 to_eye, inout vec3 matte,
+void add(Light light, int type, int first_map, Surface surface, vec3 to_eye, inout vec3 matte,
          inout vec3 shine) {
   vec3 to_light;
   float share = arriving(light, type, surface.position_C, to_light);
   float n_dot_l = dot(surface.normal, to_light);
 #ifdef SHADOWS
-  if (layer >= 0) {
+  if (first_map >= 0) {
     // Of the side on which the light falls.
     float face_dot_l = dot(surface.face, to_light);
     vec3 side = face_dot_l < 0.0 ? -surface.face : surface.face;
-    share *= shadow(light, type, layer, surface.position_C, side, abs(face_dot_l));
+    share *= shadow(light, type, first_map, surface.position_C, side, abs(face_dot_l));
   }
 #endif
   if (n_dot_l <= 0.0) share = 0.0;
@@ -148,7 +170,7 @@ vec3 seen(Surface surface, bool is_lit) {
   if (is_lit) {
     vec3 to_eye = normalize(-surface.position_C);
     vec3 sum = vec3(0.0);
-#define LIGHT(i, type, layer) add(lights[i], type, layer, surface, to_eye, sum, shine);
+#define LIGHT(i, type, first_map) add(lights[i], type, first_map, surface, to_eye, sum, shine);
     EACH_LIGHT
 #undef LIGHT
     matte += diffuse_colour * sum;
@@ -180,15 +202,15 @@ vec3 shoulder(vec3 linear) {
 }
 
 // What of one light a surface sends to the eye.
-vec3 sent(Light light, int type, int layer, Surface surface, vec3 f0, vec3 matte, float alpha,
+vec3 sent(Light light, int type, int first_map, Surface surface, vec3 f0, vec3 matte, float alpha,
           vec3 to_eye, float n_dot_v) {
   vec3 to_light;
   vec3 coming = light.intensity * arriving(light, type, surface.position_C, to_light);
   float n_dot_l = dot(surface.normal, to_light);
   float face_dot_l = dot(surface.face, to_light);
 #ifdef SHADOWS
-  if (layer >= 0) {
-    coming *= shadow(light, type, layer, surface.position_C, surface.face, face_dot_l);
+  if (first_map >= 0) {
+    coming *= shadow(light, type, first_map, surface.position_C, surface.face, face_dot_l);
   }
 #endif
   vec3 halfway = normalize(to_light + to_eye);
@@ -214,8 +236,8 @@ vec3 lit(Surface surface) {
   vec3 reflected = fresnel(f0, n_dot_v) * mix(1.0, 0.4, surface.roughness);
   vec3 sum = around * (matte + reflected) + surface.glow;
 
-#define LIGHT(i, type, layer) \
-  sum += sent(lights[i], type, layer, surface, f0, matte, alpha, to_eye, n_dot_v);
+#define LIGHT(i, type, first_map) \
+  sum += sent(lights[i], type, first_map, surface, f0, matte, alpha, to_eye, n_dot_v);
   EACH_LIGHT
 #undef LIGHT
   return sum;

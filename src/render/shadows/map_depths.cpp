@@ -2,27 +2,81 @@
 
 #include <opencv2/core.hpp>
 
-namespace synthetic_dataset::render {
+#include "render/pixels/lanes.h"
 
-MapDepths::Assembled MapDepths::assemble() const {
+namespace synthetic_dataset::render {
+namespace {
+
+/// The least depth of some texels, at most as many as a cell has.
+float nearestOf(const cv::Mat& depths, const cv::Rect& texels) {
+  static_assert(MapDepths::kCell == kLaneCount);
+  if (texels.width == kLaneCount) {
+    Lanes least = lanes(1.0F);
+    for (int row = texels.y; row < texels.y + texels.height; ++row) {
+      least = cv::v_min(least, cv::v_load(depths.ptr<float>(row) + texels.x));
+    }
+    return cv::v_reduce_min(least);
+  }
+  double least = 0.0;
+  cv::minMaxLoc(depths(texels), &least);
+  return static_cast<float>(least);
+}
+
+/// Finds the least depths again of all cells that some texels are in.
+void findNearestOf(const cv::Mat& depths, const cv::Rect& texels, cv::Mat& nearest) {
+  const cv::Rect map({}, depths.size());
+  for (int row = texels.y / MapDepths::kCell; MapDepths::kCell * row < texels.y + texels.height;
+       ++row) {
+    auto* found = nearest.ptr<float>(row);
+    for (int cell = texels.x / MapDepths::kCell; MapDepths::kCell * cell < texels.x + texels.width;
+         ++cell) {
+      found[cell] = nearestOf(depths, cv::Rect(MapDepths::kCell * cell, MapDepths::kCell * row,
+                                               MapDepths::kCell, MapDepths::kCell) &
+                                          map);
+    }
+  }
+}
+
+}  // namespace
+
+/// Makes the common map that of what never moves, with these. It is a copy once there are any.
+void MapDepths::Standing::putOn(const std::vector<MapPiece>& pieces) {
+  if (common_.empty()) common_ = depths_;
+  if (!pieces.empty() && common_.data == depths_.data) common_ = depths_.clone();
+  for (const cv::Rect& texels : changed_) depths_(texels).copyTo(common_(texels));
+  passed_.insert(passed_.end(), changed_.begin(), changed_.end());
+  changed_.clear();
+  for (const MapPiece& piece : pieces) {
+    cv::Mat here = common_(piece.texels);
+    cv::min(here, piece.depths, here);
+    changed_.push_back(piece.texels);
+  }
+  passed_.insert(passed_.end(), changed_.begin(), changed_.end());
+}
+
+void MapDepths::Standing::findNearest() {
+  const auto cells = [](int texels) { return (texels + kCell - 1) / kCell; };
+  if (nearest_.empty()) {
+    nearest_ = cv::Mat(cells(common_.rows), cells(common_.cols), CV_32FC1);
+    passed_ = {cv::Rect({}, common_.size())};
+  }
+  for (const cv::Rect& texels : passed_) findNearestOf(common_, texels, nearest_);
+  passed_.clear();
+}
+
+MapDepths::Assembled MapDepths::assemble(bool with_nearest) const {
   Assembled result;
-  if (pieces_.empty()) {
+  if (pieces_.empty() && !with_nearest) {
     result.depths_ = standing_->depths_;
     return result;
   }
   result.lock_ = std::unique_lock<std::mutex>(standing_->mutex_);
-  cv::Mat& common = standing_->common_;
-  if (common.empty()) common = standing_->depths_.clone();
-  for (const cv::Rect& texels : standing_->changed_) {
-    standing_->depths_(texels).copyTo(common(texels));
+  standing_->putOn(pieces_);
+  result.depths_ = standing_->common_;
+  if (with_nearest) {
+    standing_->findNearest();
+    result.nearest_ = standing_->nearest_;
   }
-  standing_->changed_.clear();
-  for (const MapPiece& piece : pieces_) {
-    cv::Mat here = common(piece.texels);
-    cv::min(here, piece.depths, here);
-    standing_->changed_.push_back(piece.texels);
-  }
-  result.depths_ = common;
   return result;
 }
 

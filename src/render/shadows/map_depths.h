@@ -28,12 +28,18 @@ class MapDepths {
     /// CV_32FC1, a square.
     [[nodiscard]] const cv::Mat& depths() const { return depths_; }
 
+    /// CV_32FC1: the least depth of each cell of kCell x kCell texels; empty if not asked for.
+    [[nodiscard]] const cv::Mat& nearest() const { return nearest_; }
+
    private:
     friend class MapDepths;
 
     std::unique_lock<std::mutex> lock_;
     cv::Mat depths_;
+    cv::Mat nearest_;
   };
+
+  static constexpr int kCell = 4;  ///< [texel] of a cell's side
 
   /// What several maps have in common.
   class Standing {
@@ -46,16 +52,22 @@ class MapDepths {
    private:
     friend class MapDepths;
 
+    void putOn(const std::vector<MapPiece>& pieces);
+    void findNearest();
+
     cv::Mat depths_;
     std::mutex mutex_;  ///< of the following
     cv::Mat common_;
+    cv::Mat nearest_;                ///< of the common map; empty until it is asked for
     std::vector<cv::Rect> changed_;  ///< where the common map is not as that of what never moves
+    std::vector<cv::Rect> passed_;   ///< where that has changed since its nearest were found
   };
 
   explicit MapDepths(std::shared_ptr<Standing> standing, std::vector<MapPiece> pieces = {})
       : standing_(std::move(standing)), pieces_(std::move(pieces)) {}
 
-  [[nodiscard]] Assembled assemble() const;
+  /// @param with_nearest  whether those are asked for
+  [[nodiscard]] Assembled assemble(bool with_nearest = false) const;
 
  private:
   std::shared_ptr<Standing> standing_;

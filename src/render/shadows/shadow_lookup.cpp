@@ -1,8 +1,8 @@
 #include "render/shadows/shadow_lookup.h"
 
-#include <algorithm>
 #include <array>
 
+#include "render/shadows/map_row.h"
 #include "render/shadows/shadow_projection.h"
 
 namespace synthetic_dataset::render {
@@ -14,68 +14,106 @@ Lanes times(const Eigen::Matrix4f& matrix, int row, const Lanes3& point) {
          lanes(matrix(row, 2)) * point.z + lanes(matrix(row, 3));
 }
 
-/// Four texels of a row, the last ones again where the map ends.
-Lanes texels(const cv::Mat& depths, int column, int row) {
-  const float* from = depths.ptr<float>(std::clamp(row, 0, depths.rows - 1));
-  if (column >= 0 && column + kLaneCount <= depths.cols) return cv::v_load(from + column);
-  std::array<float, kLaneCount> some{};
-  for (int i = 0; i < kLaneCount; ++i) {
-    some[static_cast<std::size_t>(i)] = from[std::clamp(column + i, 0, depths.cols - 1)];
-  }
-  return cv::v_load(some.data());
-}
-
 }  // namespace
 
-ShadowLookup::ShadowLookup(const cv::Mat& depths, const Eigen::Matrix4d& shadow_from_camera,
-                           double texel, bool is_lamp)
-    : depths_(depths),
-      row_step_(depths.step1()),
-      size_(static_cast<float>(depths.cols)),
-      texel_(static_cast<float>(texel)),
+/// Four points in a map.
+struct ShadowLookup::FourInMap {
+  Lanes column, row, depth;
+  Lanes is_within;        ///< a mask
+  Lanes depth_by_column;  ///< as in PlaceInMap; found for soft edges alone
+  Lanes depth_by_row;
+};
+
+ShadowLookup::ShadowLookup(const CastShadow& shadow, const MapDepths::Assembled& depths,
+                           bool is_lamp)
+    : depths_(depths.depths()),
+      row_step_(depths_.step1()),
+      size_(static_cast<float>(depths_.cols)),
+      texel_(static_cast<float>(shadow.texel)),
       is_lamp_(is_lamp) {
-  const double half = 0.5 * depths.cols;
+  const double half = 0.5 * depths_.cols;
   Eigen::Matrix4d map_from_shadow = Eigen::Matrix4d::Identity();
   map_from_shadow.row(0) = Eigen::Vector4d(half, 0.0, 0.0, half);
   map_from_shadow.row(1) = Eigen::Vector4d(0.0, half, 0.0, half);
-  map_from_camera_ = (map_from_shadow * shadow_from_camera).cast<float>();
+  const Eigen::Matrix4d map_from_camera = map_from_shadow * shadow.shadow_from_camera;
+  map_from_camera_ = map_from_camera.cast<float>();
+  if (!shadow.isSoft()) return;
+  planes_from_camera_ = Eigen::Matrix4d(map_from_camera.inverse().transpose()).cast<float>();
+  soft_edges_.emplace(depths, shadow.softness);
+}
+
+Lanes ShadowLookup::ahead(const Lanes3& position_C) const {
+  return times(map_from_camera_, 3, position_C);
+}
+
+/// @param raised  where the surface is compared
+ShadowLookup::FourInMap ShadowLookup::find(const Lanes3& raised, const Lanes3& normal,
+                                           const Lanes& n_dot_l, const Lanes& wanted) const {
+  const Lanes zero = lanes(0.0F);
+  const Lanes one = lanes(1.0F);
+  FourInMap four;
+  four.column = times(map_from_camera_, 0, raised);
+  four.row = times(map_from_camera_, 1, raised);
+  four.depth = times(map_from_camera_, 2, raised);
+  // Nothing is in the shadow of what lies outside of the map.
+  four.is_within = wanted;
+  if (is_lamp_) {
+    const Lanes w = times(map_from_camera_, 3, raised);
+    const Lanes inverse = one / w;
+    four.column = four.column * inverse;
+    four.row = four.row * inverse;
+    four.depth = four.depth * inverse;
+    four.is_within = four.is_within & (w > zero);
+  }
+  four.depth = cv::v_min(four.depth, one);
+  const Lanes size = lanes(size_);
+  four.is_within = four.is_within & (four.column >= zero) & (four.column <= size) &
+                   (four.row >= zero) & (four.row <= size);
+  if (!soft_edges_) return four;
+  // The plane through the point, in the map. Where light grazes it, its slope is anything.
+  constexpr float kGrazing = 0.2F;
+  const Lanes away = zero - dot(normal, raised);
+  const auto part = [&](int row) {
+    return dot(lanes(Eigen::Vector3f(planes_from_camera_.block<1, 3>(row, 0))), normal) +
+           lanes(planes_from_camera_(row, 3)) * away;
+  };
+  const Lanes by_depth = part(2);
+  const Lanes is_flat = cv::v_abs(by_depth) > lanes(1e-12F);
+  const Lanes factor =
+      cv::v_min(n_dot_l * lanes(1.0F / kGrazing), one) / cv::v_select(is_flat, by_depth, one);
+  four.depth_by_column = (zero - part(0) * factor) & is_flat;
+  four.depth_by_row = (zero - part(1) * factor) & is_flat;
+  return four;
 }
 
 Lanes ShadowLookup::passing(const Lanes3& position_C, const Lanes3& normal, const Lanes& n_dot_l,
                             const Lanes& distance, const Lanes& wanted) const {
-  const Lanes zero = lanes(0.0F);
-  const Lanes one = lanes(1.0F);
-  // A surface is compared a little above itself, by about a texel, more at grazing light.
+  // A surface is compared a little above itself, by about a texel, more at grazing light. Where its
+  // slope in the map is known, that is for triangles that stand in for a curve.
   const Lanes texel = is_lamp_ ? lanes(texel_) * distance : lanes(texel_);
-  const Lanes slope = cv::v_sqrt(cv::v_max(one - n_dot_l * n_dot_l, zero));
-  const Lanes raise = lanes(static_cast<float>(kShadowRaise)) +
-                      lanes(static_cast<float>(kGrazingShadowRaise)) * slope;
-  const Lanes3 raised = position_C + normal * (texel * raise);
-  Lanes column = times(map_from_camera_, 0, raised);
-  Lanes row = times(map_from_camera_, 1, raised);
-  Lanes depth = times(map_from_camera_, 2, raised);
-  // Nothing is in the shadow of what lies outside of the map.
-  Lanes is_within = wanted;
-  if (is_lamp_) {
-    const Lanes w = times(map_from_camera_, 3, raised);
-    const Lanes inverse = one / w;
-    column = column * inverse;
-    row = row * inverse;
-    depth = depth * inverse;
-    is_within = is_within & (w > zero);
+  const Lanes slope = cv::v_sqrt(cv::v_max(lanes(1.0F) - n_dot_l * n_dot_l, lanes(0.0F)));
+  const Lanes raise = soft_edges_ ? lanes(static_cast<float>(kSoftShadowRaise))
+                                  : lanes(static_cast<float>(kShadowRaise)) +
+                                        lanes(static_cast<float>(kGrazingShadowRaise)) * slope;
+  const FourInMap four = find(position_C + normal * (texel * raise), normal, n_dot_l, wanted);
+  const int bits = cv::v_signmask(four.is_within);
+  using Four = std::array<float, kLaneCount>;
+  Four columns{}, rows{}, depths{}, by_column{}, by_row{}, result{};
+  cv::v_store(columns.data(), four.column);
+  cv::v_store(rows.data(), four.row);
+  cv::v_store(depths.data(), four.depth);
+  if (soft_edges_) {
+    cv::v_store(by_column.data(), four.depth_by_column);
+    cv::v_store(by_row.data(), four.depth_by_row);
   }
-  const Lanes size = lanes(size_);
-  is_within = is_within & (column >= zero) & (column <= size) & (row >= zero) & (row <= size);
-  const int bits = cv::v_signmask(is_within);
-  std::array<float, kLaneCount> columns{};
-  std::array<float, kLaneCount> rows{};
-  std::array<float, kLaneCount> depths{};
-  std::array<float, kLaneCount> result{};
-  cv::v_store(columns.data(), column);
-  cv::v_store(rows.data(), row);
-  cv::v_store(depths.data(), cv::v_min(depth, one));
   for (std::size_t i = 0; i < kLaneCount; ++i) {
-    result[i] = (bits >> i & 1) != 0 ? passingAt(columns[i], rows[i], depths[i]) : 1.0F;
+    if ((bits >> i & 1) == 0) {
+      result[i] = 1.0F;
+    } else if (soft_edges_) {
+      result[i] = soft_edges_->passing({columns[i], rows[i], depths[i], by_column[i], by_row[i]});
+    } else {
+      result[i] = passingAt(columns[i], rows[i], depths[i]);
+    }
   }
   return cv::v_load(result.data());
 }
@@ -99,7 +137,7 @@ float ShadowLookup::passingAt(float column, float row, float depth) const {
     for (std::size_t i = 0; i < rows.size(); ++i) add(cv::v_load(from + i * row_step_), i);
   } else {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      add(texels(depths_, first_column - 1, first_row - 1 + static_cast<int>(i)), i);
+      add(MapRow(depths_, first_row - 1 + static_cast<int>(i)).four(first_column - 1), i);
     }
   }
   constexpr float kSquare = 9.0F;

@@ -1,24 +1,38 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
 #include "render/pixels/lanes.h"
+#include "render/shadows/map_depths.h"
+#include "render/shadows/soft_edges.h"
 
 namespace synthetic_dataset::render {
+
+/// How a shadow map was drawn.
+struct CastShadow {
+  MapDepths map;
+  Eigen::Matrix4d shadow_from_camera;  ///< to clip coordinates of the map: -1 to 1, depth 0 to 1
+  double texel;                        ///< as in ShadowProjection
+  Eigen::Vector2d softness;            ///< likewise
+
+  [[nodiscard]] bool isSoft() const { return !softness.isZero(); }
+};
 
 /// What of one light arrives in spite of what stands in its way.
 class ShadowLookup {
  public:
-  /// @param depths  CV_32FC1, a square: of what is nearest to the light; has to outlive this
-  /// @param shadow_from_camera  to clip coordinates of the map: -1 to 1, depth 0 to 1
-  /// @param texel  a texel's size [m]; of a light's map, at a distance of 1 m from it
+  /// @param depths  of the map; have to outlive this
   /// @param is_lamp  whether the light comes from a point
-  ShadowLookup(const cv::Mat& depths, const Eigen::Matrix4d& shadow_from_camera, double texel,
-               bool is_lamp);
+  ShadowLookup(const CastShadow& shadow, const MapDepths::Assembled& depths, bool is_lamp);
+
+  /// How far before the light points are [m], as the map looks; below 0 behind it.
+  [[nodiscard]] Lanes ahead(const Lanes3& position_C) const;
 
   /// The share of the light that passes, from 0 to 1: the mean over a square of 3 x 3 texels around
-  /// the place, whose rim counts by its share.
+  /// the place, whose rim counts by its share; or, where edges are soft, that of SoftEdges.
   /// @param normal  of the surface, towards the eye
   /// @param n_dot_l  the cosine of the angle between it and the way to the light
   /// @param distance  to the light [m]
@@ -27,6 +41,10 @@ class ShadowLookup {
                               const Lanes& distance, const Lanes& wanted) const;
 
  private:
+  struct FourInMap;
+
+  [[nodiscard]] FourInMap find(const Lanes3& raised, const Lanes3& normal, const Lanes& n_dot_l,
+                               const Lanes& wanted) const;
   [[nodiscard]] float passingAt(float column, float row, float depth) const;
 
   const cv::Mat& depths_;
@@ -34,7 +52,9 @@ class ShadowLookup {
   float size_;
   float texel_;
   bool is_lamp_;
-  Eigen::Matrix4f map_from_camera_;  ///< to column, row, depth and 1, all times the last
+  Eigen::Matrix4f map_from_camera_;     ///< to column, row, depth and 1, all times the last
+  Eigen::Matrix4f planes_from_camera_;  ///< the same of planes: normal and what to add
+  std::optional<SoftEdges> soft_edges_;
 };
 
 }  // namespace synthetic_dataset::render

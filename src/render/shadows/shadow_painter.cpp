@@ -1,7 +1,9 @@
 #include "render/shadows/shadow_painter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <opencv2/core.hpp>
@@ -25,20 +27,33 @@ bool isParallel(const ShadowProjection& shadow) {
   return shadow.shadow_from_world.row(3).head<3>().isZero();
 }
 
-/// On which side of a light's plane a part is, before which it shines.
-enum class LightSide { kBefore, kBehind, kBoth };
+/// Where a part is, as a map's light shines: all of it before the light's plane, none of it in the
+/// map, or neither.
+enum class InLight { kBefore, kNot, kPartly };
 
-LightSide sideOf(const Part& part, const Pose& X_WL, const ShadowProjection& shadow) {
+InLight placeOf(const Part& part, const Pose& X_WL, const ShadowProjection& shadow) {
   constexpr double kNearest = 1e-3;  // [m]
-  const Eigen::RowVector4d distance = shadow.shadow_from_world.row(3) * (X_WL * part.X_LV).matrix();
+  const Eigen::Matrix4d map_from_part = shadow.shadow_from_world * (X_WL * part.X_LV).matrix();
   bool is_before = true;
-  bool is_behind = true;
+  std::array<bool, 5> is_beyond = {true, true, true, true, true};  // the light, four sides
   for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
-    const double along = distance.dot(corner.homogeneous());
-    is_before = is_before && along > kNearest;
-    is_behind = is_behind && along < 0.0;
+    const Eigen::Vector4d at = map_from_part * corner.homogeneous();
+    is_before = is_before && at.w() > kNearest;
+    const std::array<bool, 5> beyond = {at.w() < 0.0, at.x() < -at.w(), at.x() > at.w(),
+                                        at.y() < -at.w(), at.y() > at.w()};
+    std::transform(beyond.begin(), beyond.end(), is_beyond.begin(), is_beyond.begin(),
+                   std::logical_and<>());
   }
-  return is_before ? LightSide::kBefore : is_behind ? LightSide::kBehind : LightSide::kBoth;
+  if (is_before) return InLight::kBefore;
+  const bool is_out = std::find(is_beyond.begin(), is_beyond.end(), true) != is_beyond.end();
+  return is_out ? InLight::kNot : InLight::kPartly;
+}
+
+/// Whether triangles that turn away from the light cast nothing. A light may be within a body: so
+/// that a lamp's bulb does not keep its light in, it does not matter of a point light's; a spot
+/// light is as OGRE has it.
+bool castsByFront(const Part& part, const ShadowProjection& shadow) {
+  return part.casts_by_front && (isParallel(shadow) || shadow.is_side);
 }
 
 /// Columns and rows of a map from its clip coordinates.
@@ -55,9 +70,12 @@ cv::Size reachOf(const ShadowProjection& shadow, int map_size) {
   constexpr int kGathered = 2;  // on each side (lighting.glsl)
   constexpr int kSpare = 1;
   constexpr double kRaise = kShadowRaise + kGrazingShadowRaise;
+  const double softness = std::min(shadow.softness.maxCoeff(), kWidestSoftness);
   const double half = 0.5 * map_size;
-  const auto reach = [](double shift) {
-    return static_cast<int>(std::ceil(shift)) + kGathered + kSpare;
+  const auto reach = [&](double shift) {
+    const int gathered =
+        softness > 0.0 ? static_cast<int>(std::ceil(softness)) + MapDepths::kCell : 0;
+    return static_cast<int>(std::ceil(shift)) + std::max(gathered, kGathered) + kSpare;
   };
   const Eigen::Matrix4d& map = shadow.shadow_from_world;
   if (isParallel(shadow)) {
@@ -99,6 +117,24 @@ void markCells(const cv::Mat& texels, const cv::Point& first, const cv::Rect& pl
   }
 }
 
+/// Those around a caster's shadow, and a few more.
+/// @param whole  all texels of the map
+cv::Rect texelsOf(const std::vector<Eigen::Vector3d>& caster, const ShadowProjection& shadow,
+                  const cv::Rect& whole) {
+  constexpr int kSlack = 3;  // [texel]
+  const double size = whole.width;
+  Eigen::AlignedBox2d texels;
+  for (const Eigen::Vector3d& corner : caster) {
+    const Eigen::Vector4d clip = shadow.shadow_from_world * corner.homogeneous();
+    if (clip.w() < 1e-6) return whole;  // behind the light, where corners bound nothing
+    texels.extend(Eigen::Vector2d(((clip.head<2>() / clip.w()).array() * 0.5 + 0.5) * size));
+  }
+  const Eigen::Vector2i low = texels.min().cwiseMax(0.0).cwiseMin(size).array().floor().cast<int>();
+  const Eigen::Vector2i high = texels.max().cwiseMax(0.0).cwiseMin(size).array().ceil().cast<int>();
+  const cv::Rect exact(cv::Point(low.x(), low.y()), cv::Point(high.x(), high.y()));
+  return grown(exact, {kSlack, kSlack}) & whole;
+}
+
 /// Grown on all sides; where that is far, all of it, which takes less time.
 void grow(cv::Mat& cells, const cv::Size& by) {
   constexpr int kFar = 16;
@@ -112,14 +148,18 @@ void grow(cv::Mat& cells, const cv::Size& by) {
 
 }  // namespace
 
-ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& parts, int size, int layers)
+ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& parts,
+                             const ShadowLayout& layout)
     : gl_(gl),
       parts_(parts),
       programs_(gl, shaders::kShadowVertex, shaders::kShadowFragment, feature::kHoles),
-      maps_(gl, size, layers),
+      maps_(gl, layout.map_size, layout.maps),
+      sides_(gl, layout.side_size, layout.sides),
       has_glass_(std::any_of(parts.parts().begin(), parts.parts().end(),
-                             [](const Part& part) { return part.transparent; })),
-      layers_(static_cast<std::size_t>(layers)) {}
+                             [](const Part& part) { return part.transparent; })) {
+  for (int map = 0; map < layout.maps; ++map) layers_.push_back({&maps_, map});
+  for (int side = 0; side < layout.sides; ++side) layers_.push_back({&sides_, side});
+}
 
 void ShadowPainter::begin() {
   gl_.Enable(GL_DEPTH_CLAMP);  // what stands before the map's range still casts
@@ -146,42 +186,43 @@ void ShadowPainter::paintStanding(const std::vector<ShadowProjection>& shadows,
 void ShadowPainter::paintStandingLayer(const ShadowProjection& shadow,
                                        const std::vector<Pose>& X_WL,
                                        const LinkSelection& casting) {
-  Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
-  if (isSame(layer, shadow, casting) && layer.is_kept) {
-    maps_.beginKept(shadow.layer, layer.overdrawn);
+  Layer& layer = layerOf(shadow);
+  if (layer.isSame(shadow, casting) && layer.is_kept) {
+    layer.maps->beginKept(layer.number, layer.overdrawn);
     layer.overdrawn.clear();
     layer.moving.clear();
-  } else {
-    maps_.begin(shadow.layer);
-    draw(shadow, X_WL, casting, Casters::kStanding);
-    // In a light with a place, things may move to where OpenGL has to draw them.
-    const bool is_needed = !isParallel(shadow) || !isCastByRaster(shadow, X_WL, casting);
-    if (is_needed) maps_.keep(shadow.layer);
-    layer = {shadow.shadow_from_world, casting, true, {}, {}, readAll(shadow.layer)};
+    return;
   }
+  layer.begin(shadow, casting);
+  draw(shadow, X_WL, casting, Casters::kStanding);
+  // In a light with a place, things may move to where OpenGL has to draw them.
+  const bool is_needed = !isParallel(shadow) || !isCastByRaster(shadow, X_WL, casting);
+  if (is_needed) layer.maps->keep(layer.number);
+  layer.is_kept = true;
+  layer.standing = layer.readAll();
 }
 
 /// @param moving  the links that cast among those that move
 void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                const LinkSelection& casting, const LinkSelection& moving) {
-  Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
+  Layer& layer = layerOf(shadow);
   if (isCastByRaster(shadow, X_WL, casting)) {
     paintStandingLayer(shadow, X_WL, casting);
     layer.moving = castPieces(shadow, X_WL, moving);
     return;
   }
-  if (!isSame(layer, shadow, casting)) {
+  if (!layer.isSame(shadow, casting)) {
     // It may not come again: a copy would be made for nothing.
-    maps_.begin(shadow.layer);
+    layer.begin(shadow, casting);
     draw(shadow, X_WL, casting, Casters::kAll);
-    layer = {shadow.shadow_from_world, casting, false, {}, {}, readAll(shadow.layer)};
+    layer.standing = layer.readAll();
     return;
   }
   paintStandingLayer(shadow, X_WL, casting);
   draw(shadow, X_WL, moving, Casters::kMoving);
   layer.overdrawn = texelsOfMoving(shadow, X_WL, moving);
   for (const cv::Rect& texels : layer.overdrawn) {
-    layer.moving.push_back({texels, maps_.read(shadow.layer, texels)});
+    layer.moving.push_back({texels, layer.maps->read(layer.number, texels)});
   }
 }
 
@@ -191,23 +232,22 @@ bool ShadowPainter::isCastByRaster(const ShadowProjection& shadow, const std::ve
   const std::vector<Part>& parts = parts_.parts();
   return !has_glass_ && std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
     if (!part.casts_shadow || part.stands_still || !casting[part.link]) return false;
-    return part.has_holes || sideOf(part, X_WL[part.link], shadow) == LightSide::kBoth;
+    return part.has_holes || placeOf(part, X_WL[part.link], shadow) == InLight::kPartly;
   });
 }
 
 std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
                                                 const std::vector<Pose>& X_WL,
                                                 const LinkSelection& casting) {
-  const int size = maps_.whole().width;
+  const int size = layerOf(shadow).size();
   const Eigen::Matrix4d map_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
   std::vector<MapPiece> pieces;
   for (const Part& part : parts_.parts()) {
     if (!part.casts_shadow || !casting[part.link] || part.stands_still) continue;
-    if (sideOf(part, X_WL[part.link], shadow) == LightSide::kBehind) continue;
+    if (placeOf(part, X_WL[part.link], shadow) == InLight::kNot) continue;
     const Eigen::Matrix4d map_from_mesh = map_from_world * (X_WL[part.link] * part.X_LV).matrix();
-    // A light may be within a body.
-    const bool fronts_alone = part.casts_by_front && isParallel(shadow);
-    const auto [known, is_new] = casts_.try_emplace({shadow.layer, &part});
+    const bool fronts_alone = castsByFront(part, shadow);
+    const auto [known, is_new] = casts_.try_emplace({shadow.map, &part});
     Cast& cast = known->second;
     if (is_new || cast.map_from_mesh != map_from_mesh || cast.fronts_alone != fronts_alone) {
       const Eigen::Projective3f map_from_vertex(map_from_mesh.cast<float>());
@@ -219,25 +259,21 @@ std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
   return pieces;
 }
 
-std::shared_ptr<MapDepths::Standing> ShadowPainter::readAll(int layer) const {
-  return std::make_shared<MapDepths::Standing>(maps_.read(layer, maps_.whole()));
-}
-
 MapDepths ShadowPainter::depths(const ShadowProjection& shadow) const {
-  const Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
+  const Layer& layer = layerOf(shadow);
   return MapDepths(layer.standing, layer.moving);
 }
 
 ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const {
-  const Layer& layer = layers_[static_cast<std::size_t>(shadow.layer)];
-  const int size = maps_.whole().width;
+  const Layer& layer = layerOf(shadow);
+  const int size = layer.size();
   ChangedTexels changed;
   changed.texels_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
   const cv::Size reach = reachOf(shadow, size);
   const cv::Size cell_reach((reach.width + kCell - 1) / kCell, (reach.height + kCell - 1) / kCell);
   // Surfaces beside the map may be raised onto it.
   if (!layer.is_kept) {
-    changed.place = grown(cellsOf(maps_.whole()), cell_reach);
+    changed.place = grown(cellsOf(layer.maps->whole()), cell_reach);
     changed.cells = cv::Mat(changed.place.size(), CV_8UC1, cv::Scalar(255));
     return changed;
   }
@@ -258,9 +294,19 @@ ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const
   return changed;
 }
 
-bool ShadowPainter::isSame(const Layer& layer, const ShadowProjection& shadow,
-                           const LinkSelection& casting) {
-  return layer.shadow_from_world == shadow.shadow_from_world && layer.casting == casting;
+/// Binds it and clears it; what is drawn then casts the shadow.
+void ShadowPainter::Layer::begin(const ShadowProjection& shadow, const LinkSelection& casters) {
+  *this = {maps, number, shadow.shadow_from_world, casters};
+  maps->begin(number);
+}
+
+bool ShadowPainter::Layer::isSame(const ShadowProjection& shadow,
+                                  const LinkSelection& casters) const {
+  return shadow_from_world == shadow.shadow_from_world && casting == casters;
+}
+
+std::shared_ptr<MapDepths::Standing> ShadowPainter::Layer::readAll() const {
+  return std::make_shared<MapDepths::Standing>(maps->read(number, maps->whole()));
 }
 
 /// Those within the bounds of moving casters, and a few more.
@@ -272,33 +318,14 @@ std::vector<cv::Rect> ShadowPainter::texelsOfMoving(const ShadowProjection& shad
     return part.casts_shadow && casting[part.link] && !part.stands_still;
   });
   for (const std::vector<Eigen::Vector3d>& caster : casters) {
-    const cv::Rect texels = texelsOf(caster, shadow);
+    const cv::Rect texels = texelsOf(caster, shadow, layerOf(shadow).maps->whole());
     if (!texels.empty()) all.push_back(texels);
   }
   return all;
 }
 
-cv::Rect ShadowPainter::texelsOf(const std::vector<Eigen::Vector3d>& caster,
-                                 const ShadowProjection& shadow) const {
-  constexpr int kSlack = 3;  // [texel]
-  const cv::Rect whole = maps_.whole();
-  const double size = whole.width;
-  Eigen::AlignedBox2d texels;
-  for (const Eigen::Vector3d& corner : caster) {
-    const Eigen::Vector4d clip = shadow.shadow_from_world * corner.homogeneous();
-    if (clip.w() < 1e-6) return whole;  // behind the light, where corners bound nothing
-    texels.extend(Eigen::Vector2d(((clip.head<2>() / clip.w()).array() * 0.5 + 0.5) * size));
-  }
-  const Eigen::Vector2i low = texels.min().cwiseMax(0.0).cwiseMin(size).array().floor().cast<int>();
-  const Eigen::Vector2i high = texels.max().cwiseMax(0.0).cwiseMin(size).array().ceil().cast<int>();
-  const cv::Rect exact(cv::Point(low.x(), low.y()), cv::Point(high.x(), high.y()));
-  return grown(exact, {kSlack, kSlack}) & whole;
-}
-
 void ShadowPainter::draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                          const LinkSelection& casting, Casters casters) {
-  // A light may be within a body.
-  const bool is_parallel = isParallel(shadow);
   for (const Part& part : parts_.parts()) {
     if (!part.casts_shadow || !casting[part.link]) continue;
     if (casters != Casters::kAll && part.stands_still != (casters == Casters::kStanding)) continue;
@@ -308,7 +335,7 @@ void ShadowPainter::draw(const ShadowProjection& shadow, const std::vector<Pose>
     program.use();
     program.set("shadow_from_mesh", Eigen::Matrix4f(shadow_from_mesh.cast<float>()));
     bindHoles(gl_, program, part);
-    if (part.casts_by_front && is_parallel) {
+    if (castsByFront(part, shadow)) {
       gl_.Enable(GL_CULL_FACE);
     } else {
       gl_.Disable(GL_CULL_FACE);

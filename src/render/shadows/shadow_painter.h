@@ -24,8 +24,7 @@ namespace synthetic_dataset::render {
 class ShadowPainter {
  public:
   /// @param parts  have to outlive this
-  /// @param size  of a map's side [texel]
-  ShadowPainter(const GlFunctions& gl, const DrawList& parts, int size, int layers);
+  ShadowPainter(const GlFunctions& gl, const DrawList& parts, const ShadowLayout& layout);
 
   /// @param moving  of each shadow, the links that are of interest among those that cast it and
   ///     move; empty for all
@@ -42,31 +41,45 @@ class ShadowPainter {
   /// What was drawn last.
   [[nodiscard]] MapDepths depths(const ShadowProjection& shadow) const;
 
-  /// The same for OpenGL, where something is drawn that one can see through.
-  [[nodiscard]] GLuint texture() const { return maps_.texture(); }
+  /// The same for OpenGL, where something is drawn that one can see through: all maps that are no
+  /// sides, and all sides.
+  [[nodiscard]] GLuint maps() const { return maps_.texture(); }
+  [[nodiscard]] GLuint sides() const { return sides_.texture(); }
 
  private:
   enum class Casters { kAll, kStanding, kMoving };
 
-  /// What a layer was drawn with last.
+  /// A map, and what it was drawn with last.
   struct Layer {
+    ShadowMaps* maps;  ///< among which it is
+    int number;        ///< among these
+
     Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
-    LinkSelection casting;
-    bool is_kept = false;             ///< the standing casters, as they are drawn with these
-    std::vector<MapPiece> moving;     ///< what moves, where it was drawn on top of them
-    std::vector<cv::Rect> overdrawn;  ///< texels on which OpenGL did that
-    std::shared_ptr<MapDepths::Standing> standing;  ///< or all casters, if they are not kept
+    LinkSelection casting = {};
+    bool is_kept = false;                  ///< the standing casters, as they are drawn with these
+    std::vector<MapPiece> moving = {};     ///< what moves, where it was drawn on top of them
+    std::vector<cv::Rect> overdrawn = {};  ///< texels on which OpenGL did that
+    std::shared_ptr<MapDepths::Standing> standing = nullptr;  ///< or all, if they are not kept
+
+    void begin(const ShadowProjection& shadow, const LinkSelection& casters);
+    [[nodiscard]] bool isSame(const ShadowProjection& shadow, const LinkSelection& casters) const;
+    [[nodiscard]] int size() const { return maps->whole().width; }
+    [[nodiscard]] std::shared_ptr<MapDepths::Standing> readAll() const;
   };
 
-  /// What a part was cast as last, on some layer. The same again is the same piece.
+  /// What a part was cast as last, in some map. The same again is the same piece.
   struct Cast {
     Eigen::Matrix4d map_from_mesh;
     bool fronts_alone = false;
     std::optional<MapPiece> piece;
   };
 
-  [[nodiscard]] static bool isSame(const Layer& layer, const ShadowProjection& shadow,
-                                   const LinkSelection& casting);
+  [[nodiscard]] Layer& layerOf(const ShadowProjection& shadow) {
+    return layers_[static_cast<std::size_t>(shadow.map)];
+  }
+  [[nodiscard]] const Layer& layerOf(const ShadowProjection& shadow) const {
+    return layers_[static_cast<std::size_t>(shadow.map)];
+  }
   void begin();
   void paintStandingLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                           const LinkSelection& casting);
@@ -77,12 +90,9 @@ class ShadowPainter {
   [[nodiscard]] std::vector<MapPiece> castPieces(const ShadowProjection& shadow,
                                                  const std::vector<Pose>& X_WL,
                                                  const LinkSelection& casting);
-  [[nodiscard]] std::shared_ptr<MapDepths::Standing> readAll(int layer) const;
   [[nodiscard]] std::vector<cv::Rect> texelsOfMoving(const ShadowProjection& shadow,
                                                      const std::vector<Pose>& X_WL,
                                                      const LinkSelection& casting) const;
-  [[nodiscard]] cv::Rect texelsOf(const std::vector<Eigen::Vector3d>& caster,
-                                  const ShadowProjection& shadow) const;
   void draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
             const LinkSelection& casting, Casters casters);
 
@@ -90,9 +100,10 @@ class ShadowPainter {
   const DrawList& parts_;
   ShaderFamily programs_;
   ShadowMaps maps_;
+  ShadowMaps sides_;
   bool has_glass_;  ///< which OpenGL lights
   std::vector<Layer> layers_;
-  std::map<std::pair<int, const Part*>, Cast> casts_;  ///< by layer and part
+  std::map<std::pair<int, const Part*>, Cast> casts_;  ///< by map and part
 };
 
 }  // namespace synthetic_dataset::render

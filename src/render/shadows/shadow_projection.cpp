@@ -7,21 +7,39 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr int kMaxShadows = SYNTHETIC_DATASET_MAX_SHADOWS;
+constexpr int kSides = 6;
 
-bool castsShadow(const world::Light& light) {
-  // A point light would need a map for each of six directions.
-  return light.casts_shadow && light.type != world::LightType::kPoint;
+/// The sun's diameter is 0.53 degrees: the tangent of half of it.
+constexpr double kSunRadius = 0.004625;
+
+/// SDF does not say how large a lamp is: a bulb's radius [m].
+constexpr double kLampRadius = 0.03;
+
+bool castsShadow(const world::Light& light, LightDetail detail) {
+  // OGRE has no shadows of point lights in Gazebo's worlds.
+  return light.casts_shadow &&
+         (light.type != world::LightType::kPoint || detail == LightDetail::kFull);
 }
 
-/// World from a frame whose +z is where the light shines.
-Pose lightFrame(const world::Light& light) {
-  const Eigen::Vector3d direction = (light.X_WL.linear() * light.direction_L).normalized();
+/// A map's side, so that many have no more texels than a few.
+int sizeOf(int size, int count) {
+  constexpr double kFew = 4.0;
+  if (count <= kFew) return size;
+  return std::max(static_cast<int>(size * std::sqrt(kFew / count)), 1);
+}
+
+/// World from a frame at a light whose +z is a direction.
+Pose frameTowards(const world::Light& light, const Eigen::Vector3d& direction) {
   Pose X_WS = Pose::Identity();
   X_WS.linear() =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), direction).toRotationMatrix();
   X_WS.translation() = light.X_WL.translation();
   return X_WS;
+}
+
+/// World from a frame whose +z is where the light shines.
+Pose lightFrame(const world::Light& light) {
+  return frameTowards(light, (light.X_WL.linear() * light.direction_L).normalized());
 }
 
 /// The corners of what the camera sees up to `distance`.
@@ -49,7 +67,7 @@ Bounds boundsIn(const Pose& X_SW, const std::vector<Eigen::Vector3d>& points_W) 
 
 /// Parallel light: the map covers what is both seen and near something that casts.
 void fitDirectional(const world::Light& light, const std::vector<View>& views,
-                    const Bounds& casters, double shadow_distance, int size,
+                    const Bounds& casters, double shadow_distance, int size, LightDetail detail,
                     ShadowProjection& projection) {
   constexpr double kMargin = 0.02;  // of the casters' depth, so that none lies on the map's border
   const Pose X_SW = lightFrame(light).inverse();
@@ -76,53 +94,83 @@ void fitDirectional(const world::Light& light, const std::vector<View>& views,
   clip_from_light(2, 3) = -nearest / range;
   projection.shadow_from_world = clip_from_light * X_SW.matrix();
   projection.texel = extent.maxCoeff() / size;
+  if (detail == LightDetail::kFull) {
+    projection.softness = (kSunRadius * range * size) * extent.cwiseInverse();
+  }
 }
 
-/// A spot light's map is what the light sees within its outer angle.
-void fitSpot(const world::Light& light, int size, ShadowProjection& projection) {
-  constexpr double kNear = 0.05;                 // [m] things nearer to the light cast nothing
-  constexpr double kWidest = 0.48 * 3.14159265;  // [rad] half angle; a plane cannot hold more
-  const double half_angle = std::clamp(0.5 * light.spot_outer_angle, 0.01, kWidest);
+/// What a light sees from its place.
+/// @param scale  the inverse of the tangent of half the map's angle
+void fitLamp(const world::Light& light, const Pose& X_WS, double scale, int size,
+             LightDetail detail, ShadowProjection& projection) {
+  constexpr double kNear = 0.05;  // [m] depth begins there
   const double far = std::max(light.range, 2.0 * kNear);
-  const double scale = 1.0 / std::tan(half_angle);
   Eigen::Matrix4d clip_from_light = Eigen::Matrix4d::Zero();
   clip_from_light(0, 0) = scale;
   clip_from_light(1, 1) = scale;
   clip_from_light(2, 2) = far / (far - kNear);
   clip_from_light(2, 3) = -far * kNear / (far - kNear);
   clip_from_light(3, 2) = 1.0;
-  projection.shadow_from_world = clip_from_light * lightFrame(light).inverse().matrix();
+  projection.shadow_from_world = clip_from_light * X_WS.inverse().matrix();
   projection.texel = 2.0 / (scale * size);
+  if (detail != LightDetail::kFull) return;
+  // Depths differ as the inverses of distances along the axis do, and so does softness in texels.
+  const double by_inverses = far * kNear / (far - kNear);
+  projection.softness.setConstant(kLampRadius / (projection.texel * by_inverses));
+}
+
+/// A spot light's map is what the light sees within its outer angle.
+void fitSpot(const world::Light& light, int size, LightDetail detail,
+             ShadowProjection& projection) {
+  constexpr double kWidest = 0.48 * 3.14159265;  // [rad] half angle; a plane cannot hold more
+  const double half_angle = std::clamp(0.5 * light.spot_outer_angle, 0.01, kWidest);
+  fitLamp(light, lightFrame(light), 1.0 / std::tan(half_angle), size, detail, projection);
+}
+
+/// A side holds a few texels of the sides around it too: those that a surface's light asks for.
+/// @param side  below six
+void fitSide(const world::Light& light, int side, int size, ShadowProjection& projection) {
+  constexpr double kRim = kWidestSoftness + 8.0;  // [texel]
+  const double scale = std::max(1.0 - 2.0 * kRim / size, 0.5);
+  const Eigen::Vector3d direction =
+      (side < kSides / 2 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(side % (kSides / 2));
+  projection.is_side = true;
+  fitLamp(light, frameTowards(light, direction), scale, size, LightDetail::kFull, projection);
 }
 
 }  // namespace
 
-std::vector<int> shadowLayers(const std::vector<world::Light>& lights) {
-  int next = 0;
-  std::vector<int> layers;
+ShadowLayout shadowLayout(const std::vector<world::Light>& lights, int size, LightDetail detail) {
+  ShadowLayout layout;
+  int cubes = 0;
   for (const world::Light& light : lights) {
-    layers.push_back(castsShadow(light) && next < kMaxShadows ? next++ : -1);
+    if (!castsShadow(light, detail)) continue;
+    ++(light.type == world::LightType::kPoint ? cubes : layout.maps);
   }
-  return layers;
-}
-
-int shadowCount(const std::vector<world::Light>& lights) {
-  const auto count = std::count_if(lights.begin(), lights.end(), castsShadow);
-  return std::min(static_cast<int>(count), kMaxShadows);
-}
-
-std::vector<std::string> shadowNotes(const std::vector<world::Light>& lights) {
-  std::vector<std::string> notes;
-  int casting = 0;
+  layout.sides = kSides * cubes;
+  layout.map_size = sizeOf(size, layout.maps);
+  layout.side_size = sizeOf((size + 2) / 3, cubes);
+  int next_map = 0;
+  int next_side = layout.maps;
   for (const world::Light& light : lights) {
-    if (!light.casts_shadow) continue;
-    if (light.type == world::LightType::kPoint) {
-      notes.push_back("light '" + light.name +
-                      "' casts no shadow: only directional and spot lights do");
-    } else if (++casting > kMaxShadows) {
-      notes.push_back("light '" + light.name + "' casts no shadow: only the first " +
-                      std::to_string(kMaxShadows) + " lights with <cast_shadows> do");
+    int first = -1;
+    if (castsShadow(light, detail) && light.type != world::LightType::kPoint) {
+      first = next_map++;
+    } else if (castsShadow(light, detail)) {
+      first = next_side;
+      next_side += kSides;
     }
+    layout.first_maps.push_back(first);
+  }
+  return layout;
+}
+
+std::vector<std::string> shadowNotes(const std::vector<world::Light>& lights, LightDetail detail) {
+  std::vector<std::string> notes;
+  for (const world::Light& light : lights) {
+    if (!light.casts_shadow || castsShadow(light, detail)) continue;
+    notes.push_back("light '" + light.name +
+                    "' casts no shadow: point lights do so with rendering/light: full alone");
   }
   return notes;
 }
@@ -130,21 +178,32 @@ std::vector<std::string> shadowNotes(const std::vector<world::Light>& lights) {
 std::vector<ShadowProjection> shadowProjections(const std::vector<world::Light>& lights,
                                                 const std::vector<View>& views,
                                                 const Bounds& casters, double shadow_distance,
-                                                int size) {
+                                                const ShadowLayout& layout, LightDetail detail) {
   std::vector<ShadowProjection> result;
   if (casters.isEmpty()) return result;
-  const std::vector<int> layers = shadowLayers(lights);
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (layers[i] < 0) continue;
+    const world::Light& light = lights[i];
+    if (layout.first_maps[i] < 0 || !castsShadow(light, detail)) continue;
     ShadowProjection projection;
     projection.light = static_cast<int>(i);
-    projection.layer = layers[i];
-    if (lights[i].type == world::LightType::kSpot) {
-      fitSpot(lights[i], size, projection);
-    } else {
-      fitDirectional(lights[i], views, casters, shadow_distance, size, projection);
+    projection.map = layout.first_maps[i];
+    switch (light.type) {
+      case world::LightType::kDirectional:
+        fitDirectional(light, views, casters, shadow_distance, layout.map_size, detail, projection);
+        result.push_back(projection);
+        break;
+      case world::LightType::kSpot:
+        fitSpot(light, layout.map_size, detail, projection);
+        result.push_back(projection);
+        break;
+      case world::LightType::kPoint:
+        for (int side = 0; side < kSides; ++side) {
+          fitSide(light, side, layout.side_size, projection);
+          result.push_back(projection);
+          ++projection.map;
+        }
+        break;
     }
-    result.push_back(projection);
   }
   return result;
 }

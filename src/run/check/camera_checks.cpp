@@ -134,7 +134,7 @@ std::vector<Finding> checkLights(const MotionSetup& motion, const NamedRays& ray
   const Links shells = shellsAround(rays, scenes);
   std::vector<Finding> findings;
   for (const world::Light& light : motion.world->description().lights) {
-    // Of the others, point lights cast no shadows in any case.
+    // A body around a point light is its bulb, and keeps no light in.
     if (light.type != world::LightType::kSpot || !light.casts_shadow) continue;
     const Eigen::Vector3d p_G = light.X_WL.translation();
     const auto model = modelAround(rays, shells, p_G);

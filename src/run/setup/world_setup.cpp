@@ -99,7 +99,8 @@ class WorldBuilder {
     setup_.world = std::move(*world);
     const world::Description& loaded = setup_.world->description();
     found_.add(base::Severity::kWarning, loaded.notes);
-    found_.add(base::Severity::kWarning, render::shadowNotes(loaded.lights));
+    found_.add(base::Severity::kWarning,
+               render::shadowNotes(loaded.lights, config_.rendering.light));
     return std::move(setup_);
   }
 

@@ -216,7 +216,10 @@ TEST(ShadowLookup, IsTheMeanOfTheTexelsRoundAPlace) {
   cv::randu(depths, 0.0F, 1.0F);
   // From metres to clip coordinates; nothing is raised by a texel of no size.
   Eigen::Matrix4d shadow_from_camera = Eigen::Matrix4d::Identity();
-  const ShadowLookup lookup(depths, shadow_from_camera, 0.0, false);
+  const CastShadow shadow{MapDepths(std::make_shared<MapDepths::Standing>(depths)),
+                          shadow_from_camera, 0.0, Eigen::Vector2d::Zero()};
+  const MapDepths::Assembled assembled = shadow.map.assemble();
+  const ShadowLookup lookup(shadow, assembled, false);
   std::mt19937 random(2);
   std::uniform_real_distribution<float> place(-1.0F, 1.0F);
   const Lanes all = lanes(0.0F) >= lanes(0.0F);

@@ -1,0 +1,365 @@
+/// Shadows of lights that are no points, against rays to all parts of these lights.
+
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include "render/pixels/srgb.h"
+#include "render/renderer.h"
+#include "render/shadows/shadow_projection.h"
+#include "support/box_world.h"
+#include "world/shape/shape_meshes.h"
+
+namespace synthetic_dataset::render {
+namespace soft_edges_test {
+
+using test::Stage;
+
+constexpr double kSunRadius = 0.00462516;  // the tangent of half of 0.53 degrees
+constexpr double kLampRadius = 0.03;       // [m]
+
+Pose at(double x, double y, double z) {
+  return makePose({x, y, z}, Eigen::Quaterniond::Identity());
+}
+
+world::Material matte() {
+  world::Material material;
+  material.diffuse = {0.6F, 0.6F, 0.6F, 1.0F};
+  material.specular.setZero();
+  material.roughness = 1.0F;
+  return material;
+}
+
+/// A floor of 4 m, and nothing but one light.
+struct Room {
+  explicit Room(const world::Light& light) {
+    description.simulator = world::Simulator::kGz;
+    description.ambient.setZero();
+    description.background.setZero();
+    description.lights = {light};
+    description.lights[0].casts_shadow = true;
+    options.light = LightDetail::kFull;
+    stage.addMesh(world::planeMesh(Eigen::Vector3d::UnitZ(), {4, 4}), at(0, 0, 0), -1, matte());
+  }
+
+  /// What of the light arrives at each pixel, linear: that of the picture by that of a picture
+  /// without shadows.
+  [[nodiscard]] cv::Mat passing() const {
+    const auto linear = [&](const std::vector<bool>& casting) {
+      Renderer renderer(description, stage.links(), options);
+      const cv::Mat picture = renderer.colour(view, stage.poses(), {stage.all(), casting});
+      cv::Mat result(picture.size(), CV_64FC1);
+      for (int v = 0; v < picture.rows; ++v) {
+        for (int u = 0; u < picture.cols; ++u) {
+          const auto encoded = static_cast<float>(picture.at<cv::Vec3b>(v, u)[1]) / 255.0F;
+          const Eigen::Vector3f grey(encoded, encoded, encoded);
+          result.at<double>(v, u) = linearFromSrgb(grey).x();
+        }
+      }
+      return result;
+    };
+    return linear(stage.all()) / linear(std::vector<bool>(stage.poses().size(), false));
+  }
+
+  /// Where a pixel's centre sees the floor.
+  [[nodiscard]] Eigen::Vector3d floorAt(int u, int v) const {
+    const Intrinsics& k = view.camera.intrinsics();
+    const Eigen::Vector3d ray =
+        view.X_WC.linear() * Eigen::Vector3d((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1.0);
+    const Eigen::Vector3d eye = view.X_WC.translation();
+    return eye - eye.z() / ray.z() * ray;
+  }
+
+  world::Description description;
+  RenderOptions options;
+  Stage stage;
+  View view{CameraModel(160, 120, {120.0, 120.0, 79.5, 59.5}, 0.05, 100.0),
+            makePose({0, 0, 1.9}, Eigen::Quaterniond(0, 1, 0, 0))};  // downwards
+};
+
+/// The share of a disc's parts of which something is true.
+/// @param is_seen  of a place in the disc of radius 1
+double shareOf(const std::function<bool(const Eigen::Vector2d&)>& is_seen) {
+  int count = 0;
+  int seen = 0;
+  for (double x = -0.975; x < 1.0; x += 0.05) {
+    for (double y = -0.975; y < 1.0; y += 0.05) {
+      if (x * x + y * y > 1.0) continue;
+      ++count;
+      if (is_seen({x, y})) ++seen;
+    }
+  }
+  return static_cast<double>(seen) / count;
+}
+
+/// @param lit  the share of the light that arrives at a place of the floor
+void expectShares(const Room& room, const std::function<double(const Eigen::Vector3d&)>& lit) {
+  const cv::Mat passing = room.passing();
+  double sum = 0.0;
+  double worst = 0.0;
+  int partly = 0;
+  for (int v = 0; v < passing.rows; ++v) {
+    for (int u = 0; u < passing.cols; ++u) {
+      const double wanted = lit(room.floorAt(u, v));
+      const double difference = std::abs(passing.at<double>(v, u) - wanted);
+      sum += difference;
+      worst = std::max(worst, difference);
+      if (wanted > 0.1 && wanted < 0.9) ++partly;
+    }
+  }
+  EXPECT_GT(partly, 300) << "pixels that see a part of the light";
+  EXPECT_LT(sum / static_cast<double>(passing.total()), 0.01);
+  EXPECT_LT(worst, 0.25);
+}
+
+TEST(SoftEdges, InTheSunAreAsWideAsItIs) {
+  world::Light sun;
+  sun.direction_L = Eigen::Vector3d(0.3, 0.1, -1.0).normalized();
+  Room room(sun);
+  room.view.X_WC.translation() = Eigen::Vector3d(0.2, 0.2, 0.9);
+  constexpr double kHeight = 3.0;
+  room.stage.addMesh(world::planeMesh(Eigen::Vector3d::UnitZ(), {0.4, 0.6}), at(-0.7, 0, kHeight),
+                     0, matte());
+  const Eigen::Vector3d side = sun.direction_L.unitOrthogonal();
+  const Eigen::Vector3d other = sun.direction_L.cross(side);
+  expectShares(room, [&](const Eigen::Vector3d& place) {
+    return shareOf([&](const Eigen::Vector2d& of_disc) {
+      const Eigen::Vector3d way =
+          -sun.direction_L + kSunRadius * (of_disc.x() * side + of_disc.y() * other);
+      const Eigen::Vector3d hit = place + kHeight / way.z() * way;
+      return std::abs(hit.x() + 0.7) > 0.2 || std::abs(hit.y()) > 0.3;
+    });
+  });
+}
+
+TEST(SoftEdges, OfALampAreAsWideAsItIs) {
+  world::Light lamp;
+  lamp.type = world::LightType::kPoint;
+  lamp.X_WL = at(0.2, 0.1, 2.0);
+  lamp.range = 10.0;
+  lamp.attenuation_constant = 1.0;
+  lamp.attenuation_linear = 0.0;
+  lamp.attenuation_quadratic = 0.0;
+  Room room(lamp);
+  room.view.X_WC.translation() = Eigen::Vector3d(0, 0, 0.9);
+  room.stage.addMesh(world::planeMesh(Eigen::Vector3d::UnitZ(), {0.3, 0.4}), at(0.1, 0, 1.0), 0,
+                     matte());
+  expectShares(room, [&](const Eigen::Vector3d& place) {
+    return shareOf([&](const Eigen::Vector2d& of_disc) {
+      const Eigen::Vector3d part =
+          lamp.X_WL.translation() + kLampRadius * Eigen::Vector3d(of_disc.x(), of_disc.y(), 0.0);
+      const Eigen::Vector3d hit = place + (part - place) / part.z();
+      return std::abs(hit.x() - 0.1) > 0.15 || std::abs(hit.y()) > 0.2;
+    });
+  });
+}
+
+TEST(SoftEdges, AreSharpWhereAThingStands) {
+  world::Light sun;
+  sun.direction_L = Eigen::Vector3d(1.0, 0.0, -1.0).normalized();
+  Room room(sun);
+  room.stage.addBox({0.4, 1.0, 0.3}, at(0, 0, 0.15), 0, matte());
+  const cv::Mat passing = room.passing();
+  // The box's right side is at 0.2; from above its top hides a part of the floor beyond.
+  for (int u = 0; u < passing.cols; ++u) {
+    const double x = room.floorAt(u, 60).x();
+    const double top = 0.2 * 1.9 / 1.6;
+    if (x > top + 0.02 && x < 0.48) {
+      EXPECT_LT(passing.at<double>(60, u), 0.03) << "at " << x << " m";
+    }
+    if (x > 0.52) {
+      EXPECT_GT(passing.at<double>(60, u), 0.97) << "at " << x << " m";
+    }
+  }
+}
+
+TEST(SoftEdges, LeaveWhatIsNotInAShadowAsItIs) {
+  for (const double slant : {0.2, 1.0, 3.0}) {
+    world::Light sun;
+    sun.direction_L = Eigen::Vector3d(slant, 0.3 * slant, -1.0).normalized();
+    Room room(sun);
+    room.stage.addMesh(world::sphereMesh(0.3), at(0, 0, 0.8), 0, matte());
+    room.stage.addBox({0.3, 0.3, 0.3}, at(0.7, 0.7, 0.15), 1, matte());
+    const cv::Mat passing = room.passing();
+    const Eigen::Vector3d towards = -sun.direction_L;
+    for (int v = 0; v < passing.rows; ++v) {
+      for (int u = 0; u < passing.cols; ++u) {
+        // Spheres: those whose normals see the sun at 0.2 or more are not in their own shadow.
+        const Eigen::Vector3d eye = room.view.X_WC.translation();
+        const Eigen::Vector3d ray = (room.floorAt(u, v) - eye).normalized();
+        const Eigen::Vector3d middle(0, 0, 0.8);
+        const double along = ray.dot(middle - eye);
+        const double beside = (middle - eye - along * ray).norm();
+        if (beside > 0.28) continue;
+        const Eigen::Vector3d hit = eye + (along - std::sqrt(0.3 * 0.3 - beside * beside)) * ray;
+        if ((hit - middle).normalized().dot(towards) < 0.25) continue;
+        EXPECT_GT(passing.at<double>(v, u), 0.97) << "pixel " << u << ", " << v;
+      }
+    }
+  }
+}
+
+/// A camera at a place that looks along a direction.
+Pose lookingAlong(const Eigen::Vector3d& eye, const Eigen::Vector3d& ahead) {
+  return makePose(eye, Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ahead));
+}
+
+TEST(PointLights, CastShadowsAllAround) {
+  world::Light lamp;
+  lamp.type = world::LightType::kPoint;
+  lamp.casts_shadow = true;
+  lamp.range = 20.0;
+  lamp.attenuation_linear = 0.0;
+  lamp.attenuation_quadratic = 0.0;
+  world::Description description;
+  description.simulator = world::Simulator::kGz;
+  description.ambient.setZero();
+  description.lights = {lamp};
+  RenderOptions options;
+  options.light = LightDetail::kFull;
+  constexpr double kWall = 2.0;   // [m] how far away walls are
+  constexpr double kBall = 0.05;  // [m] radius
+  constexpr double kHalfWay = 1.0;
+  // Balls before the middle of each wall, and before some edges and corners of the cube.
+  std::vector<Eigen::Vector3d> balls;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) balls.emplace_back(sign * Eigen::Vector3d::Unit(axis));
+  }
+  balls.emplace_back(Eigen::Vector3d(1, 1, 0));
+  balls.emplace_back(Eigen::Vector3d(0, -1, 1));
+  balls.emplace_back(Eigen::Vector3d(-1, 1, -1));
+  Stage stage;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      const Eigen::Vector3d outwards = sign * Eigen::Vector3d::Unit(axis);
+      stage.addMesh(world::planeMesh(-outwards, {2 * kWall, 2 * kWall}),
+                    makePose(kWall * outwards, Eigen::Quaterniond::Identity()), -1, matte());
+    }
+  }
+  for (Eigen::Vector3d& ball : balls) {
+    ball *= kHalfWay;
+    stage.addMesh(world::sphereMesh(kBall), at(ball.x(), ball.y(), ball.z()), 0, matte());
+  }
+  const CameraModel camera(120, 120, {70.0, 70.0, 59.5, 59.5}, 0.01, 100.0);
+  Renderer renderer(description, stage.links(), options);
+  int shaded = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      const Eigen::Vector3d outwards = sign * Eigen::Vector3d::Unit(axis);
+      // From beside the light, so that balls do not hide their shadows.
+      const Eigen::Vector3d eye =
+          0.3 * Eigen::Vector3d::Unit((axis + 1) % 3) + 0.3 * Eigen::Vector3d::Unit((axis + 2) % 3);
+      const View view{camera, lookingAlong(eye, outwards)};
+      const cv::Mat picture = renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
+      for (int v = 0; v < picture.rows; ++v) {
+        for (int u = 0; u < picture.cols; ++u) {
+          const Eigen::Vector3d ray =
+              view.X_WC.linear() * Eigen::Vector3d((u - 59.5) / 70.0, (v - 59.5) / 70.0, 1.0);
+          const auto nearest = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& way) {
+            double least = 1e9;
+            for (const Eigen::Vector3d& ball : balls) {
+              const double along = std::max((ball - from).dot(way) / way.squaredNorm(), 0.0);
+              least = std::min(least, (ball - from - along * way).norm());
+            }
+            return least;
+          };
+          if (nearest(eye, ray) < kBall + 0.02) continue;  // a ball, or beside one
+          double way = 1e9;
+          for (int i = 0; i < 3; ++i) {
+            if (ray[i] != 0.0)
+              way = std::min(way, (std::copysign(kWall, ray[i]) - eye[i]) / ray[i]);
+          }
+          const Eigen::Vector3d place = eye + way * ray;
+          const double passes = nearest(Eigen::Vector3d::Zero(), place);
+          const int level = picture.at<cv::Vec3b>(v, u)[1];
+          if (passes < kBall - 0.025) {
+            EXPECT_EQ(level, 0) << place.transpose();
+            ++shaded;
+          } else if (passes > kBall + 0.025) {
+            EXPECT_GT(level, 60) << place.transpose();
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(shaded, 60);
+}
+
+/// How bright a floor is below a light of this type in a ball, beside the light's middle.
+double brightnessBelow(world::LightType type, bool is_in_ball) {
+  world::Light lamp;
+  lamp.type = type;
+  lamp.X_WL = at(0, 0, 2.0);
+  lamp.direction_L = -Eigen::Vector3d::UnitZ();
+  lamp.spot_inner_angle = 1.5;
+  lamp.spot_outer_angle = 2.0;
+  lamp.range = 10.0;
+  Room room(lamp);
+  room.stage.addMesh(world::sphereMesh(0.06), at(is_in_ball ? 0 : 5, 0, 2.0), 0, matte());
+  Renderer renderer(room.description, room.stage.links(), room.options);
+  const cv::Mat picture =
+      renderer.colour(room.view, room.stage.poses(), {room.stage.all(), room.stage.all()});
+  return cv::mean(picture)[1];
+}
+
+TEST(PointLights, ShineOutOfTheirBulbs) {
+  const double free = brightnessBelow(world::LightType::kPoint, false);
+  EXPECT_GT(free, 50.0);
+  EXPECT_NEAR(brightnessBelow(world::LightType::kPoint, true), free, 0.5);
+}
+
+TEST(ShadowLayout, GivesManyLightsSmallerMaps) {
+  std::vector<world::Light> lights(3);
+  for (world::Light& light : lights) light.casts_shadow = true;
+  lights[1].type = world::LightType::kPoint;
+  const ShadowLayout simple = shadowLayout(lights, 2048, LightDetail::kSimple);
+  EXPECT_EQ(simple.first_maps, (std::vector<int>{0, -1, 1}));
+  EXPECT_EQ(simple.map_size, 2048);
+  EXPECT_EQ(simple.sides, 0);
+  const ShadowLayout full = shadowLayout(lights, 2048, LightDetail::kFull);
+  EXPECT_EQ(full.first_maps, (std::vector<int>{0, 2, 1}));
+  EXPECT_EQ(full.sides, 6);
+  EXPECT_LE(6 * full.side_size * full.side_size, 2048 * 2048) << "a cube is no larger than a map";
+  lights.resize(32, lights[0]);
+  const ShadowLayout many = shadowLayout(lights, 2048, LightDetail::kFull);
+  EXPECT_EQ(many.maps, 31);
+  EXPECT_LE(many.maps * many.map_size * many.map_size, 4 * 2048 * 2048);
+}
+
+TEST(ManyLights, EachCastShadows) {
+  constexpr int kLights = 9;
+  world::Description description;
+  description.simulator = world::Simulator::kGz;
+  description.ambient.setZero();
+  Stage stage;
+  stage.addMesh(world::planeMesh(Eigen::Vector3d::UnitZ(), {12, 4}), at(0, 0, 0), -1, matte());
+  for (int i = 0; i < kLights; ++i) {
+    world::Light lamp;
+    lamp.type = world::LightType::kSpot;
+    lamp.casts_shadow = true;
+    lamp.X_WL = at(i - 4.0, 0, 2.0);
+    lamp.direction_L = -Eigen::Vector3d::UnitZ();
+    lamp.spot_inner_angle = 0.3;
+    lamp.spot_outer_angle = 0.4;
+    lamp.range = 10.0;
+    description.lights.push_back(lamp);
+    stage.addBox({0.1, 0.1, 0.02}, at(i - 4.0, 0, 1.0), 0, matte());
+  }
+  for (const LightDetail light : {LightDetail::kSimple, LightDetail::kFull}) {
+    RenderOptions options;
+    options.light = light;
+    Renderer renderer(description, stage.links(), options);
+    for (int i = 0; i < kLights; ++i) {
+      const View view{CameraModel(64, 64, {64.0, 64.0, 31.5, 31.5}, 0.01, 100.0),
+                      makePose({i - 4.0, 0, 0.9}, Eigen::Quaterniond(0, 1, 0, 0))};
+      const cv::Mat picture = renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
+      EXPECT_EQ(picture.at<cv::Vec3b>(31, 31)[1], 0) << "below the box, light " << i;
+      EXPECT_GT(picture.at<cv::Vec3b>(31, 31 + 13)[1], 50) << "beside its shadow, light " << i;
+    }
+  }
+}
+
+}  // namespace soft_edges_test
+}  // namespace synthetic_dataset::render
