@@ -13,7 +13,7 @@ enum class GlassInLabels {
 /// How much of the light is worked out.
 enum class LightDetail {
   kSimple,  ///< as in Gazebo: what is everywhere is the same on all surfaces
-  kFull,    ///< less of it reaches what others are near; lights have a size, and points cast shadows
+  kFull,  ///< less of it reaches what others are near; lights have a size, and points cast shadows
 };
 
 struct RenderOptions {
