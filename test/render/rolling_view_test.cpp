@@ -46,6 +46,14 @@ class RollingPicture : public testing::TestWithParam<Case> {
     stage.addBox({1.6, 0.1, 0.1}, {}, 2, coloured(0.1F, 0.9F, 0.9F));
   }
 
+  void shineSun() {
+    world::Light sun;
+    sun.casts_shadow = true;
+    sun.direction_L = Eigen::Vector3d(0.3, 1, 0.4).normalized();
+    description.lights = {sun};
+    description.ambient = {0.3F, 0.3F, 0.3F};
+  }
+
   /// @param share  of the readout
   [[nodiscard]] RollingMoment momentAt(double share) const {
     RollingMoment moment{share * kHeight - 0.5, Pose::Identity(), stage.poses()};
@@ -103,11 +111,7 @@ TEST_P(RollingPicture, ShowsInEachRowWhatAPictureOfItsTimeShows) {
 }
 
 TEST_P(RollingPicture, IsThatOfWhichNothingWasKept) {
-  world::Light sun;
-  sun.casts_shadow = true;
-  sun.direction_L = Eigen::Vector3d(0.3, 1, 0.4).normalized();
-  description.lights = {sun};
-  description.ambient = {0.3F, 0.3F, 0.3F};
+  shineSun();
   for (const LightDetail light : {LightDetail::kSimple, LightDetail::kFull}) {
     RenderOptions options;
     options.light = light;
@@ -129,11 +133,7 @@ TEST_P(RollingPicture, IsThatOfWhichNothingWasKept) {
 }
 
 TEST_P(RollingPicture, ExposuresHaveThePicturesOfTheirMoments) {
-  world::Light sun;
-  sun.casts_shadow = true;
-  sun.direction_L = Eigen::Vector3d(0.3, 1, 0.4).normalized();
-  description.lights = {sun};
-  description.ambient = {0.3F, 0.3F, 0.3F};
+  shineSun();
   Renderer renderer(description, stage.links(), {});
   std::vector<RollingMoment> moments;
   for (int i = 0; i < 4; ++i) moments.push_back(momentAt(0.001 * i));

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+
+#include "render/shadows/shadow_projection.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -57,11 +60,16 @@ Lanes ArrivingLights::passing(std::size_t light, const Lanes3& position_C, const
     return shadows.front().passing(position_C, face, n_dot_l, coming.distance, faces);
   }
   // A point is in the side of a cube before which it is farthest.
+  std::array<Lanes, kCubeSides> ahead;
   Lanes farthest = lanes(0.0F);
-  for (const ShadowLookup& side : shadows) farthest = cv::v_max(farthest, side.ahead(position_C));
+  for (std::size_t i = 0; i < ahead.size(); ++i) {
+    ahead[i] = shadows[i].ahead(position_C);
+    farthest = cv::v_max(farthest, ahead[i]);
+  }
   Lanes result = lanes(1.0F);
-  for (const ShadowLookup& side : shadows) {
-    const Lanes is_there = faces & (side.ahead(position_C) == farthest);
+  for (std::size_t i = 0; i < ahead.size(); ++i) {
+    const ShadowLookup& side = shadows[i];
+    const Lanes is_there = faces & (ahead[i] == farthest);
     if (!cv::v_check_any(is_there)) continue;
     result = cv::v_min(result, side.passing(position_C, face, n_dot_l, coming.distance, is_there));
   }

@@ -259,7 +259,7 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
     for (const cv::Rect& region : regions) wanted(region & cv::Rect({}, size)).setTo(255);
   }
   const Kept* before = kept(scene, *sight, casting, smooth);
-  crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting);
+  crew_.shadow_painter.paint(scene.shadows, scene.castingPoses(), casting);
   cv::Mat pixels;
   if (before == nullptr) {
     pixels = wanted;

@@ -88,8 +88,8 @@ ShadowLookup::FourInMap ShadowLookup::find(const Lanes3& raised, const Lanes3& n
 
 Lanes ShadowLookup::passing(const Lanes3& position_C, const Lanes3& normal, const Lanes& n_dot_l,
                             const Lanes& distance, const Lanes& wanted) const {
-  // A surface is compared a little above itself, by about a texel, more at grazing light. Where its
-  // slope in the map is known, that is for triangles that stand in for a curve.
+  // A surface is compared a little above itself, so that it does not shade itself: by about a
+  // texel, more at grazing light. With soft edges, less is enough: its slope in the map is known.
   const Lanes texel = is_lamp_ ? lanes(texel_) * distance : lanes(texel_);
   const Lanes slope = cv::v_sqrt(cv::v_max(lanes(1.0F) - n_dot_l * n_dot_l, lanes(0.0F)));
   const Lanes raise = soft_edges_ ? lanes(static_cast<float>(kSoftShadowRaise))

@@ -49,9 +49,8 @@ InLight placeOf(const Part& part, const Pose& X_WL, const ShadowProjection& shad
   return is_out ? InLight::kNot : InLight::kPartly;
 }
 
-/// Whether triangles that turn away from the light cast nothing. A light may be within a body: so
-/// that a lamp's bulb does not keep its light in, it does not matter of a point light's; a spot
-/// light is as OGRE has it.
+/// Whether triangles that turn away from the light cast no shadow. So a point light shines out of a
+/// closed body around it, such as its bulb. A spot light does not, as in OGRE.
 bool castsByFront(const Part& part, const ShadowProjection& shadow) {
   return part.casts_by_front && (isParallel(shadow) || shadow.is_side);
 }

@@ -7,12 +7,10 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr int kSides = 6;
-
 /// The sun's diameter is 0.53 degrees: the tangent of half of it.
 constexpr double kSunRadius = 0.004625;
 
-/// SDF does not say how large a lamp is: a bulb's radius [m].
+/// The radius of spot and point lights [m], for which SDF has no setting.
 constexpr double kLampRadius = 0.03;
 
 bool castsShadow(const world::Light& light, LightDetail detail) {
@@ -133,7 +131,7 @@ void fitSide(const world::Light& light, int side, int size, ShadowProjection& pr
   constexpr double kRim = kWidestSoftness + 8.0;  // [texel]
   const double scale = std::max(1.0 - 2.0 * kRim / size, 0.5);
   const Eigen::Vector3d direction =
-      (side < kSides / 2 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(side % (kSides / 2));
+      (side < kCubeSides / 2 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(side % (kCubeSides / 2));
   projection.is_side = true;
   fitLamp(light, frameTowards(light, direction), scale, size, LightDetail::kFull, projection);
 }
@@ -147,7 +145,7 @@ ShadowLayout shadowLayout(const std::vector<world::Light>& lights, int size, Lig
     if (!castsShadow(light, detail)) continue;
     ++(light.type == world::LightType::kPoint ? cubes : layout.maps);
   }
-  layout.sides = kSides * cubes;
+  layout.sides = kCubeSides * cubes;
   layout.map_size = sizeOf(size, layout.maps);
   layout.side_size = sizeOf((size + 2) / 3, cubes);
   int next_map = 0;
@@ -158,7 +156,7 @@ ShadowLayout shadowLayout(const std::vector<world::Light>& lights, int size, Lig
       first = next_map++;
     } else if (castsShadow(light, detail)) {
       first = next_side;
-      next_side += kSides;
+      next_side += kCubeSides;
     }
     layout.first_maps.push_back(first);
   }
@@ -197,7 +195,7 @@ std::vector<ShadowProjection> shadowProjections(const std::vector<world::Light>&
         result.push_back(projection);
         break;
       case world::LightType::kPoint:
-        for (int side = 0; side < kSides; ++side) {
+        for (int side = 0; side < kCubeSides; ++side) {
           fitSide(light, side, layout.side_size, projection);
           result.push_back(projection);
           ++projection.map;

@@ -23,6 +23,9 @@ inline constexpr double kSoftShadowRaise = 0.4;
 /// Soft edges grow up to this much on each side [texel].
 inline constexpr double kWidestSoftness = 12.0;
 
+/// How many shadow maps a point light has, each of a direction.
+inline constexpr int kCubeSides = 6;
+
 /// How many shadow maps lights take, and how large they are.
 struct ShadowLayout {
   int maps = 0;       ///< of directional and spot lights, one each

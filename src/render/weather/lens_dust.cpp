@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-#include "base/random/mixed_bits.h"
 #include "base/random/random_source.h"
 #include "render/sensor/srgb.h"
+#include "render/weather/cell_seed.h"
 #include "render/weather/lens_aperture.h"
 
 namespace synthetic_dataset::render {
@@ -33,11 +33,7 @@ double meanArea() {
 
 /// Those in a square of the glass; with a larger share, more besides the same ones.
 std::vector<Speck> specksIn(const Eigen::Vector2i& cell, const LensDust& dust) {
-  std::uint64_t seed = dust.seed;
-  for (const int axis : {cell.x(), cell.y()}) {
-    seed = base::mixedBits(seed + static_cast<std::uint64_t>(axis) * base::kCounterStep);
-  }
-  base::RandomSource random(seed);
+  base::RandomSource random(cellSeed(dust.seed, cell));
   const double expected = dust.share * kGlassCell * kGlassCell / meanArea();
   std::vector<Speck> specks;
   for (double count = 0.0;;) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random/mixed_bits.h"
 #include "base/random/random_source.h"
+#include "render/weather/cell_seed.h"
 
 // Lengths are in mm here, and flakes' masses in mg.
 
@@ -52,10 +52,7 @@ double Precipitation::speedOf(double diameter) const {
 
 std::vector<Drop> Precipitation::in(const Eigen::Vector3i& cell, double least,
                                     std::uint64_t seed) const {
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    seed = base::mixedBits(seed + static_cast<std::uint64_t>(cell[axis]) * base::kCounterStep);
-  }
-  base::RandomSource random(seed + static_cast<std::uint64_t>(kind_));
+  base::RandomSource random(cellSeed(seed, cell) + static_cast<std::uint64_t>(kind_));
   const double end = number_ * std::exp(-slope_ * waterOf(least / kMillimetre));
   std::vector<Drop> drops;
   // How many are larger is a Poisson process: from one to the next is exponentially distributed.

@@ -24,7 +24,8 @@ PanoramaLight lightOf(const cv::Mat& pixels) {
 
 cv::Mat plain(const cv::Scalar& pixel, int rows = 100) { return {rows, 2 * rows, CV_8UC4, pixel}; }
 
-/// A blue sky over a brown ground, a bright window in the east (+x) and a lamp not far from above.
+/// Blue in the upper half, brown in the lower, with two white rectangles: one towards +x, one near
+/// the top.
 cv::Mat scenery(int rows = 100) {
   cv::Mat pixels = plain({60, 90, 120, 255}, rows);
   pixels.rowRange(0, rows / 2).setTo(cv::Scalar(230, 170, 90, 255));

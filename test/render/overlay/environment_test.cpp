@@ -1,4 +1,4 @@
-/// What lies behind the world, as the light of what stands in it.
+/// The sky, or a panorama behind the world, as the light of the objects in it.
 
 #include "render/overlay/environment.h"
 

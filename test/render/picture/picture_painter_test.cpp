@@ -71,11 +71,11 @@ class KeptPictures : public testing::TestWithParam<Case> {
     lamp.spot_inner_angle = 1.2;
     lamp.spot_outer_angle = 1.8;
     lamp.range = 6.0;
-    world::Light bulb = lamp;  // which casts shadows in full light
-    bulb.type = world::LightType::kPoint;
-    bulb.X_WL = at(-1.0, -0.6, 1.0);
-    bulb.diffuse.setConstant(0.4F);
-    description.lights = {sun, lamp, bulb};
+    world::Light point_light = lamp;
+    point_light.type = world::LightType::kPoint;
+    point_light.X_WL = at(-1.0, -0.6, 1.0);
+    point_light.diffuse.setConstant(0.4F);
+    description.lights = {sun, lamp, point_light};
     stage.addBox({8, 8, 0.2}, at(0, 0, -0.1), -1, coloured(0.8F, 0.8F, 0.7F));
     stage.addBox({0.2, 6, 1.5}, at(2, 0, 0.75), -1, coloured(0.7F, 0.4F, 0.3F));
     stage.addBox({0.4, 0.4, 0.6}, at(-0.5, 1, 0.3), -1, coloured(0.3F, 0.6F, 0.3F));

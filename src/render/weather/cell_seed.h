@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
+
+#include "base/random/mixed_bits.h"
+
+namespace synthetic_dataset::render {
+
+/// The seed of what is in one cell of a grid, so that it is the same whichever cells are looked at.
+template <class Cell>
+[[nodiscard]] std::uint64_t cellSeed(std::uint64_t seed, const Eigen::MatrixBase<Cell>& cell) {
+  for (Eigen::Index axis = 0; axis < cell.size(); ++axis) {
+    seed = base::mixedBits(seed + static_cast<std::uint64_t>(cell[axis]) * base::kCounterStep);
+  }
+  return seed;
+}
+
+}  // namespace synthetic_dataset::render
