@@ -62,10 +62,15 @@ def print_credits(database):
     """Whose work is in the pictures; not known of datasets of older versions."""
     if not database.execute("SELECT 1 FROM sqlite_master WHERE name = 'credit'").fetchone():
         return
-    for author, license_text, count in database.execute(
-            'SELECT author, license, count(*) FROM input LEFT JOIN credit ON credit.path = '
-            "input.path GROUP BY coalesce(author, ''), coalesce(license, '') "
-            'ORDER BY count(*) DESC, 1, 2'):
+    named = {path: (author, license_text) for path, author, license_text in database.execute(
+        'SELECT path, author, license FROM credit')}
+    inputs = [path for path, in database.execute('SELECT path FROM input')]
+    models = [os.path.dirname(path) + '/' for path in inputs if path.endswith('/model.config')]
+    # A model's description and material libraries are by whoever made its meshes.
+    credited = tuple(model for model in models if any(path.startswith(model) for path in named))
+    counts = collections.Counter(named.get(path, ('', '')) for path in inputs
+                                 if path in named or not path.startswith(credited))
+    for (author, license_text), count in sorted(counts.items(), key=lambda each: (-each[1], each)):
         print(f"  {count} input files: author {author or 'not named'}, licence "
               f"{license_text or 'not named'}")
 
