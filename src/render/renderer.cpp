@@ -74,21 +74,21 @@ struct Renderer::Impl {
   PendingPicture drawPinhole(const View& view, const std::vector<Pose>& X_WL,
                              const ColourPass& pass, const std::vector<cv::Rect>& regions,
                              const std::vector<ShadowProjection>& shadows,
-                             const View* whole = nullptr, const std::vector<Pose>* held = nullptr) {
+                             const View* whole = nullptr, const CasterPoses* casters = nullptr) {
     const bool smooth = pass.sampling == Sampling::kSmooth;
     UnfinishedPicture picture = pictures.get(view).paint(
-        {view, X_WL, pass.drawn, shadows, pass.exposure, whole, detailOf(pass), held}, pass.casting,
-        smooth, regions);
+        {view, X_WL, pass.drawn, shadows, pass.exposure, whole, detailOf(pass), casters},
+        pass.casting, smooth, regions);
     return [this, picture = std::move(picture)] { return finished(picture, edge_smoother); };
   }
 
   PendingPicture drawThroughLens(const View& view, const std::vector<Pose>& X_WL,
                                  const ColourPass& pass,
                                  const std::vector<ShadowProjection>& shadows,
-                                 const std::vector<Pose>* held = nullptr) {
+                                 const CasterPoses* casters = nullptr) {
     if (!light_painter.hasOverlay(pass.drawn)) {
       return lens_painter.paint(
-          {view, X_WL, pass.drawn, shadows, pass.exposure, nullptr, detailOf(pass), held},
+          {view, X_WL, pass.drawn, shadows, pass.exposure, nullptr, detailOf(pass), casters},
           pass.casting, pass.sampling == Sampling::kSmooth, pass.regions);
     }
     const std::shared_ptr<const LensMap> lens = lenses.get(view.camera);
@@ -100,7 +100,7 @@ struct Renderer::Impl {
       std::vector<cv::Rect> needed;
       for (const cv::Rect& region : regions) needed.push_back(neededOf(*lens, face, region));
       if (boundsOf(needed).empty()) continue;
-      faces[face] = drawPinhole(views[face], X_WL, pass, needed, shadows, &view, held);
+      faces[face] = drawPinhole(views[face], X_WL, pass, needed, shadows, &view, casters);
     }
     const cv::Scalar background = light_painter.backgroundPixel(pass.exposure);
     const auto resample = pass.sampling == Sampling::kSmooth ? resampleSmooth : resampleCentres;
@@ -210,18 +210,20 @@ PendingPicture Renderer::draw(const View& view, const std::vector<Pose>& X_WL,
 
 void Renderer::drawExposure(const CameraModel& camera, const std::vector<RollingMoment>& moments,
                             const ColourPass& pass,
-                            const std::function<void(const cv::Mat&)>& see) {
+                            const std::function<void(PendingPicture)>& see) {
   Impl& impl = *impl_;
   const auto shadows = impl.sharedShadows(camera, moments, pass);
   std::vector<const std::vector<Pose>*> poses;
   for (const RollingMoment& moment : moments) poses.push_back(&moment.X_WL);
-  const auto held = heldForShadows(impl.draw_list.parts(), poses, shadows);
+  constexpr double kHeld =
+      2.0;  // [texel]: less than their edges are wide, and pictures are averaged
+  const auto held = heldForShadows(impl.draw_list.parts(), poses, shadows, kHeld);
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const View view{camera, moments[i].X_WC};
     const std::vector<Pose>& X_WL = moments[i].X_WL;
     see(hasDistortion(camera)
-            ? impl.drawThroughLens(view, X_WL, pass, shadows, &held[i])()
-            : impl.drawPinhole(view, X_WL, pass, pass.regions, shadows, nullptr, &held[i])());
+            ? impl.drawThroughLens(view, X_WL, pass, shadows, &held[i])
+            : impl.drawPinhole(view, X_WL, pass, pass.regions, shadows, nullptr, &held[i]));
   }
 }
 

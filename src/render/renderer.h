@@ -82,9 +82,9 @@ class Renderer {
   /// that shadow maps lie where they do for all of them, and that what moves by less than a texel
   /// of them casts the same shadow.
   /// @param moments  without rows
-  /// @param see  is called with each picture
+  /// @param see  is called with each picture before the next is drawn
   void drawExposure(const CameraModel& camera, const std::vector<RollingMoment>& moments,
-                    const ColourPass& pass, const std::function<void(const cv::Mat&)>& see);
+                    const ColourPass& pass, const std::function<void(PendingPicture)>& see);
 
   /// The same of a picture whose rows are taken one after the other: each shows what is seen at its
   /// own time. Lights and shadows are those of its band; where there is a sky, a background picture

@@ -25,9 +25,7 @@ PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer
       for (const ShotMoment& moment : shot.moments) offsets_.push_back(moment.offset);
     }
     sensor.moments.resize(sensor.shots.size());
-    if (sensor.shots.size() > 1) {
-      sensor.light.emplace(cv::Size(camera.model.width(), camera.model.height()));
-    }
+    if (sensor.shots.size() > 1) sensor.exposure.emplace();
     sensors_.push_back(std::move(sensor));
   }
   std::sort(offsets_.begin(), offsets_.end());
@@ -67,18 +65,18 @@ void PictureTaker::wait(const CameraRig& camera, Stamp instant, std::size_t shot
   moments.push_back({moment.row, viewOf(camera, instant, moment.offset).X_WC, world_.linkPoses()});
   if (moments.size() < count) return;
   const render::ColourPass pass = passOf(camera, sensor.present);
-  const auto add = [&](const cv::Mat& pixels) {
-    sensor.light->add(pixels, {cv::Point(), pixels.size()}, sensor.shots[shot].weight);
-  };
   if (!rolls) {
-    renderer_.drawExposure(camera.model, std::exchange(moments, {}), pass, add);
+    renderer_.drawExposure(camera.model, std::exchange(moments, {}), pass,
+                           [&](render::PendingPicture picture) {
+                             sensor.exposure->add(std::move(picture), sensor.shots[shot].weight);
+                           });
     return;
   }
   const int bands = static_cast<int>(count) - 1;
   render::PendingPicture picture =
       renderer_.draw(render::RollingView{camera.model, std::exchange(moments, {}), bands}, pass);
-  if (sensor.light) {
-    add(picture());
+  if (sensor.exposure) {
+    sensor.exposure->add(std::move(picture), sensor.shots[shot].weight);
   } else {
     sensor.picture = std::move(picture);
   }
@@ -111,10 +109,7 @@ render::TakenView PictureTaker::lookThroughWeather(const CameraRig& camera, Stam
 
 render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t scene_index) {
   Sensor& sensor = sensors_[camera];
-  if (sensor.light) {
-    sensor.picture = [seen = sensor.light->result()] { return seen; };
-    sensor.light->clear();
-  }
+  if (sensor.exposure) sensor.picture = sensor.exposure->develop();
   sensor.present.clear();
   render::PendingPicture seen = std::exchange(sensor.picture, {});
   if (sensor.in_weather) {

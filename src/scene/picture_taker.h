@@ -7,9 +7,9 @@
 
 #include "motion/frame_source.h"
 #include "render/renderer.h"
-#include "render/sensor/linear_accumulator.h"
 #include "render/weather/through_weather.h"
 #include "scene/camera_rig.h"
+#include "scene/exposure.h"
 #include "scene/shutter.h"
 #include "synthetic_dataset/scene.h"
 #include "world/world.h"
@@ -51,10 +51,10 @@ class PictureTaker {
     /// That have come so far: of each shot that rolls, or of all other shots together.
     std::vector<std::vector<render::RollingMoment>> moments;
 
-    render::LinkSelection present;                   ///< at all of these moments
-    std::optional<render::LinearAccumulator> light;  ///< where a picture takes several shots
-    render::PendingPicture picture;                  ///< where it takes one
-    std::optional<render::TakenView> in_weather;     ///< at the instant, unless the air is clear
+    render::LinkSelection present;                ///< at all of these moments
+    std::optional<Exposure> exposure;             ///< where a picture takes several shots
+    render::PendingPicture picture;               ///< where it takes one
+    std::optional<render::TakenView> in_weather;  ///< at the instant, unless the air is clear
 
     /// Whether the picture is that of one moment.
     [[nodiscard]] bool isSimple() const { return shots.size() == 1 && !shots.front().rolls(); }

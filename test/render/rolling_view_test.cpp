@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -137,20 +138,21 @@ TEST_P(RollingPicture, ExposuresHaveThePicturesOfTheirMoments) {
   Renderer renderer(description, stage.links(), {});
   std::vector<RollingMoment> moments;
   for (int i = 0; i < 4; ++i) moments.push_back(momentAt(0.001 * i));
-  std::size_t next = 0;
-  renderer.drawExposure(view().camera, moments, pass(Sampling::kSmooth), [&](const cv::Mat& seen) {
-    const RollingMoment& moment = moments[next++];
+  std::vector<PendingPicture> pictures;
+  renderer.drawExposure(view().camera, moments, pass(Sampling::kSmooth),
+                        [&](PendingPicture picture) { pictures.push_back(std::move(picture)); });
+  ASSERT_EQ(pictures.size(), moments.size());
+  for (std::size_t i = 0; i < moments.size(); ++i) {
     const cv::Mat expected =
-        renderer.colour({view().camera, moment.X_WC}, moment.X_WL, pass(Sampling::kSmooth));
+        renderer.colour({view().camera, moments[i].X_WC}, moments[i].X_WL, pass(Sampling::kSmooth));
     cv::Mat difference;
-    cv::absdiff(seen, expected, difference);
+    cv::absdiff(pictures[i](), expected, difference);
     cv::Mat differs;
     cv::inRange(difference, cv::Scalar::all(0), cv::Scalar::all(1), differs);
     // The rims of shadows follow the texels of their maps, which lie elsewhere.
     EXPECT_LT(kWidth * kHeight - cv::countNonZero(differs), kWidth * kHeight / 50);
     EXPECT_LT(cv::mean(difference.reshape(1))[0], 0.2);
-  });
-  EXPECT_EQ(next, moments.size());
+  }
 }
 
 TEST_P(RollingPicture, HasItsRowsUnderASkyInBands) {

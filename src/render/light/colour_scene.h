@@ -4,6 +4,7 @@
 
 #include "render/parts/draw_list.h"
 #include "render/render_options.h"
+#include "render/shadows/caster_poses.h"
 #include "render/shadows/shadow_projection.h"
 #include "render/view.h"
 
@@ -23,9 +24,7 @@ struct ColourScene {
   LightDetail detail = LightDetail::kSimple;
 
   /// Where links cast their shadows, where that is not quite X_WL.
-  const std::vector<Pose>* held = nullptr;
-
-  [[nodiscard]] const std::vector<Pose>& castingPoses() const { return held ? *held : X_WL; }
+  const CasterPoses* casters = nullptr;
 };
 
 }  // namespace synthetic_dataset::render

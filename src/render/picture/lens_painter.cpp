@@ -259,7 +259,7 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
     for (const cv::Rect& region : regions) wanted(region & cv::Rect({}, size)).setTo(255);
   }
   const Kept* before = kept(scene, *sight, casting, smooth);
-  crew_.shadow_painter.paint(scene.shadows, scene.castingPoses(), casting);
+  crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting, {}, scene.casters);
   cv::Mat pixels;
   if (before == nullptr) {
     pixels = wanted;
@@ -289,7 +289,7 @@ struct LensPainter::Band {
   cv::Rect rows;
   RollingMoment begin, middle, end;
   View view;
-  std::vector<Pose> X_WL_casting;
+  CasterPoses casters;
   std::vector<LinkSelection> moving;  ///< as ShadowPainter::paint() has them
 
   [[nodiscard]] ColourScene scene(const ColourScene& whole) const {
@@ -319,9 +319,9 @@ std::vector<LensPainter::Band> LensPainter::bandsOfRows(const ColourScene& scene
   }
   std::vector<const std::vector<Pose>*> poses;
   for (const Band& band : bands) poses.push_back(&band.middle.X_WL);
-  const std::vector<std::vector<Pose>> held =
-      heldForShadows(crew_.parts.parts(), poses, scene.shadows);
-  for (std::size_t i = 0; i < bands.size(); ++i) bands[i].X_WL_casting = held[i];
+  constexpr double kHeld = 1.0;  // [texel]
+  std::vector<CasterPoses> held = heldForShadows(crew_.parts.parts(), poses, scene.shadows, kHeld);
+  for (std::size_t i = 0; i < bands.size(); ++i) bands[i].casters = std::move(held[i]);
   return bands;
 }
 
@@ -342,7 +342,7 @@ PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingV
   }
   for (const Band& band : bands) {
     const ColourScene here = band.scene(scene);
-    crew_.shadow_painter.paint(here.shadows, band.X_WL_casting, casting, band.moving);
+    crew_.shadow_painter.paint(here.shadows, here.X_WL, casting, band.moving, &band.casters);
     lights.push_back(lightsOf(crew_, here));
     if (before == nullptr) continue;
     const SeenGeometry seen{

@@ -129,7 +129,7 @@ void PicturePainter::paintShadows(const ColourScene& scene, const LinkSelection&
     moving = castersOnto(pixels, crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
                          crew_.lights, scene.shadows);
   }
-  crew_.shadow_painter.paint(scene.shadows, scene.castingPoses(), casting, moving);
+  crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting, moving, scene.casters);
 }
 
 /// Draws the shadow maps, and finds which pixels differ from those of the kept picture.

@@ -1,29 +1,25 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
-#include <opencv2/core/types.hpp>
 
 namespace synthetic_dataset::render {
 
 /// Averages pictures as light adds up: what a sensor gathers while its shutter is open.
 class LinearAccumulator {
  public:
-  /// @param size  of the picture [px]; it begins dark
-  explicit LinearAccumulator(const cv::Size& size);
+  /// Adds a picture.
+  /// @param pixels  CV_8UC3, sRGB-encoded, all of one size; not to be written to as long as this
+  /// lives
+  /// @param weight  all of them should add up to 1
+  void add(const cv::Mat& pixels, double weight);
 
-  /// Adds a part of a picture.
-  /// @param pixels  CV_8UC3 of the region's size, sRGB-encoded
-  /// @param weight  those of a pixel should add up to 1
-  void add(const cv::Mat& pixels, const cv::Rect& region, double weight);
-
-  /// The sum so far: CV_8UC3, sRGB-encoded.
+  /// The mean of one picture or more: CV_8UC3, sRGB-encoded.
   [[nodiscard]] cv::Mat result() const;
 
-  /// Makes it dark again.
-  void clear();
-
  private:
-  cv::Mat light_;  ///< CV_32FC3
+  cv::Mat first_;    ///< of the pictures
+  cv::Mat further_;  ///< CV_32FC3: how much more light the others brought than the first would have
+  cv::Mat differs_;  ///< CV_8UC1, for blocks of each row: not 0 where others differ from it
 };
 
 }  // namespace synthetic_dataset::render

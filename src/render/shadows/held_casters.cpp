@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
 #include "render/parts/bounds.h"
 
@@ -20,14 +19,13 @@ double farthest(const std::vector<Eigen::Vector3d>& points_L, const Pose& one, c
 
 }  // namespace
 
-std::vector<std::vector<Pose>> heldForShadows(const std::vector<Part>& parts,
-                                              const std::vector<const std::vector<Pose>*>& X_WL,
-                                              const std::vector<ShadowProjection>& shadows) {
-  std::vector<std::vector<Pose>> held;
-  for (const std::vector<Pose>* poses : X_WL) held.push_back(*poses);
-  double texel = std::numeric_limits<double>::infinity();
-  for (const ShadowProjection& shadow : shadows) texel = std::min(texel, shadow.texel);
-  std::vector<std::vector<Eigen::Vector3d>> corners(held.empty() ? 0 : held.front().size());
+std::vector<CasterPoses> heldForShadows(const std::vector<Part>& parts,
+                                        const std::vector<const std::vector<Pose>*>& X_WL,
+                                        const std::vector<ShadowProjection>& shadows,
+                                        double texels) {
+  std::vector<CasterPoses> held;
+  for (const std::vector<Pose>* poses : X_WL) held.emplace_back(shadows.size(), *poses);
+  std::vector<std::vector<Eigen::Vector3d>> corners(X_WL.empty() ? 0 : X_WL.front()->size());
   for (const Part& part : parts) {
     if (!part.casts_shadow || part.stands_still || part.bounds_V.isEmpty()) continue;
     for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
@@ -37,13 +35,16 @@ std::vector<std::vector<Pose>> heldForShadows(const std::vector<Part>& parts,
   for (std::size_t link = 0; link < corners.size(); ++link) {
     if (corners[link].empty()) continue;
     const auto at = [&](std::size_t time) -> const Pose& { return (*X_WL[time])[link]; };
-    for (std::size_t first = 0; first < held.size();) {
-      std::size_t end = first + 1;
-      while (end < held.size() && farthest(corners[link], at(first), at(end)) < texel) ++end;
-      for (std::size_t time = first; time < end; ++time) {
-        held[time][link] = at((first + end - 1) / 2);
+    for (std::size_t shadow = 0; shadow < shadows.size(); ++shadow) {
+      const double limit = texels * shadows[shadow].texel;
+      for (std::size_t first = 0; first < held.size();) {
+        std::size_t end = first + 1;
+        while (end < held.size() && farthest(corners[link], at(first), at(end)) < limit) ++end;
+        for (std::size_t time = first; time < end; ++time) {
+          held[time][shadow][link] = at((first + end - 1) / 2);
+        }
+        first = end;
       }
-      first = end;
     }
   }
   return held;

@@ -3,16 +3,19 @@
 #include <vector>
 
 #include "render/parts/draw_list.h"
+#include "render/shadows/caster_poses.h"
 #include "render/shadows/shadow_projection.h"
 
 namespace synthetic_dataset::render {
 
-/// Where links cast shadows at some times that follow one another closely: each stays where it is
-/// in the middle of those times between which it moves by less than a texel of any map, that is, at
-/// most by half a texel from where it is. So it need not be cast anew for each time.
+/// Where links cast shadows at some times that follow one another closely: in each map, a link
+/// stays where it is in the middle of those times between which it moves by less than some texels,
+/// that is, at most by half of these from where it is. So it need not be cast anew for each time.
 /// @param X_WL  of each of the times, where the links are
-[[nodiscard]] std::vector<std::vector<Pose>> heldForShadows(
+/// @param texels  of the map
+/// @return of each of the times
+[[nodiscard]] std::vector<CasterPoses> heldForShadows(
     const std::vector<Part>& parts, const std::vector<const std::vector<Pose>*>& X_WL,
-    const std::vector<ShadowProjection>& shadows);
+    const std::vector<ShadowProjection>& shadows, double texels);
 
 }  // namespace synthetic_dataset::render

@@ -167,10 +167,11 @@ void ShadowPainter::begin() {
 
 void ShadowPainter::paint(const std::vector<ShadowProjection>& shadows,
                           const std::vector<Pose>& X_WL, const LinkSelection& casting,
-                          const std::vector<LinkSelection>& moving) {
+                          const std::vector<LinkSelection>& moving, const CasterPoses* casters) {
   begin();
   for (std::size_t i = 0; i < shadows.size(); ++i) {
-    paintLayer(shadows[i], X_WL, casting, moving.empty() ? casting : moving[i]);
+    paintLayer(shadows[i], casters != nullptr ? (*casters)[i] : X_WL, casting,
+               moving.empty() ? casting : moving[i]);
   }
   gl_.Disable(GL_DEPTH_CLAMP);
 }

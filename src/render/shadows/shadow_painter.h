@@ -10,6 +10,7 @@
 
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
+#include "render/shadows/caster_poses.h"
 #include "render/shadows/changed_texels.h"
 #include "render/shadows/map_depths.h"
 #include "render/shadows/shadow_maps.h"
@@ -28,8 +29,10 @@ class ShadowPainter {
 
   /// @param moving  of each shadow, the links that are of interest among those that cast it and
   ///     move; empty for all
+  /// @param casters  where links cast, if that is not quite X_WL
   void paint(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
-             const LinkSelection& casting, const std::vector<LinkSelection>& moving = {});
+             const LinkSelection& casting, const std::vector<LinkSelection>& moving = {},
+             const CasterPoses* casters = nullptr);
 
   /// The shadows of what never moves alone.
   void paintStanding(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,

@@ -22,8 +22,8 @@ std::vector<double> heldAt(const std::vector<double>& places) {
   std::vector<const std::vector<Pose>*> pointers;
   for (const auto& each : poses) pointers.push_back(&each);
   std::vector<double> held;
-  for (const auto& each : heldForShadows({part}, pointers, {shadow})) {
-    held.push_back(each.front().translation().x());
+  for (const auto& each : heldForShadows({part}, pointers, {shadow}, 1.0)) {
+    held.push_back(each[0][0].translation().x());
   }
   return held;
 }
@@ -50,9 +50,23 @@ TEST(HeldCasters, CountTurnsByWhatIsFarthestFromTheAxis) {
   const std::vector<Pose> first = turned(0.0);
   const std::vector<Pose> little = turned(0.01);  // 3 mm at the corners
   const std::vector<Pose> far = turned(0.1);      // 28 mm
-  const auto held = heldForShadows({part}, {&first, &little, &far}, {shadow});
-  EXPECT_EQ(held[0][0].matrix(), held[1][0].matrix());
-  EXPECT_EQ(held[2][0].matrix(), far[0].matrix());
+  const auto held = heldForShadows({part}, {&first, &little, &far}, {shadow}, 1.0);
+  EXPECT_EQ(held[0][0][0].matrix(), held[1][0][0].matrix());
+  EXPECT_EQ(held[2][0][0].matrix(), far[0].matrix());
+}
+
+TEST(HeldCasters, StayForLongerInCoarserMaps) {
+  Part part;
+  part.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2));
+  ShadowProjection fine;
+  fine.texel = kTexel;
+  ShadowProjection coarse;
+  coarse.texel = 4.0 * kTexel;
+  const std::vector<Pose> first = {at(0.0)};
+  const std::vector<Pose> second = {at(0.02)};
+  const auto held = heldForShadows({part}, {&first, &second}, {fine, coarse}, 1.0);
+  EXPECT_EQ(held[1][0][0].matrix(), second[0].matrix());
+  EXPECT_EQ(held[1][1][0].matrix(), first[0].matrix());
 }
 
 }  // namespace held_casters_test

@@ -1,0 +1,23 @@
+#include "scene/exposure.h"
+
+#include <utility>
+
+namespace synthetic_dataset::scene {
+
+void Exposure::add(render::PendingPicture picture, double weight) {
+  if (adding_.valid()) adding_.get();
+  // Deferred where no more threads are to be had.
+  adding_ = std::async(
+      std::launch::async | std::launch::deferred,
+      [light = light_, picture = std::move(picture), weight] { light->add(picture(), weight); });
+}
+
+render::PendingPicture Exposure::develop() {
+  return [light = std::exchange(light_, std::make_shared<render::LinearAccumulator>()),
+          adding = std::exchange(adding_, {})] {
+    adding.get();
+    return light->result();
+  };
+}
+
+}  // namespace synthetic_dataset::scene
