@@ -77,6 +77,8 @@ def measure(run, scene_counts):
     for sync in ("off", "scene"):
         seconds = run.scene_seconds(sync=sync)
         add(f"a scene with `sync: {sync}`", f"{seconds / two:.2f} times as long as with `batch`")
+    full = run.scene_seconds(rendering={"light": "full"})
+    add("a scene with `rendering/light: full`", f"{full / two:.2f} times as long")
     fresh = run.scene_seconds(rendering={"reuse": False})
     add("a scene with `rendering/reuse: false`", f"{fresh / two:.2f} times as long")
     for count in scene_counts:
