@@ -19,7 +19,9 @@ left_out=("$@" none)
 threaded=(test_output)
 # Thousands of runs of readers that other tests run too, and comparisons by brute force: under a
 # sanitizer they take half of the time and show nothing that the others do not.
-export GTEST_FILTER='-*TamperedValues*:ShadowRaster.HasTheLeastDepth*:*LensRendering.MarkersLie*'
+brute_force='ShadowRaster.HasTheLeastDepth*:*LensRendering.MarkersLie*:*RollingPicture.ShowsInEachRow*'
+brute_force+=':Room.ThroughALensIsTheMeanOfManyRays:PanoramaLight.IsBlurredByTheLobe*'
+export GTEST_FILTER="-*TamperedValues*:$brute_force"
 # These two take longest, so they start first.
 mapfile -t every < <(printf "%s\n" test_render test_run; grep -rhoP '^synthetic_dataset_test\(\K\w+' "$repository/test" \
   --include=CMakeLists.txt | sed 's/^/test_/' | sort | grep -vxE 'test_(render|run)')
