@@ -215,8 +215,8 @@ void Renderer::drawExposure(const CameraModel& camera, const std::vector<Rolling
   const auto shadows = impl.sharedShadows(camera, moments, pass);
   std::vector<const std::vector<Pose>*> poses;
   for (const RollingMoment& moment : moments) poses.push_back(&moment.X_WL);
-  constexpr double kHeld =
-      2.0;  // [texel]: less than their edges are wide, and pictures are averaged
+  // Less than shadows' edges are wide; and the pictures are averaged.
+  constexpr double kHeld = 2.0;  // [texel]
   const auto held = heldForShadows(impl.draw_list.parts(), poses, shadows, kHeld);
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const View view{camera, moments[i].X_WC};

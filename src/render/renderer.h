@@ -79,8 +79,8 @@ class Renderer {
                                     const ColourPass& pass);
 
   /// Pictures that follow one another closely, as an exposure has them: draw() at each moment, but
-  /// that shadow maps lie where they do for all of them, and that what moves by less than a texel
-  /// of them casts the same shadow.
+  /// that shadow maps lie where they do for all of them, and that what moves by less than two
+  /// texels of a map casts the same shadow.
   /// @param moments  without rows
   /// @param see  is called with each picture before the next is drawn
   void drawExposure(const CameraModel& camera, const std::vector<RollingMoment>& moments,
