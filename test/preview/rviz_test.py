@@ -16,6 +16,7 @@ import unittest
 
 import cv2
 import numpy
+import rosgraph
 import rospy
 from sensor_msgs.msg import Image
 from std_msgs.msg import Int64, String
@@ -91,9 +92,9 @@ class RViz(unittest.TestCase):
         with program('roslaunch', 'synthetic_dataset', 'preview.launch',
                      f'config:={REPOSITORY}/config/example.yaml') as self.launch:
             deadline = time.monotonic() + PATIENCE
-            while subprocess.run(['rosnode', 'ping', '-c', '1', '/preview'], check=False,
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode:
-                self.assertLess(time.monotonic(), deadline, 'no node /preview')
+            while not rosgraph.is_master_online():
+                self.assertIsNone(self.launch.poll(), 'roslaunch has ended')
+                self.assertLess(time.monotonic(), deadline, 'no ROS master')
             rospy.init_node('rviz_test', disable_signals=True)
             first = picture_of(awaited(PICTURE, Image, lambda message: True))
             self.shows(first, 'first')
