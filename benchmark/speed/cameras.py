@@ -37,14 +37,17 @@ WIDE = math.radians(140.0)
 PINHOLE = (474.0, "plumb_bob", [0.0] * 5)
 BARREL = (474.0, "plumb_bob", [-0.28, 0.0, 0.0, 0.0, 0.0])
 FISHEYE = (640.0 / WIDE, "equidistant", [0.0] * 4)
+BEHIND = (640.0 / math.radians(190.0), "equidistant", [0.0] * 4)
 BLUR = {"exposure_time": 0.02, "motion_samples": 8}
 ROLLING = {"readout_time": 0.03, "readout_bands": 24}
 SUBTRACTION = {"masks": {"method": "mog2"}}
+SAMPLE = {"look_at": "any", "distance": {"uniform": [1.5, 4.0]}, "elevation": {"uniform": [0.1, 0.9]}}
 FULL = {"rendering": {"light": "full"}}
 CAMERAS = {  # lens: focal length [px], distortion; effects; other settings
     "pinhole": (PINHOLE, {}, {}),
     "plumb_bob, k1 -0.28": (BARREL, {}, {}),
     "equidistant, 140 degrees": (FISHEYE, {}, {}),
+    "equidistant, 190 degrees": (BEHIND, {}, {}),
     "motion blur, 8 samples": (PINHOLE, BLUR, {}),
     "rolling shutter, 24 bands": (PINHOLE, ROLLING, {}),
     "MOG2": (PINHOLE, {}, SUBTRACTION),
@@ -58,6 +61,7 @@ CAMERAS = {  # lens: focal length [px], distortion; effects; other settings
     "weather, rain 20 mm/h": (PINHOLE, {}, {"randomize": {"weather": {"rain": 20.0}}}),
     "weather, snow 1 mm/h": (PINHOLE, {}, {"randomize": {"weather": {"snow": 1.0}}}),
     "four cameras": (PINHOLE, {}, {"count": 4}),
+    "another pose in each scene": (PINHOLE, {}, {"sample": SAMPLE}),
 }
 STANDS, RIDES = "stands", "rides"
 
@@ -113,8 +117,10 @@ def what_lies_behind(others, settings, folder):
     return {}
 
 
-def camera_settings(calibration, effects, count):
+def camera_settings(calibration, effects, count, sample):
     camera = {"info_file": calibration, "effects": effects}
+    if sample:
+        return {"camera": {**camera, "sample": sample}}
     if count == 1:
         return {"camera": camera}
     corners = [[4.0, 3.0], [-4.0, 3.0], [-4.0, -3.0], [4.0, -3.0]]
@@ -130,16 +136,16 @@ def settings_of(camera, bag, folder):
     calibration = f"{folder}/camera.yaml"
     write_calibration(lens, calibration)
     others = dict(others)
-    count = others.pop("count", 1)
+    count, sample = others.pop("count", 1), others.pop("sample", None)
     others.update(what_lies_behind(others, settings, folder))
-    for name in ["bounding_shape", "camera"] + ([] if count == 1 else ["camera_frame_id"]):
+    for name in ["bounding_shape", "camera"] + ([] if count == 1 and not sample else ["camera_frame_id"]):
         del settings[name]
     settings.update({
         "bag_file": bag, "simulated_rate": RATE, "output_folder": f"{folder}/dataset",
         "if_exists": "overwrite",
         "writers": [{"name": "coco", "type": "synthetic_dataset/Coco"},
                     {"name": "yolo", "type": "synthetic_dataset/Yolo"}],
-        **camera_settings(calibration, effects, count), **others})
+        **camera_settings(calibration, effects, count, sample), **others})
     return settings
 
 
@@ -173,8 +179,10 @@ def main():
     arguments = parser.parse_args()
     os.makedirs(arguments.results, exist_ok=True)
     chosen = [each for each in CAMERAS if each == "pinhole" or arguments.only in each]
+    # Four cameras stand around the hall, and a drawn pose is another one in each scene.
     rows = [(name, how) for name in chosen for how in (STANDS, RIDES)
-            if how == STANDS or CAMERAS[name][2].get("count", 1) == 1]
+            if (how == STANDS or "count" not in CAMERAS[name][2])
+            and (how == RIDES or "sample" not in CAMERAS[name][2])]
     seconds = {row: [] for row in rows}
     with tempfile.TemporaryDirectory() as folder:
         bags = {STANDS: f"{PACKAGE}/worlds/example.bag", RIDES: f"{folder}/swinging.bag"}
