@@ -81,6 +81,9 @@ class Parameters {
   /// The names that were asked for in the group that holds `full_name`: what it may have meant.
   [[nodiscard]] std::vector<std::string> knownNeighbours(const std::string& full_name) const;
 
+  /// The full names that were asked for in any group and end like this one: "camera/effects/blur".
+  [[nodiscard]] std::vector<std::string> knownElsewhere(const std::string& name) const;
+
   [[nodiscard]] const std::vector<std::string>& errors() const;
 
   /// "name: value" of each default used, in order of reading.

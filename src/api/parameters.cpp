@@ -322,6 +322,15 @@ std::vector<std::string> Parameters::knownNeighbours(const std::string& full_nam
   return {group->second.begin(), group->second.end()};
 }
 
+std::vector<std::string> Parameters::knownElsewhere(const std::string& name) const {
+  std::vector<std::string> full_names;
+  for (const auto& [group, known] : notes_->known) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) continue;
+    full_names.push_back(group.empty() ? name : group + "/" + name);
+  }
+  return full_names;
+}
+
 const std::vector<std::string>& Parameters::errors() const { return notes_->errors; }
 
 const std::vector<std::string>& Parameters::defaultsTaken() const { return notes_->defaults; }

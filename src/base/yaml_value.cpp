@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -106,8 +107,8 @@ class Reader {
     if (node.Tag() != kYamlTag + kind) failForTag(node);
   }
 
-  /// A map's entries in order, those that `<<` merges before its own
-  /// (https://yaml.org/type/merge.html): the last of equal names counts.
+  /// A map's entries in order, those that `<<` merges before its own, as these count then
+  /// (https://yaml.org/type/merge.html).
   std::vector<Entry> entries(const YAML::Node& map, int depth) {
     checkSize(map, depth);
     std::vector<Entry> merged;
@@ -119,9 +120,23 @@ class Reader {
         own.emplace_back(entry.first, entry.second);
       }
     }
+    if (rules_ == Rules::kSettings) checkEachIsOnce(own);
     take(merged.size(), map.Mark());
     merged.insert(merged.end(), own.begin(), own.end());
     return merged;
+  }
+
+  /// Of two equal names, one would be lost.
+  void checkEachIsOnce(const std::vector<Entry>& entries) const {
+    std::map<std::string, YAML::Mark> seen;
+    for (const auto& [key, value] : entries) {
+      if (!key.IsScalar()) continue;
+      const auto [first, is_new] = seen.emplace(key.Scalar(), key.Mark());
+      if (is_new) continue;
+      fail(key.Mark(), "found '" + key.Scalar() + "' a second time (the first is in line " +
+                           std::to_string(first->second.line + 1) +
+                           "); what belongs to it should be in one place");
+    }
   }
 
   /// Of a list of maps, the first that has a name counts.

@@ -120,6 +120,12 @@ void readEffects(Parameters group, scene::CameraOptions& camera) {
   effects.exposure = read("exposure", -kMostStops, kMostStops);
   shutter.exposure_time = base::fromSeconds(read("exposure_time", 0.0, kLongestExposure));
   shutter.readout_time = base::fromSeconds(read("readout_time", 0.0, kLongestExposure));
+  const auto part_of = [&](const char* name, const char* time) {
+    if (!group.has(name) || group.has(time)) return;
+    group.addError(name, "has no effect without " + std::string(time) + "; set both or none");
+  };
+  part_of("motion_samples", "exposure_time");
+  part_of("readout_bands", "readout_time");
   if (shutter.exposure_time.count() > 0 || group.has("motion_samples")) {
     shutter.motion_samples =
         group.optionalBetween("motion_samples", shutter.motion_samples, 2, 256);
@@ -197,7 +203,7 @@ scene::CameraOptions readCamera(Parameters group, const std::string& name,
   camera.rectified = group.maybe<bool>("rectified").value_or(is_rectified);
   if (group.has("stereo_frame")) camera.stereo_frame = readStereoFrame(group, camera.rectified);
   readRange(group, camera);
-  if (group.has("effects")) readEffects(group.group("effects"), camera);
+  readEffects(group.group("effects"), camera);
   camera.depth_noise = readDepthNoise(group);
   camera.frame = group.maybe<std::string>("frame_id");
   if (!camera.frame) camera.frame = std::move(frame);

@@ -173,12 +173,9 @@ world::PhysicsOptions readPhysics(Parameters group, const scene::SceneOptions& s
     step = kLongestStep;
   }
   physics.step = base::fromSeconds(step);
-  physics.contact_tolerance = group.optional("contact_tolerance", physics.contact_tolerance);
-  if (physics.contact_tolerance < 0.0) {
-    group.addError("contact_tolerance", "found " + Value(physics.contact_tolerance).text() +
-                                            " m; it should not be below 0");
-    physics.contact_tolerance = 0.0;
-  }
+  constexpr double kDeepest = 1.0;  // [m]; more is meant in another unit
+  physics.contact_tolerance =
+      group.optionalBetween("contact_tolerance", physics.contact_tolerance, 0.0, kDeepest);
   physics.drops_objects =
       scenes.isPlaced() && scenes.placement.mode == randomize::PlacementMode::kDrop;
   const auto& distractors = scenes.randomization.distractors;
@@ -277,13 +274,28 @@ Config readConfig(Parameters root) {
   return config;
 }
 
+namespace {
+
+/// "; did you mean camera/effects/blur?" for `blur`, or nothing where too many groups have it.
+std::string inOtherGroups(const Parameters& root, const std::string& name) {
+  constexpr std::size_t kMost = 3;
+  const std::vector<std::string> known = root.knownElsewhere(name);
+  if (known.empty() || known.size() > kMost) return "";
+  std::string choice;
+  for (const std::string& each : known) choice += (choice.empty() ? "" : " or ") + each;
+  return "; did you mean " + choice + "?";
+}
+
+}  // namespace
+
 std::vector<std::string> unknownParameterErrors(Parameters root,
                                                 const std::vector<std::string>& names) {
   // Asking whether a block is unused makes it known, so the suggestions come first.
   std::vector<std::pair<std::string, std::string>> found;
   for (const std::string& name : names) {
-    found.emplace_back(name,
-                       didYouMean(name.substr(name.rfind('/') + 1), root.knownNeighbours(name)));
+    const std::string last = name.substr(name.rfind('/') + 1);
+    const std::string near = didYouMean(last, root.knownNeighbours(name));
+    found.emplace_back(name, near.empty() ? inOtherGroups(root, last) : near);
   }
   std::vector<std::string> errors;
   for (const auto& [name, suggestion] : found) {

@@ -11,7 +11,14 @@ render::DepthNoise readDepthNoise(Parameters& camera) {
   if (!camera.has("depth_noise")) return noise;
   Parameters group = camera.group("depth_noise");
   const std::string model = group.requiredChoice("model", {"none", "structured_light", "stereo"});
-  if (model != "structured_light" && model != "stereo") return noise;
+  if (model != "structured_light" && model != "stereo") {
+    // What else is set is not used, so that `none` switches noise off.
+    for (const char* name :
+         {"baseline", "disparity_step", "disparity_noise", "max_angle", "min_depth", "max_depth"}) {
+      group.ignore(name);
+    }
+    return noise;
+  }
   constexpr double kLongest = 100.0;      // [m]
   constexpr double kCoarsest = 16.0;      // [px]
   constexpr double kMostNoise = 16.0;     // [px]
@@ -21,6 +28,11 @@ render::DepthNoise readDepthNoise(Parameters& camera) {
   noise.baseline = group.optionalBetween("baseline", is_stereo ? 0.05 : 0.075, 1e-4, kLongest);
   noise.disparity_step =
       group.optionalBetween("disparity_step", is_stereo ? 0.03125 : 0.125, 0.0, kCoarsest);
+  const char* other = is_stereo ? "max_angle" : "disparity_noise";
+  if (group.has(other)) {
+    group.addError(other, std::string("has a meaning with model: ") +
+                              (is_stereo ? "structured_light" : "stereo") + " alone");
+  }
   if (is_stereo) {
     noise.disparity_noise = group.optionalBetween("disparity_noise", 0.08, 0.0, kMostNoise);
   } else {

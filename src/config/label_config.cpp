@@ -142,10 +142,11 @@ label::LabelOptions readLabels(Parameters root) {
                                      "; it should be a number of pixels, 0 or more");
     labels.min_pixels = 0;
   }
-  const double tolerance = labels.keypoint_tolerance;
-  labels.keypoint_tolerance = group.has("keypoint_tolerance")
-                                  ? numberAbove(group, "keypoint_tolerance", tolerance, 0.0)
-                                  : tolerance;
+  constexpr double kFarthest = 1.0;  // [m]; more is meant in another unit
+  if (group.has("keypoint_tolerance")) {
+    labels.keypoint_tolerance =
+        group.optionalBetween("keypoint_tolerance", labels.keypoint_tolerance, 1e-6, kFarthest);
+  }
   return labels;
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "config/checked_values.h"
+#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -274,11 +275,14 @@ bool isSettingGroup(const std::string& name) {
                                                   "image",
                                                   "labels",
                                                   "masks",
+                                                  "motions",
                                                   "physics",
                                                   "placement",
                                                   "randomize",
                                                   "rendering",
+                                                  "shard",
                                                   "split",
+                                                  "twin",
                                                   "world",
                                                   "world_classes",
                                                   "writers"};
@@ -332,6 +336,11 @@ std::vector<scene::ObjectOptions> readObjects(Parameters root) {
     }
     if (!seen.insert(name).second) {
       root.addError("robot_list", "found '" + name + "' more than once");
+      continue;
+    }
+    if (!root.has(name)) {
+      root.addError("robot_list", "found '" + name + "', of which there is no group" +
+                                      didYouMean(name, root.names()));
       continue;
     }
     objects.push_back(readObject(root, name));

@@ -122,7 +122,8 @@ randomize::WeatherRandomization readWeather(Parameters group) {
   weather.colour = maybeDistribution(group, "colour", {3, 0.0, 1.0});
   weather.dust = maybeDistribution(group, "dust", {1, 0.0, kDustiest});
   for (const char* entry : {"present", "wind", "colour"}) {
-    if (!group.has(entry) || weather.changesAir()) continue;
+    const bool is_of_air = group.has("visibility") || group.has("rain") || group.has("snow");
+    if (!group.has(entry) || is_of_air) continue;
     group.addError(entry, "has a meaning with visibility, rain or snow alone");
   }
   return weather;

@@ -88,7 +88,9 @@ std::string lastLine(const RunSummary& summary) {
   if (missing_labels.empty()) return "done";
   const std::size_t more = missing_labels.size() - 1;
   return "done, but " + missing_labels.front() +
-         (more == 0 ? "" : " (and " + std::to_string(more) + " more such warnings)");
+         (more == 0 ? ""
+                    : " (and " + std::to_string(more) +
+                          (more == 1 ? " more such warning)" : " more such warnings)"));
 }
 
 }  // namespace synthetic_dataset::run

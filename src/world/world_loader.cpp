@@ -37,7 +37,9 @@ fs::path fileFor(const std::string& uri, const ResourceFinder& finder) {
   const fs::path here = fs::current_path(gone);
   const std::optional<fs::path> found = finder.find(uri, here);
   if (!found) {
-    throw ErrorList({"'" + uri + "': no such file; " + finder.searchedPlaces(uri, here)});
+    const std::string searched = finder.searchedPlaces(uri, here);
+    throw ErrorList(
+        {"'" + uri + "': no such file" + (searched == "looked in " + uri ? "" : "; " + searched)});
   }
   try {
     return fs::is_directory(*found) ? modelFileOf(*found) : *found;

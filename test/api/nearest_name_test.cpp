@@ -9,6 +9,7 @@ TEST(NearestName, FindsWhatATypingMistakeMeant) {
   EXPECT_EQ(nearestName("simulated_rte", {"bag_file", "simulated_rate"}), "simulated_rate");
   EXPECT_EQ(nearestName("alpha/base_lnik", {"alpha/base_link", "alpha/base_laser"}),
             "alpha/base_link");
+  EXPECT_EQ(nearestName("ligth", {"glass", "light"}), "light") << "letters that are swapped";
 }
 
 TEST(NearestName, FindsNothingWhereNothingIsNear) {

@@ -87,6 +87,7 @@ TEST(Parameters, KnowWhichOnesNobodyAskedFor) {
   root.ignore("name");
   EXPECT_THAT(root.unknownNames(), ElementsAre("points", "yolo/output_folder"));
   EXPECT_THAT(root.knownNeighbours("yolo/output_folder"), ElementsAre("depth"));
+  EXPECT_THAT(root.knownElsewhere("depth"), ElementsAre("yolo/depth"));
 }
 
 TEST(Parameters, AGroupThatIsNoGroupIsAnError) {

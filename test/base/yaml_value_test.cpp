@@ -48,6 +48,16 @@ TEST(ParseYaml, NamesFileAndLineOfAMistake) {
               testing::ElementsAre(HasSubstr("my.yaml: line 3")));
 }
 
+TEST(ParseYaml, RefusesASecondGroupOfAName) {
+  const std::string text = "camera:\n  near: 0.1\nseed: 1\ncamera:\n  far: 9.0\n";
+  EXPECT_THAT(test::messagesOf([&] { return parseSettings(text, "my.yaml"); }),
+              testing::ElementsAre("my.yaml: line 4: found 'camera' a second time (the first is in "
+                                   "line 1); what belongs to it should be in one place"));
+  EXPECT_EQ(parseSettings("a: &a {x: 1, y: 1}\nb: {<<: *a, x: 2}", "test"),
+            parseSettings("a: {x: 1, y: 1}\nb: {x: 2, y: 1}", "test"))
+      << "what is merged may be set anew";
+}
+
 TEST(ParseYaml, RefusesAQuoteThatIsNotClosed) {
   for (const std::string text : {"a: \"x\n", "a: 'x\n", "a: \"x", "a: 'x", "a: \"x\n\n  y\n"}) {
     EXPECT_THROW((void)parseYaml(text, "my.yaml"), Error) << text;

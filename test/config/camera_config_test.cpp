@@ -185,8 +185,12 @@ INSTANTIATE_TEST_SUITE_P(
                   "or {position: [x, y, z], look_at: OBJECT or [x, y, z]}"},
         BadCamera{"camera: {info_file: /a.yaml, effects: {vignetting: 2}}",
                   "camera/effects/vignetting: found 2.0; it should be 0.0 to 1.0"},
-        BadCamera{"camera: {info_file: /a.yaml, effects: {motion_samples: 1}}",
-                  "camera/effects/motion_samples: found 1; it should be 2 to 256"}));
+        BadCamera{"camera: {info_file: /a.yaml, effects: {exposure_time: 0.01, motion_samples: 1}}",
+                  "camera/effects/motion_samples: found 1; it should be 2 to 256"},
+        BadCamera{"camera: {info_file: /a.yaml, effects: {motion_samples: 8}}",
+                  "camera/effects/motion_samples: has no effect without exposure_time"},
+        BadCamera{"camera: {info_file: /a.yaml, effects: {readout_bands: 8}}",
+                  "camera/effects/readout_bands: has no effect without readout_time"}));
 
 }  // namespace camera_config_test
 }  // namespace synthetic_dataset::config

@@ -294,6 +294,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadSetting{"robot_list: alpha", "robot_list: []", "robot_list: found an empty list"},
         BadSetting{"robot_list: alpha", "robot_list: [alpha, alpha]", "more than once"},
         BadSetting{"robot_list: alpha", "robot_list: [alpha, labels]", "which is also a setting"},
+        BadSetting{"robot_list: alpha", "robot_list: alhpa",
+                   "robot_list: found 'alhpa', of which there is no group; did you mean 'alpha'?"},
+        BadSetting{"world:", "physics: {contact_tolerance: 10}\nworld:",
+                   "physics/contact_tolerance: found 10.0; it should be 0.0 to 1.0"},
+        BadSetting{"world:", "labels: {keypoint_tolerance: 10}\nworld:",
+                   "labels/keypoint_tolerance: found 10.0; it should be"},
         BadSetting{"keypoints: []", "keypoints: [[1, 2]]", "alpha/keypoints: found [[1, 2]]"},
         BadSetting{"keypoints: []", "keypoints: [[1, 2, x]]", "entry 1 is [1, 2, x]"},
         BadSetting{"keypoints: []", "keypoints: nose", "alpha/keypoints: found nose (a text)"},
@@ -400,6 +406,13 @@ beta: {class: summit, id: "7", keypoints: [], bounding_shape: [[0, 0, 0]]})"));
 TEST(ReadConfig, AnObjectCannotHaveAWritersName) {
   const Reading reading(plus("writers: [{name: alpha, type: p/T}]\n"));
   EXPECT_THAT(reading.root.errors(), Contains(HasSubstr("which is also a writer's name")));
+}
+
+TEST(UnknownParameters, AreFoundInTheGroupsThatHaveThem) {
+  const Reading reading(plus("exposure_time: 0.01\n"));
+  EXPECT_THAT(unknownParameterErrors(reading.root, {"exposure_time"}),
+              ElementsAre("exposure_time: unknown parameter; did you mean "
+                          "camera/effects/exposure_time?"));
 }
 
 TEST(UnknownParameters, AreErrorsThatSayWhatTheyMayHaveMeant) {

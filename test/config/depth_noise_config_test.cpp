@@ -45,6 +45,17 @@ TEST(ReadDepthNoise, NamesWhatIsWrong) {
               ElementsAre(testing::HasSubstr("depth_noise/baseline: found 0")));
   EXPECT_THAT(Reading("{depth_noise: {model: structured_light, max_depth: 0.4}}").camera.errors(),
               ElementsAre(testing::HasSubstr("depth_noise/max_depth: found 0.4")));
+  EXPECT_THAT(
+      Reading("{depth_noise: {model: structured_light, disparity_noise: 0.1}}").camera.errors(),
+      ElementsAre("depth_noise/disparity_noise: has a meaning with model: stereo alone"));
+  EXPECT_THAT(Reading("{depth_noise: {baseline: 0.1}}").camera.errors(),
+              ElementsAre("depth_noise/model: required, but missing"));
+}
+
+TEST(ReadDepthNoise, IsSwitchedOffByItsModelAlone) {
+  const Reading none("{depth_noise: {model: none, baseline: 0.1, max_angle: 1.0}}");
+  EXPECT_THAT(none.camera.errors(), testing::IsEmpty());
+  EXPECT_THAT(none.camera.unknownNames(), testing::IsEmpty());
 }
 
 }  // namespace depth_noise_config_test

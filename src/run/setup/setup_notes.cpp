@@ -1,5 +1,7 @@
 #include "run/setup/setup_notes.h"
 
+#include <algorithm>
+
 #include "label/pixel_labeller.h"
 
 namespace synthetic_dataset::run {
@@ -42,10 +44,27 @@ void noteUnusedDepthNoise(RunSetup& setup) {
   }
 }
 
+/// What is placed stands still: only drops of rain and flakes move then.
+void noteIdleShutters(RunSetup& setup) {
+  const bool all_are_placed =
+      std::all_of(setup.motions.begin(), setup.motions.end(),
+                  [](const MotionSetup& motion) { return motion.config.isPlaced(); });
+  const auto& weather = setup.config.randomization.weather;
+  if (!all_are_placed || weather.rain || weather.snow) return;
+  for (const scene::CameraOptions& camera : setup.config.cameras) {
+    const scene::Shutter& shutter = camera.shutter;
+    if (shutter.exposure_time.count() == 0 && shutter.readout_time.count() == 0) continue;
+    setup.found.warning(
+        camera.group + "/effects",
+        "exposure_time and readout_time have no effect, as what is placed stands still");
+  }
+}
+
 }  // namespace
 
 void noteWhatMaySurprise(RunSetup& setup) {
   if (setup.splits) noteEmptySplits(setup);
+  noteIdleShutters(setup);
   if (!setup.writers) return;
   noteSubtraction(setup);
   noteUnseen(setup);

@@ -311,9 +311,9 @@ const EFFECTS = [
   ['noise_mean', 'Its mean', '', [-0.1, 0.1], 0.001],
   ['full_well', 'Electrons of a white pixel', '', null, 1000],
   ['exposure_time', 'Shutter is open', 's', [0, 0.1], 0.001],
-  ['motion_samples', 'Pictures averaged over that', '', [1, 32], 1],
+  ['motion_samples', 'Pictures averaged over that', '', [2, 32], 1],
   ['readout_time', 'First row to last', 's', [0, 0.1], 0.001],
-  ['readout_bands', 'Bands of rows', '', [1, 64], 1],
+  ['readout_bands', 'Bands of rows', '', [2, 480], 1],
 ];
 
 function effects(path) {
