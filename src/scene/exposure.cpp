@@ -6,10 +6,11 @@ namespace synthetic_dataset::scene {
 
 void Exposure::add(render::PendingPicture picture, double weight) {
   if (adding_.valid()) adding_.get();
-  // Deferred where no more threads are to be had.
-  adding_ = std::async(
-      std::launch::async | std::launch::deferred,
-      [light = light_, picture = std::move(picture), weight] { light->add(picture(), weight); });
+  // Deferred where no more threads are to be had: what is called has to be there for a second try.
+  const auto finish = [light = light_, picture = std::move(picture), weight] {
+    light->add(picture(), weight);
+  };
+  adding_ = std::async(std::launch::async | std::launch::deferred, finish);
 }
 
 render::PendingPicture Exposure::develop() {

@@ -26,10 +26,10 @@ Lanes withinCone(const LightInView& light, const Lanes& cosine) {
 ArrivingLights::ArrivingLights(const Surroundings& surroundings)
     : surroundings_(surroundings), lookups_(surroundings.lights.size()) {
   for (std::size_t i = 0; i < lookups_.size(); ++i) {
-    const bool is_lamp = surroundings.lights[i].type != world::LightType::kDirectional;
+    const bool from_point = surroundings.lights[i].type != world::LightType::kDirectional;
     for (const CastShadow& shadow : surroundings.shadows[i]) {
       maps_.push_back(shadow.map.assemble(shadow.isSoft()));
-      lookups_[i].emplace_back(shadow, maps_.back(), is_lamp);
+      lookups_[i].emplace_back(shadow, maps_.back(), from_point);
     }
   }
 }

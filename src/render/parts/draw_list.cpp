@@ -173,6 +173,14 @@ Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection
   return standing;
 }
 
+LinkSelection DrawList::standing(const LinkSelection& links) const {
+  LinkSelection selected(links.size(), false);
+  for (const Part& part : parts_) {
+    if (part.stands_still) selected[part.link] = links[part.link];
+  }
+  return selected;
+}
+
 bool DrawList::hasGlassInLabels(const LinkSelection& drawn) const {
   return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
     return drawn[part.link] && part.transparent && !part.seen_through_in_labels;

@@ -72,7 +72,7 @@ class DrawList {
   /// with holes, stays, so that pictures that are being finished are not disturbed.
   void setMaterials(const std::map<const world::Material*, world::Material>& materials);
 
-  /// The place of one of parts() among them, counted from 1.
+  /// The index of one of parts(), counted from 1.
   [[nodiscard]] std::uint32_t numberOf(const Part& part) const {
     return static_cast<std::uint32_t>(&part - parts_.data()) + 1;
   }
@@ -80,9 +80,12 @@ class DrawList {
   /// All that some part has.
   [[nodiscard]] SurfaceFeatures features() const { return features_; }
 
-  /// Round all selected parts that cast shadows, with up to half a metre to spare where they move.
+  /// Around all selected parts that cast shadows, with up to half a metre to spare where they move.
   [[nodiscard]] Bounds casterBounds(const std::vector<Pose>& X_WL,
                                     const LinkSelection& casting) const;
+
+  /// Those of the links that never move.
+  [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
 
   /// Whether one can see through something that labels show all the same.
   [[nodiscard]] bool hasGlassInLabels(const LinkSelection& drawn) const;

@@ -95,14 +95,6 @@ bool LensPainter::Key::operator==(const Key& other) const {
          detail == other.detail && smooth == other.smooth;
 }
 
-LinkSelection LensPainter::standing(const LinkSelection& links) const {
-  LinkSelection selected(links.size(), false);
-  for (const Part& part : crew_.parts.parts()) {
-    if (part.stands_still) selected[part.link] = links[part.link];
-  }
-  return selected;
-}
-
 namespace {
 
 Occluders occludersOf(const LensSight& sight, const CameraModel& camera) {
@@ -163,8 +155,14 @@ const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensS
                                            const LinkSelection& casting, bool smooth) {
   constexpr std::size_t kMost = 8;
   if (!crew_.keeps) return nullptr;
-  Key key{sight.lens, scene.view.X_WC.matrix(), standing(scene.drawn), standing(casting),
-          {},         scene.exposure,           scene.detail,          smooth};
+  Key key{sight.lens,
+          scene.view.X_WC.matrix(),
+          crew_.parts.standing(scene.drawn),
+          crew_.parts.standing(casting),
+          {},
+          scene.exposure,
+          scene.detail,
+          smooth};
   for (const ShadowProjection& shadow : scene.shadows) {
     key.shadows.push_back(shadow.shadow_from_world);
   }
@@ -179,7 +177,7 @@ const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensS
   Kept& here = kept_.front();
   if (!here.pixels.empty()) return &here;
   crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
-  const LinkSelection drawn = standing(scene.drawn);
+  const LinkSelection drawn = crew_.parts.standing(scene.drawn);
   const ColourScene alone{scene.view,     scene.X_WL, drawn,       scene.shadows,
                           scene.exposure, nullptr,    scene.detail};
   const auto seen = eye_.look(scene.view, scene.X_WL, drawn, Glass::kSeenThrough);
@@ -221,15 +219,6 @@ cv::Mat LensPainter::possibleSurfaces(const ColourScene& scene,
   return pixels;
 }
 
-/// Where the shadow maps as they are drawn now differ from those of what never moves.
-std::vector<ChangedTexels> LensPainter::changedTexels(const ColourScene& scene) const {
-  std::vector<ChangedTexels> texels;
-  for (const ShadowProjection& shadow : scene.shadows) {
-    texels.push_back(crew_.shadow_painter.changedTexels(shadow));
-  }
-  return texels;
-}
-
 namespace {
 
 /// Where there is no glass, but a shadow may be anywhere.
@@ -266,9 +255,9 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
   } else {
     PossibleChanges possible = changesOf(size);
     if (!before->edges.empty()) possible.surfaces = possibleSurfaces(scene, scene.X_WL);
-    pixels =
-        wanted & ChangedPixels(crew_.parts, scene.view)
-                     .find(possible, seenBy(*sight, scene), changedTexels(scene), before->edges);
+    pixels = wanted & ChangedPixels(crew_.parts, scene.view)
+                          .find(possible, seenBy(*sight, scene),
+                                crew_.shadow_painter.changedTexels(scene.shadows), before->edges);
   }
   UnlitLens picture = gather(crew_, scene, sight, smooth, pixels);
   addLit(lightsOf(crew_, scene), {cv::Point(), size}, scene, picture);
@@ -347,7 +336,8 @@ PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingV
     if (before == nullptr) continue;
     const SeenGeometry seen{
         {sight->parts(band.rows), sight->distance(band.rows), {}}, band.rows, sight->lens->rays};
-    pixels |= ChangedPixels(crew_.parts, here.view).find(possible, seen, changedTexels(here), {});
+    pixels |= ChangedPixels(crew_.parts, here.view)
+                  .find(possible, seen, crew_.shadow_painter.changedTexels(here.shadows), {});
     if (before->edges.empty()) continue;
     ColourScene begin{here.view, band.begin.X_WL, here.drawn, here.shadows};
     cv::Mat surfaces = possible.surfaces(band.rows);

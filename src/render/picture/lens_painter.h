@@ -57,10 +57,8 @@ class LensPainter {
     cv::Mat edges;   ///< CV_8UC1: 255 where these are smoothed; empty where edges are not
   };
 
-  [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
   [[nodiscard]] const Kept* kept(const ColourScene& scene, const LensSight& sight,
                                  const LinkSelection& casting, bool smooth);
-  [[nodiscard]] std::vector<ChangedTexels> changedTexels(const ColourScene& scene) const;
   [[nodiscard]] cv::Mat possibleSurfaces(const ColourScene& scene,
                                          const std::vector<Pose>& X_WL_too) const;
 

@@ -146,12 +146,9 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
   const cv::Rect place = maskBounds(possible);
   if (place.empty()) return possible;
   paintShadows(scene, casting, wants_all ? image_ : place);
-  std::vector<ChangedTexels> texels;
-  for (const ShadowProjection& shadow : scene.shadows) {
-    texels.push_back(crew_.shadow_painter.changedTexels(shadow));
-  }
   const ChangedPixels changed(crew_.parts, scene.view);
-  cv::Mat pixels = changed.find(regions, seenAround(place, scene), texels, edges);
+  cv::Mat pixels = changed.find(regions, seenAround(place, scene),
+                                crew_.shadow_painter.changedTexels(scene.shadows), edges);
   if (!wants_all) pixels &= wanted;
   return pixels;
 }
@@ -199,17 +196,9 @@ std::optional<CoveredPixels> PicturePainter::covered(const View& view,
   return CoveredPixels{place->pixels, (geometry_.readStencil(place->pixels) & place->bit) != 0};
 }
 
-LinkSelection PicturePainter::standing(const LinkSelection& links) const {
-  LinkSelection selected(links.size(), false);
-  for (const Part& part : crew_.parts.parts()) {
-    if (part.stands_still) selected[part.link] = links[part.link];
-  }
-  return selected;
-}
-
 PicturePainter::LightKey PicturePainter::lightKey(const ColourScene& scene,
                                                   const LinkSelection& casting) const {
-  LightKey key{{}, standing(casting), scene.exposure, lensOf(scene)};
+  LightKey key{{}, crew_.parts.standing(casting), scene.exposure, lensOf(scene)};
   for (const ShadowProjection& shadow : scene.shadows) {
     key.shadows.push_back(shadow.shadow_from_world);
   }
@@ -222,7 +211,7 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
                                   const LinkSelection& drawn, const cv::Rect& pixels) {
   Content content{drawn, {}, pixels};
   for (const Pose& pose : X_WL) content.X_WL.push_back(pose.matrix());
-  GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), standing(drawn)};
+  GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), crew_.parts.standing(drawn)};
   const bool came_before = crew_.keeps && geometry_key_ == key;
   if (came_before && content_ && content_->has(content)) return;
   forgetContent();
@@ -285,7 +274,7 @@ const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene
   if (!kept.pixels.empty()) return &kept;
   drawStandingGeometry(scene.view, scene.X_WL, scene.drawn);
   crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
-  UnfinishedPicture picture = light(scene, standing(scene.drawn), false, smooth,
+  UnfinishedPicture picture = light(scene, crew_.parts.standing(scene.drawn), false, smooth,
                                     cv::Mat(image_.size(), CV_8UC1, cv::Scalar(255)));
   picture.elsewhere = plainPicture(scene.exposure);
   kept.pixels = finished(picture, crew_.edge_smoother);

@@ -106,7 +106,6 @@ class PicturePainter {
   [[nodiscard]] GeometryImages read(const cv::Rect& pixels);
   void readOverKept();
   void forgetContent();
-  [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
   [[nodiscard]] LightKey lightKey(const ColourScene& scene, const LinkSelection& casting) const;
   void drawGeometry(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
                     const cv::Rect& pixels);

@@ -75,8 +75,8 @@ std::optional<Points> pointShadow(const Points& corners, const Eigen::Vector3d& 
 double blurOf(const world::Light& light, const ShadowProjection& shadow) {
   constexpr double kTexels = 8.0;
   const double softness = std::min(shadow.softness.maxCoeff(), kWidestSoftness);
-  const bool is_lamp = light.type != world::LightType::kDirectional;
-  return (kTexels + softness) * shadow.texel * (is_lamp ? std::max(light.range, 1.0) : 1.0);
+  const bool from_point = light.type != world::LightType::kDirectional;
+  return (kTexels + softness) * shadow.texel * (from_point ? std::max(light.range, 1.0) : 1.0);
 }
 
 /// The hull of a caster and its shadow, as far as something receives it; nothing where that may be

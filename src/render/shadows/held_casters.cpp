@@ -2,19 +2,42 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+
+#include <Eigen/Geometry>
 
 #include "render/parts/bounds.h"
 
 namespace synthetic_dataset::render {
 namespace {
 
-/// The most that some points of a link are apart with it in two places.
-double farthest(const std::vector<Eigen::Vector3d>& points_L, const Pose& one, const Pose& other) {
-  double most = 0.0;
-  for (const Eigen::Vector3d& point : points_L) {
-    most = std::max(most, (one * point - other * point).norm());
+/// Where a point of a caster is.
+struct Caster {
+  Eigen::Vector3d point_W;
+  Eigen::Vector2d texel;  ///< of the map
+  double texel_size;      ///< there [m]; not above 0 behind a light
+
+  Caster(const Eigen::Vector3d& p_W, const ShadowProjection& shadow) : point_W(p_W) {
+    const Eigen::Vector4d p = shadow.shadow_from_world * p_W.homogeneous();
+    texel = 0.5 * shadow.size / p.w() * p.head<2>();
+    texel_size = shadow.texel * p.w();
   }
-  return most;
+};
+
+/// By how many texels a shadow moves with its caster: on the map, or towards the light.
+double texelsBetween(const Caster& one, const Caster& other) {
+  if (one.point_W == other.point_W) return 0.0;
+  const double size = std::min(one.texel_size, other.texel_size);
+  if (!(size > 0.0)) return std::numeric_limits<double>::infinity();
+  return std::max((one.texel - other.texel).norm(), (one.point_W - other.point_W).norm() / size);
+}
+
+/// Whether all of some points of a link have less than this many texels between two poses of it.
+bool areWithin(double texels, const ShadowProjection& shadow,
+               const std::vector<Eigen::Vector3d>& points_L, const Pose& one, const Pose& other) {
+  return std::all_of(points_L.begin(), points_L.end(), [&](const Eigen::Vector3d& point) {
+    return texelsBetween({one * point, shadow}, {other * point, shadow}) < texels;
+  });
 }
 
 }  // namespace
@@ -36,12 +59,16 @@ std::vector<CasterPoses> heldForShadows(const std::vector<Part>& parts,
     if (corners[link].empty()) continue;
     const auto at = [&](std::size_t time) -> const Pose& { return (*X_WL[time])[link]; };
     for (std::size_t shadow = 0; shadow < shadows.size(); ++shadow) {
-      const double limit = texels * shadows[shadow].texel;
+      const auto areNear = [&](std::size_t one, std::size_t other) {
+        return areWithin(0.5 * texels, shadows[shadow], corners[link], at(one), at(other));
+      };
       for (std::size_t first = 0; first < held.size();) {
-        std::size_t end = first + 1;
-        while (end < held.size() && farthest(corners[link], at(first), at(end)) < limit) ++end;
+        std::size_t middle = first;
+        while (middle + 1 < held.size() && areNear(first, middle + 1)) ++middle;
+        std::size_t end = middle + 1;
+        while (end < held.size() && areNear(middle, end)) ++end;
         for (std::size_t time = first; time < end; ++time) {
-          held[time][shadow][link] = at((first + end - 1) / 2);
+          held[time][shadow][link] = at(middle);
         }
         first = end;
       }

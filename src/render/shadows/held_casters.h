@@ -9,8 +9,9 @@
 namespace synthetic_dataset::render {
 
 /// Where links cast shadows at some times that follow one another closely: in each map, a link
-/// stays where it is in the middle of those times between which it moves by less than some texels,
-/// that is, at most by half of these from where it is. So it need not be cast anew for each time.
+/// stays where it is in the middle of several times as long as it is less than some texels away
+/// from there; less than half of them where it moves steadily. So it need not be cast anew for each
+/// time.
 /// @param X_WL  of each of the times, where the links are
 /// @param texels  of the map
 /// @return of each of the times

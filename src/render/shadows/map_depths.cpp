@@ -1,5 +1,7 @@
 #include "render/shadows/map_depths.h"
 
+#include <utility>
+
 #include <opencv2/core.hpp>
 
 #include "render/pixels/lanes.h"
@@ -44,24 +46,22 @@ void MapDepths::Standing::putOn(const std::vector<MapPiece>& pieces) {
   if (common_.empty()) common_ = depths_;
   if (!pieces.empty() && common_.data == depths_.data) common_ = depths_.clone();
   for (const cv::Rect& texels : changed_) depths_(texels).copyTo(common_(texels));
-  passed_.insert(passed_.end(), changed_.begin(), changed_.end());
-  changed_.clear();
+  std::vector<cv::Rect> passed = std::exchange(changed_, {});
   for (const MapPiece& piece : pieces) {
     cv::Mat here = common_(piece.texels);
     cv::min(here, piece.depths, here);
     changed_.push_back(piece.texels);
   }
-  passed_.insert(passed_.end(), changed_.begin(), changed_.end());
+  if (nearest_.empty()) return;
+  for (const cv::Rect& texels : passed) findNearestOf(common_, texels, nearest_);
+  for (const cv::Rect& texels : changed_) findNearestOf(common_, texels, nearest_);
 }
 
 void MapDepths::Standing::findNearest() {
+  if (!nearest_.empty()) return;
   const auto cells = [](int texels) { return (texels + kCell - 1) / kCell; };
-  if (nearest_.empty()) {
-    nearest_ = cv::Mat(cells(common_.rows), cells(common_.cols), CV_32FC1);
-    passed_ = {cv::Rect({}, common_.size())};
-  }
-  for (const cv::Rect& texels : passed_) findNearestOf(common_, texels, nearest_);
-  passed_.clear();
+  nearest_ = cv::Mat(cells(common_.rows), cells(common_.cols), CV_32FC1);
+  findNearestOf(common_, cv::Rect({}, common_.size()), nearest_);
 }
 
 MapDepths::Assembled MapDepths::assemble(bool with_nearest) const {

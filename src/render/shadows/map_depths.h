@@ -60,7 +60,6 @@ class MapDepths {
     cv::Mat common_;
     cv::Mat nearest_;                ///< of the common map; empty until it is asked for
     std::vector<cv::Rect> changed_;  ///< where the common map is not as that of what never moves
-    std::vector<cv::Rect> passed_;   ///< where that has changed since its nearest were found
   };
 
   explicit MapDepths(std::shared_ptr<Standing> standing, std::vector<MapPiece> pieces = {})

@@ -25,12 +25,12 @@ struct ShadowLookup::FourInMap {
 };
 
 ShadowLookup::ShadowLookup(const CastShadow& shadow, const MapDepths::Assembled& depths,
-                           bool is_lamp)
+                           bool from_point)
     : depths_(depths.depths()),
       row_step_(depths_.step1()),
       size_(static_cast<float>(depths_.cols)),
       texel_(static_cast<float>(shadow.texel)),
-      is_lamp_(is_lamp) {
+      from_point_(from_point) {
   const double half = 0.5 * depths_.cols;
   Eigen::Matrix4d map_from_shadow = Eigen::Matrix4d::Identity();
   map_from_shadow.row(0) = Eigen::Vector4d(half, 0.0, 0.0, half);
@@ -57,7 +57,7 @@ ShadowLookup::FourInMap ShadowLookup::find(const Lanes3& raised, const Lanes3& n
   four.depth = times(map_from_camera_, 2, raised);
   // Nothing is in the shadow of what lies outside of the map.
   four.is_within = wanted;
-  if (is_lamp_) {
+  if (from_point_) {
     const Lanes w = times(map_from_camera_, 3, raised);
     const Lanes inverse = one / w;
     four.column = four.column * inverse;
@@ -90,7 +90,7 @@ Lanes ShadowLookup::passing(const Lanes3& position_C, const Lanes3& normal, cons
                             const Lanes& distance, const Lanes& wanted) const {
   // A surface is compared a little above itself, so that it does not shade itself: by about a
   // texel, more at grazing light. With soft edges, less is enough: its slope in the map is known.
-  const Lanes texel = is_lamp_ ? lanes(texel_) * distance : lanes(texel_);
+  const Lanes texel = from_point_ ? lanes(texel_) * distance : lanes(texel_);
   const Lanes slope = cv::v_sqrt(cv::v_max(lanes(1.0F) - n_dot_l * n_dot_l, lanes(0.0F)));
   const Lanes raise = soft_edges_ ? lanes(static_cast<float>(kSoftShadowRaise))
                                   : lanes(static_cast<float>(kShadowRaise)) +

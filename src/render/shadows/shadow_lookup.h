@@ -25,8 +25,8 @@ struct CastShadow {
 class ShadowLookup {
  public:
   /// @param depths  of the map; have to outlive this
-  /// @param is_lamp  whether the light comes from a point
-  ShadowLookup(const CastShadow& shadow, const MapDepths::Assembled& depths, bool is_lamp);
+  /// @param from_point  whether the light comes from a point
+  ShadowLookup(const CastShadow& shadow, const MapDepths::Assembled& depths, bool from_point);
 
   /// How far before the light points are [m], as the map looks; below 0 behind it.
   [[nodiscard]] Lanes ahead(const Lanes3& position_C) const;
@@ -51,7 +51,7 @@ class ShadowLookup {
   std::size_t row_step_;  ///< [texel]
   float size_;
   float texel_;
-  bool is_lamp_;
+  bool from_point_;
   Eigen::Matrix4f map_from_camera_;     ///< to column, row, depth and 1, all times the last
   Eigen::Matrix4f planes_from_camera_;  ///< the same of planes: normal and what to add
   std::optional<SoftEdges> soft_edges_;

@@ -264,7 +264,14 @@ MapDepths ShadowPainter::depths(const ShadowProjection& shadow) const {
   return MapDepths(layer.standing, layer.moving);
 }
 
-ChangedTexels ShadowPainter::changedTexels(const ShadowProjection& shadow) const {
+std::vector<ChangedTexels> ShadowPainter::changedTexels(
+    const std::vector<ShadowProjection>& shadows) const {
+  std::vector<ChangedTexels> changed;
+  for (const ShadowProjection& shadow : shadows) changed.push_back(changedIn(shadow));
+  return changed;
+}
+
+ChangedTexels ShadowPainter::changedIn(const ShadowProjection& shadow) const {
   const Layer& layer = layerOf(shadow);
   const int size = layer.size();
   ChangedTexels changed;

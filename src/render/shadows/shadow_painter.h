@@ -38,8 +38,9 @@ class ShadowPainter {
   void paintStanding(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
                      const LinkSelection& casting);
 
-  /// What paint() has just drawn beside what never moves.
-  [[nodiscard]] ChangedTexels changedTexels(const ShadowProjection& shadow) const;
+  /// What paint() has just drawn beside what never moves, of each of these shadows.
+  [[nodiscard]] std::vector<ChangedTexels> changedTexels(
+      const std::vector<ShadowProjection>& shadows) const;
 
   /// What was drawn last.
   [[nodiscard]] MapDepths depths(const ShadowProjection& shadow) const;
@@ -83,6 +84,7 @@ class ShadowPainter {
   [[nodiscard]] const Layer& layerOf(const ShadowProjection& shadow) const {
     return layers_[static_cast<std::size_t>(shadow.map)];
   }
+  [[nodiscard]] ChangedTexels changedIn(const ShadowProjection& shadow) const;
   void begin();
   void paintStandingLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                           const LinkSelection& casting);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kSunRadius = 0.004625;
 
 /// The radius of spot and point lights [m], for which SDF has no setting.
-constexpr double kLampRadius = 0.03;
+constexpr double kBulbRadius = 0.03;
 
 bool castsShadow(const world::Light& light, LightDetail detail) {
   // OGRE has no shadows of point lights in Gazebo's worlds.
@@ -91,6 +91,7 @@ void fitDirectional(const world::Light& light, const std::vector<View>& views,
   clip_from_light(2, 2) = 1.0 / range;
   clip_from_light(2, 3) = -nearest / range;
   projection.shadow_from_world = clip_from_light * X_SW.matrix();
+  projection.size = size;
   projection.texel = extent.maxCoeff() / size;
   if (detail == LightDetail::kFull) {
     projection.softness = (kSunRadius * range * size) * extent.cwiseInverse();
@@ -99,8 +100,8 @@ void fitDirectional(const world::Light& light, const std::vector<View>& views,
 
 /// What a light sees from its place.
 /// @param scale  the inverse of the tangent of half the map's angle
-void fitLamp(const world::Light& light, const Pose& X_WS, double scale, int size,
-             LightDetail detail, ShadowProjection& projection) {
+void fitFromPoint(const world::Light& light, const Pose& X_WS, double scale, int size,
+                  LightDetail detail, ShadowProjection& projection) {
   constexpr double kNear = 0.05;  // [m] depth begins there
   const double far = std::max(light.range, 2.0 * kNear);
   Eigen::Matrix4d clip_from_light = Eigen::Matrix4d::Zero();
@@ -110,11 +111,12 @@ void fitLamp(const world::Light& light, const Pose& X_WS, double scale, int size
   clip_from_light(2, 3) = -far * kNear / (far - kNear);
   clip_from_light(3, 2) = 1.0;
   projection.shadow_from_world = clip_from_light * X_WS.inverse().matrix();
+  projection.size = size;
   projection.texel = 2.0 / (scale * size);
   if (detail != LightDetail::kFull) return;
   // Depths differ as the inverses of distances along the axis do, and so does softness in texels.
   const double by_inverses = far * kNear / (far - kNear);
-  projection.softness.setConstant(kLampRadius / (projection.texel * by_inverses));
+  projection.softness.setConstant(kBulbRadius / (projection.texel * by_inverses));
 }
 
 /// A spot light's map is what the light sees within its outer angle.
@@ -122,7 +124,7 @@ void fitSpot(const world::Light& light, int size, LightDetail detail,
              ShadowProjection& projection) {
   constexpr double kWidest = 0.48 * 3.14159265;  // [rad] half angle; a plane cannot hold more
   const double half_angle = std::clamp(0.5 * light.spot_outer_angle, 0.01, kWidest);
-  fitLamp(light, lightFrame(light), 1.0 / std::tan(half_angle), size, detail, projection);
+  fitFromPoint(light, lightFrame(light), 1.0 / std::tan(half_angle), size, detail, projection);
 }
 
 /// A side holds a few texels of the sides around it too: those that a surface's light asks for.
@@ -133,7 +135,7 @@ void fitSide(const world::Light& light, int side, int size, ShadowProjection& pr
   const Eigen::Vector3d direction =
       (side < kCubeSides / 2 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(side % (kCubeSides / 2));
   projection.is_side = true;
-  fitLamp(light, frameTowards(light, direction), scale, size, LightDetail::kFull, projection);
+  fitFromPoint(light, frameTowards(light, direction), scale, size, LightDetail::kFull, projection);
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ struct ShadowProjection {
   int light = 0;         ///< index in the description's lights
   int map = 0;           ///< as ShadowLayout counts them
   bool is_side = false;  ///< of a point light's cube
+  int size = 1;          ///< of the map's side [texel]
   Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Identity();
   double texel = 0.0;  ///< a texel's size [m], for spot and point lights at a distance of 1 m
 

@@ -1,5 +1,7 @@
 #include "render/shadows/held_casters.h"
 
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -63,10 +65,52 @@ TEST(HeldCasters, StayForLongerInCoarserMaps) {
   ShadowProjection coarse;
   coarse.texel = 4.0 * kTexel;
   const std::vector<Pose> first = {at(0.0)};
-  const std::vector<Pose> second = {at(0.02)};
+  const std::vector<Pose> second = {at(0.015)};
   const auto held = heldForShadows({part}, {&first, &second}, {fine, coarse}, 1.0);
   EXPECT_EQ(held[1][0][0].matrix(), second[0].matrix());
-  EXPECT_EQ(held[1][1][0].matrix(), first[0].matrix());
+  EXPECT_EQ(held[0][1][0].matrix(), held[1][1][0].matrix());
+}
+
+TEST(HeldCasters, AreNeverAWholeTexelAwayWhereTheyGoBackAndForth) {
+  const std::vector<double> places = {0.0, 0.004, -0.004, 0.004, -0.004, 0.004, -0.005, 0.009};
+  const std::vector<double> held = heldAt(places);
+  for (std::size_t i = 0; i < places.size(); ++i) EXPECT_LT(std::abs(held[i] - places[i]), kTexel);
+}
+
+/// What is held at two times, with a caster that moves by a vector.
+std::vector<Pose> heldWithMove(const ShadowProjection& shadow, const Eigen::Vector3d& from,
+                               const Eigen::Vector3d& move) {
+  Part part;
+  part.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.1), Eigen::Vector3d::Constant(0.1));
+  const std::vector<Pose> first = {makePose(from, Eigen::Quaterniond::Identity())};
+  const std::vector<Pose> second = {makePose(from + move, Eigen::Quaterniond::Identity())};
+  const auto held = heldForShadows({part}, {&first, &second}, {shadow}, 1.0);
+  return {held[0][0][0], held[1][0][0]};
+}
+
+bool isHeld(const ShadowProjection& shadow, const Eigen::Vector3d& from,
+            const Eigen::Vector3d& move) {
+  const std::vector<Pose> poses = heldWithMove(shadow, from, move);
+  return poses[0].matrix() == poses[1].matrix();
+}
+
+TEST(HeldCasters, StayForLessLongAcrossAMapThatIsNarrow) {
+  ShadowProjection narrow;  // 10 m by 1 m, from above
+  narrow.size = 1000;
+  narrow.texel = kTexel;
+  narrow.shadow_from_world(0, 0) = 0.2;
+  narrow.shadow_from_world(1, 1) = 2.0;
+  EXPECT_TRUE(isHeld(narrow, {0, 0, 0}, {0.004, 0, 0}));
+  EXPECT_FALSE(isHeld(narrow, {0, 0, 0}, {0, 0.004, 0}));
+}
+
+TEST(HeldCasters, StayForLessLongNearALight) {
+  ShadowProjection spot;  // at the origin, along z, 90 degrees wide
+  spot.size = 200;
+  spot.texel = kTexel;
+  spot.shadow_from_world.row(3) = Eigen::RowVector4d(0, 0, 1, 0);
+  EXPECT_TRUE(isHeld(spot, {0, 0, 2.0}, {0.004, 0, 0}));
+  EXPECT_FALSE(isHeld(spot, {0, 0, 0.3}, {0.004, 0, 0}));
 }
 
 }  // namespace held_casters_test
