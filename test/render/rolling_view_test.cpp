@@ -3,6 +3,7 @@
 #include "render/rolling_view.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,16 +83,10 @@ class RollingPicture : public testing::TestWithParam<Case> {
     return {stage.all(), stage.all(), sampling};
   }
 
-  world::Description description;
-  test::Stage stage;
-};
-
-TEST_P(RollingPicture, ShowsInEachRowWhatAPictureOfItsTimeShows) {
-  Renderer renderer(description, stage.links(), {});
-  const RollingView rolling = view();
-  for (const Sampling sampling : {Sampling::kCentre, Sampling::kSmooth}) {
-    const cv::Mat picture = renderer.draw(rolling, pass(sampling))();
-    test::keep(picture, std::string("rolling_") + GetParam().name);
+  /// How many pixels of a picture differ by more than one grey level from those of a picture that
+  /// is wholly of their row's time.
+  [[nodiscard]] int unlikeTheirRows(Renderer& renderer, const RollingView& rolling,
+                                    Sampling sampling, const cv::Mat& picture) const {
     int different = 0;
     for (int row = 0; row < kHeight; ++row) {
       const RollingMoment now = rolling.at(row);
@@ -105,10 +100,38 @@ TEST_P(RollingPicture, ShowsInEachRowWhatAPictureOfItsTimeShows) {
         different += std::max({pixel[0], pixel[1], pixel[2]}) > 1 ? 1 : 0;
       }
     }
+    return different;
+  }
+
+  world::Description description;
+  test::Stage stage;
+};
+
+TEST_P(RollingPicture, ShowsInEachRowWhatAPictureOfItsTimeShows) {
+  Renderer renderer(description, stage.links(), {});
+  const RollingView rolling = view();
+  for (const Sampling sampling : {Sampling::kCentre, Sampling::kSmooth}) {
+    const cv::Mat picture = renderer.draw(rolling, pass(sampling))();
+    test::keep(picture, std::string("rolling_") + GetParam().name);
     // An edge takes its light from pixels above and below, which are of other times.
     const bool is_smooth = sampling == Sampling::kSmooth;
-    EXPECT_LT(different, kWidth * kHeight * (is_smooth ? 3 : 1) / 1000) << is_smooth;
+    EXPECT_LT(unlikeTheirRows(renderer, rolling, sampling, picture),
+              kWidth * kHeight * (is_smooth ? 3 : 1) / 1000)
+        << is_smooth;
   }
+}
+
+TEST_P(RollingPicture, ShowsInEachRowWhatTurnsBackAtOnce) {
+  Renderer renderer(description, stage.links(), {});
+  RollingView rolling = view();
+  for (std::size_t i = 0; i < rolling.moments.size(); ++i) {
+    rolling.moments[i].X_WL[3] =
+        turned(i % 2 == 0 ? -0.3 : 0.3, -0.3 + 0.1 * static_cast<double>(i), 2.5, 0);
+  }
+  const cv::Mat picture = renderer.draw(rolling, pass(Sampling::kCentre))();
+  test::keep(picture, std::string("rolling_back_") + GetParam().name);
+  EXPECT_LT(unlikeTheirRows(renderer, rolling, Sampling::kCentre, picture),
+            kWidth * kHeight / 1000);
 }
 
 TEST_P(RollingPicture, IsThatOfWhichNothingWasKept) {

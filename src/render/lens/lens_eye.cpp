@@ -11,14 +11,6 @@
 namespace synthetic_dataset::render {
 namespace {
 
-LinkSelection standingLinks(const DrawList& parts, const LinkSelection& links) {
-  LinkSelection selected(links.size(), false);
-  for (const Part& part : parts.parts()) {
-    if (part.stands_still) selected[part.link] = links[part.link];
-  }
-  return selected;
-}
-
 std::vector<Eigen::Matrix4d> matricesOf(const std::vector<Pose>& poses) {
   std::vector<Eigen::Matrix4d> matrices;
   matrices.reserve(poses.size());
@@ -97,6 +89,7 @@ LensEye::LensEye(const DrawList& parts, LensLibrary& lenses, bool keeps)
 void LensEye::forget() {
   surfaces_.reset();
   standing_.clear();
+  recent_.forget();
   last_.reset();
   pyramids_.forgetUnused();
 }
@@ -126,11 +119,25 @@ std::vector<Pose> LensEye::posesOfParts(const Pose& X_CW, const std::vector<Pose
   return X_CV;
 }
 
+/// Looks from several views that come back are kept, as long as there is room, and those from the
+/// last of the others.
+void LensEye::makeRoomFor(const View& view, bool comes_back) {
+  constexpr std::size_t kMemory = 512U << 20U;  // [byte]
+  constexpr std::size_t kPixelBytes = 20;       // without triangles
+  constexpr std::size_t kMost = 8;
+  const auto pixels = static_cast<std::size_t>(view.camera.width() * view.camera.height());
+  const std::size_t most = std::clamp(kMemory / (kPixelBytes * pixels), std::size_t{1}, kMost);
+  const auto isLeftOver = [&](const Standing& each) {
+    return !comes_back && !each.comes_back && each.X_WC != view.X_WC.matrix();
+  };
+  standing_.erase(std::remove_if(standing_.begin(), standing_.end(), isLeftOver), standing_.end());
+  while (standing_.size() >= most) standing_.pop_back();
+}
+
 const LensEye::Standing& LensEye::standing(const View& view, const std::vector<Pose>& X_WL,
                                            const LinkSelection& drawn) {
-  constexpr std::size_t kMost = 8;
   const auto lens = lenses_.get(view.camera);
-  LinkSelection links = standingLinks(parts_, drawn);
+  LinkSelection links = parts_.standing(drawn);
   const auto known = std::find_if(standing_.begin(), standing_.end(), [&](const Standing& each) {
     return each.lens == lens && each.X_WC == view.X_WC.matrix() && each.drawn == links;
   });
@@ -139,10 +146,11 @@ const LensEye::Standing& LensEye::standing(const View& view, const std::vector<P
     return standing_.front();
   }
   if (!keeps_) standing_.clear();
-  if (standing_.size() == kMost) standing_.pop_back();
+  const bool comes_back = recent_.comesBack(view);
+  makeRoomFor(view, comes_back);
   const Pose X_CW = view.X_WC.inverse();
-  Standing seen{lens, view.X_WC.matrix(), std::move(links), RaySights(lens->grids),
-                nothingSeen(lens)};
+  Standing seen{lens,       view.X_WC.matrix(),     std::move(links),
+                comes_back, RaySights(lens->grids), nothingSeen(lens)};
   seen.sight.X_CV = posesOfParts(X_CW, X_WL);
   const RayRaster::IsHole is_hole = holesIn(parts_, surfaces());
   const RayRaster raster(view, *lens, lens->grids, is_hole);

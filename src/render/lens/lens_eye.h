@@ -11,6 +11,7 @@
 #include "render/lens/row_poses.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/picture_pyramid.h"
+#include "render/recent_views.h"
 
 namespace synthetic_dataset::render {
 
@@ -49,6 +50,7 @@ class LensEye {
     std::shared_ptr<const LensMap> lens;
     Eigen::Matrix4d X_WC;
     LinkSelection drawn;
+    bool comes_back;  ///< the view does
     RaySights sights;
     LensSight sight;
   };
@@ -72,6 +74,7 @@ class LensEye {
   [[nodiscard]] LensSight nothingSeen(const std::shared_ptr<const LensMap>& lens);
   [[nodiscard]] std::vector<Pose> posesOfParts(const Pose& X_CW,
                                                const std::vector<Pose>& X_WL) const;
+  void makeRoomFor(const View& view, bool comes_back);
   [[nodiscard]] const Standing& standing(const View& view, const std::vector<Pose>& X_WL,
                                          const LinkSelection& drawn);
 
@@ -81,6 +84,7 @@ class LensEye {
   PyramidLibrary pyramids_;
   std::shared_ptr<const std::vector<PartSurface>> surfaces_;  ///< null until they are asked for
   std::deque<Standing> standing_;                             ///< the last used first
+  RecentViews recent_;                                        ///< that were not found in standing_
   std::optional<Last> last_;
   RowGrids row_grids_;  ///< of the lens that was used last
 };

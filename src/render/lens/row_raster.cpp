@@ -42,10 +42,22 @@ class RowRays {
   std::size_t row_ = 0;
 };
 
-/// The angle by which one frame is turned against another.
-double angleBetween(const Pose& one, const Pose& other) {
-  const double trace = (one.linear().transpose() * other.linear()).trace();
-  return std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0));
+/// How far points within some bounds are at most from the straight ways between where they are at
+/// the first and at the last of some poses.
+double farthestFromLine(const Bounds& bounds, const std::vector<Pose>& poses) {
+  const Eigen::Vector3d middle = bounds.center();
+  const double radius = 0.5 * bounds.sizes().norm();
+  const Eigen::Matrix4d first = poses.front().matrix();
+  const Eigen::Matrix4d change = poses.back().matrix() - first;
+  double farthest = 0.0;
+  for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(poses.size() - 1);
+    const Eigen::Matrix4d off = poses[i].matrix() - first - share * change;
+    const Eigen::Matrix3d turned = off.topLeftCorner<3, 3>();
+    const Eigen::Vector3d moved = turned * middle + off.topRightCorner<3, 1>();
+    farthest = std::max(farthest, moved.norm() + turned.norm() * radius);
+  }
+  return farthest;
 }
 
 }  // namespace
@@ -79,7 +91,8 @@ class RowRaster::OnRows {
   /// A vertex at the times of the first and the last row.
   struct Way {
     float left, top, right, bottom;
-    int kept;  ///< how many of both are before the near plane
+    int kept;          ///< how many of both are before the near plane
+    bool may_be_seen;  ///< at some of the times
   };
 
   void takeRows(int first, int end) {
@@ -99,32 +112,25 @@ class RowRaster::OnRows {
     const Intrinsics& k = rows_.grid.intrinsics;
     std::array<bool, 5> beside = {true, true, true, true, true};
     double nearest = std::numeric_limits<double>::infinity();
-    double radius = 0.0;
     const auto corners = cornersOf(part_.bounds_V);
     for (const Pose* pose : {&X_FV_.front(), &X_FV_.back()}) {
       for (const Eigen::Vector3d& corner : corners) {
         nearest = std::min(nearest, (*pose * corner).z());
-        radius = std::max(radius, (part_.X_LV * corner).norm());
       }
     }
-    // Poses turn evenly and move on straight lines: a point is off the line between its ends by
-    // the arrow of an arc.
     const Pose& before = X_FV_.front();
     const Pose& after = X_FV_.back();
-    const double arc = angleBetween(before, after);
-    const double reach = radius + (part_.X_LV.inverse().translation()).norm() +
-                         std::max(before.translation().norm(), after.translation().norm());
+    off_ = farthestFromLine(part_.bounds_V, X_FV_);
     constexpr double kLeast = 0.5;  // [cell]
-    margin_ =
-        static_cast<float>(kLeast + 2.0 * std::max(k.fx, k.fy) * reach *
-                                        (1.0 - std::cos(0.5 * arc)) / std::max(nearest, near_));
+    margin_ = static_cast<float>(kLeast + 2.0 * std::max(k.fx, k.fy) * off_ /
+                                              std::max(nearest - off_, near_));
     const double margin = static_cast<double>(margin_);
     for (const Pose* pose : {&before, &after}) {
       for (const Eigen::Vector3d& corner : corners) {
         const Eigen::Vector3d p = *pose * corner;
         const double column = k.fx * p.x() + k.cx * p.z();
         const double row = k.fy * p.y() + k.cy * p.z();
-        beside[0] &= p.z() < near_;
+        beside[0] &= p.z() < near_ - off_;
         beside[1] &= column < (static_cast<double>(bounds_.left) - margin) * p.z();
         beside[2] &= row < (static_cast<double>(bounds_.top) - margin) * p.z();
         beside[3] &= column > (static_cast<double>(bounds_.right) + margin) * p.z();
@@ -145,10 +151,9 @@ class RowRaster::OnRows {
       const Way& a = ways_[mesh.indices[i]];
       const Way& b = ways_[mesh.indices[i + 1]];
       const Way& c = ways_[mesh.indices[i + 2]];
-      const int kept = a.kept + b.kept + c.kept;
-      if (kept == 0) continue;
+      if (!a.may_be_seen && !b.may_be_seen && !c.may_be_seen) continue;
       RowRayGrid::Bounds around = bounds_;
-      if (kept == 6) {
+      if (a.kept + b.kept + c.kept == 6) {
         around = {std::min({a.left, b.left, c.left}) - margin_,
                   std::min({a.top, b.top, c.top}) - margin_,
                   std::max({a.right, b.right, c.right}) + margin_,
@@ -161,9 +166,10 @@ class RowRaster::OnRows {
 
   [[nodiscard]] Way wayOf(const Eigen::Vector3d& point_V) const {
     constexpr float kFar = std::numeric_limits<float>::infinity();
-    Way way{kFar, kFar, -kFar, -kFar, 0};
+    Way way{kFar, kFar, -kFar, -kFar, 0, false};
     for (const Pose* pose : {&X_FV_.front(), &X_FV_.back()}) {
       const FaceCorner corner = drawing_.cornerAt(*pose * point_V);
+      way.may_be_seen |= corner.point_F.z() >= near_ - off_;
       if (!(corner.point_F.z() >= near_)) continue;
       ++way.kept;
       way.left = std::min(way.left, corner.place.x());
@@ -209,7 +215,8 @@ class RowRaster::OnRows {
   int first_row_ = 0;
   RowRayGrid::Bounds bounds_{};
   std::vector<Pose> X_FV_;  ///< of each
-  float margin_ = 0.0F;     ///< [cell]
+  double off_ = 0.0;        ///< how far ways are at most from lines [m]
+  float margin_ = 0.0F;     ///< the same in the picture [cell]
   std::vector<Way> ways_;
 };
 

@@ -38,14 +38,14 @@ const PicturePainter* PictureCache::find(const View& view) const {
 
 void PictureCache::forget() {
   for (const Entry& entry : entries_) entry.painter->forget();
-  places_.clear();  // a place that comes back looks different then
+  recent_.forget();  // a view that comes back looks different then
 }
 
 /// A painter for a place from which none of them drew last: one for all places that do not come
 /// back, and one for each that does, as long as there is room; of large pictures, one for all.
 std::vector<PictureCache::Entry>::iterator PictureCache::freeFor(const View& view) {
   const cv::Size size(view.camera.width(), view.camera.height());
-  const bool comes_back = mostOf(size) > 1 && comesBack(view);
+  const bool comes_back = mostOf(size) > 1 && recent_.comesBack(view);
   std::size_t count = 0;
   auto last = entries_.end();
   for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
@@ -70,19 +70,6 @@ void PictureCache::makeRoomFor(const cv::Size& size) {
     return bytes > kMemory;
   };
   entries_.erase(std::remove_if(entries_.begin(), entries_.end(), isLeftOver), entries_.end());
-}
-
-/// Whether pictures are taken from here again and again, not only several of one instant.
-bool PictureCache::comesBack(const View& view) {
-  constexpr std::size_t kRemembered = 64;
-  constexpr std::ptrdiff_t kOften = 2;
-  const Place here{clipFromCamera(view.camera), view.X_WC.matrix()};
-  const auto times = std::count_if(places_.begin(), places_.end(), [&](const Place& place) {
-    return place.clip_from_camera == here.clip_from_camera && place.X_WC == here.X_WC;
-  });
-  places_.push_back(here);
-  if (places_.size() > kRemembered) places_.pop_front();
-  return times >= kOften;
 }
 
 }  // namespace synthetic_dataset::render

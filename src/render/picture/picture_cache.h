@@ -1,10 +1,10 @@
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <vector>
 
 #include "render/picture/picture_painter.h"
+#include "render/recent_views.h"
 
 namespace synthetic_dataset::render {
 
@@ -25,22 +25,17 @@ class PictureCache {
   void forget();
 
  private:
-  struct Place {
-    Eigen::Matrix4d clip_from_camera;
-    Eigen::Matrix4d X_WC;
-  };
   struct Entry {
     std::unique_ptr<PicturePainter> painter;
     bool comes_back;  ///< the place that it was made for does
   };
 
-  [[nodiscard]] bool comesBack(const View& view);
   [[nodiscard]] std::vector<Entry>::iterator freeFor(const View& view);
   void makeRoomFor(const cv::Size& size);
 
   PictureCrew crew_;
   std::vector<Entry> entries_;  ///< the last used first
-  std::deque<Place> places_;    ///< that were not found in entries_ lately
+  RecentViews recent_;          ///< that were not found in entries_
 };
 
 }  // namespace synthetic_dataset::render
