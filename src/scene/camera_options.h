@@ -19,7 +19,7 @@ struct Shutter {
   Duration exposure_time{0};  ///< of each row; above 0 what moves is blurred
   int motion_samples = 8;     ///< pictures that are averaged over it
   Duration readout_time{0};   ///< from the first row's exposure to the last row's
-  int readout_bands = 24;     ///< rows are taken in so many groups
+  int readout_bands = 24;     ///< of rows; each has lights and shadows of its own
 };
 
 /// Where a camera stands, and which way it looks: turned by angles, or at something.

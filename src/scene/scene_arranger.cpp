@@ -19,7 +19,7 @@ double radiusOf(const Cuboid& box) {
   return std::hypot(far.x(), far.y());
 }
 
-/// Round each model of a role, in its own frame, in the world's order.
+/// Around each model of a role, in its own frame, in the world's order.
 std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
   std::vector<std::vector<const world::Link*>> models;
   std::string last;

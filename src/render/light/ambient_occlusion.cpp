@@ -129,8 +129,8 @@ class HorizonFinder {
                               Pattern::four(pattern().y, four.u, four.v)};
     // The slice is the plane of the eye's direction and this one.
     const Lanes far = lanes(8.0F);  // [px]
-    const FourPixels pixels = beside(four.u, four.v, far * direction.x, far * direction.y);
-    const Lanes3 way = depths_.raysAt(pixels) - four.ray;
+    const Lanes3 way =
+        depths_.wayTo(four.u, four.v, far * direction.x, far * direction.y, four.ray);
     const Lanes3 across = normalized(way - four.to_eye * dot(way, four.to_eye));
     const Lanes along_across = dot(four.normal, across);
     const Lanes along_eye = dot(four.normal, four.to_eye);

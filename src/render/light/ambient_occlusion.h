@@ -23,9 +23,9 @@ struct Occluders {
 [[nodiscard]] cv::Mat occlusionReaches(const Occluders& seen);
 
 /// Which share of the light that is everywhere reaches surfaces past what is within 0.4 m of them:
-/// from 0, none, to 1. Found from what the picture shows, by horizons in eight directions (Jimenez,
+/// from 0, none, to 1. Found from what the picture shows, by horizons in sixteen planes (Jimenez,
 /// Wu, Pesce and Jarabo 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"), of
-/// which the pixels of a 4 x 4 square take other ones each, and share what they find.
+/// which each pixel of a 4 x 4 square takes one, and all share what they find.
 /// @param seen  the pixels at least up to occlusionReach() around those that are wanted
 /// @param normals  CV_16UC4 of `place`: as of GeometryImages, of the wanted pixels and
 ///     kOcclusionSmoothing more around them

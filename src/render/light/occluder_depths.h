@@ -65,6 +65,22 @@ class OccluderDepths {
             at(four.u[3], four.v[3])};
   }
 
+  /// From the rays of four pixels in a row to those at some offsets. Where these are beside the
+  /// known ones, the pixels on the other side say it.
+  [[nodiscard]] Lanes3 wayTo(int u, int v, const Lanes& du, const Lanes& dv,
+                             const Lanes3& rays) const {
+    FourPixels there = beside(u, v, du, dv);
+    std::array<float, kLaneCount> side{};
+    for (std::size_t i = 0; i < side.size(); ++i) {
+      const bool is_known = rays_.empty() || place_.contains({there.u[i], there.v[i]});
+      side[i] = is_known ? 1.0F : -1.0F;
+      if (is_known) continue;
+      there.u[i] = 2 * (u + static_cast<int>(i)) - there.u[i];
+      there.v[i] = 2 * v - there.v[i];
+    }
+    return (raysAt(there) - rays) * cv::v_load(side.data());
+  }
+
   /// Of four pixels anywhere; of those beside the known ones, that of the nearest known.
   [[nodiscard]] Lanes3 raysAt(const FourPixels& four) const {
     const auto& [u, v] = four;

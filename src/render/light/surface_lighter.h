@@ -38,8 +38,7 @@ class SurfaceLighter {
   /// @param open  CV_32FC1 of `place`: the share of the light from everywhere that arrives; empty
   ///     where all does
   /// @return CV_16UC4 of `place`: red, green, blue, 1, numbers of 16 bits: exposed and linear, or
-  /// in
-  ///     Gazebo Classic's worlds encoded and not exposed
+  ///     in Gazebo Classic's worlds encoded and not exposed
   [[nodiscard]] cv::Mat light(const GeometryImages& geometry, const SurfaceImages& surfaces,
                               const cv::Rect& place, const std::vector<cv::Rect>& regions,
                               const cv::Mat& wanted, const cv::Mat& open = {}) const;

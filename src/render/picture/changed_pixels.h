@@ -39,8 +39,7 @@ class ChangedPixels {
   /// @param seen  the pixels of these regions at least
   /// @param texels  of each shadow map
   /// @param edges  CV_8UC1, not 0 where pixels show what is around their centre in a picture of
-  /// what
-  ///               never moves; empty where all pixels show what is at their centre
+  ///     what never moves; empty where all pixels show what is at their centre
   /// @return CV_8UC1, 255 for such pixels, else 0
   [[nodiscard]] cv::Mat find(const PossibleChanges& regions, const SeenGeometry& seen,
                              const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const;

@@ -26,7 +26,7 @@ inline constexpr int kCoarseBand = 64;
 /// With so many pixels more on each side.
 [[nodiscard]] cv::Rect grown(const cv::Rect& rectangle, int distance);
 
-/// Round all of them; empty for none.
+/// Around all of them; empty for none.
 [[nodiscard]] cv::Rect boundsOf(const std::vector<cv::Rect>& rectangles);
 
 }  // namespace synthetic_dataset::render
