@@ -7,7 +7,8 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// Round all pixels of a mask that are not 0 [px]; empty where there are none, or no pixels at all.
+/// Around all pixels of a mask that are not 0 [px]; empty where there are none, or no pixels at
+/// all.
 ///
 /// cv::boundingRect of OpenCV 4.6 says too little of narrow shapes whose rows do not begin at
 /// multiples of four bytes, as those of parts of an image, or of images of odd widths.
@@ -37,7 +38,7 @@ class Mask {
   /// Whether no pixel belongs to the object.
   [[nodiscard]] bool empty() const { return pixels_.empty(); }
 
-  /// Round its pixels, each edge of it touching one [px]; empty where there are none.
+  /// Around its pixels, each edge of it touching one [px]; empty where there are none.
   [[nodiscard]] cv::Rect bounds() const { return {offset_, pixels_.size()}; }
 
   /// The part of the image within `bounds()`: CV_8UC1, 255 on the object and 0 elsewhere.

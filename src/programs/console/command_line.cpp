@@ -106,7 +106,7 @@ Makes a dataset. With --config, the settings are those of a YAML file, as
 config/params.yaml documents them, and no ROS master is needed; without it, they are
 the node's private parameters.
 
-  NAME:=VALUE  stands over the file: a setting's name, such as output_folder or
+  NAME:=VALUE  overrides the file: a setting's name, such as output_folder or
                shard/index, and its value in YAML ('' is an empty text)
   --check      makes no dataset: prints what the run would be and what is odd about it,
                and leaves check.png (some scenes with their labels) and map.png (the
@@ -134,7 +134,7 @@ each with its figure and what mends it. Makes some nine scenes, and no dataset. 
 check.png (these scenes with their labels) and map.png (the world, the ways of objects
 and the cameras from above) in DIR, or in the current folder.
 
-  NAME:=VALUE  stands over the file, as with generate
+  NAME:=VALUE  overrides the file, as with generate
   --help       prints this
 
   check my.yaml --out /tmp/look

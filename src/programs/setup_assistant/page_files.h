@@ -5,7 +5,7 @@
 
 namespace synthetic_dataset::programs {
 
-/// The files of the page: those that are part of the program, or, for who works on them, those in a
+/// The files of the page: those that are part of the program, or, for its developers, those in a
 /// folder.
 class PageFiles {
  public:

@@ -80,7 +80,7 @@ Sets a run up in a browser: prints the page's address, and serves it until it is
              models; once for each
   --port     by default one that is free
   --address  to listen on, by default 127.0.0.1, which no other machine reaches
-  --page     a folder with the page's files, for who works on them
+  --page     a folder with the page's files, for developers of the page
   --help     prints this
 
   setup_assistant rover.yaml rover.bag --folder /data/worlds
