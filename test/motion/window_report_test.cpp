@@ -58,9 +58,9 @@ TEST(WindowReport, NamesUnknownFramesAllAtOnce) {
         moveAlongX(bag, "map", "alpha/base_link", 1000, 2000);
         moveAlongX(bag, "map", "bravo/base_link", 1000, 2000);
       },
-      "/mpa");
+      "/world");
   EXPECT_THAT(timelineErrors(motion, {"alpha/baselink", "bravo/base_link", "robots/charlie"}),
-              ElementsAre(AllOf(HasSubstr("global frame 'mpa' is not in the recording"),
+              ElementsAre(AllOf(HasSubstr("global frame 'world' is not in the recording"),
                                 HasSubstr("its frames are alpha/base_link, bravo/base_link, map")),
                           "frame 'alpha/baselink' is not in the recording; did you mean "
                           "'alpha/base_link'?",
