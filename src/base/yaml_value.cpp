@@ -41,9 +41,10 @@ class Reader {
  public:
   using Entry = std::pair<YAML::Node, YAML::Node>;
 
-  Reader(Rules rules, const std::string& text, const std::string& origin)
+  Reader(Rules rules, const std::string& text, const std::string& origin, const Remark& remark)
       : rules_(rules),
         origin_(origin),
+        remark_(remark),
         content_left_(std::max(kSmallContent, kMostGrowth * text.size())) {}
 
   Value convert(const YAML::Node& node, int depth = 0) {
@@ -66,12 +67,14 @@ class Reader {
   }
 
   [[noreturn]] void fail(const YAML::Mark& mark, const std::string& message) const {
-    std::string place = origin_;
-    if (mark.line >= 0) place += ": line " + std::to_string(mark.line + 1);
-    throw Error(place + ": " + message);
+    throw Error(placeOf(mark) + ": " + message);
   }
 
  private:
+  [[nodiscard]] std::string placeOf(const YAML::Mark& mark) const {
+    return mark.line >= 0 ? origin_ + ": line " + std::to_string(mark.line + 1) : origin_;
+  }
+
   void checkSize(const YAML::Node& node, int depth) {
     if (depth > kDeepestNesting) {
       fail(node.Mark(), "nested deeper than " + std::to_string(kDeepestNesting) +
@@ -120,22 +123,22 @@ class Reader {
         own.emplace_back(entry.first, entry.second);
       }
     }
-    if (rules_ == Rules::kSettings) checkEachIsOnce(own);
+    if (remark_) remarkRepeated(own);
     take(merged.size(), map.Mark());
     merged.insert(merged.end(), own.begin(), own.end());
     return merged;
   }
 
-  /// Of two equal names, one would be lost.
-  void checkEachIsOnce(const std::vector<Entry>& entries) const {
+  /// Of two equal names the last counts, as PyYAML has it, so that the first is lost.
+  void remarkRepeated(const std::vector<Entry>& entries) const {
     std::map<std::string, YAML::Mark> seen;
     for (const auto& [key, value] : entries) {
       if (!key.IsScalar()) continue;
       const auto [first, is_new] = seen.emplace(key.Scalar(), key.Mark());
       if (is_new) continue;
-      fail(key.Mark(), "found '" + key.Scalar() + "' a second time (the first is in line " +
-                           std::to_string(first->second.line + 1) +
-                           "); what belongs to it should be in one place");
+      remark_(placeOf(key.Mark()) + ": found '" + key.Scalar() + "' a second time; what line " +
+              std::to_string(first->second.line + 1) + " says of it does not count");
+      first->second = key.Mark();
     }
   }
 
@@ -227,6 +230,7 @@ class Reader {
 
   Rules rules_;
   const std::string& origin_;
+  const Remark& remark_;
   std::size_t content_left_;
 };
 
@@ -298,8 +302,9 @@ int lineWithTab(const std::string& text) {
                                    : ""));
 }
 
-Value parse(const std::string& text, const std::string& origin, Rules rules) {
-  Reader reader(rules, text, origin);
+Value parse(const std::string& text, const std::string& origin, Rules rules,
+            const Remark& remark = {}) {
+  Reader reader(rules, text, origin, remark);
   try {
     const std::string whole = withEndMark(text);
     const YAML::Node document = YAML::Load(whole);
@@ -322,8 +327,8 @@ Value parseYaml(const std::string& text, const std::string& origin) {
 
 Value loadYamlFile(const std::string& file) { return parseYaml(readInput(file), file); }
 
-Value parseSettings(const std::string& text, const std::string& origin) {
-  return parse(text, origin, Rules::kSettings);
+Value parseSettings(const std::string& text, const std::string& origin, const Remark& remark) {
+  return parse(text, origin, Rules::kSettings, remark);
 }
 
 }  // namespace synthetic_dataset::base

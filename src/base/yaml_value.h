@@ -1,10 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::base {
+
+/// Gets what is odd about a text, with its line.
+using Remark = std::function<void(const std::string&)>;
 
 /// Reads YAML text with PyYAML's rules (YAML 1.1): 010 is 8, yes is true, "007" is a text, `<<`
 /// merges, the last of equal names counts. Tags that are not YAML's own are passed over.
@@ -21,6 +25,8 @@ namespace synthetic_dataset::base {
 /// !degrees and !radians are angles [rad]. What the parameter server cannot hold, and roslaunch
 /// stumbles over, is an error: nothing (null), dates, binary data, sets, names that are no texts,
 /// tags that nobody knows, a second document.
-[[nodiscard]] Value parseSettings(const std::string& text, const std::string& origin);
+/// @param remark  is called where a name is given twice in one group, so that the first is lost
+[[nodiscard]] Value parseSettings(const std::string& text, const std::string& origin,
+                                  const Remark& remark = {});
 
 }  // namespace synthetic_dataset::base

@@ -130,7 +130,7 @@ bool replaces(const Value::Map& over, const Value::Map& below) {
 }
 
 Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
-                    std::vector<std::string> above) {
+                    const base::Remark& remark, std::vector<std::string> above) {
   std::error_code problem;  // which reading the file reports
   const std::string place = std::filesystem::weakly_canonical(file, problem).string();
   if (std::find(above.begin(), above.end(), place) != above.end()) {
@@ -141,12 +141,12 @@ Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
   const std::string fault = base::textFault(bytes);
   if (!fault.empty()) throw Error(file + ": " + fault);
   const std::string text = withPlainLineEnds(bytes);
-  Value::Map own =
-      asParameters(base::parseSettings(substitute(text, {file, package_folder}), file), file);
+  Value::Map own = asParameters(
+      base::parseSettings(substitute(text, {file, package_folder}), file, remark), file);
   Value::Map settings;
   for (const std::string& name : takeIncluded(own, file)) {
     const auto folder = std::filesystem::path(file).parent_path();
-    overlay(settings, loadOver((folder / name).string(), package_folder, above));
+    overlay(settings, loadOver((folder / name).string(), package_folder, remark, above));
   }
   overlay(settings, own);
   return settings;
@@ -154,8 +154,9 @@ Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
 
 }  // namespace
 
-Value::Map loadSettings(const std::string& file, const TextFinder& package_folder) {
-  return loadOver(file, package_folder, {});
+Value::Map loadSettings(const std::string& file, const TextFinder& package_folder,
+                        const base::Remark& remark) {
+  return loadOver(file, package_folder, remark, {});
 }
 
 Value::Map asParameters(const Value& tree, const std::string& origin) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/yaml_value.h"
 #include "config/launch_substitution.h"
 #include "synthetic_dataset/value.h"
 
@@ -13,8 +14,10 @@ namespace synthetic_dataset::config {
 /// settings count where it has none of its own; of several, those of the later ones.
 /// @param file  may be relative to the current folder
 /// @param package_folder  where ROS packages are
+/// @param remark  as parseSettings() has it
 /// @throws Error naming file and line; for a file that includes itself, too
-[[nodiscard]] Value::Map loadSettings(const std::string& file, const TextFinder& package_folder);
+[[nodiscard]] Value::Map loadSettings(const std::string& file, const TextFinder& package_folder,
+                                      const base::Remark& remark = {});
 
 /// A file's tree as the parameter server would keep it: `yolo/main_list` is `main_list` in the
 /// group `yolo`, empty groups vanish, and the global name `/robot_list` counts where there is no

@@ -62,8 +62,9 @@ int main(int argc, char** argv) {
   }
   return programs::reportingErrors("align", [&] {
     run::Reporter silent;
+    const auto warn = [](const std::string& text) { std::cerr << "align: " << text << '\n'; };
     const run::CameraAlignment found =
-        run::alignCamera(programs::settingsOf(line), options, silent);
+        run::alignCamera(programs::settingsOf(line, warn), options, silent);
     for (const std::string& text : programs::alignmentLines(found, options)) {
       std::cout << text << '\n';
     }

@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
     return 0;
   }
   return programs::reportingErrors("check", [&] {
-    const Value settings = programs::settingsOf(line);
+    const Value settings = programs::settingsOf(
+        line, [](const std::string& text) { std::cerr << "check: " << text << '\n'; });
     return programs::checkAndPrint(config::twinRuns(settings).front(), line.out.value_or("."),
                                    std::cout)
                ? 0

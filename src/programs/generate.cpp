@@ -177,8 +177,10 @@ int main(int argc, char** argv) {
     programs::ConsoleReporter for_people;
     programs::ScriptReporter for_scripts;
     run::Reporter& reporter = command_line.as_json ? for_scripts : for_people;
-    return generateOrReport(command_line, reporter,
-                            [&] { return programs::settingsOf(command_line); });
+    return generateOrReport(command_line, reporter, [&] {
+      return programs::settingsOf(command_line,
+                                  [&](const std::string& text) { reporter.warning(text); });
+    });
   }
   if (!startNode(argc, argv)) return kFailed;
   std::optional<ros::NodeHandle> node;  // to the end: without it, rosconsole prints nothing

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <ros/console.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
 
@@ -58,7 +59,10 @@ Value::Map takeSettingsFile(Value::Map& parameters, const config::TextFinder& pa
   if (entry == parameters.end()) return {};
   const Value file = entry->second;
   parameters.erase(entry);
-  if (const auto* name = file.as<std::string>()) return config::loadSettings(*name, package_folder);
+  if (const auto* name = file.as<std::string>()) {
+    return config::loadSettings(*name, package_folder,
+                                [](const std::string& text) { ROS_WARN_STREAM(text); });
+  }
   throw Error("settings_file: found " + file.kind() + "; it should be the name of a YAML file");
 }
 

@@ -5,8 +5,8 @@
 
 namespace synthetic_dataset::programs {
 
-Value settingsOf(const CommandLine& command_line) {
-  Value::Map settings = config::loadSettings(*command_line.config, run::rosPackageFinder());
+Value settingsOf(const CommandLine& command_line, const base::Remark& remark) {
+  Value::Map settings = config::loadSettings(*command_line.config, run::rosPackageFinder(), remark);
   for (const auto& [name, text] : command_line.settings) {
     config::overlay(settings, config::settingOf(name, text));
   }
