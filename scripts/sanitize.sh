@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the unit tests under clang's sanitizers; exit code 0 only if all pass and nothing is reported.
-#   ./scripts/sanitize.sh [address|thread|all [PROGRAM...]]     all by default
-# PROGRAM: left out, as test_run.
+#   ./scripts/sanitize.sh [address|thread|all [PART/PARTS]]     all by default
+# PART/PARTS: 2/4 has every fourth program, from the second on.
 # address: every test program, under AddressSanitizer (with leaks) and UndefinedBehaviorSanitizer.
 # thread:  the programs in which threads work, under ThreadSanitizer.
 # The builds and each program's log lie beside the workspace (scripts/workspace.sh). What is known
@@ -11,8 +11,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
 source "$here/workspace.sh"
 kinds=("${1:-all}")
-shift || true
-left_out=("$@" none)
+part=${2:-1/1}
 [ "${kinds[0]}" != all ] || kinds=(address thread)
 
 # The test programs in which threads work; more code with threads, more names here.
@@ -22,10 +21,11 @@ threaded=(test_output)
 brute_force='ShadowRaster.HasTheLeastDepth*:*LensRendering.MarkersLie*:*RollingPicture.ShowsInEachRow*'
 brute_force+=':Room.ThroughALensIsTheMeanOfManyRays:PanoramaLight.IsBlurredByTheLobe*'
 export GTEST_FILTER="-*TamperedValues*:$brute_force"
-# These two take longest, so they start first.
-mapfile -t every < <(printf "%s\n" test_render test_run; grep -rhoP '^synthetic_dataset_test\(\K\w+' "$repository/test" \
-  --include=CMakeLists.txt | sed 's/^/test_/' | sort | grep -vxE 'test_(render|run)')
-mapfile -t every < <(printf "%s\n" "${every[@]}" | grep -vxF "$(printf "%s\n" "${left_out[@]}")")
+# These take longest, so they start first, and each of four parts has one.
+longest=(test_render test_run test_world test_output)
+mapfile -t every < <(printf "%s\n" "${longest[@]}"; grep -rhoP '^synthetic_dataset_test\(\K\w+' "$repository/test" \
+  --include=CMakeLists.txt | sed 's/^/test_/' | sort | grep -vxF "$(printf "%s\n" "${longest[@]}")")
+mapfile -t every < <(printf "%s\n" "${every[@]}" | awk -v part="${part%/*}" -v parts="${part#*/}" 'NR % parts == part % parts')
 
 "$here/install_dependencies.sh" clang libclang-rt-14-dev llvm-14
 # What users' machines have in these must not change the result.
