@@ -1,9 +1,13 @@
 #include "output/dataset_store.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <utility>
 #include <vector>
+
+#include <opencv2/core.hpp>
 
 #include "base/image/image_encoder.h"
 #include "output/dataset_opening.h"
@@ -33,10 +37,35 @@ std::vector<ManifestFile> manifestFiles(const std::vector<OutputFile>& files,
   return listed;
 }
 
-/// Whether one of the pictures may be depth in whole numbers.
-bool hasWholeNumbers(const std::vector<OutputFile>& files) {
-  return std::any_of(files.begin(), files.end(),
-                     [](const OutputFile& file) { return file.pixels.type() == CV_16UC1; });
+bool isSame(const cv::Mat& one, const cv::Mat& other) {
+  if (one.size() != other.size() || one.type() != other.type()) return false;
+  const std::size_t bytes = one.elemSize() * static_cast<std::size_t>(one.cols);
+  for (int row = 0; row < one.rows; ++row) {
+    if (std::memcmp(one.ptr(row), other.ptr(row), bytes) != 0) return false;
+  }
+  return true;
+}
+
+/// What the manifest has of depth in whole numbers, where pictures may be that. Numbers of the
+/// smaller unit are left out if all of these pictures are depth in millimetres.
+std::vector<PictureFacts> wholeDepthFacts(const cv::Mat& depth,
+                                          const std::vector<OutputFile>& files) {
+  constexpr double kMillimetres = 1000.0;
+  constexpr double kTenths = 10000.0;  // of them
+  std::vector<const cv::Mat*> pictures;
+  for (const OutputFile& file : files) {
+    if (file.pixels.type() == CV_16UC1) pictures.push_back(&file.pixels);
+  }
+  if (pictures.empty()) return {};
+  const cv::Mat numbers = depthNumbers(depth, kMillimetres);
+  std::vector<PictureFacts> facts = {{"depth.0.001", digestOfPixels(numbers), {}}};
+  const bool are_all = std::all_of(pictures.begin(), pictures.end(), [&](const cv::Mat* picture) {
+    return isSame(*picture, numbers);
+  });
+  // Where there is no depth, both are the same.
+  if (are_all && cv::countNonZero(numbers) > 0) return facts;
+  facts.push_back({"depth.0.0001", digestOfPixels(depthNumbers(depth, kTenths)), {}});
+  return facts;
 }
 
 /// What the manifest has of the scene's own pictures: of their pixels, and of the JPEG files made
@@ -50,9 +79,9 @@ std::vector<PictureFacts> pictureFactsOf(const SceneFacts& scene,
     if (name == "normals") {
       facts.push_back({"normals.colours", digestOfPixels(normalColours(pixels)), {}});
     }
-    if (name == "depth" && hasWholeNumbers(files)) {
-      facts.push_back({"depth.0.001", digestOfPixels(depthNumbers(pixels, 1000.0)), {}});
-      facts.push_back({"depth.0.0001", digestOfPixels(depthNumbers(pixels, 10000.0)), {}});
+    if (name == "depth") {
+      std::vector<PictureFacts> whole = wholeDepthFacts(pixels, files);
+      facts.insert(facts.end(), whole.begin(), whole.end());
     }
     const auto isJpeg = [&, picture = pixels](std::size_t i) {
       return files[i].pixels.data == picture.data && files[i].pixels.size() == picture.size() &&

@@ -1,7 +1,6 @@
 #include "output/manifest/scene_facts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <string_view>
 
@@ -117,13 +116,19 @@ cv::Mat normalColours(const cv::Mat& normals) {
 }
 
 cv::Mat depthNumbers(const cv::Mat& depth, double per_metre) {
-  constexpr double kGreatest = 65535.0;
-  const cv::Mat_<float> from = depth;
-  cv::Mat_<std::uint16_t> numbers(from.size());
-  std::transform(from.begin(), from.end(), numbers.begin(), [&](float z) -> std::uint16_t {
-    const double number = std::floor(double{z} * per_metre + 0.5);
-    return number > 0.0 && number <= kGreatest ? static_cast<std::uint16_t>(number) : 0;
-  });
+  constexpr double kTooGreat = 65536.0;
+  cv::Mat_<std::uint16_t> numbers(depth.size());
+  for (int row = 0; row < depth.rows; ++row) {
+    const auto* from = depth.ptr<float>(row);
+    std::uint16_t* to = numbers[row];
+    for (int column = 0; column < depth.cols; ++column) {
+      // Cut off, this is the nearest number: what is below 1 has none.
+      const double number = double{from[column]} * per_metre + 0.5;
+      to[column] = number >= 1.0 && number < kTooGreat
+                       ? static_cast<std::uint16_t>(static_cast<int>(number))
+                       : std::uint16_t{0};
+    }
+  }
   return numbers;
 }
 
