@@ -125,8 +125,7 @@ TEST_P(RollingPicture, ShowsInEachRowWhatTurnsBackAtOnce) {
   Renderer renderer(description, stage.links(), {});
   RollingView rolling = view();
   for (std::size_t i = 0; i < rolling.moments.size(); ++i) {
-    rolling.moments[i].X_WL[3] =
-        turned(i % 2 == 0 ? -0.3 : 0.3, -0.3 + 0.1 * static_cast<double>(i), 2.5, 0);
+    rolling.moments[i].X_WL[3] = turned(-0.1, i % 2 == 0 ? -0.35 : 0.05, 2.5, 0);
   }
   const cv::Mat picture = renderer.draw(rolling, pass(Sampling::kCentre))();
   test::keep(picture, std::string("rolling_back_") + GetParam().name);
