@@ -325,7 +325,7 @@ std::vector<std::string> Parameters::knownNeighbours(const std::string& full_nam
 std::vector<std::string> Parameters::knownElsewhere(const std::string& name) const {
   std::vector<std::string> full_names;
   for (const auto& [group, known] : notes_->known) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) continue;
+    if (known.count(name) == 0) continue;
     full_names.push_back(group.empty() ? name : group + "/" + name);
   }
   return full_names;

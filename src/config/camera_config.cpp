@@ -120,12 +120,12 @@ void readEffects(Parameters group, scene::CameraOptions& camera) {
   effects.exposure = read("exposure", -kMostStops, kMostStops);
   shutter.exposure_time = base::fromSeconds(read("exposure_time", 0.0, kLongestExposure));
   shutter.readout_time = base::fromSeconds(read("readout_time", 0.0, kLongestExposure));
-  const auto part_of = [&](const char* name, const char* time) {
+  const auto checkHasTime = [&](const char* name, const char* time) {
     if (!group.has(name) || group.has(time)) return;
     group.addError(name, "has no effect without " + std::string(time) + "; set both or none");
   };
-  part_of("motion_samples", "exposure_time");
-  part_of("readout_bands", "readout_time");
+  checkHasTime("motion_samples", "exposure_time");
+  checkHasTime("readout_bands", "readout_time");
   if (shutter.exposure_time.count() > 0 || group.has("motion_samples")) {
     shutter.motion_samples =
         group.optionalBetween("motion_samples", shutter.motion_samples, 2, 256);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
 
 #include <Eigen/Core>
@@ -17,6 +18,9 @@ class RecentViews {
   [[nodiscard]] bool comesBack(const View& view);
 
   void forget() { recent_.clear(); }
+
+  /// From how many views something is kept that takes this much memory each [byte]; at least one.
+  [[nodiscard]] static std::size_t mostOf(std::size_t bytes);
 
  private:
   struct Seen {

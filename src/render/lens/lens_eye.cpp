@@ -122,11 +122,9 @@ std::vector<Pose> LensEye::posesOfParts(const Pose& X_CW, const std::vector<Pose
 /// Looks from several views that come back are kept, as long as there is room, and those from the
 /// last of the others.
 void LensEye::makeRoomFor(const View& view, bool comes_back) {
-  constexpr std::size_t kMemory = 512U << 20U;  // [byte]
-  constexpr std::size_t kPixelBytes = 20;       // without triangles
-  constexpr std::size_t kMost = 8;
+  constexpr std::size_t kPixelBytes = 20;  // without triangles
   const auto pixels = static_cast<std::size_t>(view.camera.width() * view.camera.height());
-  const std::size_t most = std::clamp(kMemory / (kPixelBytes * pixels), std::size_t{1}, kMost);
+  const std::size_t most = RecentViews::mostOf(kPixelBytes * pixels);
   const auto isLeftOver = [&](const Standing& each) {
     return !comes_back && !each.comes_back && each.X_WC != view.X_WC.matrix();
   };

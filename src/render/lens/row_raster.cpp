@@ -120,17 +120,17 @@ class RowRaster::OnRows {
     }
     const Pose& before = X_FV_.front();
     const Pose& after = X_FV_.back();
-    off_ = farthestFromLine(part_.bounds_V, X_FV_);
+    bend_ = farthestFromLine(part_.bounds_V, X_FV_);
     constexpr double kLeast = 0.5;  // [cell]
-    margin_ = static_cast<float>(kLeast + 2.0 * std::max(k.fx, k.fy) * off_ /
-                                              std::max(nearest - off_, near_));
+    margin_ = static_cast<float>(kLeast + 2.0 * std::max(k.fx, k.fy) * bend_ /
+                                              std::max(nearest - bend_, near_));
     const double margin = static_cast<double>(margin_);
     for (const Pose* pose : {&before, &after}) {
       for (const Eigen::Vector3d& corner : corners) {
         const Eigen::Vector3d p = *pose * corner;
         const double column = k.fx * p.x() + k.cx * p.z();
         const double row = k.fy * p.y() + k.cy * p.z();
-        beside[0] &= p.z() < near_ - off_;
+        beside[0] &= p.z() < near_ - bend_;
         beside[1] &= column < (static_cast<double>(bounds_.left) - margin) * p.z();
         beside[2] &= row < (static_cast<double>(bounds_.top) - margin) * p.z();
         beside[3] &= column > (static_cast<double>(bounds_.right) + margin) * p.z();
@@ -169,7 +169,7 @@ class RowRaster::OnRows {
     Way way{kFar, kFar, -kFar, -kFar, 0, false};
     for (const Pose* pose : {&X_FV_.front(), &X_FV_.back()}) {
       const FaceCorner corner = drawing_.cornerAt(*pose * point_V);
-      way.may_be_seen |= corner.point_F.z() >= near_ - off_;
+      way.may_be_seen |= corner.point_F.z() >= near_ - bend_;
       if (!(corner.point_F.z() >= near_)) continue;
       ++way.kept;
       way.left = std::min(way.left, corner.place.x());
@@ -215,7 +215,7 @@ class RowRaster::OnRows {
   int first_row_ = 0;
   RowRayGrid::Bounds bounds_{};
   std::vector<Pose> X_FV_;  ///< of each
-  double off_ = 0.0;        ///< how far ways are at most from lines [m]
+  double bend_ = 0.0;       ///< how far ways are at most from lines [m]
   float margin_ = 0.0F;     ///< the same in the picture [cell]
   std::vector<Way> ways_;
 };

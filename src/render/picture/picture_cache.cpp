@@ -13,11 +13,7 @@ std::size_t bytesOf(const cv::Size& size) {
 }
 
 /// How many painters of this size there may be.
-std::size_t mostOf(const cv::Size& size) {
-  constexpr std::size_t kMemory = 512U << 20U;  // [byte]
-  constexpr std::size_t kMost = 8;
-  return std::clamp(kMemory / bytesOf(size), std::size_t{1}, kMost);
-}
+std::size_t mostOf(const cv::Size& size) { return RecentViews::mostOf(bytesOf(size)); }
 
 }  // namespace
 
