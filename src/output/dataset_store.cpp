@@ -1,8 +1,6 @@
 #include "output/dataset_store.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstring>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -37,15 +35,6 @@ std::vector<ManifestFile> manifestFiles(const std::vector<OutputFile>& files,
   return listed;
 }
 
-bool isSame(const cv::Mat& one, const cv::Mat& other) {
-  if (one.size() != other.size() || one.type() != other.type()) return false;
-  const std::size_t bytes = one.elemSize() * static_cast<std::size_t>(one.cols);
-  for (int row = 0; row < one.rows; ++row) {
-    if (std::memcmp(one.ptr(row), other.ptr(row), bytes) != 0) return false;
-  }
-  return true;
-}
-
 /// What the manifest has of depth in whole numbers, where pictures may be that. Numbers of the
 /// smaller unit are left out if all of these pictures are depth in millimetres.
 std::vector<PictureFacts> wholeDepthFacts(const cv::Mat& depth,
@@ -60,7 +49,7 @@ std::vector<PictureFacts> wholeDepthFacts(const cv::Mat& depth,
   const cv::Mat numbers = depthNumbers(depth, kMillimetres);
   std::vector<PictureFacts> facts = {{"depth.0.001", digestOfPixels(numbers), {}}};
   const bool are_all = std::all_of(pictures.begin(), pictures.end(), [&](const cv::Mat* picture) {
-    return isSame(*picture, numbers);
+    return picture->size() == numbers.size() && cv::norm(*picture, numbers, cv::NORM_INF) == 0.0;
   });
   // Where there is no depth, both are the same.
   if (are_all && cv::countNonZero(numbers) > 0) return facts;
