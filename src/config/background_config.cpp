@@ -44,9 +44,8 @@ randomize::BackgroundPictures readPictures(Parameters& group) {
   pictures.projection = readProjection(group);
   if (pictures.projection == randomize::BackgroundProjection::kPanorama) {
     pictures.yaw = maybeDistribution(group, "yaw", kTurnRange);
-  } else if (group.has("yaw")) {
-    group.addError("yaw", "has a meaning with projection: panorama alone");
-    group.ignore("yaw");
+  } else {
+    refuseWithout(group, {"yaw"}, "projection: panorama");
   }
   pictures.brightness = maybeDistribution(group, "brightness", {1, 0.0, kBrightest});
   return pictures;

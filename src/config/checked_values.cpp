@@ -54,6 +54,15 @@ double numberAbove(Parameters& group, const std::string& name, double fallback, 
   return fallback;
 }
 
+void refuseWithout(Parameters& group, const std::vector<std::string>& names,
+                   const std::string& needed) {
+  for (const std::string& name : names) {
+    if (!group.has(name)) continue;
+    group.addError(name, "has a meaning with " + needed + " alone");
+    group.ignore(name);
+  }
+}
+
 std::optional<double> maybeProbability(Parameters& group, const std::string& name) {
   const auto value = group.maybe<double>(name);
   if (!value || (*value >= 0.0 && *value <= 1.0)) return value;

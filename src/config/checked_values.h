@@ -26,6 +26,11 @@ namespace synthetic_dataset::config {
 /// A length of time in seconds, at most about 30 years, so that nanoseconds stay in range.
 [[nodiscard]] std::optional<double> maybeSeconds(Parameters& group, const std::string& name);
 
+/// Notes each of these that is given, as it would do nothing, which nobody expects: it "has a
+/// meaning with `needed` alone", such as "mode: drop".
+void refuseWithout(Parameters& group, const std::vector<std::string>& names,
+                   const std::string& needed);
+
 /// Whether the parameter is a list without entries.
 [[nodiscard]] bool isEmptyList(Parameters& group, const std::string& name);
 

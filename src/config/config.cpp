@@ -30,15 +30,6 @@ motion::MotionSource readSource(Parameters& root) {
   return source == "placement" ? motion::MotionSource::kPlacement : motion::MotionSource::kBag;
 }
 
-/// Settings of the other source would do nothing, which nobody expects.
-void refuse(Parameters& root, const std::vector<std::string>& names, const std::string& needed) {
-  for (const std::string& name : names) {
-    if (!root.has(name)) continue;
-    root.addError(name, "has a meaning with motion: " + needed + " alone");
-    root.ignore(name);
-  }
-}
-
 /// `.inf` is any gap.
 std::optional<double> readLongestGap(Parameters& root) {
   const auto given = root.maybe<Value>("max_tf_gap");
@@ -66,11 +57,12 @@ motion::MotionOptions readMotion(Parameters& root) {
     motion.bag_files = root.maybe<std::vector<std::string>>("bag_file").value_or(motion.bag_files);
     if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which reports it
     motion.scenes = maybeSceneCount(root, "scenes").value_or(1);
-    refuse(root, {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics"},
-           "bag");
+    refuseWithout(root,
+                  {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics"},
+                  "motion: bag");
   } else {
     motion.bag_files = root.required<std::vector<std::string>>("bag_file");
-    refuse(root, {"scenes", "placement"}, "placement");
+    refuseWithout(root, {"scenes", "placement"}, "motion: placement");
   }
   if (isEmptyList(root, "bag_file")) {
     root.addError("bag_file", "found an empty list; it should name at least one bag");

@@ -28,15 +28,12 @@ render::DepthNoise readDepthNoise(Parameters& camera) {
   noise.baseline = group.optionalBetween("baseline", is_stereo ? 0.05 : 0.075, 1e-4, kLongest);
   noise.disparity_step =
       group.optionalBetween("disparity_step", is_stereo ? 0.03125 : 0.125, 0.0, kCoarsest);
-  const char* other = is_stereo ? "max_angle" : "disparity_noise";
-  if (group.has(other)) {
-    group.addError(other, std::string("has a meaning with model: ") +
-                              (is_stereo ? "structured_light" : "stereo") + " alone");
-  }
   if (is_stereo) {
     noise.disparity_noise = group.optionalBetween("disparity_noise", 0.08, 0.0, kMostNoise);
+    refuseWithout(group, {"max_angle"}, "model: structured_light");
   } else {
     noise.greatest_angle = group.optionalBetween("max_angle", 1.4, 0.0, kRightAngle);
+    refuseWithout(group, {"disparity_noise"}, "model: stereo");
   }
   if (!is_stereo || group.has("min_depth")) {
     noise.min_depth = group.optionalBetween("min_depth", is_stereo ? 0.0 : 0.5, 0.0, 1e6);

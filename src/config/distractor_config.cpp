@@ -24,10 +24,7 @@ double readFallTime(Parameters& group, randomize::DistractorMode mode, double fa
   if (mode == randomize::DistractorMode::kDrop) {
     return numberAbove(group, "fall_time", fallback, randomize::kShortestFall);
   }
-  if (group.has("fall_time")) {
-    group.addError("fall_time", "has a meaning with mode: drop alone");
-    group.ignore("fall_time");
-  }
+  refuseWithout(group, {"fall_time"}, "mode: drop");
   return fallback;
 }
 

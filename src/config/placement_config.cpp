@@ -33,22 +33,16 @@ bool readWord(Parameters& group, const std::string& name, const std::string& fir
   return word != second;
 }
 
-/// Settings of another mode would do nothing, which nobody expects.
 void refuseOthers(Parameters& group, randomize::PlacementMode mode) {
-  const bool is_map = mode == randomize::PlacementMode::kMap;
-  const auto refuse = [&](const char* name, const char* needed) {
-    if (!group.has(name)) return;
-    group.addError(name, std::string("has a meaning with mode: ") + needed + " alone");
-    group.ignore(name);
-  };
-  for (const char* name : {"map", "map_topic", "received_map", "surface", "height",
-                           "highest_surface", "steepest", "unevenness"}) {
-    if (!is_map) refuse(name, "map");
+  if (mode == randomize::PlacementMode::kMap) {
+    refuseWithout(group, {"volume", "orientation"}, "mode: volume or drop");
+  } else {
+    refuseWithout(group,
+                  {"map", "map_topic", "received_map", "surface", "height", "highest_surface",
+                   "steepest", "unevenness"},
+                  "mode: map");
   }
-  for (const char* name : {"volume", "orientation"}) {
-    if (is_map) refuse(name, "volume or drop");
-  }
-  if (mode != randomize::PlacementMode::kDrop) refuse("fall_time", "drop");
+  if (mode != randomize::PlacementMode::kDrop) refuseWithout(group, {"fall_time"}, "mode: drop");
 }
 
 double numberFromZero(Parameters& group, const std::string& name, double fallback, double most,
@@ -72,8 +66,10 @@ void readSurface(Parameters& group, randomize::PlacementOptions& placement) {
   placement.on_surface = readWord(group, "surface", "below", "none");
   if (!placement.on_surface) {
     placement.height = heightOf(group, "height", placement.height);
+    refuseWithout(group, {"highest_surface", "steepest", "unevenness"}, "surface: below");
     return;
   }
+  refuseWithout(group, {"height"}, "surface: none");
   randomize::SurfaceOptions& surface = placement.surface;
   surface.highest = heightOf(group, "highest_surface", surface.highest);
   surface.steepest = numberFromZero(group, "steepest", surface.steepest, kSteepest, kAngleUnit);

@@ -121,10 +121,8 @@ randomize::WeatherRandomization readWeather(Parameters group) {
   weather.wind = maybeDistribution(group, "wind", {3, -kStrongest, kStrongest, true});
   weather.colour = maybeDistribution(group, "colour", {3, 0.0, 1.0});
   weather.dust = maybeDistribution(group, "dust", {1, 0.0, kDustiest});
-  for (const char* entry : {"present", "wind", "colour"}) {
-    const bool is_of_air = group.has("visibility") || group.has("rain") || group.has("snow");
-    if (!group.has(entry) || is_of_air) continue;
-    group.addError(entry, "has a meaning with visibility, rain or snow alone");
+  if (!group.has("visibility") && !group.has("rain") && !group.has("snow")) {
+    refuseWithout(group, {"present", "wind", "colour"}, "visibility, rain or snow");
   }
   return weather;
 }

@@ -56,11 +56,6 @@ TEST(ReadPlacement, ReadsAHeightInsteadOfASurface) {
   EXPECT_EQ(Reading("placement: {map: /a.yaml, surface: none}").placement.height, 0.0);
 }
 
-TEST(ReadPlacement, KnowsNoHeightOnASurface) {
-  EXPECT_THAT(Reading("placement: {map: /a.yaml, height: 1.25}").root.unknownNames(),
-              ElementsAre("placement/height"));
-}
-
 TEST(ReadPlacement, ReadsAVolume) {
   const Reading reading("placement: {mode: volume, volume: {min: [-1, 2, 0.5], max: [1, 2, 3]}}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
@@ -130,6 +125,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadPlacement{"map: /a.yaml, unevenness: -1", "placement/unevenness: found -1.0"},
         BadPlacement{"map: /a.yaml, highest_surface: low", "placement/highest_surface: found low"},
         BadPlacement{"map: /a.yaml, surface: none, height: low", "placement/height: found low"},
+        BadPlacement{"map: /a.yaml, height: 0.3",
+                     "placement/height: has a meaning with surface: none alone"},
+        BadPlacement{"map: /a.yaml, surface: none, steepest: 0.1",
+                     "placement/steepest: has a meaning with surface: below alone"},
         BadPlacement{"map: /a.yaml, volume: {min: [0, 0, 0], max: [1, 1, 1]}",
                      "placement/volume: has a meaning with mode: volume or drop alone"},
         BadPlacement{"map: /a.yaml, orientation: upright",
