@@ -37,6 +37,7 @@ struct Mesh {
 struct Texture {
   std::string file;  ///< where it came from, for messages
   cv::Mat pixels;    ///< CV_8UC4, blue green red alpha, sRGB, first row on top
+                     ///< Of a background also CV_32FC4, linear light, 0 .. 65504, 1 for white
 };
 
 /// Colours are as files give them: sRGB-encoded red, green, blue (0..1), alpha 1 is opaque. The

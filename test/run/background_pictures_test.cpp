@@ -9,6 +9,7 @@
 #include "all_at_once_run.h"
 #include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
+#include "render/sensor/srgb.h"
 #include "run_fixture.h"
 
 namespace synthetic_dataset::run {
@@ -96,6 +97,30 @@ TEST_F(BackgroundPictures, LeaveLabelsAndExactMasksAsTheyAre) {
         name.find("mask") == std::string::npos && fs::path(name).extension() == ".png";
     EXPECT_EQ(varied[name] == bytes, !is_picture) << name;
   }
+}
+
+/// As a panorama it also lights the scene.
+TEST_F(BackgroundPictures, OfLightAreNotCutAtWhite) {
+  fs::remove(pictures / "b.png");
+  cv::Mat encoded(100, 200, CV_8UC3);
+  cv::Mat light(encoded.size(), CV_32FC3);
+  for (int i = 0; i < 3 * 100 * 200; ++i) {
+    const auto number = static_cast<std::uint8_t>(60 + i / 600 + i / 3 % 200 / 4);
+    encoded.data[i] = number;
+    light.ptr<float>()[i] = 8.0F * render::linearFromSrgb()[number];
+  }
+  const auto first = [&](const std::string& brightness) {
+    parameters["rendering"] = yaml("{light: full}");
+    show(", projection: panorama, brightness: " + brightness);
+    const std::string bytes = filesAnew().at("yolo/00000000.png");
+    return cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()), cv::IMREAD_COLOR);
+  };
+  cv::imwrite((pictures / "a.png").string(), encoded);
+  const cv::Mat by_encoded = first("1");
+  fs::remove(pictures / "a.png");
+  cv::imwrite((pictures / "a.hdr").string(), light);
+  EXPECT_LE(cv::norm(first("0.125"), by_encoded, cv::NORM_INF), 2.0);
+  EXPECT_THAT(listed(folder, "SELECT path FROM input"), Contains((pictures / "a.hdr").string()));
 }
 
 /// The same picture is behind the scene with its objects and without them.

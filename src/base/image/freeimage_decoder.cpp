@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include <FreeImage.h>
 
@@ -28,6 +29,8 @@ bool isRead(FREE_IMAGE_FORMAT format) {
     case FIF_GIF:
     case FIF_DDS:
     case FIF_PSD:
+    case FIF_HDR:
+    case FIF_EXR:
       return true;
     default:
       return false;
@@ -52,19 +55,29 @@ Bitmap toBgra(Bitmap bitmap) {
   return Bitmap(bitmap ? FreeImage_ConvertTo32Bits(bitmap.get()) : nullptr);
 }
 
+bool holdsFloats(const Bitmap& bitmap) {
+  const FREE_IMAGE_TYPE type = bitmap ? FreeImage_GetImageType(bitmap.get()) : FIT_UNKNOWN;
+  return type == FIT_FLOAT || type == FIT_RGBF || type == FIT_RGBAF;
+}
+
+/// @param type  what a pixel is, as OpenCV has it
+cv::Mat pixelsOf(const Bitmap& bitmap, int type) {
+  if (!bitmap || FreeImage_HasPixels(bitmap.get()) == FALSE) return {};
+  cv::Mat pixels(static_cast<int>(FreeImage_GetHeight(bitmap.get())),
+                 static_cast<int>(FreeImage_GetWidth(bitmap.get())), type);
+  for (int row = 0; row < pixels.rows; ++row) {  // FreeImage's first row is the lowest
+    std::memcpy(pixels.ptr(row), FreeImage_GetScanLine(bitmap.get(), pixels.rows - 1 - row),
+                static_cast<std::size_t>(pixels.cols) * pixels.elemSize());
+  }
+  return pixels;
+}
+
 }  // namespace
 
 cv::Mat decodeWithFreeImage(const std::vector<std::uint8_t>& file, const std::string& name) {
-  const Bitmap bitmap = toBgra(load(file, name));
-  if (!bitmap || FreeImage_HasPixels(bitmap.get()) == FALSE) return {};
-  const int rows = static_cast<int>(FreeImage_GetHeight(bitmap.get()));
-  const int columns = static_cast<int>(FreeImage_GetWidth(bitmap.get()));
-  cv::Mat pixels(rows, columns, CV_8UC4);
-  for (int row = 0; row < rows; ++row) {  // FreeImage's first row is the lowest
-    std::memcpy(pixels.ptr(row), FreeImage_GetScanLine(bitmap.get(), rows - 1 - row),
-                static_cast<std::size_t>(columns) * 4);
-  }
-  return pixels;
+  Bitmap bitmap = load(file, name);
+  if (!holdsFloats(bitmap)) return pixelsOf(toBgra(std::move(bitmap)), CV_8UC4);
+  return pixelsOf(Bitmap(FreeImage_ConvertToRGBF(bitmap.get())), CV_32FC3);
 }
 
 }  // namespace synthetic_dataset::base

@@ -10,7 +10,8 @@ namespace synthetic_dataset::base {
 
 /// Decodes the formats that OpenCV lacks.
 /// @param name  the file's, whose ending names a format that has no magic number (TGA)
-/// @return CV_8UC4: blue, green, red, alpha, the first row on top; empty for what cannot be decoded
+/// @return CV_8UC4: blue, green, red, alpha; of linear light CV_32FC3: red, green, blue; the first
+///     row on top. Empty for what cannot be decoded
 [[nodiscard]] cv::Mat decodeWithFreeImage(const std::vector<std::uint8_t>& file,
                                           const std::string& name);
 

@@ -1,5 +1,6 @@
 #include "base/image/picture_decoder.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -8,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/image/freeimage_decoder.h"
+#include "base/image/picture_bytes.h"
 #include "base/image/picture_end.h"
 #include "base/image/picture_file.h"
 #include "base/image/picture_size.h"
@@ -23,6 +25,9 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr const char* kUndecodable =
     "cannot be decoded; PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS, PSD and PGM pictures can";
+constexpr const char* kIsLight =
+    "holds linear light, as Radiance's and OpenEXR's pictures do, which can be a background alone; "
+    "saved as PNG it can be used here";
 
 SandboxLimits decodingLimits() {
   SandboxLimits limits;
@@ -65,8 +70,15 @@ void setUpCodecs() {
   static_cast<void>(kAreSetUp);
 }
 
+bool isLight(const Bytes& bytes) {
+  const PictureBytes file(bytes);
+  return isRadiance(file) || isOpenExr(file);
+}
+
 /// Neither library's threads are used here, so that this can run in a process that was forked.
 cv::Mat decode(const Bytes& file, const std::string& name) {
+  // OpenCV reads them from files alone, and OpenEXR's not everywhere.
+  if (isLight(file)) return decodeWithFreeImage(file, name);
   cv::Mat pixels;
   try {
     pixels = cv::imdecode(file, cv::IMREAD_UNCHANGED);
@@ -172,9 +184,8 @@ void decodeInto(const Batch& batch, std::map<std::string, cv::Mat>& pictures) {
   }
 }
 
-}  // namespace
-
-cv::Mat decodePixels(const Bytes& file, const std::string& name) {
+/// @return 8 or 16 bits a number as decodePixels() has it, or CV_32FC3: red, green, blue
+cv::Mat decodeAny(const Bytes& file, const std::string& name) {
   const Bytes essential = checked(file);
   setUpCodecs();
   const auto work = [&] { return toBytes(decode(essential, name)); };
@@ -183,23 +194,54 @@ cv::Mat decodePixels(const Bytes& file, const std::string& name) {
     throw Error("cannot be decoded (its decoder " + crash->how + ")");
   }
   cv::Mat pixels = fromBytes(std::get<std::string>(answer));
-  const bool known_depth = pixels.depth() == CV_8U || pixels.depth() == CV_16U;
-  if (pixels.empty() || !known_depth) throw Error(kUndecodable);
+  const bool is_known = pixels.depth() == CV_8U || pixels.depth() == CV_16U ||
+                        (isLight(file) && pixels.type() == CV_32FC3);
+  if (pixels.empty() || !is_known) throw Error(kUndecodable);
   return pixels;
 }
+
+/// Light of CV_32FC3, red, green, blue, as decodePictureOrLight() has it. OpenEXR also stores what
+/// is below 0 or no number.
+cv::Mat lightOf(const cv::Mat& pixels) {
+  constexpr float kMost = 65504.0F;  // of numbers of 16 bits (IEEE 754 binary16)
+  cv::Mat light(pixels.size(), CV_32FC4);
+  for (int row = 0; row < pixels.rows; ++row) {
+    const auto* from = pixels.ptr<cv::Vec3f>(row);
+    auto* to = light.ptr<cv::Vec4f>(row);
+    for (int column = 0; column < pixels.cols; ++column) {
+      for (int channel = 0; channel < 3; ++channel) {
+        const float number = from[column][2 - channel];
+        to[column][channel] = number > 0.0F ? std::min(number, kMost) : 0.0F;
+      }
+      to[column][3] = 1.0F;
+    }
+  }
+  return light;
+}
+
+}  // namespace
 
 PictureSize checkPicture(const Bytes& file, const std::string& name) {
   static_cast<void>(checked(file));
   const std::optional<PictureSize> size = claimedSize(file);
   if (size && size->width > 0 && size->height > 0) return *size;
-  const cv::Mat pixels = decodePixels(file, name);
+  const cv::Mat pixels = decodeAny(file, name);
   return {static_cast<std::uint64_t>(pixels.cols), static_cast<std::uint64_t>(pixels.rows)};
+}
+
+cv::Mat decodePixels(const Bytes& file, const std::string& name) {
+  if (isLight(file)) throw Error(kIsLight);
+  return decodeAny(file, name);
 }
 
 cv::Mat decodePicture(const Bytes& file, const std::string& name) {
   cv::Mat pixels = toBgra(decodePixels(file, name));
   if (pixels.empty()) throw Error(kUndecodable);
   return pixels;
+}
+
+cv::Mat decodePictureOrLight(const Bytes& file, const std::string& name) {
+  return isLight(file) ? lightOf(decodeAny(file, name)) : decodePicture(file, name);
 }
 
 std::map<std::string, cv::Mat> decodePictures(const std::map<std::string, Bytes>& files) {

@@ -12,7 +12,7 @@ struct PictureSize {
 };
 
 /// What a picture file's header claims, without decoding anything: of PNG, JPEG, BMP, GIF, WebP,
-/// TIFF, DDS and PSD files, and of TGA, which has no mark of its own, last.
+/// TIFF, DDS, PSD, Radiance and OpenEXR files, and of TGA, which has no mark of its own, last.
 /// @return nothing for a file that is none of these, or too short
 [[nodiscard]] std::optional<PictureSize> claimedSize(const std::vector<std::uint8_t>& file);
 

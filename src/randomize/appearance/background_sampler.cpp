@@ -24,7 +24,7 @@ bool isPanorama(const BackgroundPictures& pictures) {
 BackgroundSampler::BackgroundSampler(const BackgroundRandomization& config) : config_(config) {
   if (!config_.pictures) return;
   base::namingPlace(entryName(), [&] {
-    pictures_.emplace(config_.pictures->folder);
+    pictures_.emplace(config_.pictures->folder, PictureKind::kAny);
     if (isPanorama(*config_.pictures)) checkProportions();
   });
 }

@@ -1,9 +1,9 @@
 #include "randomize/appearance/picture_folder.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -19,13 +19,14 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
 
-bool isPicture(const fs::path& file) {
-  static constexpr std::array<const char*, 7> kEndings = {".png", ".jpg",  ".jpeg", ".bmp",
-                                                          ".tif", ".tiff", ".webp"};
+bool isPicture(const fs::path& file, PictureKind kind) {
+  static const std::set<std::string> kEncoded{".png", ".jpg",  ".jpeg", ".bmp",
+                                              ".tif", ".tiff", ".webp"};
+  static const std::set<std::string> kLight{".hdr", ".exr"};
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+  return kEncoded.count(ending) > 0 || (kind == PictureKind::kAny && kLight.count(ending) > 0);
 }
 
 /// Does something with a picture's file; what it throws names the file.
@@ -55,25 +56,27 @@ std::size_t memoryOf(const world::Texture& texture) {
 
 }  // namespace
 
-std::vector<std::string> picturesIn(const std::string& folder) {
+std::vector<std::string> picturesIn(const std::string& folder, PictureKind kind) {
   std::error_code problem;
   std::vector<std::string> files;
   for (fs::recursive_directory_iterator entry(folder, problem), end; !problem && entry != end;
        entry.increment(problem)) {
     std::error_code unknown;
-    if (isPicture(entry->path()) && entry->is_regular_file(unknown)) {
+    if (isPicture(entry->path(), kind) && entry->is_regular_file(unknown)) {
       files.push_back(entry->path().string());
     }
   }
   if (problem) throw Error("found '" + folder + "': " + problem.message());
   if (files.empty()) {
-    throw Error("found '" + folder + "', a folder without pictures (png, jpg, bmp, tif, webp)");
+    throw Error("found '" + folder + "', a folder without pictures (png, jpg, bmp, tif, webp" +
+                (kind == PictureKind::kAny ? ", hdr, exr)" : ")"));
   }
   std::sort(files.begin(), files.end());
   return files;
 }
 
-PictureFolder::PictureFolder(const std::string& folder) : files_(picturesIn(folder)) {
+PictureFolder::PictureFolder(const std::string& folder, PictureKind kind)
+    : files_(picturesIn(folder, kind)) {
   std::vector<std::string> problems;
   for (const std::string& file : files_) {
     try {
@@ -91,9 +94,12 @@ std::shared_ptr<const world::Texture> PictureFolder::read(std::size_t index) {
   auto found = std::find_if(recent_.begin(), recent_.end(),
                             [&](const auto& texture) { return texture->file == file; });
   if (found == recent_.end()) {
-    world::Texture texture{
-        file, withFile(file, [&](const Bytes& bytes) { return base::decodePicture(bytes, file); })};
-    cv::bitwise_or(texture.pixels, cv::Scalar(0, 0, 0, 255), texture.pixels);  // without holes
+    world::Texture texture{file, withFile(file, [&](const Bytes& bytes) {
+                             return base::decodePictureOrLight(bytes, file);
+                           })};
+    if (texture.pixels.depth() == CV_8U) {
+      cv::bitwise_or(texture.pixels, cv::Scalar(0, 0, 0, 255), texture.pixels);  // without holes
+    }
     found = recent_.insert(recent_.begin(), std::make_shared<world::Texture>(std::move(texture)));
   }
   std::rotate(recent_.begin(), found, found + 1);

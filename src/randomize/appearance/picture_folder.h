@@ -10,10 +10,15 @@
 
 namespace synthetic_dataset::randomize {
 
-/// The pictures in a folder and in those below it, in alphabetical order: files that end in png,
-/// jpg, jpeg, bmp, tif, tiff or webp.
+/// Which of a folder's files are pictures.
+enum class PictureKind {
+  kEncoded,  ///< those that end in png, jpg, jpeg, bmp, tif, tiff or webp
+  kAny,      ///< also those of linear light, which may be brighter than white: hdr or exr
+};
+
+/// The pictures in a folder and in those below it, in alphabetical order.
 /// @throws Error for a folder that is not there or has no picture
-[[nodiscard]] std::vector<std::string> picturesIn(const std::string& folder);
+[[nodiscard]] std::vector<std::string> picturesIn(const std::string& folder, PictureKind kind);
 
 /// A folder's pictures, whose files are looked at once, before any is needed: their headers, and
 /// whether they break off. A damage that only decoding brings to light is found when it is decoded.
@@ -21,7 +26,7 @@ class PictureFolder {
  public:
   /// @throws Error for a folder that is not there or has no picture
   /// @throws ErrorList naming pictures that cannot be decoded
-  explicit PictureFolder(const std::string& folder);
+  PictureFolder(const std::string& folder, PictureKind kind);
 
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 

@@ -5,7 +5,7 @@
 namespace synthetic_dataset::randomize {
 
 TextureSource::TextureSource(const std::string& from) {
-  if (from != "procedural") pictures_.emplace(from);
+  if (from != "procedural") pictures_.emplace(from, PictureKind::kEncoded);
 }
 
 std::pair<std::string, std::shared_ptr<const world::Texture>> TextureSource::draw(

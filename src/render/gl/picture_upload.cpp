@@ -10,8 +10,13 @@ namespace {
 
 void uploadLevel(const GlFunctions& gl, GLuint texture, GLint level, const cv::Mat& pixels) {
   const cv::Mat packed = pixels.isContinuous() ? pixels : pixels.clone();
-  gl.TextureSubImage2D(texture, level, 0, 0, packed.cols, packed.rows, GL_BGRA, GL_UNSIGNED_BYTE,
-                       packed.data);
+  gl.TextureSubImage2D(texture, level, 0, 0, packed.cols, packed.rows, GL_BGRA,
+                       packed.depth() == CV_32F ? GL_FLOAT : GL_UNSIGNED_BYTE, packed.data);
+}
+
+GLenum formatOf(const cv::Mat& pixels, PixelMeaning meaning) {
+  if (pixels.depth() == CV_32F) return GL_RGBA16F;
+  return meaning == PixelMeaning::kColour ? GL_SRGB8_ALPHA8 : GL_RGBA8;
 }
 
 }  // namespace
@@ -25,8 +30,7 @@ GlTexture uploadPicture(const GlFunctions& gl, const cv::Mat& pixels, PixelMeani
     for (const cv::Mat& level : mipmapsOf(pixels, meaning)) levels.push_back(level);
   }
   const auto count = static_cast<GLsizei>(levels.size());
-  gl.TextureStorage2D(name, count, meaning == PixelMeaning::kColour ? GL_SRGB8_ALPHA8 : GL_RGBA8,
-                      pixels.cols, pixels.rows);
+  gl.TextureStorage2D(name, count, formatOf(pixels, meaning), pixels.cols, pixels.rows);
   for (GLsizei i = 0; i < count; ++i) {
     uploadLevel(gl, name, i, levels[static_cast<std::size_t>(i)]);
   }

@@ -65,6 +65,21 @@ cv::Mat toHalves(const cv::Mat& panorama) {
   return halves;
 }
 
+/// @param panorama  CV_16UC4, of which 65535 is 1 @return CV_16UC4
+cv::Mat sharesToHalves(const cv::Mat& panorama) {
+  const Lanes white = lanes(1.0F / 65535.0F);
+  cv::Mat halves(panorama.size(), CV_16UC4);
+  for (int row = 0; row < panorama.rows; ++row) {
+    const auto* from = panorama.ptr<std::uint16_t>(row);
+    auto* to = halves.ptr<std::uint16_t>(row);
+    for (int i = 0; i < 4 * panorama.cols; i += kLaneCount) {
+      const Lanes four = cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_load_expand(from + i)));
+      cv::v_pack_store(to + i, halfFrom(four * white));
+    }
+  }
+  return halves;
+}
+
 /// @param panorama  CV_16UC4
 /// @return CV_32FC4, at most 1024 pixels wide
 cv::Mat smaller(const cv::Mat& panorama) {
@@ -191,16 +206,9 @@ cv::Mat panoramaOf(const world::Texture& picture) {
   if (light.cols > kMostColumns) {
     cv::resize(light, light, {kMostColumns, kMostColumns / 2}, 0.0, 0.0, cv::INTER_AREA);
   }
-  cv::cvtColor(light, light, cv::COLOR_BGRA2RGBA);
-  const Lanes white = lanes(1.0F / 65535.0F);
-  for (int row = 0; row < light.rows; ++row) {
-    auto* numbers = light.ptr<std::uint16_t>(row);
-    for (int i = 0; i < 4 * light.cols; i += kLaneCount) {
-      const Lanes four = cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_load_expand(numbers + i)));
-      cv::v_pack_store(numbers + i, halfFrom(four * white));
-    }
-  }
-  return light;
+  cv::Mat rgba;
+  cv::cvtColor(light, rgba, cv::COLOR_BGRA2RGBA);
+  return rgba.depth() == CV_32F ? toHalves(rgba) : sharesToHalves(rgba);
 }
 
 }  // namespace synthetic_dataset::render

@@ -9,7 +9,7 @@ namespace synthetic_dataset::render {
 
 /// A picture of another size: means of light where it gets smaller; the pixels as they are where it
 /// has that size.
-/// @param picture  CV_8UC4, sRGB-encoded, opaque
+/// @param picture  CV_8UC4, sRGB-encoded, or CV_32FC4, linear light; opaque
 [[nodiscard]] cv::Mat scaledTo(const cv::Size& size, const cv::Mat& picture);
 
 }  // namespace synthetic_dataset::render

@@ -35,6 +35,7 @@ cv::Mat makeTable(PixelMeaning meaning) {
 }  // namespace
 
 cv::Mat toLight(const cv::Mat& picture, PixelMeaning meaning) {
+  if (picture.depth() == CV_32F) return picture;
   static const cv::Mat kColours = makeTable(PixelMeaning::kColour);
   static const cv::Mat kData = makeTable(PixelMeaning::kData);
   cv::Mat light;
@@ -43,6 +44,7 @@ cv::Mat toLight(const cv::Mat& picture, PixelMeaning meaning) {
 }
 
 cv::Mat fromLight(const cv::Mat& light, PixelMeaning meaning) {
+  if (light.depth() == CV_32F) return light;
   cv::Mat picture(light.size(), CV_8UC4);
   for (int v = 0; v < light.rows; ++v) {
     const auto* from = light.ptr<cv::Vec4w>(v);

@@ -23,20 +23,25 @@ bool isIn(const std::set<std::string>& names, const std::string& setting) {
   return false;
 }
 
-std::vector<std::string> pictureFolders(const randomize::Randomization& randomization) {
+/// The pictures that are drawn from.
+std::set<std::string> picturesOf(const randomize::Randomization& randomization) {
   std::vector<std::string> sources;
   for (const auto& [name, material] : randomization.materials) {
     if (material.textures) sources.push_back(*material.textures);
   }
   if (randomization.distractors) sources.push_back(randomization.distractors->textures);
-  if (randomization.background.pictures) {
-    sources.push_back(randomization.background.pictures->folder);
-  }
-  std::vector<std::string> folders;
+  std::set<std::string> pictures;
+  const auto add = [&](const std::string& folder, randomize::PictureKind kind) {
+    for (const std::string& file : randomize::picturesIn(folder, kind)) pictures.insert(file);
+  };
   for (const std::string& source : sources) {
-    if (source != "procedural" && source != "none") folders.push_back(source);
+    if (source == "procedural" || source == "none") continue;
+    add(source, randomize::PictureKind::kEncoded);
   }
-  return folders;
+  if (randomization.background.pictures) {
+    add(randomization.background.pictures->folder, randomize::PictureKind::kAny);
+  }
+  return pictures;
 }
 
 /// What scenes are made of. What these include is described with them.
@@ -91,9 +96,7 @@ std::set<std::string> inputsNamedBy(const config::Config& config) {
     inputs.insert(*config.placement.map_file);
     inputs.insert(randomize::readMapYaml(*config.placement.map_file).image);
   }
-  for (const std::string& folder : pictureFolders(config.randomization)) {
-    for (const std::string& file : randomize::picturesIn(folder)) inputs.insert(file);
-  }
+  inputs.merge(picturesOf(config.randomization));
   return inputs;
 }
 

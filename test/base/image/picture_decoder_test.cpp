@@ -1,6 +1,7 @@
 #include "base/image/picture_decoder.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <FreeImage.h>
 
@@ -141,6 +142,73 @@ TEST(PictureDecoder, NamesThePicturesThatItReads) {
   EXPECT_THAT(errorOf({'n', 'o', 'n', 'e'}), HasSubstr("PSD and PGM pictures can"));
   const Bytes pgm = encoded(".pgm", cv::Mat(2, 3, CV_8UC1, cv::Scalar(7)));
   EXPECT_EQ(pixel(decodePicture(pgm, "a.pgm")), cv::Vec4b(7, 7, 7, 255));
+}
+
+/// Of 2 x 2 pixels: half of what is white, white, eight times that, and nothing.
+Bytes radiance() {
+  const std::string header = "#?RADIANCE\n# made by hand\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n";
+  Bytes file(header.begin(), header.end());
+  // A number is its byte / 256 times 2 to the power of the last byte - 128.
+  for (const int byte : {128, 64, 32, 128, 128, 128, 128, 129, 128, 128, 64, 132, 0, 0, 0, 0}) {
+    file.push_back(static_cast<std::uint8_t>(byte));
+  }
+  return file;
+}
+
+/// Of a row of pixels whose red is given, and whose blue is twice that.
+Bytes openExr(const std::vector<float>& reds) {
+  const auto width = static_cast<int>(reds.size());
+  FIBITMAP* bitmap = FreeImage_AllocateT(FIT_RGBF, width, 1);
+  auto* row = reinterpret_cast<FIRGBF*>(FreeImage_GetScanLine(bitmap, 0));
+  for (std::size_t i = 0; i < reds.size(); ++i) row[i] = {reds[i], 0.0F, 2.0F * reds[i]};
+  FIMEMORY* memory = FreeImage_OpenMemory();
+  FreeImage_SaveToMemory(FIF_EXR, bitmap, memory, EXR_FLOAT);
+  BYTE* data = nullptr;
+  DWORD size = 0;
+  FreeImage_AcquireMemory(memory, &data, &size);
+  Bytes bytes(data, data + size);
+  FreeImage_CloseMemory(memory);
+  FreeImage_Unload(bitmap);
+  return bytes;
+}
+
+cv::Vec4f light(const cv::Mat& pixels, int row, int column) {
+  return pixels.at<cv::Vec4f>(row, column);
+}
+
+TEST(PictureDecoder, ReadsTheLightOfRadiancesPictures) {
+  const cv::Mat pixels = decodePictureOrLight(radiance(), "a.hdr");
+  ASSERT_EQ(pixels.size(), cv::Size(2, 2));
+  EXPECT_EQ(light(pixels, 0, 0), cv::Vec4f(0.125F, 0.25F, 0.5F, 1.0F)) << "blue, green, red";
+  EXPECT_EQ(light(pixels, 0, 1), cv::Vec4f(1.0F, 1.0F, 1.0F, 1.0F));
+  EXPECT_EQ(light(pixels, 1, 0), cv::Vec4f(4.0F, 8.0F, 8.0F, 1.0F));
+  EXPECT_EQ(light(pixels, 1, 1), cv::Vec4f(0.0F, 0.0F, 0.0F, 1.0F));
+}
+
+TEST(PictureDecoder, ReadsTheLightOfOpenExrsPictures) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  const cv::Mat pixels = decodePictureOrLight(openExr({0.5F, 300.0F, 1e9F, -2.0F, kNone}), "a.exr");
+  ASSERT_EQ(pixels.size(), cv::Size(5, 1));
+  EXPECT_EQ(light(pixels, 0, 0), cv::Vec4f(1.0F, 0.0F, 0.5F, 1.0F));
+  EXPECT_EQ(light(pixels, 0, 1), cv::Vec4f(600.0F, 0.0F, 300.0F, 1.0F));
+  EXPECT_EQ(light(pixels, 0, 2), cv::Vec4f(65504.0F, 0.0F, 65504.0F, 1.0F));
+  EXPECT_EQ(light(pixels, 0, 3), cv::Vec4f(0.0F, 0.0F, 0.0F, 1.0F)) << "below 0";
+  EXPECT_EQ(light(pixels, 0, 4), cv::Vec4f(0.0F, 0.0F, 0.0F, 1.0F)) << "no number";
+}
+
+TEST(PictureDecoder, KnowsTheSizeOfLightAndWhereItBreaksOff) {
+  EXPECT_EQ(checkPicture(radiance(), "a.hdr").height, 2U);
+  EXPECT_EQ(checkPicture(openExr({1, 2, 3}), "a.exr").width, 3U);
+  for (Bytes file : {radiance(), openExr(std::vector<float>(1000, 1.0F))}) {
+    file.resize(file.size() - 6);
+    EXPECT_THROW((void)decodePictureOrLight(file, "a"), Error);
+  }
+}
+
+TEST(PictureDecoder, TakesNoLightForATexture) {
+  for (const Bytes& file : {radiance(), openExr({1, 2})}) {
+    EXPECT_THAT(errorOf(file), HasSubstr("holds linear light"));
+  }
 }
 
 TEST(PictureDecoder, ChecksWithoutDecoding) {

@@ -122,7 +122,7 @@ TEST_F(BackgroundSamplerTest, DrawsThePictureWhateverElseIsDrawn) {
 TEST_F(BackgroundSamplerTest, NamesTheEntryOfAFolderThatIsOfNoUse) {
   EXPECT_THAT(errorsOf(""),
               ElementsAre("randomize/background/pictures: found '" + folder.path().string() +
-                          "', a folder without pictures (png, jpg, bmp, tif, webp)"));
+                          "', a folder without pictures (png, jpg, bmp, tif, webp, hdr, exr)"));
   folder.write("broken.png", "no picture");
   EXPECT_THAT(errorsOf(""), ElementsAre(HasSubstr("randomize/background/pictures: picture '")));
 }

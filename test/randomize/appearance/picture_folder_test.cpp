@@ -34,7 +34,9 @@ class PictureFolderTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  [[nodiscard]] PictureFolder pictures() const { return PictureFolder(folder.path().string()); }
+  [[nodiscard]] PictureFolder pictures(PictureKind kind = PictureKind::kEncoded) const {
+    return {folder.path().string(), kind};
+  }
 
   [[nodiscard]] std::vector<std::string> errors() const {
     return test::messagesOf([&] { (void)pictures(); });
@@ -52,6 +54,16 @@ TEST_F(PictureFolderTest, KnowsTheSizesBeforeAnythingIsDecoded) {
   EXPECT_EQ(found.sizes()[0].width, 5U);
   EXPECT_EQ(found.sizes()[0].height, 3U);
   EXPECT_EQ(found.sizes()[1].width, 7U);
+}
+
+TEST_F(PictureFolderTest, HasPicturesOfLightWhereTheyAreWanted) {
+  add("a.png");
+  cv::imwrite((folder / "b.HDR").string(), cv::Mat(2, 4, CV_32FC3, cv::Scalar(3, 2, 1)));
+  EXPECT_THAT(pictures().files(), ElementsAre(EndsWith("a.png")));
+  PictureFolder found = pictures(PictureKind::kAny);
+  EXPECT_THAT(found.files(), ElementsAre(EndsWith("a.png"), EndsWith("b.HDR")));
+  EXPECT_EQ(found.sizes()[1].width, 4U);
+  EXPECT_EQ(found.read(1)->pixels.at<cv::Vec4f>(1, 3), cv::Vec4f(3, 2, 1, 1));
 }
 
 TEST_F(PictureFolderTest, FindsAtOnceWhatBreaksOffOrIsNoPicture) {

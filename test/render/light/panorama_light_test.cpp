@@ -129,6 +129,17 @@ TEST(PanoramaLight, OfOneColourIsThatColour) {
   }
 }
 
+TEST(PanoramaLight, MayBeBrighterThanWhite) {
+  const PanoramaLight bright = lightOf(cv::Mat(100, 200, CV_32FC4, cv::Scalar(2, 6, 40, 1)));
+  const Vector3d colour(40, 6, 2);
+  Directions directions;
+  for (int i = 0; i < 20; ++i) {
+    const Vector3d way = directions.next();
+    EXPECT_LT((arriving(bright, way) - colour).cwiseAbs().maxCoeff(), 0.04);
+    EXPECT_LT((mirrored(bright, way, i / 19.0) - colour).cwiseAbs().maxCoeff(), 0.04);
+  }
+}
+
 TEST(PanoramaLight, IsThePanoramaItselfInAMirror) {
   cv::Mat pixels(64, 128, CV_8UC4);
   cv::theRNG().state = 7;

@@ -65,6 +65,31 @@ double worst(const cv::Mat& a, const cv::Mat& b, const cv::Mat& where = {}) {
   return cv::norm(a, b, cv::NORM_INF, where);
 }
 
+/// The light of a picture, many times as bright.
+cv::Mat lightTimes(double factor, const cv::Mat& pixels) {
+  cv::Mat light(pixels.size(), CV_32FC4);
+  for (int v = 0; v < pixels.rows; ++v) {
+    for (int u = 0; u < pixels.cols; ++u) {
+      for (int c = 0; c < 3; ++c) {
+        light.at<cv::Vec4f>(v, u)[c] = static_cast<float>(
+            factor * double{render::linearFromSrgb()[pixels.at<cv::Vec4b>(v, u)[c]]});
+      }
+      light.at<cv::Vec4f>(v, u)[3] = 1.0F;
+    }
+  }
+  return light;
+}
+
+TEST(BackgroundOfLight, IsNotCutAtWhite) {
+  const cv::Mat pixels = noise({200, 100});
+  for (const Projection projection : {Projection::kBackdrop, Projection::kPanorama}) {
+    world::Look bright = lookWith(test::dark(), lightTimes(50.0, pixels), projection);
+    bright.background_picture->brightness = 1.0 / 50.0;
+    const world::Look encoded = lookWith(test::dark(), pixels, projection);
+    EXPECT_LE(worst(seenWith(bright), seenWith(encoded)), 1.0);
+  }
+}
+
 // --- Backdrops ---
 
 TEST(Backdrop, OfTheImagesSizeIsSeenAsItIs) {
