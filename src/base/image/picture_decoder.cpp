@@ -26,8 +26,8 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr const char* kUndecodable =
     "cannot be decoded; PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS, PSD and PGM pictures can";
 constexpr const char* kIsLight =
-    "holds linear light, as Radiance's and OpenEXR's pictures do, which can be a background alone; "
-    "saved as PNG it can be used here";
+    "holds linear light, as Radiance's and OpenEXR's pictures do; only a background may. It can be "
+    "used here if it is saved as PNG";
 
 SandboxLimits decodingLimits() {
   SandboxLimits limits;

@@ -1,57 +1,119 @@
 #include "render/light/matte_light.h"
 
+#include <array>
 #include <cmath>
-#include <cstddef>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/core/hal/intrin.hpp>
+
+#include "render/light/panorama_lookup.h"
 
 namespace synthetic_dataset::render {
 namespace {
 
-/// Real spherical harmonics up to the second degree, without their constants.
-template <class Number>
-std::array<Number, 9> harmonics(const Number& one, const Number& x, const Number& y,
-                                const Number& z) {
-  return {one, y, z, x, x * y, y * z, z * z + z * z - x * x - y * y, x * z, x * x - y * y};
+constexpr int kRows = 32;  // of normals for which it is found
+
+/// Of a panorama with so many rows, from the middle up [rad].
+double elevationOf(double row, int rows) { return M_PI * (0.5 - row / rows); }
+
+Eigen::Vector3f directionAt(int row, int column, const cv::Size& size) {
+  const double elevation = elevationOf(row + 0.5, size.height);
+  const double azimuth = M_PI * (1.0 - 2.0 * (column + 0.5) / size.width);
+  return Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                         std::cos(elevation) * std::sin(azimuth), std::sin(elevation))
+      .cast<float>();
 }
 
-/// The square of each one's constant, times what is left of its degree behind a cosine (Ramamoorthi
-/// and Hanrahan), over pi.
-std::array<double, 9> shares() {
-  const double first = 2.0 / 3.0 * 3.0 / (4.0 * M_PI);
-  const double second = 1.0 / 4.0 * 15.0 / (4.0 * M_PI);
-  return {1.0 / (4.0 * M_PI), first,  first,       first, second, second,
-          second / 12.0,      second, second / 4.0};
+/// Four pixels of a panorama, as lights.
+struct FourLights {
+  Lanes3 directions;
+  Lanes3 light;  ///< what arrives at a surface that faces it
+};
+
+std::vector<FourLights> lightsOf(const cv::Mat& panorama, int first_row, int end_row) {
+  std::vector<FourLights> lights;
+  for (int row = first_row; row < end_row; ++row) {
+    const double height =
+        std::sin(elevationOf(row, panorama.rows)) - std::sin(elevationOf(row + 1, panorama.rows));
+    // Its solid angle, of the pi that a white sky comes to.
+    const auto share = static_cast<float>(height * 2.0 / panorama.cols);
+    for (int column = 0; column < panorama.cols; column += kLaneCount) {
+      alignas(16) std::array<std::array<float, kLaneCount>, 3> direction{};
+      for (int i = 0; i < kLaneCount; ++i) {
+        const Eigen::Vector3f one = directionAt(row, column + i, panorama.size());
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          direction[axis][static_cast<std::size_t>(i)] = one[static_cast<Eigen::Index>(axis)];
+        }
+      }
+      FourLights four{{cv::v_load(direction[0].data()), cv::v_load(direction[1].data()),
+                       cv::v_load(direction[2].data())},
+                      {}};
+      Lanes other;
+      cv::v_load_deinterleave(panorama.ptr<float>(row, column), four.light.x, four.light.y,
+                              four.light.z, other);
+      four.light = four.light * lanes(share);
+      lights.push_back(four);
+    }
+  }
+  return lights;
+}
+
+cv::Vec4f sumOf(const std::vector<FourLights>& lights, const Eigen::Vector3f& normal) {
+  const Lanes3 n = lanes(normal);
+  Lanes3 sum = lanes(0.0F, 0.0F, 0.0F);
+  for (const FourLights& four : lights) {
+    sum = sum + four.light * cv::v_max(dot(four.directions, n), lanes(0.0F));
+  }
+  // OpenCV's own sum of lanes is in an order that depends on the processor.
+  const auto all = [](const Lanes& four) {
+    alignas(16) std::array<float, kLaneCount> each{};
+    cv::v_store(each.data(), four);
+    return each[0] + each[1] + each[2] + each[3];
+  };
+  return {all(sum.x), all(sum.y), all(sum.z), 0.0F};
 }
 
 }  // namespace
 
 MatteLight::MatteLight(const cv::Mat& panorama, int first_row, int end_row) {
-  std::array<Eigen::Vector3d, 9> sums;
-  sums.fill(Eigen::Vector3d::Zero());
-  const double row_angle = M_PI / panorama.rows;
-  const double column_angle = 2.0 * M_PI / panorama.cols;
-  for (int row = first_row; row < end_row; ++row) {
-    const double elevation = 0.5 * M_PI - row_angle * (row + 0.5);
-    const double solid_angle = std::cos(elevation) * column_angle * row_angle;
-    for (int column = 0; column < panorama.cols; ++column) {
-      const double azimuth = M_PI - column_angle * (column + 0.5);
-      const auto& pixel = panorama.at<cv::Vec4f>(row, column);
-      const Eigen::Vector3d colour(double{pixel[0]}, double{pixel[1]}, double{pixel[2]});
-      const auto terms = harmonics(1.0, std::cos(elevation) * std::cos(azimuth),
-                                   std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
-      for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += solid_angle * terms[i] * colour;
+  const std::vector<FourLights> lights = lightsOf(panorama, first_row, end_row);
+  cv::Mat map(kRows, 2 * kRows, CV_32FC4);
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 0; column < map.cols; ++column) {
+      map.at<cv::Vec4f>(row, column) = sumOf(lights, directionAt(row, column, map.size()));
     }
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    factors_[i] = (shares()[i] * sums[i]).cast<float>();
-  }
+  map_ = bordered(map);
 }
 
 Lanes3 MatteLight::arriving(const Lanes3& normals) const {
-  const auto terms = harmonics(lanes(1.0F), normals.x, normals.y, normals.z);
-  Lanes3 sum = lanes(0.0F, 0.0F, 0.0F);
-  for (std::size_t i = 0; i < terms.size(); ++i) sum = sum + lanes(factors_[i]) * terms[i];
-  const Lanes zero = lanes(0.0F);  // between what is bright and what is dark it may fall below
-  return {cv::v_max(sum.x, zero), cv::v_max(sum.y, zero), cv::v_max(sum.z, zero)};
+  const PanoramaPlaces places = placesOf(normals);
+  alignas(16) std::array<float, kLaneCount> x{};
+  alignas(16) std::array<float, kLaneCount> y{};
+  cv::v_store(x.data(), places.x);
+  cv::v_store(y.data(), places.y);
+  std::array<std::array<cv::Vec4f, kLaneCount>, 4> corners;
+  std::array<float, kLaneCount> right{};
+  std::array<float, kLaneCount> down{};
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    const PixelsAround around = pixelsAround(map_, x[i], y[i]);
+    right[i] = around.right;
+    down[i] = around.down;
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+      corners[corner][i] = map_.at<cv::Vec4f>(around.row + static_cast<int>(corner / 2),
+                                              around.column + static_cast<int>(corner % 2));
+    }
+  }
+  const auto pixel = [&](std::size_t corner) {
+    Lanes3 four;
+    Lanes other;
+    cv::v_load_deinterleave(corners[corner][0].val, four.x, four.y, four.z, other);
+    return four;
+  };
+  const Lanes to_right = cv::v_load(right.data());
+  return mix(mix(pixel(0), pixel(1), to_right), mix(pixel(2), pixel(3), to_right),
+             cv::v_load(down.data()));
 }
 
 Eigen::Vector3f MatteLight::arriving(const Eigen::Vector3f& normal) const {
@@ -61,11 +123,14 @@ Eigen::Vector3f MatteLight::arriving(const Eigen::Vector3f& normal) const {
 
 MatteLight MatteLight::sum(const MatteLight& first, const Eigen::Vector3f& of_first,
                            const MatteLight& second, const Eigen::Vector3f& of_second) {
+  const auto times = [](const MatteLight& one, const Eigen::Vector3f& factor) {
+    cv::Mat product;
+    cv::multiply(one.map_, cv::Scalar(double{factor.x()}, double{factor.y()}, double{factor.z()}),
+                 product);
+    return product;
+  };
   MatteLight all;
-  for (std::size_t i = 0; i < all.factors_.size(); ++i) {
-    all.factors_[i] =
-        first.factors_[i].cwiseProduct(of_first) + second.factors_[i].cwiseProduct(of_second);
-  }
+  all.map_ = times(first, of_first) + times(second, of_second);
   return all;
 }
 

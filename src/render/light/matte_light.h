@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
@@ -9,13 +7,14 @@
 
 namespace synthetic_dataset::render {
 
-/// What matte surfaces make of the light of a panorama. It varies slowly with their normals: nine
-/// numbers a colour are enough (Ramamoorthi and Hanrahan 2001, "An Efficient Representation for
-/// Irradiance Environment Maps").
+/// What matte surfaces make of the light of a panorama. It varies slowly with their normals, so it
+/// is found for some of them and looked up between these. Spherical harmonics of nine numbers would
+/// do for skies, but a sun in a panorama would light what is turned away from it.
 class MatteLight {
  public:
   /// Of the rows of a panorama from one on to before another, as if the others were black.
-  /// @param panorama  CV_32FC4: equirectangular; red, green, blue and any, linear
+  /// @param panorama  CV_32FC4: equirectangular; red, green, blue and any, linear; a multiple of
+  ///     four columns
   MatteLight(const cv::Mat& panorama, int first_row, int end_row);
 
   /// What arrives from the half of the world that surfaces face, as their cosine counts; 1 where
@@ -31,7 +30,7 @@ class MatteLight {
  private:
   MatteLight() = default;
 
-  std::array<Eigen::Vector3f, 9> factors_;  ///< of the terms of a polynomial of the normal
+  cv::Mat map_;  ///< CV_32FC4: by normals, as a panorama, of bordered()
 };
 
 }  // namespace synthetic_dataset::render

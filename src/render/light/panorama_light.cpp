@@ -10,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "render/light/lobe_blur.h"
-#include "render/pixels/lane_angles.h"
+#include "render/light/panorama_lookup.h"
 #include "render/pixels/light_picture.h"
 
 namespace synthetic_dataset::render {
@@ -91,23 +91,6 @@ cv::Mat smaller(const cv::Mat& panorama) {
   return light;
 }
 
-/// With what lies beyond its edges: around the world, and past the poles on their other side.
-cv::Mat bordered(const cv::Mat& panorama) {
-  const cv::Size size = panorama.size();
-  cv::Mat all(size.height + 2, size.width + 2, panorama.type());
-  panorama.copyTo(all({1, 1, size.width, size.height}));
-  const int half = size.width / 2;
-  for (const int row : {0, size.height + 1}) {
-    const cv::Mat pole = panorama.row(row == 0 ? 0 : size.height - 1);
-    cv::Mat beyond = all({1, row, size.width, 1});
-    pole.colRange(half, size.width).copyTo(beyond.colRange(0, size.width - half));
-    pole.colRange(0, half).copyTo(beyond.colRange(size.width - half, size.width));
-  }
-  all.col(size.width).copyTo(all.col(0));
-  all.col(1).copyTo(all.col(size.width + 1));
-  return all;
-}
-
 /// Between which levels a lobe lies: whole at each of kAlphas, and even in the logarithm between
 /// those that are not 0.
 Lanes levelOf(const Lanes& roughness) {
@@ -122,16 +105,10 @@ Lanes levelOf(const Lanes& roughness) {
                  kAlphas.size() - 1.0F);
 }
 
-/// Where four directions lie in a panorama, 0 .. 1 from the left and from the top.
-struct Places {
-  Lanes x;
-  Lanes y;
-};
-
 /// What a level shows of each place, between four pixels.
 /// @param which  of each lane
 Lanes3 shown(const std::vector<cv::Mat>& levels, const std::array<int, kLaneCount>& which,
-             const Places& places) {
+             const PanoramaPlaces& places) {
   alignas(16) std::array<float, kLaneCount> x{};
   alignas(16) std::array<float, kLaneCount> y{};
   cv::v_store(x.data(), places.x);
@@ -141,16 +118,12 @@ Lanes3 shown(const std::vector<cv::Mat>& levels, const std::array<int, kLaneCoun
   std::array<float, kLaneCount> down{};
   for (std::size_t i = 0; i < kLaneCount; ++i) {
     const cv::Mat& level = levels[static_cast<std::size_t>(which[i])];
-    // The first pixel is what lies beyond the edge, and a pixel's centre is half past.
-    const float column = x[i] * static_cast<float>(level.cols - 2) + 0.5F;
-    const float row = y[i] * static_cast<float>(level.rows - 2) + 0.5F;
-    const int left = std::min(static_cast<int>(column), level.cols - 2);
-    const int upper = std::min(static_cast<int>(row), level.rows - 2);
-    right[i] = column - static_cast<float>(left);
-    down[i] = row - static_cast<float>(upper);
+    const PixelsAround around = pixelsAround(level, x[i], y[i]);
+    right[i] = around.right;
+    down[i] = around.down;
     for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-      const int v = upper + static_cast<int>(corner / 2);
-      const int u = left + static_cast<int>(corner % 2);
+      const int v = around.row + static_cast<int>(corner / 2);
+      const int u = around.column + static_cast<int>(corner % 2);
       std::memcpy(corners[corner].data() + 4 * i, level.ptr<std::uint16_t>(v, u), 8);
     }
   }
@@ -177,12 +150,7 @@ PanoramaLight::PanoramaLight(const cv::Mat& panorama, const cv::Mat& light)
 }
 
 Lanes3 PanoramaLight::mirrored(const Lanes3& directions, const Lanes& roughness) const {
-  constexpr auto kTurn = static_cast<float>(2.0 * M_PI);
-  const Lanes half = lanes(0.5F);
-  const Lanes level_sides = cv::v_sqrt(directions.x * directions.x + directions.y * directions.y);
-  const Places places{
-      clamped(half - angleOf(directions.y, directions.x) * lanes(1.0F / kTurn), 0.0F, 1.0F),
-      clamped(half - angleOf(directions.z, level_sides) * lanes(2.0F / kTurn), 0.0F, 1.0F)};
+  const PanoramaPlaces places = placesOf(directions);
   const Lanes level = levelOf(roughness);
   const cv::v_int32x4 whole = cv::v_trunc(level);
   std::array<int, kLaneCount> which{};

@@ -113,7 +113,7 @@ TEST(PanoramaLight, ArrivesFromAllPixelsByTheirCosines) {
   for (int i = 0; i < 60; ++i) {
     const Vector3d normal = directions.next();
     const Vector3d expected = facedBy(pixels, normal);
-    EXPECT_LT((arriving(light, normal) - expected).cwiseAbs().maxCoeff(), 0.025);
+    EXPECT_LT((arriving(light, normal) - expected).cwiseAbs().maxCoeff(), 0.005);
     brightest = std::max(brightest, expected.maxCoeff());
   }
   EXPECT_GT(brightest, 0.5);
@@ -137,6 +137,21 @@ TEST(PanoramaLight, MayBeBrighterThanWhite) {
     const Vector3d way = directions.next();
     EXPECT_LT((arriving(bright, way) - colour).cwiseAbs().maxCoeff(), 0.04);
     EXPECT_LT((mirrored(bright, way, i / 19.0) - colour).cwiseAbs().maxCoeff(), 0.04);
+  }
+}
+
+/// As in panoramas of high dynamic range.
+TEST(PanoramaLight, OfASunLightsNothingThatIsTurnedAway) {
+  cv::Mat pixels(128, 256, CV_32FC4, cv::Scalar(0, 0, 0, 1));
+  pixels.at<cv::Vec4f>(40, 70) = {0.0F, 0.0F, 60000.0F, 1.0F};
+  const Vector3d sun = directionAt(pixels, 40, 70);
+  const PanoramaLight light = lightOf(pixels);
+  const double peak = arriving(light, sun).x();
+  EXPECT_GT(peak, 1.0);
+  Directions directions;
+  for (int i = 0; i < 200; ++i) {
+    const Vector3d normal = directions.next();
+    EXPECT_NEAR(arriving(light, normal).x() / peak, std::max(0.0, normal.dot(sun)), 0.03);
   }
 }
 
