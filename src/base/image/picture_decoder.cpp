@@ -25,6 +25,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr const char* kUndecodable =
     "cannot be decoded; PNG, JPEG, BMP, TIFF, WebP, TGA, GIF, DDS, PSD and PGM pictures can";
+constexpr const char* kDamaged = "cannot be decoded: the file breaks off or is damaged";
 constexpr const char* kIsLight =
     "holds linear light, as Radiance's and OpenEXR's pictures do; only a background may. It can be "
     "used here if it is saved as PNG";
@@ -51,7 +52,7 @@ Bytes checked(const Bytes& file) {
   if (const std::optional<PictureSize> size = claimedSize(file)) checkSize(*size);
   Bytes essential = withoutColourProfile(file);
   if (essential.empty() || !isWhole(essential)) {
-    throw Error("cannot be decoded: the file breaks off or is damaged");
+    throw Error(kDamaged);
   }
   return essential;
 }
@@ -196,7 +197,7 @@ cv::Mat decodeAny(const Bytes& file, const std::string& name) {
   cv::Mat pixels = fromBytes(std::get<std::string>(answer));
   const bool is_known = pixels.depth() == CV_8U || pixels.depth() == CV_16U ||
                         (isLight(file) && pixels.type() == CV_32FC3);
-  if (pixels.empty() || !is_known) throw Error(kUndecodable);
+  if (pixels.empty() || !is_known) throw Error(isLight(file) ? kDamaged : kUndecodable);
   return pixels;
 }
 
