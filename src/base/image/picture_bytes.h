@@ -57,14 +57,6 @@ template <class Wanted>
 
 [[nodiscard]] inline bool isJpeg(const PictureBytes& file) { return file.has(0, "\xFF\xD8\xFF"); }
 
-/// Radiance's pictures (.hdr, .pic), of linear light.
-[[nodiscard]] inline bool isRadiance(const PictureBytes& file) {
-  return file.has(0, "#?RADIANCE") || file.has(0, "#?RGBE");
-}
-
-/// OpenEXR's pictures, of linear light.
-[[nodiscard]] inline bool isOpenExr(const PictureBytes& file) { return file.has(0, "v/1\x01"); }
-
 /// The header of a TGA file has few values that are possible.
 [[nodiscard]] inline bool looksLikeTga(const PictureBytes& file) {
   const std::uint8_t kind = file.byte(2);

@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/image/freeimage_decoder.h"
+#include "base/image/light_file.h"
 #include "base/image/picture_bytes.h"
 #include "base/image/picture_end.h"
 #include "base/image/picture_file.h"
@@ -71,15 +72,10 @@ void setUpCodecs() {
   static_cast<void>(kAreSetUp);
 }
 
-bool isLight(const Bytes& bytes) {
-  const PictureBytes file(bytes);
-  return isRadiance(file) || isOpenExr(file);
-}
-
 /// Neither library's threads are used here, so that this can run in a process that was forked.
 cv::Mat decode(const Bytes& file, const std::string& name) {
   // OpenCV reads them from files alone, and OpenEXR's not everywhere.
-  if (isLight(file)) return decodeWithFreeImage(file, name);
+  if (isLight(PictureBytes(file))) return decodeWithFreeImage(file, name);
   cv::Mat pixels;
   try {
     pixels = cv::imdecode(file, cv::IMREAD_UNCHANGED);
@@ -196,8 +192,9 @@ cv::Mat decodeAny(const Bytes& file, const std::string& name) {
   }
   cv::Mat pixels = fromBytes(std::get<std::string>(answer));
   const bool is_known = pixels.depth() == CV_8U || pixels.depth() == CV_16U ||
-                        (isLight(file) && pixels.type() == CV_32FC3);
-  if (pixels.empty() || !is_known) throw Error(isLight(file) ? kDamaged : kUndecodable);
+                        (isLight(PictureBytes(file)) && pixels.type() == CV_32FC3);
+  if (pixels.empty() || !is_known)
+    throw Error(isLight(PictureBytes(file)) ? kDamaged : kUndecodable);
   return pixels;
 }
 
@@ -231,7 +228,7 @@ PictureSize checkPicture(const Bytes& file, const std::string& name) {
 }
 
 cv::Mat decodePixels(const Bytes& file, const std::string& name) {
-  if (isLight(file)) throw Error(kIsLight);
+  if (isLight(PictureBytes(file))) throw Error(kIsLight);
   return decodeAny(file, name);
 }
 
@@ -242,7 +239,7 @@ cv::Mat decodePicture(const Bytes& file, const std::string& name) {
 }
 
 cv::Mat decodePictureOrLight(const Bytes& file, const std::string& name) {
-  return isLight(file) ? lightOf(decodeAny(file, name)) : decodePicture(file, name);
+  return isLight(PictureBytes(file)) ? lightOf(decodeAny(file, name)) : decodePicture(file, name);
 }
 
 std::map<std::string, cv::Mat> decodePictures(const std::map<std::string, Bytes>& files) {

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include "base/image/light_file.h"
 #include "base/image/picture_bytes.h"
 
 namespace synthetic_dataset::base {
@@ -136,6 +137,7 @@ bool isWhole(const std::vector<std::uint8_t>& bytes) {
   if (file.has(0, "BM")) return isWholeBmp(file);
   if (file.has(0, "DDS ")) return isWholeDds(file);
   if (file.has(0, "8BPS")) return isWholePsd(file);
+  if (isLight(file)) return isWholeLight(file);
   const bool is_other =
       file.has(0, "RIFF") || file.has(0, "II*") || file.has(0, std::string("MM\0*", 4));
   return is_other || !looksLikeTga(file) || isWholeTga(file);

@@ -1,11 +1,9 @@
 #include "base/image/picture_size.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <sstream>
 #include <string>
 
+#include "base/image/light_file.h"
 #include "base/image/picture_bytes.h"
 
 namespace synthetic_dataset::base {
@@ -61,48 +59,6 @@ Size bmpSize(const PictureBytes& file) {
   return PictureSize{file.little(18, 4), negative ? 0x100000000U - height : height};
 }
 
-/// The line behind the header's empty one: "-Y height +X width" (Ward, "Real Pixels", 1991).
-Size radianceSize(const Bytes& bytes) {
-  static constexpr char kHeaderEnd[] = {'\n', '\n'};
-  auto at = std::search(bytes.begin(), bytes.end(), std::begin(kHeaderEnd), std::end(kHeaderEnd));
-  if (at == bytes.end()) return std::nullopt;
-  at += std::size(kHeaderEnd);
-  std::istringstream line(std::string(at, std::find(at, bytes.end(), '\n')));
-  std::string down;
-  std::string right;
-  PictureSize size;
-  line >> down >> size.height >> right >> size.width;
-  if (!line || down != "-Y" || right != "+X") return std::nullopt;
-  return size;
-}
-
-/// The pixels that are there: the header's attribute "dataWindow", a Box2i (OpenEXR file layout).
-Size exrSize(const PictureBytes& file) {
-  const auto text = [&](std::size_t& at) {
-    std::string found;
-    for (; file.byte(at) != 0; ++at) found += static_cast<char>(file.byte(at));
-    ++at;
-    return found;
-  };
-  for (std::size_t at = 8; at < file.size();) {
-    const std::string name = text(at);
-    if (name.empty()) return std::nullopt;  // the header's end
-    static_cast<void>(text(at));            // its type
-    const std::size_t value = at + 4;
-    const auto corner = [&](std::size_t i) {
-      return static_cast<std::int32_t>(static_cast<std::uint32_t>(file.little(value + 4 * i, 4)));
-    };
-    if (name == "dataWindow") {
-      const std::int64_t width = std::int64_t{corner(2)} - corner(0) + 1;
-      const std::int64_t height = std::int64_t{corner(3)} - corner(1) + 1;
-      if (width <= 0 || height <= 0) return std::nullopt;
-      return PictureSize{static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height)};
-    }
-    at = value + file.little(at, 4);
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 Size claimedSize(const Bytes& bytes) {
@@ -115,8 +71,7 @@ Size claimedSize(const Bytes& bytes) {
   if (file.has(0, "II*") || file.has(0, std::string("MM\0*", 4))) return tiffSize(file);
   if (file.has(0, "DDS ")) return PictureSize{file.little(16, 4), file.little(12, 4)};
   if (file.has(0, "8BPS")) return PictureSize{file.big(18, 4), file.big(14, 4)};
-  if (isRadiance(file)) return radianceSize(bytes);
-  if (isOpenExr(file)) return exrSize(file);
+  if (isLight(file)) return lightSize(file);
   if (looksLikeTga(file)) return PictureSize{file.little(12, 2), file.little(14, 2)};
   return std::nullopt;
 }

@@ -200,10 +200,19 @@ TEST(PictureDecoder, ReadsTheLightOfOpenExrsPictures) {
 TEST(PictureDecoder, KnowsTheSizeOfLightAndWhereItBreaksOff) {
   EXPECT_EQ(checkPicture(radiance(), "a.hdr").height, 2U);
   EXPECT_EQ(checkPicture(openExr({1, 2, 3}), "a.exr").width, 3U);
-  for (Bytes file : {radiance(), openExr(std::vector<float>(1000, 1.0F))}) {
-    file.resize(file.size() - 6);
-    EXPECT_EQ(test::messagesOf([&] { (void)decodePictureOrLight(file, "a"); }),
-              std::vector<std::string>{"cannot be decoded: the file breaks off or is damaged"});
+  cv::Mat noise(9, 40, CV_32FC3);
+  cv::randu(noise, 0.0, 9.0);
+  const cv::Mat plain(9, 40, CV_32FC3, cv::Scalar::all(2));
+  for (const Bytes& file : {radiance(), encoded(".hdr", noise), encoded(".hdr", plain),
+                            openExr(std::vector<float>(100, 1.0F))}) {
+    EXPECT_NO_THROW((void)checkPicture(file, "a"));
+    const std::size_t step = 1 + file.size() / 50;
+    for (std::size_t missing = 1; missing < file.size() - 10; missing += step) {
+      const Bytes cut(file.begin(), file.end() - static_cast<std::ptrdiff_t>(missing));
+      EXPECT_EQ(test::messagesOf([&] { (void)checkPicture(cut, "a"); }),
+                std::vector<std::string>{"cannot be decoded: the file breaks off or is damaged"})
+          << missing << " of " << file.size();
+    }
   }
 }
 

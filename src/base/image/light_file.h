@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "base/image/picture_bytes.h"
+#include "base/image/picture_size.h"
+
+/// Files of linear light, which may be brighter than white: Radiance's (.hdr; Ward 1991, "Real
+/// Pixels") and OpenEXR's (.exr; "OpenEXR File Layout").
+namespace synthetic_dataset::base {
+
+[[nodiscard]] bool isLight(const PictureBytes& file);
+
+/// As claimedSize() has it.
+[[nodiscard]] std::optional<PictureSize> lightSize(const PictureBytes& file);
+
+/// As isWhole() has it.
+[[nodiscard]] bool isWholeLight(const PictureBytes& file);
+
+}  // namespace synthetic_dataset::base
