@@ -80,7 +80,7 @@ std::size_t readHeader(const PictureBytes& file, Visit visit) {
   while (at < file.size()) {
     const std::string name = readText(file, at);
     if (name.empty()) break;
-    static_cast<void>(readText(file, at));  // the value's type
+    readText(file, at);  // the value's type
     visit(name, at + 4);
     at += 4 + file.little(at, 4);
   }
@@ -90,7 +90,7 @@ std::size_t readHeader(const PictureBytes& file, Visit visit) {
 /// The pixels that are there: the attribute "dataWindow", a Box2i.
 std::optional<PictureSize> exrSize(const PictureBytes& file) {
   std::optional<PictureSize> size;
-  static_cast<void>(readHeader(file, [&](const std::string& name, std::size_t value) {
+  readHeader(file, [&](const std::string& name, std::size_t value) {
     if (name != "dataWindow") return;
     const auto corner = [&](std::size_t i) {
       return static_cast<std::int32_t>(static_cast<std::uint32_t>(file.little(value + 4 * i, 4)));
@@ -99,7 +99,7 @@ std::optional<PictureSize> exrSize(const PictureBytes& file) {
     const std::int64_t height = std::int64_t{corner(3)} - corner(1) + 1;
     if (width <= 0 || height <= 0) return;
     size = {static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height)};
-  }));
+  });
   return size;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -88,32 +89,14 @@ MatteLight::MatteLight(const cv::Mat& panorama, int first_row, int end_row) {
 }
 
 Lanes3 MatteLight::arriving(const Lanes3& normals) const {
-  const PanoramaPlaces places = placesOf(normals);
-  alignas(16) std::array<float, kLaneCount> x{};
-  alignas(16) std::array<float, kLaneCount> y{};
-  cv::v_store(x.data(), places.x);
-  cv::v_store(y.data(), places.y);
-  std::array<std::array<cv::Vec4f, kLaneCount>, 4> corners;
-  std::array<float, kLaneCount> right{};
-  std::array<float, kLaneCount> down{};
-  for (std::size_t i = 0; i < kLaneCount; ++i) {
-    const PixelsAround around = pixelsAround(map_, x[i], y[i]);
-    right[i] = around.right;
-    down[i] = around.down;
-    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-      corners[corner][i] = map_.at<cv::Vec4f>(around.row + static_cast<int>(corner / 2),
-                                              around.column + static_cast<int>(corner % 2));
-    }
-  }
-  const auto pixel = [&](std::size_t corner) {
+  const auto load = [](const float* pixels) {
     Lanes3 four;
     Lanes other;
-    cv::v_load_deinterleave(corners[corner][0].val, four.x, four.y, four.z, other);
+    cv::v_load_deinterleave(pixels, four.x, four.y, four.z, other);
     return four;
   };
-  const Lanes to_right = cv::v_load(right.data());
-  return mix(mix(pixel(0), pixel(1), to_right), mix(pixel(2), pixel(3), to_right),
-             cv::v_load(down.data()));
+  const auto map = [&](std::size_t) -> const cv::Mat& { return map_; };
+  return seenBetween<cv::Vec4f>(placesOf(normals), map, load);
 }
 
 Eigen::Vector3f MatteLight::arriving(const Eigen::Vector3f& normal) const {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
@@ -65,21 +64,6 @@ cv::Mat toHalves(const cv::Mat& panorama) {
   return halves;
 }
 
-/// @param panorama  CV_16UC4, of which 65535 is 1 @return CV_16UC4
-cv::Mat sharesToHalves(const cv::Mat& panorama) {
-  const Lanes white = lanes(1.0F / 65535.0F);
-  cv::Mat halves(panorama.size(), CV_16UC4);
-  for (int row = 0; row < panorama.rows; ++row) {
-    const auto* from = panorama.ptr<std::uint16_t>(row);
-    auto* to = halves.ptr<std::uint16_t>(row);
-    for (int i = 0; i < 4 * panorama.cols; i += kLaneCount) {
-      const Lanes four = cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_load_expand(from + i)));
-      cv::v_pack_store(to + i, halfFrom(four * white));
-    }
-  }
-  return halves;
-}
-
 /// @param panorama  CV_16UC4
 /// @return CV_32FC4, at most 1024 pixels wide
 cv::Mat smaller(const cv::Mat& panorama) {
@@ -105,32 +89,15 @@ Lanes levelOf(const Lanes& roughness) {
                  kAlphas.size() - 1.0F);
 }
 
-/// What a level shows of each place, between four pixels.
-/// @param which  of each lane
+/// What levels show of four places.
+/// @param which  level of each
 Lanes3 shown(const std::vector<cv::Mat>& levels, const std::array<int, kLaneCount>& which,
              const PanoramaPlaces& places) {
-  alignas(16) std::array<float, kLaneCount> x{};
-  alignas(16) std::array<float, kLaneCount> y{};
-  cv::v_store(x.data(), places.x);
-  cv::v_store(y.data(), places.y);
-  std::array<std::array<std::uint16_t, 4 * kLaneCount>, 4> corners;
-  std::array<float, kLaneCount> right{};
-  std::array<float, kLaneCount> down{};
-  for (std::size_t i = 0; i < kLaneCount; ++i) {
-    const cv::Mat& level = levels[static_cast<std::size_t>(which[i])];
-    const PixelsAround around = pixelsAround(level, x[i], y[i]);
-    right[i] = around.right;
-    down[i] = around.down;
-    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-      const int v = around.row + static_cast<int>(corner / 2);
-      const int u = around.column + static_cast<int>(corner % 2);
-      std::memcpy(corners[corner].data() + 4 * i, level.ptr<std::uint16_t>(v, u), 8);
-    }
-  }
-  const auto pixel = [&](std::size_t corner) { return loadHalves(corners[corner].data()).xyz; };
-  const Lanes to_right = cv::v_load(right.data());
-  return mix(mix(pixel(0), pixel(1), to_right), mix(pixel(2), pixel(3), to_right),
-             cv::v_load(down.data()));
+  const auto level = [&](std::size_t lane) -> const cv::Mat& {
+    return levels[static_cast<std::size_t>(which[lane])];
+  };
+  const auto load = [](const std::uint16_t* pixels) { return loadHalves(pixels).xyz; };
+  return seenBetween<cv::Vec4w>(places, level, load);
 }
 
 }  // namespace
@@ -176,7 +143,8 @@ cv::Mat panoramaOf(const world::Texture& picture) {
   }
   cv::Mat rgba;
   cv::cvtColor(light, rgba, cv::COLOR_BGRA2RGBA);
-  return rgba.depth() == CV_32F ? toHalves(rgba) : sharesToHalves(rgba);
+  if (rgba.depth() == CV_16U) rgba.convertTo(rgba, CV_32F, 1.0 / 65535.0);
+  return toHalves(rgba);
 }
 
 }  // namespace synthetic_dataset::render

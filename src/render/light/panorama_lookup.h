@@ -1,7 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
+#include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/core/mat.hpp>
 
 #include "render/pixels/lanes.h"
@@ -42,6 +45,36 @@ struct PixelsAround {
   around.right = column - static_cast<float>(around.column);
   around.down = row - static_cast<float>(around.row);
   return around;
+}
+
+/// What is seen at four places, each between four pixels of a map of its own.
+/// @tparam Pixel  of the maps
+/// @param mapOf  a lane's map, of bordered()
+/// @param load  four pixels that lie one after another, as light
+template <class Pixel, class MapOf, class Load>
+[[nodiscard]] Lanes3 seenBetween(const PanoramaPlaces& places, const MapOf& mapOf,
+                                 const Load& load) {
+  alignas(16) std::array<float, kLaneCount> x{};
+  alignas(16) std::array<float, kLaneCount> y{};
+  cv::v_store(x.data(), places.x);
+  cv::v_store(y.data(), places.y);
+  std::array<std::array<Pixel, kLaneCount>, 4> corners;
+  std::array<float, kLaneCount> right{};
+  std::array<float, kLaneCount> down{};
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    const cv::Mat& map = mapOf(i);
+    const PixelsAround around = pixelsAround(map, x[i], y[i]);
+    right[i] = around.right;
+    down[i] = around.down;
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+      corners[corner][i] = map.at<Pixel>(around.row + static_cast<int>(corner / 2),
+                                         around.column + static_cast<int>(corner % 2));
+    }
+  }
+  const auto pixel = [&](std::size_t corner) -> Lanes3 { return load(corners[corner][0].val); };
+  const Lanes to_right = cv::v_load(right.data());
+  return mix(mix(pixel(0), pixel(1), to_right), mix(pixel(2), pixel(3), to_right),
+             cv::v_load(down.data()));
 }
 
 }  // namespace synthetic_dataset::render
