@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Runs the unit tests under clang's sanitizers; exit code 0 only if all pass and nothing is reported.
-#   ./scripts/sanitize.sh [address|thread|all [PART/PARTS]]     all by default
-# PART/PARTS: 2/4 has every fourth program, from the second on.
-# address: every test program, under AddressSanitizer (with leaks) and UndefinedBehaviorSanitizer.
+#   ./scripts/sanitize.sh [address|thread|all] [--seconds N] [PROGRAM...]
+# address: every test program, or those that are named ("test_motion"), under AddressSanitizer (with leaks) and
+#   UndefinedBehaviorSanitizer.
 # thread:  the programs in which threads work, under ThreadSanitizer.
+# --seconds: no further program is built after this time, and the script says which are left.
 # The builds and each program's log lie beside the workspace (scripts/workspace.sh). What is known
 # of other people's libraries, and no fault of this code, is named in sanitizers/*.txt.
 set -euo pipefail
@@ -11,8 +12,10 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
 source "$here/workspace.sh"
 kinds=("${1:-all}")
-part=${2:-1/1}
 [ "${kinds[0]}" != all ] || kinds=(address thread)
+shift || true
+end=
+if [ "${1:-}" = --seconds ]; then end=$((SECONDS + $2)) && shift 2; fi
 
 # The test programs in which threads work; more code with threads, more names here.
 threaded=(test_output)
@@ -21,11 +24,12 @@ threaded=(test_output)
 brute_force='ShadowRaster.HasTheLeastDepth*:*LensRendering.MarkersLie*:*RollingPicture.ShowsInEachRow*'
 brute_force+=':Room.ThroughALensIsTheMeanOfManyRays:PanoramaLight.IsBlurredByTheLobe*'
 export GTEST_FILTER="-*TamperedValues*:$brute_force"
-# These take longest, so they start first, and each of four parts has one.
-longest=(test_render test_run test_world test_output)
-mapfile -t every < <(printf "%s\n" "${longest[@]}"; grep -rhoP '^synthetic_dataset_test\(\K\w+' "$repository/test" \
-  --include=CMakeLists.txt | sed 's/^/test_/' | sort | grep -vxF "$(printf "%s\n" "${longest[@]}")")
-mapfile -t every < <(printf "%s\n" "${every[@]}" | awk -v part="${part%/*}" -v parts="${part#*/}" 'NR % parts == part % parts')
+# In the order of the rooms: a program needs what those before it needed.
+mapfile -t every < <(grep -oP '^add_subdirectory\(\K\w+' "$repository/test/CMakeLists.txt" | while read -r room; do
+  grep -qs 'synthetic_dataset_test(' "$repository/test/$room/CMakeLists.txt" && echo "test_$room"; done)
+if [ $# -gt 0 ]; then
+  mapfile -t every < <(printf '%s\n' "${every[@]}" | grep -xF "$(printf '%s\n' "$@")")
+fi
 
 "$here/install_dependencies.sh" clang libclang-rt-14-dev llvm-14
 # What users' machines have in these must not change the result.
@@ -41,16 +45,14 @@ folder_of() {  # KIND
   echo "$beside-$1"
 }
 
-build() {  # KIND FLAGS PROGRAMS...
+configure() {  # KIND FLAGS
   local folder kind=$1 flags="-O1 -gline-tables-only -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS $2"
-  shift 2
   folder=$(folder_of "$kind")
   mkdir -p "$folder/logs"
   cmake -S "$repository" -B "$folder/build" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
     -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
     -DPython3_EXECUTABLE=/usr/bin/python3 >"$folder/logs/configure.log" 2>&1 ||
     { tail -20 "$folder/logs/configure.log"; exit 1; }
-  cmake --build "$folder/build" --parallel "$(nproc)" --target "$@"
 }
 
 # One line for a program, and the log's end where something is wrong.
@@ -66,16 +68,24 @@ run() {  # FOLDER PROGRAM
   echo "  see $log"
 }
 
+# Each program runs while the next is built.
 run_all() {  # KIND PROGRAMS...
-  local folder program
+  local folder program done=()
   folder=$(folder_of "$1")
   echo "== $1"
   for program in "${@:2}"; do
+    if [ -n "$end" ] && [ "$SECONDS" -ge "$end" ]; then
+      echo "not run for lack of time: $program"
+      continue
+    fi
+    cmake --build "$folder/build" --parallel "$(nproc)" --target "$program" >"$folder/logs/$program.build" 2>&1 ||
+      { tail -40 "$folder/logs/$program.build"; exit 1; }
     while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n; done
     run "$folder" "$program" >"$folder/logs/$program.result" &
+    done+=("$program")
   done
   wait
-  for program in "${@:2}"; do
+  for program in "${done[@]}"; do
     cat "$folder/logs/$program.result"
     results+=("$folder/logs/$program.result")
   done
@@ -85,12 +95,12 @@ results=()
 for kind in "${kinds[@]}"; do
   case $kind in
     address)
-      build "$kind" "-fsanitize=address,undefined -fno-sanitize-recover=all" "${every[@]}"
+      configure "$kind" "-fsanitize=address,undefined -fno-sanitize-recover=all"
       run_all "$kind" "${every[@]}" ;;
     thread)
-      build "$kind" -fsanitize=thread "${threaded[@]}"
+      configure "$kind" -fsanitize=thread
       run_all "$kind" "${threaded[@]}" ;;
-    *) sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}"; exit 1 ;;
+    *) sed -n '2,9s/^# //p' "${BASH_SOURCE[0]}"; exit 1 ;;
   esac
 done
 awk '/ passed .* failed /{p += $2; f += $4} END {print p " passed, " f " failed"; exit f > 0 || !p}' "${results[@]}"

@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# Runs every check of this repository, and says what each took. What has passed on the same commit is not run
+# again, so a run that was stopped goes on where it was.
+#   ./scripts/check_all.sh [STAGE...]       all by default; --list prints the names
+#   ./scripts/check_all.sh --changed [BASE] what guards every promise, and what guards the parts that
+#                                           differ from the commit BASE; without it, the last twenty commits
+# Reference data is read from SYNTHETIC_DATASET_REFERENCE, ../shared by default; stages that need it are left
+# out where it is not. Logs lie beside the workspace (scripts/workspace.sh). Exit code 0 only if all pass.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=workspace.sh
+source "$here/workspace.sh"
+cd "$repository"
+reference=${SYNTHETIC_DATASET_REFERENCE:-../shared}
+
+# A stage: its name; the paths that it guards, "." for any change, "-" for none: then --changed leaves it out; the
+# command. It runs in the order of this list, which begins with what fails soonest.
+stages=(
+  'format     | .  | check_format.sh'
+  'api_docs   | ^include/|^docs/Doxyfile | api_docs.sh'
+  'tests      | .  | test.sh --all'
+  'tidy       | .  | tidy_changed.sh $base $tidy_seconds'
+  'reference  | .  | test_reference_data.sh $reference'
+  'gazebo     | .  | compare_with_gazebo.sh $reference'
+  'report     | ^scripts/report|^python/|^test/browser/ | test_report.sh'
+  'preview    | ^src/programs/preview/|^launch/|^test/preview/ | test_preview.sh'
+  'loaders    | ^plugins/|^include/|^src/api/|^python/|^test/loaders/ | test_loaders.sh'
+  'page       | ^src/programs/setup_assistant/|^src/run/live/|^test/setup_assistant/ | test_setup_page.sh'
+  'twin       | ^src/(motion|scene|label)/|^test/twin/ | test_twin.sh'
+  'faults     | ^src/(output|run)/|^test/faults/ | test_faults.sh --trials 10'
+  'soak       | ^src/(output|run)/|^test/faults/ | soak.sh 20000'
+  'slurm      | ^scripts/slurm/|^test/slurm/|^src/programs/(merge|generate) | test_slurm.sh'
+  'sources    | \.(h|cpp)$ | check_each_source.sh $changed_sources'
+  'address    | ^(include|src|plugins|test)/.*\.(h|cpp)$ | sanitize.sh address $sanitizer_time $changed_programs'
+  'thread     | -  | sanitize.sh thread'
+  'fuzz       | -  | fuzz.sh 20'
+  'bullseye   | -  | test_systems.sh bullseye'
+  'trixie     | -  | test_systems.sh trixie'
+)
+field() {  # STAGE NUMBER
+  awk -v number="$2" '{n = split($0, all, / +[|] +/); value = all[number]; sub(/ +$/, "", value); print value}' <<<"$1"
+}
+
+names=()
+only_changed=false
+base=$(git rev-parse --verify --quiet "${CI_BASE:-}^{commit}" || git rev-list --max-count=21 HEAD | tail -n 1)
+changed_sources='' changed_programs='' tidy_seconds=1200 sanitizer_time=''
+case ${1:-} in
+  --list)
+    for stage in "${stages[@]}"; do field "$stage" 1; done
+    exit 0 ;;
+  --changed)
+    only_changed=true
+    base=$(git rev-parse --verify --quiet "${2:-}^{commit}" || true)
+    [ -n "$base" ] && [ "$base" != "$(git rev-parse HEAD)" ] ||
+      base=$(git rev-list --max-count=21 HEAD | tail -n 1)
+    changed=$(git diff --name-only "$base" HEAD)
+    changed_sources=$(git diff --name-only --diff-filter=d "$base" HEAD -- '*.cpp' | grep -v '^examples/' || true)
+    tidy_seconds=150 sanitizer_time='--seconds 600'  # a change of many rooms leaves the rest to the run of all checks
+    # A room's tests are the program of its name; include/ and src/api are tested together.
+    changed_programs=$(sed -nE 's:^(src|test)/([^/]+)/.*\.(cpp|h)$:\2:p; s:^plugins/.*:plugins:p; s:^include/.*:api:p' \
+      <<<"$changed" | sort -u | while read -r room; do
+        grep -qs 'synthetic_dataset_test(' "test/$room/CMakeLists.txt" && echo "test_$room"
+      done || true)
+    echo "What changed since $(git log -1 --format='%h, %s' "$base"):"
+    cut -d/ -f1,2 <<<"$changed" | sort | uniq -c | sort -rn ;;
+  *)
+    names=("$@") ;;
+esac
+
+is_chosen() {  # STAGE
+  local name paths
+  name=$(field "$1" 1) paths=$(field "$1" 2)
+  [[ $1 != *'$reference'* ]] || [ -d "$reference" ] || return 1
+  if $only_changed; then
+    [[ $1 != *'$changed_sources'* ]] || [ -n "$changed_sources" ] || return 1
+    [[ $1 != *'$changed_programs'* ]] || [ -n "$changed_programs" ] || return 1
+    [ "$paths" != - ] && grep -qE "$paths" <<<"$changed"
+  else
+    [ ${#names[@]} -eq 0 ] || printf '%s\n' "${names[@]}" | grep -qx "$name"
+  fi
+}
+
+state=$workspace-checks/$(git rev-parse HEAD)
+$only_changed && state=$state-changed
+mkdir -p "$state"
+# What is not committed has no name under which it could have passed.
+git diff --quiet HEAD || rm -f "$state"/*.passed
+
+run() {  # STAGE
+  local name command log start=$SECONDS
+  name=$(field "$1" 1) log=$state/$name.log
+  if [ -f "$state/$name.passed" ]; then
+    summary+=("$(printf '%-10s passed before, in %5s s' "$name" "$(cat "$state/$name.passed")")")
+    return 0
+  fi
+  # The variables in a command are those of this script.
+  eval "command=(\"$here\"/$(field "$1" 3 | tr '\n' ' '))"
+  echo "== $name"
+  if "${command[@]}" 2>&1 | tee "$log"; then
+    echo $((SECONDS - start)) >"$state/$name.passed"
+    summary+=("$(printf '%-10s passed in %5s s' "$name" $((SECONDS - start)))")
+  else
+    failed=$((failed + 1))
+    summary+=("$(printf '%-10s FAILED in %5s s: %s' "$name" $((SECONDS - start)) "$log")")
+  fi
+}
+
+failed=0
+summary=()
+"$here/install_dependencies.sh" git
+for stage in "${stages[@]}"; do
+  if is_chosen "$stage"; then run "$stage"; fi
+done
+printf '\n%s\n' "== All checks of $(git log -1 --format='%h, %s')"
+printf '%s\n' "${summary[@]}"
+echo "$SECONDS s in all"
+[ ${#summary[@]} -gt 0 ] && [ "$failed" -eq 0 ]
