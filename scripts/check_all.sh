@@ -55,7 +55,7 @@ case ${1:-} in
     [ -n "$base" ] && [ "$base" != "$(git rev-parse HEAD)" ] ||
       base=$(git rev-list --max-count=21 HEAD | tail -n 1)
     changed=$(git diff --name-only "$base" HEAD)
-    changed_sources=$(git diff --name-only --diff-filter=d "$base" HEAD -- '*.cpp' | grep -v '^examples/' || true)
+    changed_sources=$(git diff --name-only --diff-filter=d "$base" HEAD -- '*.cpp')
     tidy_seconds=150 sanitizer_time='--seconds 600'  # a change of many rooms leaves the rest to the run of all checks
     # A room's tests are the program of its name; include/ and src/api are tested together.
     changed_programs=$(sed -nE 's:^(src|test)/([^/]+)/.*\.(cpp|h)$:\2:p; s:^plugins/.*:plugins:p; s:^include/.*:api:p' \

@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs every test; exit code 0 only if all pass.
+# Installs what is missing, builds, and runs the tests; exit code 0 only if all pass.
+#   ./scripts/test.sh [--all]
+# Without --all, what takes long is left out (test/long_tests.txt): comparisons by brute force, most runs of whole
+# programs. CONTRIBUTING.md names the tests that need more than what is installed here.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -11,6 +14,4 @@ build_workspace
 build_workspace --target tests
 "$here/check_symbols.py" "$workspace/build"
 use_workspace
-rm -rf "$workspace/build/test_results"
-cmake --build "$workspace/build" --target run_tests
-"$here/test_results.py" "$workspace/build/test_results"
+"$here/run_tests.py" "$workspace" "$@"
