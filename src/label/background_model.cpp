@@ -11,12 +11,12 @@ cv::Mat BackgroundModel::segment(const cv::Mat& alone, const cv::Rect& box) {
   if (!clean_) return raw;
   // What is around the box distinguishes holes from bays.
   constexpr int kRound = label::kLargestHole + 1;
-  const cv::Rect round =
+  const cv::Rect bounds =
       cv::Rect(box.x - kRound, box.y - kRound, box.width + 2 * kRound, box.height + 2 * kRound) &
       cv::Rect(cv::Point(), alone.size());
-  cv::Mat framed = cv::Mat::zeros(round.size(), CV_8UC1);
-  raw.copyTo(framed(box - round.tl()));
-  return label::cleanMask(framed)(box - round.tl());
+  cv::Mat framed = cv::Mat::zeros(bounds.size(), CV_8UC1);
+  raw.copyTo(framed(box - bounds.tl()));
+  return label::cleanMask(framed)(box - bounds.tl());
 }
 
 }  // namespace synthetic_dataset::label

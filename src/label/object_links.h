@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::label {
 
-/// LinkInstance::object of what is no object.
+/// LinkInstance::object of links that belong to no object.
 inline constexpr int kNoObject = -1;
 
 /// Which links are those of an object, or of kNoObject.

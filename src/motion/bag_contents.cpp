@@ -253,7 +253,7 @@ void readCameras(const std::vector<std::string>& bag_files, BagContents& content
   }
 }
 
-/// The first model that a topic has; none where its texts are no URDF.
+/// The first model that a topic has; none where its texts are not URDF.
 std::optional<RecordedDescription> readDescription(const std::vector<std::string>& bag_files,
                                                    const std::string& topic) {
   auto search = TopicSearch::of<std_msgs::String>(topic);

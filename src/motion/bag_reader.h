@@ -24,7 +24,7 @@ class BagReader {
   /// The record times of the first and the last message, of any topic.
   [[nodiscard]] RecordedTimes times() const;
 
-  /// Of all bags, each topic of a type once.
+  /// The topics of all bags, each pair of name and type once.
   [[nodiscard]] std::vector<BagTopic> topics() const;
 
   [[nodiscard]] const std::vector<std::unique_ptr<BagFile>>& bags() const { return bags_; }

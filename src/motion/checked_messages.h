@@ -91,7 +91,7 @@ struct MD5Sum<synthetic_dataset::motion::RecordedImageFile> : MD5Sum<sensor_msgs
 template <>
 struct MD5Sum<synthetic_dataset::motion::RecordedCloud> : MD5Sum<sensor_msgs::PointCloud2> {};
 
-/// Of both types, whose fields are the same: string[] name, Pose[] pose, Twist[] twist.
+/// Both types have the same fields: string[] name, Pose[] pose, Twist[] twist.
 template <>
 struct MD5Sum<synthetic_dataset::motion::RecordedStates> {
   static const char* value() { return "48c080191eb15c41858319b4d8a609c2"; }

@@ -20,7 +20,7 @@ using Samples = std::vector<Sample>;
 constexpr double kLeastJump = 0.005;  // [m]
 constexpr double kNearlyBack = 0.1;   // of the jump
 constexpr std::size_t kMostBetween = 4;
-/// So many of them, and such a share of all steps, are no accident.
+/// More than this number and this share of all steps are not accidental.
 constexpr std::int64_t kLeastJumps = 3;
 constexpr std::int64_t kLeastShare = 5;  // one in five
 

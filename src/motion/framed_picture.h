@@ -19,7 +19,7 @@ struct FramedPicture {
   RecordedPicture picture;
 };
 
-/// Of a sensor_msgs/Image or a sensor_msgs/CompressedImage.
+/// Reads a sensor_msgs/Image or a sensor_msgs/CompressedImage.
 /// @throws Error for any other message
 [[nodiscard]] FramedPicture framedPicture(const rosbag::MessageInstance& message);
 

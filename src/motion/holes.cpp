@@ -55,21 +55,21 @@ std::string Holes::message(FrameId child, const Hole& hole) const {
   return text + verb + "made, its poses interpolated across, as max_tf_gap allows";
 }
 
-void Holes::report(base::Diagnostics& found) const {
+void Holes::report(base::Diagnostics& diagnostics) const {
   constexpr std::int64_t kMost = 5;  // of a frame
   std::map<FrameId, std::int64_t> counts;
   std::map<FrameId, std::int64_t> scenes_of_others;
   for (const auto& [place, hole] : holes_) {
     if (++counts[place.first] <= kMost) {
-      found.warning("", message(place.first, hole));
+      diagnostics.warning("", message(place.first, hole));
     } else {
       scenes_of_others[place.first] += hole.scenes;
     }
   }
   for (const auto& [child, scenes] : scenes_of_others) {
-    found.warning("", "TF has " + std::to_string(counts[child] - kMost) +
-                          " more such holes of the frame '" + tree_.names().of(child) + "', with " +
-                          scenesText(scenes));
+    diagnostics.warning("", "TF has " + std::to_string(counts[child] - kMost) +
+                                " more such holes of the frame '" + tree_.names().of(child) +
+                                "', with " + scenesText(scenes));
   }
 }
 

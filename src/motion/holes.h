@@ -12,7 +12,7 @@
 
 namespace synthetic_dataset::motion {
 
-/// The longest gap in a frame's transforms that is no hole: the larger of 10 s and 20 median
+/// The longest gap in a frame's transforms that is not a hole: the larger of 10 s and 20 median
 /// periods.
 [[nodiscard]] Duration longestGapOf(const LinkHistory& link);
 
@@ -28,7 +28,7 @@ class Holes {
   [[nodiscard]] bool forbid(const std::set<FrameId>& links, Stamp time);
 
   /// Names the holes into which scenes fell, with their times.
-  void report(base::Diagnostics& found) const;
+  void report(base::Diagnostics& diagnostics) const;
 
  private:
   struct Hole {

@@ -8,7 +8,7 @@ namespace {
 
 using Positions = std::map<std::string, double>;
 
-/// Of a link's joint from its rest on [m] or [rad].
+/// A joint's displacement from its rest position [m] or [rad].
 std::optional<double> displacementOf(const JointedLink& link, const Positions& positions) {
   const auto own = positions.find(link.joint);
   if (own != positions.end()) return own->second - link.rest;

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// Of the squared norm, as in tf2's buffer_core.cpp (QUATERNION_NORMALIZATION_TOLERANCE).
+/// Tolerance of the squared norm: QUATERNION_NORMALIZATION_TOLERANCE of tf2's buffer_core.cpp.
 constexpr double kQuaternionTolerance = 10e-3;
 
 template <std::size_t kCount>

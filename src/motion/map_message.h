@@ -7,7 +7,7 @@
 namespace synthetic_dataset::motion {
 
 /// What a message says.
-/// @throws Error when it is no map, as checkMap has it
+/// @throws Error when it is not a map, as checkMap has it
 [[nodiscard]] RecordedMap mapOf(const nav_msgs::OccupancyGrid& grid);
 
 }  // namespace synthetic_dataset::motion

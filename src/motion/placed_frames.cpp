@@ -43,11 +43,12 @@ std::optional<Duration> PlacedFrames::recordedPeriod(FrameId frame, Stamp time) 
   return others_->recordedPeriod(frame, time);
 }
 
-void PlacedFrames::report(const std::vector<FrameId>& frames, base::Diagnostics& found) const {
+void PlacedFrames::report(const std::vector<FrameId>& frames,
+                          base::Diagnostics& diagnostics) const {
   std::vector<FrameId> theirs;
   std::copy_if(frames.begin(), frames.end(), std::back_inserter(theirs),
                [this](FrameId frame) { return isOfOthers(frame) && placed_.count(frame) == 0; });
-  others_->report(theirs, found);
+  others_->report(theirs, diagnostics);
 }
 
 std::string PlacedFrames::whenKnown(FrameId frame) const {

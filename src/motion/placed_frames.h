@@ -32,7 +32,7 @@ class PlacedFrames : public FrameSource {
   [[nodiscard]] Timeline timeline(const std::vector<std::string>& frames,
                                   const TimelineOptions& options) const override;
   [[nodiscard]] std::string title() const override { return others_->title(); }
-  void report(const std::vector<FrameId>& frames, base::Diagnostics& found) const override;
+  void report(const std::vector<FrameId>& frames, base::Diagnostics& diagnostics) const override;
   [[nodiscard]] std::string whenKnown(FrameId frame) const override;
 
  private:

@@ -28,7 +28,7 @@ class RecordedClouds {
   RecordedClouds(RecordedClouds&&) noexcept;
   RecordedClouds& operator=(RecordedClouds&&) noexcept;
 
-  /// Of all clouds by their stamps; at least one.
+  /// All clouds in order of stamp; at least one.
   [[nodiscard]] const std::vector<CloudHead>& heads() const;
 
   /// The points of a cloud of heads() [m], in any thread; those that are not finite are left out.

@@ -22,7 +22,7 @@ class RecordedDepths {
   RecordedDepths(RecordedDepths&&) noexcept;
   RecordedDepths& operator=(RecordedDepths&&) noexcept;
 
-  /// Of all images by their stamps; at least one.
+  /// All images in order of stamp; at least one.
   [[nodiscard]] const std::vector<PictureHead>& heads() const;
 
   /// An image of heads(), in any thread. CV_32FC1: z of what is seen [m]; 0 where nothing was

@@ -19,7 +19,7 @@ struct RecordedMap {
   std::vector<std::int8_t> cells;  ///< row by row, the lowest first: 0 (free) to 100, or -1
 };
 
-/// @throws Error when it is no map: without cells or with another number of them than its sides
+/// @throws Error when it is not a map: without cells or with another number of them than its sides
 /// say,
 ///     without a size of its cells or a place
 void checkMap(const RecordedMap& map);
@@ -28,7 +28,7 @@ void checkMap(const RecordedMap& map);
 /// while it is built, and the last is the fullest.
 /// @param bag_files  bags that can be read
 /// @throws Error when no bag has such a topic (with those of its type that there are), it has
-///     messages of another type, or the last is no map, as checkMap has it
+///     messages of another type, or the last is not a map, as checkMap has it
 [[nodiscard]] RecordedMap readMap(const std::vector<std::string>& bag_files,
                                   const std::string& topic);
 

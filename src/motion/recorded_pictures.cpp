@@ -18,7 +18,7 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// Of a file's size, with its format in front of what is wrong.
+/// A file's image size; errors begin with its format.
 base::PictureSize sizeOf(const PictureFile& file, const std::string& topic) {
   try {
     return base::checkPicture(file.bytes, topic);

@@ -44,7 +44,7 @@ class RecordedPictures {
 
   [[nodiscard]] const std::string& topic() const;
 
-  /// Of all pictures by their stamps, of equal ones the first that was recorded; at least one.
+  /// All pictures in order of stamp, the first recorded one of equal stamps; at least one.
   [[nodiscard]] const std::vector<PictureHead>& heads() const;
 
   /// How many were left out since they have the stamp of another one.

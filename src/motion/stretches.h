@@ -37,7 +37,7 @@ struct Cuts {
 
 /// Finds where time goes back for good, as when a simulation is reset: the stamps of most frames
 /// drop at about the same time, and go on from there. What comes late, out of order, or from two
-/// publishers with different delays, returns to where it was and is no cut.
+/// publishers with different delays, returns to where it was and is not a cut.
 /// @param frames  of each frame, ascending by arrival, without repetitions of a transform
 [[nodiscard]] Cuts findCuts(const std::vector<std::vector<ArrivedStamp>>& frames);
 

@@ -30,7 +30,7 @@ class Connections {
     }
   }
 
-  /// Of all wanted frames, in their order.
+  /// The connections of all wanted frames, in their order.
   const std::vector<Connection>& at(Stamp time) {
     for (std::size_t i = 0; i < connections_.size(); ++i) {
       const Validity& validity = connections_[i].validity;
@@ -111,7 +111,7 @@ class TimeFilter {
     return true;
   }
 
-  void report(base::Diagnostics& found) const { holes_.report(found); }
+  void report(base::Diagnostics& diagnostics) const { holes_.report(diagnostics); }
 
  private:
   Connections& connections_;
@@ -126,7 +126,7 @@ Timeline timelineOf(const std::vector<Stamp>& stamps, const RecordedTimes& part,
     const bool is_inside = time >= part.start && time <= part.end;
     if (is_inside && filter.passes(time, timeline)) timeline.stamps.push_back(time);
   }
-  filter.report(timeline.found);
+  filter.report(timeline.diagnostics);
   return timeline;
 }
 
@@ -196,7 +196,7 @@ std::optional<Timeline> findTimeline(const FrameTree& tree, const FramesToKnow& 
     timeline.stamps.push_back(time);
     if (options.jitter) timeline.jitter.push_back(jitter);
   }
-  filter.report(timeline.found);
+  filter.report(timeline.diagnostics);
   return timeline;
 }
 

@@ -272,7 +272,7 @@ void TransformRecording::keepMoving(const Cuts& cuts, std::size_t index) {
   history.sources = inOrder(history.sources, kept);
 }
 
-/// Of earlier stretches, the last value still holds; those of later ones do not hold yet.
+/// The last value of earlier stretches still holds; values of later ones do not hold yet.
 void TransformRecording::keepStatic(const Cuts& cuts, History& history) {
   std::vector<std::size_t> kept;
   std::optional<std::size_t> before;

@@ -47,7 +47,7 @@ class TransformRecording {
   /// What was left out and why.
   [[nodiscard]] std::vector<std::string> notes() const { return left_out_.notes(); }
 
-  // Of the finished recording:
+  // The finished recording:
 
   /// Several, where time went back.
   [[nodiscard]] const std::vector<Stretch>& stretches() const { return stretches_; }

@@ -103,7 +103,7 @@ int generateHere(const Value& settings, const programs::CommandLine& command_lin
   return kDone;
 }
 
-/// Whether something is odd is no failure, but scripts may want to know.
+/// Findings are not a failure, but scripts may want to know.
 int check(const Value& settings, const programs::CommandLine& command_line) {
   const bool is_fine = programs::checkAndPrint(settings, command_line.out.value_or("."), std::cout);
   return is_fine ? kDone : kOdd;

@@ -112,7 +112,7 @@ class Renderer {
   [[nodiscard]] cv::Rect reach(const View& view, const std::vector<Pose>& X_WL,
                                const LinkSelection& links) const;
 
-  /// Of the OpenGL that draws: "4.5 (Core Profile) Mesa 22.3.6".
+  /// The version of OpenGL: "4.5 (Core Profile) Mesa 22.3.6".
   [[nodiscard]] std::string glVersion() const;
 
  private:

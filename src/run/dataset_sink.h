@@ -34,7 +34,7 @@ class DatasetSink : public SceneSink {
   /// How many scenes the dataset, its shard or the choice of `only_scenes` has.
   [[nodiscard]] std::int64_t plannedCount() const;
 
-  /// Of the scenes that this run has made.
+  /// Statistics of the scenes that this run has made.
   [[nodiscard]] const SceneStatistics& statistics() const { return statistics_; }
 
   /// What is there; after `begin`.

@@ -30,7 +30,7 @@ class MotionRun {
 
   [[nodiscard]] bool isOf(const MotionSetup& motion) const { return &motion == &motion_; }
 
-  /// Of the OpenGL that draws.
+  /// The version of OpenGL.
   [[nodiscard]] std::string glVersion() const { return renderer_.glVersion(); }
 
   /// Makes the scenes of the motion that are in the plan, in their order.

@@ -78,7 +78,8 @@ void reportPlan(const RunSetup& setup, const DatasetSink& dataset, std::int64_t 
     defaults += (defaults.empty() ? "" : ", ") + taken;
   }
   if (!defaults.empty()) reporter.info("defaults taken: " + defaults);
-  for (const std::string& note : setup.found.messages(base::Severity::kNote)) reporter.info(note);
+  for (const std::string& note : setup.diagnostics.messages(base::Severity::kNote))
+    reporter.info(note);
   reporter.warnOfEachKind(setup.description.warnings);
   reportMotions(setup, dataset, reporter);
   const std::int64_t there = dataset.plannedCount() - missing_count;

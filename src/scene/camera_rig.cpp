@@ -134,7 +134,7 @@ FollowedObject followedBy(const CameraOptions& config, const std::vector<ObjectO
               ") or a point [x, y, z]" + didYouMean(config.aim->look_at, names));
 }
 
-/// Of a camera that stands still in the frame of its position.
+/// The pose of a camera that stands still in the frame of its position.
 Pose standingPose(const CameraAim& aim) {
   if (aim.look_at_point_G) return randomize::lookingAt(aim.position_G, *aim.look_at_point_G, 0.0);
   const Eigen::Vector3d rpy = aim.rpy.value_or(Eigen::Vector3d::Zero());
@@ -266,11 +266,11 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
                         const std::vector<world::CameraSensor>& sensors,
                         const std::vector<world::LinkInstance>& links,
                         const std::vector<ObjectOptions>& objects,
-                        const motion::FrameSource& frames, base::Diagnostics& found) {
+                        const motion::FrameSource& frames, base::Diagnostics& diagnostics) {
   const world::CameraSensor* sensor = findSensor(config, sensors);
   const CalibratedCamera camera = calibrationOf(config, bag_files, sensor);
   for (const std::string& warning : camera.warnings) {
-    found.warning(config.group + (config.info_topic ? "/info_topic" : "/info_file"), warning);
+    diagnostics.warning(config.group + (config.info_topic ? "/info_topic" : "/info_file"), warning);
   }
   CameraRig rig{config.name, withFocalScale(camera.model, config.focal_scale),
                 frameOf(config, camera, frames)};

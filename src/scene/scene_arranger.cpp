@@ -43,7 +43,7 @@ std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
 SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                              const std::vector<ObjectVariants>& variants,
                              const ObjectShapes& shapes, world::World& world,
-                             motion::PlacedFrames& frames, base::Diagnostics& found)
+                             motion::PlacedFrames& frames, base::Diagnostics& diagnostics)
     : rigs_(cameras),
       world_(world),
       frames_(frames),
@@ -62,7 +62,7 @@ SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<Camer
   if (places_objects) world_.settleProps(config.settling);
   surroundings_.emplace(world_);
   base::Diagnostics errors;
-  if (places_objects) errors.attempt([&] { setUpPlacer(config, variants, found); });
+  if (places_objects) errors.attempt([&] { setUpPlacer(config, variants, diagnostics); });
   errors.attempt([&] { setUpCameras(config, cameras); });
   if (distractors) {
     distractor_placer_.emplace(*distractors, boxesOf(world::Role::kDistractor, world_), world_,
@@ -72,7 +72,7 @@ SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<Camer
 }
 
 randomize::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
-                                                bool on_map, base::Diagnostics& found) {
+                                                bool on_map, base::Diagnostics& diagnostics) {
   const ObjectOptions& config = objects_[object];
   randomize::PlacedObject placed{config.name, {}, config.takes_part};
   std::vector<double> reaches;
@@ -85,16 +85,16 @@ randomize::PlacedObject SceneArranger::describe(std::size_t object, const Object
   }
   if (config.takes_part && on_map && !config.safety_radius) {
     const auto [low, high] = std::minmax_element(reaches.begin(), reaches.end());
-    found.note(config.name + "/safety_radius", fixed(*low, 3) +
-                                                   (*low < *high ? " to " + fixed(*high, 3) : "") +
-                                                   " m, how far the model reaches");
+    diagnostics.note(config.name + "/safety_radius",
+                     fixed(*low, 3) + (*low < *high ? " to " + fixed(*high, 3) : "") +
+                         " m, how far the model reaches");
   }
   return placed;
 }
 
 void SceneArranger::setUpPlacer(const SceneOptions& config,
                                 const std::vector<ObjectVariants>& variants,
-                                base::Diagnostics& found) {
+                                base::Diagnostics& diagnostics) {
   const bool on_map = config.placement.mode == randomize::PlacementMode::kMap;
   if (on_map && !config.placement.map_file && !config.placement.map_topic)
     return;  // reported already
@@ -102,7 +102,7 @@ void SceneArranger::setUpPlacer(const SceneOptions& config,
   if (on_map) map = readPlacementMap(config);
   std::vector<randomize::PlacedObject> placed;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    placed.push_back(describe(i, variants[i], on_map, found));
+    placed.push_back(describe(i, variants[i], on_map, diagnostics));
   }
   placer_.emplace(config.placement, map, std::move(placed), world_, *surroundings_,
                   static_cast<std::uint64_t>(config.seed));
@@ -120,7 +120,7 @@ void SceneArranger::setUpCameras(const SceneOptions& config,
       if (object.takes_part) targets.push_back(object.name);
     }
     const std::string& look_at = camera->sample->look_at;
-    const bool is_told = look_at.empty();  // what is no text is an error already
+    const bool is_told = look_at.empty();  // what is not text was reported already
     if (!is_told && std::find(targets.begin(), targets.end(), look_at) == targets.end()) {
       throw Error(camera->group + "/sample/look_at: found '" + look_at +
                   "'; it should be any, all, an object of robot_list or a point [x, y, z]" +

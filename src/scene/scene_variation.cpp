@@ -28,7 +28,7 @@ Value valueOf(const randomize::DrawnValue& drawn) {
 
 SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                                std::vector<ObjectVariants> variants, const world::World& world,
-                               base::Diagnostics& found)
+                               base::Diagnostics& diagnostics)
     : config_(config.randomization),
       seed_(static_cast<std::uint64_t>(config.seed)),
       is_placed_(config.isPlaced()),
@@ -45,7 +45,7 @@ SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<Cam
     const auto& field_of_view = config_.sensor.field_of_view;
     if (!field_of_view) return;
     checkFieldOfView(*field_of_view, kFieldOfView, cameras);
-    warnOfBlackEdges(*field_of_view, kFieldOfView, cameras, found);
+    warnOfBlackEdges(*field_of_view, kFieldOfView, cameras, diagnostics);
   });
   errors.attempt([&] {
     if (config_.changesLook()) looks_.emplace(config_, world);

@@ -24,11 +24,11 @@ class SceneVariation {
  public:
   /// @param variants  of each object
   /// @param world  has to outlive this
-  /// @param found  takes what the user should know
+  /// @param diagnostics  takes what the user should know
   /// @throws ErrorList with the entries that mean nothing in this world
   SceneVariation(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                  std::vector<ObjectVariants> variants, const world::World& world,
-                 base::Diagnostics& found);
+                 base::Diagnostics& diagnostics);
 
   /// Draws what the scenes of a time look like, and lets the renderer and the cameras' sensors and
   /// lenses follow.

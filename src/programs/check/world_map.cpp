@@ -137,7 +137,7 @@ double reachOf(const Scene& scene, const run::MapPaper& paper) {
   return reach;
 }
 
-/// So far that another cone shows something new.
+/// The distance from which another cone shows something new.
 bool hasMoved(const Pose& one, const Pose& other) {
   constexpr double kFar = 1.0;   // [m]
   constexpr double kWide = 0.3;  // [rad]

@@ -115,7 +115,7 @@ void PreviewNode::carryOut(const PreviewControl::Order& order) {
   PreviewReporter reporter(control_);
   run::RunSetup setup = run::setUpRun(settings_, inputs_, {});
   if (order.reads_settings) {
-    for (const base::Diagnostic& each : setup.found.all()) {
+    for (const base::Diagnostic& each : setup.diagnostics.all()) {
       if (each.severity == base::Severity::kWarning) reporter.warning(each.message());
     }
   }

@@ -30,7 +30,7 @@ class PictureFolder {
 
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
-  /// Of each of files() [px].
+  /// The size of each of files() [px].
   [[nodiscard]] const std::vector<base::PictureSize>& sizes() const { return sizes_; }
 
   /// A picture, opaque.

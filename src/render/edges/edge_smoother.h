@@ -18,7 +18,7 @@ struct EdgeScene {
 };
 
 /// What the pixels' centres see.
-struct SeenPixels {
+struct PictureSamples {
   GeometryImages geometry;
   cv::Mat light;   ///< CV_16UC4, red green blue 1 of 16 bits each, linear
   cv::Rect place;  ///< of these pixels in the picture
@@ -33,17 +33,17 @@ struct SeenPixels {
 /// pixels' centres give them.
 class EdgeSmoother {
  public:
-  /// @param parts  has to outlive this
-  explicit EdgeSmoother(const DrawList& parts) : parts_(parts) {}
+  /// @param draw_list  has to outlive this
+  explicit EdgeSmoother(const DrawList& draw_list) : draw_list_(draw_list) {}
 
   /// @param regions  around the pixels to smooth
   /// @param wanted  CV_8UC1 of the picture: 255 for these; `seen` should hold those around them too
   /// @param picture  CV_8UC3, blue green red, sRGB-encoded, whole
-  void smooth(const EdgeScene& scene, const SeenPixels& seen, const std::vector<cv::Rect>& regions,
-              const cv::Mat& wanted, cv::Mat& picture) const;
+  void smooth(const EdgeScene& scene, const PictureSamples& seen,
+              const std::vector<cv::Rect>& regions, const cv::Mat& wanted, cv::Mat& picture) const;
 
  private:
-  const DrawList& parts_;
+  const DrawList& draw_list_;
 };
 
 }  // namespace synthetic_dataset::render

@@ -8,7 +8,7 @@ namespace synthetic_dataset::render {
 namespace {
 
 /// The outputs of geometry.frag.
-enum GeometryOutput { kPartsDepths, kBaseRoughness, kNormalMetalness, kFaces, kGlows };
+enum GeometryOutput { kItemsDepths, kBaseRoughness, kNormalMetalness, kFaces, kGlows };
 
 GlTexture makeIf(bool wanted, const GlFunctions& gl, int width, int height) {
   return wanted ? makePlane(gl, GL_RGBA16F, width, height) : GlTexture();
@@ -43,7 +43,7 @@ void GeometryBuffer::begin() const {
   const GLuint name = framebuffer_.name();
   bind();
   // So depth is 0 where there is nothing. What else such pixels hold is not looked at.
-  gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kPartsDepths, kNobody.data());
+  gl_.ClearNamedFramebufferuiv(name, GL_COLOR, kItemsDepths, kNobody.data());
   gl_.ClearNamedFramebufferfi(name, GL_DEPTH_STENCIL, 0, 0.0F, 0);
 }
 
@@ -64,14 +64,14 @@ void GeometryBuffer::copyTo(const GeometryBuffer& to, const cv::Rect& pixels) co
 GeometryImages GeometryBuffer::read(const cv::Rect& pixels) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   const cv::Mat both =
-      readPlane(gl_, framebuffer_, kPartsDepths, pixels, CV_32SC2, GL_RG_INTEGER, GL_UNSIGNED_INT);
+      readPlane(gl_, framebuffer_, kItemsDepths, pixels, CV_32SC2, GL_RG_INTEGER, GL_UNSIGNED_INT);
   GeometryImages images{cv::Mat(pixels.size(), CV_32SC1), cv::Mat(pixels.size(), CV_32FC1), {}};
   const int* from = both.ptr<int>();
-  int* parts = images.parts.ptr<int>();
+  int* items = images.items.ptr<int>();
   int* depth_bits = images.depth.ptr<int>();
   const std::size_t count = both.total();
   for (std::size_t i = 0; i < count; ++i) {
-    parts[i] = from[2 * i];
+    items[i] = from[2 * i];
     depth_bits[i] = from[2 * i + 1];
   }
   return images;

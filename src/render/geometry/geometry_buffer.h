@@ -16,7 +16,7 @@ struct GeometryPlanes {
 
 /// A part of a GeometryBuffer, pixel by pixel, sampled at the pixels' centres.
 struct GeometryImages {
-  cv::Mat parts;    ///< CV_32SC1: the place of what is seen in the draw list + 1, 0 for nothing
+  cv::Mat items;    ///< CV_32SC1: the place of what is seen in the draw list + 1, 0 for nothing
   cv::Mat depth;    ///< CV_32FC1: z in the optical frame [m], 0 for nothing
   cv::Mat normals;  ///< CV_16UC4: x, y, z in the optical frame, as the vertices have them, without
                     ///< normal maps, as numbers of 16 bits; the fourth means nothing. Empty where
@@ -52,7 +52,7 @@ class GeometryBuffer {
   /// Depth for OpenGL's depth test, reversed; and a stencil of 8 bits, which is empty at first.
   [[nodiscard]] const GlTexture& depthBuffer() const { return depth_buffer_; }
 
-  /// Parts and depths.
+  /// Items and depths.
   [[nodiscard]] GeometryImages read(const cv::Rect& pixels) const;
 
   /// @param place  of the images' pixels in the buffer

@@ -28,20 +28,20 @@ cv::Mat rangeOf(const cv::Mat& depth, const Intrinsics& k) {
 
 }  // namespace
 
-LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
+LabelImages labelsOf(const GeometryImages& images, const DrawList& draw_list,
                      const Intrinsics& intrinsics, const LabelPass& pass) {
   std::vector<int> identifiers = {0};
   std::vector<int> links = {0};
-  for (const Part& part : parts.parts()) {
-    identifiers.push_back(static_cast<int>(part.identifier));
-    links.push_back(static_cast<int>(part.link) + 1);
+  for (const DrawItem& item : draw_list.items()) {
+    identifiers.push_back(static_cast<int>(item.identifier));
+    links.push_back(static_cast<int>(item.link) + 1);
   }
   const auto translated = [&](const std::vector<int>& table) {
-    cv::Mat result(images.parts.size(), CV_32SC1);
+    cv::Mat result(images.items.size(), CV_32SC1);
     // By pointers: cv::Mat's iterators look for the ends of rows at each pixel.
-    const int* parts_seen = images.parts.ptr<int>();
-    std::transform(parts_seen, parts_seen + images.parts.total(), result.ptr<int>(),
-                   [&](int part) { return table[static_cast<std::size_t>(part)]; });
+    const int* items_seen = images.items.ptr<int>();
+    std::transform(items_seen, items_seen + images.items.total(), result.ptr<int>(),
+                   [&](int item) { return table[static_cast<std::size_t>(item)]; });
     return result;
   };
   LabelImages labels;
@@ -52,9 +52,9 @@ LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
   return labels;
 }
 
-LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye)
+LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& draw_list, LensEye& eye)
     : gl_(gl),
-      parts_(parts),
+      draw_list_(draw_list),
       eye_(eye),
       programs_(gl, shaders::kMeshVertex, shaders::kLabelFragment,
                 feature::kHoles | feature::kNearLimit) {}
@@ -64,21 +64,21 @@ LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>
   const cv::Size size(view.camera.width(), view.camera.height());
   const LabelTarget& target = targetFor(size, planes);
   target.begin(size);
-  const auto draw = [&](const std::vector<const Part*>& parts, GLenum depth_func) {
+  const auto draw = [&](const std::vector<const DrawItem*>& items, GLenum depth_func) {
     gl_.DepthFunc(depth_func);
-    for (const Part* part : parts) {
-      if (part->seen_through_in_labels) continue;
-      const ShaderProgram& program = programs_.get(part->features | featuresOf(view));
-      program.set("identifier", part->identifier);
-      program.set("link", static_cast<std::uint32_t>(part->link + 1));
-      drawSurface(gl_, program, *part, view, X_WL[part->link]);
+    for (const DrawItem* item : items) {
+      if (item->seen_through_in_labels) continue;
+      const ShaderProgram& program = programs_.get(item->features | featuresOf(view));
+      program.set("identifier", item->identifier);
+      program.set("link", static_cast<std::uint32_t>(item->link + 1));
+      drawSurface(gl_, program, *item, view, X_WL[item->link]);
     }
   };
   // As geometry is drawn, so that of surfaces at the same place the same one is seen.
   const Pose X_CW = view.X_WC.inverse();
-  draw(parts_.solidParts(X_CW, X_WL, drawn, true), GL_GEQUAL);
-  draw(parts_.solidParts(X_CW, X_WL, drawn, false), GL_GREATER);
-  draw(parts_.transparentParts(X_CW, X_WL, drawn), GL_GREATER);
+  draw(draw_list_.solidItems(X_CW, X_WL, drawn, true), GL_GEQUAL);
+  draw(draw_list_.solidItems(X_CW, X_WL, drawn, false), GL_GREATER);
+  draw(draw_list_.transparentItems(X_CW, X_WL, drawn), GL_GREATER);
   return target.read(size);
 }
 
@@ -97,7 +97,7 @@ const LabelTarget& LabelPainter::targetFor(const cv::Size& size, const LabelPlan
 LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,
                                 const LabelPass& pass) {
   if (hasDistortion(view.camera)) {
-    return labelsOf(*eye_.look(view, X_WL, pass.drawn, Glass::kSeen), parts_, pass);
+    return labelsOf(*eye_.look(view, X_WL, pass.drawn, Glass::kSeen), draw_list_, pass);
   }
   LabelPlanes planes;
   planes.links = pass.links;

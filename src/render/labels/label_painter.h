@@ -24,14 +24,14 @@ struct LabelPass {
 /// What geometry tells of labels.
 /// @param images  of the whole picture
 /// @param pass  without normals
-[[nodiscard]] LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
+[[nodiscard]] LabelImages labelsOf(const GeometryImages& images, const DrawList& draw_list,
                                    const Intrinsics& intrinsics, const LabelPass& pass);
 
 /// Draws what each pixel's centre sees, where geometry does not tell.
 class LabelPainter {
  public:
-  /// @param parts, eye  have to outlive this
-  LabelPainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye);
+  /// @param draw_list, eye  have to outlive this
+  LabelPainter(const GlFunctions& gl, const DrawList& draw_list, LensEye& eye);
 
   [[nodiscard]] LabelImages paint(const View& view, const std::vector<Pose>& X_WL,
                                   const LabelPass& pass);
@@ -42,7 +42,7 @@ class LabelPainter {
   [[nodiscard]] const LabelTarget& targetFor(const cv::Size& size, const LabelPlanes& planes);
 
   const GlFunctions& gl_;
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   LensEye& eye_;
   ShaderFamily programs_;
   std::map<LabelPlanes, std::optional<LabelTarget>> targets_;  // as large as the largest so far

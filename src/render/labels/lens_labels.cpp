@@ -10,7 +10,7 @@ namespace {
 
 /// Towards the camera. The vertices' normals may point into the body, or, by the silhouette of a
 /// round one, a little away from the camera: the triangle says which side is seen.
-Eigen::Vector3f seenNormal(const FacedTriangle& triangle, const PartSurface& surface,
+Eigen::Vector3f seenNormal(const FacedTriangle& triangle, const ItemSurface& surface,
                            const Eigen::Matrix3f& R_CV, const Eigen::Vector3f& ray) {
   const Eigen::Vector3f weights = triangle.weights(ray);
   const Eigen::Vector3f shares = weights / weights.sum();
@@ -25,17 +25,17 @@ Eigen::Vector3f seenNormal(const FacedTriangle& triangle, const PartSurface& sur
 }
 
 cv::Mat normalsOf(const LensSight& sight) {
-  cv::Mat normals = cv::Mat::zeros(sight.parts.size(), CV_32FC3);
+  cv::Mat normals = cv::Mat::zeros(sight.items.size(), CV_32FC3);
   const int* triangles = sight.triangles.ptr<int>();
   const auto* rays = sight.lens->rays.ptr<cv::Vec3f>();
   auto* to = normals.ptr<cv::Vec3f>();
   for (std::size_t i = 0; i < sight.triangles.total(); ++i) {
     if (triangles[i] < 0) continue;
-    const auto part =
-        static_cast<std::size_t>(sight.seen[static_cast<std::size_t>(triangles[i])].part);
+    const auto item =
+        static_cast<std::size_t>(sight.seen[static_cast<std::size_t>(triangles[i])].item);
     const Eigen::Vector3f normal =
-        seenNormal(sight.triangleAt(triangles[i]), (*sight.surfaces)[part],
-                   sight.X_CV[part].linear().cast<float>(), Eigen::Vector3f(rays[i].val));
+        seenNormal(sight.triangleAt(triangles[i]), (*sight.surfaces)[item],
+                   sight.X_CV[item].linear().cast<float>(), Eigen::Vector3f(rays[i].val));
     to[i] = {normal.x(), normal.y(), normal.z()};
   }
   return normals;
@@ -43,9 +43,9 @@ cv::Mat normalsOf(const LensSight& sight) {
 
 }  // namespace
 
-LabelImages labelsOf(const LensSight& sight, const DrawList& parts, const LabelPass& pass) {
+LabelImages labelsOf(const LensSight& sight, const DrawList& draw_list, const LabelPass& pass) {
   LabelImages labels =
-      labelsOf({sight.parts, sight.distance, {}}, parts, Intrinsics(), {{}, pass.links});
+      labelsOf({sight.items, sight.distance, {}}, draw_list, Intrinsics(), {{}, pass.links});
   cv::Mat along_axis;
   cv::extractChannel(sight.lens->rays, along_axis, 2);
   labels.depth = cv::Mat();  // the distances stay as they are

@@ -6,7 +6,7 @@
 namespace synthetic_dataset::render {
 
 /// What a look through a lens tells of labels.
-[[nodiscard]] LabelImages labelsOf(const LensSight& sight, const DrawList& parts,
+[[nodiscard]] LabelImages labelsOf(const LensSight& sight, const DrawList& draw_list,
                                    const LabelPass& pass);
 
 }  // namespace synthetic_dataset::render

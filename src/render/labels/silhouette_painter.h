@@ -42,8 +42,8 @@ class SilhouettePainter {
  public:
   static constexpr int kCoarseCells = 1024;
 
-  /// @param parts, eye  have to outlive this
-  SilhouettePainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye);
+  /// @param draw_list, eye  have to outlive this
+  SilhouettePainter(const GlFunctions& gl, const DrawList& draw_list, LensEye& eye);
 
   /// @param links  those that are seen
   /// @param in_image  what they cover in the image, if that is known
@@ -64,7 +64,7 @@ class SilhouettePainter {
   void addBesideTheLens(const Subject& subject, const View& view, const Box& bounds, Tally& tally);
 
   const GlFunctions& gl_;
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   LensEye& eye_;
   ShaderFamily programs_;
   std::optional<MaskTarget> target_;  // as large as the largest picture so far

@@ -16,7 +16,7 @@ namespace {
 /// Finds the light of what samples see, at pixels whose centres see the same surface.
 class LensResolver {
  public:
-  LensResolver(const SeenPixels& seen, const cv::Mat& rays) : seen_(seen), rays_(rays) {}
+  LensResolver(const PictureSamples& seen, const cv::Mat& rays) : seen_(seen), rays_(rays) {}
 
   [[nodiscard]] Eigen::Vector3f light(const cv::Point& pixel, std::size_t sample,
                                       const SeenPlane* plane) const {
@@ -42,9 +42,9 @@ class LensResolver {
  private:
   /// How little a pixel looks like a plane.
   [[nodiscard]] float unlikeness(const cv::Point& at, const SeenPlane* plane) const {
-    const int part = seen_.geometry.parts.at<int>(at);
-    if (plane == nullptr) return part == 0 ? 0.0F : likeness::kUnlike;
-    if (part != plane->part) return likeness::kUnlike;
+    const int item = seen_.geometry.items.at<int>(at);
+    if (plane == nullptr) return item == 0 ? 0.0F : likeness::kUnlike;
+    if (item != plane->item) return likeness::kUnlike;
     const auto* bits = seen_.geometry.normals.ptr<std::uint16_t>(at.y, at.x);
     const Eigen::Vector3f normal(fromHalf(bits[0]), fromHalf(bits[1]), fromHalf(bits[2]));
     // Vertices' normals may point inwards, all of a mesh's alike.
@@ -59,16 +59,16 @@ class LensResolver {
     return {fromHalf(bits[0]), fromHalf(bits[1]), fromHalf(bits[2])};
   }
 
-  const SeenPixels& seen_;
+  const PictureSamples& seen_;
   const cv::Mat& rays_;
 };
 
 }  // namespace
 
-void smoothEdges(const DrawList& parts, const EdgeScene& scene, const LensSight& sight,
-                 const SeenPixels& seen, const EdgePixels& edges, cv::Mat& picture) {
+void smoothEdges(const DrawList& draw_list, const EdgeScene& scene, const LensSight& sight,
+                 const PictureSamples& seen, const EdgePixels& edges, cv::Mat& picture) {
   if (edges.pixels().empty()) return;
-  const RaySamples samples(parts, scene, sight, edges.pixels());
+  const RaySamples samples(draw_list, scene, sight, edges.pixels());
   const LensResolver resolver(seen, sight.lens->rays);
   for (std::size_t i = 0; i < edges.pixels().size(); ++i) {
     const cv::Point& pixel = edges.pixels()[i];

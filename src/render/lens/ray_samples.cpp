@@ -49,7 +49,7 @@ SeenPlane planeOf(const SeenTriangle& triangle, const LensSight& sight) {
   const auto corners = sight.cornersOf(triangle);
   const Eigen::Vector3d normal =
       (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-  return {triangle.part, normal.cast<float>(), (normal / normal.dot(corners[0])).cast<float>()};
+  return {triangle.item, normal.cast<float>(), (normal / normal.dot(corners[0])).cast<float>()};
 }
 
 }  // namespace
@@ -66,12 +66,12 @@ void RaySamples::take(const Grids& grids, const RaySights& sights, const LensSig
   }
 }
 
-RaySamples::RaySamples(const DrawList& parts, const EdgeScene& scene, const LensSight& sight,
+RaySamples::RaySamples(const DrawList& draw_list, const EdgeScene& scene, const LensSight& sight,
                        const std::vector<cv::Point>& pixels)
     : samples_(pixels.size() * kSampleCount, -1) {
   const LensMap& lens = *sight.lens;
   const std::vector<std::vector<PlacedRay>> rays = samplesOf(lens, pixels);
-  const RayRaster::IsHole is_hole = holesIn(parts, sight.surfaces);
+  const RayRaster::IsHole is_hole = holesIn(draw_list, sight.surfaces);
   const Pose X_CW = scene.view.X_WC.inverse();
   const auto look = [&](auto grids, const auto& make_grid, const auto& draw) {
     for (std::size_t face = 0; face < rays.size(); ++face) {
@@ -79,8 +79,9 @@ RaySamples::RaySamples(const DrawList& parts, const EdgeScene& scene, const Lens
     }
     RaySights sights(grids);
     for (const bool stand_still : {true, false}) {
-      for (const Part* part : parts.solidParts(X_CW, scene.X_WL, scene.drawn, stand_still)) {
-        draw(grids, *part, static_cast<int>(parts.numberOf(*part)), sights);
+      for (const DrawItem* item :
+           draw_list.solidItems(X_CW, scene.X_WL, scene.drawn, stand_still)) {
+        draw(grids, *item, static_cast<int>(draw_list.numberOf(*item)), sights);
       }
     }
     take(grids, sights, sight);
@@ -91,9 +92,9 @@ RaySamples::RaySamples(const DrawList& parts, const EdgeScene& scene, const Lens
         [](const RayGrid& face, const std::vector<PlacedRay>& here) {
           return makeRayGrid(face.intrinsics, face.cells, here);
         },
-        [&](const auto& grids, const Part& part, int number, RaySights& sights) {
+        [&](const auto& grids, const DrawItem& item, int number, RaySights& sights) {
           RayRaster(scene.view, lens, grids, is_hole)
-              .draw(part, number, scene.X_WL[part.link], sights);
+              .draw(item, number, scene.X_WL[item.link], sights);
         });
     return;
   }
@@ -105,8 +106,8 @@ RaySamples::RaySamples(const DrawList& parts, const EdgeScene& scene, const Lens
       [&](const RayGrid& face, const std::vector<PlacedRay>& here) {
         return makeRowRayGrid(face.intrinsics, face.cells, here, sight.rows->rowCount(), row_of);
       },
-      [&](const auto& grids, const Part& part, int number, RaySights& sights) {
-        RowRaster(*sight.rows, lens, grids, is_hole).draw(part, number, sights);
+      [&](const auto& grids, const DrawItem& item, int number, RaySights& sights) {
+        RowRaster(*sight.rows, lens, grids, is_hole).draw(item, number, sights);
       });
 }
 

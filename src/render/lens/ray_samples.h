@@ -15,7 +15,7 @@ namespace synthetic_dataset::render {
 
 /// The plane of a triangle that is seen, in the lens's frame.
 struct SeenPlane {
-  int part = 0;
+  int item = 0;
   Eigen::Vector3f normal{0.0F, 0.0F, 0.0F};   ///< of unit length
   Eigen::Vector3f inverse{0.0F, 0.0F, 0.0F};  ///< inverse * p = 1 for its points p
 };
@@ -24,7 +24,7 @@ struct SeenPlane {
 class RaySamples {
  public:
   /// @param pixels  that the lens sees something with
-  RaySamples(const DrawList& parts, const EdgeScene& scene, const LensSight& sight,
+  RaySamples(const DrawList& draw_list, const EdgeScene& scene, const LensSight& sight,
              const std::vector<cv::Point>& pixels);
 
   /// What a sample of pixels[pixel] sees, or null.

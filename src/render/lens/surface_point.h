@@ -6,17 +6,17 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "render/parts/part_surface.h"
+#include "render/parts/item_surface.h"
 #include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 
-/// A triangle of a part, in the frame of whoever looks at it.
+/// A triangle of an item, in the frame of whoever looks at it.
 class FacedTriangle {
  public:
   /// @param vertices  of the mesh
   FacedTriangle(const std::array<Eigen::Vector3f, 3>& corners,
-                const std::array<std::uint32_t, 3>& vertices, const PartSurface& surface)
+                const std::array<std::uint32_t, 3>& vertices, const ItemSurface& surface)
       : corners_(corners),
         vertices_(vertices),
         surface_(&surface),
@@ -81,7 +81,7 @@ class FacedTriangle {
  private:
   std::array<Eigen::Vector3f, 3> corners_;
   std::array<std::uint32_t, 3> vertices_;
-  const PartSurface* surface_;
+  const ItemSurface* surface_;
   std::array<Eigen::Vector3f, 3> sides_;  ///< normals of the planes through the origin
 };
 

@@ -4,7 +4,7 @@
 #include <list>
 #include <vector>
 
-#include "render/light/surroundings.h"
+#include "render/light/lighting_context.h"
 #include "render/pixels/lanes.h"
 #include "render/shadows/map_depths.h"
 #include "render/shadows/shadow_lookup.h"
@@ -21,8 +21,8 @@ struct Arriving {
 /// What arrives of a picture's lights at four points at once, in whichever way surfaces answer.
 class ArrivingLights {
  public:
-  /// @param surroundings  have to outlive this
-  explicit ArrivingLights(const Surroundings& surroundings);
+  /// @param context  have to outlive this
+  explicit ArrivingLights(const LightingContext& context);
 
   [[nodiscard]] std::size_t count() const { return lookups_.size(); }
 
@@ -39,7 +39,7 @@ class ArrivingLights {
   [[nodiscard]] Lanes fogginess(const Lanes& distance) const;
 
  private:
-  const Surroundings& surroundings_;
+  const LightingContext& context_;
   std::list<MapDepths::Assembled> maps_;            ///< which the lookups refer to
   std::vector<std::vector<ShadowLookup>> lookups_;  ///< of each light
 };

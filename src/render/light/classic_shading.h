@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "render/light/arriving_lights.h"
-#include "render/light/surroundings.h"
+#include "render/light/lighting_context.h"
 #include "render/pixels/lanes.h"
 
 namespace synthetic_dataset::render {
@@ -14,16 +14,16 @@ namespace synthetic_dataset::render {
 /// Colours are sRGB-encoded.
 struct ClassicLanes {
   Lanes3 position_C;
-  Lanes3 face;     ///< its normal, towards the camera
-  Lanes3 normal;   ///< as a normal map bends it; of backs, that of their fronts
-  Lanes3 picture;  ///< of its texture; white where it has none
-  Lanes3 ambient;  ///< of the light from everywhere
-  Lanes open;      ///< the share of that which arrives
-  Lanes3 own;      ///< what it sends whatever the light: emissive
+  Lanes3 face;               ///< its normal, towards the camera
+  Lanes3 normal;             ///< as a normal map bends it; of backs, that of their fronts
+  Lanes3 albedo;             ///< the colour of its texture; white where it has none
+  Lanes3 ambient;            ///< its colour under ambient light
+  Lanes ambient_visibility;  ///< the share of the ambient light that arrives
+  Lanes3 emissive;           ///< what it sends whatever the light: emissive
   Lanes3 diffuse;
   Lanes3 specular;
   Lanes shininess;  ///< Blinn-Phong's exponent; where it is 0 there is no highlight
-  Lanes3 glow;      ///< of a picture of its own
+  Lanes3 glow;      ///< from an emissive texture
 };
 
 /// How light makes surfaces seen in Gazebo Classic's worlds, as lighting.glsl has it for what one
@@ -37,8 +37,8 @@ struct ClassicLanes {
 /// picture's pixels, as they are encoded; what exceeds 1 is cut off.
 class ClassicShading {
  public:
-  /// @param surroundings  have to outlive this
-  explicit ClassicShading(const Surroundings& surroundings);
+  /// @param context  have to outlive this
+  explicit ClassicShading(const LightingContext& context);
 
   /// What the camera sees of surfaces, sRGB-encoded, before it is exposed.
   [[nodiscard]] Lanes3 seen(const ClassicLanes& surface) const;
@@ -49,10 +49,10 @@ class ClassicShading {
     Lanes3 specular;
   };
 
-  [[nodiscard]] Lanes3 everywhere(const ClassicLanes& surface) const;
+  [[nodiscard]] Lanes3 ambientLight(const ClassicLanes& surface) const;
   void add(std::size_t light, const ClassicLanes& surface, Sums& sums) const;
 
-  const Surroundings& surroundings_;
+  const LightingContext& context_;
   ArrivingLights lights_;
 };
 

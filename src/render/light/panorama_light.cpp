@@ -15,7 +15,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Of the levels, GGX's alpha: a mirror, its picture with fewer pixels, and blurred ones.
+/// GGX's alpha of each level: a mirror, its picture with fewer pixels, and blurred ones.
 constexpr std::array<float, 9> kAlphas = {0.0F,     1.0F / 256, 1.0F / 64, 1.0F / 32, 1.0F / 16,
                                           1.0F / 8, 1.0F / 4,   1.0F / 2,  1.0F};
 constexpr std::size_t kFirstBlurred = 2;

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "render/light/arriving_lights.h"
-#include "render/light/surroundings.h"
+#include "render/light/lighting_context.h"
 #include "render/pixels/lanes.h"
 
 namespace synthetic_dataset::render {
@@ -20,11 +20,11 @@ struct SurfaceLanes {
   Lanes roughness;
   Lanes metalness;
   Lanes3 glow;
-  Lanes open;    ///< the share of the light from everywhere that arrives
-  Lanes is_lit;  ///< 0 where light leaves it as it is
+  Lanes ambient_visibility;  ///< the share of the ambient light that arrives
+  Lanes is_lit;              ///< 0 where light leaves it as it is
 };
 
-/// Of the ambient light of gz-sim's worlds, the share that reaches surfaces that face downwards.
+/// The share of gz-sim's ambient light that reaches surfaces facing downwards.
 inline constexpr float kAmbientFromBelow = 0.55F;
 
 /// How light makes surfaces seen in gz-sim's worlds, as lighting.glsl has it, which lights what one
@@ -33,8 +33,8 @@ inline constexpr float kAmbientFromBelow = 0.55F;
 /// light. All lighting is linear.
 class SurfaceShading {
  public:
-  /// @param surroundings  have to outlive this
-  explicit SurfaceShading(const Surroundings& surroundings);
+  /// @param context  have to outlive this
+  explicit SurfaceShading(const LightingContext& context);
 
   /// What the camera sees of surfaces, as bright as a picture can be.
   [[nodiscard]] Lanes3 seen(const SurfaceLanes& surface) const;
@@ -49,14 +49,15 @@ class SurfaceShading {
     Lanes n_dot_v;
   };
 
-  [[nodiscard]] Lanes3 everywhere(const SurfaceLanes& surface, const Response& response) const;
-  [[nodiscard]] Lanes3 fromAround(const EnvironmentLight& environment, const SurfaceLanes& surface,
-                                  const Response& response, const Lanes3& matte) const;
+  [[nodiscard]] Lanes3 ambient(const SurfaceLanes& surface, const Response& response) const;
+  [[nodiscard]] Lanes3 imageBasedLight(const EnvironmentLight& environment,
+                                       const SurfaceLanes& surface, const Response& response,
+                                       const Lanes3& matte) const;
   [[nodiscard]] Lanes3 lit(const SurfaceLanes& surface) const;
-  [[nodiscard]] Lanes3 sent(std::size_t light, const SurfaceLanes& surface,
-                            const Response& response) const;
+  [[nodiscard]] Lanes3 reflected(std::size_t light, const SurfaceLanes& surface,
+                                 const Response& response) const;
 
-  const Surroundings& surroundings_;
+  const LightingContext& context_;
   ArrivingLights lights_;
   Eigen::Vector3f fog_light_{0.0F, 0.0F, 0.0F};  ///< exposed
 };

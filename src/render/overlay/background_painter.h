@@ -42,7 +42,7 @@ class BackgroundPainter {
   [[nodiscard]] const ShaderProgram& prepareBackdropThroughLens(const View& face,
                                                                 const View& whole);
 
-  /// Of its programs.
+  /// The macros of its programs.
   [[nodiscard]] std::string macros() const;
 
   void bindBackdrop(const cv::Size& image, const cv::Size& size);

@@ -12,15 +12,15 @@ float reflectance(const world::Material& material) {
   return 0.16F * strength * strength;
 }
 
-void setMaterial(const GlFunctions& gl, const ShaderProgram& program, const Part& part,
+void setMaterial(const GlFunctions& gl, const ShaderProgram& program, const DrawItem& item,
                  world::Simulator simulator) {
-  const world::Material& material = *part.material;
+  const world::Material& material = *item.material;
   Eigen::Vector4f diffuse = linearFromSrgb(material.diffuse);
   if (simulator == world::Simulator::kClassic) diffuse.head<3>().setOnes();
   program.set("diffuse", diffuse);
   program.set("roughness", material.roughness);
   program.set("metalness", material.metalness);
-  const PartTextures& textures = part.textures;
+  const ItemTextures& textures = item.textures;
   if (textures.normal != 0) gl.BindTextureUnit(kNormalUnit, textures.normal);
   if (textures.roughness != 0) gl.BindTextureUnit(kRoughnessUnit, textures.roughness);
   if (textures.metalness != 0) gl.BindTextureUnit(kMetalnessUnit, textures.metalness);

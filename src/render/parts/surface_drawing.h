@@ -8,15 +8,15 @@ namespace synthetic_dataset::render {
 
 /// Tells a program of the picture with the holes, and where it lies: all that every pass has to
 /// know of a material.
-void bindHoles(const GlFunctions& gl, const ShaderProgram& program, const Part& part);
+void bindHoles(const GlFunctions& gl, const ShaderProgram& program, const DrawItem& item);
 
 /// What a view asks of the programs of all surfaces.
 [[nodiscard]] SurfaceFeatures featuresOf(const View& view);
 
-/// Draws a part as the camera sees it, with a program whose vertex stage is mesh.vert
+/// Draws an item as the camera sees it, with a program whose vertex stage is mesh.vert
 /// and which has the view's features.
-/// @param X_WL  of the part's link
-void drawSurface(const GlFunctions& gl, const ShaderProgram& program, const Part& part,
+/// @param X_WL  of the item's link
+void drawSurface(const GlFunctions& gl, const ShaderProgram& program, const DrawItem& item,
                  const View& view, const Pose& X_WL);
 
 }  // namespace synthetic_dataset::render

@@ -33,7 +33,7 @@ struct SeenGeometry {
 class ChangedPixels {
  public:
   /// The references have to outlive it.
-  ChangedPixels(const DrawList& parts, const View& view) : parts_(parts), view_(view) {}
+  ChangedPixels(const DrawList& draw_list, const View& view) : draw_list_(draw_list), view_(view) {}
 
   /// @param regions  outside of which there is nothing to be found
   /// @param seen  the pixels of these regions at least
@@ -55,7 +55,7 @@ class ChangedPixels {
   void markShaded(const cv::Mat& candidates, const SeenGeometry& seen, const ChangedTexels& texels,
                   cv::Mat& pixels) const;
 
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   const View& view_;
 };
 

@@ -37,8 +37,8 @@ struct UnlitPixels {
   std::vector<cv::Rect> regions;  ///< of the picture, around those that are wanted
   cv::Mat wanted;         ///< CV_8UC1 of the picture: not 0 for these; what others hold is not sure
   Intrinsics intrinsics;  ///< of the picture
-  Surroundings surroundings;
-  std::shared_ptr<const std::vector<PartLight>> parts;
+  LightingContext context;
+  std::shared_ptr<const std::vector<ItemLight>> items;
   Eigen::Vector3f nothing;  ///< the light where no surface is, as surfaces' is found
   cv::Mat overlay;          ///< as OverlayTarget has it; empty for none
 
@@ -49,12 +49,12 @@ struct UnlitPixels {
 /// Gathers what it takes to find the light of what was drawn into a GeometryBuffer.
 class LightPainter {
  public:
-  /// @param parts  has to outlive this
+  /// @param draw_list  has to outlive this
   /// @param detail  the most that scenes ask for
-  LightPainter(const GlFunctions& gl, const DrawList& parts, const world::Description& description,
-               LightDetail detail);
+  LightPainter(const GlFunctions& gl, const DrawList& draw_list,
+               const world::Description& description, LightDetail detail);
 
-  /// Lights and surroundings from now on; what the parts look like is read from them.
+  /// Lights and surroundings from now on; what the items look like is read from them.
   void setLook(const world::Look& look);
 
   /// What the light of surfaces is found from; with a picture, the sky or the background's colour
@@ -86,15 +86,15 @@ class LightPainter {
  private:
   void findPartLights();
   [[nodiscard]] Eigen::Vector3f nothing(float exposure) const;
-  [[nodiscard]] Surroundings surroundings(const ColourScene& scene, const ShadowPainter& shadows);
+  [[nodiscard]] LightingContext context(const ColourScene& scene, const ShadowPainter& shadows);
 
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   std::vector<world::Light> lights_;
   world::Simulator simulator_;
   Eigen::Vector3f ambient_;     ///< sRGB-encoded
   Eigen::Vector3f background_;  ///< sRGB-encoded
   std::optional<world::Fog> fog_;
-  std::shared_ptr<const std::vector<PartLight>> part_lights_;
+  std::shared_ptr<const std::vector<ItemLight>> part_lights_;
   Environment environment_;
   OverlayPainter overlay_painter_;
 };

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "render/edges/edge_pixels.h"
-#include "render/parts/part_groups.h"
+#include "render/parts/item_groups.h"
 #include "render/picture/changed_pixels.h"
 #include "render/picture/possible_changes.h"
 #include "render/pixels/pixel_bands.h"
@@ -126,8 +126,8 @@ void PicturePainter::paintShadows(const ColourScene& scene, const LinkSelection&
                                   const cv::Rect& pixels) {
   std::vector<LinkSelection> moving;
   if (pixels != image_) {
-    moving = castersOnto(pixels, crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
-                         crew_.lights, scene.shadows);
+    moving = castersOnto(pixels, crew_.draw_list.items(), scene.view, scene.X_WL, scene.drawn,
+                         casting, crew_.lights, scene.shadows);
   }
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting, moving, scene.casters);
 }
@@ -138,7 +138,7 @@ void PicturePainter::paintShadows(const ColourScene& scene, const LinkSelection&
 cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelection& casting,
                                       const cv::Mat& edges, const cv::Mat& wanted, bool wants_all) {
   const PossibleChanges regions =
-      possibleChanges(crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
+      possibleChanges(crew_.draw_list.items(), scene.view, scene.X_WL, scene.drawn, casting,
                       crew_.lights, scene.shadows);
   // What is just beside the wanted pixels may make edges of them.
   cv::Mat possible = regions.all();
@@ -146,7 +146,7 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
   const cv::Rect place = maskBounds(possible);
   if (place.empty()) return possible;
   paintShadows(scene, casting, wants_all ? image_ : place);
-  const ChangedPixels changed(crew_.parts, scene.view);
+  const ChangedPixels changed(crew_.draw_list, scene.view);
   cv::Mat pixels = changed.find(regions, seenAround(place, scene),
                                 crew_.shadow_painter.changedTexels(scene.shadows), edges);
   if (!wants_all) pixels &= wanted;
@@ -159,25 +159,25 @@ GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose
   return read(image_);
 }
 
-/// Of what geometry_ shows. Most of a picture is read as a whole: what labels ask for next.
+/// Reads what geometry_ shows. A picture is mostly read as a whole, as labels ask for it next.
 GeometryImages PicturePainter::read(const cv::Rect& pixels) {
   if (content_ && content_->pixels != image_) return geometry_.read(pixels);
-  if (images_.parts.empty() && keeps_geometry_) {
+  if (images_.items.empty() && keeps_geometry_) {
     readOverKept();
-  } else if (images_.parts.empty()) {
+  } else if (images_.items.empty()) {
     if (2 * pixels.area() < image_.area()) return geometry_.read(pixels);
     images_ = geometry_.read(image_);
   }
-  return {images_.parts(pixels), images_.depth(pixels), {}};
+  return {images_.items(pixels), images_.depth(pixels), {}};
 }
 
 /// What never moves has been read before.
 void PicturePainter::readOverKept() {
-  if (kept_images_.parts.empty()) kept_images_ = kept_geometry_->read(image_);
-  images_ = {kept_images_.parts.clone(), kept_images_.depth.clone(), {}};
+  if (kept_images_.items.empty()) kept_images_ = kept_geometry_->read(image_);
+  images_ = {kept_images_.items.clone(), kept_images_.depth.clone(), {}};
   for (const cv::Rect& region : covered_) {
     const GeometryImages here = geometry_.read(region);
-    here.parts.copyTo(images_.parts(region));
+    here.items.copyTo(images_.items(region));
     here.depth.copyTo(images_.depth(region));
   }
 }
@@ -198,7 +198,7 @@ std::optional<CoveredPixels> PicturePainter::covered(const View& view,
 
 PicturePainter::LightKey PicturePainter::lightKey(const ColourScene& scene,
                                                   const LinkSelection& casting) const {
-  LightKey key{{}, crew_.parts.standing(casting), scene.exposure, lensOf(scene)};
+  LightKey key{{}, crew_.draw_list.standing(casting), scene.exposure, lensOf(scene)};
   for (const ShadowProjection& shadow : scene.shadows) {
     key.shadows.push_back(shadow.shadow_from_world);
   }
@@ -211,7 +211,7 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
                                   const LinkSelection& drawn, const cv::Rect& pixels) {
   Content content{drawn, {}, pixels};
   for (const Pose& pose : X_WL) content.X_WL.push_back(pose.matrix());
-  GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), crew_.parts.standing(drawn)};
+  GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), crew_.draw_list.standing(drawn)};
   const bool came_before = crew_.keeps && geometry_key_ == key;
   if (came_before && content_ && content_->has(content)) return;
   forgetContent();
@@ -226,13 +226,14 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
     crew_.geometry_painter.paint(view, X_WL, drawn, true, {}, pixels);
   }
   // What a first picture would save, OpenGL takes to make shaders for it.
-  bits_ =
-      crew_.keeps && has_drawn_ ? SilhouetteBits(crew_.parts, view, X_WL, drawn) : SilhouetteBits();
+  bits_ = crew_.keeps && has_drawn_ ? SilhouetteBits(crew_.draw_list, view, X_WL, drawn)
+                                    : SilhouetteBits();
   has_drawn_ = true;
   geometry_.bind();
   crew_.geometry_painter.paint(view, X_WL, drawn, false, bits_, pixels);
-  covered_ = regionsOf(crew_.parts.parts(), view, X_WL,
-                       [&](const Part& part) { return drawn[part.link] && !part.stands_still; });
+  covered_ = regionsOf(crew_.draw_list.items(), view, X_WL, [&](const DrawItem& item) {
+    return drawn[item.link] && !item.stands_still;
+  });
   for (cv::Rect& region : covered_) region &= pixels;
   content_ = std::move(content);
   crew_.gl.Flush();  // Mesa's threads begin now, not when somebody asks for what they draw
@@ -274,7 +275,7 @@ const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene
   if (!kept.pixels.empty()) return &kept;
   drawStandingGeometry(scene.view, scene.X_WL, scene.drawn);
   crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
-  UnfinishedPicture picture = light(scene, crew_.parts.standing(scene.drawn), false, smooth,
+  UnfinishedPicture picture = light(scene, crew_.draw_list.standing(scene.drawn), false, smooth,
                                     cv::Mat(image_.size(), CV_8UC1, cv::Scalar(255)));
   picture.elsewhere = plainPicture(scene.exposure);
   kept.pixels = finished(picture, crew_.edge_smoother);

@@ -23,7 +23,7 @@ namespace synthetic_dataset::render {
 /// Who takes part in making pictures. The references have to outlive all painters of pictures.
 struct PictureCrew {
   const GlFunctions& gl;
-  const DrawList& parts;
+  const DrawList& draw_list;
   const std::vector<world::Light>& lights;
   GeometryPainter& geometry_painter;
   ShadowPainter& shadow_painter;

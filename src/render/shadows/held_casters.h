@@ -16,7 +16,7 @@ namespace synthetic_dataset::render {
 /// @param texels  of the map
 /// @return of each of the times
 [[nodiscard]] std::vector<CasterPoses> heldForShadows(
-    const std::vector<Part>& parts, const std::vector<const std::vector<Pose>*>& X_WL,
+    const std::vector<DrawItem>& items, const std::vector<const std::vector<Pose>*>& X_WL,
     const std::vector<ShadowProjection>& shadows, double texels);
 
 }  // namespace synthetic_dataset::render

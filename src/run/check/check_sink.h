@@ -30,7 +30,7 @@ class CheckSink : public SceneSink {
   [[nodiscard]] const std::vector<FinishedScene>& scenes() const { return scenes_; }
   [[nodiscard]] const SceneStatistics& statistics() const { return statistics_; }
 
-  /// Of all scenes' files [byte].
+  /// The size of all scenes' files [byte].
   [[nodiscard]] std::int64_t bytes() const { return bytes_; }
 
   /// How long the writers took [s], of each scene.

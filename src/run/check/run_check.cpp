@@ -124,12 +124,12 @@ std::vector<Finding> checkScenes(const MotionSetup& motion,
 
 /// What was found at set-up: what is odd, and all else that the user is warned of.
 std::vector<Finding> setupFindings(const RunSetup& setup) {
-  std::vector<Finding> findings = setup.odd;
-  for (const base::Diagnostic& each : setup.found.all()) {
+  std::vector<Finding> findings = setup.findings;
+  for (const base::Diagnostic& each : setup.diagnostics.all()) {
     if (each.severity != base::Severity::kWarning) continue;
-    const bool is_known = std::any_of(setup.odd.begin(), setup.odd.end(), [&](const Finding& odd) {
-      return odd.message() == each.message();
-    });
+    const bool is_known =
+        std::any_of(setup.findings.begin(), setup.findings.end(),
+                    [&](const Finding& finding) { return finding.message() == each.message(); });
     if (!is_known) findings.push_back({"warning", each.where, each.what, ""});
   }
   return findings;

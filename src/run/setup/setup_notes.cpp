@@ -11,7 +11,7 @@ void noteEmptySplits(RunSetup& setup) {
   if (setup.instantCount() == 0) return;
   for (const SplitInfo& split : setup.splits->splits(setup.config.cameras.size())) {
     if (split.scene_count > 0) continue;
-    setup.found.warning("split/" + split.name, "no scene falls into it");
+    setup.diagnostics.warning("split/" + split.name, "no scene falls into it");
   }
 }
 
@@ -20,18 +20,20 @@ void noteSubtraction(RunSetup& setup) {
   const label::MaskOptions& masks = setup.config.masks;
   if (masks.method == label::MaskMethod::kExact || masks.method_is_given) return;
   if (!setup.writers->requirements().visible_masks) return;
-  setup.found.warning("",
-                      "masks are found by background subtraction since background_subtractor is "
-                      "set; masks/method: exact gives exact ones");
+  setup.diagnostics.warning(
+      "",
+      "masks are found by background subtraction since background_subtractor is "
+      "set; masks/method: exact gives exact ones");
 }
 
 /// What hides an object is found by those writers alone that ask for it.
 void noteUnseen(RunSetup& setup) {
   const config::Config& config = setup.config;
   if (label::looksAtPixels(setup.writers->requirements(), config.masks, config.labels)) return;
-  setup.found.note("",
-                   "no writer of this run asks which pixels show an object: one that something "
-                   "hides is labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
+  setup.diagnostics.note(
+      "",
+      "no writer of this run asks which pixels show an object: one that something "
+      "hides is labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
 }
 
 /// Noise of a picture that no format of this run has is a mistake.
@@ -39,8 +41,8 @@ void noteUnusedDepthNoise(RunSetup& setup) {
   if (setup.writers->requirements().depth) return;
   for (const scene::CameraOptions& camera : setup.config.cameras) {
     if (camera.depth_noise.model == render::DepthModel::kExact) continue;
-    setup.found.warning(camera.group + "/depth_noise",
-                        "no format of this run writes depth, so it has no effect");
+    setup.diagnostics.warning(camera.group + "/depth_noise",
+                              "no format of this run writes depth, so it has no effect");
   }
 }
 
@@ -54,7 +56,7 @@ void noteIdleShutters(RunSetup& setup) {
   for (const scene::CameraOptions& camera : setup.config.cameras) {
     const scene::Shutter& shutter = camera.shutter;
     if (shutter.exposure_time.count() == 0 && shutter.readout_time.count() == 0) continue;
-    setup.found.warning(
+    setup.diagnostics.warning(
         camera.group + "/effects",
         "exposure_time and readout_time have no effect, as what is placed stands still");
   }

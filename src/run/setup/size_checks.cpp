@@ -23,19 +23,20 @@ std::string metres(double length) { return fixed(length, 3) + " m"; }
 
 }  // namespace
 
-void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O, base::Diagnostics& found) {
+void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O,
+                base::Diagnostics& diagnostics) {
   const double model = diagonal(box_O);
   if (!object.bounding_shape_O.empty()) {
     const Cuboid given = scene::boxAround(object.bounding_shape_O);
     const double reach = diagonal(given);
     if (reach > kStrange * model || model > kStrange * reach) {
-      found.warning(object.name + "/bounding_shape", "its points reach over " + metres(reach) +
-                                                         ", the model over " + metres(model) +
-                                                         " (are they in metres?)");
+      diagnostics.warning(object.name + "/bounding_shape",
+                          "its points reach over " + metres(reach) + ", the model over " +
+                              metres(model) + " (are they in metres?)");
     } else if (distanceTo(box_O, given.centre()) > model) {
-      found.warning(object.name + "/bounding_shape",
-                    "its middle is " + metres(distanceTo(box_O, given.centre())) +
-                        " away from the model (are its points in the frame of the object?)");
+      diagnostics.warning(object.name + "/bounding_shape",
+                          "its middle is " + metres(distanceTo(box_O, given.centre())) +
+                              " away from the model (are its points in the frame of the object?)");
     }
   }
   double farthest = 0.0;
@@ -44,9 +45,10 @@ void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O, base::D
   }
   constexpr double kOutside = 0.25;  // of the model's size; an antenna's tip may be left out of it
   if (farthest > kOutside * model) {
-    found.warning(object.name + "/keypoints",
-                  "one is " + metres(farthest) + " away from the model, which reaches over " +
-                      metres(model) + " (are they in metres, and in the frame of the object?)");
+    diagnostics.warning(object.name + "/keypoints",
+                        "one is " + metres(farthest) + " away from the model, which reaches over " +
+                            metres(model) +
+                            " (are they in metres, and in the frame of the object?)");
   }
 }
 

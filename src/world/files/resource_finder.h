@@ -91,7 +91,7 @@ class ResourceFinder {
  private:
   struct Candidates;
 
-  /// Of a URI as it stands.
+  /// The candidates for a URI as it stands.
   [[nodiscard]] Candidates candidates(const std::string& uri,
                                       const std::filesystem::path& folder) const;
   /// Those in exported folders, which are looked into last.

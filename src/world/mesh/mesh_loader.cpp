@@ -123,7 +123,7 @@ std::vector<MeshPiece> makePieces(const MeshFile& file, const MeshRequest& reque
   return pieces;
 }
 
-/// Of the materials that its parts have.
+/// The pictures of the materials that its parts have.
 std::vector<TextureReference> picturesOf(const MeshFile& file) {
   std::set<std::size_t> materials;
   for (const MeshPart& part : file.parts) materials.insert(part.material);

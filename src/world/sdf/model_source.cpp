@@ -9,8 +9,9 @@ namespace {
 
 void addFrame(const Element& element, const std::string& fallback, ModelSource& source,
               SdfReading& reading) {
-  const Place place = placeOf(element, source.place);
-  source.frames.add(element.attribute("name"), readPose(element, place, reading), fallback, place);
+  const SourceLocation location = locationOf(element, source.location);
+  source.frames.add(element.attribute("name"), readPose(element, location, reading), fallback,
+                    location);
 }
 
 void addOwnFrames(ModelSource& source, SdfReading& reading) {
@@ -30,7 +31,7 @@ void readUrdfSource(ModelSource& source, SdfReading& reading) {
   UrdfReading urdf{text, reading.finder, reading.meshes, reading.shapes, reading.findings};
   source.urdf = std::make_shared<Model>(readUrdfModel(urdf));
   for (const Link& link : source.urdf->links) {
-    source.frames.add(link.name, {link.X_ML, ""}, "", source.place);
+    source.frames.add(link.name, {link.X_ML, ""}, "", source.location);
   }
 }
 
@@ -40,8 +41,8 @@ RelativePose placed(ModelSource& source, SdfReading& reading) {
   RelativePose pose = source.pose;
   if (source.placement_frame.empty()) return pose;
   if (!source.frames.knows(source.placement_frame)) {
-    reading.findings.addNote(source.place, "its placement_frame '" + source.placement_frame +
-                                               "' is not known; its own is taken");
+    reading.findings.addNote(source.location, "its placement_frame '" + source.placement_frame +
+                                                  "' is not known; its own is taken");
     return pose;
   }
   pose.pose = pose.pose * source.frames.poseOf(source.placement_frame, reading).inverse();
@@ -54,7 +55,7 @@ void fillFrames(ModelSource& source, SdfReading& reading) {
   addOwnFrames(source, reading);
   for (ModelSource& inner : source.models) {
     fillFrames(inner, reading);
-    source.frames.add(inner.name, placed(inner, reading), "", inner.place);
+    source.frames.add(inner.name, placed(inner, reading), "", inner.location);
     source.frames.addInner(inner.name, inner.merges ? "" : inner.name + "::", inner.frames,
                            reading);
   }

@@ -27,7 +27,7 @@ struct ModelSource {
   bool merges = false;              ///< what is in it belongs to the model around it
   bool has_gaps = false;            ///< a model in it is missing, which has been reported
   std::vector<ModelSource> models;  ///< those within it, in the order of the file
-  Place place{""};
+  SourceLocation location{""};
   SdfFrames frames;                   ///< the names in it; filled by fillFrames
   std::shared_ptr<const Model> urdf;  ///< what a URDF holds; filled by fillFrames
 };

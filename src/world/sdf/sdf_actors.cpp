@@ -20,40 +20,41 @@ Element animationNamed(const Element& actor, const std::string& name) {
   return actor.child("animation");
 }
 
-Pose startOf(const Element& trajectory, const Pose& X_WA, const Place& place, SdfReading& reading) {
+Pose startOf(const Element& trajectory, const Pose& X_WA, const SourceLocation& location,
+             SdfReading& reading) {
   const Element waypoint = trajectory.child("waypoint");
-  return hasPose(waypoint) ? readPose(waypoint, place, reading).pose : X_WA;
+  return hasPose(waypoint) ? readPose(waypoint, location, reading).pose : X_WA;
 }
 
-std::optional<std::filesystem::path> fileOf(const Element& element, const Place& place,
+std::optional<std::filesystem::path> fileOf(const Element& element, const SourceLocation& location,
                                             SdfReading& reading) {
-  return findFile("mesh", readText(element, "filename"), element, place, reading);
+  return findFile("mesh", readText(element, "filename"), element, location, reading);
 }
 
 }  // namespace
 
-Model readActor(const Element& actor, const std::string& name, const Pose& X_WA, const Place& place,
-                SdfReading& reading) {
+Model readActor(const Element& actor, const std::string& name, const Pose& X_WA,
+                const SourceLocation& location, SdfReading& reading) {
   const Element trajectory = actor.child("script").child("trajectory");
   const Element skin = actor.child("skin");
   Model model;
   model.name = name;
   model.is_static = true;
-  model.X_WM = startOf(trajectory, X_WA, place, reading);
-  const auto file = fileOf(skin, place, reading);
+  model.X_WM = startOf(trajectory, X_WA, location, reading);
+  const auto file = fileOf(skin, location, reading);
   if (!file) return model;
   const Element animation = animationNamed(actor, trajectory.attribute("type"));
   MeshRequest request;
   request.file = *file;
-  request.scale.setConstant(readNumber(skin, "scale", 1.0, place, reading));
-  request.animation = animation ? fileOf(animation, place, reading) : std::nullopt;
+  request.scale.setConstant(readNumber(skin, "scale", 1.0, location, reading));
+  request.animation = animation ? fileOf(animation, location, reading) : std::nullopt;
   if (reading.survey != nullptr) return model;
   Visual visual;
   visual.name = "skin";
   try {
-    visual.surfaces = meshSurfaces(request, std::nullopt, place, reading);
+    visual.surfaces = meshSurfaces(request, std::nullopt, location, reading);
   } catch (const Error& error) {
-    reading.missing(place, error.what());
+    reading.missing(location, error.what());
   }
   Link link;
   link.name = "link";

@@ -11,8 +11,8 @@ namespace synthetic_dataset::world {
 /// Without a trajectory it is where its own pose is.
 /// @param actor  an `<actor>`
 /// @param X_WA  its own pose
-/// @param place  the actor's
+/// @param location  the actor's
 [[nodiscard]] Model readActor(const Element& actor, const std::string& name, const Pose& X_WA,
-                              const Place& place, SdfReading& reading);
+                              const SourceLocation& location, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

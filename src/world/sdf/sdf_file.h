@@ -30,7 +30,8 @@ struct SdfFile {
 /// Parses each file once.
 class SdfFiles {
  public:
-  /// @throws Error if it is no regular file, no XML even when repaired, or neither SDF nor URDF:
+  /// @throws Error if it is not a regular file, not XML even when repaired, or neither SDF nor
+  /// URDF:
   ///     "world.sdf: line 2: cannot be read as XML (...)"
   [[nodiscard]] const SdfFile& read(const std::filesystem::path& file);
 

@@ -17,7 +17,7 @@ class SdfFrames {
   /// Adds a name, unless it is empty, or known: then the first one counts.
   /// @param fallback  the frame of a pose that names none, or an unknown one; empty for F
   void add(const std::string& name, const RelativePose& pose, const std::string& fallback,
-           const Place& place);
+           const SourceLocation& location);
 
   /// Adds the names of a model within this one.
   /// @param name  of that model, which has been added
@@ -33,13 +33,13 @@ class SdfFrames {
 
   /// A pose in F. A frame that is not known is noted, and the fallback taken.
   [[nodiscard]] Pose resolve(const RelativePose& pose, const std::string& fallback,
-                             const Place& place, SdfReading& reading);
+                             const SourceLocation& location, SdfReading& reading);
 
  private:
   struct Frame {
     RelativePose pose;
     std::string fallback;
-    Place place;
+    SourceLocation location;
     std::optional<Pose> X_FN;  ///< once known
     bool is_open = false;      ///< being resolved
   };

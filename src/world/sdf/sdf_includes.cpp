@@ -41,18 +41,18 @@ std::string builtInName(const std::string& uri) {
 
 }  // namespace
 
-ModelSource SdfIncludes::modelOf(const Element& model, const Place& outer) {
+ModelSource SdfIncludes::modelOf(const Element& model, const SourceLocation& outer) {
   ModelSource source;
   source.element = model;
   source.name = model.attribute("name");
-  source.place = placeOf(model, outer);
-  source.pose = readPose(model, source.place, reading_);
+  source.location = locationOf(model, outer);
+  source.pose = readPose(model, source.location, reading_);
   source.placement_frame = model.attribute("placement_frame");
-  source.is_static = readBool(model, "static", false, source.place, reading_);
+  source.is_static = readBool(model, "static", false, source.location, reading_);
   source.label = readLabel(model);
   for (const Element& child : model.children()) {
-    if (child.name() == "model") source.models.push_back(modelOf(child, source.place));
-    if (child.name() == "include") source.models.push_back(followed(child, source.place));
+    if (child.name() == "model") source.models.push_back(modelOf(child, source.location));
+    if (child.name() == "include") source.models.push_back(followed(child, source.location));
   }
   for (const ModelSource& inner : source.models) {
     source.has_gaps =
@@ -61,16 +61,16 @@ ModelSource SdfIncludes::modelOf(const Element& model, const Place& outer) {
   return source;
 }
 
-ModelSource SdfIncludes::followed(const Element& include, const Place& outer) {
-  const Place place = outer.inFile(include.file().path.string());
+ModelSource SdfIncludes::followed(const Element& include, const SourceLocation& outer) {
+  const SourceLocation location = outer.inFile(include.file().path.string());
   ModelSource source;
   source.kind = ModelSource::Kind::kNothing;
   source.element = include;
-  source.place = place;
+  source.location = location;
   const Element uri_element = include.child("uri");
   const Element& named = uri_element ? uri_element : include;
   const std::string uri = uri_element.text();
-  const Place here = place.atLine(named.line());
+  const SourceLocation here = location.atLine(named.line());
   try {
     if (uri.empty()) throw Error("<include> has no <uri>");
     source = included(uri, include);
@@ -79,7 +79,7 @@ ModelSource SdfIncludes::followed(const Element& include, const Place& outer) {
   } catch (const std::exception& error) {
     reading_.missing(here, (uri.empty() ? "" : "include '" + uri + "': ") + error.what());
   }
-  applyOverrides(include, place, source);
+  applyOverrides(include, location, source);
   return source;
 }
 
@@ -99,7 +99,7 @@ ModelSource SdfIncludes::included(const std::string& uri, const Element& include
                      std::to_string(kMostIncludes) + " files"});
   }
   chain_.push_back(path);
-  ModelSource source = contentOf(file, Place(file.path.string()));
+  ModelSource source = contentOf(file, SourceLocation(file.path.string()));
   chain_.pop_back();
   return source;
 }
@@ -114,41 +114,41 @@ const SdfFile& SdfIncludes::fileOf(const std::string& uri, const Element& includ
   throw Error("no such file; " + reading_.finder.searchedPlaces(uri, folder));
 }
 
-ModelSource SdfIncludes::contentOf(const SdfFile& file, const Place& place) {
+ModelSource SdfIncludes::contentOf(const SdfFile& file, const SourceLocation& location) {
   const Element root(&file.root(), &file);
   reading_.is_of_gz |= file.is_of_gz;
   ModelSource source;
   source.element = root;
-  source.place = place;
+  source.location = location;
   if (file.is_urdf) {
     source.kind = ModelSource::Kind::kUrdf;
     source.name = root.attribute("name");
     return source;
   }
   for (const Element& child : root.children()) {
-    if (child.name() == "model") return modelOf(child, place);
+    if (child.name() == "model") return modelOf(child, location);
     if (child.name() != "light" && child.name() != "actor") continue;
     source.kind = child.name() == "light" ? ModelSource::Kind::kLight : ModelSource::Kind::kActor;
     source.element = child;
     source.name = child.attribute("name");
-    source.place = placeOf(child, place);
-    source.pose = readPose(child, source.place, reading_);
+    source.location = locationOf(child, location);
+    source.pose = readPose(child, source.location, reading_);
     return source;
   }
   throw Error(file.path.string() + ": holds no model, light or actor");
 }
 
-void SdfIncludes::applyOverrides(const Element& include, const Place& place,
+void SdfIncludes::applyOverrides(const Element& include, const SourceLocation& location,
                                  ModelSource& source) const {
   const std::string name = readText(include, "name");
   if (!name.empty()) source.name = name;
   if (hasPose(include)) {
-    source.pose = readPose(include, place, reading_);
+    source.pose = readPose(include, location, reading_);
     source.placement_frame.clear();
   }
   const std::string frame = readText(include, "placement_frame");
   if (!frame.empty()) source.placement_frame = frame;
-  source.is_static = readBool(include, "static", source.is_static, place, reading_);
+  source.is_static = readBool(include, "static", source.is_static, location, reading_);
   if (const auto label = readLabel(include)) source.label = label;
   source.merges = include.attribute("merge") == "true" || include.attribute("merge") == "1";
 }

@@ -20,9 +20,10 @@ bool isSolid(const Eigen::Matrix3d& moments) {
 }
 
 /// SDF 1.0 has attributes, and 1 where the file says nothing.
-Eigen::Matrix3d readMoments(const Element& inertia, const Place& place, SdfReading& reading) {
+Eigen::Matrix3d readMoments(const Element& inertia, const SourceLocation& location,
+                            SdfReading& reading) {
   const auto at = [&](const char* name, double fallback) {
-    return readNumber(inertia, name, fallback, place, reading);
+    return readNumber(inertia, name, fallback, location, reading);
   };
   const double xy = at("ixy", 0.0);
   const double xz = at("ixz", 0.0);
@@ -34,19 +35,20 @@ Eigen::Matrix3d readMoments(const Element& inertia, const Place& place, SdfReadi
 
 }  // namespace
 
-std::optional<Inertia> readInertia(const Element& link, const Place& place, SdfReading& reading) {
+std::optional<Inertia> readInertia(const Element& link, const SourceLocation& location,
+                                   SdfReading& reading) {
   const Element element = link.child("inertial");
   // The newest files may have it worked out from the collision shapes, which is done without one.
   if (!element || element.attribute("auto") == "true") return std::nullopt;
-  const Pose X_LI = readPose(element, place, reading).pose;
-  const Eigen::Matrix3d moments_I = readMoments(element.child("inertia"), place, reading);
+  const Pose X_LI = readPose(element, location, reading).pose;
+  const Eigen::Matrix3d moments_I = readMoments(element.child("inertia"), location, reading);
   Inertia inertia;
-  inertia.mass = readNumber(element, "mass", 1.0, place, reading);
+  inertia.mass = readNumber(element, "mass", 1.0, location, reading);
   inertia.centre_of_mass_L = X_LI.translation();
   inertia.moments_L = X_LI.linear() * moments_I * X_LI.linear().transpose();
   if (inertia.mass > 0.0 && isSolid(inertia.moments_L)) return inertia;
   reading.findings.addNote(
-      place, "its <inertial> is not that of a solid body; its collision shapes count");
+      location, "its <inertial> is not that of a solid body; its collision shapes count");
   return std::nullopt;
 }
 

@@ -7,8 +7,9 @@
 namespace synthetic_dataset::world {
 
 /// The file's inertia if it is one that a solid body can have; another is noted.
-/// @param place  the link's
-[[nodiscard]] std::optional<Inertia> readInertia(const Element& link, const Place& place,
+/// @param location  the link's
+[[nodiscard]] std::optional<Inertia> readInertia(const Element& link,
+                                                 const SourceLocation& location,
                                                  SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

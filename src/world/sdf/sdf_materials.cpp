@@ -16,8 +16,9 @@ bool hasColour(const Element& material) {
          material.has("emissive");
 }
 
-void readColours(const Element& from, const Place& place, SdfReading& reading, Material& to) {
-  const auto colour = [&](const char* name) { return readColour(from, name, place, reading); };
+void readColours(const Element& from, const SourceLocation& location, SdfReading& reading,
+                 Material& to) {
+  const auto colour = [&](const char* name) { return readColour(from, name, location, reading); };
   if (const auto ambient = colour("ambient")) to.ambient = ambient->head<3>();
   to.diffuse = colour("diffuse").value_or(to.diffuse);
   if (const auto specular = colour("specular")) to.specular = specular->head<3>();
@@ -26,8 +27,9 @@ void readColours(const Element& from, const Place& place, SdfReading& reading, M
 
 /// The exponent of the highlight, which has no colour where none is said (SDF specification,
 /// <shininess>, <specular>).
-void readShininess(const Element& element, const Place& place, SdfReading& reading, Material& to) {
-  const double exponent = readNumber(element, "shininess", 0.0, place, reading);
+void readShininess(const Element& element, const SourceLocation& location, SdfReading& reading,
+                   Material& to) {
+  const double exponent = readNumber(element, "shininess", 0.0, location, reading);
   if (!(exponent > 0.0)) return;
   to.shininess = static_cast<float>(exponent);
   to.roughness = roughnessOfShininess(to.shininess);
@@ -51,8 +53,9 @@ void readShader(const Element& from, SdfReading& reading, MaterialSource& to) {
 }
 
 /// The pictures that the source names join those that its material has of a script.
-Material withMaps(const MaterialSource& source, const Place& place, SdfReading& reading) {
-  const auto missing = [&](const std::string& message) { reading.missing(place, message); };
+Material withMaps(const MaterialSource& source, const SourceLocation& location,
+                  SdfReading& reading) {
+  const auto missing = [&](const std::string& message) { reading.missing(location, message); };
   const Material loaded = withPictures(source, reading.meshes.textures(), missing);
   Material material = source.material;
   const auto take = [](const auto& from, auto& to) {
@@ -68,24 +71,24 @@ Material withMaps(const MaterialSource& source, const Place& place, SdfReading& 
 
 }  // namespace
 
-std::optional<Material> readSdfMaterial(const Element& visual, const Place& place,
+std::optional<Material> readSdfMaterial(const Element& visual, const SourceLocation& location,
                                         SdfReading& reading) {
   const Element element = visual.child("material");
   if (!element) return std::nullopt;
-  const std::optional<Material> script = readSdfScript(element, place, reading);
+  const std::optional<Material> script = readSdfScript(element, location, reading);
   MaterialSource source;
   if (script) source.material = *script;
-  readColours(element, place, reading, source.material);
-  readShininess(element, place, reading, source.material);
-  const bool has_pbr = readPbr(element, place, reading, source);
+  readColours(element, location, reading, source.material);
+  readShininess(element, location, reading, source.material);
+  const bool has_pbr = readPbr(element, location, reading, source);
   reading.is_of_gz |= has_pbr;
   if (!script && !has_pbr && !hasColour(element)) return std::nullopt;
   if (has_pbr || hasColour(element)) source.material.is_default = false;
   readShader(element, reading, source);
-  source.material.lit = readBool(element, "lighting", source.material.lit, place, reading);
+  source.material.lit = readBool(element, "lighting", source.material.lit, location, reading);
   source.material.double_sided =
-      readBool(element, "double_sided", source.material.double_sided, place, reading);
-  if (reading.survey == nullptr) return withMaps(source, place, reading);
+      readBool(element, "double_sided", source.material.double_sided, location, reading);
+  if (reading.survey == nullptr) return withMaps(source, location, reading);
   reading.survey->addPicturesOf(source);
   return source.material;
 }

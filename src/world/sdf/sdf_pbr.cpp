@@ -9,9 +9,9 @@ namespace {
 
 class PbrReader {
  public:
-  PbrReader(const Element& material, const Element& workflow, const Place& place,
+  PbrReader(const Element& material, const Element& workflow, const SourceLocation& location,
             SdfReading& reading, MaterialSource& to)
-      : material_(material), pbr_(workflow), place_(place), reading_(reading), to_(to) {}
+      : material_(material), pbr_(workflow), location_(location), reading_(reading), to_(to) {}
 
   void read() {
     readColours();
@@ -37,10 +37,10 @@ class PbrReader {
   }
 
   float fraction(const char* name, double fallback) const {
-    const double value = readNumber(pbr_, name, fallback, place_, reading_);
+    const double value = readNumber(pbr_, name, fallback, location_, reading_);
     if (value >= 0.0 && value <= 1.0) return static_cast<float>(value);
-    reading_.findings.addNote(place_, std::string(name) + ": found " + shortText(value) +
-                                          "; it should be 0 to 1; " + takenInstead(fallback));
+    reading_.findings.addNote(location_, std::string(name) + ": found " + shortText(value) +
+                                             "; it should be 0 to 1; " + takenInstead(fallback));
     return static_cast<float>(fallback);
   }
 
@@ -91,19 +91,20 @@ class PbrReader {
 
   const Element& material_;
   const Element& pbr_;
-  const Place& place_;
+  const SourceLocation& location_;
   SdfReading& reading_;
   MaterialSource& to_;
 };
 
 }  // namespace
 
-bool readPbr(const Element& material, const Place& place, SdfReading& reading, MaterialSource& to) {
+bool readPbr(const Element& material, const SourceLocation& location, SdfReading& reading,
+             MaterialSource& to) {
   const Element pbr = material.child("pbr");
   const Element metal = pbr.child("metal");
   const Element workflow = metal ? metal : pbr.child("specular");
   if (!workflow) return false;
-  PbrReader(material, workflow, place, reading, to).read();
+  PbrReader(material, workflow, location, reading, to).read();
   return true;
 }
 

@@ -8,8 +8,9 @@ namespace synthetic_dataset::world {
 /// Puts the numbers and maps of a material's PBR workflow, the metal one where there are both, in
 /// the place of what `to` has.
 /// @param material  a `<material>`
-/// @param place  the visual's
+/// @param location  the visual's
 /// @return whether the material has a workflow
-bool readPbr(const Element& material, const Place& place, SdfReading& reading, MaterialSource& to);
+bool readPbr(const Element& material, const SourceLocation& location, SdfReading& reading,
+             MaterialSource& to);
 
 }  // namespace synthetic_dataset::world

@@ -37,10 +37,10 @@ bool lacksFile(const ScriptRequest& request, const SdfReading& reading) {
 
 /// A script of the user's own comes before what Gazebo has under the same name, and this before
 /// what else is in its media folders.
-std::optional<Material> find(const ScriptRequest& request, const Place& place,
+std::optional<Material> find(const ScriptRequest& request, const SourceLocation& location,
                              SdfReading& reading) {
   const auto missing = [&](const std::string& message) {
-    reading.missing(place, "material '" + request.name + "': " + message);
+    reading.missing(location, "material '" + request.name + "': " + message);
   };
   try {
     std::optional<OgreMaterial> found = reading.meshes.scripts().find(request);
@@ -67,11 +67,11 @@ std::optional<Material> find(const ScriptRequest& request, const Place& place,
 
 }  // namespace
 
-std::optional<Material> readSdfScript(const Element& material, const Place& place,
+std::optional<Material> readSdfScript(const Element& material, const SourceLocation& location,
                                       SdfReading& reading) {
   const ScriptRequest request = requestOf(material);
   if (request.name.empty()) return std::nullopt;
-  if (std::optional<Material> found = find(request, place, reading)) return found;
+  if (std::optional<Material> found = find(request, location, reading)) return found;
   // Worlds that Gazebo has saved name materials that only it knew, and say their colours as well.
   if (request.uris.empty() && material.has("diffuse")) return std::nullopt;
   const std::string thing = "material '" + request.name + "' is in no script (" +
@@ -79,9 +79,9 @@ std::optional<Material> readSdfScript(const Element& material, const Place& plac
                             "), and Gazebo ships none of that name" +
                             nearGazeboMaterial(request.name);
   if (lacksFile(request, reading)) {
-    reading.missing(place, thing);
+    reading.missing(location, thing);
   } else {
-    reading.findings.addNote(place, thing + "; the default material is drawn");
+    reading.findings.addNote(location, thing + "; the default material is drawn");
   }
   return defaultMaterial();
 }

@@ -24,8 +24,11 @@ using Kind = ModelSource::Kind;
 /// Reads what stands in a world.
 class WorldReader {
  public:
-  WorldReader(const Element& world, const Place& place, SdfReading& reading)
-      : world_(world), place_(place), reading_(reading), saved_(readState(world, place, reading)) {}
+  WorldReader(const Element& world, const SourceLocation& location, SdfReading& reading)
+      : world_(world),
+        location_(location),
+        reading_(reading),
+        saved_(readState(world, location, reading)) {}
 
   Description read() {
     readGlobals();
@@ -33,14 +36,14 @@ class WorldReader {
     for (const Element& each : saved_.inserted) gatherOne(each);
     // A world that was saved has the models themselves in its state.
     for (const Element& each : world_.children("population")) {
-      for (ModelSource& source : readPopulation(each, place_, includes_, reading_)) {
+      for (ModelSource& source : readPopulation(each, location_, includes_, reading_)) {
         addSource(std::move(source));
       }
     }
     for (ModelSource& source : sources_) addFrames(source);
     for (ModelSource& source : sources_) readSource(source);
     for (const Element& road : world_.children("road")) {
-      description_.models.push_back(readRoad(road, placeOf(road, place_), reading_));
+      description_.models.push_back(readRoad(road, locationOf(road, location_), reading_));
     }
     return std::move(description_);
   }
@@ -49,12 +52,12 @@ class WorldReader {
   void readGlobals() {
     // Up to SDF 1.5, gravity was of <physics>.
     const Element owner = world_.has("gravity") ? world_ : world_.child("physics");
-    description_.gravity = readVector(owner, "gravity", description_.gravity, place_, reading_);
+    description_.gravity = readVector(owner, "gravity", description_.gravity, location_, reading_);
     const Element scene = world_.child("scene");
-    readScene(scene, place_.in("scene"), reading_, description_);
-    has_shadows_ = hasShadows(scene, place_.in("scene"), reading_);
+    readScene(scene, location_.in("scene"), reading_, description_);
+    has_shadows_ = hasShadows(scene, location_.in("scene"), reading_);
     for (const Element& frame : world_.children("frame")) {
-      const Place here = placeOf(frame, place_);
+      const SourceLocation here = locationOf(frame, location_);
       frames_.add(frame.attribute("name"), readPose(frame, here, reading_),
                   frame.attribute("attached_to"), here);
     }
@@ -66,15 +69,15 @@ class WorldReader {
 
   void gatherOne(const Element& element) {
     const std::string name = element.name();
-    if (name == "model") addSource(includes_.modelOf(element, place_));
-    if (name == "include") addSource(includes_.followed(element, place_));
+    if (name == "model") addSource(includes_.modelOf(element, location_));
+    if (name == "include") addSource(includes_.followed(element, location_));
     if (name != "light" && name != "actor") return;
     ModelSource source;
     source.kind = name == "light" ? Kind::kLight : Kind::kActor;
     source.element = element;
     source.name = element.attribute("name");
-    source.place = placeOf(element, place_);
-    source.pose = readPose(element, source.place, reading_);
+    source.location = locationOf(element, location_);
+    source.pose = readPose(element, source.location, reading_);
     addSource(std::move(source));
   }
 
@@ -93,30 +96,30 @@ class WorldReader {
     }
     if (unique != source.name) {
       reading_.findings.addNote(
-          source.place, "something before it has its name; it is called '" + unique + "' here");
+          source.location, "something before it has its name; it is called '" + unique + "' here");
     }
     return unique;
   }
 
   void addFrames(ModelSource& source) {
     fillFrames(source, reading_);
-    frames_.add(source.name, placed(source, reading_), "", source.place);
+    frames_.add(source.name, placed(source, reading_), "", source.location);
     frames_.addInner(source.name, source.name + "::", source.frames, reading_);
   }
 
   void readSource(ModelSource& source) {
     // Not by name: a model and a light may have the same.
-    const Pose X_WM = frames_.resolve(placed(source, reading_), "", source.place, reading_);
+    const Pose X_WM = frames_.resolve(placed(source, reading_), "", source.location, reading_);
     if (source.kind == Kind::kModel || source.kind == Kind::kUrdf) readModelSource(source, X_WM);
     if (source.kind == Kind::kLight) {
       const auto saved = saved_.lights.find(source.name);
       addLight(readLight(source.element, source.name,
-                         saved == saved_.lights.end() ? X_WM : saved->second, source.place,
+                         saved == saved_.lights.end() ? X_WM : saved->second, source.location,
                          reading_));
     }
     if (source.kind == Kind::kActor) {
       description_.models.push_back(
-          readActor(source.element, source.name, X_WM, source.place, reading_));
+          readActor(source.element, source.name, X_WM, source.location, reading_));
     }
   }
 
@@ -137,7 +140,7 @@ class WorldReader {
   }
 
   const Element& world_;
-  const Place& place_;
+  const SourceLocation& location_;
   SdfReading& reading_;
   SavedState saved_;
   SdfIncludes includes_{reading_};
@@ -152,8 +155,8 @@ class WorldReader {
 }  // namespace
 
 Description readWorld(const Element& world, SdfReading& reading) {
-  const Place place(world.file().path.string());
-  return WorldReader(world, place, reading).read();
+  const SourceLocation location(world.file().path.string());
+  return WorldReader(world, location, reading).read();
 }
 
 }  // namespace synthetic_dataset::world

@@ -22,11 +22,11 @@ struct PicturePoint {
   Column column = Column::kTurns;
 };
 
-/// Of a sphere about the origin: the picture goes around the y axis, from z to x, its upper edge at
+/// A sphere about the origin: the picture goes around the y axis, from z to x, its upper edge at
 /// +y.
 [[nodiscard]] PicturePoint aroundY(const Eigen::Vector3f& position, const Eigen::Vector3f& normal);
 
-/// Of a cylinder about the z axis: the picture goes around it from y to x, its upper edge *below*.
+/// A cylinder about the z axis: the picture goes around it from y to x, its upper edge *below*.
 /// On the upper cap it is drawn together to a fan whose middle is its first pixel; on the lower one
 /// so is its first row.
 [[nodiscard]] PicturePoint aroundCylinder(const Eigen::Vector3f& position,

@@ -25,9 +25,9 @@ scene::ObjectOptions rover(double scale) {
 }
 
 std::vector<std::string> warningsOf(const scene::ObjectOptions& object, const Cuboid& box_O) {
-  base::Diagnostics found;
-  checkSizes(object, box_O, found);
-  return found.messages(base::Severity::kWarning);
+  base::Diagnostics diagnostics;
+  checkSizes(object, box_O, diagnostics);
+  return diagnostics.messages(base::Severity::kWarning);
 }
 
 TEST(Sizes, AreRightOfWhatFitsTheModel) {

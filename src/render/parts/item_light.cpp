@@ -1,4 +1,4 @@
-#include "render/parts/part_light.h"
+#include "render/parts/item_light.h"
 
 namespace synthetic_dataset::render {
 
@@ -9,11 +9,11 @@ bool hasGlowOfItsOwn(const world::Material& material) {
 ClassicLight classicLight(const world::Material& material) {
   ClassicLight light;
   if (!material.lit) {
-    light.own = material.diffuse.head<3>();
+    light.emissive = material.diffuse.head<3>();
     return light;
   }
   light.ambient = material.ambient;
-  (hasGlowOfItsOwn(material) ? light.glow : light.own) += material.emissive;
+  (hasGlowOfItsOwn(material) ? light.glow : light.emissive) += material.emissive;
   light.diffuse = material.diffuse.head<3>();
   if (material.shininess > 0.0F && !material.specular.isZero()) {
     light.specular = material.specular;

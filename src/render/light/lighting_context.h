@@ -14,7 +14,7 @@
 namespace synthetic_dataset::render {
 
 /// What all surfaces of a picture have in common.
-struct Surroundings {
+struct LightingContext {
   std::vector<LightInView> lights;
   std::vector<std::vector<CastShadow>> shadows;  ///< of each light: none, one, or those of a cube
   Eigen::Vector3f ambient;                       ///< linear; in Gazebo Classic's worlds encoded

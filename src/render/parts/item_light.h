@@ -9,7 +9,7 @@ namespace synthetic_dataset::render {
 /// What of a surface's light in Gazebo Classic is the same all over it: of ClassicLanes.
 struct ClassicLight {
   Eigen::Vector3f ambient{0.0F, 0.0F, 0.0F};  ///< times the scene's
-  Eigen::Vector3f own{0.0F, 0.0F, 0.0F};
+  Eigen::Vector3f emissive{0.0F, 0.0F, 0.0F};
   Eigen::Vector3f diffuse{0.0F, 0.0F, 0.0F};
   Eigen::Vector3f specular{0.0F, 0.0F, 0.0F};
   Eigen::Vector3f glow{0.0F, 0.0F, 0.0F};  ///< times its picture's colour
@@ -19,14 +19,14 @@ struct ClassicLight {
 [[nodiscard]] ClassicLight classicLight(const world::Material& material);
 
 /// What of a part's light is the same all over it.
-struct PartLight {
+struct ItemLight {
   Eigen::Vector3f emissive{0.0F, 0.0F, 0.0F};  ///< linear
   float reflectance = 0.0F;                    ///< below 0 where light leaves it as it is
   ClassicLight classic;                        ///< in the others' place in its worlds
 };
 
 /// Whether a material's emissive picture is another than its own, by which Gazebo Classic
-/// multiplies all light that is no highlight.
+/// multiplies all light but highlights.
 [[nodiscard]] bool hasGlowOfItsOwn(const world::Material& material);
 
 }  // namespace synthetic_dataset::render

@@ -12,7 +12,7 @@ namespace synthetic_dataset::render {
 
 /// What a part is made of, for what is found without OpenGL; it stays as it is when the part gets
 /// another material.
-struct PartSurface {
+struct ItemSurface {
   const world::Mesh* shape = nullptr;
   Eigen::Vector4f diffuse{1.0F, 1.0F, 1.0F, 1.0F};  ///< as shaders have it
   Eigen::Vector2f scale{1.0F, 1.0F};                ///< of texture coordinates
@@ -31,8 +31,8 @@ struct PartSurface {
   std::shared_ptr<const PicturePyramid> glows;
 };
 
-/// By the number that parts have in GeometryImages.
-[[nodiscard]] std::vector<PartSurface> partSurfaces(const DrawList& parts,
+/// By the number that items have in GeometryImages.
+[[nodiscard]] std::vector<ItemSurface> itemSurfaces(const DrawList& draw_list,
                                                     PyramidLibrary& pyramids);
 
 }  // namespace synthetic_dataset::render

@@ -10,14 +10,14 @@
 namespace synthetic_dataset::scene {
 
 /// Which pictures the scenes have.
-enum class TwinOutput {
+enum class RecordedImageOutput {
   kReal,       ///< the recorded ones
   kSynthetic,  ///< those that are drawn of the same instants
 };
 
 /// How recorded pictures are labelled; of cameras that have an `image_topic`.
-struct TwinOptions {
-  TwinOutput output = TwinOutput::kReal;
+struct RecordedImageOptions {
+  RecordedImageOutput output = RecordedImageOutput::kReal;
   std::int64_t every = 1;  ///< every n-th picture of the topic is a scene
 
   double min_alignment = 0.0;  ///< scenes below it are left out (label::Alignment), 0 .. 1
@@ -28,12 +28,12 @@ struct TwinOptions {
   std::optional<std::string> cloud_topic;       ///< of the bag: what a scanner has measured
   label::OcclusionMargin margin;                ///< how far in front of objects hides them
 
-  /// So near has the stamp of what was measured to be to that of the picture.
+  /// Largest difference between the stamps of a picture and of its measurement.
   Duration depth_time = std::chrono::milliseconds(50);
 
   [[nodiscard]] bool isMeasured() const { return depth_topic || cloud_topic; }
 
-  /// So near have the stamps of several cameras' pictures to be that are of one scene.
+  /// Largest difference between the stamps of the cameras' pictures of one scene.
   Duration same_time = std::chrono::milliseconds(1);
 };
 

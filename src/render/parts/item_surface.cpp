@@ -1,15 +1,15 @@
-#include "render/parts/part_surface.h"
+#include "render/parts/item_surface.h"
 
 #include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
 
-PartSurface surfaceOf(const Part& part, bool is_classic, PyramidLibrary& pyramids) {
-  const world::Material& material = *part.material;
+ItemSurface surfaceOf(const DrawItem& item, bool is_classic, PyramidLibrary& pyramids) {
+  const world::Material& material = *item.material;
   const PixelMeaning colours = is_classic ? PixelMeaning::kData : PixelMeaning::kColour;
-  PartSurface surface;
-  surface.shape = part.shape;
+  ItemSurface surface;
+  surface.shape = item.shape;
   surface.diffuse = linearFromSrgb(material.diffuse);
   if (is_classic) surface.diffuse.head<3>().setOnes();
   surface.scale = material.texture_scale;
@@ -17,8 +17,8 @@ PartSurface surfaceOf(const Part& part, bool is_classic, PyramidLibrary& pyramid
   surface.roughness = material.roughness;
   surface.metalness = material.metalness;
   surface.alpha_threshold = material.alpha_threshold;
-  const auto has = [&](SurfaceFeatures feature) { return (part.features & feature) != 0; };
-  if (has(feature::kTinted)) surface.tints = &part.shape->colours;
+  const auto has = [&](SurfaceFeatures feature) { return (item.features & feature) != 0; };
+  if (has(feature::kTinted)) surface.tints = &item.shape->colours;
   surface.tints_are_encoded = !is_classic;
   const auto get = [&](SurfaceFeatures feature,
                        const std::shared_ptr<const world::Texture>& picture, PixelMeaning meaning) {
@@ -34,10 +34,10 @@ PartSurface surfaceOf(const Part& part, bool is_classic, PyramidLibrary& pyramid
 
 }  // namespace
 
-std::vector<PartSurface> partSurfaces(const DrawList& parts, PyramidLibrary& pyramids) {
-  std::vector<PartSurface> surfaces(1);
-  for (const Part& part : parts.parts()) {
-    surfaces.push_back(surfaceOf(part, parts.isClassic(), pyramids));
+std::vector<ItemSurface> itemSurfaces(const DrawList& draw_list, PyramidLibrary& pyramids) {
+  std::vector<ItemSurface> surfaces(1);
+  for (const DrawItem& item : draw_list.items()) {
+    surfaces.push_back(surfaceOf(item, draw_list.isClassic(), pyramids));
   }
   return surfaces;
 }
