@@ -76,7 +76,7 @@ class CameraModel {
 
   /// The box around the projection of the points' convex hull, which is clipped at the near plane
   /// and at the lens's largest angle but not at the image's edge. Nothing when none of it is left.
-  /// For a lens without a near plane the box is that of the hull down to the camera, unless all of
+  /// Of a lens without a near plane the box is that of the hull down to the camera, unless all of
   /// the hull is nearer than `near`. Edges bend with distortion; the box holds them to
   /// 0.05 px.
   [[nodiscard]] std::optional<Box> projectedBounds(

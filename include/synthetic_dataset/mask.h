@@ -20,7 +20,7 @@ inline namespace v2 {
 /// pixels, as those of cv::Mat do; nobody changes them.
 class Mask {
  public:
-  /// An empty mask.
+  /// Of no image.
   Mask() = default;
 
   /// No pixel of an image.
@@ -32,7 +32,7 @@ class Mask {
   /// @throws Error where the part has another type, or a pixel outside of the image
   Mask(const cv::Mat& part, const cv::Point& offset, const cv::Size& image_size);
 
-  /// A mask of the whole image.
+  /// Of a part that is the whole image.
   explicit Mask(const cv::Mat& image) : Mask(image, {}, image.size()) {}
 
   /// Whether no pixel belongs to the object.

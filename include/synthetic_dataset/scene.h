@@ -40,10 +40,10 @@ struct Keypoint {
 
 /// How many pixels an object has. Their centres are what counts.
 struct PixelCounts {
-  /// The pixels of its silhouette, past the image's edge too.
+  /// Of its silhouette, past the image's edge too.
   Required<std::int64_t> silhouette{"PixelCounts::silhouette", "visibility"};
 
-  /// The pixels of its silhouette in the image, as if nothing hid it.
+  /// Of the part of its silhouette in the image, as if nothing hid it.
   Required<std::int64_t> silhouette_in_image{"PixelCounts::silhouette_in_image", "visibility"};
 
   /// That the camera sees. Known with `visible_masks` too.

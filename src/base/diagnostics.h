@@ -28,6 +28,13 @@ struct Diagnostic {
   [[nodiscard]] std::string message() const;
 };
 
+/// Something that a run has to say.
+struct Warning {
+  std::string kind;         ///< what is counted together
+  std::string detail = "";  ///< of this one
+  std::int64_t count = 1;
+};
+
 /// Collects what is found by steps that do not depend on each other, so that the user sees all of
 /// it at once. Each thing is listed once, in the order in which they were found.
 class Diagnostics {

@@ -5,13 +5,12 @@
 #include <utility>
 
 #include "base/name_list.h"
-#include "motion/pose_topics.h"
-#include "motion/ros_time.h"
-#include "motion/tf_topics.h"
-#include "motion/time_text.h"
+#include "motion/bag/ros_time.h"
+#include "motion/tf/pose_topics.h"
+#include "motion/tf/tf_topics.h"
+#include "motion/tf/transform_recording.h"
+#include "motion/tf/window_report.h"
 #include "motion/timeline_search.h"
-#include "motion/transform_recording.h"
-#include "motion/window_report.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {

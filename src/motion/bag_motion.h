@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "motion/bag_reader.h"
-#include "motion/frame_findings.h"
 #include "motion/frame_source.h"
-#include "motion/frame_tree.h"
-#include "motion/joint_frames.h"
 #include "motion/motion_options.h"
-#include "motion/stretches.h"
+#include "motion/tf/bag_reader.h"
+#include "motion/tf/frame_findings.h"
+#include "motion/tf/frame_tree.h"
+#include "motion/tf/joint_frames.h"
+#include "motion/tf/stretches.h"
 
 namespace synthetic_dataset::motion {
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "motion/holes.h"
-#include "motion/time_text.h"
+#include "motion/bag/ros_time.h"
+#include "motion/tf/holes.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {

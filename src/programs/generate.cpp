@@ -18,16 +18,16 @@
 #include "programs/console/command_line.h"
 #include "programs/console/console_reporter.h"
 #include "programs/console/heap.h"
-#include "programs/console/live_map.h"
 #include "programs/console/parallel_run.h"
 #include "programs/console/ros_parameters.h"
 #include "programs/console/run_topics.h"
 #include "programs/console/script_reporter.h"
 #include "programs/console/settings_source.h"
 #include "programs/console/stop_signals.h"
+#include "programs/console/topic_map.h"
 #include "programs/settings/documented_settings.h"
 #include "run/generator.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {
@@ -187,8 +187,8 @@ int main(int argc, char** argv) {
   programs::RunTopics reporter(node);
   return generateOrReport(command_line, reporter, [&] {
     Value settings = programs::readRosParameters(run::rosPackageFinder());
-    if (programs::wantsLiveMap(settings)) {
-      programs::takeLiveMap(settings, node.emplace(), reporter);
+    if (programs::wantsTopicMap(settings)) {
+      programs::takeTopicMap(settings, node.emplace(), reporter);
     }
     return settings;
   });

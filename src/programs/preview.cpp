@@ -19,7 +19,7 @@
 #include "programs/console/heap.h"
 #include "programs/console/ros_parameters.h"
 #include "programs/preview/preview_node.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include "render/parts/item_groups.h"
 #include "render/picture/lens_painter.h"
 #include "render/picture/light_painter.h"
-#include "render/picture/picture_cache.h"
+#include "render/picture/painter_cache.h"
 #include "render/pixels/pixel_bands.h"
 #include "render/shadows/held_casters.h"
 #include "render/shadows/shadow_projection.h"
@@ -168,7 +168,7 @@ struct Renderer::Impl {
   LensEye eye;
   LabelPainter label_painter;
   SilhouettePainter silhouette_painter;
-  PictureCache pictures;
+  PainterCache pictures;
   LensPainter lens_painter;
 };
 

@@ -26,7 +26,7 @@ class DatasetSink : public SceneSink {
   void begin(const DatasetInfo& dataset) override;
 
   [[nodiscard]] bool wants(std::int64_t scene) const override;
-  [[nodiscard]] std::vector<output::Warning> add(const FinishedScene& finished) override;
+  [[nodiscard]] std::vector<base::Warning> add(const FinishedScene& finished) override;
 
   /// Writes the files of the dataset as a whole and completes it, unless scenes are left to others.
   void finish(RunEnd end) override;

@@ -10,7 +10,7 @@
 
 #include "base/image/picture_decoder.h"
 #include "base/image/raw_picture.h"
-#include "motion/time_text.h"
+#include "motion/bag/ros_time.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 

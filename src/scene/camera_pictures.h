@@ -10,7 +10,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "base/diagnostics.h"
-#include "motion/recorded_pictures.h"
+#include "motion/recorded/recorded_pictures.h"
 #include "scene/camera_options.h"
 #include "scene/camera_rig.h"
 #include "scene/recorded_image_options.h"

@@ -86,15 +86,4 @@ void checkInfoFile(const CameraOptions& config);
 /// The same camera with other focal lengths.
 [[nodiscard]] CameraModel withFocalScale(const CameraModel& camera, double scale);
 
-/// X_GF of the camera's `frame` at a time around `instant`, at which the world stands: where it is
-/// not known then, that of the instant.
-[[nodiscard]] Pose framePose(const CameraRig& camera, const world::World& world,
-                             const motion::FrameSource& frames, Stamp instant,
-                             Duration offset = Duration{0});
-
-/// The same of the picture's optical frame, X_GC.
-[[nodiscard]] Pose cameraPose(const CameraRig& camera, const world::World& world,
-                              const motion::FrameSource& frames, Stamp instant,
-                              Duration offset = Duration{0});
-
 }  // namespace synthetic_dataset::scene

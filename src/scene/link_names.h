@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/joint_frames.h"
+#include "motion/tf/joint_frames.h"
 #include "scene/object_options.h"
 #include "world/description.h"
 

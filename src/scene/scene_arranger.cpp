@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/seconds.h"
+#include "scene/camera_poses.h"
 #include "scene/placement_map.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -144,7 +145,8 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
   // Cameras that find a place afterwards keep away themselves.
   std::vector<Eigen::Vector3d> cameras_G;
   for (const CameraRig& rig : rigs_) {
-    if (!rig.sampled) cameras_G.push_back(cameraPose(rig, world_, frames_, stamp).translation());
+    if (rig.sampled) continue;
+    cameras_G.push_back(cameraPose(rig, world_, frames_, stamp).X_GC.translation());
   }
   distractors_there_ = distractor_placer_->place(instant, cameras_G);
   const std::vector<std::optional<Pose>> X_GM = world_.distractorPoses();
@@ -153,7 +155,7 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
   }
 }
 
-std::vector<output::Warning> SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
+std::vector<base::Warning> SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
   if (cameras_.empty()) return {};
   std::vector<randomize::CameraTarget> targets;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
@@ -163,7 +165,7 @@ std::vector<output::Warning> SceneArranger::placeCameras(std::int64_t instant, S
     targets.push_back({objects_[i].name, frames_.knownPose(object_frames_[i], stamp) * centre_O,
                        world_.isPresent(i)});
   }
-  std::vector<output::Warning> warnings;
+  std::vector<base::Warning> warnings;
   for (const SampledCamera& camera : cameras_) {
     const randomize::SampledPose sampled = camera.sampler.sample(instant, targets);
     frames_.place(camera.frame, sampled.X_GC);

@@ -7,7 +7,6 @@
 
 #include "base/diagnostics.h"
 #include "motion/placed_frames.h"
-#include "output/manifest/run_description.h"
 #include "randomize/placement/camera_sampler.h"
 #include "randomize/placement/distractor_placer.h"
 #include "randomize/placement/scene_placer.h"
@@ -49,7 +48,7 @@ class SceneArranger {
 
   /// Puts the cameras of a time's scenes that are put at random, as the world stands.
   /// @return what the user should know of it
-  [[nodiscard]] std::vector<output::Warning> placeCameras(std::int64_t instant, Stamp stamp);
+  [[nodiscard]] std::vector<base::Warning> placeCameras(std::int64_t instant, Stamp stamp);
 
  private:
   struct SampledCamera {

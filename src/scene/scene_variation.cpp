@@ -135,8 +135,8 @@ render::SensorEffects SceneVariation::varied(const render::SensorEffects& effect
   return result;
 }
 
-std::vector<output::DrawFacts> SceneVariation::draws(std::size_t camera) const {
-  std::vector<output::DrawFacts> facts;
+std::vector<base::DrawFacts> SceneVariation::draws(std::size_t camera) const {
+  std::vector<base::DrawFacts> facts;
   for (const auto* values : {&chosen_, &shared_, &cameras_[camera]}) {
     for (const randomize::DrawnValue& drawn : *values) {
       facts.push_back({drawn.name, base::jsonText(valueOf(drawn))});

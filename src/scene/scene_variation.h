@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "output/manifest/scene_facts.h"
+#include "base/scene_facts.h"
 #include "randomize/appearance/entry_draws.h"
 #include "randomize/appearance/look_sampler.h"
 #include "render/renderer.h"
@@ -40,7 +40,7 @@ class SceneVariation {
   void choose(std::int64_t instant, world::World& world);
 
   /// What was drawn last for a camera's scene.
-  [[nodiscard]] std::vector<output::DrawFacts> draws(std::size_t camera) const;
+  [[nodiscard]] std::vector<base::DrawFacts> draws(std::size_t camera) const;
 
  private:
   [[nodiscard]] render::Weather weather(randomize::EntryDraws& draws) const;

@@ -1,7 +1,7 @@
 #include "programs/console/settings_source.h"
 
 #include "config/settings_file.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 
 namespace synthetic_dataset::programs {
 

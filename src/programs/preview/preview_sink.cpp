@@ -19,7 +19,7 @@ bool PreviewSink::wants(std::int64_t scene) const {
   return scene / camera_count_ >= first_instant_;
 }
 
-std::vector<output::Warning> PreviewSink::add(const run::FinishedScene& finished) {
+std::vector<base::Warning> PreviewSink::add(const run::FinishedScene& finished) {
   if (control_.awaitTurn(finished.scene.instant)) show_(finished.scene);
   return {};
 }

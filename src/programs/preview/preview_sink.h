@@ -21,7 +21,7 @@ class PreviewSink : public run::SceneSink {
   [[nodiscard]] Requirements requirements() const override { return requirements_; }
   void begin(const DatasetInfo& dataset) override;
   [[nodiscard]] bool wants(std::int64_t scene) const override;
-  [[nodiscard]] std::vector<output::Warning> add(const run::FinishedScene& finished) override;
+  [[nodiscard]] std::vector<base::Warning> add(const run::FinishedScene& finished) override;
   void finish(run::RunEnd /*end*/) override {}
 
  private:

@@ -9,7 +9,7 @@
 #include "render/edges/likeness.h"
 #include "render/edges/sample_raster.h"
 #include "render/pixels/half.h"
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {

@@ -8,7 +8,7 @@
 #include "render/edges/likeness.h"
 #include "render/lens/ray_samples.h"
 #include "render/pixels/half.h"
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {

@@ -9,7 +9,6 @@
 #include "render/pixels/encoded_light.h"
 #include "render/pixels/lane_images.h"
 #include "render/pixels/srgb.h"
-#include "render/sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -81,7 +80,7 @@ void LightPainter::setLook(const world::Look& look) {
 }
 
 void LightPainter::findPartLights() {
-  part_lights_ =
+  item_lights_ =
       std::make_shared<std::vector<ItemLight>>(partLights(draw_list_.items(), simulator_));
 }
 
@@ -116,7 +115,7 @@ UnlitPixels LightPainter::surfacesAlone(const ColourScene& scene, const SeenSurf
           wanted,
           scene.view.camera.intrinsics(),
           context(scene, shadows),
-          part_lights_,
+          item_lights_,
           nothing(scene.exposure),
           {}};
 }

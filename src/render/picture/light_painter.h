@@ -94,7 +94,7 @@ class LightPainter {
   Eigen::Vector3f ambient_;     ///< sRGB-encoded
   Eigen::Vector3f background_;  ///< sRGB-encoded
   std::optional<world::Fog> fog_;
-  std::shared_ptr<const std::vector<ItemLight>> part_lights_;
+  std::shared_ptr<const std::vector<ItemLight>> item_lights_;
   Environment environment_;
   OverlayPainter overlay_painter_;
 };

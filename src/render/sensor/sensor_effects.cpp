@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/random/random_normal.h"
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {

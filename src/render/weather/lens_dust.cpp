@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "base/random/random_source.h"
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 #include "render/weather/cell_seed.h"
 #include "render/weather/lens_aperture.h"
 

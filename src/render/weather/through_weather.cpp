@@ -1,7 +1,6 @@
 #include "render/weather/through_weather.h"
 
 #include "render/pixels/srgb.h"
-#include "render/sensor/srgb.h"
 #include "render/weather/drop_painter.h"
 #include "render/weather/fog.h"
 #include "render/weather/precipitation.h"

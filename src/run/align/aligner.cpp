@@ -51,7 +51,7 @@ class EdgeSink : public SceneSink {
   [[nodiscard]] bool wants(std::int64_t /*scene*/) const override { return true; }
   void finish(RunEnd /*end*/) override {}
 
-  [[nodiscard]] std::vector<output::Warning> add(const FinishedScene& finished) override {
+  [[nodiscard]] std::vector<base::Warning> add(const FinishedScene& finished) override {
     const Scene& scene = finished.scene;
     seen_.edges.push_back(findEdges(scene, {reach_, X_FC_, toSeconds(kProbe)}));
     for (const label::Alignment& each : label::alignmentsOf(scene, scene.image)) {

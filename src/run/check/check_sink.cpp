@@ -20,7 +20,7 @@ bool CheckSink::wants(std::int64_t scene) const {
   return instants_.count(scene / static_cast<std::int64_t>(setup_.config.cameras.size())) != 0;
 }
 
-std::vector<output::Warning> CheckSink::add(const FinishedScene& finished) {
+std::vector<base::Warning> CheckSink::add(const FinishedScene& finished) {
   const auto begin = std::chrono::steady_clock::now();
   const output::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
   const output::StoreOptions& options = setup_.config.output;
@@ -33,7 +33,7 @@ std::vector<output::Warning> CheckSink::add(const FinishedScene& finished) {
   writing_times_.push_back(time.count());
   scenes_.push_back(finished);
   statistics_.add(finished.scene);
-  std::vector<output::Warning> warnings;
+  std::vector<base::Warning> warnings;
   for (const std::string& warning : written.warnings) warnings.push_back({warning});
   return warnings;
 }

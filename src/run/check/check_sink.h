@@ -24,7 +24,7 @@ class CheckSink : public SceneSink {
   [[nodiscard]] bool wants(std::int64_t scene) const override;
 
   /// Has the writers turn the scene into files, of which the bytes are counted.
-  [[nodiscard]] std::vector<output::Warning> add(const FinishedScene& finished) override;
+  [[nodiscard]] std::vector<base::Warning> add(const FinishedScene& finished) override;
   void finish(RunEnd /*end*/) override {}
 
   [[nodiscard]] const std::vector<FinishedScene>& scenes() const { return scenes_; }

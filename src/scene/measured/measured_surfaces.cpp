@@ -9,11 +9,12 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "motion/recorded_camera_info.h"
-#include "motion/recorded_clouds.h"
-#include "motion/recorded_depths.h"
-#include "motion/time_text.h"
+#include "motion/bag/ros_time.h"
+#include "motion/recorded/recorded_camera_info.h"
+#include "motion/recorded/recorded_clouds.h"
+#include "motion/recorded/recorded_depths.h"
 #include "scene/calibration/camera_info.h"
+#include "scene/camera_poses.h"
 #include "scene/measured/range_image.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
@@ -208,7 +209,7 @@ struct MeasuredSurfaces::Impl {
                                            std::size_t camera, const world::World& world,
                                            Stamp time) const {
     const CameraRig& rig = cameras[camera];
-    if (isFrameOf(camera, frame)) return framePose(rig, world, frames, time, measured - time);
+    if (isFrameOf(camera, frame)) return cameraPose(rig, world, frames, time, measured - time).X_GF;
     const auto found = frames.find(frame);
     return found ? frames.pose(*found, measured) : std::nullopt;
   }

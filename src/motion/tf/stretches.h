@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "motion/tf/recorded_transform.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::motion {
+
+/// A frame's transform in the order in which they came.
+struct ArrivedStamp {
+  Stamp stamp{0};
+  Arrival arrival;
+};
+
+/// A part of a recording in which time goes forward.
+struct Stretch {
+  Stamp first{0};
+  Stamp last{0};
+};
+
+/// Where a recording is cut because time goes back in it.
+struct Cuts {
+  /// From which transform on a frame's next stretch begins: by frame, one a cut, ascending.
+  std::vector<std::vector<Arrival>> of_frames;
+  std::vector<Arrival> all;  ///< the first of each cut, of any frame
+
+  /// The steps back of single frames, by frame, while the stamps of most others go on; ascending.
+  std::map<std::size_t, std::vector<Arrival>> alone;
+
+  /// To which stretch a frame's transform belongs, from 0.
+  [[nodiscard]] std::size_t stretchOf(std::size_t frame, const Arrival& arrival) const;
+};
+
+/// Finds where time goes back for good, as when a simulation is reset: the stamps of most frames
+/// drop at about the same time, and go on from there. What comes late, out of order, or from two
+/// publishers with different delays, returns to where it was and is not a cut.
+/// @param frames  of each frame, ascending by arrival, without repetitions of a transform
+[[nodiscard]] Cuts findCuts(const std::vector<std::vector<ArrivedStamp>>& frames);
+
+/// "0: 1.000 s to 9.000 s (8.000 s)", ... for messages.
+[[nodiscard]] std::string stretchList(const std::vector<Stretch>& stretches);
+
+/// The index of the longest.
+[[nodiscard]] std::size_t longestOf(const std::vector<Stretch>& stretches);
+
+}  // namespace synthetic_dataset::motion
