@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "render/link_selection.h"
+#include "render/view.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::label {

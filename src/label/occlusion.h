@@ -5,7 +5,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "label/occlusion_options.h"
+#include "label/label_options.h"
 
 namespace synthetic_dataset::label {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "output/files/disk_sync.h"
+#include "output/files/file_system.h"
 #include "output/manifest/manifest_schema.h"
 #include "output/manifest/picture_facts.h"
 #include "output/manifest/run_description.h"

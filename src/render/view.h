@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -8,6 +9,9 @@
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::render {
+
+/// Which links take part in a pass: one flag a link, in the world's order.
+using LinkSelection = std::vector<bool>;
 
 /// Where a lens's view begins, in the frame of a picture that is drawn for it.
 struct NearLimit {

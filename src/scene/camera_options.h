@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include "randomize/placement/sampling_options.h"
-#include "render/sensor/depth_noise_options.h"
 #include "render/sensor/sensor_options.h"
 #include "scene/calibration/calibration_options.h"
 #include "synthetic_dataset/pose.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "label/occlusion_options.h"
+#include "label/label_options.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::scene {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/random/mixed_bits.h"
+#include "base/random/random_seed.h"
 
 namespace synthetic_dataset::base {
 namespace {

@@ -1,6 +1,5 @@
 #include "base/random/random_seed.h"
 
-#include "base/random/mixed_bits.h"
 #include "synthetic_dataset/fingerprint.h"
 
 namespace synthetic_dataset::base {

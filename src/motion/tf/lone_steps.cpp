@@ -6,9 +6,6 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// Stamps that are less than this from the recording's clock have it.
-constexpr Duration kSameClock = std::chrono::seconds(1);
-
 /// What lies between two steps back.
 struct Part {
   std::vector<std::size_t> transforms;

@@ -8,6 +8,9 @@
 
 namespace synthetic_dataset::motion {
 
+/// Stamps that are less than this from the recording's clock have it.
+inline constexpr Duration kSameClock = std::chrono::seconds(1);
+
 /// A transform of a frame, when it was and when it came.
 struct TimedTransform {
   Stamp stamp{0};

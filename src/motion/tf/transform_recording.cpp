@@ -18,9 +18,6 @@ namespace {
 
 using Sample = LinkHistory::Sample;
 
-/// Recordings whose stamps and record times differ by less have one clock.
-constexpr Duration kSameClock = std::chrono::seconds(1);
-
 template <class Item>
 std::vector<Item> inOrder(const std::vector<Item>& items, const std::vector<std::size_t>& order) {
   std::vector<Item> sorted;

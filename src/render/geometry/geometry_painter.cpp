@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "render/parts/item_groups.h"
-#include "render/parts/material_setup.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
 

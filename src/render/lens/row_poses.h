@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "render/link_selection.h"
 #include "render/parts/draw_list.h"
 #include "render/rolling_view.h"
+#include "render/view.h"
 
 namespace synthetic_dataset::render {
 

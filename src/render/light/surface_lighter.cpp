@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "render/parts/material_setup.h"
+#include "render/parts/surface_drawing.h"
 #include "render/pixels/lane_images.h"
 #include "render/pixels/srgb.h"
 

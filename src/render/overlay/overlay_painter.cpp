@@ -7,7 +7,6 @@
 #include "render/gl/texture_units.h"
 #include "render/light/light_setup.h"
 #include "render/parts/item_light.h"
-#include "render/parts/material_setup.h"
 #include "render/parts/surface_drawing.h"
 #include "render/pixels/encoded_light.h"
 #include "render/pixels/srgb.h"

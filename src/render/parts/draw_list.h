@@ -5,13 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include "render/link_selection.h"
 #include "render/parts/bounding_hull.h"
 #include "render/parts/bounds.h"
 #include "render/parts/mesh_library.h"
 #include "render/parts/surface_features.h"
 #include "render/parts/texture_library.h"
 #include "render/render_options.h"
+#include "render/view.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::render {

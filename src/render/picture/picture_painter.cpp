@@ -8,6 +8,7 @@
 #include "render/picture/changed_pixels.h"
 #include "render/picture/possible_changes.h"
 #include "render/pixels/pixel_bands.h"
+#include "render/pixels/srgb.h"
 #include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::render {
@@ -33,6 +34,21 @@ std::vector<double> lensOf(const ColourScene& scene) {
 }
 
 }  // namespace
+
+cv::Mat finished(const UnfinishedPicture& picture, const EdgeSmoother& smoother) {
+  cv::Mat result = picture.elsewhere.clone();
+  const SeenSurfaces& seen = picture.unlit.seen;
+  const cv::Mat light = picture.unlit.light();
+  for (const cv::Rect& region : picture.regions) {
+    cv::Mat pixels = result(region);
+    encodeSrgb(light(region - seen.place.tl()), picture.pixels(region), pixels);
+  }
+  if (picture.edges) {
+    smoother.smooth(*picture.edges, {seen.geometry, light, seen.place}, picture.regions,
+                    picture.pixels, result);
+  }
+  return result;
+}
 
 bool PicturePainter::GeometryKey::operator==(const GeometryKey& other) const {
   return clip_from_camera == other.clip_from_camera && X_WC == other.X_WC && drawn == other.drawn;

@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include "run/live/live_map.h"
 #include "run/live/live_recording.h"
 #include "run/live/live_scene.h"
 #include "run/live/live_setup.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/seconds.h"
-#include "motion/placement_motion.h"
+#include "motion/placed_frames.h"
 #include "run/setup/input_cache.h"
 #include "run/setup/recording_setup.h"
 #include "run/setup/scene_plan.h"

@@ -1,7 +1,6 @@
-#include "motion/placement_motion.h"
-
 #include <gmock/gmock.h>
 
+#include "motion/placed_frames.h"
 #include "motion/recorded.h"
 #include "support/error_messages.h"
 

@@ -1,9 +1,9 @@
-#include "programs/console/start_report.h"
-
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
+
+#include "programs/console/console_reporter.h"
 
 namespace synthetic_dataset::programs {
 namespace start_report_test {

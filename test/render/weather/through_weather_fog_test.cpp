@@ -1,9 +1,9 @@
-#include "render/weather/fog.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "render/weather/through_weather.h"
 
 namespace synthetic_dataset::render {
 namespace fog_test {

@@ -1,9 +1,9 @@
-#include "output/manifest/shard.h"
-
 #include <algorithm>
 #include <vector>
 
 #include <gmock/gmock.h>
+
+#include "output/manifest/manifest_schema.h"
 
 namespace synthetic_dataset::output {
 namespace shard_test {

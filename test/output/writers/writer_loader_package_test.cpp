@@ -1,7 +1,6 @@
-#include "output/writers/package_path.h"
-
 #include <gtest/gtest.h>
 
+#include "output/writers/writer_loader.h"
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::output {
