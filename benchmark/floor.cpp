@@ -28,7 +28,7 @@
 #include "base/image/png_encoder.h"
 #include "floor_picture.h"
 #include "floor_shaders.h"
-#include "render/gl/gl_planes.h"
+#include "render/gl/framebuffer.h"
 #include "render/gl/osmesa_context.h"
 #include "render/gl/shader_program.h"
 #include "render/parts/mesh_library.h"

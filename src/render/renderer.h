@@ -8,7 +8,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/gl/render_target.h"
+#include "render/labels/label_images.h"
 #include "render/labels/label_painter.h"
 #include "render/labels/silhouette_painter.h"
 #include "render/parts/draw_list.h"

@@ -4,7 +4,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/parts/draw_list.h"
 #include "render/view.h"
 

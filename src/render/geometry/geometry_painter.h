@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/geometry/silhouette_bits.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::render {
 
-/// Draws surfaces, unlit, into the bound GeometryBuffer. Of surfaces at the same place that stands
+/// Draws surfaces, unlit, into the bound geometry buffer. Of surfaces at the same place that stands
 /// which never moves, of several of them the last one.
 class GeometryPainter {
  public:

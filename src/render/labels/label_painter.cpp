@@ -13,6 +13,9 @@
 namespace synthetic_dataset::render {
 namespace {
 
+/// The label shader's outputs.
+enum LabelOutput : std::size_t { kIds, kDepths, kLinks, kNormals };
+
 /// Towards the camera. The vertices' normals may point into the body, or, by the silhouette of a
 /// round one, a little away from the camera: the triangle says which side is seen.
 Eigen::Vector3f seenNormal(const FacedTriangle& triangle, const ItemSurface& surface,
@@ -109,10 +112,16 @@ LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& draw_list, Len
                 feature::kHoles | feature::kNearLimit) {}
 
 LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>& X_WL,
-                                       const LinkSelection& drawn, const LabelPlanes& planes) {
+                                       const LabelPass& pass) {
   const cv::Size size(view.camera.width(), view.camera.height());
-  const LabelTarget& target = targetFor(size, planes);
-  target.begin(size);
+  const cv::Rect all(cv::Point(), size);
+  const Framebuffer& target = targetFor(size, pass);
+  target.bind(size, all);
+  target.clearToZero(kIds);
+  target.clear(kDepths, {});
+  target.clearToZero(kLinks);
+  target.clear(kNormals, {});
+  target.clearDepth();
   const auto draw = [&](const std::vector<const DrawItem*>& items, GLenum depth_func) {
     gl_.DepthFunc(depth_func);
     for (const DrawItem* item : items) {
@@ -125,22 +134,22 @@ LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>
   };
   // As geometry is drawn, so that of surfaces at the same place the same one is seen.
   const Pose X_CW = view.X_WC.inverse();
-  draw(draw_list_.solidItems(X_CW, X_WL, drawn, true), GL_GEQUAL);
-  draw(draw_list_.solidItems(X_CW, X_WL, drawn, false), GL_GREATER);
-  draw(draw_list_.transparentItems(X_CW, X_WL, drawn), GL_GREATER);
-  return target.read(size);
+  draw(draw_list_.solidItems(X_CW, X_WL, pass.drawn, true), GL_GEQUAL);
+  draw(draw_list_.solidItems(X_CW, X_WL, pass.drawn, false), GL_GREATER);
+  draw(draw_list_.transparentItems(X_CW, X_WL, pass.drawn), GL_GREATER);
+  LabelImages images;
+  images.ids = target.read(kIds, all);
+  images.depth = target.read(kDepths, all);
+  images.links = target.read(kLinks, all);
+  images.normals = target.read(kNormals, all);
+  return images;
 }
 
-/// Drawn into as it is, or made anew where it is too small: pictures are of many sizes.
-const LabelTarget& LabelPainter::targetFor(const cv::Size& size, const LabelPlanes& planes) {
-  std::optional<LabelTarget>& target = targets_[planes];
-  if (!target || target->width() < size.width || target->height() < size.height) {
-    const cv::Size held = target ? cv::Size(target->width(), target->height()) : cv::Size();
-    target.reset();
-    target.emplace(gl_, std::max(size.width, held.width), std::max(size.height, held.height),
-                   planes);
-  }
-  return *target;
+const Framebuffer& LabelPainter::targetFor(const cv::Size& size, const LabelPass& pass) {
+  std::optional<Framebuffer>& target = targets_[{pass.links, pass.normals}];
+  const GLenum links = pass.links ? GL_R32UI : GL_NONE;
+  const GLenum normals = pass.normals ? GL_RGBA32F : GL_NONE;
+  return holding(gl_, size, {GL_R32UI, GL_R32F, links, normals}, GL_DEPTH_COMPONENT32F, target);
 }
 
 LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,
@@ -148,10 +157,7 @@ LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,
   if (hasDistortion(view.camera)) {
     return labelsOf(*eye_.look(view, X_WL, pass.drawn, Glass::kSeen), draw_list_, pass);
   }
-  LabelPlanes planes;
-  planes.links = pass.links;
-  planes.normals = pass.normals;
-  LabelImages images = paintPinhole(view, X_WL, pass.drawn, planes);
+  LabelImages images = paintPinhole(view, X_WL, pass);
   if (pass.range) images.range = rangeOf(images.depth, view.camera.intrinsics());
   return images;
 }

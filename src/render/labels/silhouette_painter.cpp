@@ -162,18 +162,15 @@ std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject, const Vie
 cv::Mat SilhouettePainter::drawPinhole(const Subject& subject, const View& view,
                                        const cv::Rect& region) {
   const cv::Size size(view.camera.width(), view.camera.height());
-  if (!target_ || target_->width() < size.width || target_->height() < size.height) {
-    const cv::Size held = target_ ? cv::Size(target_->width(), target_->height()) : cv::Size();
-    target_.reset();
-    target_.emplace(gl_, std::max(size.width, held.width), std::max(size.height, held.height));
-  }
-  target_->begin(size, region);
+  const Framebuffer& target = holding(gl_, size, {GL_R8}, GL_NONE, target_);
+  target.bind(size, region);
+  target.clear(0, {});
   for (const DrawItem& item : draw_list_.items()) {
     if (!subject.has(item)) continue;
     drawSurface(gl_, programs_.get(item.features | featuresOf(view)), item, view,
                 subject.X_WL[item.link]);
   }
-  return target_->read(region);
+  return target.read(0, region);
 }
 
 /// The pixels `region` of the view's image: CV_8UC1 of the region's size.

@@ -6,7 +6,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/gl/render_target.h"
+#include "render/gl/framebuffer.h"
 #include "render/lens/lens_eye.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
@@ -67,7 +67,7 @@ class SilhouettePainter {
   const DrawList& draw_list_;
   LensEye& eye_;
   ShaderFamily programs_;
-  std::optional<MaskTarget> target_;  // as large as the largest picture so far
+  std::optional<Framebuffer> target_;  // as large as the largest picture so far
 };
 
 }  // namespace synthetic_dataset::render

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/light/classic_shading.h"
 #include "render/light/lighting_context.h"
 #include "render/light/surface_shading.h"

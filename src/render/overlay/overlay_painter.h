@@ -16,7 +16,7 @@
 namespace synthetic_dataset::render {
 
 /// Draws what is behind and before the surfaces of a picture that one cannot see through, in the
-/// bound OverlayTarget.
+/// bound framebuffer.
 class OverlayPainter {
  public:
   /// @param draw_list  has to outlive this

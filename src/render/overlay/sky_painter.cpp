@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/gl/gl_planes.h"
+#include "render/gl/framebuffer.h"
 #include "render/overlay/shader_macros.h"
 #include "render/pixels/srgb.h"
 #include "render/shaders.h"
@@ -105,24 +105,20 @@ void SkyPainter::paint(const View& view, float exposure,
 }
 
 SkyPanorama::SkyPanorama(const GlFunctions& gl, const world::Sky& sky)
-    : gl_(gl),
-      program_(makeSkyProgram(gl, sky, "#define PANORAMA\n")),
+    : program_(makeSkyProgram(gl, sky, "#define PANORAMA\n")),
       drawing_(gl),
-      size_(2 * skyRows(sky), skyRows(sky)),
-      light_(makePlane(gl, GL_RGBA16F, size_.width, size_.height)),
-      framebuffer_(makeFramebuffer(gl)) {
-  attachPlanes(gl, framebuffer_, {&light_}, nullptr);
-  program_.set("picture_size", Eigen::Vector4f(static_cast<float>(size_.width),
-                                               static_cast<float>(size_.height), 0.0F, 0.0F));
+      light_(gl, {2 * skyRows(sky), skyRows(sky)}, {GL_RGBA16F}) {
+  const cv::Size& size = light_.size();
+  program_.set("picture_size", Eigen::Vector4f(static_cast<float>(size.width),
+                                               static_cast<float>(size.height), 0.0F, 0.0F));
 }
 
 cv::Mat SkyPanorama::draw(const Eigen::Vector3d& sun) const {
-  const cv::Rect all({}, size_);
+  const cv::Rect all({}, light_.size());
   setSun(program_, sun);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  gl_.Viewport(0, 0, all.width, all.height);
-  drawing_.draw(program_, {all}, size_);
-  return readPlane(gl_, framebuffer_, 0, all, CV_16UC4, GL_RGBA, GL_HALF_FLOAT);
+  light_.bind();
+  drawing_.draw(program_, {all}, light_.size());
+  return light_.read(0, all);
 }
 
 }  // namespace synthetic_dataset::render

@@ -7,6 +7,7 @@
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
 
+#include "render/gl/framebuffer.h"
 #include "render/gl/gl_object.h"
 #include "render/gl/rectangle_drawing.h"
 #include "render/gl/shader_program.h"
@@ -63,12 +64,9 @@ class SkyPanorama {
   [[nodiscard]] cv::Mat draw(const Eigen::Vector3d& sun) const;
 
  private:
-  const GlFunctions& gl_;
   ShaderProgram program_;
   RectangleDrawing drawing_;
-  cv::Size size_;
-  GlTexture light_;
-  GlFramebuffer framebuffer_;
+  Framebuffer light_;
 };
 
 }  // namespace synthetic_dataset::render

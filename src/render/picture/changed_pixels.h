@@ -4,7 +4,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/parts/draw_list.h"
 #include "render/picture/possible_changes.h"
 #include "render/shadows/changed_texels.h"

@@ -39,8 +39,8 @@ struct UnlitLens {
 };
 
 /// A part of images, in their own coordinates.
-SurfaceImages cut(const SurfaceImages& images, const cv::Rect& item) {
-  const auto of = [&](const cv::Mat& image) { return image.empty() ? image : image(item); };
+SurfaceImages cut(const SurfaceImages& images, const cv::Rect& part) {
+  const auto of = [&](const cv::Mat& image) { return image.empty() ? image : image(part); };
   return {of(images.base_roughness), of(images.normal_metalness), of(images.faces),
           of(images.glows)};
 }

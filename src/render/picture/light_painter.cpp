@@ -1,6 +1,7 @@
 #include "render/picture/light_painter.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include <opencv2/core.hpp>
@@ -92,16 +93,18 @@ Eigen::Vector3f LightPainter::nothing(float exposure) const {
 }
 
 UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& seen,
-                                const ShadowPainter& shadows, const OverlayTarget& target,
+                                const ShadowPainter& shadows, const Framebuffer& target,
                                 bool see_through, const std::vector<cv::Rect>& regions,
                                 const cv::Mat& wanted) {
   const bool has_background = overlay_painter_.hasBackground();
   UnlitPixels result = surfacesAlone(scene, seen, shadows, regions, wanted);
   see_through = see_through && overlay_painter_.hasGlass(scene.drawn);
   if (see_through || (has_background && showsNothing(seen, regions))) {
-    target.begin(seen.place);
+    constexpr std::array<float, 4> kAllPasses = {0.0F, 0.0F, 0.0F, 1.0F};
+    target.bind(target.size(), seen.place);
+    target.clear(0, kAllPasses);
     overlay_painter_.paint(scene, shadows, see_through, regions);
-    result.overlay = target.read(seen.place);
+    result.overlay = target.read(0, seen.place);
   }
   return result;
 }

@@ -6,13 +6,13 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
+#include "render/gl/framebuffer.h"
 #include "render/light/ambient_occlusion.h"
 #include "render/light/colour_scene.h"
 #include "render/light/surface_lighter.h"
 #include "render/overlay/environment.h"
 #include "render/overlay/overlay_painter.h"
-#include "render/overlay/overlay_target.h"
 #include "render/shadows/shadow_painter.h"
 
 namespace synthetic_dataset::render {
@@ -40,13 +40,14 @@ struct UnlitPixels {
   LightingContext context;
   std::shared_ptr<const std::vector<ItemLight>> items;
   Eigen::Vector3f nothing;  ///< the light where no surface is, as surfaces' is found
-  cv::Mat overlay;          ///< as OverlayTarget has it; empty for none
+  cv::Mat overlay;          ///< CV_16UC4: red, green, blue, linear, and as alpha how much of the
+                            ///< surfaces' light passes; numbers of 16 bits; empty for none
 
   /// @return CV_16UC4 of the place of `seen`: red, green, blue, 1, linear, numbers of 16 bits
   [[nodiscard]] cv::Mat light() const;
 };
 
-/// Gathers what it takes to find the light of what was drawn into a GeometryBuffer.
+/// Gathers what it takes to find the light of what was drawn into a geometry buffer.
 class LightPainter {
  public:
   /// @param draw_list  has to outlive this
@@ -64,7 +65,7 @@ class LightPainter {
   /// @param regions  of the picture, none of them over another, around the pixels that are wanted
   /// @param wanted  CV_8UC1 of the picture: not 0 for these; of others nothing is sure
   [[nodiscard]] UnlitPixels paint(const ColourScene& scene, const SeenSurfaces& seen,
-                                  const ShadowPainter& shadows, const OverlayTarget& target,
+                                  const ShadowPainter& shadows, const Framebuffer& target,
                                   bool see_through, const std::vector<cv::Rect>& regions,
                                   const cv::Mat& wanted);
 

@@ -66,8 +66,8 @@ bool PicturePainter::Content::has(const Content& other) const {
 PicturePainter::PicturePainter(const PictureCrew& crew, const cv::Size& size)
     : crew_(crew),
       image_(cv::Point(), size),
-      geometry_(crew.gl, size.width, size.height, crew.geometry_painter.planes()),
-      overlay_(crew.gl, size.width, size.height, geometry_) {}
+      geometry_(makeGeometryBuffer(crew.gl, size, crew.geometry_painter.planes())),
+      overlay_(geometry_, {GL_RGBA16F}) {}
 
 void PicturePainter::forget() {
   forgetContent();
@@ -177,22 +177,22 @@ GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose
 
 /// Reads what geometry_ shows. A picture is mostly read as a whole, as labels ask for it next.
 GeometryImages PicturePainter::read(const cv::Rect& pixels) {
-  if (content_ && content_->pixels != image_) return geometry_.read(pixels);
+  if (content_ && content_->pixels != image_) return readGeometry(geometry_, pixels);
   if (images_.items.empty() && keeps_geometry_) {
     readOverKept();
   } else if (images_.items.empty()) {
-    if (2 * pixels.area() < image_.area()) return geometry_.read(pixels);
-    images_ = geometry_.read(image_);
+    if (2 * pixels.area() < image_.area()) return readGeometry(geometry_, pixels);
+    images_ = readGeometry(geometry_, image_);
   }
   return {images_.items(pixels), images_.depth(pixels), {}};
 }
 
 /// What never moves has been read before.
 void PicturePainter::readOverKept() {
-  if (kept_images_.items.empty()) kept_images_ = kept_geometry_->read(image_);
+  if (kept_images_.items.empty()) kept_images_ = readGeometry(*kept_geometry_, image_);
   images_ = {kept_images_.items.clone(), kept_images_.depth.clone(), {}};
   for (const cv::Rect& region : covered_) {
-    const GeometryImages here = geometry_.read(region);
+    const GeometryImages here = readGeometry(geometry_, region);
     here.items.copyTo(images_.items(region));
     here.depth.copyTo(images_.depth(region));
   }
@@ -238,7 +238,7 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
     geometry_key_ = std::move(key);
     keeps_geometry_ = false;
     for (KeptPicture& kept : kept_pictures_) kept = {};
-    geometry_.begin();
+    beginGeometry(geometry_);
     crew_.geometry_painter.paint(view, X_WL, drawn, true, {}, pixels);
   }
   // What a first picture would save, OpenGL takes to make shaders for it.
@@ -266,10 +266,11 @@ void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Po
     covered_.clear();
     return;
   }
-  geometry_.begin();
+  beginGeometry(geometry_);
   crew_.geometry_painter.paint(view, X_WL, drawn, true, {}, image_);
   if (!kept_geometry_) {
-    kept_geometry_.emplace(crew_.gl, image_.width, image_.height, crew_.geometry_painter.planes());
+    kept_geometry_.emplace(
+        makeGeometryBuffer(crew_.gl, image_.size(), crew_.geometry_painter.planes()));
   }
   geometry_.copyTo(*kept_geometry_, image_);
   kept_images_ = {};
@@ -321,7 +322,7 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   const cv::Mat known = is_full ? withPixelsAround(wanted, kOcclusionSmoothing) : wanted;
   const std::vector<cv::Rect> bands = bandsOf(known, kCoarseBand);
   const cv::Rect place = is_full ? boundsOf(bands) : boundsOf(lit);
-  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place, bands), place};
+  SeenSurfaces surfaces{read(place), readSurfaces(geometry_, place, bands), place};
   surfaces.geometry.normals = surfaces.surfaces.vertexNormals();
   if (is_full) surfaces.occluders = occludersAround(place, scene);
   picture.unlit = crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_,

@@ -7,11 +7,10 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/edges/edge_smoother.h"
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/geometry/geometry_painter.h"
 #include "render/geometry/silhouette_bits.h"
 #include "render/labels/silhouette_painter.h"
-#include "render/overlay/overlay_target.h"
 #include "render/parts/draw_list.h"
 #include "render/picture/changed_pixels.h"
 #include "render/picture/light_painter.h"
@@ -139,14 +138,14 @@ class PicturePainter {
 
   PictureCrew crew_;
   cv::Rect image_;
-  GeometryBuffer geometry_;
-  OverlayTarget overlay_;
+  Framebuffer geometry_;
+  Framebuffer overlay_;
   GeometryKey geometry_key_;        ///< of geometry_
   SilhouetteBits bits_;             ///< in geometry_
   bool has_drawn_ = false;          ///< at least once
   std::optional<Content> content_;  ///< of geometry_; nothing while that is what never moves
   GeometryImages images_;           ///< of content_; empty until all of it has been read
-  std::optional<GeometryBuffer> kept_geometry_;
+  std::optional<Framebuffer> kept_geometry_;
   GeometryImages kept_images_;                ///< of kept_geometry_; empty until they are read
   bool keeps_geometry_ = false;               ///< kept_geometry_ is that of geometry_key_
   std::vector<cv::Rect> covered_;             ///< where geometry_ may differ from kept_geometry_
