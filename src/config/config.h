@@ -9,7 +9,7 @@
 #include "output/output_options.h"
 #include "output/writers/writer_options.h"
 #include "render/render_options.h"
-#include "scene/link_group_options.h"
+#include "scene/object_options.h"
 #include "scene/scene_options.h"
 #include "synthetic_dataset/parameters.h"
 #include "world/load_options.h"

@@ -11,7 +11,6 @@
 #include "output/earlier_dataset.h"
 #include "output/files/digest.h"
 #include "output/files/file_name_rules.h"
-#include "output/files/file_places.h"
 #include "output/files/pending_file.h"
 #include "output/manifest/manifest.h"
 #include "output/preflight.h"

@@ -16,7 +16,6 @@
 #include "programs/console/console_reporter.h"
 #include "programs/console/heap.h"
 #include "programs/console/settings_source.h"
-#include "programs/console/tool.h"
 #include "run/align/aligner.h"
 #include "synthetic_dataset/errors.h"
 

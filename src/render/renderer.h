@@ -14,7 +14,6 @@
 #include "render/parts/draw_list.h"
 #include "render/pending_picture.h"
 #include "render/render_options.h"
-#include "render/rolling_view.h"
 #include "render/view.h"
 #include "world/look.h"
 #include "world/world.h"

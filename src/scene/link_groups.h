@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "scene/link_group_options.h"
 #include "scene/object_options.h"
 #include "world/world.h"
 

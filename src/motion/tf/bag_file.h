@@ -2,20 +2,32 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include <geometry_msgs/TransformStamped.h>
 #include <rosbag/bag.h>
+#include <rosbag/message_instance.h>
 #include <rosbag/view.h>
 
 #include "motion/bag/bag_check.h"
+#include "motion/tf/left_out_transforms.h"
 #include "motion/tf/recorded_transform.h"
-#include "motion/tf/topic_reader.h"
 
 namespace synthetic_dataset::motion {
+
+/// How the messages of a topic become transforms.
+struct TopicReader {
+  TransformKind kind = TransformKind::kMoving;
+  std::function<std::vector<geometry_msgs::TransformStamped>(const rosbag::MessageInstance&)> read;
+};
+
+/// By topic, as the bags spell it.
+using TopicReaders = std::map<std::string, TopicReader>;
 
 /// When a recording was made: the record times of its first and last message, of any topic.
 struct RecordedTimes {

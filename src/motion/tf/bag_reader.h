@@ -7,7 +7,6 @@
 
 #include "motion/tf/bag_file.h"
 #include "motion/tf/recorded_transform.h"
-#include "motion/tf/topic_reader.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::motion {

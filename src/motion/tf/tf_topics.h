@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "motion/tf/bag_file.h"
 #include "motion/tf/bag_reader.h"
-#include "motion/tf/topic_reader.h"
 
 namespace synthetic_dataset::motion {
 

@@ -1,5 +1,7 @@
 #include "programs/console/command_line.h"
 
+#include <exception>
+#include <iostream>
 #include <utility>
 
 #include "synthetic_dataset/errors.h"
@@ -141,6 +143,18 @@ and the cameras from above) in DIR, or in the current folder.
 
 Exit codes: 0 nothing is odd, 3 something is, 1 there could be no such run.
 )";
+}
+
+int reportingErrors(const std::string& name, const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const ErrorList& errors) {
+    for (const std::string& message : errors.messages())
+      std::cerr << name << ": " << message << '\n';
+  } catch (const std::exception& error) {
+    std::cerr << name << ": " << error.what() << '\n';
+  }
+  return 1;
 }
 
 }  // namespace synthetic_dataset::programs

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/random/distribution.h"
-#include "base/random/text_choice.h"
+#include "base/random/weighted_index.h"
 #include "randomize/placement/distractor_options.h"
 
 namespace synthetic_dataset::randomize {

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "render/edges/edge_pixels.h"
-#include "render/edges/likeness.h"
 #include "render/edges/sample_raster.h"
 #include "render/pixels/half.h"
 #include "render/pixels/srgb.h"

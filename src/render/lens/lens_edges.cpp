@@ -11,7 +11,6 @@
 #include <opencv2/core/types.hpp>
 
 #include "render/edges/edge_smoother.h"
-#include "render/edges/likeness.h"
 #include "render/edges/sample_raster.h"
 #include "render/lens/lens_map.h"
 #include "render/lens/lens_sight.h"

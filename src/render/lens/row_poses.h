@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "render/parts/draw_list.h"
-#include "render/rolling_view.h"
 #include "render/view.h"
 
 namespace synthetic_dataset::render {

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 
 #include "render/light/arriving_lights.h"
-#include "render/light/lighting_context.h"
 #include "render/pixels/lanes.h"
 
 namespace synthetic_dataset::render {

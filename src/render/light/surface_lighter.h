@@ -7,8 +7,8 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/geometry/geometry_images.h"
+#include "render/light/arriving_lights.h"
 #include "render/light/classic_shading.h"
-#include "render/light/lighting_context.h"
 #include "render/light/surface_shading.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/item_light.h"

@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "render/gl/picture_upload.h"
-#include "render/gl/texture_units.h"
+#include "render/gl/shader_program.h"
 #include "render/overlay/shader_macros.h"
 #include "render/pixels/light_picture.h"
 #include "render/shaders.h"

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "render/gl/texture_units.h"
+#include "render/gl/shader_program.h"
 #include "render/light/light_setup.h"
 #include "render/parts/item_light.h"
 #include "render/parts/surface_drawing.h"

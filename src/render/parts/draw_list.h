@@ -8,7 +8,7 @@
 #include "render/parts/bounding_hull.h"
 #include "render/parts/bounds.h"
 #include "render/parts/mesh_library.h"
-#include "render/parts/surface_features.h"
+#include "render/parts/shader_family.h"
 #include "render/parts/texture_library.h"
 #include "render/render_options.h"
 #include "render/view.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/gl/texture_units.h"
+#include "render/gl/shader_program.h"
 #include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {

@@ -10,8 +10,8 @@
 
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
-#include "render/shadows/caster_poses.h"
 #include "render/shadows/changed_texels.h"
+#include "render/shadows/held_casters.h"
 #include "render/shadows/map_depths.h"
 #include "render/shadows/shadow_maps.h"
 #include "render/shadows/shadow_projection.h"

@@ -9,7 +9,7 @@
 #include "base/random/random_source.h"
 #include "render/pixels/srgb.h"
 #include "render/weather/cell_seed.h"
-#include "render/weather/lens_aperture.h"
+#include "render/weather/weather.h"
 
 namespace synthetic_dataset::render {
 namespace {

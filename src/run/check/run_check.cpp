@@ -16,7 +16,6 @@
 #include "run/check/output_checks.h"
 #include "run/check/scene_statistics.h"
 #include "run/check/standing_checks.h"
-#include "run/check/visibility_checks.h"
 #include "run/scene_loop.h"
 #include "run/scene_sink.h"
 #include "run/setup/run_setup.h"

@@ -1,9 +1,8 @@
-#include "output/files/file_places.h"
-
 #include <filesystem>
 
 #include <gmock/gmock.h>
 
+#include "output/files/file_name_rules.h"
 #include "support/temporary_folder.h"
 
 namespace synthetic_dataset::output {

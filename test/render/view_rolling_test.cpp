@@ -1,6 +1,6 @@
 /// Pictures whose rows are taken one after the other, against a picture for each row.
 
-#include "render/rolling_view.h"
+#include "render/view.h"
 
 #include <algorithm>
 #include <cstddef>
