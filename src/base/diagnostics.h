@@ -79,7 +79,7 @@ class Diagnostics {
 
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
 
-  /// Those of one severity, as the user sees them.
+  /// The messages of one severity, as the user sees them.
   [[nodiscard]] std::vector<std::string> messages(Severity severity) const;
 
   [[nodiscard]] bool hasErrors() const;

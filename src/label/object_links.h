@@ -39,7 +39,7 @@ inline constexpr int kNoObject = -1;
   return result;
 }
 
-/// Those of a selection that are there.
+/// The selected links that are present.
 [[nodiscard]] inline render::LinkSelection presentOf(render::LinkSelection links,
                                                      const world::World& world) {
   const std::vector<bool>& present = world.presentLinks();

@@ -218,7 +218,7 @@ class TimeFilter {
   Holes holes_;
 };
 
-/// Those of the given times that are in the part.
+/// The given times that lie in the part.
 Timeline timelineOf(const std::vector<Stamp>& stamps, const RecordedTimes& part,
                     TimeFilter& filter) {
   Timeline timeline;

@@ -37,14 +37,14 @@ struct View {
 /// with floating-point depth keeps its precision nearly the same at all distances.
 [[nodiscard]] Eigen::Matrix4d clipFromCamera(const CameraModel& camera);
 
-/// Where all is at the time at which a row of a picture is taken.
+/// The poses at the time at which a row of a picture is taken.
 struct RollingMoment {
   double row = 0.0;  ///< from the picture's first; may lie between rows, or beside the picture
   Pose X_WC = Pose::Identity();
   std::vector<Pose> X_WL;  ///< of each link
 };
 
-/// From where a picture is taken whose rows are not all taken at one time.
+/// The view of a picture whose rows are taken at different times (rolling shutter).
 struct RollingView {
   CameraModel camera;
 
@@ -54,7 +54,7 @@ struct RollingView {
   /// Rows that share the time of their lights and shadows, as bands of equal height.
   int bands = 1;
 
-  /// Where all is when a row is taken. Orientations turn evenly, as tf2 has it.
+  /// The poses when a row is taken. Orientations turn evenly, as tf2 has it.
   [[nodiscard]] RollingMoment at(double row) const;
 
   /// When the middle row is taken.

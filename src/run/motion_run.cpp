@@ -14,7 +14,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// With what recorded pictures are held against.
+/// Adds what the comparison with recorded pictures needs.
 Requirements labelRequirements(Requirements requirements, const MotionSetup& motion) {
   if (motion.pictures) requirements.visible_masks = true;
   return requirements;

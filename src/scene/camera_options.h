@@ -32,7 +32,7 @@ struct CameraAim {
   std::string look_at;                             ///< instead of both: an object, which it follows
 };
 
-/// Whose frame the second camera of a rectified stereo pair has.
+/// The frame of the second camera of a rectified stereo pair.
 enum class StereoFrame {
   kAuto,   ///< found by where it is
   kFirst,  ///< the first camera's, as ROS has it

@@ -90,7 +90,7 @@ CameraPictures::CameraPictures(const std::vector<CameraOptions>& cameras,
   }
 }
 
-/// Those that are taken together with the first camera's; times without one are left out.
+/// Adds the pictures that match the first camera's in time; times without one are left out.
 void CameraPictures::addPicturesOf(std::size_t camera, const CameraOptions& options,
                                    Duration same_time, base::Diagnostics& diagnostics) {
   const std::vector<PictureHead>& heads = pictures_[camera].heads();

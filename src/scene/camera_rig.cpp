@@ -204,7 +204,7 @@ CalibratedCamera calibrationOf(const CameraOptions& config,
   throw Error(config.group + ": no intrinsics");
 }
 
-/// That which is set; else the one in the calibration, where TF has it and lacks the default's.
+/// The frame that is set; else that of the calibration, if TF has it and lacks the default.
 std::string frameOf(const CameraOptions& config, const CalibratedCamera& camera,
                     const motion::FrameSource& frames) {
   if (!config.frame) return camera.frame;

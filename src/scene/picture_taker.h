@@ -48,7 +48,7 @@ class PictureTaker {
   struct Sensor {
     std::vector<Shot> shots;
 
-    /// That have come so far: of each shot that rolls, or of all other shots together.
+    /// Moments so far: of each shot that rolls, or of all other shots together.
     std::vector<std::vector<render::RollingMoment>> moments;
 
     render::LinkSelection present;                ///< at all of these moments

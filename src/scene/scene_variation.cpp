@@ -108,7 +108,7 @@ render::LensDust SceneVariation::dust(std::int64_t instant, const std::string& c
   return {*share, base::randomSeed(seed_, of, "dust on " + camera)};
 }
 
-/// That of all cameras.
+/// The weather of all cameras.
 render::Weather SceneVariation::weather(randomize::EntryDraws& draws) const {
   const randomize::WeatherRandomization& entries = config_.weather;
   if (!entries.changesAir()) return {};

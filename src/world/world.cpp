@@ -169,7 +169,7 @@ void World::Impl::moveObjects(Stamp time, const ObjectPoseAt& motion) {
   }
 }
 
-/// Where all bodies push and are pushed against: those of variants that are not active do not, and
+/// The poses of all bodies that collide: inactive variants do not, and
 /// the motion is not asked where they would be.
 std::vector<std::optional<Pose>> World::Impl::activePoses(Stamp time,
                                                           const ObjectPoseAt& motion) const {
@@ -195,7 +195,7 @@ void World::Impl::setPresentLinks(const Model& model, std::size_t first_link, bo
               present);
 }
 
-/// Those of objects; distractors are present when they are placed.
+/// Updates the links of objects; those of distractors follow from their placement.
 void World::Impl::updatePresentLinks() {
   for (const Object& object : objects) {
     for (const Variant& variant : object.variants) {

@@ -47,7 +47,7 @@ void checkSize(const PictureSize& size) {
               std::to_string(kLargestPicture >> 20U) + " million in all can be read");
 }
 
-/// What of a file makes its pixels, where nothing speaks against decoding it.
+/// The bytes of a file that make its pixels, after checks that it can be decoded.
 Bytes checked(const Bytes& file) {
   if (file.empty()) throw Error("cannot be decoded: the file is empty");
   if (const std::optional<PictureSize> size = claimedSize(file)) checkSize(*size);

@@ -15,7 +15,7 @@ class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed) : state_(seed) {}
 
-  /// That of randomSeed.
+  /// Seeded by randomSeed().
   RandomSource(std::uint64_t run_seed, std::int64_t scene_index, std::string_view purpose);
 
   [[nodiscard]] std::uint64_t bits();

@@ -65,7 +65,7 @@ class BagBytes {
   std::uint64_t place_ = 0;
 };
 
-/// Those of a file.
+/// The bytes of a file.
 class BagFileBytes : public BagBytes {
  public:
   explicit BagFileBytes(const std::string& file);
@@ -78,7 +78,7 @@ class BagFileBytes : public BagBytes {
   std::uint64_t size_ = 0;
 };
 
-/// Those of a chunk that has been decompressed.
+/// The bytes of a decompressed chunk.
 class BagChunkBytes : public BagBytes {
  public:
   /// @param bytes  has to outlive this

@@ -27,7 +27,7 @@ struct Gap {
   [[nodiscard]] Duration length() const { return until - from; }
 };
 
-/// To which parent a frame is linked over time and where it is in it, by tf2's rules: nothing is
+/// A frame's parent and its pose in it over time, by tf2's rules: nothing is
 /// known before the first and after the last sample; between two samples the parent is the earlier
 /// one's.
 class LinkHistory {

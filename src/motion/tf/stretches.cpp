@@ -15,7 +15,7 @@ using Stamps = std::vector<ArrivedStamp>;
 
 /// Shorter steps back are of messages that overtook one another.
 constexpr Duration kLeastStepBack = std::chrono::milliseconds(100);
-/// As many transforms have to follow a step back, all of them from before it.
+/// This many transforms have to follow a step back, all with stamps from before it.
 constexpr std::size_t kLeastToFollow = 3;
 /// What has not returned after as many does not.
 constexpr std::size_t kMostToFollow = 1000;

@@ -24,14 +24,14 @@ struct Stretch {
 
 /// Where a recording is cut because time goes back in it.
 struct Cuts {
-  /// From which transform on a frame's next stretch begins: by frame, one a cut, ascending.
+  /// The transform with which each frame's next stretch begins: by frame, one per cut, ascending.
   std::vector<std::vector<Arrival>> of_frames;
   std::vector<Arrival> all;  ///< the first of each cut, of any frame
 
   /// The steps back of single frames, by frame, while the stamps of most others go on; ascending.
   std::map<std::size_t, std::vector<Arrival>> alone;
 
-  /// To which stretch a frame's transform belongs, from 0.
+  /// The index of the stretch to which a frame's transform belongs.
   [[nodiscard]] std::size_t stretchOf(std::size_t frame, const Arrival& arrival) const;
 };
 

@@ -84,7 +84,7 @@ TopicReaders namedTopics(const BagReader& bags, const std::vector<std::string>& 
   return readers;
 }
 
-/// Those without a namespace.
+/// Readers of /tf and /tf_static without a namespace.
 TopicReaders usualTopics(const BagReader& bags) {
   TopicReaders readers;
   std::vector<std::string> errors;

@@ -111,7 +111,7 @@ bool SampleRaster::mayBeSeen(const DrawItem& item, const Pose& X_CV) const {
   return found;
 }
 
-/// What of a triangle is not nearer than the near plane.
+/// Draws the part of a triangle beyond the near plane.
 void SampleRaster::drawClipped(const std::array<Eigen::Vector3f, 3>& points_C) {
   std::array<Eigen::Vector3f, 4> kept;
   std::size_t count = 0;

@@ -201,7 +201,7 @@ class FaceDrawing {
            low.y() > static_cast<float>(grid_.cells.height);
   }
 
-  /// What of a triangle is not nearer than the near plane.
+  /// Draws the part of a triangle beyond the near plane.
   template <class See>
   void drawClipped(See&& see) {
     std::array<FaceCorner, 4> kept;

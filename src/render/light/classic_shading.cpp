@@ -23,7 +23,7 @@ Lanes3 ClassicShading::seen(const ClassicLanes& surface) const {
   return mix(light, lanes(context_.fog->colour), lights_.fogginess(length(surface.position_C)));
 }
 
-/// The light that comes from everywhere.
+/// The ambient light.
 Lanes3 ClassicShading::ambientLight(const ClassicLanes& surface) const {
   if (context_.environment == nullptr) return lanes(context_.ambient);
   const Lanes3 light = context_.environment->arriving(rotated(context_.R_GC, surface.normal));

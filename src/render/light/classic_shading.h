@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset::render {
 
-/// Surfaces of Gazebo Classic's at four points that are seen, in the camera's optical frame.
+/// Gazebo Classic's surfaces at four visible points, in the camera's optical frame.
 /// Colours are sRGB-encoded.
 struct ClassicLanes {
   Lanes3 position_C;
@@ -25,7 +25,7 @@ struct ClassicLanes {
   Lanes3 glow;      ///< from an emissive texture
 };
 
-/// How light makes surfaces seen in Gazebo Classic's worlds, as lighting.glsl has it for what one
+/// The lighting model of Gazebo Classic's worlds, as lighting.glsl has it for surfaces that one
 /// can see through. OGRE 1 lights each pixel (RTShaderLib, SGXLib_PerPixelLighting.glsl):
 ///
 ///     (emissive + ambient x scene's ambient + sum of diffuse x light x n.l x fall-off) x picture
@@ -39,7 +39,7 @@ class ClassicShading {
   /// @param context  have to outlive this
   explicit ClassicShading(const LightingContext& context);
 
-  /// What the camera sees of surfaces, sRGB-encoded, before it is exposed.
+  /// The surfaces' colours in the picture, sRGB-encoded, before exposure.
   [[nodiscard]] Lanes3 seen(const ClassicLanes& surface) const;
 
  private:

@@ -23,7 +23,7 @@ class MatteLight {
   [[nodiscard]] Lanes3 arriving(const Lanes3& normals) const;
   [[nodiscard]] Eigen::Vector3f arriving(const Eigen::Vector3f& normal) const;
 
-  /// That of both together, each multiplied.
+  /// The weighted sum of both.
   [[nodiscard]] static MatteLight sum(const MatteLight& first, const Eigen::Vector3f& of_first,
                                       const MatteLight& second, const Eigen::Vector3f& of_second);
 

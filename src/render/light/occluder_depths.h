@@ -17,7 +17,7 @@ struct FourPixels {
   std::array<int, kLaneCount> v;
 };
 
-/// Those at some offsets from four in a row.
+/// Four pixels at offsets from four in a row.
 [[nodiscard]] inline FourPixels beside(int u, int v, const Lanes& du, const Lanes& dv) {
   FourPixels four;
   cv::v_store(four.u.data(), cv::v_round(du) + cv::v_int32x4(u, u + 1, u + 2, u + 3));

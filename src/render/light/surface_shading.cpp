@@ -12,8 +12,8 @@ Lanes3 fresnel(const Lanes3& f0, const Lanes& cosine) {
   return f0 + (lanes(1.0F, 1.0F, 1.0F) - f0) * (x2 * x2 * x);
 }
 
-/// The share of the light from everywhere that arrives in the end, with what surfaces of the same
-/// colour send one another (Jimenez et al. 2016, a fit to path-traced scenes).
+/// The share of the ambient light that arrives, with interreflection between surfaces of the same
+/// colour (Jimenez et al. 2016, a fit to path-traced scenes).
 Lanes reaching(const Lanes& ambient_visibility, const Lanes& albedo) {
   const Lanes a = lanes(2.0404F) * albedo - lanes(0.3324F);
   const Lanes b = lanes(-4.7951F) * albedo + lanes(0.6417F);
@@ -60,7 +60,7 @@ Lanes3 SurfaceShading::seen(const SurfaceLanes& surface) const {
   return {cv::v_min(light.x, one), cv::v_min(light.y, one), cv::v_min(light.z, one)};
 }
 
-/// The light that a surface sends to the eye.
+/// The light that a surface emits and reflects to the camera.
 Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
   const Lanes one = lanes(1.0F);
   Response response;
@@ -76,7 +76,7 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
   return sum;
 }
 
-/// What of the light from everywhere a surface sends to the eye.
+/// Ambient light that a surface reflects to the camera.
 Lanes3 SurfaceShading::ambient(const SurfaceLanes& surface, const Response& response) const {
   const Lanes one = lanes(1.0F);
   const Lanes3 matte = response.matte * reaching(surface.ambient_visibility, surface.base);
@@ -91,7 +91,7 @@ Lanes3 SurfaceShading::ambient(const SurfaceLanes& surface, const Response& resp
   return around * (matte + mirrored);
 }
 
-/// What of the light of all that lies around the world a surface sends to the eye.
+/// Light of the environment that a surface reflects to the camera.
 /// @param matte  the share of it that is scattered
 Lanes3 SurfaceShading::imageBasedLight(const EnvironmentLight& environment,
                                        const SurfaceLanes& surface, const Response& response,
@@ -107,7 +107,7 @@ Lanes3 SurfaceShading::imageBasedLight(const EnvironmentLight& environment,
          environment.mirrored(inWorld(direction), surface.roughness) * mirrored;
 }
 
-/// What of one light a surface sends to the eye.
+/// One light source's light that a surface reflects to the camera.
 Lanes3 SurfaceShading::reflected(std::size_t light, const SurfaceLanes& surface,
                                  const Response& response) const {
   const Lanes zero = lanes(0.0F);

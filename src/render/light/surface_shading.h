@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset::render {
 
-/// Surfaces at four points that are seen, in the camera's optical frame.
+/// Surfaces at four visible points, in the camera's optical frame.
 struct SurfaceLanes {
   Lanes3 position_C;
   Lanes3 face;    ///< its normal, towards the camera
@@ -26,7 +26,7 @@ struct SurfaceLanes {
 /// The share of gz-sim's ambient light that reaches surfaces facing downwards.
 inline constexpr float kAmbientFromBelow = 0.55F;
 
-/// How light makes surfaces seen in gz-sim's worlds, as lighting.glsl has it, which lights what one
+/// The lighting model of gz-sim's worlds, as lighting.glsl has it, which lights what one
 /// can see through: Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and
 /// the height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
 /// light. All lighting is linear.
@@ -35,11 +35,11 @@ class SurfaceShading {
   /// @param context  have to outlive this
   explicit SurfaceShading(const LightingContext& context);
 
-  /// What the camera sees of surfaces, as bright as a picture can be.
+  /// The surfaces' light in the picture, at most 1.
   [[nodiscard]] Lanes3 seen(const SurfaceLanes& surface) const;
 
  private:
-  /// What the surface does with light, wherever that comes from.
+  /// How the surface reflects any light.
   struct Response {
     Lanes3 to_eye;
     Lanes3 f0;

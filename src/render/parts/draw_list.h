@@ -84,7 +84,7 @@ class DrawList {
   [[nodiscard]] Bounds casterBounds(const std::vector<Pose>& X_WL,
                                     const LinkSelection& casting) const;
 
-  /// Those of the links that never move.
+  /// The links that never move.
   [[nodiscard]] LinkSelection standing(const LinkSelection& links) const;
 
   /// Whether one can see through something that labels show all the same.

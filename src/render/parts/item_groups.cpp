@@ -8,7 +8,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Beyond so many items, one box around all of them has to do: what is made of hulls takes longer
+/// More items than this share one box around all of them: work with hulls takes longer
 /// with their corners.
 constexpr std::size_t kMostHulls = 4;
 

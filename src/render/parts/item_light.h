@@ -6,7 +6,7 @@
 
 namespace synthetic_dataset::render {
 
-/// What of a surface's light in Gazebo Classic is the same all over it: of ClassicLanes.
+/// The members of ClassicLanes that are constant over a surface.
 struct ClassicLight {
   Eigen::Vector3f ambient{0.0F, 0.0F, 0.0F};  ///< times the scene's
   Eigen::Vector3f emissive{0.0F, 0.0F, 0.0F};
@@ -18,7 +18,7 @@ struct ClassicLight {
 
 [[nodiscard]] ClassicLight classicLight(const world::Material& material);
 
-/// What of a part's light is the same all over it.
+/// Lighting properties that are constant over an item.
 struct ItemLight {
   Eigen::Vector3f emissive{0.0F, 0.0F, 0.0F};  ///< linear
   float reflectance = 0.0F;                    ///< below 0 where light leaves it as it is

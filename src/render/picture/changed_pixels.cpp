@@ -90,7 +90,7 @@ void ChangedPixels::markMoving(const SeenGeometry& seen, cv::Mat& pixels) const 
   }
 }
 
-/// Those that are near to what is marked.
+/// Marks the pixels near marked ones.
 void ChangedPixels::markNear(const SeenGeometry& seen, cv::Mat& pixels) {
   cv::Mat marked = pixels(seen.place);
   cv::Mat distances;

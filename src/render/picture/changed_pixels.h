@@ -44,7 +44,7 @@ class ChangedPixels {
   [[nodiscard]] cv::Mat find(const PossibleChanges& regions, const SeenGeometry& seen,
                              const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const;
 
-  /// Those that differ because others do.
+  /// The pixels that differ because pixels beside them do.
   /// @param pixels  that differ by what their centres see; not written to
   [[nodiscard]] static cv::Mat withEdges(const cv::Mat& pixels, const PossibleChanges& regions,
                                          const cv::Mat& edges);

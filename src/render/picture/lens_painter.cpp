@@ -150,7 +150,7 @@ void addLit(UnlitPixels lights, const cv::Rect& rows, const ColourScene& scene,
 
 }  // namespace
 
-/// That of what never moves, or null while it is not known whether it will be needed again.
+/// The picture of what never moves; null until it is known to be needed again.
 const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensSight& sight,
                                            const LinkSelection& casting, bool smooth) {
   constexpr std::size_t kMost = 8;

@@ -278,7 +278,7 @@ void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Po
   covered_.clear();
 }
 
-/// That of what never moves, or null while it is not known whether it will be needed again.
+/// The picture of what never moves; null until it is known to be needed again.
 const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene& scene,
                                                                const LinkSelection& casting,
                                                                bool smooth) {

@@ -71,7 +71,7 @@ class PicturePainter {
   [[nodiscard]] GeometryImages geometry(const View& view, const std::vector<Pose>& X_WL,
                                         const LinkSelection& drawn);
 
-  /// What of the image links cover, whatever hides them, where what was drawn last tells.
+  /// The pixels that links cover, hidden or not, if the last drawing tells.
   [[nodiscard]] std::optional<CoveredPixels> covered(const View& view,
                                                      const std::vector<Pose>& X_WL,
                                                      const LinkSelection& links) const;

@@ -19,7 +19,7 @@ using Points = std::vector<Eigen::Vector3d>;
 /// Beyond this many times as far from a light, a shadow is taken to reach everywhere.
 constexpr double kFarthest = 1000.0;
 
-/// What of a thing's way along one axis lies within the receivers: the most that `factor` may be in
+/// How far a thing may move along one axis within the receivers: the largest `factor` in
 /// start + factor * step for any start in [low, high], or infinity.
 double longestWay(double low, double high, double step, double least, double most) {
   if (step > 0.0) return (most - low) / step;

@@ -116,7 +116,7 @@ void markCells(const cv::Mat& texels, const cv::Point& first, const cv::Rect& pl
   }
 }
 
-/// Those around a caster's shadow, and a few more.
+/// The texels around a caster's shadow, and a few more.
 /// @param whole  all texels of the map
 cv::Rect texelsOf(const std::vector<Eigen::Vector3d>& caster, const ShadowProjection& shadow,
                   const cv::Rect& whole) {
@@ -316,7 +316,7 @@ std::shared_ptr<MapDepths::Standing> ShadowPainter::Layer::readAll() const {
   return std::make_shared<MapDepths::Standing>(maps->read(number, maps->whole()));
 }
 
-/// Those within the bounds of moving casters, and a few more.
+/// The texels within the bounds of moving casters, and a few more.
 std::vector<cv::Rect> ShadowPainter::texelsOfMoving(const ShadowProjection& shadow,
                                                     const std::vector<Pose>& X_WL,
                                                     const LinkSelection& casting) const {

@@ -204,7 +204,7 @@ std::vector<Finding> setupFindings(const RunSetup& setup) {
   return findings;
 }
 
-/// That a run could write there; what it makes for a moment, it takes away again.
+/// Checks that a run could write there. Files that this takes are removed again.
 void requireFolder(const std::string& folder) {
   if (folder.empty()) return;  // each writer has one of its own
   output::FolderProbe probe;

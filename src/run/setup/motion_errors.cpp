@@ -16,7 +16,7 @@ std::string inGroup(const std::string& group, const std::string& message) {
   return group.empty() ? message : group + ": " + message;
 }
 
-/// Those of the first that are among those of all others, too.
+/// The entries of the first list that all others have, too.
 std::vector<std::string> commonTo(const std::vector<std::vector<std::string>>& lists) {
   std::vector<std::string> common;
   for (const std::string& each : lists.front()) {

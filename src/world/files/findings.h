@@ -48,7 +48,7 @@ class SourceLocation {
     return other;
   }
 
-  /// "world.sdf: line 12: model 'shelf': ", for what is said of it.
+  /// "world.sdf: line 12: model 'shelf': ", to begin a message.
   [[nodiscard]] std::string prefix() const {
     const std::string line = line_ > 0 ? "line " + std::to_string(line_) + ": " : "";
     return (file_.empty() ? "" : file_ + ": ") + line + path_;
