@@ -11,7 +11,6 @@
 #include "programs/check/check_report.h"
 #include "programs/console/command_line.h"
 #include "programs/console/heap.h"
-#include "programs/console/settings_source.h"
 
 int main(int argc, char** argv) {
   using namespace synthetic_dataset;

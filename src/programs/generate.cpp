@@ -22,7 +22,6 @@
 #include "programs/console/ros_parameters.h"
 #include "programs/console/run_topics.h"
 #include "programs/console/script_reporter.h"
-#include "programs/console/settings_source.h"
 #include "programs/console/stop_signals.h"
 #include "programs/console/topic_map.h"
 #include "programs/settings/documented_settings.h"

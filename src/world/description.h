@@ -18,7 +18,7 @@
 
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/pose.h"
-#include "world/load_options.h"
+#include "world/world_options.h"
 
 namespace synthetic_dataset::world {
 

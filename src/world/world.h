@@ -10,7 +10,7 @@
 #include "synthetic_dataset/pose.h"
 #include "world/description.h"
 #include "world/physics/object_bodies.h"
-#include "world/physics_options.h"
+#include "world/world_options.h"
 
 namespace synthetic_dataset::world {
 

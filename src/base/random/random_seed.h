@@ -21,4 +21,12 @@ inline constexpr std::uint64_t kCounterStep = 0x9E3779B97F4A7C15ULL;
 [[nodiscard]] std::uint64_t randomSeed(std::uint64_t run_seed, std::int64_t scene_index,
                                        std::string_view purpose);
 
+/// Two independent normal numbers (mean 0, standard deviation 1) that belong to a seed and a place:
+/// the same on every machine and in whatever order they are asked for.
+struct NormalPair {
+  double first;
+  double second;
+};
+[[nodiscard]] NormalPair randomNormals(std::uint64_t seed, std::uint64_t place);
+
 }  // namespace synthetic_dataset::base

@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "base/random/random_normal.h"
 #include "base/random/random_seed.h"
 
 namespace synthetic_dataset::base {

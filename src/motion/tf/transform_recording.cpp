@@ -10,7 +10,7 @@
 
 #include "motion/bag/ros_time.h"
 #include "motion/frame_names.h"
-#include "motion/tf/lone_steps.h"
+#include "motion/tf/stretches.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <utility>
 
+#include "config/settings_file.h"
+#include "run/setup/package_index.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
@@ -155,6 +157,14 @@ int reportingErrors(const std::string& name, const std::function<int()>& work) {
     std::cerr << name << ": " << error.what() << '\n';
   }
   return 1;
+}
+
+Value settingsOf(const CommandLine& command_line, const base::Remark& remark) {
+  Value::Map settings = config::loadSettings(*command_line.config, run::rosPackageFinder(), remark);
+  for (const auto& [name, text] : command_line.settings) {
+    config::overlay(settings, config::settingOf(name, text));
+  }
+  return settings;
 }
 
 }  // namespace synthetic_dataset::programs

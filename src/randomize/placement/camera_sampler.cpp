@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "randomize/placement/miss_reasons.h"
+#include "randomize/placement/standing_place.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::randomize {

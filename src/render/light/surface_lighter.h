@@ -11,7 +11,7 @@
 #include "render/light/classic_shading.h"
 #include "render/light/surface_shading.h"
 #include "render/parts/draw_list.h"
-#include "render/parts/item_light.h"
+#include "render/parts/item_surface.h"
 
 namespace synthetic_dataset::render {
 

@@ -6,7 +6,7 @@
 
 #include "render/gl/shader_program.h"
 #include "render/light/light_setup.h"
-#include "render/parts/item_light.h"
+#include "render/parts/item_surface.h"
 #include "render/parts/surface_drawing.h"
 #include "render/pixels/encoded_light.h"
 #include "render/pixels/srgb.h"

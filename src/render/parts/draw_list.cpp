@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/parts/item_light.h"
+#include "render/parts/item_surface.h"
 #include "world/mesh/closed_surface.h"
 
 namespace synthetic_dataset::render {

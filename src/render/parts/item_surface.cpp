@@ -34,6 +34,26 @@ ItemSurface surfaceOf(const DrawItem& item, bool is_classic, PyramidLibrary& pyr
 
 }  // namespace
 
+bool hasGlowOfItsOwn(const world::Material& material) {
+  return material.emissive_map && material.emissive_map != material.texture;
+}
+
+ClassicLight classicLight(const world::Material& material) {
+  ClassicLight light;
+  if (!material.lit) {
+    light.emissive = material.diffuse.head<3>();
+    return light;
+  }
+  light.ambient = material.ambient;
+  (hasGlowOfItsOwn(material) ? light.glow : light.emissive) += material.emissive;
+  light.diffuse = material.diffuse.head<3>();
+  if (material.shininess > 0.0F && !material.specular.isZero()) {
+    light.specular = material.specular;
+    light.shininess = material.shininess;
+  }
+  return light;
+}
+
 std::vector<ItemSurface> itemSurfaces(const DrawList& draw_list, PyramidLibrary& pyramids) {
   std::vector<ItemSurface> surfaces(1);
   for (const DrawItem& item : draw_list.items()) {

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 
-#include "base/random/random_normal.h"
+#include "base/random/random_seed.h"
 
 namespace synthetic_dataset::render {
 namespace {

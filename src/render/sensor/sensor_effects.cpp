@@ -5,7 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "base/random/random_normal.h"
+#include "base/random/random_seed.h"
 #include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {

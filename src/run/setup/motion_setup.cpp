@@ -10,7 +10,7 @@
 #include "run/setup/input_cache.h"
 #include "run/setup/recording_setup.h"
 #include "run/setup/scene_plan.h"
-#include "run/setup/size_checks.h"
+#include "run/setup/setup_notes.h"
 #include "run/setup/world_setup.h"
 #include "scene/link_groups.h"
 #include "scene/stereo_pairs.h"

@@ -12,13 +12,12 @@
 #include "run/check/motion_checks.h"
 #include "run/setup/dataset_description.h"
 #include "run/setup/input_cache.h"
-#include "run/setup/motion_errors.h"
-#include "run/setup/relative_paths.h"
 #include "run/setup/run_record.h"
 #include "run/setup/scene_plan.h"
 #include "run/setup/scene_shares.h"
+#include "run/setup/setup_errors.h"
 #include "run/setup/setup_notes.h"
-#include "run/setup/split_gap.h"
+#include "run/setup/split_plan.h"
 
 namespace synthetic_dataset::run {
 namespace {

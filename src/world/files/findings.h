@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "synthetic_dataset/errors.h"
-#include "world/load_options.h"
+#include "world/world_options.h"
 
 namespace synthetic_dataset::world {
 

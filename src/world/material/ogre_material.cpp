@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "synthetic_dataset/errors.h"
+#include "world/material/material_conversions.h"
 #include "world/material/ogre_properties.h"
-#include "world/material/shininess.h"
 
 namespace synthetic_dataset::world {
 namespace {

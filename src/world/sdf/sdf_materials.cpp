@@ -8,9 +8,9 @@
 #include "synthetic_dataset/errors.h"
 #include "world/files/text.h"
 #include "world/material/gazebo_materials.h"
+#include "world/material/material_conversions.h"
 #include "world/material/material_scripts.h"
 #include "world/material/material_source.h"
-#include "world/material/shininess.h"
 #include "world/sdf/sdf_reading.h"
 #include "world/sdf/sdf_values.h"
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
+
+#include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::world {
 
@@ -18,6 +21,14 @@ enum class Simulator {
 struct LoadOptions {
   OnMissingAsset on_missing_asset = OnMissingAsset::kError;
   std::optional<Simulator> simulator;  ///< of worlds; none: their files decide
+};
+
+struct PhysicsOptions {
+  Duration step = std::chrono::microseconds(4000);  ///< of the simulation, fixed; at least 1 us
+  double contact_tolerance = 0.01;  ///< [m], >= 0: shallower overlaps are not reported
+  bool drops_objects = false;       ///< whether drop() will be called
+  bool drops_distractors = false;   ///< whether dropDistractors() will be called
+  bool labels_distractors = false;  ///< whether they are numbered as objects, behind the others
 };
 
 }  // namespace synthetic_dataset::world

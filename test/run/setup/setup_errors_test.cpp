@@ -1,4 +1,4 @@
-#include "run/setup/motion_errors.h"
+#include "run/setup/setup_errors.h"
 
 #include <gmock/gmock.h>
 

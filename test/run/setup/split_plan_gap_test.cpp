@@ -1,5 +1,3 @@
-#include "run/setup/split_gap.h"
-
 #include <gmock/gmock.h>
 
 #include "run/setup/split_plan.h"

@@ -1,5 +1,3 @@
-#include "base/json_value.h"
-
 #include <cmath>
 #include <limits>
 

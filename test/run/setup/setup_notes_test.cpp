@@ -1,9 +1,9 @@
-#include "run/setup/size_checks.h"
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
-#include <string>
-#include <vector>
+#include "run/setup/setup_notes.h"
 
 namespace synthetic_dataset::run {
 namespace size_checks_test {

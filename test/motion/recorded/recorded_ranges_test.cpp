@@ -1,11 +1,10 @@
-#include "motion/recorded/recorded_clouds.h"
+#include "motion/recorded/recorded_ranges.h"
 
 #include <limits>
 
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 
-#include "motion/recorded/recorded_depths.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"

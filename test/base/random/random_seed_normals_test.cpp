@@ -1,8 +1,8 @@
-#include "base/random/random_normal.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "base/random/random_seed.h"
 
 namespace synthetic_dataset::base {
 namespace random_normal_test {

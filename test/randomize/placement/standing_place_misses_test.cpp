@@ -1,6 +1,6 @@
-#include "randomize/placement/miss_reasons.h"
-
 #include <gtest/gtest.h>
+
+#include "randomize/placement/standing_place.h"
 
 namespace synthetic_dataset::randomize {
 namespace miss_reasons_test {

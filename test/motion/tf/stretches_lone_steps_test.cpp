@@ -1,9 +1,9 @@
-#include "motion/tf/lone_steps.h"
-
 #include <chrono>
 #include <cstdint>
 
 #include <gmock/gmock.h>
+
+#include "motion/tf/stretches.h"
 
 namespace synthetic_dataset::motion {
 namespace lone_steps_test {

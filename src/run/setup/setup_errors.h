@@ -5,6 +5,7 @@
 
 #include "config/motion_list.h"
 #include "synthetic_dataset/parameters.h"
+#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::run {
 
@@ -27,5 +28,11 @@ struct MotionErrors {
 /// @param roots  the motions' settings; the first one's were given to the writers
 [[nodiscard]] std::vector<std::string> unknownParameters(
     const std::vector<config::MotionEntry>& entries, const std::vector<Parameters>& roots);
+
+/// The messages about files that are not there, with what a relative path of the settings starts
+/// at, as that is seldom the settings file's folder.
+/// @param settings  as the user gave them
+[[nodiscard]] std::vector<std::string> explainRelativePaths(std::vector<std::string> messages,
+                                                            const Value& settings);
 
 }  // namespace synthetic_dataset::run
