@@ -24,11 +24,11 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "base/background_worker.h"
 #include "base/image/png_encoder.h"
 #include "floor_picture.h"
 #include "floor_shaders.h"
-#include "output/background_worker.h"
-#include "render/gl/gl_planes.h"
+#include "render/gl/framebuffer.h"
 #include "render/gl/osmesa_context.h"
 #include "render/gl/shader_program.h"
 #include "render/parts/mesh_library.h"
@@ -227,7 +227,7 @@ double secondsOf(const std::string& folder, std::size_t scenes, bool same) {
   const world::ResourceFinder finder(
       {}, [](const std::string&) -> std::optional<std::string> { return std::nullopt; });
   Floor floor(world::loadWorld(folder + "/room.sdf", finder), room, same);
-  output::BackgroundWorker encoder(2);
+  base::BackgroundWorker encoder(2);
   auto begin = std::chrono::steady_clock::now();
   for (std::size_t scene = 0; scene <= scenes; ++scene) {  // the first is for warming up
     if (scene == 1) {

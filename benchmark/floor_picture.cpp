@@ -1,6 +1,6 @@
 #include "floor_picture.h"
 
-#include "render/gl/gl_planes.h"
+#include "render/gl/framebuffer.h"
 
 // After glcorearb.h, whose names it has in an older version.
 #include <GL/osmesa.h>

@@ -1,9 +1,9 @@
 // Bags: their records, and the transforms, calibrations and maps recorded in them.
 #include "fuzzing.h"
-#include "motion/bag_check.h"
+#include "motion/bag/bag_check.h"
 #include "motion/bag_motion.h"
-#include "motion/recorded_camera_info.h"
-#include "motion/recorded_map.h"
+#include "motion/recorded/recorded_camera_info.h"
+#include "motion/recorded/recorded_map.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;

@@ -3,10 +3,10 @@
 #include <rosbag/bag.h>
 
 #include "fuzzing.h"
+#include "motion/bag/checked_messages.h"
 #include "motion/bag_motion.h"
-#include "motion/checked_messages.h"
-#include "motion/recorded_camera_info.h"
-#include "motion/recorded_map.h"
+#include "motion/recorded/recorded_camera_info.h"
+#include "motion/recorded/recorded_map.h"
 #include "scene/calibration/camera_info.h"
 
 namespace {

@@ -1,8 +1,7 @@
 // Pictures of all formats. Their decoders run in a process of their own, which costs time: only
 // what passes our own checks gets as far.
+#include "base/image/picture_check.h"
 #include "base/image/picture_decoder.h"
-#include "base/image/picture_end.h"
-#include "base/image/picture_file.h"
 #include "base/image/picture_size.h"
 #include "fuzzing.h"
 

@@ -27,7 +27,7 @@ MAY_INCLUDE = {
     'src/render': {API, 'render', 'base', 'world'},
     'src/label': {API, 'label', 'base', 'world', 'render'},
     'src/output': {API, 'output', 'base', 'plugins'},  # of plugins, what verify reads
-    'src/scene': {API, 'scene', 'base', 'motion', 'world', 'randomize', 'render', 'label', 'output'},
+    'src/scene': {API, 'scene', 'base', 'motion', 'world', 'randomize', 'render', 'label'},
     'src/config': {API, 'config', 'base'},  # and the options of all rooms
     # of plugins, masks as polygons and colours of numbers
     'src/run': {API, 'run', 'base', 'motion', 'world', 'randomize', 'render', 'label', 'scene',
@@ -38,8 +38,9 @@ MAY_INCLUDE = {
 
 # Folders within a room, each of which may include those before it, and what lies beside them all.
 INNER_ORDER = {
+    'src/motion': ('bag', 'tf', 'recorded'),
     'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'urdf', 'sdf'),
-    'src/render': ('sensor', 'pixels', 'weather', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay',
+    'src/render': ('pixels', 'sensor', 'weather', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay',
                    'edges', 'lens', 'labels', 'picture'),
     'src/output': ('files', 'manifest', 'writers', 'verify'),
     'src/randomize': ('placement', 'appearance'),

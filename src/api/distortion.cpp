@@ -28,7 +28,7 @@ std::string plain(const std::string& name) {
 struct OtherModel {
   const char* name;  ///< plain
   const char* what;
-  bool bends_without;  ///< it is no pinhole when all of its coefficients are 0
+  bool bends_without;  ///< it is not a pinhole when all of its coefficients are 0
 };
 
 constexpr OtherModel kOtherModels[] = {

@@ -44,7 +44,7 @@ struct LensModel {
   std::vector<std::size_t> counts;  ///< of coefficients that lists may have
   std::size_t written;              ///< so many coefficients are written at least
   std::string coefficients;         ///< how many there are, and which, for messages
-  bool bends_without;               ///< it is no pinhole when all of its coefficients are 0
+  bool bends_without;               ///< it is not a pinhole when all of its coefficients are 0
   const LensFunctions* functions;
 
   /// What is wrong with the coefficients; nothing where all is right.

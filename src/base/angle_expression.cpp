@@ -32,7 +32,7 @@ class Expression {
                 "'; it should be made of numbers, pi, + - * / ** and parentheses, such as pi/2");
   }
 
-  /// The next character that is no space; the end is '\0'.
+  /// The next character that is not a space; '\0' at the end.
   char peek() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
     return at_ < text_.size() ? text_[at_] : '\0';

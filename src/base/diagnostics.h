@@ -28,6 +28,13 @@ struct Diagnostic {
   [[nodiscard]] std::string message() const;
 };
 
+/// Something that a run has to say.
+struct Warning {
+  std::string kind;         ///< what is counted together
+  std::string detail = "";  ///< of this one
+  std::int64_t count = 1;
+};
+
 /// Collects what is found by steps that do not depend on each other, so that the user sees all of
 /// it at once. Each thing is listed once, in the order in which they were found.
 class Diagnostics {
@@ -72,7 +79,7 @@ class Diagnostics {
 
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
 
-  /// Those of one severity, as the user sees them.
+  /// The messages of one severity, as the user sees them.
   [[nodiscard]] std::vector<std::string> messages(Severity severity) const;
 
   [[nodiscard]] bool hasErrors() const;

@@ -39,7 +39,7 @@ class InputWatch {
   InputWatch* outer_;
 };
 
-/// What is wrong with a path that is there and is no file, "is a folder; a file is needed"; empty
+/// Why an existing path is not a file, "is a folder; a file is needed"; empty
 /// for a file, and for what is not there.
 [[nodiscard]] std::string inputFault(const std::filesystem::path& file);
 

@@ -14,4 +14,10 @@ namespace synthetic_dataset::base {
 /// no UTF-8 are U+FFFD. In one line.
 [[nodiscard]] std::string strictJsonText(const Value& value);
 
+/// Reads JSON (RFC 8259). The texts ".inf", "-.inf" and ".nan" are numbers, as strictJsonText
+/// writes them.
+/// @param origin  for messages
+/// @throws Error when it is none
+[[nodiscard]] Value parseJson(const std::string& text, const std::string& origin);
+
 }  // namespace synthetic_dataset::base

@@ -27,7 +27,7 @@ struct RosPackages {
 
 /// The folders of the packages in an entry of a ROS_PACKAGE_PATH that is the `share` folder of an
 /// install space, sorted; none for other entries. catkin installs every package to
-/// share/<package>, and Debian's /usr/share has thousands of folders that are no packages.
+/// share/<package>, and most of the thousands of folders in Debian's /usr/share are not packages.
 [[nodiscard]] std::vector<std::filesystem::path> installedPackages(
     const std::filesystem::path& entry);
 

@@ -129,7 +129,7 @@ class Reader {
     return merged;
   }
 
-  /// Of two equal names the last counts, as PyYAML has it, so that the first is lost.
+  /// As in PyYAML, the last of two equal names counts; the first is lost.
   void remarkRepeated(const std::vector<Entry>& entries) const {
     std::map<std::string, YAML::Mark> seen;
     for (const auto& [key, value] : entries) {
@@ -142,7 +142,7 @@ class Reader {
     }
   }
 
-  /// Of a list of maps, the first that has a name counts.
+  /// In a list of maps, the first that has a name counts.
   void merge(const YAML::Node& source, int depth, std::vector<Entry>& merged) {
     std::vector<YAML::Node> maps;
     if (source.IsMap()) maps.push_back(source);
@@ -282,7 +282,7 @@ int lineWithTab(const std::string& text) {
   return 0;
 }
 
-/// What yaml-cpp says of a text that is no YAML, and what is most often the cause.
+/// yaml-cpp's message about a text that is not YAML, and the most frequent cause.
 [[noreturn]] void failToParse(const YAML::Exception& error, const std::string& text,
                               const Reader& reader) {
   if (const std::string fault = textFault(text); !fault.empty()) reader.fail({}, fault);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "randomize/placement/sampling_options.h"
+#include "randomize/placement/placement_options.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {

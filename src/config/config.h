@@ -7,13 +7,11 @@
 #include <vector>
 
 #include "output/output_options.h"
-#include "output/writers/writer_options.h"
 #include "render/render_options.h"
-#include "scene/link_group_options.h"
+#include "scene/object_options.h"
 #include "scene/scene_options.h"
 #include "synthetic_dataset/parameters.h"
-#include "world/load_options.h"
-#include "world/physics_options.h"
+#include "world/world_options.h"
 
 /// Every setting of a run as a value, with its default; config/params.yaml documents each.
 namespace synthetic_dataset::config {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/sensor/depth_noise_options.h"
+#include "render/sensor/sensor_options.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {

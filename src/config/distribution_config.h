@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/random/distribution.h"
-#include "base/random/text_choice.h"
+#include "base/random/weighted_index.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {

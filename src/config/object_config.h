@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "randomize/placement/distractor_options.h"
+#include "randomize/placement/placement_options.h"
 #include "scene/object_options.h"
 #include "synthetic_dataset/parameters.h"
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "output/output_options.h"
-#include "output/writers/writer_options.h"
 #include "synthetic_dataset/parameters.h"
 
 namespace synthetic_dataset::config {

@@ -11,7 +11,8 @@ namespace synthetic_dataset::config {
 namespace {
 
 /// All cameras have pictures, or none: a scene is of one time.
-void checkCameras(Parameters& root, const scene::SceneOptions& scenes, scene::TwinOutput output) {
+void checkCameras(Parameters& root, const scene::SceneOptions& scenes,
+                  scene::RecordedImageOutput output) {
   for (const scene::CameraOptions& camera : scenes.cameras) {
     if (!camera.image_topic) {
       root.addError(camera.group,
@@ -22,7 +23,7 @@ void checkCameras(Parameters& root, const scene::SceneOptions& scenes, scene::Tw
     const bool is_only_one = camera.group == "camera";
     Parameters group =
         is_only_one ? root.group("camera") : root.group("cameras").group(camera.name);
-    if (output == scene::TwinOutput::kReal && group.has("effects")) {
+    if (output == scene::RecordedImageOutput::kReal && group.has("effects")) {
       group.addError("effects",
                      "found together with image_topic; a recorded picture has the effects of its "
                      "own camera (with twin/output: both or synthetic, drawn ones have these)");
@@ -43,7 +44,7 @@ void checkRandomization(Parameters& root, const randomize::Randomization& random
 }
 
 /// `both` is two runs, of which each has one of the others.
-scene::TwinOutput readOutput(Parameters& group) {
+scene::RecordedImageOutput readOutput(Parameters& group) {
   const std::string output = group.maybe<std::string>("output").value_or("real");
   if (output == "both") {
     group.addError("output",
@@ -53,11 +54,12 @@ scene::TwinOutput readOutput(Parameters& group) {
     group.addError("output", "found '" + output + "'; it should be real, synthetic or both" +
                                  didYouMean(output, {"real", "synthetic", "both"}));
   }
-  return output == "synthetic" ? scene::TwinOutput::kSynthetic : scene::TwinOutput::kReal;
+  return output == "synthetic" ? scene::RecordedImageOutput::kSynthetic
+                               : scene::RecordedImageOutput::kReal;
 }
 
 /// What measures the surfaces in front of objects.
-void readMeasured(Parameters& group, scene::TwinOptions& twin) {
+void readMeasured(Parameters& group, scene::RecordedImageOptions& twin) {
   constexpr double kWidest = 10.0;       // [m]
   constexpr double kSteepest = 1.0;      // of the distance
   constexpr double kLongestTime = 10.0;  // [s]
@@ -83,10 +85,10 @@ void readMeasured(Parameters& group, scene::TwinOptions& twin) {
       group.optionalBetween("depth_time", toSeconds(twin.depth_time), 0.0, kLongestTime));
 }
 
-scene::TwinOptions readGroup(Parameters group) {
+scene::RecordedImageOptions readGroup(Parameters group) {
   constexpr std::int64_t kMost = 1000000;
   constexpr double kLongest = 1.0;  // [s]
-  scene::TwinOptions twin;
+  scene::RecordedImageOptions twin;
   twin.output = readOutput(group);
   if (group.has("every")) twin.every = group.optionalBetween<std::int64_t>("every", 1, 1, kMost);
   if (group.has("min_alignment")) {
@@ -102,8 +104,8 @@ scene::TwinOptions readGroup(Parameters group) {
 
 }  // namespace
 
-scene::TwinOptions readTwinOptions(Parameters root, const scene::SceneOptions& scenes) {
-  const scene::TwinOptions twin = readGroup(root.group("twin"));
+scene::RecordedImageOptions readTwinOptions(Parameters root, const scene::SceneOptions& scenes) {
+  const scene::RecordedImageOptions twin = readGroup(root.group("twin"));
   if (!scenes.isTwin()) {
     if (root.has("twin")) {
       root.addError("twin", "found without a camera's image_topic, of whose pictures it speaks");

@@ -7,7 +7,7 @@ namespace synthetic_dataset::config {
 
 /// `twin`: how recorded pictures are labelled. What contradicts them is noted.
 /// @param scenes  with its motion, cameras and randomisation
-[[nodiscard]] scene::TwinOptions readTwinOptions(Parameters root,
-                                                 const scene::SceneOptions& scenes);
+[[nodiscard]] scene::RecordedImageOptions readTwinOptions(Parameters root,
+                                                          const scene::SceneOptions& scenes);
 
 }  // namespace synthetic_dataset::config

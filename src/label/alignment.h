@@ -43,7 +43,7 @@ struct Alignment {
 /// @param picture  of smoothed(), of the mask's image's size
 [[nodiscard]] Alignment alignmentOf(const Mask& mask, const cv::Mat& picture);
 
-/// That of each object's visible mask, in their order; of objects that are not seen nothing is met.
+/// The alignment of each object's visible mask, in their order; that of unseen objects is empty.
 /// @param scene  with visible masks
 /// @param recorded  the picture that was recorded at its time
 [[nodiscard]] std::vector<Alignment> alignmentsOf(const Scene& scene, const cv::Mat& recorded);

@@ -2,9 +2,14 @@
 
 #include <cstdint>
 
-#include "label/mog2_options.h"
-
 namespace synthetic_dataset::label {
+
+/// Settings of the background subtraction, under OpenCV's names.
+struct Mog2Options {
+  int history_length = 100;      ///< pictures of the background that the model is trained on
+  double var_threshold = 500.0;  ///< on the squared Mahalanobis distance of a pixel to the model
+  bool detect_shadows = false;   ///< mark what is only darker than the background as shadow
+};
 
 /// How masks are found.
 enum class MaskMethod {
@@ -26,6 +31,15 @@ struct LabelOptions {
   double keypoint_tolerance = 0.01;  ///< [m] behind what is seen, and still visible
 
   [[nodiscard]] bool hasThresholds() const { return min_visibility > 0.0 || min_pixels > 0; }
+};
+
+/// By how much something has to be nearer to the camera than what the world has there, to be
+/// something that the world does not have: what depth cameras, models and poses err.
+struct OcclusionMargin {
+  double least = 0.1;    ///< [m]
+  double growth = 0.02;  ///< of the distance
+
+  [[nodiscard]] double at(double range) const { return least + growth * range; }
 };
 
 }  // namespace synthetic_dataset::label

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::label {
 namespace {
 
-/// Of one camera, whose focal lengths may have changed.
+/// Whether views are the same; a camera's focal lengths may change.
 bool isSame(const render::View& a, const render::View& b) {
   return a.X_WC.matrix() == b.X_WC.matrix() && a.camera.intrinsics() == b.camera.intrinsics();
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "label/background_model.h"
+#include "label/mog2_segmenter.h"
 #include "render/renderer.h"
 #include "synthetic_dataset/mask.h"
 #include "synthetic_dataset/scene.h"

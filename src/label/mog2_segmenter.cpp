@@ -1,5 +1,6 @@
 #include "label/mog2_segmenter.h"
 
+#include "label/mask.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::label {
@@ -35,6 +36,21 @@ Mog2Segmenter::Subtractor Mog2Segmenter::learned(const cv::Rect& tile) const {
   cv::Mat ignored;
   for (int i = 0; i < options_.history_length; ++i) subtractor->apply(background_(tile), ignored);
   return subtractor;
+}
+
+cv::Mat BackgroundModel::segment(const cv::Mat& alone, const cv::Rect& box) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (picture_) segmenter_.train(std::exchange(picture_, {})());
+  const cv::Mat raw = segmenter_.segment(alone, box);
+  if (!clean_) return raw;
+  // What is around the box distinguishes holes from bays.
+  constexpr int kRound = label::kLargestHole + 1;
+  const cv::Rect bounds =
+      cv::Rect(box.x - kRound, box.y - kRound, box.width + 2 * kRound, box.height + 2 * kRound) &
+      cv::Rect(cv::Point(), alone.size());
+  cv::Mat framed = cv::Mat::zeros(bounds.size(), CV_8UC1);
+  raw.copyTo(framed(box - bounds.tl()));
+  return label::cleanMask(framed)(box - bounds.tl());
 }
 
 }  // namespace synthetic_dataset::label

@@ -5,12 +5,12 @@
 #include <functional>
 #include <vector>
 
-#include "render/link_selection.h"
+#include "render/view.h"
 #include "world/world.h"
 
 namespace synthetic_dataset::label {
 
-/// LinkInstance::object of what is no object.
+/// LinkInstance::object of links that belong to no object.
 inline constexpr int kNoObject = -1;
 
 /// Which links are those of an object, or of kNoObject.
@@ -39,7 +39,7 @@ inline constexpr int kNoObject = -1;
   return result;
 }
 
-/// Those of a selection that are there.
+/// The selected links that are present.
 [[nodiscard]] inline render::LinkSelection presentOf(render::LinkSelection links,
                                                      const world::World& world) {
   const std::vector<bool>& present = world.presentLinks();

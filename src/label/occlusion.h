@@ -5,7 +5,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "label/occlusion_options.h"
+#include "label/label_options.h"
 
 namespace synthetic_dataset::label {
 
@@ -32,7 +32,7 @@ struct ObjectCover {
   [[nodiscard]] double coveredShare() const;
 };
 
-/// Of each object.
+/// The occlusion of each object.
 /// @param ids  CV_32SC1: an object's index + 1, 0 for the world
 /// @param measured  as for coveredPixels; empty: nothing was measured at all
 /// @param covered  of coveredPixels(); empty likewise

@@ -1,14 +1,33 @@
 #include "label/pixel_labeller.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
 
 #include "label/keypoint_states.h"
-#include "label/link_map.h"
 #include "label/object_links.h"
 #include "render/lens/lens_map.h"
 
 namespace synthetic_dataset::label {
 namespace {
+
+/// What number the link has that each pixel shows; 0 where there is nothing. CV_16UC1.
+/// @param links  CV_32SC1: a link's index + 1, 0 for nothing
+/// @param numbers  of the links, in their order
+cv::Mat mapOfLinks(const cv::Mat& links, const std::vector<std::uint16_t>& numbers) {
+  cv::Mat map(links.size(), CV_16UC1);
+  for (int row = 0; row < links.rows; ++row) {
+    const auto* from = links.ptr<std::int32_t>(row);
+    std::transform(from, from + links.cols, map.ptr<std::uint16_t>(row), [&](std::int32_t link) {
+      return link == 0 ? std::uint16_t{0} : numbers[static_cast<std::size_t>(link) - 1];
+    });
+  }
+  return map;
+}
 
 /// Distances from the camera's centre of what was drawn [m], 0 where nothing is.
 cv::Mat rangesOf(const render::LabelImages& images, const CameraModel& camera) {

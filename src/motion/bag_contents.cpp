@@ -10,14 +10,14 @@
 #include <std_msgs/String.h>
 #include <Eigen/Geometry>
 
-#include "motion/bag_reader.h"
+#include "motion/bag/ros_time.h"
+#include "motion/bag/topic_search.h"
 #include "motion/frame_names.h"
-#include "motion/pose_messages.h"
-#include "motion/recorded_camera_info.h"
-#include "motion/ros_time.h"
-#include "motion/tf_topics.h"
-#include "motion/topic_search.h"
-#include "motion/transform_recording.h"
+#include "motion/recorded/recorded_camera_info.h"
+#include "motion/tf/bag_reader.h"
+#include "motion/tf/pose_messages.h"
+#include "motion/tf/tf_topics.h"
+#include "motion/tf/transform_recording.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
@@ -253,7 +253,7 @@ void readCameras(const std::vector<std::string>& bag_files, BagContents& content
   }
 }
 
-/// The first model that a topic has; none where its texts are no URDF.
+/// The first model that a topic has; none where its texts are not URDF.
 std::optional<RecordedDescription> readDescription(const std::vector<std::string>& bag_files,
                                                    const std::string& topic) {
   auto search = TopicSearch::of<std_msgs::String>(topic);

@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "motion/bag_file.h"
-#include "motion/frame_tree.h"
+#include "motion/tf/bag_file.h"
+#include "motion/tf/frame_tree.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::motion {

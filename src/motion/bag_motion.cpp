@@ -5,13 +5,12 @@
 #include <utility>
 
 #include "base/name_list.h"
-#include "motion/pose_topics.h"
-#include "motion/ros_time.h"
-#include "motion/tf_topics.h"
-#include "motion/time_text.h"
+#include "motion/bag/ros_time.h"
+#include "motion/tf/pose_topics.h"
+#include "motion/tf/tf_topics.h"
+#include "motion/tf/transform_recording.h"
+#include "motion/tf/window_report.h"
 #include "motion/timeline_search.h"
-#include "motion/transform_recording.h"
-#include "motion/window_report.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
@@ -132,19 +131,20 @@ Timeline BagMotion::timeline(const std::vector<std::string>& frames,
     throw ErrorList(errors);
   }
   if (timeline->stamps.empty()) throw ErrorList({noSceneLeft(*timeline, options)});
-  if (hasOwnClock()) noteClock(part.start, timeline->found);
+  if (hasOwnClock()) noteClock(part.start, timeline->diagnostics);
   return *std::move(timeline);
 }
 
-void BagMotion::noteClock(Stamp start, base::Diagnostics& found) const {
+void BagMotion::noteClock(Stamp start, base::Diagnostics& diagnostics) const {
   if (stretches_.size() > 1) return;  // which says so itself
   const bool is_behind = clock_offset_ > Duration{0};
-  found.warning("", "the recording's time stamps are " +
-                        secondsText(is_behind ? clock_offset_ : -clock_offset_) +
-                        (is_behind ? " behind" : " ahead of") +
-                        " its record times (median): scenes begin at the first stamp at which TF "
-                        "is known, " +
-                        secondsText(start));
+  diagnostics.warning("",
+                      "the recording's time stamps are " +
+                          secondsText(is_behind ? clock_offset_ : -clock_offset_) +
+                          (is_behind ? " behind" : " ahead of") +
+                          " its record times (median): scenes begin at the first stamp at which TF "
+                          "is known, " +
+                          secondsText(start));
 }
 
 /// All frames that have to do with where some are.
@@ -159,19 +159,19 @@ std::vector<FrameId> BagMotion::withAncestors(std::vector<FrameId> frames) const
   return frames;
 }
 
-void BagMotion::report(const std::vector<FrameId>& frames, base::Diagnostics& found) const {
-  found.add(base::Severity::kWarning, notes_);
+void BagMotion::report(const std::vector<FrameId>& frames, base::Diagnostics& diagnostics) const {
+  diagnostics.add(base::Severity::kWarning, notes_);
   if (stretches_.size() > 1) {
-    found.warning("",
-                  "time goes back in the recording, as when a simulation is reset; it is cut "
-                  "there into the stretches " +
-                      stretchList(stretches_) + "; scenes come from stretch " +
-                      std::to_string(stretch_) + " (stretch: names another)");
+    diagnostics.warning("",
+                        "time goes back in the recording, as when a simulation is reset; it is cut "
+                        "there into the stretches " +
+                            stretchList(stretches_) + "; scenes come from stretch " +
+                            std::to_string(stretch_) + " (stretch: names another)");
   }
   const std::vector<FrameId> used = withAncestors(frames);
   for (const FrameFinding& finding : findings_) {
     if (std::find(used.begin(), used.end(), finding.child) == used.end()) continue;
-    found.warning("", finding.message);
+    diagnostics.warning("", finding.message);
   }
 }
 

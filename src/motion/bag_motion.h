@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "motion/bag_reader.h"
-#include "motion/frame_findings.h"
 #include "motion/frame_source.h"
-#include "motion/frame_tree.h"
-#include "motion/joint_frames.h"
 #include "motion/motion_options.h"
-#include "motion/stretches.h"
+#include "motion/tf/bag_reader.h"
+#include "motion/tf/frame_findings.h"
+#include "motion/tf/frame_tree.h"
+#include "motion/tf/joint_frames.h"
+#include "motion/tf/stretches.h"
 
 namespace synthetic_dataset::motion {
 
@@ -54,7 +54,7 @@ class BagMotion : public FrameSource {
 
   [[nodiscard]] const FrameNames& names() const override { return tree_.names(); }
 
-  /// At times above 0: what is "the latest" to tf2 is no time here.
+  /// At times above 0: tf2's "latest" is not a time here.
   [[nodiscard]] std::optional<Pose> pose(FrameId frame, Stamp time) const override;
 
   [[nodiscard]] std::optional<Duration> recordedPeriod(FrameId frame, Stamp time) const override;
@@ -73,13 +73,13 @@ class BagMotion : public FrameSource {
   [[nodiscard]] std::string title() const override { return "the recording"; }
 
   /// Transforms that were left out, and why; stretches; what is odd about the frames.
-  void report(const std::vector<FrameId>& frames, base::Diagnostics& found) const override;
+  void report(const std::vector<FrameId>& frames, base::Diagnostics& diagnostics) const override;
 
   [[nodiscard]] std::string whenKnown(FrameId frame) const override;
 
  private:
   [[nodiscard]] std::vector<FrameId> withAncestors(std::vector<FrameId> frames) const;
-  void noteClock(Stamp start, base::Diagnostics& found) const;
+  void noteClock(Stamp start, base::Diagnostics& diagnostics) const;
 
   RecordedTimes times_;
   FrameTree tree_;

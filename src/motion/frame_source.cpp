@@ -1,6 +1,6 @@
 #include "motion/frame_source.h"
 
-#include "motion/time_text.h"
+#include "motion/bag/ros_time.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {

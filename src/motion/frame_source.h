@@ -59,9 +59,9 @@ class FrameSource {
 
   /// Notes what the user should know about it.
   /// @param frames  that are used; what is odd about others does not matter
-  virtual void report(const std::vector<FrameId>& frames, base::Diagnostics& found) const {
+  virtual void report(const std::vector<FrameId>& frames, base::Diagnostics& diagnostics) const {
     static_cast<void>(frames);
-    static_cast<void>(found);
+    static_cast<void>(diagnostics);
   }
 
   /// "; it is known from 1.000000000 s to 3.000000000 s" for the end of a message, or nothing.

@@ -5,6 +5,9 @@
 #include <iterator>
 #include <utility>
 
+#include "motion/bag/ros_time.h"
+#include "synthetic_dataset/errors.h"
+
 namespace synthetic_dataset::motion {
 
 PlacedFrames::PlacedFrames(std::shared_ptr<const FrameSource> others)
@@ -43,11 +46,12 @@ std::optional<Duration> PlacedFrames::recordedPeriod(FrameId frame, Stamp time) 
   return others_->recordedPeriod(frame, time);
 }
 
-void PlacedFrames::report(const std::vector<FrameId>& frames, base::Diagnostics& found) const {
+void PlacedFrames::report(const std::vector<FrameId>& frames,
+                          base::Diagnostics& diagnostics) const {
   std::vector<FrameId> theirs;
   std::copy_if(frames.begin(), frames.end(), std::back_inserter(theirs),
                [this](FrameId frame) { return isOfOthers(frame) && placed_.count(frame) == 0; });
-  others_->report(theirs, found);
+  others_->report(theirs, diagnostics);
 }
 
 std::string PlacedFrames::whenKnown(FrameId frame) const {
@@ -60,6 +64,35 @@ Timeline PlacedFrames::timeline(const std::vector<std::string>& frames,
   std::copy_if(frames.begin(), frames.end(), std::back_inserter(theirs),
                [this](const std::string& frame) { return !isPlaced(frame); });
   return others_->timeline(theirs, options);
+}
+
+PlacementMotion::PlacementMotion(const std::string& global_frame) : FrameSource(global_frame) {
+  static_cast<void>(names_.findOrAdd(global_frame));
+}
+
+std::optional<Pose> PlacementMotion::pose(FrameId frame, Stamp /*time*/) const {
+  if (frame != names_.find(globalFrame())) return std::nullopt;
+  return Pose::Identity();
+}
+
+Timeline PlacementMotion::timeline(const std::vector<std::string>& frames,
+                                   const TimelineOptions& options) const {
+  std::vector<std::string> errors;
+  for (const std::string& frame : frames) {
+    if (!find(frame)) errors.push_back(lacks(frame));
+  }
+  if (options.scenes > Stamp::max() / options.period) {
+    errors.push_back("scenes: found " + std::to_string(options.scenes) + ", one every " +
+                     secondsText(options.period) +
+                     "; the last one should be less than 292 years from the first");
+  }
+  if (!errors.empty()) throw ErrorList(errors);
+  Timeline timeline;
+  timeline.is_recorded = false;
+  for (std::int64_t scene = 1; scene <= options.scenes; ++scene) {
+    timeline.stamps.push_back(scene * options.period);
+  }
+  return timeline;
 }
 
 }  // namespace synthetic_dataset::motion

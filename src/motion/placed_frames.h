@@ -32,7 +32,7 @@ class PlacedFrames : public FrameSource {
   [[nodiscard]] Timeline timeline(const std::vector<std::string>& frames,
                                   const TimelineOptions& options) const override;
   [[nodiscard]] std::string title() const override { return others_->title(); }
-  void report(const std::vector<FrameId>& frames, base::Diagnostics& found) const override;
+  void report(const std::vector<FrameId>& frames, base::Diagnostics& diagnostics) const override;
   [[nodiscard]] std::string whenKnown(FrameId frame) const override;
 
  private:
@@ -41,6 +41,25 @@ class PlacedFrames : public FrameSource {
   std::shared_ptr<const FrameSource> others_;
   std::shared_ptr<FrameNames> names_;  ///< those of the others, and those that are placed
   std::map<FrameId, std::optional<Pose>> placed_;  ///< X_GF
+};
+
+/// The motion of scenes that are placed at random: it has nothing but the global frame, and as many
+/// times as are asked for, which only number the scenes.
+class PlacementMotion : public FrameSource {
+ public:
+  explicit PlacementMotion(const std::string& global_frame);
+
+  [[nodiscard]] const FrameNames& names() const override { return names_; }
+  [[nodiscard]] std::optional<Pose> pose(FrameId frame, Stamp time) const override;
+
+  /// One period after 0, two periods, ...
+  /// @throws Error when the last one is more than 292 years from the first
+  [[nodiscard]] Timeline timeline(const std::vector<std::string>& frames,
+                                  const TimelineOptions& options) const override;
+  [[nodiscard]] std::string title() const override { return "the placement"; }
+
+ private:
+  FrameNames names_;
 };
 
 }  // namespace synthetic_dataset::motion

@@ -39,7 +39,7 @@ struct Timeline {
   std::int64_t left_out_gap = 0;      ///< scenes left out because of max_tf_gap
   std::int64_t left_out_unknown = 0;  ///< scenes left out because a transform was not known
   std::int64_t left_out_split = 0;    ///< scenes left out in gaps between splits
-  base::Diagnostics found;            ///< what the user should know: holes in the recording, ...
+  base::Diagnostics diagnostics;      ///< what the user should know: holes in the recording, ...
   bool is_recorded = true;            ///< else the times only number scenes that have nothing to
                                       ///< do with one another
 };

@@ -2,15 +2,115 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 
-#include "motion/holes.h"
-#include "motion/time_text.h"
+#include "base/diagnostics.h"
+#include "motion/bag/ros_time.h"
+#include "motion/tf/frame_tree.h"
+#include "motion/timeline.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::motion {
 namespace {
+
+/// Long gaps in a recording, and the scenes that fall into them.
+class Holes {
+ public:
+  /// @param tree, options  have to outlive this
+  Holes(const FrameTree& tree, const TimelineOptions& options) : tree_(tree), options_(options) {}
+
+  /// Whether no scene may be made then, as poses would be interpolated across a hole. Where the
+  /// pose is the same at both ends, it may. Counts the scene.
+  /// @param links  that are crossed for it
+  [[nodiscard]] bool forbid(const std::set<FrameId>& links, Stamp time);
+
+  /// Names the holes into which scenes fell, with their times.
+  void report(base::Diagnostics& diagnostics) const;
+
+ private:
+  struct Hole {
+    Gap gap;
+    bool is_forbidden = false;
+    std::int64_t scenes = 0;
+  };
+
+  [[nodiscard]] std::string message(FrameId child, const Hole& hole) const;
+
+  const FrameTree& tree_;
+  const TimelineOptions& options_;
+  std::map<std::pair<FrameId, Stamp>, Hole> holes_;  ///< by frame and beginning
+};
+
+std::string scenesText(std::int64_t count) {
+  return std::to_string(count) + (count == 1 ? " scene" : " scenes");
+}
+
+std::string secondsOf(Duration time) {
+  constexpr int kDecimals = 3;
+  return fixed(toSeconds(time), kDecimals) + " s";
+}
+
+/// The longest gap in a frame's transforms that is not a hole: the larger of 10 s and 20 median
+/// periods.
+Duration longestGapOf(const LinkHistory& link) {
+  constexpr Duration kLeast = std::chrono::seconds(10);
+  constexpr int kPeriods = 20;
+  return std::max(kLeast, kPeriods * link.medianPeriod());
+}
+
+bool Holes::forbid(const std::set<FrameId>& links, Stamp time) {
+  bool is_forbidden = false;
+  for (const FrameId child : links) {
+    const LinkHistory& link = tree_.link(child);
+    const auto gap = link.gapAt(time);
+    if (!gap) continue;
+    const Duration usual = longestGapOf(link);
+    const Duration longest = options_.max_tf_gap.value_or(usual);
+    if (gap->length() <= std::min(longest, usual)) continue;
+    Hole& hole = holes_.try_emplace({child, gap->from}, Hole{*gap}).first->second;
+    hole.is_forbidden = gap->length() > longest && !gap->is_still;
+    ++hole.scenes;
+    is_forbidden = is_forbidden || hole.is_forbidden;
+  }
+  return is_forbidden;
+}
+
+std::string Holes::message(FrameId child, const Hole& hole) const {
+  std::string text = "TF has nothing of the frame '" + tree_.names().of(child) + "' from " +
+                     secondsOf(hole.gap.from) + " to " + secondsOf(hole.gap.until) + " (" +
+                     secondsOf(hole.gap.length()) + "): " + scenesText(hole.scenes) +
+                     " in between ";
+  const std::string verb = hole.scenes == 1 ? "is " : "are ";
+  if (hole.is_forbidden) {
+    return text + verb + "left out (max_tf_gap: .inf makes " + (hole.scenes == 1 ? "it" : "them") +
+           ")";
+  }
+  if (hole.gap.is_still) return text + verb + "made, as its pose is the same before and after";
+  return text + verb + "made, its poses interpolated across, as max_tf_gap allows";
+}
+
+void Holes::report(base::Diagnostics& diagnostics) const {
+  constexpr std::int64_t kMost = 5;  // of a frame
+  std::map<FrameId, std::int64_t> counts;
+  std::map<FrameId, std::int64_t> scenes_of_others;
+  for (const auto& [place, hole] : holes_) {
+    if (++counts[place.first] <= kMost) {
+      diagnostics.warning("", message(place.first, hole));
+    } else {
+      scenes_of_others[place.first] += hole.scenes;
+    }
+  }
+  for (const auto& [child, scenes] : scenes_of_others) {
+    diagnostics.warning("", "TF has " + std::to_string(counts[child] - kMost) +
+                                " more such holes of the frame '" + tree_.names().of(child) +
+                                "', with " + scenesText(scenes));
+  }
+}
 
 constexpr Duration kTick{1};
 constexpr std::int64_t kMostScenes = 100000000;  // file names have eight digits
@@ -30,7 +130,7 @@ class Connections {
     }
   }
 
-  /// Of all wanted frames, in their order.
+  /// The connections of all wanted frames, in their order.
   const std::vector<Connection>& at(Stamp time) {
     for (std::size_t i = 0; i < connections_.size(); ++i) {
       const Validity& validity = connections_[i].validity;
@@ -111,14 +211,14 @@ class TimeFilter {
     return true;
   }
 
-  void report(base::Diagnostics& found) const { holes_.report(found); }
+  void report(base::Diagnostics& diagnostics) const { holes_.report(diagnostics); }
 
  private:
   Connections& connections_;
   Holes holes_;
 };
 
-/// Those of the given times that are in the part.
+/// The given times that lie in the part.
 Timeline timelineOf(const std::vector<Stamp>& stamps, const RecordedTimes& part,
                     TimeFilter& filter) {
   Timeline timeline;
@@ -126,7 +226,7 @@ Timeline timelineOf(const std::vector<Stamp>& stamps, const RecordedTimes& part,
     const bool is_inside = time >= part.start && time <= part.end;
     if (is_inside && filter.passes(time, timeline)) timeline.stamps.push_back(time);
   }
-  filter.report(timeline.found);
+  filter.report(timeline.diagnostics);
   return timeline;
 }
 
@@ -196,7 +296,7 @@ std::optional<Timeline> findTimeline(const FrameTree& tree, const FramesToKnow& 
     timeline.stamps.push_back(time);
     if (options.jitter) timeline.jitter.push_back(jitter);
   }
-  filter.report(timeline.found);
+  filter.report(timeline.diagnostics);
   return timeline;
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "motion/bag_reader.h"
-#include "motion/frame_tree.h"
+#include "motion/tf/bag_reader.h"
+#include "motion/tf/frame_tree.h"
 #include "motion/timeline.h"
 
 namespace synthetic_dataset::motion {

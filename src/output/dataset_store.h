@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "output/files/disk_sync.h"
+#include "output/files/file_system.h"
 #include "output/manifest/manifest_schema.h"
+#include "output/manifest/picture_facts.h"
 #include "output/manifest/run_description.h"
-#include "output/manifest/scene_facts.h"
 #include "output/output_options.h"
 #include "output/store_types.h"
 #include "synthetic_dataset/output.h"

@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "output/files/file_name_rules.h"
-#include "output/files/file_places.h"
 #include "output/files/pending_file.h"
 #include "output/files/run_lock.h"
 #include "output/preflight.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "output/manifest/manifest_content.h"
-#include "output/manifest/scene_facts.h"
+#include "output/manifest/picture_facts.h"
 #include "output/manifest/sqlite.h"
 
 namespace synthetic_dataset::output {

@@ -15,8 +15,6 @@
 #include "programs/console/command_line.h"
 #include "programs/console/console_reporter.h"
 #include "programs/console/heap.h"
-#include "programs/console/settings_source.h"
-#include "programs/console/tool.h"
 #include "run/align/aligner.h"
 #include "synthetic_dataset/errors.h"
 

@@ -11,8 +11,6 @@
 #include "programs/check/check_report.h"
 #include "programs/console/command_line.h"
 #include "programs/console/heap.h"
-#include "programs/console/settings_source.h"
-#include "programs/console/tool.h"
 
 int main(int argc, char** argv) {
   using namespace synthetic_dataset;

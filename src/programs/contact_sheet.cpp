@@ -16,7 +16,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "programs/gallery/model_gallery.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/model_folders.h"
 

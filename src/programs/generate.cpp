@@ -18,16 +18,15 @@
 #include "programs/console/command_line.h"
 #include "programs/console/console_reporter.h"
 #include "programs/console/heap.h"
-#include "programs/console/live_map.h"
 #include "programs/console/parallel_run.h"
 #include "programs/console/ros_parameters.h"
 #include "programs/console/run_topics.h"
 #include "programs/console/script_reporter.h"
-#include "programs/console/settings_source.h"
 #include "programs/console/stop_signals.h"
+#include "programs/console/topic_map.h"
 #include "programs/settings/documented_settings.h"
 #include "run/generator.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {
@@ -103,7 +102,7 @@ int generateHere(const Value& settings, const programs::CommandLine& command_lin
   return kDone;
 }
 
-/// Whether something is odd is no failure, but scripts may want to know.
+/// Findings are not a failure, but scripts may want to know.
 int check(const Value& settings, const programs::CommandLine& command_line) {
   const bool is_fine = programs::checkAndPrint(settings, command_line.out.value_or("."), std::cout);
   return is_fine ? kDone : kOdd;
@@ -187,8 +186,8 @@ int main(int argc, char** argv) {
   programs::RunTopics reporter(node);
   return generateOrReport(command_line, reporter, [&] {
     Value settings = programs::readRosParameters(run::rosPackageFinder());
-    if (programs::wantsLiveMap(settings)) {
-      programs::takeLiveMap(settings, node.emplace(), reporter);
+    if (programs::wantsTopicMap(settings)) {
+      programs::takeTopicMap(settings, node.emplace(), reporter);
     }
     return settings;
   });

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/json_text.h"
-#include "programs/console/tool.h"
+#include "programs/console/command_line.h"
 #include "programs/inspect/bag_report.h"
 #include "programs/inspect/server_descriptions.h"
 #include "programs/inspect/world_report.h"

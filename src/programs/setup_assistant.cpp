@@ -13,9 +13,9 @@
 #include <string>
 
 #include "base/printable_text.h"
+#include "programs/console/command_line.h"
 #include "programs/console/heap.h"
 #include "programs/console/stop_signals.h"
-#include "programs/console/tool.h"
 #include "programs/setup_assistant/assistant.h"
 #include "programs/setup_assistant/page_files.h"
 #include "programs/setup_assistant/start_options.h"

@@ -16,7 +16,7 @@
 
 #include "base/name_list.h"
 #include "plugins/readback/format.h"
-#include "programs/console/tool.h"
+#include "programs/console/command_line.h"
 #include "programs/inspect/world_report.h"
 #include "programs/start/settings_draft.h"
 #include "programs/start/start_line.h"

@@ -10,10 +10,10 @@
 #include "render/lens/lens_eye.h"
 #include "render/lens/lens_library.h"
 #include "render/lens/lens_resampling.h"
-#include "render/parts/part_groups.h"
+#include "render/parts/item_groups.h"
 #include "render/picture/lens_painter.h"
 #include "render/picture/light_painter.h"
-#include "render/picture/picture_cache.h"
+#include "render/picture/painter_cache.h"
 #include "render/pixels/pixel_bands.h"
 #include "render/shadows/held_casters.h"
 #include "render/shadows/shadow_projection.h"
@@ -168,7 +168,7 @@ struct Renderer::Impl {
   LensEye eye;
   LabelPainter label_painter;
   SilhouettePainter silhouette_painter;
-  PictureCache pictures;
+  PainterCache pictures;
   LensPainter lens_painter;
 };
 
@@ -217,7 +217,7 @@ void Renderer::drawExposure(const CameraModel& camera, const std::vector<Rolling
   for (const RollingMoment& moment : moments) poses.push_back(&moment.X_WL);
   // Less than shadows' edges are wide; and the pictures are averaged.
   constexpr double kHeld = 2.0;  // [texel]
-  const auto held = heldForShadows(impl.draw_list.parts(), poses, shadows, kHeld);
+  const auto held = heldForShadows(impl.draw_list.items(), poses, shadows, kHeld);
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const View view{camera, moments[i].X_WC};
     const std::vector<Pose>& X_WL = moments[i].X_WL;
@@ -270,8 +270,8 @@ Silhouette Renderer::silhouette(const View& view, const std::vector<Pose>& X_WL,
 
 cv::Rect Renderer::reach(const View& view, const std::vector<Pose>& X_WL,
                          const LinkSelection& links) const {
-  return boundsOf(regionsOf(impl_->draw_list.parts(), view, X_WL,
-                            [&](const Part& part) { return links[part.link]; }));
+  return boundsOf(regionsOf(impl_->draw_list.items(), view, X_WL,
+                            [&](const DrawItem& item) { return links[item.link]; }));
 }
 
 std::string Renderer::glVersion() const { return impl_->context.version(); }

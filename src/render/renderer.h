@@ -8,13 +8,12 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/gl/render_target.h"
+#include "render/labels/label_images.h"
 #include "render/labels/label_painter.h"
 #include "render/labels/silhouette_painter.h"
 #include "render/parts/draw_list.h"
 #include "render/pending_picture.h"
 #include "render/render_options.h"
-#include "render/rolling_view.h"
 #include "render/view.h"
 #include "world/look.h"
 #include "world/world.h"
@@ -112,7 +111,7 @@ class Renderer {
   [[nodiscard]] cv::Rect reach(const View& view, const std::vector<Pose>& X_WL,
                                const LinkSelection& links) const;
 
-  /// Of the OpenGL that draws: "4.5 (Core Profile) Mesa 22.3.6".
+  /// The version of OpenGL: "4.5 (Core Profile) Mesa 22.3.6".
   [[nodiscard]] std::string glVersion() const;
 
  private:

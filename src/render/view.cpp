@@ -1,6 +1,22 @@
 #include "render/view.h"
 
+#include <algorithm>
+#include <cstddef>
+
+#include <Eigen/Geometry>
+
 namespace synthetic_dataset::render {
+namespace {
+
+Pose between(const Pose& before, const Pose& after, double share) {
+  if (before.matrix() == after.matrix()) return before;
+  const Eigen::Quaterniond turned =
+      Eigen::Quaterniond(before.linear()).slerp(share, Eigen::Quaterniond(after.linear()));
+  return makePose(before.translation() + share * (after.translation() - before.translation()),
+                  turned);
+}
+
+}  // namespace
 
 Eigen::Matrix4d clipFromCamera(const CameraModel& camera) {
   const Intrinsics& k = camera.intrinsics();
@@ -15,6 +31,27 @@ Eigen::Matrix4d clipFromCamera(const CameraModel& camera) {
   clip(2, 3) = near * far / (far - near);
   clip(3, 2) = 1.0;
   return clip;
+}
+
+RollingMoment RollingView::at(double row) const {
+  auto after = std::find_if(moments.begin() + 1, moments.end() - 1,
+                            [&](const RollingMoment& moment) { return moment.row >= row; });
+  const RollingMoment& from = *(after - 1);
+  const RollingMoment& to = *after;
+  const double share = (row - from.row) / (to.row - from.row);
+  RollingMoment here{row, between(from.X_WC, to.X_WC, share), {}};
+  here.X_WL.reserve(from.X_WL.size());
+  for (std::size_t link = 0; link < from.X_WL.size(); ++link) {
+    here.X_WL.push_back(between(from.X_WL[link], to.X_WL[link], share));
+  }
+  return here;
+}
+
+cv::Rect RollingView::rowsOf(int band) const {
+  const int height = camera.height();
+  const int first = band * height / bands;
+  const int end = (band + 1) * height / bands;
+  return {0, first, camera.width(), end - first};
 }
 
 }  // namespace synthetic_dataset::render

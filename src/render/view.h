@@ -1,13 +1,18 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
+#include <opencv2/core/types.hpp>
 
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::render {
+
+/// Which links take part in a pass: one flag a link, in the world's order.
+using LinkSelection = std::vector<bool>;
 
 /// Where a lens's view begins, in the frame of a picture that is drawn for it.
 struct NearLimit {
@@ -31,5 +36,32 @@ struct View {
 /// is OpenGL's (u + 0.5, v + 0.5). Depth is reversed (1 at the near plane, 0 at the far one), which
 /// with floating-point depth keeps its precision nearly the same at all distances.
 [[nodiscard]] Eigen::Matrix4d clipFromCamera(const CameraModel& camera);
+
+/// The poses at the time at which a row of a picture is taken.
+struct RollingMoment {
+  double row = 0.0;  ///< from the picture's first; may lie between rows, or beside the picture
+  Pose X_WC = Pose::Identity();
+  std::vector<Pose> X_WL;  ///< of each link
+};
+
+/// The view of a picture whose rows are taken at different times (rolling shutter).
+struct RollingView {
+  CameraModel camera;
+
+  /// At least two, in the order of their rows. Between them poses are interpolated.
+  std::vector<RollingMoment> moments;
+
+  /// Rows that share the time of their lights and shadows, as bands of equal height.
+  int bands = 1;
+
+  /// The poses when a row is taken. Orientations turn evenly, as tf2 has it.
+  [[nodiscard]] RollingMoment at(double row) const;
+
+  /// When the middle row is taken.
+  [[nodiscard]] RollingMoment middle() const { return at(0.5 * (camera.height() - 1)); }
+
+  /// The picture's rows of one of the bands.
+  [[nodiscard]] cv::Rect rowsOf(int band) const;
+};
 
 }  // namespace synthetic_dataset::render

@@ -32,16 +32,16 @@ std::int64_t DatasetSink::cameraCount() const {
   return static_cast<std::int64_t>(setup_.config.cameras.size());
 }
 
-std::vector<output::Warning> DatasetSink::add(const FinishedScene& finished) {
+std::vector<base::Warning> DatasetSink::add(const FinishedScene& finished) {
   if (finished.is_left_out) {
     store_->leaveOutScene(finished.facts);
     return {};
   }
   output::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
   written.files.recorded = {finished.scene.image, finished.image_file};
-  std::vector<output::Warning> warnings;
+  std::vector<base::Warning> warnings;
   for (const std::string& warning : written.warnings) warnings.push_back({warning});
-  output::SceneFacts facts = finished.facts;
+  base::SceneFacts facts = finished.facts;
   facts.warnings.insert(facts.warnings.end(), warnings.begin(), warnings.end());
   const std::string& global = setup_.description.global_frame;
   for (const std::string& frame : setup_.writers->requirements().frames) {

@@ -26,7 +26,7 @@ class DatasetSink : public SceneSink {
   void begin(const DatasetInfo& dataset) override;
 
   [[nodiscard]] bool wants(std::int64_t scene) const override;
-  [[nodiscard]] std::vector<output::Warning> add(const FinishedScene& finished) override;
+  [[nodiscard]] std::vector<base::Warning> add(const FinishedScene& finished) override;
 
   /// Writes the files of the dataset as a whole and completes it, unless scenes are left to others.
   void finish(RunEnd end) override;
@@ -34,7 +34,7 @@ class DatasetSink : public SceneSink {
   /// How many scenes the dataset, its shard or the choice of `only_scenes` has.
   [[nodiscard]] std::int64_t plannedCount() const;
 
-  /// Of the scenes that this run has made.
+  /// Statistics of the scenes that this run has made.
   [[nodiscard]] const SceneStatistics& statistics() const { return statistics_; }
 
   /// What is there; after `begin`.

@@ -1,15 +1,106 @@
 #include "run/generator.h"
 
+#include <cstdint>
 #include <memory>
+#include <string>
 
+#include "base/diagnostics.h"
 #include "run/dataset_sink.h"
 #include "run/label_counts.h"
-#include "run/plan_report.h"
+#include "run/reporter.h"
 #include "run/scene_loop.h"
 #include "run/setup/run_setup.h"
 #include "run/stage_times.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {
+namespace {
+
+/// Its first time [s].
+std::string startOf(const MotionSetup& motion) {
+  return fixed(toSeconds(motion.timeline.stamps.front()), 3);
+}
+
+std::string whenMade(const MotionSetup& motion) {
+  if (!motion.timeline.is_recorded) return ", placed";
+  if (motion.pictures) {
+    return " at the times of recorded pictures from " + startOf(motion) + " s on, one every " +
+           fixed(1.0 / motion.config.motion.rate, 4) + " s (median)";
+  }
+  return " from " + startOf(motion) + " s on, every " + fixed(1.0 / motion.config.motion.rate, 4) +
+         " s" + (motion.timeline.jitter.empty() ? "" : " but for randomize/time/jitter");
+}
+
+std::string rangeOf(const MotionSetup& motion) {
+  const std::int64_t last = motion.first_instant + motion.instantCount() - 1;
+  return "motion '" + motion.entry.name + "': numbers " + std::to_string(motion.first_instant) +
+         " to " + std::to_string(last) +
+         (motion.timeline.is_recorded ? ", recorded from " + startOf(motion) + " s on"
+                                      : ", placed");
+}
+
+std::string scenesOf(const RunSetup& setup) {
+  const std::size_t cameras = setup.config.cameras.size();
+  return std::to_string(setup.description.scene_count) + " scenes" +
+         (cameras == 1 ? "" : " of " + std::to_string(cameras) + " cameras");
+}
+
+std::string splitsOf(const RunSetup& setup) {
+  std::string text;
+  for (const SplitInfo& split : setup.splits->splits(setup.config.cameras.size())) {
+    text += (text.empty() ? "; " : ", ") + split.name + " " + std::to_string(split.scene_count);
+  }
+  return text;
+}
+
+/// The part of the run's scenes that is made here.
+std::string partOf(const RunSetup& setup, const DatasetSink& dataset) {
+  const config::Config& config = setup.config;
+  const std::string makes = " makes " + std::to_string(dataset.plannedCount());
+  std::string text;
+  if (config.output.shard) {
+    text += "; shard " + std::to_string(config.output.shard->index) + " of 0 to " +
+            std::to_string(config.output.shard->count - 1) + makes;
+  }
+  if (!config.only_scenes.empty()) {
+    text += "; only_scenes" + makes + ", and leaves the dataset open for the others";
+  }
+  return text;
+}
+
+void reportMotions(const RunSetup& setup, const DatasetSink& dataset, Reporter& reporter) {
+  const std::size_t count = setup.motions.size();
+  const std::string when =
+      count == 1 ? whenMade(setup.motions.front()) : " of " + std::to_string(count) + " motions";
+  reporter.info(scenesOf(setup) + when + splitsOf(setup) + partOf(setup, dataset));
+  if (count == 1) return;
+  for (const MotionSetup& motion : setup.motions) reporter.info(rangeOf(motion));
+}
+
+/// Reports what a run will make, before its first scene.
+/// @param dataset  has begun
+/// @param missing_count  how many of its scenes are still to be made
+void reportPlan(const RunSetup& setup, const DatasetSink& dataset, std::int64_t missing_count,
+                Reporter& reporter) {
+  std::string defaults;
+  for (const std::string& taken : setup.defaults_taken) {
+    defaults += (defaults.empty() ? "" : ", ") + taken;
+  }
+  if (!defaults.empty()) reporter.info("defaults taken: " + defaults);
+  for (const std::string& note : setup.diagnostics.messages(base::Severity::kNote))
+    reporter.info(note);
+  reporter.warnOfEachKind(setup.description.warnings);
+  reportMotions(setup, dataset, reporter);
+  const std::int64_t there = dataset.plannedCount() - missing_count;
+  if (dataset.store().wasComplete()) {
+    reporter.info(std::string(setup.config.output.shard ? "the shard" : "the dataset") +
+                  " is complete already: there is nothing to do");
+  } else if (there > 0) {
+    reporter.info("going on: " + std::to_string(there) + " of these scenes are there already");
+  }
+}
+
+}  // namespace
 
 struct Generator::Impl {
   Impl(const Value& parameters, Reporter& user, const std::vector<std::string>& plugin_xml_files)

@@ -93,7 +93,7 @@ std::vector<std::string> missingLabels(const output::DatasetStore& store,
 }
 
 void complete(output::DatasetStore& store, const std::vector<scene::ObjectOptions>& objects) {
-  std::vector<output::Warning> warnings;
+  std::vector<base::Warning> warnings;
   for (const std::string& message : missingLabels(store, objects)) warnings.push_back({message});
   store.complete(warnings);
 }

@@ -11,7 +11,6 @@
 #include "config/settings_text.h"
 #include "output/earlier_dataset.h"
 #include "output/files/file_name_rules.h"
-#include "output/files/file_places.h"
 #include "output/manifest/manifest_content.h"
 #include "run/label_counts.h"
 #include "run/open_output.h"

@@ -7,14 +7,14 @@
 #include "base/json_text.h"
 #include "base/random/random_seed.h"
 #include "base/seconds.h"
-#include "label/alignment.h"
 #include "run/world_history.h"
+#include "scene/recorded_comparison.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {
 namespace {
 
-/// With what recorded pictures are held against.
+/// Adds what the comparison with recorded pictures needs.
 Requirements labelRequirements(Requirements requirements, const MotionSetup& motion) {
   if (motion.pictures) requirements.visible_masks = true;
   return requirements;
@@ -42,9 +42,10 @@ MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Require
       renderer_(motion.world->description(), motion.world->links(), motion.config.rendering),
       scene_maker_(*motion.world, renderer_, *motion.frames, motion.cameras, *motion.shapes,
                    labelRequirements(requirements, motion), labelOptions(motion)),
-      picture_taker_(*motion.world, renderer_, *motion.frames, motion.cameras, motion.config.seed),
+      picture_taker_(*motion.world, renderer_, motion.cameras, motion.config.seed),
       object_motion_(*motion.frames, motion.config.objects, motion.world->links(),
-                     motion.driven_links) {
+                     motion.driven_links),
+      physics_findings_(*motion.world, motion.config.physics.contact_tolerance) {
   // A shutter may open before the recording begins: objects are where they are first seen then.
   const Stamp first = motion_.timeline.stamps.front();
   (void)object_motion_.objectPoses(first);
@@ -63,7 +64,7 @@ bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& rep
     if (reporter.stopRequested()) return false;
     makeInstant(instant++, stamp, work, pipeline);
   }
-  passOn(std::nullopt, pipeline);
+  passOn(nullptr, pipeline);
   return true;
 }
 
@@ -135,19 +136,20 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
       if (work.hasScene(each.seen.scene.index)) drawn_.push_back(std::move(each));
     }
     scenes.clear();
-    if (!waits_for_next) passOn(std::nullopt, pipeline);
+    if (!waits_for_next) passOn(nullptr, pipeline);
   };
   arrange(instant, stamp, is_wanted);
   for (const Duration offset : picture_taker_.offsets()) {
     moveWorld(stamp + offset);
+    scene::CameraPoses poses(motion_.cameras, *motion_.world, *motion_.frames, stamp, offset);
     std::vector<std::optional<Pose>> X_GO;
     if (offset == Duration{0}) {
-      passOn(stamp, pipeline);
+      passOn(&poses, pipeline);
       if (is_wanted) X_GO = object_motion_.objectPoses(stamp);
     }
     for (std::size_t camera = 0; is_wanted && camera < motion_.cameras.size(); ++camera) {
-      if (!motion_.config.hasRecordedImages()) picture_taker_.expose(camera, stamp, offset);
-      if (offset == Duration{0}) scenes.push_back(look(camera, instant, stamp, X_GO));
+      if (!motion_.config.hasRecordedImages()) picture_taker_.expose(camera, offset, poses);
+      if (offset == Duration{0}) scenes.push_back(look(camera, instant, stamp, poses, X_GO));
       if (!waits) develop();
     }
   }
@@ -163,30 +165,35 @@ void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
   // The scene before may wait for where things have gone.
   if (!is_wanted && drawn_.empty()) return;
   motion_.arranger->placeDistractors(instant, stamp);
-  for (output::Warning& each : motion_.arranger->placeCameras(instant, stamp)) {
+  for (base::Warning& each : motion_.arranger->placeCameras(instant, stamp)) {
     pending_warnings_.push_back(std::move(each));
   }
   motion_.variation->vary(instant, renderer_, motion_.cameras);
 }
 
 MotionRun::DrawnScene MotionRun::look(std::size_t camera, std::int64_t instant, Stamp stamp,
+                                      scene::CameraPoses& poses,
                                       const std::vector<std::optional<Pose>>& X_GO) {
-  DrawnScene scene{
-      scene_maker_.look(camera, instant, stamp, X_GO), {}, {}, {}, {}, drawsOf(camera, instant)};
+  DrawnScene scene{scene_maker_.look(camera, instant, stamp, poses, X_GO),
+                   {},
+                   {},
+                   {},
+                   {},
+                   drawsOf(camera, instant)};
   scene.seen.scene.split = splits_.at(instant);
   if (motion_.surfaces) {
     scene.measured = motion_.surfaces->seenBy(camera, *motion_.world, stamp, scene.seen.scene.X_GC);
   }
   if (camera == 0) {
-    scene.contacts = findContacts(stamp);
-    warnOfFallen(stamp);
+    scene.contacts = physics_findings_.contacts(stamp, pending_warnings_);
+    physics_findings_.addFallen(stamp, pending_warnings_);
   }
   return scene;
 }
 
 /// All that was drawn for a camera's scene.
-std::vector<output::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64_t instant) const {
-  std::vector<output::DrawFacts> draws = motion_.variation->draws(camera);
+std::vector<base::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64_t instant) const {
+  std::vector<base::DrawFacts> draws = motion_.variation->draws(camera);
   if (const auto& jitter = motion_.timeline.jitter; !jitter.empty()) {
     const auto index = static_cast<std::size_t>(instant - motion_.first_instant);
     draws.push_back({"time/jitter", base::jsonText(Value(toSeconds(jitter[index])))});
@@ -199,33 +206,9 @@ std::vector<output::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64
   return draws;
 }
 
-/// Objects that are inside something now; each a warning, too.
-std::vector<output::ContactFacts> MotionRun::findContacts(Stamp stamp) {
-  std::vector<output::ContactFacts> contacts;
-  const std::string metres = fixed(motion_.config.physics.contact_tolerance, 3);
-  for (const world::Interpenetration& pair : motion_.world->interpenetrations()) {
-    contacts.push_back({pair.first, pair.second, pair.depth});
-    pending_warnings_.push_back(
-        {"'" + pair.first + "' and '" + pair.second + "' are inside one another",
-         "by " + fixed(pair.depth, 3) + " m at " + fixed(toSeconds(stamp), 3) +
-             " s; physics/contact_tolerance allows " + metres + " m"});
-  }
-  return contacts;
-}
-
-/// Models that have left the world, each once: a picture without them must not go unexplained.
-void MotionRun::warnOfFallen(Stamp stamp) {
-  for (const std::string& name : motion_.world->fallenProps()) {
-    if (!fallen_.insert(name).second) continue;
-    pending_warnings_.push_back(
-        {"model '" + name + "' has fallen out of the world: it is not static, and nothing holds it",
-         "at " + fixed(toSeconds(stamp), 3) + " s"});
-  }
-}
-
 /// Passes the scenes on that were drawn last.
-/// @param now  where the world stands, for where their pixels have gone; nothing after the last
-void MotionRun::passOn(std::optional<Stamp> now, ScenePipeline& pipeline) {
+/// @param now  the cameras' poses now, for where their pixels have gone; null after the last scene
+void MotionRun::passOn(scene::CameraPoses* now, ScenePipeline& pipeline) {
   for (DrawnScene& each : drawn_) {
     if (scene_maker_.needsOpticalFlow()) scene_maker_.addOpticalFlow(each.seen, now);
     const CameraModel& camera = each.seen.scene.camera;
@@ -250,60 +233,22 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
   const bool is_recorded = motion_.config.hasRecordedImages();
   scene.image = is_recorded ? recorded.pixels : std::exchange(drawn.image, {})();
   picture_taker_.measureDepth(scene);  // all labels are of the exact one
-  output::SceneFacts facts = factsOf(drawn, findings.agreement);
+  base::SceneFacts facts = factsOf(drawn, findings.agreement);
   FinishedScene finished{std::move(scene), std::move(facts)};
   if (motion_.pictures) {
-    compare(recorded.pixels, finished);
-    addCovers(findings.covers, finished);
+    scene::compareWithRecorded(recorded.pixels, finished.scene, finished.facts);
+    finished.is_left_out =
+        scene::isBelowAlignment(motion_.config.twin.min_alignment, finished.facts);
+    scene::addCovers(findings.covers, finished.scene, finished.facts);
   }
   if (is_recorded) finished.image_file = std::move(recorded.jpeg);
   return finished;
 }
 
-/// Holds the labels against the picture that was recorded.
-void MotionRun::compare(const cv::Mat& recorded, FinishedScene& finished) const {
-  output::SceneFacts& facts = finished.facts;
-  const std::vector<label::Alignment> alignments = label::alignmentsOf(finished.scene, recorded);
-  label::Alignment all;
-  for (std::size_t i = 0; i < alignments.size(); ++i) {
-    facts.objects[i].alignment = alignments[i].score();
-    all += alignments[i];
-  }
-  facts.alignment = all.score();
-  const double least = motion_.config.twin.min_alignment;
-  finished.is_left_out = facts.alignment.value_or(1.0) < least;
-  if (finished.is_left_out) {
-    facts.warnings.push_back(
-        {"scene left out: its alignment is below twin/min_alignment",
-         "of " + fixed(*facts.alignment, 3) + " at " + fixed(toSeconds(facts.stamp), 3) + " s"});
-  }
-}
-
-/// Says of which pixels of the objects nobody knows whether something stands in front of them.
-/// @param covers  of each object; empty where nothing measures: then of all
-void MotionRun::addCovers(const std::vector<label::ObjectCover>& covers,
-                          FinishedScene& finished) const {
-  label::ObjectCover all;
-  const auto sharesOf = [](const label::ObjectCover& cover) {
-    return cover.pixels == 0
-               ? std::nullopt
-               : std::optional(output::CoverFacts{cover.unmeasuredShare(), cover.coveredShare()});
-  };
-  const std::vector<SceneObject>& objects = finished.scene.objects;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const std::int64_t pixels = objects[i].visible_mask().count();
-    const label::ObjectCover cover =
-        covers.empty() ? label::ObjectCover{pixels, pixels} : covers[i];
-    finished.facts.objects[i].cover = sharesOf(cover);
-    all += cover;
-  }
-  finished.facts.cover = sharesOf(all);
-}
-
-output::SceneFacts MotionRun::factsOf(const DrawnScene& drawn,
-                                      const label::MaskAgreement& agreement) const {
+base::SceneFacts MotionRun::factsOf(const DrawnScene& drawn,
+                                    const label::MaskAgreement& agreement) const {
   const Scene& scene = drawn.seen.scene;
-  output::SceneFacts facts = output::sceneFacts(scene);
+  base::SceneFacts facts = base::sceneFacts(scene);
   facts.seed =
       base::randomSeed(static_cast<std::uint64_t>(motion_.config.seed), scene.index, "scene");
   facts.objects = scene_maker_.objectFacts(scene, agreement);

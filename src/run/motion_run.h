@@ -2,18 +2,18 @@
 
 #include <cstdint>
 #include <optional>
-#include <set>
-#include <string>
 #include <vector>
 
-#include "output/manifest/scene_facts.h"
+#include "base/scene_facts.h"
 #include "render/renderer.h"
 #include "run/reporter.h"
 #include "run/scene_pipeline.h"
 #include "run/setup/motion_setup.h"
 #include "run/setup/split_plan.h"
 #include "run/work_plan.h"
+#include "scene/camera_poses.h"
 #include "scene/object_motion.h"
+#include "scene/physics_findings.h"
 #include "scene/picture_taker.h"
 #include "scene/scene_maker.h"
 #include "synthetic_dataset/label_writer.h"
@@ -30,7 +30,7 @@ class MotionRun {
 
   [[nodiscard]] bool isOf(const MotionSetup& motion) const { return &motion == &motion_; }
 
-  /// Of the OpenGL that draws.
+  /// The version of OpenGL.
   [[nodiscard]] std::string glVersion() const { return renderer_.glVersion(); }
 
   /// Makes the scenes of the motion that are in the plan, in their order.
@@ -45,9 +45,9 @@ class MotionRun {
     scene::SeenScene seen;
     render::PendingPicture image;
     scene::PendingRanges measured;  ///< what hides objects, where it is measured
-    std::vector<output::ContactFacts> contacts;
-    std::vector<output::Warning> warnings;
-    std::vector<output::DrawFacts> draws;
+    std::vector<base::ContactFacts> contacts;
+    std::vector<base::Warning> warnings;
+    std::vector<base::DrawFacts> draws;
   };
 
   [[nodiscard]] bool isKnownUntil(std::int64_t end) const;
@@ -58,17 +58,14 @@ class MotionRun {
                    ScenePipeline& pipeline);
   void arrange(std::int64_t instant, Stamp stamp, bool is_wanted);
   [[nodiscard]] DrawnScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
+                                scene::CameraPoses& poses,
                                 const std::vector<std::optional<Pose>>& X_GO);
-  [[nodiscard]] std::vector<output::DrawFacts> drawsOf(std::size_t camera,
-                                                       std::int64_t instant) const;
-  [[nodiscard]] std::vector<output::ContactFacts> findContacts(Stamp stamp);
-  void warnOfFallen(Stamp stamp);
-  void passOn(std::optional<Stamp> now, ScenePipeline& pipeline);
+  [[nodiscard]] std::vector<base::DrawFacts> drawsOf(std::size_t camera,
+                                                     std::int64_t instant) const;
+  void passOn(scene::CameraPoses* now, ScenePipeline& pipeline);
   [[nodiscard]] FinishedScene finish(DrawnScene& drawn) const;
-  void compare(const cv::Mat& recorded, FinishedScene& finished) const;
-  void addCovers(const std::vector<label::ObjectCover>& covers, FinishedScene& finished) const;
-  [[nodiscard]] output::SceneFacts factsOf(const DrawnScene& drawn,
-                                           const label::MaskAgreement& agreement) const;
+  [[nodiscard]] base::SceneFacts factsOf(const DrawnScene& drawn,
+                                         const label::MaskAgreement& agreement) const;
 
   MotionSetup& motion_;
   const SplitPlan& splits_;
@@ -76,11 +73,11 @@ class MotionRun {
   scene::SceneMaker scene_maker_;
   scene::PictureTaker picture_taker_;
   scene::ObjectMotion object_motion_;
-  Stamp motion_start_{0};                          ///< when the first shutter opens
-  bool is_known_ = false;                          ///< where the world stands, by its history
-  std::vector<output::Warning> pending_warnings_;  ///< since the last instant
-  std::set<std::string> fallen_;                   ///< models that have left the world
-  std::vector<DrawnScene> drawn_;                  ///< at the last instant; not yet passed on
+  scene::PhysicsFindings physics_findings_;
+  Stamp motion_start_{0};                        ///< when the first shutter opens
+  bool is_known_ = false;                        ///< where the world stands, by its history
+  std::vector<base::Warning> pending_warnings_;  ///< since the last instant
+  std::vector<DrawnScene> drawn_;                ///< at the last instant; not yet passed on
 };
 
 }  // namespace synthetic_dataset::run

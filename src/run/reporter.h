@@ -31,8 +31,8 @@ class Reporter {
   [[nodiscard]] virtual bool stopRequested() const { return false; }
 
   /// Reports each kind of warning once; how often it came, the manifest knows.
-  void warnOfEachKind(const std::vector<output::Warning>& warnings) {
-    for (const output::Warning& each : warnings) {
+  void warnOfEachKind(const std::vector<base::Warning>& warnings) {
+    for (const base::Warning& each : warnings) {
       if (!reported_kinds_.insert(each.kind).second) continue;
       warning(each.detail.empty() ? each.kind : each.kind + " (" + each.detail + ")");
     }

@@ -33,7 +33,7 @@ struct RunSummary {
   double seconds = 0.0;       ///< that they took
   StageTimes times;
 
-  // Of the whole dataset, or of the shard, whichever runs made it.
+  // Totals of the dataset, or of the shard, over all runs that made it.
   std::int64_t dataset_scenes = 0;
   std::int64_t planned_scenes = 0;
   std::int64_t files = 0;

@@ -63,8 +63,8 @@ FinishedScene ScenePipeline::finishScene(const PendingScene& scene) {
 
 void ScenePipeline::addToSink(const FinishedScene& finished) {
   const StageWatch watch;
-  std::vector<output::Warning> warnings = finished.facts.warnings;
-  const std::vector<output::Warning> of_sink = sink_.add(finished);
+  std::vector<base::Warning> warnings = finished.facts.warnings;
+  const std::vector<base::Warning> of_sink = sink_.add(finished);
   warnings.insert(warnings.end(), of_sink.begin(), of_sink.end());
   const std::lock_guard<std::mutex> lock(mutex_);
   unreported_.push_back(std::move(warnings));
@@ -72,12 +72,12 @@ void ScenePipeline::addToSink(const FinishedScene& finished) {
 }
 
 void ScenePipeline::report() {
-  std::vector<std::vector<output::Warning>> added;
+  std::vector<std::vector<base::Warning>> added;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     added.swap(unreported_);
   }
-  for (const std::vector<output::Warning>& warnings : added) {
+  for (const std::vector<base::Warning>& warnings : added) {
     reporter_.warnOfEachKind(warnings);
     reporter_.progress(++added_count_, scene_count_);
   }

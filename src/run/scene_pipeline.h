@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-#include "output/background_worker.h"
+#include "base/background_worker.h"
 #include "run/reporter.h"
 #include "run/scene_sink.h"
 #include "run/stage_times.h"
@@ -55,10 +55,10 @@ class ScenePipeline {
   std::int64_t added_count_ = 0;
   double waited_ = 0.0;
   std::mutex mutex_;
-  std::vector<std::vector<output::Warning>> unreported_;  ///< of each scene that was added
+  std::vector<std::vector<base::Warning>> unreported_;  ///< of each scene that was added
   StageTimes times_;
-  output::BackgroundWorker adder_;
-  output::BackgroundWorker finisher_;  ///< last: its jobs use all of the above
+  base::BackgroundWorker adder_;
+  base::BackgroundWorker finisher_;  ///< last: its jobs use all of the above
 };
 
 }  // namespace synthetic_dataset::run

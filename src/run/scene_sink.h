@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/scene_facts.h"
 #include "output/manifest/run_description.h"
-#include "output/manifest/scene_facts.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
 
@@ -13,7 +13,7 @@ namespace synthetic_dataset::run {
 /// A scene with its image and all labels, and what is known of it besides.
 struct FinishedScene {
   Scene scene;
-  output::SceneFacts facts;
+  base::SceneFacts facts;
   bool is_left_out = false;  ///< its labels do not fit its recorded picture well enough
   std::vector<std::uint8_t> image_file = {};  ///< the JPEG that its image was decoded from, if any
 };
@@ -49,7 +49,7 @@ class SceneSink {
 
   /// Takes a scene that it wants. To keep it, copy it: the copies share their pixels.
   /// @return what the user should know of the scene beside the warnings in its facts
-  [[nodiscard]] virtual std::vector<output::Warning> add(const FinishedScene& finished) = 0;
+  [[nodiscard]] virtual std::vector<base::Warning> add(const FinishedScene& finished) = 0;
 
   /// Called after the last scene, unless the run failed.
   virtual void finish(RunEnd end) = 0;

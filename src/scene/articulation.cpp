@@ -12,7 +12,7 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// Of each link; nothing for one that has none of its own.
+/// The frame of each link; nothing for links without one of their own.
 using Frames = std::vector<std::optional<motion::FrameId>>;
 
 Frames framesByPattern(const world::Model& model, const ObjectOptions& object,
@@ -66,12 +66,12 @@ std::optional<std::size_t> ownLink(const world::Model& model, const ObjectOption
 
 /// Says so where the link of the object's frame, moved to the origin, was not there before.
 void noteMovedOrigin(const ObjectOptions& object, const std::string& link, const Pose& X_ML,
-                     base::Diagnostics& found) {
+                     base::Diagnostics& diagnostics) {
   constexpr double kSame = 1e-6;  // [m], [1]
   if (X_ML.isApprox(Pose::Identity(), kSame)) return;
-  found.note(object.name, "its link '" + link + "' stands at the frame '" + object.frame +
-                              "'; the model's origin is " + fixed(X_ML.translation().norm(), 3) +
-                              " m from it");
+  diagnostics.note(object.name, "its link '" + link + "' stands at the frame '" + object.frame +
+                                    "'; the model's origin is " +
+                                    fixed(X_ML.translation().norm(), 3) + " m from it");
 }
 
 bool hangsOnDriven(const world::Model& model, const Frames& frames, std::size_t link) {
@@ -109,7 +109,7 @@ Articulation articulate(world::Model model, const ObjectOptions& object,
   Articulation result;
   const std::string joints = heldJoints(model, frames);
   if (base) {
-    noteMovedOrigin(object, model.links[*base].name, model.links[*base].X_ML, result.found);
+    noteMovedOrigin(object, model.links[*base].name, model.links[*base].X_ML, result.diagnostics);
     moveToOrigin(model, *base);
   }
   if (others > 0) {
@@ -119,12 +119,13 @@ Articulation articulate(world::Model model, const ObjectOptions& object,
       if (!frame || (i == base && !hangsOnDriven(model, frames, i))) continue;
       result.driven.push_back({i, *frame});
     }
-    result.found.note(object.name, std::to_string(others + (base ? 1 : 0)) + " of " +
-                                       std::to_string(model.links.size()) + " links follow TF");
+    result.diagnostics.note(object.name, std::to_string(others + (base ? 1 : 0)) + " of " +
+                                             std::to_string(model.links.size()) +
+                                             " links follow TF");
   }
   if (!joints.empty()) {
-    result.found.note(object.name,
-                      "no TF moves its joints " + joints + "; they are held as the model has them");
+    result.diagnostics.note(
+        object.name, "no TF moves its joints " + joints + "; they are held as the model has them");
   }
   result.model = std::move(model);
   return result;

@@ -24,8 +24,8 @@ struct Articulation {
   /// The object's model. Where the object's frame is that of one of its links, or is named by it,
   /// the model is moved in its frame so that this link lies at the origin.
   world::Model model;
-  DrivenLinks driven;       ///< by index; empty: the model moves as one piece
-  base::Diagnostics found;  ///< what the user may like to know
+  DrivenLinks driven;             ///< by index; empty: the model moves as one piece
+  base::Diagnostics diagnostics;  ///< what the user may like to know
 };
 
 /// Decides which links of an object's model follow frames of their own.

@@ -5,13 +5,20 @@
 
 #include <Eigen/Core>
 
-#include "randomize/placement/sampling_options.h"
-#include "render/sensor/depth_noise_options.h"
+#include "randomize/placement/placement_options.h"
 #include "render/sensor/sensor_options.h"
-#include "scene/calibration/calibration_options.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::scene {
+
+/// Which camera of a calibration file is meant.
+struct CalibrationChoice {
+  std::optional<std::string> camera;  ///< its name in the file; may be left out where it has one
+
+  /// The camera of the same file whose optical frame the picture's pose is that of: the file's
+  /// extrinsics then place this one against it.
+  std::optional<std::string> reference;
+};
 
 /// When a camera's sensor gathers light. A picture's stamp is the middle of its exposure: of the
 /// whole picture's, and with a rolling shutter of its middle row's.
@@ -33,7 +40,7 @@ struct CameraAim {
   std::string look_at;                             ///< instead of both: an object, which it follows
 };
 
-/// Whose frame the second camera of a rectified stereo pair has.
+/// The frame of the second camera of a rectified stereo pair.
 enum class StereoFrame {
   kAuto,   ///< found by where it is
   kFirst,  ///< the first camera's, as ROS has it

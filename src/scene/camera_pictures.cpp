@@ -10,7 +10,7 @@
 
 #include "base/image/picture_decoder.h"
 #include "base/image/raw_picture.h"
-#include "motion/time_text.h"
+#include "motion/bag/ros_time.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -60,9 +60,10 @@ TakenPicture developed(motion::RecordedPicture picture, const std::string& topic
 
 }  // namespace
 
-CameraPictures::CameraPictures(const std::vector<CameraOptions>& cameras, const TwinOptions& twin,
+CameraPictures::CameraPictures(const std::vector<CameraOptions>& cameras,
+                               const RecordedImageOptions& twin,
                                const std::vector<std::string>& bag_files,
-                               base::Diagnostics& found) {
+                               base::Diagnostics& diagnostics) {
   std::vector<std::string> errors;
   for (const CameraOptions& camera : cameras) {
     const std::string setting = camera.group + "/image_topic";
@@ -76,7 +77,7 @@ CameraPictures::CameraPictures(const std::vector<CameraOptions>& cameras, const 
     offsets_.push_back(camera.time_offset);
     const std::int64_t repeated = pictures_.back().repeatedCount();
     if (repeated > 0) {
-      found.warning(setting, "pictures with the stamp of another one are left out", repeated);
+      diagnostics.warning(setting, "pictures with the stamp of another one are left out", repeated);
     }
   }
   if (!errors.empty()) throw ErrorList(errors);
@@ -85,13 +86,13 @@ CameraPictures::CameraPictures(const std::vector<CameraOptions>& cameras, const 
     at_[first[i].stamp + offsets_.front()] = {i};
   }
   for (std::size_t i = 1; i < cameras.size(); ++i) {
-    addPicturesOf(i, cameras[i], twin.same_time, found);
+    addPicturesOf(i, cameras[i], twin.same_time, diagnostics);
   }
 }
 
-/// Those that are taken together with the first camera's; times without one are left out.
+/// Adds the pictures that match the first camera's in time; times without one are left out.
 void CameraPictures::addPicturesOf(std::size_t camera, const CameraOptions& options,
-                                   Duration same_time, base::Diagnostics& found) {
+                                   Duration same_time, base::Diagnostics& diagnostics) {
   const std::vector<PictureHead>& heads = pictures_[camera].heads();
   std::vector<Duration> distances;
   std::map<Stamp, std::vector<std::size_t>> kept;
@@ -115,7 +116,7 @@ void CameraPictures::addPicturesOf(std::size_t camera, const CameraOptions& opti
   }
   const auto lost = static_cast<std::int64_t>(at_.size() - kept.size());
   if (lost > 0) {
-    found.warning(
+    diagnostics.warning(
         setting,
         "scene left out: there is no picture within " + within + " of that of " + groups_.front(),
         lost);

@@ -10,10 +10,10 @@
 #include <opencv2/core/mat.hpp>
 
 #include "base/diagnostics.h"
-#include "motion/recorded_pictures.h"
+#include "motion/recorded/recorded_pictures.h"
 #include "scene/camera_options.h"
 #include "scene/camera_rig.h"
-#include "scene/twin_options.h"
+#include "scene/recorded_image_options.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::scene {
@@ -28,11 +28,11 @@ struct TakenPicture {
 class CameraPictures {
  public:
   /// @param cameras  all with an image_topic
-  /// @param found  what the user should know: pictures without one of the other cameras, ...
+  /// @param diagnostics  what the user should know: pictures without one of the other cameras, ...
   /// @throws ErrorList naming the settings, when a topic cannot be read or the cameras have no
   ///     picture at the same time
-  CameraPictures(const std::vector<CameraOptions>& cameras, const TwinOptions& twin,
-                 const std::vector<std::string>& bag_files, base::Diagnostics& found);
+  CameraPictures(const std::vector<CameraOptions>& cameras, const RecordedImageOptions& twin,
+                 const std::vector<std::string>& bag_files, base::Diagnostics& diagnostics);
 
   /// The frame that the headers of a camera's pictures have; empty: none.
   [[nodiscard]] const std::string& frame(std::size_t camera) const;
@@ -64,7 +64,7 @@ class CameraPictures {
   [[nodiscard]] std::string problemOf(std::size_t camera, std::size_t picture,
                                       const CameraRig& rig) const;
   void addPicturesOf(std::size_t camera, const CameraOptions& options, Duration same_time,
-                     base::Diagnostics& found);
+                     base::Diagnostics& diagnostics);
 
   std::vector<std::string> groups_;                 ///< of the cameras, for messages
   std::vector<motion::RecordedPictures> pictures_;  ///< of the cameras

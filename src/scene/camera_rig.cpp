@@ -6,8 +6,7 @@
 
 #include "base/diagnostics.h"
 #include "base/name_list.h"
-#include "base/seconds.h"
-#include "motion/recorded_camera_info.h"
+#include "motion/recorded/recorded_camera_info.h"
 #include "randomize/placement/camera_sampler.h"
 #include "scene/calibration/calibration_file.h"
 #include "synthetic_dataset/errors.h"
@@ -134,7 +133,7 @@ FollowedObject followedBy(const CameraOptions& config, const std::vector<ObjectO
               ") or a point [x, y, z]" + didYouMean(config.aim->look_at, names));
 }
 
-/// Of a camera that stands still in the frame of its position.
+/// The pose of a camera that stands still in the frame of its position.
 Pose standingPose(const CameraAim& aim) {
   if (aim.look_at_point_G) return randomize::lookingAt(aim.position_G, *aim.look_at_point_G, 0.0);
   const Eigen::Vector3d rpy = aim.rpy.value_or(Eigen::Vector3d::Zero());
@@ -205,7 +204,7 @@ CalibratedCamera calibrationOf(const CameraOptions& config,
   throw Error(config.group + ": no intrinsics");
 }
 
-/// That which is set; else the one in the calibration, where TF has it and lacks the default's.
+/// The frame that is set; else that of the calibration, if TF has it and lacks the default.
 std::string frameOf(const CameraOptions& config, const CalibratedCamera& camera,
                     const motion::FrameSource& frames) {
   if (!config.frame) return camera.frame;
@@ -225,52 +224,17 @@ void placeInFrame(const CameraOptions& config, const CalibratedCamera& camera, C
   rig.optical_frame = rig.frame + "/" + rig.name;
 }
 
-/// X_GF at a time around `instant`; where it is not known then, that of the instant.
-Pose poseAround(motion::FrameId frame, const motion::FrameSource& frames, Stamp instant,
-                Duration offset) {
-  const auto X_GF_then = frames.pose(frame, instant + offset);
-  return X_GF_then ? *X_GF_then : frames.knownPose(frame, instant);
-}
-
-/// The middle of an object's model as it is now.
-Eigen::Vector3d middleOf(const FollowedObject& object, const world::World& world,
-                         const Pose& X_GO) {
-  if (object.centres_O.empty()) return X_GO.translation();
-  return X_GO * object.centres_O[world.variant(object.object)];
-}
-
-/// X_GF as the sources have it.
-Pose sourcePose(const CameraRig& camera, const world::World& world,
-                const motion::FrameSource& frames, Stamp instant, Duration offset) {
-  if (camera.X_GC) return *camera.X_GC;
-  if (camera.link) return world.linkPoses()[*camera.link] * camera.X_LC;
-  Pose X_GF = camera.followed == motion::kNoFrame
-                  ? Pose::Identity()
-                  : poseAround(camera.followed, frames, instant, offset);
-  if (camera.is_carried || camera.looks_at) X_GF = X_GF * camera.X_LC;
-  if (!camera.looks_at) return X_GF;
-  const Eigen::Vector3d position_G = X_GF.translation();
-  const Eigen::Vector3d target_G = middleOf(
-      *camera.looks_at, world, poseAround(camera.looks_at->frame, frames, instant, offset));
-  constexpr double kNoDirection = 1e-9;  // [m]
-  if ((target_G - position_G).norm() > kNoDirection) {
-    return randomize::lookingAt(position_G, target_G, 0.0);
-  }
-  throw Error("camera " + camera.name + ": at " + fixed(toSeconds(instant + offset), 3) +
-              " s it is in the middle of what it looks at (pose/look_at)");
-}
-
 }  // namespace
 
 CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::string>& bag_files,
                         const std::vector<world::CameraSensor>& sensors,
                         const std::vector<world::LinkInstance>& links,
                         const std::vector<ObjectOptions>& objects,
-                        const motion::FrameSource& frames, base::Diagnostics& found) {
+                        const motion::FrameSource& frames, base::Diagnostics& diagnostics) {
   const world::CameraSensor* sensor = findSensor(config, sensors);
   const CalibratedCamera camera = calibrationOf(config, bag_files, sensor);
   for (const std::string& warning : camera.warnings) {
-    found.warning(config.group + (config.info_topic ? "/info_topic" : "/info_file"), warning);
+    diagnostics.warning(config.group + (config.info_topic ? "/info_topic" : "/info_file"), warning);
   }
   CameraRig rig{config.name, withFocalScale(camera.model, config.focal_scale),
                 frameOf(config, camera, frames)};
@@ -309,18 +273,6 @@ CameraModel withFocalScale(const CameraModel& camera, double scale) {
   scaled.fy *= scale;
   return {camera.width(), camera.height(), scaled,
           camera.near(),  camera.far(),    camera.distortion()};
-}
-
-Pose framePose(const CameraRig& camera, const world::World& world,
-               const motion::FrameSource& frames, Stamp instant, Duration offset) {
-  const Pose X_GF = sourcePose(camera, world, frames, instant, offset);
-  return camera.X_FD ? Pose(X_GF * *camera.X_FD) : X_GF;
-}
-
-Pose cameraPose(const CameraRig& camera, const world::World& world,
-                const motion::FrameSource& frames, Stamp instant, Duration offset) {
-  const Pose X_GF = framePose(camera, world, frames, instant, offset);
-  return camera.optical_frame == camera.frame ? X_GF : Pose(X_GF * camera.X_FC);
 }
 
 }  // namespace synthetic_dataset::scene

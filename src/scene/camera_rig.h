@@ -40,11 +40,11 @@ struct CameraRig {
   std::optional<FollowedObject> looks_at = std::nullopt;
   bool sampled = false;  ///< its frame is placed for each scene
 
-  /// Of the true optical frame in the one that the sources have, which is corrected by it.
+  /// Correction: pose of the true optical frame in the one that the sources have.
   std::optional<Pose> X_FD = std::nullopt;
 
-  /// Of the picture's optical frame (C) in `frame`: of a rectified camera, which is turned, and of
-  /// the second one of a stereo pair, which has its place in the frame of the first.
+  /// Pose of the picture's optical frame (C) in `frame`, for a rectified camera, which is turned,
+  /// and for the second one of a stereo pair, which has its place in the frame of the first.
   Pose X_FC = Pose::Identity();
   std::string optical_frame = frame;  ///< of the picture: `frame`, unless X_FC moves it
   bool is_rectified = false;
@@ -65,14 +65,15 @@ struct CameraRig {
 /// the pose (drawn, the parameter, else that of its frame, else the link that the world's sensor
 /// is on).
 /// @param sensors  the cameras of the world and of the objects' models
-/// @param found  what the user should know of the calibration
+/// @param diagnostics  what the user should know of the calibration
 /// @throws ErrorList naming the parameters that would mend it
 [[nodiscard]] CameraRig makeCameraRig(const CameraOptions& config,
                                       const std::vector<std::string>& bag_files,
                                       const std::vector<world::CameraSensor>& sensors,
                                       const std::vector<world::LinkInstance>& links,
                                       const std::vector<ObjectOptions>& objects,
-                                      const motion::FrameSource& frames, base::Diagnostics& found);
+                                      const motion::FrameSource& frames,
+                                      base::Diagnostics& diagnostics);
 
 /// Reads the calibration that a camera's file has, if it names one.
 /// @throws ErrorList with what is wrong with it
@@ -84,16 +85,5 @@ void checkInfoFile(const CameraOptions& config);
 
 /// The same camera with other focal lengths.
 [[nodiscard]] CameraModel withFocalScale(const CameraModel& camera, double scale);
-
-/// X_GF of the camera's `frame` at a time around `instant`, at which the world stands: where it is
-/// not known then, that of the instant.
-[[nodiscard]] Pose framePose(const CameraRig& camera, const world::World& world,
-                             const motion::FrameSource& frames, Stamp instant,
-                             Duration offset = Duration{0});
-
-/// The same of the picture's optical frame, X_GC.
-[[nodiscard]] Pose cameraPose(const CameraRig& camera, const world::World& world,
-                              const motion::FrameSource& frames, Stamp instant,
-                              Duration offset = Duration{0});
 
 }  // namespace synthetic_dataset::scene

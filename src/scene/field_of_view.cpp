@@ -59,15 +59,15 @@ void checkFieldOfView(const base::Distribution& field_of_view, const std::string
 }
 
 void warnOfBlackEdges(const base::Distribution& field_of_view, const std::string& parameter,
-                      const std::vector<CameraRig>& cameras, base::Diagnostics& found) {
+                      const std::vector<CameraRig>& cameras, base::Diagnostics& diagnostics) {
   constexpr double kLittle = 0.5;
   for (const CameraRig& camera : cameras) {
     const double widest = std::min(field_of_view.highest(), widestOf(camera.model));
     const double share = seenShare(withFieldOfView(camera.model, widest));
     if (share >= kLittle || share >= 0.9 * seenShare(camera.model)) continue;
-    found.warning(parameter, "at " + fixed(widest, 3) + " rad, the lens of '" + camera.name +
-                                 "' sees something in only " + fixed(100.0 * share, 0) +
-                                 " % of the image; the rest is black");
+    diagnostics.warning(parameter, "at " + fixed(widest, 3) + " rad, the lens of '" + camera.name +
+                                       "' sees something in only " + fixed(100.0 * share, 0) +
+                                       " % of the image; the rest is black");
   }
 }
 

@@ -31,6 +31,6 @@ void checkFieldOfView(const base::Distribution& field_of_view, const std::string
 /// Warns of cameras whose lenses would see next to nothing in most of the image at the widest that
 /// may be drawn.
 void warnOfBlackEdges(const base::Distribution& field_of_view, const std::string& parameter,
-                      const std::vector<CameraRig>& cameras, base::Diagnostics& found);
+                      const std::vector<CameraRig>& cameras, base::Diagnostics& diagnostics);
 
 }  // namespace synthetic_dataset::scene

@@ -54,7 +54,7 @@ void group(const LinkGroups& groups, const LinkSet& links,
 
 std::vector<std::uint16_t> worldClassNumbers(const WorldClasses& classes,
                                              const std::vector<world::LinkInstance>& links,
-                                             base::Diagnostics& found) {
+                                             base::Diagnostics& diagnostics) {
   Grouping grouping;
   grouping.numbers.resize(links.size());
   LinkSet of_world;
@@ -72,20 +72,20 @@ std::vector<std::uint16_t> worldClassNumbers(const WorldClasses& classes,
   };
   group(classes, of_world, fits, nameOf, grouping);
   for (const auto& [link, first, second] : grouping.contested) {
-    found.error("world_classes", "'" + link + "' is in '" + first + "' and in '" + second +
-                                     "'; each thing should be in one class");
+    diagnostics.error("world_classes", "'" + link + "' is in '" + first + "' and in '" + second +
+                                           "'; each thing should be in one class");
   }
   for (const auto& [name, pattern] : grouping.unused) {
-    found.warning("world_classes/" + name, "nothing in the world is called or labelled '" +
-                                               pattern + "'" +
-                                               didYouMean(pattern, {models.begin(), models.end()}));
+    diagnostics.warning("world_classes/" + name,
+                        "nothing in the world is called or labelled '" + pattern + "'" +
+                            didYouMean(pattern, {models.begin(), models.end()}));
   }
   return std::move(grouping.numbers);
 }
 
 std::vector<std::uint16_t> partNumbers(const std::vector<ObjectOptions>& objects,
                                        const std::vector<world::LinkInstance>& links,
-                                       base::Diagnostics& found) {
+                                       base::Diagnostics& diagnostics) {
   Grouping grouping;
   grouping.numbers.resize(links.size());
   for (std::size_t object = 0; object < objects.size(); ++object) {
@@ -107,14 +107,14 @@ std::vector<std::uint16_t> partNumbers(const std::vector<ObjectOptions>& objects
         },
         [&](std::size_t i) { return links[i].link->name; }, grouping);
     for (const auto& [link, first, second] : grouping.contested) {
-      found.error(options.name + "/parts", "the link '" + link + "' is in '" + first +
-                                               "' and in '" + second +
-                                               "'; it should be in one part");
+      diagnostics.error(options.name + "/parts", "the link '" + link + "' is in '" + first +
+                                                     "' and in '" + second +
+                                                     "'; it should be in one part");
     }
     for (const auto& [name, pattern] : grouping.unused) {
-      found.error(options.name + "/parts/" + name,
-                  "its model has no link '" + pattern + "'" +
-                      didYouMean(pattern, {names.begin(), names.end()}));
+      diagnostics.error(options.name + "/parts/" + name,
+                        "its model has no link '" + pattern + "'" +
+                            didYouMean(pattern, {names.begin(), names.end()}));
     }
   }
   return std::move(grouping.numbers);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/joint_frames.h"
+#include "motion/tf/joint_frames.h"
 #include "scene/object_options.h"
 #include "world/description.h"
 
@@ -20,7 +20,7 @@ namespace synthetic_dataset::scene {
 [[nodiscard]] std::string frameByPattern(const std::string& pattern, const std::string& object,
                                          const std::string& link);
 
-/// Of these links, the one by which a frame is named, alone or below a prefix: "base_link",
+/// The one of these links after which a frame is named, alone or below a prefix: "base_link",
 /// "rover_1/base_link".
 [[nodiscard]] std::optional<std::size_t> linkNamedBy(const std::string& frame,
                                                      const world::Model& model,

@@ -26,7 +26,7 @@ label::ObjectShape givenShape(const ObjectOptions& config, int instance, double 
   return shape;
 }
 
-/// Of what is not there, and so has no label, but as many keypoints as elsewhere.
+/// Clears the shape of an absent object. It has no label, but as many keypoints as elsewhere.
 void leaveOutShape(label::ObjectShape& shape, const ObjectOptions& config) {
   shape.bounding_shape_O = {Eigen::Vector3d::Zero()};
   const std::size_t count = config.farthest_points > 0

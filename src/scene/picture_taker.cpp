@@ -10,11 +10,9 @@
 namespace synthetic_dataset::scene {
 
 PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer,
-                           const motion::FrameSource& frames, const std::vector<CameraRig>& cameras,
-                           std::int64_t seed)
+                           const std::vector<CameraRig>& cameras, std::int64_t seed)
     : world_(world),
       renderer_(renderer),
-      frames_(frames),
       cameras_(cameras),
       seed_(static_cast<std::uint64_t>(seed)),
       offsets_{Duration{0}} {
@@ -32,26 +30,27 @@ PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer
   offsets_.erase(std::unique(offsets_.begin(), offsets_.end()), offsets_.end());
 }
 
-void PictureTaker::expose(std::size_t camera, Stamp instant, Duration offset) {
+void PictureTaker::expose(std::size_t camera, Duration offset, CameraPoses& poses) {
   const CameraRig& rig = cameras_[camera];
   Sensor& sensor = sensors_[camera];
   for (std::size_t i = 0; i < sensor.shots.size(); ++i) {
     for (const ShotMoment& moment : sensor.shots[i].moments) {
       if (moment.offset != offset) continue;
       if (sensor.isSimple()) {
-        sensor.picture = draw(rig, instant, offset);
+        sensor.picture = renderer_.draw(render::View{rig.model, poses.of(camera).X_GC},
+                                        world_.linkPoses(), passOf(rig, world_.presentLinks()));
       } else {
-        wait(rig, instant, i, moment, sensor);
+        wait(rig, poses.of(camera).X_GC, i, moment, sensor);
       }
     }
   }
   if (offset == Duration{0} && !rig.weather.isClear()) {
-    sensor.in_weather = lookThroughWeather(rig, instant);
+    sensor.in_weather = lookThroughWeather(rig, poses.of(camera).X_GC);
   }
 }
 
 /// Keeps in mind where all is; draws when the last moment of what is drawn at once has come.
-void PictureTaker::wait(const CameraRig& camera, Stamp instant, std::size_t shot,
+void PictureTaker::wait(const CameraRig& camera, const Pose& X_GC, std::size_t shot,
                         const ShotMoment& moment, Sensor& sensor) {
   const bool rolls = sensor.shots[shot].rolls();
   // Samples without rows are drawn one after the other, but with the same shadow maps.
@@ -62,7 +61,7 @@ void PictureTaker::wait(const CameraRig& camera, Stamp instant, std::size_t shot
   for (std::size_t link = 0; link < present.size(); ++link) {
     sensor.present[link] = sensor.present[link] && present[link];
   }
-  moments.push_back({moment.row, viewOf(camera, instant, moment.offset).X_WC, world_.linkPoses()});
+  moments.push_back({moment.row, X_GC, world_.linkPoses()});
   if (moments.size() < count) return;
   const render::ColourPass pass = passOf(camera, sensor.present);
   if (!rolls) {
@@ -82,10 +81,6 @@ void PictureTaker::wait(const CameraRig& camera, Stamp instant, std::size_t shot
   }
 }
 
-render::View PictureTaker::viewOf(const CameraRig& camera, Stamp instant, Duration offset) const {
-  return {camera.model, cameraPose(camera, world_, frames_, instant, offset)};
-}
-
 render::ColourPass PictureTaker::passOf(const CameraRig& camera,
                                         const render::LinkSelection& present) {
   render::ColourPass pass{present, present};
@@ -93,16 +88,11 @@ render::ColourPass PictureTaker::passOf(const CameraRig& camera,
   return pass;
 }
 
-render::PendingPicture PictureTaker::draw(const CameraRig& camera, Stamp instant, Duration offset) {
-  return renderer_.draw(viewOf(camera, instant, offset), world_.linkPoses(),
-                        passOf(camera, world_.presentLinks()));
-}
-
 /// What the weather hides follows from the middle of the exposure.
-render::TakenView PictureTaker::lookThroughWeather(const CameraRig& camera, Stamp instant) {
+render::TakenView PictureTaker::lookThroughWeather(const CameraRig& camera, const Pose& X_GC) {
   constexpr double kUnblurred = 0.005;  // [s]: drops are streaks in any picture
   const double exposure = toSeconds(camera.shutter.exposure_time);
-  const render::View view = viewOf(camera, instant, Duration{0});
+  const render::View view{camera.model, X_GC};
   return {view, renderer_.distances(view, world_.linkPoses(), world_.presentLinks()),
           render::gainOf(camera.effects), exposure > 0.0 ? exposure : kUnblurred};
 }

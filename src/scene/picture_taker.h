@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "motion/frame_source.h"
 #include "render/renderer.h"
 #include "render/weather/through_weather.h"
+#include "scene/camera_poses.h"
 #include "scene/camera_rig.h"
 #include "scene/exposure.h"
 #include "scene/shutter.h"
@@ -25,14 +25,14 @@ class PictureTaker {
  public:
   /// All references have to outlive this.
   PictureTaker(const world::World& world, render::Renderer& renderer,
-               const motion::FrameSource& frames, const std::vector<CameraRig>& cameras,
-               std::int64_t seed);
+               const std::vector<CameraRig>& cameras, std::int64_t seed);
 
   /// The times around an instant at which a shutter lets light in, ascending; 0 is among them.
   [[nodiscard]] const std::vector<Duration>& offsets() const { return offsets_; }
 
-  /// Lets the world as it stands at `instant + offset` fall on a camera's sensor.
-  void expose(std::size_t camera, Stamp instant, Duration offset);
+  /// Lets the world as it stands at `offset` from the instant fall on a camera's sensor.
+  /// @param poses  of the cameras then
+  void expose(std::size_t camera, Duration offset, CameraPoses& poses);
 
   /// What a camera has seen, to be made in any thread as long as the renderer lives: CV_8UC3, blue
   /// green red. Its sensor is dark again then.
@@ -48,7 +48,7 @@ class PictureTaker {
   struct Sensor {
     std::vector<Shot> shots;
 
-    /// That have come so far: of each shot that rolls, or of all other shots together.
+    /// Moments so far: of each shot that rolls, or of all other shots together.
     std::vector<std::vector<render::RollingMoment>> moments;
 
     render::LinkSelection present;                ///< at all of these moments
@@ -60,18 +60,14 @@ class PictureTaker {
     [[nodiscard]] bool isSimple() const { return shots.size() == 1 && !shots.front().rolls(); }
   };
 
-  [[nodiscard]] render::View viewOf(const CameraRig& camera, Stamp instant, Duration offset) const;
   [[nodiscard]] static render::ColourPass passOf(const CameraRig& camera,
                                                  const render::LinkSelection& present);
-  [[nodiscard]] render::PendingPicture draw(const CameraRig& camera, Stamp instant,
-                                            Duration offset);
-  void wait(const CameraRig& camera, Stamp instant, std::size_t shot, const ShotMoment& moment,
+  void wait(const CameraRig& camera, const Pose& X_GC, std::size_t shot, const ShotMoment& moment,
             Sensor& sensor);
-  [[nodiscard]] render::TakenView lookThroughWeather(const CameraRig& camera, Stamp instant);
+  [[nodiscard]] render::TakenView lookThroughWeather(const CameraRig& camera, const Pose& X_GC);
 
   const world::World& world_;
   render::Renderer& renderer_;
-  const motion::FrameSource& frames_;
   const std::vector<CameraRig>& cameras_;
   std::uint64_t seed_;
   std::vector<Sensor> sensors_;  ///< of cameras_

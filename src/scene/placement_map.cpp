@@ -3,7 +3,7 @@
 #include <string>
 
 #include "motion/frame_names.h"
-#include "motion/recorded_map.h"
+#include "motion/recorded/recorded_map.h"
 #include "randomize/placement/map_reader.h"
 #include "randomize/placement/received_map.h"
 #include "synthetic_dataset/errors.h"

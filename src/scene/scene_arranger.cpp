@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/seconds.h"
+#include "scene/camera_poses.h"
 #include "scene/placement_map.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -43,7 +44,7 @@ std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
 SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                              const std::vector<ObjectVariants>& variants,
                              const ObjectShapes& shapes, world::World& world,
-                             motion::PlacedFrames& frames, base::Diagnostics& found)
+                             motion::PlacedFrames& frames, base::Diagnostics& diagnostics)
     : rigs_(cameras),
       world_(world),
       frames_(frames),
@@ -62,7 +63,7 @@ SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<Camer
   if (places_objects) world_.settleProps(config.settling);
   surroundings_.emplace(world_);
   base::Diagnostics errors;
-  if (places_objects) errors.attempt([&] { setUpPlacer(config, variants, found); });
+  if (places_objects) errors.attempt([&] { setUpPlacer(config, variants, diagnostics); });
   errors.attempt([&] { setUpCameras(config, cameras); });
   if (distractors) {
     distractor_placer_.emplace(*distractors, boxesOf(world::Role::kDistractor, world_), world_,
@@ -72,7 +73,7 @@ SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<Camer
 }
 
 randomize::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
-                                                bool on_map, base::Diagnostics& found) {
+                                                bool on_map, base::Diagnostics& diagnostics) {
   const ObjectOptions& config = objects_[object];
   randomize::PlacedObject placed{config.name, {}, config.takes_part};
   std::vector<double> reaches;
@@ -85,16 +86,16 @@ randomize::PlacedObject SceneArranger::describe(std::size_t object, const Object
   }
   if (config.takes_part && on_map && !config.safety_radius) {
     const auto [low, high] = std::minmax_element(reaches.begin(), reaches.end());
-    found.note(config.name + "/safety_radius", fixed(*low, 3) +
-                                                   (*low < *high ? " to " + fixed(*high, 3) : "") +
-                                                   " m, how far the model reaches");
+    diagnostics.note(config.name + "/safety_radius",
+                     fixed(*low, 3) + (*low < *high ? " to " + fixed(*high, 3) : "") +
+                         " m, how far the model reaches");
   }
   return placed;
 }
 
 void SceneArranger::setUpPlacer(const SceneOptions& config,
                                 const std::vector<ObjectVariants>& variants,
-                                base::Diagnostics& found) {
+                                base::Diagnostics& diagnostics) {
   const bool on_map = config.placement.mode == randomize::PlacementMode::kMap;
   if (on_map && !config.placement.map_file && !config.placement.map_topic)
     return;  // reported already
@@ -102,7 +103,7 @@ void SceneArranger::setUpPlacer(const SceneOptions& config,
   if (on_map) map = readPlacementMap(config);
   std::vector<randomize::PlacedObject> placed;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    placed.push_back(describe(i, variants[i], on_map, found));
+    placed.push_back(describe(i, variants[i], on_map, diagnostics));
   }
   placer_.emplace(config.placement, map, std::move(placed), world_, *surroundings_,
                   static_cast<std::uint64_t>(config.seed));
@@ -120,7 +121,7 @@ void SceneArranger::setUpCameras(const SceneOptions& config,
       if (object.takes_part) targets.push_back(object.name);
     }
     const std::string& look_at = camera->sample->look_at;
-    const bool is_told = look_at.empty();  // what is no text is an error already
+    const bool is_told = look_at.empty();  // what is not text was reported already
     if (!is_told && std::find(targets.begin(), targets.end(), look_at) == targets.end()) {
       throw Error(camera->group + "/sample/look_at: found '" + look_at +
                   "'; it should be any, all, an object of robot_list or a point [x, y, z]" +
@@ -144,7 +145,8 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
   // Cameras that find a place afterwards keep away themselves.
   std::vector<Eigen::Vector3d> cameras_G;
   for (const CameraRig& rig : rigs_) {
-    if (!rig.sampled) cameras_G.push_back(cameraPose(rig, world_, frames_, stamp).translation());
+    if (rig.sampled) continue;
+    cameras_G.push_back(cameraPose(rig, world_, frames_, stamp).X_GC.translation());
   }
   distractors_there_ = distractor_placer_->place(instant, cameras_G);
   const std::vector<std::optional<Pose>> X_GM = world_.distractorPoses();
@@ -153,7 +155,7 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
   }
 }
 
-std::vector<output::Warning> SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
+std::vector<base::Warning> SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {
   if (cameras_.empty()) return {};
   std::vector<randomize::CameraTarget> targets;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
@@ -163,7 +165,7 @@ std::vector<output::Warning> SceneArranger::placeCameras(std::int64_t instant, S
     targets.push_back({objects_[i].name, frames_.knownPose(object_frames_[i], stamp) * centre_O,
                        world_.isPresent(i)});
   }
-  std::vector<output::Warning> warnings;
+  std::vector<base::Warning> warnings;
   for (const SampledCamera& camera : cameras_) {
     const randomize::SampledPose sampled = camera.sampler.sample(instant, targets);
     frames_.place(camera.frame, sampled.X_GC);

@@ -7,7 +7,6 @@
 
 #include "base/diagnostics.h"
 #include "motion/placed_frames.h"
-#include "output/manifest/run_description.h"
 #include "randomize/placement/camera_sampler.h"
 #include "randomize/placement/distractor_placer.h"
 #include "randomize/placement/scene_placer.h"
@@ -27,11 +26,11 @@ class SceneArranger {
   /// Lets the props come to rest where objects are placed among them.
   /// @param variants  of each object
   /// @param shapes, world, frames  have to outlive this
-  /// @param found  takes what the user may like to know
+  /// @param diagnostics  takes what the user may like to know
   /// @throws ErrorList with all that keeps objects and cameras from being placed
   SceneArranger(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                 const std::vector<ObjectVariants>& variants, const ObjectShapes& shapes,
-                world::World& world, motion::PlacedFrames& frames, base::Diagnostics& found);
+                world::World& world, motion::PlacedFrames& frames, base::Diagnostics& diagnostics);
 
   /// Whether no scene has to do with the one before.
   [[nodiscard]] bool standsAlone() const { return placer_.has_value(); }
@@ -49,7 +48,7 @@ class SceneArranger {
 
   /// Puts the cameras of a time's scenes that are put at random, as the world stands.
   /// @return what the user should know of it
-  [[nodiscard]] std::vector<output::Warning> placeCameras(std::int64_t instant, Stamp stamp);
+  [[nodiscard]] std::vector<base::Warning> placeCameras(std::int64_t instant, Stamp stamp);
 
  private:
   struct SampledCamera {
@@ -59,10 +58,10 @@ class SceneArranger {
   };
 
   void setUpPlacer(const SceneOptions& config, const std::vector<ObjectVariants>& variants,
-                   base::Diagnostics& found);
+                   base::Diagnostics& diagnostics);
   void setUpCameras(const SceneOptions& config, const std::vector<CameraRig>& cameras);
   [[nodiscard]] randomize::PlacedObject describe(std::size_t object, const ObjectVariants& variants,
-                                                 bool on_map, base::Diagnostics& found);
+                                                 bool on_map, base::Diagnostics& diagnostics);
 
   std::vector<CameraRig> rigs_;
   world::World& world_;

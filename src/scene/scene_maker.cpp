@@ -24,9 +24,9 @@ SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
 }
 
 SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp,
-                           std::vector<std::optional<Pose>> X_GO) {
+                           CameraPoses& poses, std::vector<std::optional<Pose>> X_GO) {
   const CameraRig& rig = cameras_[camera];
-  const render::View view{rig.model, cameraPose(rig, world_, frames_, stamp)};
+  const render::View view{rig.model, poses.of(camera).X_GC};
   const auto count = static_cast<std::int64_t>(cameras_.size());
   Scene scene(view.camera);
   scene.index = instant * count + static_cast<std::int64_t>(camera);
@@ -44,7 +44,7 @@ SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp
     scene.objects.push_back(label::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
   }
   // Writers ask in their own thread, when the next scene may have been placed already.
-  scene.setTransforms([frames = frames_, stamp, X_GC = cameraPoses(stamp)](
+  scene.setTransforms([frames = frames_, stamp, X_GC = posesByFrame(poses)](
                           const std::string& target, const std::string& source) {
     const auto inGlobal = [&](const std::string& frame) {
       const auto found = X_GC.find(frame);
@@ -60,39 +60,38 @@ SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp
           needs_optical_flow_ ? world_.linkPoses() : std::vector<Pose>{}};
 }
 
-void SceneMaker::addOpticalFlow(SeenScene& seen, std::optional<Stamp> next) const {
+void SceneMaker::addOpticalFlow(SeenScene& seen, CameraPoses* next) const {
   Scene& scene = seen.scene;
-  if (!next) {
+  if (next == nullptr) {
     scene.optical_flow = cv::Mat(scene.camera.height(), scene.camera.width(), CV_32FC2,
                                  cv::Scalar::all(std::numeric_limits<double>::quiet_NaN()));
     return;
   }
   const label::SeenSurface& surface = seen.pixels.surface;
   const CameraRig& rig = cameras_[scene.camera_index];
-  const Pose X_GC_next = cameraPose(rig, world_, frames_, *next);
-  scene.optical_flow =
-      label::opticalFlow(scene.camera, surface.depth, surface.range, surface.links, scene.X_GC,
-                         seen.X_GL, rig.model, X_GC_next, world_.linkPoses());
+  scene.optical_flow = label::opticalFlow(scene.camera, surface.depth, surface.range, surface.links,
+                                          scene.X_GC, seen.X_GL, rig.model,
+                                          next->of(scene.camera_index).X_GC, world_.linkPoses());
 }
 
-std::vector<output::ObjectFacts> SceneMaker::objectFacts(
+std::vector<base::ObjectFacts> SceneMaker::objectFacts(
     const Scene& scene, const label::MaskAgreement& agreement) const {
-  std::vector<output::ObjectFacts> all;
+  std::vector<base::ObjectFacts> all;
   for (const SceneObject& object : scene.objects) {
-    output::ObjectFacts facts = output::objectFacts(object);
+    base::ObjectFacts facts = base::objectFacts(object);
     if (all.size() < agreement.size()) facts.mask_agreement = agreement[all.size()];
     all.push_back(std::move(facts));
   }
   return all;
 }
 
-std::map<std::string, Pose> SceneMaker::cameraPoses(Stamp stamp) const {
-  std::map<std::string, Pose> poses;
-  for (const CameraRig& camera : cameras_) {
-    poses.emplace(camera.frame, framePose(camera, world_, frames_, stamp));
-    poses.emplace(camera.optical_frame, cameraPose(camera, world_, frames_, stamp));
+std::map<std::string, Pose> SceneMaker::posesByFrame(CameraPoses& poses) const {
+  std::map<std::string, Pose> by_frame;
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    by_frame.emplace(cameras_[i].frame, poses.of(i).X_GF);
+    by_frame.emplace(cameras_[i].optical_frame, poses.of(i).X_GC);
   }
-  return poses;
+  return by_frame;
 }
 
 }  // namespace synthetic_dataset::scene

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "base/scene_facts.h"
 #include "label/pixel_labeller.h"
 #include "motion/placed_frames.h"
-#include "output/manifest/scene_facts.h"
 #include "render/renderer.h"
+#include "scene/camera_poses.h"
 #include "scene/camera_rig.h"
 #include "scene/object_shapes.h"
 #include "synthetic_dataset/label_writer.h"
@@ -39,25 +40,26 @@ class SceneMaker {
   /// PendingLabels, the picture itself to the PictureTaker, the optical flow to addOpticalFlow, the
   /// split to who plans them.
   /// @param instant  the index of the scene's time in the run
+  /// @param poses  of the cameras at this time
   /// @param X_GO  the objects' poses, in their order
   [[nodiscard]] SeenScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
-                               std::vector<std::optional<Pose>> X_GO);
+                               CameraPoses& poses, std::vector<std::optional<Pose>> X_GO);
 
   /// Whether scenes have to wait for the next one.
   [[nodiscard]] bool needsOpticalFlow() const { return needs_optical_flow_; }
 
-  /// Where what is seen has moved to in the world as it stands now, at `next`.
-  /// @param next  nothing after the last scene
-  void addOpticalFlow(SeenScene& seen, std::optional<Stamp> next) const;
+  /// Where what is seen has moved to in the world as it stands now.
+  /// @param next  the cameras' poses now; null after the last scene
+  void addOpticalFlow(SeenScene& seen, CameraPoses* next) const;
 
   /// What a labelled scene's manifest gets of its objects: what was measured, and nothing else.
   /// @param agreement  of its masks
-  [[nodiscard]] std::vector<output::ObjectFacts> objectFacts(
+  [[nodiscard]] std::vector<base::ObjectFacts> objectFacts(
       const Scene& scene, const label::MaskAgreement& agreement) const;
 
  private:
   /// X_GC of all cameras, by their frames.
-  [[nodiscard]] std::map<std::string, Pose> cameraPoses(Stamp stamp) const;
+  [[nodiscard]] std::map<std::string, Pose> posesByFrame(CameraPoses& poses) const;
 
   const world::World& world_;
   const motion::PlacedFrames& frames_;

@@ -12,7 +12,7 @@
 #include "randomize/placement/placement_options.h"
 #include "scene/camera_options.h"
 #include "scene/object_options.h"
-#include "scene/twin_options.h"
+#include "scene/recorded_image_options.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::scene {
@@ -24,7 +24,7 @@ struct SceneOptions {
 
   /// Whether the scenes' images are recorded ones.
   [[nodiscard]] bool hasRecordedImages() const {
-    return isTwin() && twin.output == TwinOutput::kReal;
+    return isTwin() && twin.output == RecordedImageOutput::kReal;
   }
 
   /// Whether scenes are at the times of recorded pictures.
@@ -45,7 +45,7 @@ struct SceneOptions {
   randomize::PlacementOptions placement;  ///< of MotionSource::kPlacement
   randomize::Randomization randomization;
   std::vector<CameraOptions> cameras;  ///< at least one
-  TwinOptions twin;                    ///< of cameras with an image_topic
+  RecordedImageOptions twin;           ///< of cameras with an image_topic
   std::vector<ObjectOptions> objects;
   label::MaskOptions masks;
   label::LabelOptions labels;

@@ -28,7 +28,7 @@ Value valueOf(const randomize::DrawnValue& drawn) {
 
 SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                                std::vector<ObjectVariants> variants, const world::World& world,
-                               base::Diagnostics& found)
+                               base::Diagnostics& diagnostics)
     : config_(config.randomization),
       seed_(static_cast<std::uint64_t>(config.seed)),
       is_placed_(config.isPlaced()),
@@ -45,7 +45,7 @@ SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<Cam
     const auto& field_of_view = config_.sensor.field_of_view;
     if (!field_of_view) return;
     checkFieldOfView(*field_of_view, kFieldOfView, cameras);
-    warnOfBlackEdges(*field_of_view, kFieldOfView, cameras, found);
+    warnOfBlackEdges(*field_of_view, kFieldOfView, cameras, diagnostics);
   });
   errors.attempt([&] {
     if (config_.changesLook()) looks_.emplace(config_, world);
@@ -108,7 +108,7 @@ render::LensDust SceneVariation::dust(std::int64_t instant, const std::string& c
   return {*share, base::randomSeed(seed_, of, "dust on " + camera)};
 }
 
-/// That of all cameras.
+/// The weather of all cameras.
 render::Weather SceneVariation::weather(randomize::EntryDraws& draws) const {
   const randomize::WeatherRandomization& entries = config_.weather;
   if (!entries.changesAir()) return {};
@@ -135,8 +135,8 @@ render::SensorEffects SceneVariation::varied(const render::SensorEffects& effect
   return result;
 }
 
-std::vector<output::DrawFacts> SceneVariation::draws(std::size_t camera) const {
-  std::vector<output::DrawFacts> facts;
+std::vector<base::DrawFacts> SceneVariation::draws(std::size_t camera) const {
+  std::vector<base::DrawFacts> facts;
   for (const auto* values : {&chosen_, &shared_, &cameras_[camera]}) {
     for (const randomize::DrawnValue& drawn : *values) {
       facts.push_back({drawn.name, base::jsonText(valueOf(drawn))});

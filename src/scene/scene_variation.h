@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "output/manifest/scene_facts.h"
+#include "base/scene_facts.h"
 #include "randomize/appearance/entry_draws.h"
 #include "randomize/appearance/look_sampler.h"
 #include "render/renderer.h"
@@ -24,11 +24,11 @@ class SceneVariation {
  public:
   /// @param variants  of each object
   /// @param world  has to outlive this
-  /// @param found  takes what the user should know
+  /// @param diagnostics  takes what the user should know
   /// @throws ErrorList with the entries that mean nothing in this world
   SceneVariation(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                  std::vector<ObjectVariants> variants, const world::World& world,
-                 base::Diagnostics& found);
+                 base::Diagnostics& diagnostics);
 
   /// Draws what the scenes of a time look like, and lets the renderer and the cameras' sensors and
   /// lenses follow.
@@ -40,7 +40,7 @@ class SceneVariation {
   void choose(std::int64_t instant, world::World& world);
 
   /// What was drawn last for a camera's scene.
-  [[nodiscard]] std::vector<output::DrawFacts> draws(std::size_t camera) const;
+  [[nodiscard]] std::vector<base::DrawFacts> draws(std::size_t camera) const;
 
  private:
   [[nodiscard]] render::Weather weather(randomize::EntryDraws& draws) const;

@@ -60,8 +60,8 @@ void alignWith(const CameraRig& first, CameraRig& second) {
 class PairPlacer {
  public:
   PairPlacer(std::vector<CameraRig>& cameras, const motion::FrameSource& frames,
-             base::Diagnostics& found)
-      : cameras_(cameras), frames_(frames), found_(found) {}
+             base::Diagnostics& diagnostics)
+      : cameras_(cameras), frames_(frames), diagnostics_(diagnostics) {}
 
   void place(CameraRig& second) {
     if (second.stereo_frame == StereoFrame::kOwn) {
@@ -80,14 +80,15 @@ class PairPlacer {
     if (is_own) {
       takeOwnFrame(second);
     } else if (second.followsFrame()) {
-      found_.warning("camera " + second.name,
-                     "its calibration is that of a stereo pair's second camera, " +
-                         fixed(second.X_FC.translation().norm(), 4) +
-                         " m beside the first, and is taken to be in the first one's frame, as in "
-                         "ROS: " +
-                         second.frame +
-                         " (if this is its own frame, `stereo_frame: own` says so; `first` "
-                         "confirms it)");
+      diagnostics_.warning(
+          "camera " + second.name,
+          "its calibration is that of a stereo pair's second camera, " +
+              fixed(second.X_FC.translation().norm(), 4) +
+              " m beside the first, and is taken to be in the first one's frame, as in "
+              "ROS: " +
+              second.frame +
+              " (if this is its own frame, `stereo_frame: own` says so; `first` "
+              "confirms it)");
     }
   }
 
@@ -110,28 +111,29 @@ class PairPlacer {
 
   std::vector<CameraRig>& cameras_;
   const motion::FrameSource& frames_;
-  base::Diagnostics& found_;
+  base::Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
 void placeStereoPairs(std::vector<CameraRig>& cameras, const motion::FrameSource& frames,
-                      base::Diagnostics& found) {
-  PairPlacer placer(cameras, frames, found);
+                      base::Diagnostics& diagnostics) {
+  PairPlacer placer(cameras, frames, diagnostics);
   for (CameraRig& second : cameras) {
     if (isBesideItsFrame(second)) placer.place(second);
   }
 }
 
-void notePictureFrames(const std::vector<CameraRig>& cameras, base::Diagnostics& found) {
+void notePictureFrames(const std::vector<CameraRig>& cameras, base::Diagnostics& diagnostics) {
   for (const CameraRig& camera : cameras) {
     if (camera.optical_frame == camera.frame) continue;
     const Eigen::Vector3d p = camera.X_FC.translation() + Eigen::Vector3d::Zero();  // no -0
     const double angle = Eigen::AngleAxisd(camera.X_FC.linear()).angle();
-    found.note("camera " + camera.name,
-               "its calibration puts the picture's frame, " + camera.optical_frame + ", at [" +
-                   fixed(p.x(), 4) + ", " + fixed(p.y(), 4) + ", " + fixed(p.z(), 4) + "] m in " +
-                   camera.frame + ", turned by " + fixed(angle, 4) + " rad");
+    diagnostics.note("camera " + camera.name, "its calibration puts the picture's frame, " +
+                                                  camera.optical_frame + ", at [" +
+                                                  fixed(p.x(), 4) + ", " + fixed(p.y(), 4) + ", " +
+                                                  fixed(p.z(), 4) + "] m in " + camera.frame +
+                                                  ", turned by " + fixed(angle, 4) + " rad");
   }
 }
 

@@ -14,11 +14,11 @@ namespace synthetic_dataset::scene {
 ///   they share, the second one's own leads from the frame that it has by itself;
 /// - one that has a frame of its own, about a baseline away from the first one's, is there.
 /// `CameraRig::stereo_frame` decides where it is not kAuto.
-/// @param found  gets a warning of each camera of which nothing says whose frame it has
+/// @param diagnostics  gets a warning of each camera of which nothing says whose frame it has
 void placeStereoPairs(std::vector<CameraRig>& cameras, const motion::FrameSource& frames,
-                      base::Diagnostics& found);
+                      base::Diagnostics& diagnostics);
 
 /// Notes where pictures' frames are that calibrations turn or move.
-void notePictureFrames(const std::vector<CameraRig>& cameras, base::Diagnostics& found);
+void notePictureFrames(const std::vector<CameraRig>& cameras, base::Diagnostics& diagnostics);
 
 }  // namespace synthetic_dataset::scene

@@ -18,7 +18,7 @@
 
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/pose.h"
-#include "world/load_options.h"
+#include "world/world_options.h"
 
 namespace synthetic_dataset::world {
 
@@ -37,7 +37,7 @@ struct Mesh {
 struct Texture {
   std::string file;  ///< where it came from, for messages
   cv::Mat pixels;    ///< CV_8UC4, blue green red alpha, sRGB, first row on top
-                     ///< Of a background also CV_32FC4, linear light, 0 .. 65504, 1 for white
+                     ///< A background may be CV_32FC4: linear light, 0 .. 65504, 1 for white
 };
 
 /// Colours are as files give them: sRGB-encoded red, green, blue (0..1), alpha 1 is opaque. The
@@ -71,8 +71,8 @@ struct Material {
   std::shared_ptr<const Material> overlay;
 };
 
-/// Of what no file gives a material: World paints it as the simulator does that the world was
-/// written for, Gazebo Classic white, gz-sim grey.
+/// Marks a surface to which no file gives a material: World paints it as the simulator that the
+/// world was written for, Gazebo Classic white, gz-sim grey.
 [[nodiscard]] inline Material defaultMaterial() {
   Material material;
   material.is_default = true;

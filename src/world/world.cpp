@@ -31,7 +31,7 @@ PhysicsOptions checked(const PhysicsOptions& options) {
 /// X_WB of each body of a variant; nothing for all of one that is nowhere.
 /// @param index  of the variant, as the motion counts
 std::vector<std::optional<Pose>> bodyPoses(const MovingModel& moving, int index, Stamp time,
-                                           const World::ObjectMotion& motion) {
+                                           const World::ObjectPoseAt& motion) {
   const std::optional<ObjectPose> pose = motion(index, time);
   if (!pose) return std::vector<std::optional<Pose>>(moving.driven_links.size() + 1);
   if (pose->X_WL.size() != moving.driven_links.size()) {
@@ -98,7 +98,7 @@ std::size_t World::Impl::addLinks(const Model& model, LinkInstance instance) {
   return first;
 }
 
-/// Of a body in its own frame; what is left out goes to the description's notes.
+/// A body's collisions in its own frame; what is left out goes to the description's notes.
 MovingCollisions World::Impl::collisionsOf(const Model& body) {
   MovingCollisions collisions = movingCollisions(body, Pose::Identity());
   description.notes.insert(description.notes.end(), collisions.notes.begin(),
@@ -158,7 +158,7 @@ void World::Impl::addDistractor(Model model, base::Diagnostics& errors) {
   errors.attempt([&] { added.falling = makeFalling(added.model, "distractor"); });
 }
 
-void World::Impl::moveObjects(Stamp time, const ObjectMotion& motion) {
+void World::Impl::moveObjects(Stamp time, const ObjectPoseAt& motion) {
   int index = 0;
   for (Object& object : objects) {
     for (Variant& variant : object.variants) {
@@ -169,10 +169,10 @@ void World::Impl::moveObjects(Stamp time, const ObjectMotion& motion) {
   }
 }
 
-/// Where all bodies push and are pushed against: those of variants that are not active do not, and
+/// The poses of all bodies that collide: inactive variants do not, and
 /// the motion is not asked where they would be.
 std::vector<std::optional<Pose>> World::Impl::activePoses(Stamp time,
-                                                          const ObjectMotion& motion) const {
+                                                          const ObjectPoseAt& motion) const {
   std::vector<std::optional<Pose>> all;
   int index = 0;
   for (const Object& object : objects) {
@@ -195,7 +195,7 @@ void World::Impl::setPresentLinks(const Model& model, std::size_t first_link, bo
               present);
 }
 
-/// Those of objects; distractors are present when they are placed.
+/// Updates the links of objects; those of distractors follow from their placement.
 void World::Impl::updatePresentLinks() {
   for (const Object& object : objects) {
     for (const Variant& variant : object.variants) {
@@ -205,7 +205,7 @@ void World::Impl::updatePresentLinks() {
   }
 }
 
-void World::Impl::start(Stamp time, const ObjectMotion& motion) {
+void World::Impl::start(Stamp time, const ObjectPoseAt& motion) {
   moveObjects(time, motion);
   start_time = time;
   steps_done = 0;
@@ -226,7 +226,7 @@ void World::Impl::start(Stamp time, const ObjectMotion& motion) {
   physics->placeObjects(X_WB);
 }
 
-void World::Impl::simulateUntil(Stamp time, const ObjectMotion& motion) {
+void World::Impl::simulateUntil(Stamp time, const ObjectPoseAt& motion) {
   if (!physics) return;
   const std::int64_t steps = (time - *start_time) / options.step;
   for (; steps_done < steps; ++steps_done) {
@@ -277,7 +277,7 @@ World::World(Description description, std::vector<MovingObject> objects,
 
 World::~World() = default;
 
-void World::advanceTo(Stamp time, const ObjectMotion& motion) {
+void World::advanceTo(Stamp time, const ObjectPoseAt& motion) {
   Impl& world = *impl_;
   if (!world.start_time) {
     world.start(time, motion);

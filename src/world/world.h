@@ -10,7 +10,7 @@
 #include "synthetic_dataset/pose.h"
 #include "world/description.h"
 #include "world/physics/object_bodies.h"
-#include "world/physics_options.h"
+#include "world/world_options.h"
 
 namespace synthetic_dataset::world {
 
@@ -41,13 +41,13 @@ struct Interpenetration {
 /// props fall, settle and are pushed. The same calls give the same poses, bit for bit, and so does
 /// the same time reached in other strides.
 ///
-/// Models that are no object and not static are props, each one rigid body: its links hold together
-/// as the file places them. An object is one kinematic body, or, where TF drives its links,
-/// several, which never count as inside one another. It may have several models, its variants, one
-/// of which is active at a time; only that one is seen and touched. Meshes of props and objects
-/// collide as their convex hulls, those of static models as their triangles. A prop without any
-/// collision that could hold it (Gazebo would let it fall for ever) stands still and counts as
-/// static; a prop that falls off the world stops after 10 km.
+/// Models that are neither objects nor static are props, each one rigid body: its links hold
+/// together as the file places them. An object is one kinematic body, or, where TF drives its
+/// links, several, which never count as inside one another. It may have several models, its
+/// variants, one of which is active at a time; only that one is seen and touched. Meshes of props
+/// and objects collide as their convex hulls, those of static models as their triangles. A prop
+/// without any collision that could hold it (Gazebo would let it fall for ever) stands still and
+/// counts as static; a prop that falls off the world stops after 10 km.
 class World {
  public:
   /// Where a variant and its driven links are at a time; nothing while they are nowhere in the
@@ -55,9 +55,9 @@ class World {
   /// those of the first object, then those of the second. Called for active variants at every step
   /// of the simulation, so it has to answer at any time between two scenes; for the others at the
   /// times of advanceTo alone.
-  using ObjectMotion = std::function<std::optional<ObjectPose>(int variant, Stamp time)>;
+  using ObjectPoseAt = std::function<std::optional<ObjectPose>(int variant, Stamp time)>;
 
-  /// @param description  models that are no object and not static are props
+  /// @param description  models that are neither objects nor static are props
   /// @param objects  in the order of `robot_list`; their models' poses are ignored
   /// @param distractors  absent until they are placed; nothing is pushed by them
   /// @throws ErrorList with every collision shape or mass that cannot be simulated, and its model
@@ -73,12 +73,12 @@ class World {
   /// @throws Error if `time` is earlier than the last one, if an object's pose is not finite or
   ///     has not one pose a driven link, or if
   ///     the simulation breaks down (naming the prop); the world is of no further use then
-  void advanceTo(Stamp time, const ObjectMotion& motion);
+  void advanceTo(Stamp time, const ObjectPoseAt& motion);
 
   /// Shows the world as it stood at `time`, when another one that moved alike had been advanced
   /// there; nothing is simulated. A world that was shown so is not advanced any more.
   /// @param X_WM  of the props, as propPoses
-  /// @param X_WO  of all objects' variants, as ObjectMotion counts them
+  /// @param X_WO  of all objects' variants, as ObjectPoseAt counts them
   /// @throws Error as advanceTo where a pose is missing or not finite
   void showAt(Stamp time, const std::vector<Pose>& X_WM,
               const std::vector<std::optional<ObjectPose>>& X_WO);

@@ -66,8 +66,8 @@ struct World::Impl {
 
   [[nodiscard]] std::vector<StartingProp> startingProps() const;
   void startPropsAt(const std::vector<Pose>& X_WM);
-  void start(Stamp time, const ObjectMotion& motion);
-  void simulateUntil(Stamp time, const ObjectMotion& motion);
+  void start(Stamp time, const ObjectPoseAt& motion);
+  void simulateUntil(Stamp time, const ObjectPoseAt& motion);
   void showProps(Stamp time);
   void showPropsAt(const std::vector<Pose>& X_WM);
   [[nodiscard]] std::vector<StandingBody> standingProps() const;
@@ -77,10 +77,10 @@ struct World::Impl {
   [[nodiscard]] StandingBody standingObject(std::size_t object, const Pose& X_WO) const;
   void show(const Model& model, std::size_t first_link, const Pose& X_WM);
   void setPresentLinks(const Model& model, std::size_t first_link, bool present);
-  void moveObjects(Stamp time, const ObjectMotion& motion);
+  void moveObjects(Stamp time, const ObjectPoseAt& motion);
   void showObjects();
   [[nodiscard]] std::vector<std::optional<Pose>> activePoses(Stamp time,
-                                                             const ObjectMotion& motion) const;
+                                                             const ObjectPoseAt& motion) const;
   void updatePresentLinks();
 
   Description description;

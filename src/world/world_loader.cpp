@@ -70,13 +70,13 @@ fs::path xacroName(const fs::path& file, const XacroArguments& arguments) {
 
 Description describe(const SdfFile& file, SdfReading& reading) {
   const Element root(&file.root(), &file);
-  const Place place(file.path.string());
+  const SourceLocation location(file.path.string());
   reading.is_of_gz |= file.is_of_gz;
   if (file.odd) reading.findings.addNote(file.path.string() + ": " + *file.odd);
   if (const Element world = root.child("world")) return readWorld(world, reading);
   if (root.has("model") || root.has("light") || root.has("actor") || root.has("include"))
     return readWorld(root, reading);
-  reading.findings.addError(place.message("holds neither a world nor a model nor a light"));
+  reading.findings.addError(location.message("holds neither a world nor a model nor a light"));
   return {};
 }
 

@@ -9,9 +9,9 @@
 #include "base/stages.h"
 #include "world/description.h"
 #include "world/files/resource_finder.h"
-#include "world/load_options.h"
 #include "world/urdf/urdf_text.h"
 #include "world/urdf/xacro.h"
+#include "world/world_options.h"
 
 namespace synthetic_dataset::world {
 

@@ -45,7 +45,7 @@ std::vector<StandingBody> World::Impl::standingProps() const {
   return standing;
 }
 
-/// Those that are present, where they are now.
+/// The present objects at their poses.
 std::vector<StandingBody> World::Impl::standingObjects() const {
   std::vector<StandingBody> standing;
   for (const Object& object : objects) {

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "run/setup/run_setup.h"
+#include "scene/camera_poses.h"
 #include "scene/object_motion.h"
 #include "scene/scene_maker.h"
 #include "support/bag_builder.h"
@@ -53,12 +54,17 @@ class PixelLabels : public testing::Test {
                                                                    setup_->world_classes,
                                                                    setup_->parts});
     moveTo(0);
-    seen_ = maker_->look(0, 0, stamp(0), motion_->objectPoses(stamp(0)));
+    scene::CameraPoses poses = posesAt(0);
+    seen_ = maker_->look(0, 0, stamp(0), poses, motion_->objectPoses(stamp(0)));
     agreement_ = seen_->pixels.labels(seen_->scene, {}).agreement;
     return seen_->scene;
   }
 
   [[nodiscard]] Stamp stamp(std::size_t i) const { return setup_->timeline.stamps.at(i); }
+
+  [[nodiscard]] scene::CameraPoses posesAt(std::size_t i) const {
+    return {setup_->cameras, *setup_->world, *setup_->frames, stamp(i)};
+  }
 
   void moveTo(std::size_t i) {
     setup_->world->advanceTo(stamp(i),
@@ -146,7 +152,9 @@ TEST_F(PixelLabels, AreTheSameWhenTheyAreFoundLaterInAnotherOrder) {
   (void)sceneWith(everything());
   const auto look = [&](std::size_t i) {
     moveTo(i);
-    return maker_->look(0, static_cast<std::int64_t>(i), stamp(i), motion_->objectPoses(stamp(i)));
+    scene::CameraPoses poses = posesAt(i);
+    return maker_->look(0, static_cast<std::int64_t>(i), stamp(i), poses,
+                        motion_->objectPoses(stamp(i)));
   };
   std::vector<scene::SeenScene> later = {look(0), look(1), look(2)};
   for (const std::size_t i : {2U, 1U, 0U}) {
@@ -314,7 +322,8 @@ TEST_F(PixelLabels, OpticalFlowFollowsTheObject) {
   (void)sceneWith(flow);
   // In a quarter of a second alpha goes a quarter of the way to y = 5 m.
   moveTo(1);
-  maker_->addOpticalFlow(*seen_, stamp(1));
+  scene::CameraPoses next = posesAt(1);
+  maker_->addOpticalFlow(*seen_, &next);
   const cv::Mat& pixels = seen_->scene.optical_flow();
   const double moved = 0.25 * (5.0 - kAxis);
   const cv::Vec2f on_front_face = pixels.at<cv::Vec2f>(79, 79);
@@ -329,7 +338,7 @@ TEST_F(PixelLabels, AfterTheLastSceneTheFlowIsUnknown) {
   Requirements flow;
   flow.optical_flow = true;
   (void)sceneWith(flow);
-  maker_->addOpticalFlow(*seen_, std::nullopt);
+  maker_->addOpticalFlow(*seen_, nullptr);
   EXPECT_TRUE(std::isnan(seen_->scene.optical_flow().at<cv::Vec2f>(79, 79)[0]));
 }
 

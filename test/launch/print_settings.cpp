@@ -10,7 +10,7 @@
 
 #include "base/json_text.h"
 #include "config/settings_file.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {

@@ -48,7 +48,7 @@ TEST(BagMotionClock, ScenesBeginWithTheFirstKnownStampOfAnotherClock) {
     ASSERT_THAT(timeline.stamps, SizeIs(15)) << "begun periods of 0.7 s in 10 s";
     EXPECT_EQ(timeline.stamps.front(), milliseconds(100000));
     EXPECT_EQ(timeline.stamps.back(), milliseconds(100000 + 14 * 700));
-    EXPECT_THAT(timeline.found.messages(base::Severity::kWarning),
+    EXPECT_THAT(timeline.diagnostics.messages(base::Severity::kWarning),
                 ElementsAre(AllOf(HasSubstr(ahead_ms > 0 ? "s behind its record times"
                                                          : "2.000000000 s ahead of its record"),
                                   HasSubstr("100.000000000 s"))));
@@ -59,7 +59,7 @@ TEST(BagMotionClock, ASecondsPartIsDelayAndNoOtherClock) {
   const BagMotion motion = recordedAhead(900);
   const Timeline timeline = motion.timeline({"alpha"}, everyMilliseconds(500));
   EXPECT_EQ(timeline.stamps.front(), milliseconds(100900)) << "as the recording starts";
-  EXPECT_THAT(timeline.found.all(), IsEmpty());
+  EXPECT_THAT(timeline.diagnostics.all(), IsEmpty());
 }
 
 TEST(BagMotionClock, OptionsCountFromTheFirstKnownStamp) {

@@ -183,7 +183,7 @@ Timeline acrossAnHour(double x_after, const TimelineOptions& options) {
 TEST(Timeline, LeavesOutScenesInAHoleUnlessAskedForThem) {
   const Timeline timeline = acrossAnHour(5.0, everyMilliseconds(500));
   EXPECT_THAT(timeline.stamps, SizeIs(5)) << "three before the hole, two after it";
-  EXPECT_THAT(timeline.found.messages(base::Severity::kWarning),
+  EXPECT_THAT(timeline.diagnostics.messages(base::Severity::kWarning),
               ElementsAre("TF has nothing of the frame 'alpha' from 2.000 s to 3600.000 s "
                           "(3598.000 s): " +
                           std::to_string(timeline.left_out_gap) +
@@ -194,14 +194,14 @@ TEST(Timeline, LeavesOutScenesInAHoleUnlessAskedForThem) {
   EXPECT_EQ(whole.left_out_gap, 0);
   EXPECT_EQ(whole.stamps.size(),
             timeline.stamps.size() + static_cast<std::size_t>(timeline.left_out_gap));
-  EXPECT_THAT(whole.found.messages(base::Severity::kWarning),
+  EXPECT_THAT(whole.diagnostics.messages(base::Severity::kWarning),
               ElementsAre(HasSubstr("made, its poses interpolated across")));
 }
 
 TEST(Timeline, MakesScenesInAHoleOverWhichNothingMoved) {
   const Timeline timeline = acrossAnHour(0.0, everyMilliseconds(500));
   EXPECT_EQ(timeline.left_out_gap, 0);
-  EXPECT_THAT(timeline.found.messages(base::Severity::kWarning),
+  EXPECT_THAT(timeline.diagnostics.messages(base::Severity::kWarning),
               ElementsAre(HasSubstr("made, as its pose is the same before and after")));
 }
 
@@ -210,7 +210,7 @@ TEST(Timeline, TakesAFramesOwnSlowRateForNoHole) {
       recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 301000, 15000); });
   const Timeline timeline = motion.timeline({"alpha"}, everyMilliseconds(1000));
   EXPECT_THAT(timeline.stamps, SizeIs(300));
-  EXPECT_TRUE(timeline.found.all().empty());
+  EXPECT_TRUE(timeline.diagnostics.all().empty());
 }
 
 TEST(Timeline, MindsGapsOnTheGlobalFramesSideToo) {

@@ -41,9 +41,9 @@ std::vector<std::string> warningsOf(const FrameSource& source,
                                     const std::vector<std::string>& frames) {
   std::vector<FrameId> ids;
   for (const std::string& frame : frames) ids.push_back(*source.find(frame));
-  base::Diagnostics found;
-  source.report(ids, found);
-  return found.messages(base::Severity::kWarning);
+  base::Diagnostics diagnostics;
+  source.report(ids, diagnostics);
+  return diagnostics.messages(base::Severity::kWarning);
 }
 
 std::string messageOf(const std::function<void()>& call) {

@@ -7,7 +7,7 @@
 
 #include "programs/gallery/model_gallery.h"
 #include "reference/reference_folder.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 #include "world/files/model_folders.h"
 
 namespace synthetic_dataset {

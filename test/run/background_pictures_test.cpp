@@ -9,7 +9,7 @@
 #include "all_at_once_run.h"
 #include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 #include "run_fixture.h"
 
 namespace synthetic_dataset::run {

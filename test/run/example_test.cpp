@@ -8,6 +8,7 @@
 #include "base/yaml_value.h"
 #include "render/renderer.h"
 #include "run/setup/run_setup.h"
+#include "scene/camera_poses.h"
 #include "scene/object_motion.h"
 #include "scene/scene_maker.h"
 #include "support/source_folder.h"
@@ -61,8 +62,9 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
   for (std::size_t s = 0; s < setup.timeline.stamps.size(); ++s) {
     const Stamp stamp = setup.timeline.stamps[s];
     setup.world->advanceTo(stamp, [&](int object, Stamp time) { return motion.at(object, time); });
+    scene::CameraPoses poses(setup.cameras, *setup.world, *setup.frames, stamp);
     scene::SeenScene seen =
-        maker.look(0, static_cast<std::int64_t>(s), stamp, motion.objectPoses(stamp));
+        maker.look(0, static_cast<std::int64_t>(s), stamp, poses, motion.objectPoses(stamp));
     (void)seen.pixels.labels(seen.scene, {});
     const Scene& scene = seen.scene;
     for (std::size_t i = 0; i < objects.size(); ++i) {

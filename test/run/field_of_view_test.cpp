@@ -81,11 +81,11 @@ TEST(FieldOfView, ThatALensCannotHaveIsAnErrorOfItsCamera) {
 
 TEST(FieldOfView, AtWhichALensSeesNextToNothingIsTold) {
   const std::vector<scene::CameraRig> cameras = {{"front", kLens, "f"}, {"rear", kPinhole, "r"}};
-  base::Diagnostics found;
-  scene::warnOfBlackEdges(base::Distribution::constant({1.2}), "angle", cameras, found);
-  EXPECT_THAT(found.all(), IsEmpty());
-  scene::warnOfBlackEdges(base::Distribution::uniform({1.0}, {2.9}), "angle", cameras, found);
-  EXPECT_THAT(found.messages(base::Severity::kWarning),
+  base::Diagnostics diagnostics;
+  scene::warnOfBlackEdges(base::Distribution::constant({1.2}), "angle", cameras, diagnostics);
+  EXPECT_THAT(diagnostics.all(), IsEmpty());
+  scene::warnOfBlackEdges(base::Distribution::uniform({1.0}, {2.9}), "angle", cameras, diagnostics);
+  EXPECT_THAT(diagnostics.messages(base::Severity::kWarning),
               ElementsAre(AllOf(HasSubstr("at 2.900 rad"), HasSubstr("'front'"))));
 }
 

@@ -165,7 +165,7 @@ TEST_F(LabelCountsTest, OfARunThatSeesNoObjectAreInItsEndAndInTheManifest) {
   const output::ManifestContent manifest = output::readManifest(output::manifestFile(folder));
   EXPECT_TRUE(manifest.complete);
   std::vector<std::string> listed;
-  for (const output::Warning& each : manifest.run.warnings) listed.push_back(each.kind);
+  for (const base::Warning& each : manifest.run.warnings) listed.push_back(each.kind);
   EXPECT_THAT(listed, testing::IsSupersetOf(summary.missing_labels));
 }
 

@@ -60,9 +60,9 @@ class SceneLoopTest : public testing::Test {
                                                           *motion.world);
     motion.arranger = std::make_unique<scene::SceneArranger>(
         motion.config, motion.cameras, motion.variants, *motion.shapes, *motion.world,
-        *motion.frames, motion.found);
+        *motion.frames, motion.diagnostics);
     motion.variation = std::make_unique<scene::SceneVariation>(
-        motion.config, motion.cameras, motion.variants, *motion.world, motion.found);
+        motion.config, motion.cameras, motion.variants, *motion.world, motion.diagnostics);
   }
 
   [[nodiscard]] static std::unique_ptr<world::World> makeWorld() {

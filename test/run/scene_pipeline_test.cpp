@@ -28,7 +28,7 @@ struct KeepingReporter : Reporter {
 };
 
 /// A scene that is drawn, with warnings of these kinds.
-PendingScene pending(std::int64_t index, const std::vector<output::Warning>& warnings = {}) {
+PendingScene pending(std::int64_t index, const std::vector<base::Warning>& warnings = {}) {
   return [index, warnings] {
     FinishedScene finished{Scene(CameraModel(4, 3, {1.0, 1.0, 2.0, 1.5}, 0.05, 100.0)), {}};
     finished.scene.index = index;

@@ -196,7 +196,7 @@ TEST_F(TwinOcclusion, IsNotKnownWithoutDepth) {
   EXPECT_THAT(rows("SELECT unmeasured FROM scene_cover"), testing::Each("1.0"));
   EXPECT_EQ(rows("SELECT covered FROM object_cover").size(), 2 * kScenes);
   const RunSetup setup = setUpRun(Value(parameters), {test::pluginXml()});
-  EXPECT_THAT(setup.found.messages(base::Severity::kNote),
+  EXPECT_THAT(setup.diagnostics.messages(base::Severity::kNote),
               testing::Contains(HasSubstr("neither depth_topic nor cloud_topic is set")));
 }
 

@@ -140,7 +140,7 @@ TEST_F(ArticulatedReplay, LinksWithoutTfRideOnTheirParents) {
 TEST_F(ArticulatedReplay, WithoutTfForLinksTheModelMovesAsOnePiece) {
   const run::MotionSetup setup = setUp();
   EXPECT_THAT(setup.driven_links, ElementsAre(ElementsAre(IsEmpty())));
-  EXPECT_THAT(setup.found.messages(base::Severity::kNote),
+  EXPECT_THAT(setup.diagnostics.messages(base::Severity::kNote),
               ElementsAre("alpha: no TF moves its joints 'shoulder', 'elbow', "
                           "'slide'; they are held as the model has them"));
   expectAt(linksAt(5)["gripper"], base(5) * poseAt(0, 0, 1.12));
@@ -149,7 +149,7 @@ TEST_F(ArticulatedReplay, WithoutTfForLinksTheModelMovesAsOnePiece) {
 TEST_F(ArticulatedReplay, NotesSayHowManyLinksFollow) {
   recordLinks();
   EXPECT_THAT(
-      setUp().found.messages(base::Severity::kNote),
+      setUp().diagnostics.messages(base::Severity::kNote),
       ElementsAre("alpha: 3 of 5 links follow TF", HasSubstr("no TF moves its joints 'slide'")));
 }
 
@@ -207,7 +207,7 @@ TEST_F(ArticulatedReplay, TheLinkThatTheObjectsFrameNamesStandsThereAlone) {
   expectAt(links["base_link"], base(5));
   expectAt(links["ground"], base(5) * poseAt(0, 0, -0.3));
   expectAt(links["gripper"], base(5) * poseAt(0, 0, 1.12));
-  EXPECT_THAT(setUp().found.messages(base::Severity::kNote),
+  EXPECT_THAT(setUp().diagnostics.messages(base::Severity::kNote),
               Contains("alpha: its link 'base_link' stands at the frame 'alpha/base_link'; the "
                        "model's origin is 0.300 m from it"));
 }
@@ -263,7 +263,7 @@ TEST_F(ArticulatedReplay, LinksFollowJointStatesWhereTfHasNoneOfThem) {
   expectAt(links["upper"], base(15) * shoulder(15));
   expectAt(links["fore"], base(15) * shoulder(15) * elbow(15));
   expectAt(links["gripper"], base(15) * shoulder(15) * elbow(15) * poseAt(0, 0, 0.42));
-  EXPECT_THAT(setUp().found.messages(base::Severity::kWarning),
+  EXPECT_THAT(setUp().diagnostics.messages(base::Severity::kWarning),
               Contains(HasSubstr("the joints of 'alpha' follow the topic /joint_states")));
 }
 
@@ -273,7 +273,7 @@ TEST_F(ArticulatedReplay, TfGoesBeforeJointStates) {
   Value::List bags = *parameters["bag_file"].as<Value::List>();
   bags.emplace_back(joints);
   parameters["bag_file"] = Value(bags);
-  EXPECT_THAT(setUp().found.messages(base::Severity::kWarning),
+  EXPECT_THAT(setUp().diagnostics.messages(base::Severity::kWarning),
               testing::Each(testing::Not(HasSubstr("/joint_states"))));
 }
 

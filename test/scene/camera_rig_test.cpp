@@ -18,8 +18,8 @@ world::CameraSensor eye() {
 }
 
 CameraRig rigOf(const CameraOptions& config) {
-  base::Diagnostics found;
-  return makeCameraRig(config, {}, {eye()}, {}, {}, test::FakeFrameSource(), found);
+  base::Diagnostics diagnostics;
+  return makeCameraRig(config, {}, {eye()}, {}, {}, test::FakeFrameSource(), diagnostics);
 }
 
 CameraOptions ofEye() {
@@ -56,8 +56,8 @@ TEST(CameraRig, FollowsItsFrameWhereThereIsOne) {
   config.frame = "/mast/eye";
   const test::FakeFrameSource frames(
       {{"mast/eye", test::FakeFrameSource::fixed(Pose::Identity())}});
-  base::Diagnostics found;
-  const CameraRig rig = makeCameraRig(config, {}, {eye()}, {}, {}, frames, found);
+  base::Diagnostics diagnostics;
+  const CameraRig rig = makeCameraRig(config, {}, {eye()}, {}, {}, frames, diagnostics);
   EXPECT_TRUE(rig.followsFrame());
   EXPECT_EQ(rig.followed, frames.find("mast/eye"));
 }

@@ -31,12 +31,12 @@ class CalibratedRig : public ::testing::Test {
     config.rectified = true;
     config.near = 0.1;
     config.far = 50.0;
-    return makeCameraRig(config, {}, {}, {}, {}, frames, found);
+    return makeCameraRig(config, {}, {}, {}, {}, frames, diagnostics);
   }
 
   const Pose X_GF = makePose({1.0, 2.0, 2.0}, Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5));
   test::FakeFrameSource frames{{{"stereo", test::FakeFrameSource::fixed(X_GF)}}};
-  base::Diagnostics found;
+  base::Diagnostics diagnostics;
   test::TemporaryFolder folder;
 };
 
@@ -48,8 +48,8 @@ TEST_F(CalibratedRig, OfAStereoPairsRightCameraStandsBesideTheLeftOne) {
   EXPECT_EQ(rig.optical_frame, "stereo/right");
   EXPECT_LT((rig.X_FC.translation() - Eigen::Vector3d(0.2, 0.0, 0.0)).norm(), 1e-12);
   EXPECT_TRUE(rig.model.isPinhole());
-  notePictureFrames({rig}, found);
-  EXPECT_THAT(found.messages(base::Severity::kNote),
+  notePictureFrames({rig}, diagnostics);
+  EXPECT_THAT(diagnostics.messages(base::Severity::kNote),
               ElementsAre(testing::HasSubstr("stereo/right, at [0.2000, 0.0000, 0.0000] m")));
 }
 
@@ -85,7 +85,7 @@ TEST_F(CalibratedRig, OfBothCamerasOfAPairShowsAPointInOneRow) {
   };
   std::vector<CameraRig> pair = {rigOf("R: " + listed(R1) + "\nP: " + listed(P1) + "\n"),
                                  rigOf("R: " + listed(R2) + "\nP: " + listed(P2) + "\n")};
-  placeStereoPairs(pair, frames, found);
+  placeStereoPairs(pair, frames, diagnostics);
   for (const Eigen::Vector3d& p_F :
        {Eigen::Vector3d(-0.3, 0.2, 2.0), Eigen::Vector3d(0.4, -0.3, 3.0)}) {
     const auto left = pair[0].model.project(pair[0].X_FC.inverse() * p_F);
@@ -106,11 +106,11 @@ TEST_F(CalibratedRig, OfAPairMayShareAPoseInsteadOfAFrame) {
   left.frame = "left/optical_link";
   right.frame = "right/optical_link";
   std::vector<CameraRig> apart = {left, right};
-  placeStereoPairs(apart, frames, found);
+  placeStereoPairs(apart, frames, diagnostics);
   EXPECT_TRUE(apart[1].X_FC.linear().isIdentity());
   left.X_GC = right.X_GC = X_GF;
   std::vector<CameraRig> pair = {left, right};
-  placeStereoPairs(pair, frames, found);
+  placeStereoPairs(pair, frames, diagnostics);
   EXPECT_TRUE(pair[1].X_FC.linear().isApprox(left.X_FC.linear()));
   EXPECT_TRUE(pair[1].X_FC.translation().isApprox(left.X_FC * Eigen::Vector3d(0.2, 0.0, 0.0)));
 }
@@ -119,7 +119,7 @@ TEST_F(CalibratedRig, IsWhereItsFrameIsWithoutRotationAndBaseline) {
   const CameraRig rig = rigOf(
       "R: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nP: [300, 0, 159.5, 0, 0, 300, 119.5, 0, 0, 0, 1, 0]\n");
   EXPECT_EQ(rig.optical_frame, "stereo");
-  EXPECT_TRUE(found.all().empty());
+  EXPECT_TRUE(diagnostics.all().empty());
 }
 
 TEST_F(CalibratedRig, WithAFrameOfItsOwnABaselineAwayIsThere) {
@@ -136,13 +136,13 @@ TEST_F(CalibratedRig, WithAFrameOfItsOwnABaselineAwayIsThere) {
     pair[1].frame = frame;
     pair[1].followed = *two.find(frame);
     pair[1].stereo_frame = stereo_frame;
-    placeStereoPairs(pair, two, found);
+    placeStereoPairs(pair, two, diagnostics);
     return pair[1];
   };
   const CameraRig own = placed("own", StereoFrame::kAuto);
   EXPECT_TRUE(own.X_FC.isApprox(Pose::Identity(), 0.0));
   EXPECT_EQ(own.optical_frame, "own");
-  EXPECT_TRUE(found.all().empty());
+  EXPECT_TRUE(diagnostics.all().empty());
   EXPECT_NEAR(placed("own", StereoFrame::kFirst).X_FC.translation().x(), 0.2, 1e-12);
   EXPECT_NEAR(placed("same", StereoFrame::kAuto).X_FC.translation().x(), 0.2, 1e-12);
   EXPECT_TRUE(placed("same", StereoFrame::kOwn).X_FC.translation().isZero(0.0));
@@ -150,9 +150,9 @@ TEST_F(CalibratedRig, WithAFrameOfItsOwnABaselineAwayIsThere) {
 
 TEST_F(CalibratedRig, OfASecondCameraAloneSaysWhoseFrameItTakesItToHave) {
   std::vector<CameraRig> alone = {rigOf("P: [300, 0, 159.5, -60, 0, 300, 119.5, 0, 0, 0, 1, 0]\n")};
-  placeStereoPairs(alone, frames, found);
+  placeStereoPairs(alone, frames, diagnostics);
   EXPECT_NEAR(alone[0].X_FC.translation().x(), 0.2, 1e-12);
-  EXPECT_THAT(found.messages(base::Severity::kWarning),
+  EXPECT_THAT(diagnostics.messages(base::Severity::kWarning),
               ElementsAre(testing::AllOf(testing::HasSubstr("0.2000 m beside the first"),
                                          testing::HasSubstr("stereo_frame: own"))));
 }

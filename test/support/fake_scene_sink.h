@@ -14,7 +14,7 @@ struct FakeSceneSink : run::SceneSink {
   [[nodiscard]] Requirements requirements() const override { return required; }
   void begin(const DatasetInfo& info) override { dataset = info; }
   [[nodiscard]] bool wants(std::int64_t scene) const override { return is_wanted(scene); }
-  [[nodiscard]] std::vector<output::Warning> add(const run::FinishedScene& finished) override {
+  [[nodiscard]] std::vector<base::Warning> add(const run::FinishedScene& finished) override {
     on_add(finished);
     scenes.push_back(finished);
     return warnings;
@@ -25,8 +25,8 @@ struct FakeSceneSink : run::SceneSink {
   Requirements required;
   std::function<bool(std::int64_t scene)> is_wanted = [](std::int64_t) { return true; };
   std::function<void(const run::FinishedScene&)> on_add = [](const run::FinishedScene&) {
-  };                                      ///< may throw
-  std::vector<output::Warning> warnings;  ///< about each scene
+  };                                    ///< may throw
+  std::vector<base::Warning> warnings;  ///< about each scene
 
   // What it got.
   std::optional<DatasetInfo> dataset;

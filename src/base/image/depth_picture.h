@@ -12,7 +12,7 @@
 
 namespace synthetic_dataset::base {
 
-/// Why a picture is no depth that can be read; nothing when it is (REP 118): 32FC1 in metres, or
+/// Why a picture cannot be read as depth; nothing if it can (REP 118): 32FC1 in metres, or
 /// 16UC1 (mono16) in millimetres.
 [[nodiscard]] std::optional<std::string> depthProblem(const RawPicture& picture);
 

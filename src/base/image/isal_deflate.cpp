@@ -51,7 +51,7 @@ std::vector<uchar> isalDeflated(const cv::Mat& bytes) {
   constexpr std::array<uchar, 2> kHeader = {0x78, 0x01};
   // ISA-L 2.30 takes the third byte's place in its table from the address of the stream
   // (igzip_icf_body_h1_gr_bt.asm, .write_first_byte), so that equal bytes would now and then become
-  // different ones. So few bytes go another way there.
+  // different ones. They are compressed another way there.
   constexpr std::size_t kFirst = 16;
   std::vector<uchar> scratch(ISAL_DEF_LVL1_DEFAULT);
   // What cannot be compressed is stored in blocks, with a few bytes to each.

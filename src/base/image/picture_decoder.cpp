@@ -11,8 +11,7 @@
 #include "base/image/freeimage_decoder.h"
 #include "base/image/light_file.h"
 #include "base/image/picture_bytes.h"
-#include "base/image/picture_end.h"
-#include "base/image/picture_file.h"
+#include "base/image/picture_check.h"
 #include "base/image/picture_size.h"
 #include "base/sandbox/byte_stream.h"
 #include "base/sandbox/sandboxed_batch.h"
@@ -47,7 +46,7 @@ void checkSize(const PictureSize& size) {
               std::to_string(kLargestPicture >> 20U) + " million in all can be read");
 }
 
-/// What of a file makes its pixels, where nothing speaks against decoding it.
+/// The bytes of a file that make its pixels, after checks that it can be decoded.
 Bytes checked(const Bytes& file) {
   if (file.empty()) throw Error("cannot be decoded: the file is empty");
   if (const std::optional<PictureSize> size = claimedSize(file)) checkSize(*size);

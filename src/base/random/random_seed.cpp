@@ -1,6 +1,7 @@
 #include "base/random/random_seed.h"
 
-#include "base/random/mixed_bits.h"
+#include <cmath>
+
 #include "synthetic_dataset/fingerprint.h"
 
 namespace synthetic_dataset::base {
@@ -8,12 +9,24 @@ namespace {
 
 std::uint64_t mixed(std::uint64_t x) { return mixedBits(x + kCounterStep); }
 
+/// Above 0, up to 1.
+double unit(std::uint64_t bits) { return (static_cast<double>(bits >> 11) + 1.0) * 0x1.0p-53; }
+
 }  // namespace
 
 std::uint64_t randomSeed(std::uint64_t run_seed, std::int64_t scene_index,
                          std::string_view purpose) {
   const std::uint64_t of_scene = mixed(mixed(run_seed) ^ static_cast<std::uint64_t>(scene_index));
   return mixed(of_scene ^ Fingerprint(purpose).value());
+}
+
+NormalPair randomNormals(std::uint64_t seed, std::uint64_t place) {
+  constexpr double kTwoPi = 6.283185307179586;
+  const std::uint64_t counter = mixedBits(seed) + 2 * place * kCounterStep;
+  // Box and Muller 1958.
+  const double radius = std::sqrt(-2.0 * std::log(unit(mixedBits(counter + kCounterStep))));
+  const double angle = kTwoPi * unit(mixedBits(counter + 2 * kCounterStep));
+  return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 }  // namespace synthetic_dataset::base

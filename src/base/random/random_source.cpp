@@ -6,8 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "base/random/mixed_bits.h"
-#include "base/random/random_normal.h"
 #include "base/random/random_seed.h"
 
 namespace synthetic_dataset::base {

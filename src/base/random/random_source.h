@@ -15,7 +15,7 @@ class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed) : state_(seed) {}
 
-  /// That of randomSeed.
+  /// Seeded by randomSeed().
   RandomSource(std::uint64_t run_seed, std::int64_t scene_index, std::string_view purpose);
 
   [[nodiscard]] std::uint64_t bits();
@@ -26,20 +26,20 @@ class RandomSource {
   /// low <= number <= high; either may be the greater.
   [[nodiscard]] double uniform(double low, double high) { return low + (high - low) * unit(); }
 
-  /// Of mean 0 and standard deviation 1.
+  /// Normally distributed with mean 0 and standard deviation 1.
   [[nodiscard]] double normal();
 
   /// 0 <= number < count, each as likely as the others. @param count  > 0
   [[nodiscard]] std::size_t index(std::size_t count);
 
-  /// So many of the numbers 0 .. all - 1, each as likely as the others, in a random order.
+  /// Draws `count` of the numbers 0 .. all - 1 without replacement, in random order.
   /// @param count  <= all
   [[nodiscard]] std::vector<std::size_t> choice(std::size_t count, std::size_t all);
 
   /// A heading: -pi < angle <= pi.
   [[nodiscard]] double angle();
 
-  /// Of unit length, each direction as likely as the others.
+  /// A unit vector, uniformly distributed over the sphere.
   [[nodiscard]] Eigen::Vector3d direction();
 
   /// Each orientation as likely as the others (Shoemake 1992).

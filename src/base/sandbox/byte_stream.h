@@ -25,7 +25,7 @@ class ByteWriter {
     number<std::uint64_t>(value.size());
     raw(value.data(), value.size());
   }
-  /// Of numbers, or of Eigen's vectors of fixed size, which are nothing but their numbers.
+  /// A list of numbers, or of Eigen's fixed-size vectors, which have no other members.
   template <class Element>
   void list(const std::vector<Element>& values) {
     number<std::uint64_t>(values.size());
@@ -51,7 +51,7 @@ class ByteReader {
   [[nodiscard]] Number number() {
     static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
     if constexpr (std::is_same_v<Number, bool>) {
-      return number<std::uint8_t>() != 0;  // other bytes than 0 and 1 are no bool
+      return number<std::uint8_t>() != 0;  // bytes other than 0 and 1 are not a bool
     } else {
       Number value{};
       copy(&value, sizeof(value));

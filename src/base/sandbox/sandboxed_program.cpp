@@ -93,7 +93,7 @@ std::string run(const std::vector<std::string>& command) {
 
 std::variant<ProgramResult, Crash> runSandboxedProgram(const std::vector<std::string>& command,
                                                        SandboxLimits limits) {
-  // The process waits for the program without using the processor; that is no reason to begin anew.
+  // The process waits without using the processor, which does not restart the time limit.
   limits.idle = 8 * std::chrono::milliseconds(limits.processor_time);
   const auto answer = runSandboxed([&] { return run(command); }, limits);
   if (const auto* crash = std::get_if<Crash>(&answer)) return *crash;

@@ -20,8 +20,8 @@ using YamlPath = std::vector<YamlStep>;
 /// The value at a path; nullptr where there is none.
 [[nodiscard]] const Value* valueAt(const Value& tree, const YamlPath& path);
 
-/// Sets a value: missing groups are made, and what is no group is replaced by one; the index behind
-/// a list's last appends to it.
+/// Sets a value: missing groups are made, and what is not a group is replaced by one; the index
+/// behind a list's last appends to it.
 /// @throws Error for an index further behind
 void setValue(Value& tree, const YamlPath& path, const Value& value);
 

@@ -17,7 +17,7 @@ struct YamlChange {
 
 /// What a text says, as settings (parseSettings), or, where these may not have what it holds
 /// (nothing, dates), as any YAML.
-/// @throws Error when it is no YAML
+/// @throws Error when it is not YAML
 [[nodiscard]] Value readYamlText(const std::string& text, const std::string& origin);
 
 /// Changes a YAML text so that its tree is exactly the old one with the changes, and nothing else

@@ -32,7 +32,7 @@ struct YamlEntry {
 
 /// Where all is in a YAML text's first document.
 /// @param origin  for messages
-/// @throws Error when it is no YAML, or laid out as this cannot follow
+/// @throws Error when it is not YAML, or laid out as this cannot follow
 [[nodiscard]] YamlPart outlineYaml(const std::string& text, const std::string& origin);
 
 }  // namespace synthetic_dataset::base

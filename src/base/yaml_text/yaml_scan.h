@@ -12,7 +12,7 @@ class YamlScan {
   /// @param text  has to outlive this
   explicit YamlScan(const std::string& text) : text_(text) {}
 
-  /// Of the offset's line: where it begins, where it ends before its line break, and where the next
+  /// The line that holds the offset: its begin, its end before the line break, and where the next
   /// one begins.
   [[nodiscard]] std::size_t lineBegin(std::size_t offset) const;
   [[nodiscard]] std::size_t lineEnd(std::size_t offset) const;

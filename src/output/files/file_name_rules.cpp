@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <system_error>
 
 namespace synthetic_dataset::output {
 namespace {
@@ -28,6 +30,15 @@ std::optional<std::string> partProblem(std::string_view part) {
   return std::nullopt;
 }
 
+namespace fs = std::filesystem;
+
+/// Without symbolic links, as far as the path is there; empty where this cannot be known.
+std::string withoutLinks(const std::string& path) {
+  std::error_code error;
+  const fs::path found = fs::weakly_canonical(path, error);
+  return error ? std::string() : found.string();
+}
+
 }  // namespace
 
 std::optional<std::string> relativePathProblem(std::string_view path) {
@@ -50,6 +61,36 @@ bool liesWithin(std::string_view path, std::string_view folder) {
   if (!folder.empty() && folder.back() == '/') folder.remove_suffix(1);
   return path.substr(0, folder.size()) == folder &&
          (path.size() == folder.size() || path[folder.size()] == '/');
+}
+
+std::vector<std::string> filesOutside(const std::vector<std::string>& files,
+                                      const std::vector<std::string>& folders) {
+  std::vector<std::string> real_folders;
+  for (const std::string& folder : folders) real_folders.push_back(withoutLinks(folder));
+  std::map<std::string, bool> is_inside;  // by folder
+  std::vector<std::string> outside;
+  for (const std::string& file : files) {
+    const std::string folder = fs::path(file).parent_path().string();
+    const auto [known, is_new] = is_inside.try_emplace(folder, false);
+    if (is_new) {
+      const std::string real = withoutLinks(folder);
+      for (std::size_t i = 0; i < folders.size(); ++i) {
+        known->second = known->second || (liesWithin(folder, folders[i]) && !real.empty() &&
+                                          liesWithin(real, real_folders[i]));
+      }
+    }
+    if (!known->second) outside.push_back(file);
+  }
+  return outside;
+}
+
+std::string firstNames(const std::vector<std::string>& names) {
+  constexpr std::size_t kNamed = 3;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) {
+    list += (i == 0 ? "'" : ", '") + names[i] + "'";
+  }
+  return names.size() > kNamed ? list + " and more" : list;
 }
 
 }  // namespace synthetic_dataset::output

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace synthetic_dataset::output {
 
@@ -16,5 +17,14 @@ namespace synthetic_dataset::output {
 /// Whether a path is a folder's or one below it; both absolute and normalised, the folder with a
 /// `/` at its end or not.
 [[nodiscard]] bool liesWithin(std::string_view path, std::string_view folder);
+
+/// Those files that lie in none of these folders, by their path or through a symbolic link to a
+/// folder on it.
+/// @param files, folders  absolute and normalised; a folder may itself be reached through links
+[[nodiscard]] std::vector<std::string> filesOutside(const std::vector<std::string>& files,
+                                                    const std::vector<std::string>& folders);
+
+/// "'a', 'b', 'c' and more"
+[[nodiscard]] std::string firstNames(const std::vector<std::string>& names);
 
 }  // namespace synthetic_dataset::output

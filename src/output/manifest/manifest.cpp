@@ -12,7 +12,6 @@
 #include <thread>
 #include <utility>
 
-#include "output/files/disk_sync.h"
 #include "output/files/file_system.h"
 #include "output/files/pending_file.h"
 #include "output/manifest/manifest_paths.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "output/manifest/manifest_schema.h"
+#include "output/manifest/picture_facts.h"
 #include "output/manifest/run_description.h"
-#include "output/manifest/scene_facts.h"
 #include "output/manifest/sqlite.h"
 #include "output/manifest/truth_tables.h"
 #include "output/output_options.h"

@@ -1,11 +1,24 @@
 #include "output/manifest/manifest_schema.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
+
+std::string shardText(const Shard& shard) {
+  return std::to_string(shard.index) + "/" + std::to_string(shard.count);
+}
+
+bool belongsTo(const Shard& shard, std::int64_t instant, std::int64_t instant_count) {
+  constexpr std::int64_t kLongestBlock = 64;  // instants
+  constexpr std::int64_t kBlocksOfEach = 4;   // at least, where there are so many instants
+  const std::int64_t block =
+      std::clamp<std::int64_t>(instant_count / (shard.count * kBlocksOfEach), 1, kLongestBlock);
+  return instant / block % shard.count == shard.index;
+}
 
 // References are looked at when a manifest is verified, not while it is written: a shard's tables
 // are taken in one after another. What a constraint computes anew, in another order than the run

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
-#include "output/manifest/shard.h"
+#include "output/output_options.h"
 
 namespace synthetic_dataset::output {
+
+/// "2/8"
+[[nodiscard]] std::string shardText(const Shard& shard);
+
+/// Whether an instant belongs to a shard. Blocks are long enough that work in a row stays together,
+/// and short enough that all shards have as much to do.
+[[nodiscard]] bool belongsTo(const Shard& shard, std::int64_t instant, std::int64_t instant_count);
 
 /// The version of the manifest's tables; docs/manifest.md describes them.
 constexpr const char* kManifestVersion = "7";

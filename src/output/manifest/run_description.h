@@ -7,16 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset::output {
 
-/// Something that a run had to say.
-struct Warning {
-  std::string kind;         ///< what is counted together
-  std::string detail = "";  ///< of this one
-  std::int64_t count = 1;
-};
+using base::Warning;
 
 /// What a run is made of, as its manifest lists it: equal descriptions make equal datasets.
 struct RunDescription {

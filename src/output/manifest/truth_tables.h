@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "output/manifest/picture_facts.h"
 #include "output/manifest/run_description.h"
-#include "output/manifest/scene_facts.h"
 #include "output/manifest/sqlite.h"
 
 /// The tables that hold what labels are held against: cameras, shapes, keypoints, masks, pictures;

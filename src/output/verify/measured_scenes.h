@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "output/manifest/picture_facts.h"
 #include "output/manifest/run_description.h"
-#include "output/manifest/scene_facts.h"
 #include "output/store_types.h"
 #include "plugins/readback/expected_labels.h"
 #include "synthetic_dataset/label_writer.h"

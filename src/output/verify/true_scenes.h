@@ -1,7 +1,7 @@
 #pragma once
 
+#include "output/manifest/picture_facts.h"
 #include "output/manifest/run_description.h"
-#include "output/manifest/scene_facts.h"
 #include "output/store_types.h"
 #include "plugins/readback/found_files.h"
 #include "synthetic_dataset/label_writer.h"

@@ -1,17 +1,61 @@
 #include "output/writers/writer_host.h"
 
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "output/files/file_name_rules.h"
-#include "output/writers/exit_guard.h"
 #include "output/writers/writer_loader.h"
 #include "output/writers/writer_outputs.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
 namespace {
+
+/// While it lives, a writer is at work. A plugin that ends the program meanwhile, by `exit`, is
+/// named on the standard error, and the exit code is 1: a run that has not come to its end must not
+/// look like one that has.
+class WriterAtWork {
+ public:
+  /// @param name  of the writer; it outlives this
+  explicit WriterAtWork(const std::string& name);
+  ~WriterAtWork();
+  WriterAtWork(const WriterAtWork&) = delete;
+  WriterAtWork& operator=(const WriterAtWork&) = delete;
+};
+
+/// Whoever calls `exit` leaves nothing else that knows.
+std::atomic<const std::string*> writer_at_work{nullptr};
+
+void refuseExit() {
+  const std::string* writer = writer_at_work.load();
+  if (writer == nullptr) return;  // the program comes to its own end
+  std::fprintf(stderr,
+               "writer '%s': its plugin has ended the program by a call of exit(); the dataset is "
+               "unfinished, and the same command goes on with it\n",
+               writer->c_str());
+  std::fflush(nullptr);
+  _exit(EXIT_FAILURE);
+}
+
+void watchExits() {
+  static const bool is_watching = [] {
+    return std::atexit(refuseExit) == 0 && std::at_quick_exit(refuseExit) == 0;
+  }();
+  (void)is_watching;
+}
+
+WriterAtWork::WriterAtWork(const std::string& name) {
+  watchExits();
+  writer_at_work = &name;
+}
+
+WriterAtWork::~WriterAtWork() { writer_at_work = nullptr; }
 
 struct ReadyWriter {
   std::string type;

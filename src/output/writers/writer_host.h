@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "output/dataset_store.h"
-#include "output/writers/writer_options.h"
+#include "output/output_options.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset::output {

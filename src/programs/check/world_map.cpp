@@ -68,7 +68,7 @@ Eigen::AlignedBox2d extentOf(const std::vector<Way>& ways,
   return extent;
 }
 
-/// With what is around it of the world, as far as that is no more than as large again.
+/// Adds the world's surroundings, up to about the same size again.
 Eigen::AlignedBox2d withSurroundings(Eigen::AlignedBox2d extent, const world::World& world) {
   const double margin = std::max(3.0, 0.6 * extent.diagonal().norm());
   Eigen::AlignedBox2d most(extent.min() - Eigen::Vector2d(margin, margin),
@@ -137,7 +137,7 @@ double reachOf(const Scene& scene, const run::MapPaper& paper) {
   return reach;
 }
 
-/// So far that another cone shows something new.
+/// The distance from which another cone shows something new.
 bool hasMoved(const Pose& one, const Pose& other) {
   constexpr double kFar = 1.0;   // [m]
   constexpr double kWide = 0.3;  // [rad]

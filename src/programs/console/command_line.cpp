@@ -1,7 +1,11 @@
 #include "programs/console/command_line.h"
 
+#include <exception>
+#include <iostream>
 #include <utility>
 
+#include "config/settings_file.h"
+#include "run/setup/package_index.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
@@ -64,7 +68,7 @@ class Parser {
     if (startsWith(argument, "-") || sign == std::string::npos) {
       throw Error("found '" + argument + "', which is neither an option nor name:=value");
     }
-    // roslaunch passes every node its name and log file; they are no settings.
+    // roslaunch passes every node its name and log file; they are not settings.
     if (startsWith(argument, "__")) return;
     if (sign == 0) throw Error("found '" + argument + "'; a name should stand before ':='");
     result_.settings.emplace_back(argument.substr(0, sign), argument.substr(sign + 2));
@@ -141,6 +145,26 @@ and the cameras from above) in DIR, or in the current folder.
 
 Exit codes: 0 nothing is odd, 3 something is, 1 there could be no such run.
 )";
+}
+
+int reportingErrors(const std::string& name, const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const ErrorList& errors) {
+    for (const std::string& message : errors.messages())
+      std::cerr << name << ": " << message << '\n';
+  } catch (const std::exception& error) {
+    std::cerr << name << ": " << error.what() << '\n';
+  }
+  return 1;
+}
+
+Value settingsOf(const CommandLine& command_line, const base::Remark& remark) {
+  Value::Map settings = config::loadSettings(*command_line.config, run::rosPackageFinder(), remark);
+  for (const auto& [name, text] : command_line.settings) {
+    config::overlay(settings, config::settingOf(name, text));
+  }
+  return settings;
 }
 
 }  // namespace synthetic_dataset::programs

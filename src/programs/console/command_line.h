@@ -1,9 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "base/yaml_value.h"
+#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::programs {
 
@@ -32,5 +36,16 @@ struct CommandLine {
 
 /// What `check --help` prints.
 [[nodiscard]] std::string checkUsage();
+
+/// Does a tool's work, whose result is its exit code. What it throws is printed to the standard
+/// error, "NAME: message" for each of its errors.
+/// @return what the work returns; 1 when it throws
+[[nodiscard]] int reportingErrors(const std::string& name, const std::function<int()>& work);
+
+/// The settings of the file that a command line names, and over them its own. Neither a ROS master
+/// nor ROS's log folder is needed.
+/// @param remark  as base::parseSettings() has it
+/// @throws Error naming file and line, or the setting
+[[nodiscard]] Value settingsOf(const CommandLine& command_line, const base::Remark& remark);
 
 }  // namespace synthetic_dataset::programs

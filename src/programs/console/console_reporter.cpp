@@ -1,16 +1,21 @@
 #include "programs/console/console_reporter.h"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <iostream>
+#include <utility>
 
 #include <ros/console.h>
-#include <unistd.h>
 
 #include "base/printable_text.h"
 #include "programs/console/stop_signals.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::programs {
 namespace {
+
+constexpr double kPatience = 2.0;  ///< [s] for which nobody wonders
 
 double secondsNow() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -18,6 +23,25 @@ double secondsNow() {
 }
 
 }  // namespace
+
+StartReport::StartReport(Clock clock, Sink sink)
+    : clock_(std::move(clock)),
+      sink_(std::move(sink)),
+      start_(clock_()),
+      next_(start_ + kPatience) {}
+
+void StartReport::begin(const std::string& stage) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  stage_ = stage;
+}
+
+void StartReport::look() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const double now = clock_();
+  if (now < next_ || stage_.empty() || !reported_.insert(stage_).second) return;
+  next_ = now + kPatience;
+  sink_("still starting after " + fixed(now - start_, 0) + " s: " + stage_);
+}
 
 void ConsoleReporter::info(const std::string& message) {
   ROS_INFO_STREAM(base::printable(message));

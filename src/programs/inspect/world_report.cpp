@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "run/pictures/model_portrait.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 #include "synthetic_dataset/label_text.h"
 #include "world/files/resource_finder.h"
 #include "world/world_loader.h"

@@ -1,7 +1,10 @@
 #include "programs/preview/preview_node.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include <ros/init.h>
 #include <std_msgs/String.h>
@@ -9,12 +12,56 @@
 
 #include "base/json_text.h"
 #include "programs/console/console_reporter.h"
-#include "programs/preview/preview_sink.h"
+#include "programs/preview/preview_control.h"
 #include "run/scene_loop.h"
+#include "run/scene_sink.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset::programs {
 namespace {
+
+/// Shows the scenes of a run from an instant on, each when its turn comes, and writes nothing.
+class PreviewSink : public run::SceneSink {
+ public:
+  /// @param control  has to outlive this
+  /// @param show  gets each scene when it is its turn, in the thread that adds it
+  PreviewSink(PreviewControl& control, std::int64_t first_instant, const Requirements& requirements,
+              std::function<void(const Scene&)> show);
+
+  [[nodiscard]] Requirements requirements() const override { return requirements_; }
+  void begin(const DatasetInfo& dataset) override;
+  [[nodiscard]] bool wants(std::int64_t scene) const override;
+  [[nodiscard]] std::vector<base::Warning> add(const run::FinishedScene& finished) override;
+  void finish(run::RunEnd /*end*/) override {}
+
+ private:
+  PreviewControl& control_;
+  std::int64_t first_instant_;
+  Requirements requirements_;
+  std::function<void(const Scene&)> show_;
+  std::int64_t camera_count_ = 1;
+};
+
+PreviewSink::PreviewSink(PreviewControl& control, std::int64_t first_instant,
+                         const Requirements& requirements, std::function<void(const Scene&)> show)
+    : control_(control),
+      first_instant_(first_instant),
+      requirements_(requirements),
+      show_(std::move(show)) {}
+
+void PreviewSink::begin(const DatasetInfo& dataset) {
+  camera_count_ = static_cast<std::int64_t>(dataset.cameras.size());
+}
+
+bool PreviewSink::wants(std::int64_t scene) const {
+  return scene / camera_count_ >= first_instant_;
+}
+
+std::vector<base::Warning> PreviewSink::add(const run::FinishedScene& finished) {
+  if (control_.awaitTurn(finished.scene.instant)) show_(finished.scene);
+  return {};
+}
 
 constexpr double kFirstRate = 5.0;  // [Hz]
 
@@ -115,7 +162,7 @@ void PreviewNode::carryOut(const PreviewControl::Order& order) {
   PreviewReporter reporter(control_);
   run::RunSetup setup = run::setUpRun(settings_, inputs_, {});
   if (order.reads_settings) {
-    for (const base::Diagnostic& each : setup.found.all()) {
+    for (const base::Diagnostic& each : setup.diagnostics.all()) {
       if (each.severity == base::Severity::kWarning) reporter.warning(each.message());
     }
   }

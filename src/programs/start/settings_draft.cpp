@@ -99,7 +99,7 @@ class DraftWriter {
     out_ << "]\n";
   }
 
-  /// As many scenes as a first dataset needs, while the first object moves.
+  /// Enough scenes for a first dataset, while the first object moves.
   void writeWindow() {
     if (followed_ == nullptr) return;
     constexpr double kScenes = 200.0;

@@ -9,7 +9,7 @@
 #include "randomize/appearance/texture_source.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/model_folders.h"
-#include "world/material/shininess.h"
+#include "world/material/material_conversions.h"
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::randomize {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "randomize/placement/distractor_options.h"
+#include "randomize/placement/placement_options.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::randomize {

@@ -4,15 +4,21 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "base/random/distribution.h"
 #include "base/random/random_source.h"
-#include "randomize/appearance/drawn_value.h"
 
 namespace synthetic_dataset::randomize {
+
+/// What an entry of `randomize` has drawn in a scene.
+struct DrawnValue {
+  std::string name;  ///< as the settings have it: "lights/sun/intensity"
+  std::variant<std::vector<double>, std::string> value;
+};
 
 /// Draws the entries of one scene and keeps what was drawn. Each entry has random numbers of its
 /// own, from the seed, the scene and its name: whether others are there or not changes nothing.

@@ -30,7 +30,7 @@ class PictureFolder {
 
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
-  /// Of each of files() [px].
+  /// The size of each of files() [px].
   [[nodiscard]] const std::vector<base::PictureSize>& sizes() const { return sizes_; }
 
   /// A picture, opaque.
@@ -44,7 +44,7 @@ class PictureFolder {
   std::vector<std::string> files_;
   std::vector<base::PictureSize> sizes_;
 
-  /// Those that were asked for last, so that a few pictures are not decoded again and again.
+  /// The last ones, so that a few pictures are not decoded again and again.
   std::vector<std::shared_ptr<const world::Texture>> recent_;
 };
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/random/distribution.h"
-#include "base/random/text_choice.h"
-#include "randomize/placement/distractor_options.h"
+#include "base/random/weighted_index.h"
+#include "randomize/placement/placement_options.h"
 
 namespace synthetic_dataset::randomize {
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "randomize/placement/miss_reasons.h"
+#include "randomize/placement/standing_place.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::randomize {
@@ -22,7 +22,7 @@ constexpr double kVertical = 1e-9;
 /// From nearer there is no telling where ahead is [m].
 constexpr double kNoDirection = 1e-9;
 
-/// Of all targets, where none is present.
+/// The centres of the targets that are present; of all if none is.
 std::vector<Eigen::Vector3d> centresOfPresent(const std::vector<CameraTarget>& targets) {
   const bool some = std::any_of(targets.begin(), targets.end(),
                                 [](const CameraTarget& target) { return target.is_present; });

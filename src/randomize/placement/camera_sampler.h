@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/random/random_source.h"
-#include "randomize/placement/sampling_options.h"
+#include "randomize/placement/placement_options.h"
 #include "randomize/placement/surroundings.h"
 #include "synthetic_dataset/pose.h"
 #include "world/world.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/random/random_source.h"
-#include "randomize/placement/distractor_options.h"
+#include "randomize/placement/placement_options.h"
 #include "randomize/placement/standing_place.h"
 #include "randomize/placement/surroundings.h"
 #include "synthetic_dataset/cuboid.h"

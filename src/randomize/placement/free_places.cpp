@@ -9,7 +9,7 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// Of each point that is not 0, to the nearest that is; of the others 0.
+/// The distance of each non-zero point to the nearest zero; 0 for zeros.
 cv::Mat1f distancesToZeros(const cv::Mat1b& points) {
   cv::Mat1f distances;
   cv::distanceTransform(points, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "motion/recorded_map.h"
+#include "motion/recorded/recorded_map.h"
 #include "randomize/placement/occupancy_map.h"
 
 namespace synthetic_dataset::randomize {

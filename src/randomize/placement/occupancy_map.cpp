@@ -12,7 +12,7 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// So that numbers of cells, of a map twice as fine and with a rim, stay within OpenCV's.
+/// Keeps cell counts, of a map twice as fine and with a rim, within the range of OpenCV's int.
 constexpr std::size_t kLongestSide = 1000000;  // [cells]
 
 void checkSides(std::size_t width, std::size_t height, std::size_t cell_count) {

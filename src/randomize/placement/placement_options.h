@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
+#include "base/random/distribution.h"
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::randomize {
@@ -46,6 +48,58 @@ struct PlacementOptions {
   bool upright = false;                  ///< of kVolume and kDrop: turned about the vertical alone
   double fall_time = 10.0;               ///< [s] in which what is dropped has to come to rest
   int tries = 1000;                      ///< for each object in each scene
+};
+
+/// How distractors are put somewhere.
+enum class DistractorMode {
+  kFly,    ///< anywhere in the volume, in any orientation
+  kStand,  ///< upright on what is below
+  kDrop,   ///< as they lie when they have fallen from there
+};
+
+/// Things that stand, lie or fly about, so that a network does not take all that
+/// stands out for an object.
+struct DistractorOptions {
+  int pool = 24;  ///< different ones, made once for the run
+  base::Distribution count = base::Distribution::uniform({0.0}, {8.0});     ///< in a scene
+  base::Distribution size = base::Distribution::logUniform({0.08}, {0.4});  ///< of a side [m]
+  std::vector<std::string> models;      ///< URIs or paths of models, or of folders that hold some;
+                                        ///< empty: boxes, balls and cylinders
+  std::string textures = "procedural";  ///< of those; or an absolute folder, or `none`
+  DistractorMode mode = DistractorMode::kFly;
+  double fall_time = 10.0;  ///< [s] in which those that are dropped come to rest, or are left out
+  Volume volume;            ///< where they are, or above where, or from where they fall
+  std::optional<std::string> label_class;  ///< of all of them, as text; nothing: they have no label
+  int tries = 50;  ///< for each; one without a place is left out of the scene
+};
+
+/// What a run calls its distractors: "distractor_1" is number 1.
+[[nodiscard]] inline std::string distractorName(int number) {
+  return "distractor_" + std::to_string(number);
+}
+
+/// How a camera is put somewhere at random, anew for each scene.
+struct CameraSampling {
+  /// What it looks at: an object's name, `any` (one of the objects, drawn for each scene) or `all`
+  /// (the middle of all). Not used where there is a point.
+  std::string look_at = "any";
+  std::optional<Eigen::Vector3d> look_at_point_G;
+
+  /// Past what it looks at, along the global frame's axes [m].
+  base::Distribution aim_offset = base::Distribution::constant({0, 0, 0});
+
+  /// Where it is, seen from what it looks at, on a shell around it; or
+  base::Distribution distance = base::Distribution::uniform({1.0}, {3.0});   ///< [m]
+  base::Distribution elevation = base::Distribution::uniform({0.2}, {1.0});  ///< [rad]
+  base::Distribution azimuth =
+      base::Distribution::uniform({-3.141592653589793}, {3.141592653589793});  ///< [rad]
+
+  /// in a box of the global frame [m].
+  std::optional<base::Distribution> position_G;
+
+  base::Distribution roll = base::Distribution::constant({0.0});  ///< [rad]
+  double clearance = 0.1;                                         ///< from all that is there [m]
+  int tries = 1000;
 };
 
 }  // namespace synthetic_dataset::randomize

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/recorded_map.h"
+#include "motion/recorded/recorded_map.h"
 #include "synthetic_dataset/value.h"
 
 /// A map that a running system has sent, as the group of settings `placement/received_map`. So the

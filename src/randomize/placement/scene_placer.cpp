@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "randomize/placement/miss_reasons.h"
 #include "randomize/placement/random_place.h"
+#include "randomize/placement/standing_place.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -17,6 +19,18 @@ constexpr double kLeastUnevenness = 1e-3;
 const Eigen::Vector3d kDown(0.0, 0.0, -1.0);
 
 }  // namespace
+
+std::string reasonsText(const std::map<std::string, int>& misses) {
+  std::vector<std::pair<int, std::string>> by_count;
+  for (const auto& [reason, count] : misses) by_count.emplace_back(count, reason);
+  std::sort(by_count.rbegin(), by_count.rend());
+  constexpr std::size_t kMostTold = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostTold, by_count.size()); ++i) {
+    text += (i > 0 ? ", " : "") + std::to_string(by_count[i].first) + " " + by_count[i].second;
+  }
+  return text;
+}
 
 PoseOrReason StandingPlace::at(const Eigen::Vector2d& place_G, double heading,
                                const Cuboid& box_O) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <variant>
 
@@ -11,6 +12,10 @@
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::randomize {
+
+/// Why places were rejected, and how often: "612 were inside 'shelf', 3 were too near 'alpha'", the
+/// most frequent reasons first.
+[[nodiscard]] std::string reasonsText(const std::map<std::string, int>& misses);
 
 /// A pose, or why there is none.
 using PoseOrReason = std::variant<Pose, std::string>;

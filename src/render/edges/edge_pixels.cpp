@@ -17,9 +17,9 @@ namespace {
 class SurfaceRow {
  public:
   /// @param most  that there may be
-  explicit SurfaceRow(int most) : parts_(static_cast<std::size_t>(most + kLaneCount)) {
+  explicit SurfaceRow(int most) : items_(static_cast<std::size_t>(most + kLaneCount)) {
     for (auto* numbers : {&x_, &y_, &z_, &normal_x_, &normal_y_, &normal_z_}) {
-      numbers->resize(parts_.size());
+      numbers->resize(items_.size());
     }
   }
 
@@ -49,7 +49,7 @@ class SurfaceRow {
   void take(const GeometryImages& images, const cv::Point& first, int width, const cv::Rect& place,
             const cv::Mat& rays) {
     takeNormals(images, first, width);
-    distances_.resize(parts_.size());
+    distances_.resize(items_.size());
     const float* distances = images.depth.ptr<float>(first.y, first.x);
     const auto* along = rays.ptr<cv::Vec3f>(place.y + first.y, place.x + first.x);
     for (std::size_t u = 0; u < static_cast<std::size_t>(width_); ++u) {
@@ -62,8 +62,8 @@ class SurfaceRow {
 
   [[nodiscard]] int width() const { return width_; }
 
-  // Of four pixels:
-  [[nodiscard]] cv::v_int32x4 parts(int u) const { return cv::v_load(&parts_[at(u)]); }
+  // The values of four pixels:
+  [[nodiscard]] cv::v_int32x4 items(int u) const { return cv::v_load(&items_[at(u)]); }
   [[nodiscard]] Lanes depths(int u) const {
     return cv::v_load(distances_.empty() ? &z_[at(u)] : &distances_[at(u)]);
   }
@@ -75,7 +75,7 @@ class SurfaceRow {
 
   void takeNormals(const GeometryImages& images, const cv::Point& first, int width) {
     width_ = width;
-    std::copy_n(images.parts.ptr<int>(first.y, first.x), width_, parts_.begin());
+    std::copy_n(images.items.ptr<int>(first.y, first.x), width_, items_.begin());
     const auto* normals = images.normals.ptr<std::uint16_t>(first.y, first.x);
     std::array<std::uint16_t, std::size_t{4} * kLaneCount> room;
     for (int u = 0; u < width_; u += kLaneCount) {
@@ -92,13 +92,13 @@ class SurfaceRow {
   }
 
   int width_ = 0;
-  std::vector<int> parts_;
+  std::vector<int> items_;
   std::vector<float> x_, y_, z_;
   std::vector<float> distances_;  // empty where depths are z
   std::vector<float> normal_x_, normal_y_, normal_z_;
 };
 
-/// Of four pixels and four others, those that see different surfaces: a bit for each.
+/// Compares four pixels with four others; a bit is set where they see different surfaces.
 int differing(const SurfaceRow& row, int u, const SurfaceRow& other, int o, float focal_length) {
   constexpr float kBend = 0.97F;  // the cosine of an angle beyond which shading may jump
   constexpr float kStep = 3.0F;   // [px] that one is before or behind the plane of the other
@@ -106,10 +106,10 @@ int differing(const SurfaceRow& row, int u, const SurfaceRow& other, int o, floa
   const Lanes bends = dot(normals, other.normals(o)) < lanes(kBend);
   const Lanes off = dot(normals, other.places(o) - row.places(u));
   const Lanes steps = cv::v_abs(off) * lanes(focal_length) > lanes(kStep) * row.depths(u);
-  const cv::v_int32x4 parts = row.parts(u);
-  const cv::v_int32x4 is_part = parts != cv::v_setzero_s32();
-  const cv::v_int32x4 is_other = parts != other.parts(o);
-  return cv::v_signmask(is_other | (cv::v_reinterpret_as_s32(bends | steps) & is_part));
+  const cv::v_int32x4 items = row.items(u);
+  const cv::v_int32x4 is_item = items != cv::v_setzero_s32();
+  const cv::v_int32x4 is_other = items != other.items(o);
+  return cv::v_signmask(is_other | (cv::v_reinterpret_as_s32(bends | steps) & is_item));
 }
 
 /// Marks pixels of a row and their neighbours in another, or `shift` farther in the same row, where

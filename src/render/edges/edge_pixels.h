@@ -7,7 +7,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "synthetic_dataset/camera_model.h"
 
 namespace synthetic_dataset::render {

@@ -6,10 +6,9 @@
 #include <cstdint>
 
 #include "render/edges/edge_pixels.h"
-#include "render/edges/likeness.h"
 #include "render/edges/sample_raster.h"
 #include "render/pixels/half.h"
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -23,25 +22,25 @@ using Square = std::array<Lanes, kSide>;
 /// What the centres of the pixels around one see.
 class Neighbourhood {
  public:
-  Neighbourhood(const SeenPixels& seen, const cv::Point& pixel) {
+  Neighbourhood(const PictureSamples& seen, const cv::Point& pixel) {
     const cv::Point first = pixel - seen.place.tl() - cv::Point(kMiddle, kMiddle);
-    const int left = std::max(-first.x, 0);  // columns beside the image, which are no surface
+    const int left = std::max(-first.x, 0);  // columns beside the image, which have no surface
     for (int row = 0; row < kSide; ++row) {
       const auto i = static_cast<std::size_t>(row);
       const cv::Point from(first.x + left, first.y + row);
-      std::array<int, kLaneCount> parts{};
+      std::array<int, kLaneCount> items{};
       std::array<float, kLaneCount> depths{};
       std::array<std::uint16_t, std::size_t{4} * kLaneCount> normals{};
-      parts.fill(-1);
+      items.fill(-1);
       const int count = std::min(kSide - left, seen.place.width - from.x);
       if (from.y >= 0 && from.y < seen.place.height) {
         const GeometryImages& images = seen.geometry;
-        std::copy_n(images.parts.ptr<int>(from.y, from.x), count, parts.begin() + left);
+        std::copy_n(images.items.ptr<int>(from.y, from.x), count, items.begin() + left);
         std::copy_n(images.depth.ptr<float>(from.y, from.x), count, depths.begin() + left);
         std::copy_n(images.normals.ptr<std::uint16_t>(from.y, from.x), 4 * count,
                     normals.begin() + std::ptrdiff_t{4} * left);
       }
-      parts_[i] = cv::v_load(parts.data());
+      items_[i] = cv::v_load(items.data());
       depths_[i] = cv::v_load(depths.data());
       normals_[i] = loadHalves(normals.data()).xyz;
       columns_ = lanes(static_cast<float>(pixel.x - 1)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
@@ -58,8 +57,8 @@ class Neighbourhood {
 
  private:
   [[nodiscard]] Lanes unlikeness(const SeenFace* face, std::size_t row) const {
-    const cv::v_int32x4 part = cv::v_setall_s32(face == nullptr ? 0 : face->part);
-    const Lanes is_same = cv::v_reinterpret_as_f32(parts_[row] == part);
+    const cv::v_int32x4 item = cv::v_setall_s32(face == nullptr ? 0 : face->item);
+    const Lanes is_same = cv::v_reinterpret_as_f32(items_[row] == item);
     if (face == nullptr) return cv::v_select(is_same, lanes(0.0F), lanes(likeness::kUnlike));
     // Vertices' normals may point inwards, all of a mesh's alike.
     const Lanes turned = lanes(1.0F) - cv::v_abs(dot(normals_[row], lanes(face->normal)));
@@ -70,7 +69,7 @@ class Neighbourhood {
     return cv::v_select(is_same, turned + lanes(likeness::kDepth) * off, lanes(likeness::kUnlike));
   }
 
-  std::array<cv::v_int32x4, kSide> parts_;  ///< -1 beside the image
+  std::array<cv::v_int32x4, kSide> items_;  ///< -1 beside the image
   Square depths_;
   std::array<Lanes3, kSide> normals_;
   Lanes columns_;
@@ -91,7 +90,7 @@ std::array<float, kLaneCount> distancesFrom(std::size_t sample, int row) {
 /// Finds the light of what a pixel's samples see, at pixels whose centres see the same surface.
 class Resolver {
  public:
-  Resolver(const SeenPixels& seen, const SampleRaster& raster) : seen_(seen), raster_(raster) {
+  Resolver(const PictureSamples& seen, const SampleRaster& raster) : seen_(seen), raster_(raster) {
     for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
       for (int row = 0; row < kSide; ++row) {
         away_[sample][static_cast<std::size_t>(row)] =
@@ -103,13 +102,13 @@ class Resolver {
   /// The mean of the samples' light.
   /// @param number  of the pixel in the raster
   [[nodiscard]] Eigen::Vector3f light(const cv::Point& pixel, std::size_t number) const {
-    const Neighbourhood round(seen_, pixel);
+    const Neighbourhood neighbours(seen_, pixel);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     const SeenFace* last = nullptr;
     Square unlike;
     for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
       const SeenFace* face = raster_.at(number, sample);
-      if (sample == 0 || face != last) unlike = round.unlikeness(face);
+      if (sample == 0 || face != last) unlike = neighbours.unlikeness(face);
       last = face;
       sum += lightAt(pixel + nearest(unlike, sample));
     }
@@ -140,24 +139,24 @@ class Resolver {
     return {fromHalf(bits[0]), fromHalf(bits[1]), fromHalf(bits[2])};
   }
 
-  const SeenPixels& seen_;
+  const PictureSamples& seen_;
   const SampleRaster& raster_;
   std::array<Square, kSampleCount> away_;
 };
 
 }  // namespace
 
-void EdgeSmoother::smooth(const EdgeScene& scene, const SeenPixels& seen,
+void EdgeSmoother::smooth(const EdgeScene& scene, const PictureSamples& seen,
                           const std::vector<cv::Rect>& regions, const cv::Mat& wanted,
                           cv::Mat& picture) const {
   const EdgePixels edges(seen.geometry, seen.place, regions, wanted,
                          scene.view.camera.intrinsics());
   if (edges.pixels().empty()) return;
-  SampleRaster raster(scene.view, edges, seen.geometry.parts, seen.place);
+  SampleRaster raster(scene.view, edges, seen.geometry.items, seen.place);
   const Pose X_CW = scene.view.X_WC.inverse();
   for (const bool stand_still : {true, false}) {
-    for (const Part* part : parts_.solidParts(X_CW, scene.X_WL, scene.drawn, stand_still)) {
-      raster.draw(*part, static_cast<int>(parts_.numberOf(*part)), scene.X_WL[part->link]);
+    for (const DrawItem* item : draw_list_.solidItems(X_CW, scene.X_WL, scene.drawn, stand_still)) {
+      raster.draw(*item, static_cast<int>(draw_list_.numberOf(*item)), scene.X_WL[item->link]);
     }
   }
   const Resolver resolver(seen, raster);

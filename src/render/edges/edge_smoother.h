@@ -4,7 +4,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/parts/draw_list.h"
 #include "render/view.h"
 
@@ -17,8 +17,18 @@ struct EdgeScene {
   LinkSelection drawn;
 };
 
+namespace likeness {
+
+// How the pixels around a sample are compared with what it sees, to find the one with its light.
+inline constexpr float kAlike = 0.01F;   ///< then its own centre is the nearest there is
+inline constexpr float kAway = 0.02F;    ///< what a pixel away counts, against a turn of a radian
+inline constexpr float kDepth = 10.0F;   ///< what depth counts: a share of it
+inline constexpr float kUnlike = 1e30F;  ///< another surface
+
+}  // namespace likeness
+
 /// What the pixels' centres see.
-struct SeenPixels {
+struct PictureSamples {
   GeometryImages geometry;
   cv::Mat light;   ///< CV_16UC4, red green blue 1 of 16 bits each, linear
   cv::Rect place;  ///< of these pixels in the picture
@@ -33,17 +43,17 @@ struct SeenPixels {
 /// pixels' centres give them.
 class EdgeSmoother {
  public:
-  /// @param parts  has to outlive this
-  explicit EdgeSmoother(const DrawList& parts) : parts_(parts) {}
+  /// @param draw_list  has to outlive this
+  explicit EdgeSmoother(const DrawList& draw_list) : draw_list_(draw_list) {}
 
   /// @param regions  around the pixels to smooth
   /// @param wanted  CV_8UC1 of the picture: 255 for these; `seen` should hold those around them too
   /// @param picture  CV_8UC3, blue green red, sRGB-encoded, whole
-  void smooth(const EdgeScene& scene, const SeenPixels& seen, const std::vector<cv::Rect>& regions,
-              const cv::Mat& wanted, cv::Mat& picture) const;
+  void smooth(const EdgeScene& scene, const PictureSamples& seen,
+              const std::vector<cv::Rect>& regions, const cv::Mat& wanted, cv::Mat& picture) const;
 
  private:
-  const DrawList& parts_;
+  const DrawList& draw_list_;
 };
 
 }  // namespace synthetic_dataset::render

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Depths that differ by less are of the same place: which part is seen there is a matter of order.
+/// Depths that differ by less are of the same place: which item is seen there is a matter of order.
 constexpr float kSame = 1e-5F;
 constexpr int kNotStored = -1;
 
@@ -18,7 +18,7 @@ float doubleArea(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen
   return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
 }
 
-/// Of a triangle that turns right-handed in the image.
+/// A side of a triangle that turns right-handed in the image.
 class Side {
  public:
   Side(const Eigen::Vector3f& from, const Eigen::Vector3f& to)
@@ -52,11 +52,11 @@ class Triangle {
 
 }  // namespace
 
-SampleRaster::SampleRaster(const View& view, const EdgePixels& edges, const cv::Mat& parts,
+SampleRaster::SampleRaster(const View& view, const EdgePixels& edges, const cv::Mat& items,
                            const cv::Rect& place)
     : view_(view),
       edges_(edges),
-      seen_parts_(parts),
+      seen_items_(items),
       place_(place),
       fx_(static_cast<float>(view.camera.intrinsics().fx)),
       fy_(static_cast<float>(view.camera.intrinsics().fy)),
@@ -66,15 +66,15 @@ SampleRaster::SampleRaster(const View& view, const EdgePixels& edges, const cv::
       farthest_(static_cast<float>(1.0 / view.camera.far())),
       samples_(edges.pixels().size()) {}
 
-void SampleRaster::draw(const Part& part, int number, const Pose& X_WL) {
-  const Pose X_CV = view_.X_WC.inverse() * X_WL * part.X_LV;
-  if (!mayBeSeen(part, X_CV)) return;
+void SampleRaster::draw(const DrawItem& item, int number, const Pose& X_WL) {
+  const Pose X_CV = view_.X_WC.inverse() * X_WL * item.X_LV;
+  if (!mayBeSeen(item, X_CV)) return;
   number_ = number;
-  double_sided_ = part.double_sided;
-  stands_still_ = part.stands_still;
-  has_holes_ = part.has_holes;
+  double_sided_ = item.double_sided;
+  stands_still_ = item.stands_still;
+  has_holes_ = item.has_holes;
   const Eigen::Affine3f to_camera = X_CV.cast<float>();
-  const world::Mesh& mesh = *part.shape;
+  const world::Mesh& mesh = *item.shape;
   corners_.clear();
   for (const Eigen::Vector3f& position : mesh.positions) {
     corners_.push_back(corner(to_camera * position));
@@ -96,10 +96,10 @@ SampleRaster::Corner SampleRaster::corner(const Eigen::Vector3f& point_C) const 
   return {point_C, {fx_ * point_C.x() * inverse + cx_, fy_ * point_C.y() * inverse + cy_, inverse}};
 }
 
-bool SampleRaster::mayBeSeen(const Part& part, const Pose& X_CV) const {
-  if (part.bounds_V.isEmpty()) return false;
+bool SampleRaster::mayBeSeen(const DrawItem& item, const Pose& X_CV) const {
+  if (item.bounds_V.isEmpty()) return false;
   std::vector<Eigen::Vector3d> corners_C;
-  for (const Eigen::Vector3d& point : cornersOf(part.bounds_V)) corners_C.push_back(X_CV * point);
+  for (const Eigen::Vector3d& point : cornersOf(item.bounds_V)) corners_C.push_back(X_CV * point);
   const auto box = view_.camera.projectedBounds(corners_C);
   if (!box) return false;
   const auto whole = [](double place) { return static_cast<int>(std::clamp(place, -1e6, 1e6)); };
@@ -111,7 +111,7 @@ bool SampleRaster::mayBeSeen(const Part& part, const Pose& X_CV) const {
   return found;
 }
 
-/// What of a triangle is not nearer than the near plane.
+/// Draws the part of a triangle beyond the near plane.
 void SampleRaster::drawClipped(const std::array<Eigen::Vector3f, 3>& points_C) {
   std::array<Eigen::Vector3f, 4> kept;
   std::size_t count = 0;
@@ -139,7 +139,7 @@ void SampleRaster::drawTriangle(const Corner& first, const Corner& second, const
   const Eigen::Vector3f& c = area > 0.0F ? third.pixel : second.pixel;
   std::optional<Triangle> triangle;  // most have no edge pixel near them
   int number = kNotStored;
-  edges_.visit(pixelsRound(a, b, c), [&](std::size_t pixel) {
+  edges_.visit(pixelsAround(a, b, c), [&](std::size_t pixel) {
     const cv::Point& at = edges_.pixels()[pixel];
     const Lanes u = lanes(static_cast<float>(at.x)) + cv::v_load(kSampleColumns.data());
     const Lanes v = lanes(static_cast<float>(at.y)) + cv::v_load(kSampleRows.data());
@@ -147,7 +147,7 @@ void SampleRaster::drawTriangle(const Corner& first, const Corner& second, const
     const Lanes covered = triangle->covered(u, v);
     if (!cv::v_check_any(covered)) return;
     // Holes are known at centres alone.
-    if (has_holes_ && seen_parts_.at<int>(at - place_.tl()) != number_) return;
+    if (has_holes_ && seen_items_.at<int>(at - place_.tl()) != number_) return;
     if (number == kNotStored) {
       number = static_cast<int>(faces_.size());
       faces_.push_back(makeFace(first, second, third));
@@ -187,8 +187,8 @@ void SampleRaster::see(const Lanes& covered, const Lanes& u, const Lanes& v, int
 }
 
 /// Pixels reach half a pixel around their centres.
-cv::Rect SampleRaster::pixelsRound(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                                   const Eigen::Vector3f& c) const {
+cv::Rect SampleRaster::pixelsAround(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                                    const Eigen::Vector3f& c) const {
   const auto whole = [](float at, int low, int size) {
     const auto end = static_cast<float>(low + size);
     return cvFloor(std::clamp(at + 0.5F, static_cast<float>(low - 1), end));
@@ -208,7 +208,7 @@ SeenFace SampleRaster::makeFace(const Corner& first, const Corner& second,
   const Eigen::Vector3f c = third.pixel - a;
   const float area = b.x() * c.y() - c.x() * b.y();
   SeenFace face;
-  face.part = number_;
+  face.item = number_;
   face.slope = {(b.z() * c.y() - c.z() * b.y()) / area, (c.z() * b.x() - b.z() * c.x()) / area};
   const auto farther = [](const Eigen::Vector3f& p, const Eigen::Vector3f& q) {
     return p.z() < q.z();

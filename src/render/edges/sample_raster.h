@@ -23,7 +23,7 @@ inline constexpr std::array<float, kSampleCount> kSampleRows = {-0.375F, -0.125F
 
 /// A triangle that a sample sees.
 struct SeenFace {
-  int part = 0;                              ///< as in GeometryImages::parts
+  int item = 0;                              ///< as in GeometryImages::items
   Eigen::Vector3f normal{0.0F, 0.0F, 0.0F};  ///< in the optical frame, towards the camera
   Eigen::Vector3f origin{0.0F, 0.0F, 0.0F};  ///< the farthest corner: u, v [px], 1 / depth [1/m]
   float nearest = 0.0F;                      ///< 1 / depth of the nearest corner
@@ -35,12 +35,12 @@ struct SeenFace {
 class SampleRaster {
  public:
   /// @param edges  has to outlive this
-  SampleRaster(const View& view, const EdgePixels& edges, const cv::Mat& parts,
+  SampleRaster(const View& view, const EdgePixels& edges, const cv::Mat& items,
                const cv::Rect& place);
 
-  /// Draws a part over what was drawn before.
-  /// @param number  as in GeometryImages::parts
-  void draw(const Part& part, int number, const Pose& X_WL);
+  /// Draws an item over what was drawn before.
+  /// @param number  as in GeometryImages::items
+  void draw(const DrawItem& item, int number, const Pose& X_WL);
 
   /// What a sample of edges.pixels()[pixel] sees, or null.
   [[nodiscard]] const SeenFace* at(std::size_t pixel, std::size_t sample) const {
@@ -49,7 +49,7 @@ class SampleRaster {
   }
 
  private:
-  /// Of one pixel: what each sample sees.
+  /// What each sample of a pixel sees.
   struct PixelSamples {
     std::array<float, kSampleCount> inverse_depth = {0.0F, 0.0F, 0.0F, 0.0F};
     std::array<int, kSampleCount> face = {-1, -1, -1, -1};  ///< its place in faces_; none
@@ -60,28 +60,28 @@ class SampleRaster {
   };
 
   [[nodiscard]] Corner corner(const Eigen::Vector3f& point_C) const;
-  [[nodiscard]] bool mayBeSeen(const Part& part, const Pose& X_CV) const;
+  [[nodiscard]] bool mayBeSeen(const DrawItem& item, const Pose& X_CV) const;
   void drawClipped(const std::array<Eigen::Vector3f, 3>& points_C);
   void drawTriangle(const Corner& first, const Corner& second, const Corner& third);
   [[nodiscard]] Lanes reachOfUnitDepth(const Lanes& u, const Lanes& v,
                                        const NearLimit& limit) const;
   void see(const Lanes& covered, const Lanes& u, const Lanes& v, int number,
            PixelSamples& samples) const;
-  [[nodiscard]] cv::Rect pixelsRound(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                                     const Eigen::Vector3f& c) const;
+  [[nodiscard]] cv::Rect pixelsAround(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                                      const Eigen::Vector3f& c) const;
   [[nodiscard]] SeenFace makeFace(const Corner& first, const Corner& second,
                                   const Corner& third) const;
 
   const View& view_;
   const EdgePixels& edges_;
-  const cv::Mat& seen_parts_;
+  const cv::Mat& seen_items_;
   cv::Rect place_;
   float fx_, fy_, cx_, cy_, near_, farthest_;
   std::vector<PixelSamples> samples_;
   std::vector<SeenFace> faces_;
-  std::vector<Corner> corners_;  ///< of the part that is drawn
+  std::vector<Corner> corners_;  ///< of the item that is drawn
 
-  // Of the part that is drawn.
+  // The item that is drawn.
   int number_ = 0;
   bool double_sided_ = false;
   bool stands_still_ = false;

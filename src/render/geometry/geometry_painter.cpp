@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "render/parts/material_setup.h"
-#include "render/parts/part_groups.h"
+#include "render/parts/item_groups.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
 
@@ -15,20 +14,21 @@ constexpr SurfaceFeatures kUnderstood =
     feature::kRoughnessMap | feature::kMetalnessMap | feature::kEmissiveMap | feature::kNearLimit;
 
 /// Whether there are backs that are lit by other normals than those towards the camera.
-bool hasBacks(const DrawList& parts) {
-  return parts.isClassic() && std::any_of(parts.parts().begin(), parts.parts().end(),
-                                          [](const Part& part) { return part.double_sided; });
+bool hasBacks(const DrawList& draw_list) {
+  return draw_list.isClassic() &&
+         std::any_of(draw_list.items().begin(), draw_list.items().end(),
+                     [](const DrawItem& item) { return item.double_sided; });
 }
 
 }  // namespace
 
-GeometryPainter::GeometryPainter(const GlFunctions& gl, const DrawList& parts)
+GeometryPainter::GeometryPainter(const GlFunctions& gl, const DrawList& draw_list)
     : gl_(gl),
-      parts_(parts),
-      planes_{(parts.features() & feature::kNormalMap) != 0 || hasBacks(parts),
-              (parts.features() & feature::kEmissiveMap) != 0},
+      draw_list_(draw_list),
+      planes_{(draw_list.features() & feature::kNormalMap) != 0 || hasBacks(draw_list),
+              (draw_list.features() & feature::kEmissiveMap) != 0},
       programs_(gl, shaders::kMeshVertex, shaders::kGeometryFragment, kUnderstood,
-                parts.isClassic() ? "#define CLASSIC\n" : "") {}
+                draw_list.isClassic() ? "#define CLASSIC\n" : "") {}
 
 void GeometryPainter::paint(const View& view, const std::vector<Pose>& X_WL,
                             const LinkSelection& drawn, bool stand_still,
@@ -40,14 +40,14 @@ void GeometryPainter::paint(const View& view, const std::vector<Pose>& X_WL,
   gl_.StencilFunc(GL_ALWAYS, kAllBits, kAllBits);
   gl_.StencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
   const Pose X_CW = view.X_WC.inverse();
-  for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, stand_still)) {
-    const Pose& X_WP = X_WL[part->link];
-    if ((regionOf(*part, view, X_WP) & pixels).empty()) continue;
-    const ShaderProgram& program = programs_.get(part->features | featuresOf(view));
-    program.set("part", parts_.numberOf(*part));
-    setMaterial(gl_, program, *part, parts_.simulator());
-    setStencil(bits.of(*part));
-    drawSurface(gl_, program, *part, view, X_WP);
+  for (const DrawItem* item : draw_list_.solidItems(X_CW, X_WL, drawn, stand_still)) {
+    const Pose& X_WP = X_WL[item->link];
+    if ((regionOf(*item, view, X_WP) & pixels).empty()) continue;
+    const ShaderProgram& program = programs_.get(item->features | featuresOf(view));
+    program.set("item", draw_list_.numberOf(*item));
+    setMaterial(gl_, program, *item, draw_list_.simulator());
+    setStencil(bits.of(*item));
+    drawSurface(gl_, program, *item, view, X_WP);
   }
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Disable(GL_STENCIL_TEST);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/geometry/silhouette_bits.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
@@ -8,19 +8,19 @@
 
 namespace synthetic_dataset::render {
 
-/// Draws surfaces, unlit, into the bound GeometryBuffer. Of surfaces at the same place that stands
+/// Draws surfaces, unlit, into the bound geometry buffer. Of surfaces at the same place that stands
 /// which never moves, of several of them the last one.
 class GeometryPainter {
  public:
-  /// @param parts  has to outlive this
-  GeometryPainter(const GlFunctions& gl, const DrawList& parts);
+  /// @param draw_list  has to outlive this
+  GeometryPainter(const GlFunctions& gl, const DrawList& draw_list);
 
-  /// What the buffers have to hold for these parts.
+  /// What the buffers have to hold for these items.
   [[nodiscard]] const GeometryPlanes& planes() const { return planes_; }
 
-  /// The selected parts that one cannot see through.
+  /// The selected items that one cannot see through.
   /// @param stand_still  those that do, which have to be drawn before the others, or the others
-  /// @param bits  that the parts set in the stencil, hidden or not
+  /// @param bits  that the items set in the stencil, hidden or not
   /// @param pixels  all others stay as they are
   void paint(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
              bool stand_still, const SilhouetteBits& bits, const cv::Rect& pixels);
@@ -29,7 +29,7 @@ class GeometryPainter {
   void setStencil(GLuint bits);
 
   const GlFunctions& gl_;
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   GeometryPlanes planes_;
   ShaderFamily programs_;
 };

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <set>
 
-#include "render/parts/part_groups.h"
+#include "render/parts/item_groups.h"
 #include "render/pixels/pixel_bands.h"
 
 namespace synthetic_dataset::render {
 namespace {
 
 /// Whether all of an object is drawn with what moves, and hides what is behind it.
-bool isDrawnWhole(const std::vector<Part>& parts, const LinkSelection& drawn,
+bool isDrawnWhole(const std::vector<DrawItem>& items, const LinkSelection& drawn,
                   std::uint32_t identifier) {
-  return std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
-    return part.identifier == identifier && drawn[part.link] &&
-           (part.stands_still || part.transparent);
+  return std::none_of(items.begin(), items.end(), [&](const DrawItem& item) {
+    return item.identifier == identifier && drawn[item.link] &&
+           (item.stands_still || item.transparent);
   });
 }
 
@@ -30,37 +30,38 @@ std::uint8_t freeBit(const Objects& objects, const cv::Rect& pixels) {
 
 }  // namespace
 
-SilhouetteBits::SilhouetteBits(const DrawList& parts, const View& view,
+SilhouetteBits::SilhouetteBits(const DrawList& draw_list, const View& view,
                                const std::vector<Pose>& X_WL, const LinkSelection& drawn)
-    : parts_(&parts), drawn_(drawn) {
+    : draw_list_(&draw_list), drawn_(drawn) {
   std::set<std::uint32_t> identifiers;
-  for (const Part& part : parts.parts()) {
-    if (part.identifier != 0 && drawn[part.link]) identifiers.insert(part.identifier);
+  for (const DrawItem& item : draw_list.items()) {
+    if (item.identifier != 0 && drawn[item.link]) identifiers.insert(item.identifier);
   }
   for (const std::uint32_t identifier : identifiers) {
-    if (!isDrawnWhole(parts.parts(), drawn, identifier)) continue;
-    const cv::Rect pixels = boundsOf(regionsOf(parts.parts(), view, X_WL, [&](const Part& part) {
-      return part.identifier == identifier && drawn[part.link];
-    }));
+    if (!isDrawnWhole(draw_list.items(), drawn, identifier)) continue;
+    const cv::Rect pixels =
+        boundsOf(regionsOf(draw_list.items(), view, X_WL, [&](const DrawItem& item) {
+          return item.identifier == identifier && drawn[item.link];
+        }));
     const std::uint8_t bit = pixels.empty() ? 0 : freeBit(objects_, pixels);
     if (bit != 0) objects_.push_back({identifier, {bit, pixels}});
   }
 }
 
-std::uint8_t SilhouetteBits::of(const Part& part) const {
-  const Object* object = part.identifier != 0 ? objectOf(part.identifier) : nullptr;
+std::uint8_t SilhouetteBits::of(const DrawItem& item) const {
+  const Object* object = item.identifier != 0 ? objectOf(item.identifier) : nullptr;
   return object != nullptr ? object->place.bit : 0;
 }
 
 std::optional<SilhouetteBits::Place> SilhouetteBits::find(const LinkSelection& links) const {
   if (objects_.empty()) return std::nullopt;
-  const std::vector<Part>& parts = parts_->parts();
-  const auto first =
-      std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return links[part.link]; });
-  const Object* object = first != parts.end() ? objectOf(first->identifier) : nullptr;
+  const std::vector<DrawItem>& items = draw_list_->items();
+  const auto first = std::find_if(items.begin(), items.end(),
+                                  [&](const DrawItem& item) { return links[item.link]; });
+  const Object* object = first != items.end() ? objectOf(first->identifier) : nullptr;
   if (object == nullptr) return std::nullopt;
-  const bool are_the_object = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
-    return links[part.link] == (part.identifier == object->identifier && drawn_[part.link]);
+  const bool are_the_object = std::all_of(items.begin(), items.end(), [&](const DrawItem& item) {
+    return links[item.link] == (item.identifier == object->identifier && drawn_[item.link]);
   });
   return are_the_object ? std::optional(object->place) : std::nullopt;
 }

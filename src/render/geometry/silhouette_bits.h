@@ -24,16 +24,16 @@ class SilhouetteBits {
     cv::Rect pixels;  ///< the links cover none beside them
   };
 
-  /// Of no objects.
+  /// No objects.
   SilhouetteBits() = default;
 
   /// @param view  without distortion
   /// @param drawn  the links that are drawn
-  SilhouetteBits(const DrawList& parts, const View& view, const std::vector<Pose>& X_WL,
+  SilhouetteBits(const DrawList& draw_list, const View& view, const std::vector<Pose>& X_WL,
                  const LinkSelection& drawn);
 
-  /// What the part sets; 0 for nothing.
-  [[nodiscard]] std::uint8_t of(const Part& part) const;
+  /// What the item sets; 0 for nothing.
+  [[nodiscard]] std::uint8_t of(const DrawItem& item) const;
 
   /// Nothing unless the links are all those of an object that are drawn.
   [[nodiscard]] std::optional<Place> find(const LinkSelection& links) const;
@@ -46,7 +46,7 @@ class SilhouetteBits {
 
   [[nodiscard]] const Object* objectOf(std::uint32_t identifier) const;
 
-  const DrawList* parts_ = nullptr;
+  const DrawList* draw_list_ = nullptr;
   LinkSelection drawn_;
   std::vector<Object> objects_;
 };

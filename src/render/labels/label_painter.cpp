@@ -1,14 +1,66 @@
 #include "render/labels/label_painter.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
-#include "render/labels/lens_labels.h"
+#include <opencv2/core.hpp>
+
+#include "render/lens/lens_sight.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
 
 namespace synthetic_dataset::render {
 namespace {
+
+/// The label shader's outputs.
+enum LabelOutput : std::size_t { kIds, kDepths, kLinks, kNormals };
+
+/// Towards the camera. The vertices' normals may point into the body, or, by the silhouette of a
+/// round one, a little away from the camera: the triangle says which side is seen.
+Eigen::Vector3f seenNormal(const FacedTriangle& triangle, const ItemSurface& surface,
+                           const Eigen::Matrix3f& R_CV, const Eigen::Vector3f& ray) {
+  const Eigen::Vector3f weights = triangle.weights(ray);
+  const Eigen::Vector3f shares = weights / weights.sum();
+  const auto& corners = triangle.corners();
+  const Eigen::Vector3f to_camera = -ray;
+  Eigen::Vector3f flat = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  if (flat.dot(to_camera) < 0.0F) flat = -flat;
+  Eigen::Vector3f normal = (R_CV * triangle.mixed(surface.shape->normals, shares)).normalized();
+  if (normal.dot(flat) < 0.0F) normal = -normal;
+  const float away = std::min(normal.dot(to_camera), 0.0F);
+  return (normal - away * to_camera).normalized();
+}
+
+cv::Mat normalsOf(const LensSight& sight) {
+  cv::Mat normals = cv::Mat::zeros(sight.items.size(), CV_32FC3);
+  const int* triangles = sight.triangles.ptr<int>();
+  const auto* rays = sight.lens->rays.ptr<cv::Vec3f>();
+  auto* to = normals.ptr<cv::Vec3f>();
+  for (std::size_t i = 0; i < sight.triangles.total(); ++i) {
+    if (triangles[i] < 0) continue;
+    const auto item =
+        static_cast<std::size_t>(sight.seen[static_cast<std::size_t>(triangles[i])].item);
+    const Eigen::Vector3f normal =
+        seenNormal(sight.triangleAt(triangles[i]), (*sight.surfaces)[item],
+                   sight.X_CV[item].linear().cast<float>(), Eigen::Vector3f(rays[i].val));
+    to[i] = {normal.x(), normal.y(), normal.z()};
+  }
+  return normals;
+}
+
+/// What a look through a lens tells of labels.
+LabelImages labelsOf(const LensSight& sight, const DrawList& draw_list, const LabelPass& pass) {
+  LabelImages labels =
+      labelsOf({sight.items, sight.distance, {}}, draw_list, Intrinsics(), {{}, pass.links});
+  cv::Mat along_axis;
+  cv::extractChannel(sight.lens->rays, along_axis, 2);
+  labels.depth = cv::Mat();  // the distances stay as they are
+  cv::multiply(sight.distance, along_axis, labels.depth);
+  if (pass.normals) labels.normals = normalsOf(sight);
+  if (pass.range) labels.range = sight.distance;
+  return labels;
+}
 
 /// Distances from the camera's centre, from depths along its axis.
 cv::Mat rangeOf(const cv::Mat& depth, const Intrinsics& k) {
@@ -28,20 +80,20 @@ cv::Mat rangeOf(const cv::Mat& depth, const Intrinsics& k) {
 
 }  // namespace
 
-LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
+LabelImages labelsOf(const GeometryImages& images, const DrawList& draw_list,
                      const Intrinsics& intrinsics, const LabelPass& pass) {
   std::vector<int> identifiers = {0};
   std::vector<int> links = {0};
-  for (const Part& part : parts.parts()) {
-    identifiers.push_back(static_cast<int>(part.identifier));
-    links.push_back(static_cast<int>(part.link) + 1);
+  for (const DrawItem& item : draw_list.items()) {
+    identifiers.push_back(static_cast<int>(item.identifier));
+    links.push_back(static_cast<int>(item.link) + 1);
   }
   const auto translated = [&](const std::vector<int>& table) {
-    cv::Mat result(images.parts.size(), CV_32SC1);
+    cv::Mat result(images.items.size(), CV_32SC1);
     // By pointers: cv::Mat's iterators look for the ends of rows at each pixel.
-    const int* parts_seen = images.parts.ptr<int>();
-    std::transform(parts_seen, parts_seen + images.parts.total(), result.ptr<int>(),
-                   [&](int part) { return table[static_cast<std::size_t>(part)]; });
+    const int* items_seen = images.items.ptr<int>();
+    std::transform(items_seen, items_seen + images.items.total(), result.ptr<int>(),
+                   [&](int item) { return table[static_cast<std::size_t>(item)]; });
     return result;
   };
   LabelImages labels;
@@ -52,57 +104,60 @@ LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
   return labels;
 }
 
-LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye)
+LabelPainter::LabelPainter(const GlFunctions& gl, const DrawList& draw_list, LensEye& eye)
     : gl_(gl),
-      parts_(parts),
+      draw_list_(draw_list),
       eye_(eye),
       programs_(gl, shaders::kMeshVertex, shaders::kLabelFragment,
                 feature::kHoles | feature::kNearLimit) {}
 
 LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>& X_WL,
-                                       const LinkSelection& drawn, const LabelPlanes& planes) {
+                                       const LabelPass& pass) {
   const cv::Size size(view.camera.width(), view.camera.height());
-  const LabelTarget& target = targetFor(size, planes);
-  target.begin(size);
-  const auto draw = [&](const std::vector<const Part*>& parts, GLenum depth_func) {
+  const cv::Rect all(cv::Point(), size);
+  const Framebuffer& target = targetFor(size, pass);
+  target.bind(size, all);
+  target.clearToZero(kIds);
+  target.clear(kDepths, {});
+  target.clearToZero(kLinks);
+  target.clear(kNormals, {});
+  target.clearDepth();
+  const auto draw = [&](const std::vector<const DrawItem*>& items, GLenum depth_func) {
     gl_.DepthFunc(depth_func);
-    for (const Part* part : parts) {
-      if (part->seen_through_in_labels) continue;
-      const ShaderProgram& program = programs_.get(part->features | featuresOf(view));
-      program.set("identifier", part->identifier);
-      program.set("link", static_cast<std::uint32_t>(part->link + 1));
-      drawSurface(gl_, program, *part, view, X_WL[part->link]);
+    for (const DrawItem* item : items) {
+      if (item->seen_through_in_labels) continue;
+      const ShaderProgram& program = programs_.get(item->features | featuresOf(view));
+      program.set("identifier", item->identifier);
+      program.set("link", static_cast<std::uint32_t>(item->link + 1));
+      drawSurface(gl_, program, *item, view, X_WL[item->link]);
     }
   };
   // As geometry is drawn, so that of surfaces at the same place the same one is seen.
   const Pose X_CW = view.X_WC.inverse();
-  draw(parts_.solidParts(X_CW, X_WL, drawn, true), GL_GEQUAL);
-  draw(parts_.solidParts(X_CW, X_WL, drawn, false), GL_GREATER);
-  draw(parts_.transparentParts(X_CW, X_WL, drawn), GL_GREATER);
-  return target.read(size);
+  draw(draw_list_.solidItems(X_CW, X_WL, pass.drawn, true), GL_GEQUAL);
+  draw(draw_list_.solidItems(X_CW, X_WL, pass.drawn, false), GL_GREATER);
+  draw(draw_list_.transparentItems(X_CW, X_WL, pass.drawn), GL_GREATER);
+  LabelImages images;
+  images.ids = target.read(kIds, all);
+  images.depth = target.read(kDepths, all);
+  images.links = target.read(kLinks, all);
+  images.normals = target.read(kNormals, all);
+  return images;
 }
 
-/// Drawn into as it is, or made anew where it is too small: pictures are of many sizes.
-const LabelTarget& LabelPainter::targetFor(const cv::Size& size, const LabelPlanes& planes) {
-  std::optional<LabelTarget>& target = targets_[planes];
-  if (!target || target->width() < size.width || target->height() < size.height) {
-    const cv::Size held = target ? cv::Size(target->width(), target->height()) : cv::Size();
-    target.reset();
-    target.emplace(gl_, std::max(size.width, held.width), std::max(size.height, held.height),
-                   planes);
-  }
-  return *target;
+const Framebuffer& LabelPainter::targetFor(const cv::Size& size, const LabelPass& pass) {
+  std::optional<Framebuffer>& target = targets_[{pass.links, pass.normals}];
+  const GLenum links = pass.links ? GL_R32UI : GL_NONE;
+  const GLenum normals = pass.normals ? GL_RGBA32F : GL_NONE;
+  return holding(gl_, size, {GL_R32UI, GL_R32F, links, normals}, GL_DEPTH_COMPONENT32F, target);
 }
 
 LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,
                                 const LabelPass& pass) {
   if (hasDistortion(view.camera)) {
-    return labelsOf(*eye_.look(view, X_WL, pass.drawn, Glass::kSeen), parts_, pass);
+    return labelsOf(*eye_.look(view, X_WL, pass.drawn, Glass::kSeen), draw_list_, pass);
   }
-  LabelPlanes planes;
-  planes.links = pass.links;
-  planes.normals = pass.normals;
-  LabelImages images = paintPinhole(view, X_WL, pass.drawn, planes);
+  LabelImages images = paintPinhole(view, X_WL, pass);
   if (pass.range) images.range = rangeOf(images.depth, view.camera.intrinsics());
   return images;
 }

@@ -2,10 +2,12 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "render/geometry/geometry_buffer.h"
-#include "render/gl/render_target.h"
+#include "render/geometry/geometry_images.h"
+#include "render/gl/framebuffer.h"
+#include "render/labels/label_images.h"
 #include "render/lens/lens_eye.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
@@ -24,28 +26,31 @@ struct LabelPass {
 /// What geometry tells of labels.
 /// @param images  of the whole picture
 /// @param pass  without normals
-[[nodiscard]] LabelImages labelsOf(const GeometryImages& images, const DrawList& parts,
+[[nodiscard]] LabelImages labelsOf(const GeometryImages& images, const DrawList& draw_list,
                                    const Intrinsics& intrinsics, const LabelPass& pass);
 
 /// Draws what each pixel's centre sees, where geometry does not tell.
 class LabelPainter {
  public:
-  /// @param parts, eye  have to outlive this
-  LabelPainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye);
+  /// @param draw_list, eye  have to outlive this
+  LabelPainter(const GlFunctions& gl, const DrawList& draw_list, LensEye& eye);
 
   [[nodiscard]] LabelImages paint(const View& view, const std::vector<Pose>& X_WL,
                                   const LabelPass& pass);
 
  private:
+  /// Without LabelImages::range.
   [[nodiscard]] LabelImages paintPinhole(const View& view, const std::vector<Pose>& X_WL,
-                                         const LinkSelection& drawn, const LabelPlanes& planes);
-  [[nodiscard]] const LabelTarget& targetFor(const cv::Size& size, const LabelPlanes& planes);
+                                         const LabelPass& pass);
+  [[nodiscard]] const Framebuffer& targetFor(const cv::Size& size, const LabelPass& pass);
 
   const GlFunctions& gl_;
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   LensEye& eye_;
   ShaderFamily programs_;
-  std::map<LabelPlanes, std::optional<LabelTarget>> targets_;  // as large as the largest so far
+
+  /// By whether they have links and normals; as large as the largest picture so far.
+  std::map<std::pair<bool, bool>, std::optional<Framebuffer>> targets_;
 };
 
 }  // namespace synthetic_dataset::render

@@ -82,8 +82,8 @@ struct SilhouettePainter::Subject {
   const std::vector<Pose>& X_WL;
   const LinkSelection& links;
 
-  [[nodiscard]] bool has(const Part& part) const {
-    return links[part.link] && !part.seen_through_in_labels;
+  [[nodiscard]] bool has(const DrawItem& item) const {
+    return links[item.link] && !item.seen_through_in_labels;
   }
 };
 
@@ -125,16 +125,16 @@ class SilhouettePainter::Tally {
   std::optional<Box> box_;
 };
 
-SilhouettePainter::SilhouettePainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye)
+SilhouettePainter::SilhouettePainter(const GlFunctions& gl, const DrawList& draw_list, LensEye& eye)
     : gl_(gl),
-      parts_(parts),
+      draw_list_(draw_list),
       eye_(eye),
       programs_(gl, shaders::kMeshVertex, shaders::kSilhouetteFragment,
                 feature::kHoles | feature::kNearLimit) {}
 
 /// Where the subject may have pixels.
 std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject, const View& view) const {
-  // Through a lens, bounds are costly: they are taken of all parts together, which is never less.
+  // Through a lens, bounds are costly: they are taken of all items together, which is never less.
   const bool together = hasDistortion(view.camera);
   const Pose X_CW = view.X_WC.inverse();
   std::optional<Box> bounds;
@@ -144,10 +144,10 @@ std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject, const Vie
     if (const auto box = view.camera.projectedBounds(corners_C)) expand(bounds, *box);
     corners_C.clear();
   };
-  for (const Part& part : parts_.parts()) {
-    if (!subject.has(part) || part.bounds_V.isEmpty()) continue;
-    const Pose X_CV = X_CW * subject.X_WL[part.link] * part.X_LV;
-    for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
+  for (const DrawItem& item : draw_list_.items()) {
+    if (!subject.has(item) || item.bounds_V.isEmpty()) continue;
+    const Pose X_CV = X_CW * subject.X_WL[item.link] * item.X_LV;
+    for (const Eigen::Vector3d& corner : cornersOf(item.bounds_V)) {
       corners_C.push_back(X_CV * corner);
     }
     if (!together) add();
@@ -162,28 +162,25 @@ std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject, const Vie
 cv::Mat SilhouettePainter::drawPinhole(const Subject& subject, const View& view,
                                        const cv::Rect& region) {
   const cv::Size size(view.camera.width(), view.camera.height());
-  if (!target_ || target_->width() < size.width || target_->height() < size.height) {
-    const cv::Size held = target_ ? cv::Size(target_->width(), target_->height()) : cv::Size();
-    target_.reset();
-    target_.emplace(gl_, std::max(size.width, held.width), std::max(size.height, held.height));
+  const Framebuffer& target = holding(gl_, size, {GL_R8}, GL_NONE, target_);
+  target.bind(size, region);
+  target.clear(0, {});
+  for (const DrawItem& item : draw_list_.items()) {
+    if (!subject.has(item)) continue;
+    drawSurface(gl_, programs_.get(item.features | featuresOf(view)), item, view,
+                subject.X_WL[item.link]);
   }
-  target_->begin(size, region);
-  for (const Part& part : parts_.parts()) {
-    if (!subject.has(part)) continue;
-    drawSurface(gl_, programs_.get(part.features | featuresOf(view)), part, view,
-                subject.X_WL[part.link]);
-  }
-  return target_->read(region);
+  return target.read(0, region);
 }
 
 /// The pixels `region` of the view's image: CV_8UC1 of the region's size.
 cv::Mat SilhouettePainter::draw(const Subject& subject, const View& view, const cv::Rect& region) {
   if (!hasDistortion(view.camera)) return drawPinhole(subject, view, region);
-  std::vector<const Part*> parts;
-  for (const Part& part : parts_.parts()) {
-    if (subject.has(part)) parts.push_back(&part);
+  std::vector<const DrawItem*> items;
+  for (const DrawItem& item : draw_list_.items()) {
+    if (subject.has(item)) items.push_back(&item);
   }
-  return eye_.covered(view, subject.X_WL, parts)(region).clone();
+  return eye_.covered(view, subject.X_WL, items)(region).clone();
 }
 
 /// The grid of pixels goes on in pictures of the image's size.

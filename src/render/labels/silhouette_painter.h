@@ -6,7 +6,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/gl/render_target.h"
+#include "render/gl/framebuffer.h"
 #include "render/lens/lens_eye.h"
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
@@ -42,8 +42,8 @@ class SilhouettePainter {
  public:
   static constexpr int kCoarseCells = 1024;
 
-  /// @param parts, eye  have to outlive this
-  SilhouettePainter(const GlFunctions& gl, const DrawList& parts, LensEye& eye);
+  /// @param draw_list, eye  have to outlive this
+  SilhouettePainter(const GlFunctions& gl, const DrawList& draw_list, LensEye& eye);
 
   /// @param links  those that are seen
   /// @param in_image  what they cover in the image, if that is known
@@ -64,10 +64,10 @@ class SilhouettePainter {
   void addBesideTheLens(const Subject& subject, const View& view, const Box& bounds, Tally& tally);
 
   const GlFunctions& gl_;
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   LensEye& eye_;
   ShaderFamily programs_;
-  std::optional<MaskTarget> target_;  // as large as the largest picture so far
+  std::optional<Framebuffer> target_;  // as large as the largest picture so far
 };
 
 }  // namespace synthetic_dataset::render

@@ -82,7 +82,7 @@ class CellRays {
   }
 
  private:
-  /// Of a triangle, what of a row of cells it may cover [cell].
+  /// The cells of a row that a triangle may cover.
   struct Span {
     float left = std::numeric_limits<float>::infinity();
     float right = -std::numeric_limits<float>::infinity();
@@ -112,7 +112,7 @@ class CellRays {
   const RayGrid& grid_;
 };
 
-/// Draws triangles of a part on a face, for the places of some rays alone.
+/// Draws triangles of an item on a face, for the places of some rays alone.
 ///
 /// Whether a place is on an edge's one side or the other is worked out from the same corners in the
 /// same order for both triangles that share it, so that no ray passes between them.
@@ -121,12 +121,12 @@ template <class Rays>
 class FaceDrawing {
  public:
   /// The references have to outlive this.
-  FaceDrawing(const LensFace& face, const Rays& rays, const Part& part,
+  FaceDrawing(const LensFace& face, const Rays& rays, const DrawItem& item,
               const RayRaster::IsHole& is_hole)
       : rays_(rays),
         grid_(rays.grid()),
         face_(face),
-        part_(part),
+        item_(item),
         is_hole_(is_hole),
         near_(face.camera.near()),
         farthest_(static_cast<float>(1.0 / face.camera.far())) {
@@ -156,7 +156,7 @@ class FaceDrawing {
     const Eigen::Vector3d normal = (b.point_F - a.point_F).cross(c.point_F - a.point_F);
     const double offset = normal.dot(a.point_F);
     is_front_ = offset < 0.0;  // from outside, corners go round counter-clockwise
-    if (offset == 0.0 || (!is_front_ && !part_.double_sided)) return;
+    if (offset == 0.0 || (!is_front_ && !item_.double_sided)) return;
     first_ = first;
     corners_ = {&a, &b, &c};
     has_plane_ = false;
@@ -176,8 +176,8 @@ class FaceDrawing {
 
   /// Whether the triangle has a hole where a ray meets it.
   [[nodiscard]] bool isHole(std::size_t ray) const {
-    const auto& indices = part_.shape->indices;
-    return is_hole_(part_, {{corners_[0]->point_F.cast<float>(), corners_[1]->point_F.cast<float>(),
+    const auto& indices = item_.shape->indices;
+    return is_hole_(item_, {{corners_[0]->point_F.cast<float>(), corners_[1]->point_F.cast<float>(),
                              corners_[2]->point_F.cast<float>()},
                             {indices[first_], indices[first_ + 1], indices[first_ + 2]},
                             grid_.intrinsics,
@@ -186,7 +186,7 @@ class FaceDrawing {
   }
 
  private:
-  /// Of a triangle: 1 / depth is linear over its face.
+  /// A triangle's plane: 1 / depth is linear over the face.
   struct Plane {
     float column, row, inverse_depth;  ///< at its farthest corner
     float slope_column, slope_row;     ///< of 1 / depth
@@ -201,7 +201,7 @@ class FaceDrawing {
            low.y() > static_cast<float>(grid_.cells.height);
   }
 
-  /// What of a triangle is not nearer than the near plane.
+  /// Draws the part of a triangle beyond the near plane.
   template <class See>
   void drawClipped(See&& see) {
     std::array<FaceCorner, 4> kept;
@@ -286,7 +286,7 @@ class FaceDrawing {
   const Rays& rays_;
   const RayGrid& grid_;
   const LensFace& face_;
-  const Part& part_;
+  const DrawItem& item_;
   const RayRaster::IsHole& is_hole_;
   double near_;
   float farthest_;
@@ -294,7 +294,7 @@ class FaceDrawing {
   Lanes3 axis_ = lanes(0.0F, 0.0F, 0.0F);
   bool is_by_distance_ = false;
 
-  // Of the triangle that is drawn.
+  // The triangle that is drawn.
   std::uint32_t first_ = 0;
   bool is_front_ = true;
   std::array<const FaceCorner*, 3> corners_ = {};
@@ -309,10 +309,10 @@ class FaceDrawing {
 /// the last one is seen, and none that moves hides one of these.
 class SightRecorder {
  public:
-  SightRecorder(const Part& part, int number, std::size_t face, RaySights& sights)
-      : has_holes_(part.has_holes),
+  SightRecorder(const DrawItem& item, int number, std::size_t face, RaySights& sights)
+      : has_holes_(item.has_holes),
         number_(number),
-        least_(lanes(part.stands_still ? 1.0F - kSameDepth : 1.0F + kSameDepth)),
+        least_(lanes(item.stands_still ? 1.0F - kSameDepth : 1.0F + kSameDepth)),
         depths_(sights.inverse_depths[face]),
         triangles_(sights.triangles[face]),
         seen_(sights.seen) {}
@@ -350,7 +350,7 @@ class SightRecorder {
   }
 
  private:
-  /// Depths that differ by less are of the same place: which part is seen there is a matter of
+  /// Depths that differ by less are of the same place: which item is seen there is a matter of
   /// order.
   static constexpr float kSameDepth = 1e-5F;
 

@@ -15,7 +15,7 @@ namespace synthetic_dataset::render {
 /// @param seen  depths are distances along rays
 /// @param edges  the pixels that are by an edge
 /// @param picture  CV_8UC3, blue, green, red, sRGB-encoded, whole
-void smoothEdges(const DrawList& parts, const EdgeScene& scene, const LensSight& sight,
-                 const SeenPixels& seen, const EdgePixels& edges, cv::Mat& picture);
+void smoothEdges(const DrawList& draw_list, const EdgeScene& scene, const LensSight& sight,
+                 const PictureSamples& seen, const EdgePixels& edges, cv::Mat& picture);
 
 }  // namespace synthetic_dataset::render

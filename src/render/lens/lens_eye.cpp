@@ -24,7 +24,7 @@ std::vector<Eigen::Matrix4d> matricesOf(const std::vector<Pose>& poses) {
 void fillPixels(const std::vector<int>& rays, const std::vector<int>& seen, std::size_t known,
                 LensSight& sight) {
   const auto* directions = sight.lens->rays.ptr<cv::Vec3f>();
-  auto* parts = sight.parts.ptr<int>();
+  auto* items = sight.items.ptr<int>();
   auto* triangles = sight.triangles.ptr<int>();
   auto* distance = sight.distance.ptr<float>();
   const bool in_rows = sight.rows != nullptr;
@@ -44,7 +44,7 @@ void fillPixels(const std::vector<int>& rays, const std::vector<int>& seen, std:
     last = seen[i];
     const auto pixel = static_cast<std::size_t>(rays[i]);
     const Eigen::Vector3d ray = Eigen::Vector3f(directions[pixel].val).cast<double>();
-    parts[pixel] = triangle.part;
+    items[pixel] = triangle.item;
     triangles[pixel] = seen[i];
     distance[pixel] = static_cast<float>(
         distanceTo(corners[in_rows ? 0 : static_cast<std::size_t>(seen[i]) - known], ray));
@@ -53,7 +53,7 @@ void fillPixels(const std::vector<int>& rays, const std::vector<int>& seen, std:
 
 std::shared_ptr<LensSight> copyOf(const LensSight& sight) {
   auto copy = std::make_shared<LensSight>(sight);
-  copy->parts = sight.parts.clone();
+  copy->items = sight.items.clone();
   copy->triangles = sight.triangles.clone();
   copy->distance = sight.distance.clone();
   return copy;
@@ -83,8 +83,8 @@ void takeOver(const RaySights& from, const std::vector<RayGrid>& cells,
 
 }  // namespace
 
-LensEye::LensEye(const DrawList& parts, LensLibrary& lenses, bool keeps)
-    : parts_(parts), lenses_(lenses), keeps_(keeps) {}
+LensEye::LensEye(const DrawList& draw_list, LensLibrary& lenses, bool keeps)
+    : draw_list_(draw_list), lenses_(lenses), keeps_(keeps) {}
 
 void LensEye::forget() {
   surfaces_.reset();
@@ -94,9 +94,10 @@ void LensEye::forget() {
   pyramids_.forgetUnused();
 }
 
-const std::shared_ptr<const std::vector<PartSurface>>& LensEye::surfaces() {
+const std::shared_ptr<const std::vector<ItemSurface>>& LensEye::surfaces() {
   if (!surfaces_) {
-    surfaces_ = std::make_shared<const std::vector<PartSurface>>(partSurfaces(parts_, pyramids_));
+    surfaces_ =
+        std::make_shared<const std::vector<ItemSurface>>(itemSurfaces(draw_list_, pyramids_));
   }
   return surfaces_;
 }
@@ -112,10 +113,11 @@ LensSight LensEye::nothingSeen(const std::shared_ptr<const LensMap>& lens) {
           surfaces()};
 }
 
-/// Of each part, by its number.
-std::vector<Pose> LensEye::posesOfParts(const Pose& X_CW, const std::vector<Pose>& X_WL) const {
+/// The pose of each item, by its number.
+std::vector<Pose> LensEye::posesOfItems(const Pose& X_CW, const std::vector<Pose>& X_WL) const {
   std::vector<Pose> X_CV = {Pose::Identity()};
-  for (const Part& part : parts_.parts()) X_CV.push_back(X_CW * X_WL[part.link] * part.X_LV);
+  for (const DrawItem& item : draw_list_.items())
+    X_CV.push_back(X_CW * X_WL[item.link] * item.X_LV);
   return X_CV;
 }
 
@@ -135,7 +137,7 @@ void LensEye::makeRoomFor(const View& view, bool comes_back) {
 const LensEye::Standing& LensEye::standing(const View& view, const std::vector<Pose>& X_WL,
                                            const LinkSelection& drawn) {
   const auto lens = lenses_.get(view.camera);
-  LinkSelection links = parts_.standing(drawn);
+  LinkSelection links = draw_list_.standing(drawn);
   const auto known = std::find_if(standing_.begin(), standing_.end(), [&](const Standing& each) {
     return each.lens == lens && each.X_WC == view.X_WC.matrix() && each.drawn == links;
   });
@@ -149,11 +151,11 @@ const LensEye::Standing& LensEye::standing(const View& view, const std::vector<P
   const Pose X_CW = view.X_WC.inverse();
   Standing seen{lens,       view.X_WC.matrix(),     std::move(links),
                 comes_back, RaySights(lens->grids), nothingSeen(lens)};
-  seen.sight.X_CV = posesOfParts(X_CW, X_WL);
-  const RayRaster::IsHole is_hole = holesIn(parts_, surfaces());
+  seen.sight.X_CV = posesOfItems(X_CW, X_WL);
+  const RayRaster::IsHole is_hole = holesIn(draw_list_, surfaces());
   const RayRaster raster(view, *lens, lens->grids, is_hole);
-  for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, true)) {
-    raster.draw(*part, static_cast<int>(parts_.numberOf(*part)), X_WL[part->link], seen.sights);
+  for (const DrawItem* item : draw_list_.solidItems(X_CW, X_WL, drawn, true)) {
+    raster.draw(*item, static_cast<int>(draw_list_.numberOf(*item)), X_WL[item->link], seen.sights);
   }
   seen.sight.seen = seen.sights.seen;
   for (std::size_t face = 0; face < lens->grids.size(); ++face) {
@@ -165,7 +167,7 @@ const LensEye::Standing& LensEye::standing(const View& view, const std::vector<P
 
 std::shared_ptr<const LensSight> LensEye::look(const View& view, const std::vector<Pose>& X_WL,
                                                const LinkSelection& drawn, Glass glass) {
-  if (glass == Glass::kSeen && !parts_.hasGlassInLabels(drawn)) glass = Glass::kSeenThrough;
+  if (glass == Glass::kSeen && !draw_list_.hasGlassInLabels(drawn)) glass = Glass::kSeenThrough;
   Last now{view.X_WC.matrix(), matricesOf(X_WL), drawn, glass, nullptr};
   const auto lens = lenses_.get(view.camera);
   if (keeps_ && last_ && last_->sight->lens == lens && last_->X_WC == now.X_WC &&
@@ -175,20 +177,20 @@ std::shared_ptr<const LensSight> LensEye::look(const View& view, const std::vect
   const Standing& before = standing(view, X_WL, drawn);
   RaySights sights = before.sights;
   const std::size_t known = sights.seen.size();
-  const RayRaster::IsHole is_hole = holesIn(parts_, surfaces());
+  const RayRaster::IsHole is_hole = holesIn(draw_list_, surfaces());
   const RayRaster raster(view, *lens, lens->grids, is_hole);
   const Pose X_CW = view.X_WC.inverse();
-  const auto draw = [&](const Part* part) {
-    raster.draw(*part, static_cast<int>(parts_.numberOf(*part)), X_WL[part->link], sights);
+  const auto draw = [&](const DrawItem* item) {
+    raster.draw(*item, static_cast<int>(draw_list_.numberOf(*item)), X_WL[item->link], sights);
   };
-  for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, false)) draw(part);
+  for (const DrawItem* item : draw_list_.solidItems(X_CW, X_WL, drawn, false)) draw(item);
   if (glass == Glass::kSeen) {
-    for (const Part* part : parts_.transparentParts(X_CW, X_WL, drawn)) {
-      if (!part->seen_through_in_labels) draw(part);
+    for (const DrawItem* item : draw_list_.transparentItems(X_CW, X_WL, drawn)) {
+      if (!item->seen_through_in_labels) draw(item);
     }
   }
   const std::shared_ptr<LensSight> sight = copyOf(before.sight);
-  sight->X_CV = posesOfParts(X_CW, X_WL);
+  sight->X_CV = posesOfItems(X_CW, X_WL);
   sight->seen = std::move(sights.seen);
   for (std::size_t face = 0; face < lens->grids.size(); ++face) {
     fillPixels(lens->grids[face].rays, sights.triangles[face], known, *sight);
@@ -228,16 +230,16 @@ std::shared_ptr<const LensSight> LensEye::lookInRows(const View& view,
     takeOver(before->sights, lens->grids, grids, sights);
     known = sights.seen.size();
   }
-  const RayRaster::IsHole is_hole = holesIn(parts_, surfaces());
+  const RayRaster::IsHole is_hole = holesIn(draw_list_, surfaces());
   const RowRaster raster(*rows, *lens, grids, is_hole);
   const Pose X_CW = view.X_WC.inverse();
   for (const bool stand_still : {true, false}) {
     if (stand_still && before != nullptr) continue;
-    for (const Part* part : parts_.solidParts(X_CW, X_WL, drawn, stand_still)) {
-      raster.draw(*part, static_cast<int>(parts_.numberOf(*part)), sights);
+    for (const DrawItem* item : draw_list_.solidItems(X_CW, X_WL, drawn, stand_still)) {
+      raster.draw(*item, static_cast<int>(draw_list_.numberOf(*item)), sights);
     }
   }
-  sight->X_CV = posesOfParts(X_CW, X_WL);
+  sight->X_CV = posesOfItems(X_CW, X_WL);
   sight->rows = rows;
   sight->seen = std::move(sights.seen);
   for (std::size_t face = 0; face < grids.size(); ++face) {
@@ -247,14 +249,14 @@ std::shared_ptr<const LensSight> LensEye::lookInRows(const View& view,
 }
 
 cv::Mat LensEye::covered(const View& view, const std::vector<Pose>& X_WL,
-                         const std::vector<const Part*>& covering) {
+                         const std::vector<const DrawItem*>& covering) {
   const auto lens = lenses_.get(view.camera);
   cv::Mat mask = cv::Mat::zeros(lens->face.size(), CV_8UC1);
   auto* pixels = mask.ptr<std::uint8_t>();
-  const RayRaster::IsHole is_hole = holesIn(parts_, surfaces());
+  const RayRaster::IsHole is_hole = holesIn(draw_list_, surfaces());
   const RayRaster raster(view, *lens, lens->grids, is_hole);
-  for (const Part* part : covering) {
-    raster.visitCovered(*part, X_WL[part->link], [&](int ray) { pixels[ray] = 255; });
+  for (const DrawItem* item : covering) {
+    raster.visitCovered(*item, X_WL[item->link], [&](int ray) { pixels[ray] = 255; });
   }
   return mask;
 }

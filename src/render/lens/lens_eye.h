@@ -18,13 +18,13 @@ namespace synthetic_dataset::render {
 /// Whether what one can see through is looked at, or through.
 enum class Glass { kSeen, kSeenThrough };
 
-/// Looks at the parts through lenses with distortion, without OpenGL. What never moves is looked at
+/// Looks at the items through lenses with distortion, without OpenGL. What never moves is looked at
 /// once from each place.
 class LensEye {
  public:
   /// The references have to outlive this.
   /// @param keeps  whether anything is kept from look to look
-  LensEye(const DrawList& parts, LensLibrary& lenses, bool keeps);
+  LensEye(const DrawList& draw_list, LensLibrary& lenses, bool keeps);
 
   /// What each pixel's ray sees. With Glass::kSeen, that is what labels show.
   [[nodiscard]] std::shared_ptr<const LensSight> look(const View& view,
@@ -37,9 +37,9 @@ class LensEye {
       const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
       const std::shared_ptr<const RowPoses>& rows);
 
-  /// CV_8UC1: 255 for the pixels whose rays would meet these parts if there were no others.
+  /// CV_8UC1: 255 for the pixels whose rays would meet these items if there were no others.
   [[nodiscard]] cv::Mat covered(const View& view, const std::vector<Pose>& X_WL,
-                                const std::vector<const Part*>& covering);
+                                const std::vector<const DrawItem*>& covering);
 
   /// Everything looks different now.
   void forget();
@@ -69,20 +69,20 @@ class LensEye {
     std::vector<RowRayGrid> grids;
   };
 
-  [[nodiscard]] const std::shared_ptr<const std::vector<PartSurface>>& surfaces();
+  [[nodiscard]] const std::shared_ptr<const std::vector<ItemSurface>>& surfaces();
   [[nodiscard]] const std::vector<RowRayGrid>& rowGrids(const std::shared_ptr<const LensMap>& lens);
   [[nodiscard]] LensSight nothingSeen(const std::shared_ptr<const LensMap>& lens);
-  [[nodiscard]] std::vector<Pose> posesOfParts(const Pose& X_CW,
+  [[nodiscard]] std::vector<Pose> posesOfItems(const Pose& X_CW,
                                                const std::vector<Pose>& X_WL) const;
   void makeRoomFor(const View& view, bool comes_back);
   [[nodiscard]] const Standing& standing(const View& view, const std::vector<Pose>& X_WL,
                                          const LinkSelection& drawn);
 
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   LensLibrary& lenses_;
   bool keeps_;
   PyramidLibrary pyramids_;
-  std::shared_ptr<const std::vector<PartSurface>> surfaces_;  ///< null until they are asked for
+  std::shared_ptr<const std::vector<ItemSurface>> surfaces_;  ///< null until they are asked for
   std::deque<Standing> standing_;                             ///< the last used first
   RecentViews recent_;                                        ///< that were not found in standing_
   std::optional<Last> last_;

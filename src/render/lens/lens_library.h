@@ -12,7 +12,7 @@ namespace synthetic_dataset::render {
 /// Makes each camera's LensMap once, as long as its focal lengths stay what they are.
 class LensLibrary {
  public:
-  /// So many maps of one lens are kept that differ in their focal lengths alone: those that were
+  /// Limit of kept maps of one lens that differ in their focal lengths alone: those that were
   /// asked for last.
   static constexpr std::size_t kMostZooms = 4;
 

@@ -116,7 +116,7 @@ std::optional<Eigen::Vector2d> stepOn(const Plane& plane, const LensMap& map, in
          meet(plane, map.rays.at<cv::Vec3f>(v, u));
 }
 
-/// Of a pixel at z = 1; as if it were square in an image of one row or column.
+/// A pixel's area at z = 1; in an image of one row or column, as if it were square.
 double areaOn(const Plane& plane, const LensMap& map, int u, int v) {
   const auto across = stepOn(plane, map, u, v, 1, 0);
   const auto along = stepOn(plane, map, u, v, 0, 1);

@@ -30,7 +30,7 @@ struct LensMap {
   /// OpenGL does.
   bool is_pinhole = false;
 
-  /// Of each face, the pixels that look at it, as indices of an image that is gone through row by
+  /// The pixels that look at each face, as indices of an image that is gone through row by
   /// row; about one in a cell where they lie closest together.
   std::vector<RayGrid> grids;
 };
@@ -40,7 +40,7 @@ struct LensMap {
 /// Whether pictures of the camera need a LensMap.
 [[nodiscard]] bool hasDistortion(const CameraModel& camera);
 
-/// Of a face whose places are counted in cells of LensMap::grids.
+/// The intrinsics of a face in cells of LensMap::grids.
 [[nodiscard]] Intrinsics intrinsicsInCells(const LensFace& face);
 
 /// Where rays of the lens's frame meet a face, in cells of LensMap::grids.

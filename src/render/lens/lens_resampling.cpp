@@ -6,7 +6,7 @@
 
 #include <opencv2/core/utility.hpp>
 
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -81,7 +81,7 @@ cv::Rect neededOf(const LensMap& map, std::size_t face, const cv::Rect& region) 
   const cv::Rect round(
       cv::Point(static_cast<int>(low.x) - kRoom, static_cast<int>(low.y) - kRoom),
       cv::Point(static_cast<int>(high.x) + kRoom + 1, static_cast<int>(high.y) + kRoom + 1));
-  return round & cv::Rect(0, 0, f.camera.width(), f.camera.height());
+  return bounds & cv::Rect(0, 0, f.camera.width(), f.camera.height());
 }
 
 void resampleSmooth(const LensMap& map, std::size_t face, const cv::Mat& drawn,
@@ -92,7 +92,7 @@ void resampleSmooth(const LensMap& map, std::size_t face, const cv::Mat& drawn,
     const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
     const cv::Point2f right = stepOf(map, f, u, v, 1, 0);
     const cv::Point2f down = stepOf(map, f, u, v, 0, 1);
-    // So many places in each direction that they lie about a face's pixel apart.
+    // Enough places in each direction that they lie about a face's pixel apart.
     const auto taps = [&](cv::Point2f step) {
       return static_cast<int>(std::clamp(std::round(std::hypot(step.x, step.y)), 1.0F, kMostTaps));
     };

@@ -4,10 +4,10 @@
 
 namespace synthetic_dataset::render {
 
-RayRaster::IsHole holesIn(const DrawList& parts,
-                          const std::shared_ptr<const std::vector<PartSurface>>& surfaces) {
-  return [&parts, surfaces](const Part& part, const RayRaster::Place& place) {
-    const PartSurface& surface = (*surfaces)[parts.numberOf(part)];
+RayRaster::IsHole holesIn(const DrawList& draw_list,
+                          const std::shared_ptr<const std::vector<ItemSurface>>& surfaces) {
+  return [&draw_list, surfaces](const DrawItem& item, const RayRaster::Place& place) {
+    const ItemSurface& surface = (*surfaces)[draw_list.numberOf(item)];
     if (!surface.colours) return false;
     const FacedTriangle triangle(place.corners_F, place.vertices, surface);
     const auto fx = static_cast<float>(place.intrinsics.fx);
@@ -20,12 +20,12 @@ RayRaster::IsHole holesIn(const DrawList& parts,
 }
 
 Pose LensSight::poseOf(const SeenTriangle& triangle) const {
-  return triangle.row < 0 ? X_CV[static_cast<std::size_t>(triangle.part)]
-                          : rows->X_CV(triangle.part, triangle.row);
+  return triangle.row < 0 ? X_CV[static_cast<std::size_t>(triangle.item)]
+                          : rows->X_CV(triangle.item, triangle.row);
 }
 
 std::array<Eigen::Vector3d, 3> LensSight::cornersOf(const SeenTriangle& triangle) const {
-  const world::Mesh& mesh = *(*surfaces)[static_cast<std::size_t>(triangle.part)].shape;
+  const world::Mesh& mesh = *(*surfaces)[static_cast<std::size_t>(triangle.item)].shape;
   const Pose pose = poseOf(triangle);
   const auto corner = [&](std::uint32_t i) -> Eigen::Vector3d {
     return pose * mesh.positions[mesh.indices[triangle.first + i]].cast<double>();
@@ -40,8 +40,8 @@ double distanceTo(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Ve
 
 FacedTriangle LensSight::triangleAt(int index) const {
   const SeenTriangle& triangle = seen[static_cast<std::size_t>(index)];
-  const auto part = static_cast<std::size_t>(triangle.part);
-  const PartSurface& surface = (*surfaces)[part];
+  const auto item = static_cast<std::size_t>(triangle.item);
+  const ItemSurface& surface = (*surfaces)[item];
   const std::array<Eigen::Vector3d, 3> corners = cornersOf(triangle);
   const auto& indices = surface.shape->indices;
   return {{corners[0].cast<float>(), corners[1].cast<float>(), corners[2].cast<float>()},

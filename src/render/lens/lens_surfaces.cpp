@@ -31,12 +31,12 @@ struct SeenByPixels {
         triangle_C(sight.triangleAt(triangle)) {}
 
   static std::size_t partOf(const LensSight& sight, int triangle) {
-    return static_cast<std::size_t>(sight.seen[static_cast<std::size_t>(triangle)].part);
+    return static_cast<std::size_t>(sight.seen[static_cast<std::size_t>(triangle)].item);
   }
 
   int index;
   bool is_front;
-  const PartSurface* surface;
+  const ItemSurface* surface;
   Eigen::Matrix3f R_CV;
   FacedTriangle triangle_C;
 };
@@ -74,29 +74,29 @@ struct SurfaceLookup {
 LensSurface lensSurfaceAt(const SeenByPixels& seen, const SurfaceLookup& lookup,
                           const Eigen::Vector3f& ray, const Eigen::Vector3f& across,
                           const Eigen::Vector3f& along) {
-  const PartSurface& part = *seen.surface;
+  const ItemSurface& item = *seen.surface;
   const Eigen::Vector3f weights = seen.triangle_C.weights(ray);
   const Eigen::Vector3f shares = weights / weights.sum();
   LensSurface surface;
-  surface.face = (seen.R_CV * seen.triangle_C.mixed(part.shape->normals, shares)).normalized();
+  surface.face = (seen.R_CV * seen.triangle_C.mixed(item.shape->normals, shares)).normalized();
   surface.normal = surface.face;
-  surface.base = part.diffuse.head<3>();
-  surface.roughness = part.roughness;
-  surface.metalness = part.metalness;
-  if (part.tints != nullptr) {
+  surface.base = item.diffuse.head<3>();
+  surface.roughness = item.roughness;
+  surface.metalness = item.metalness;
+  if (item.tints != nullptr) {
     surface.base = surface.base.cwiseProduct(seen.triangle_C.tint(shares).head<3>());
   }
-  if (part.colours || part.normals || part.roughnesses || part.metalnesses || part.glows) {
+  if (item.colours || item.normals || item.roughnesses || item.metalnesses || item.glows) {
     const auto on = seen.triangle_C.onTexture(ray, across, along);
     const auto mean = [&](const PicturePyramid& picture) {
       return lookup.is_pinhole ? picture.sample(on.place, on.across, on.along)
                                : picture.mean(on.place, on.across, on.along);
     };
-    if (part.colours) surface.base = surface.base.cwiseProduct(mean(*part.colours).head<3>());
-    if (part.roughnesses) surface.roughness *= mean(*part.roughnesses).y();
-    if (part.metalnesses) surface.metalness *= mean(*part.metalnesses).z();
-    if (part.glows) surface.glow = mean(*part.glows).head<3>();
-    if (part.normals) surface.normal = bentNormal(seen, surface.face, on);
+    if (item.colours) surface.base = surface.base.cwiseProduct(mean(*item.colours).head<3>());
+    if (item.roughnesses) surface.roughness *= mean(*item.roughnesses).y();
+    if (item.metalnesses) surface.metalness *= mean(*item.metalnesses).z();
+    if (item.glows) surface.glow = mean(*item.glows).head<3>();
+    if (item.normals) surface.normal = bentNormal(seen, surface.face, on);
   }
   if (!seen.is_front) {
     surface.face = -surface.face;

@@ -2,7 +2,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/lens/lens_sight.h"
 
 namespace synthetic_dataset::render {

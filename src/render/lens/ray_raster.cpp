@@ -23,26 +23,26 @@ void RaySights::add(const RayGrid& grid) {
   triangles.emplace_back(grid.count() + RayGrid::kSpare, -1);
 }
 
-/// Draws a part on a face.
+/// Draws an item on a face.
 class RayRaster::OnFace {
  public:
-  OnFace(const RayRaster& raster, std::size_t face, const Part& part, const Pose& X_WL)
+  OnFace(const RayRaster& raster, std::size_t face, const DrawItem& item, const Pose& X_WL)
       : grid_(raster.grids_[face]),
         rays_(grid_),
-        part_(part),
-        X_FV_((raster.view_.X_WC * raster.lens_.faces[face].X_CF).inverse() * X_WL * part.X_LV),
+        item_(item),
+        X_FV_((raster.view_.X_WC * raster.lens_.faces[face].X_CF).inverse() * X_WL * item.X_LV),
         near_(raster.lens_.faces[face].camera.near()),
-        drawing_(raster.lens_.faces[face], rays_, part, raster.is_hole_) {}
+        drawing_(raster.lens_.faces[face], rays_, item, raster.is_hole_) {}
 
-  /// Whether some of the part's bounds may be on the face.
+  /// Whether some of the item's bounds may be on the face.
   [[nodiscard]] bool mayBeSeen() const {
-    if (part_.bounds_V.isEmpty()) return false;
+    if (item_.bounds_V.isEmpty()) return false;
     const Intrinsics& k = grid_.intrinsics;
     // Beside which planes through the camera's centre all corners are.
     std::array<bool, 5> beside = {true, true, true, true, true};
     Eigen::AlignedBox2d box;
     bool is_ahead = true;
-    for (const Eigen::Vector3d& corner : cornersOf(part_.bounds_V)) {
+    for (const Eigen::Vector3d& corner : cornersOf(item_.bounds_V)) {
       const Eigen::Vector3d p = X_FV_ * corner;
       const double column = k.fx * p.x() + k.cx * p.z();
       const double row = k.fy * p.y() + k.cy * p.z();
@@ -60,7 +60,7 @@ class RayRaster::OnFace {
 
   template <class See>
   void draw(See&& see) {
-    const world::Mesh& mesh = *part_.shape;
+    const world::Mesh& mesh = *item_.shape;
     std::vector<FaceCorner> corners;
     corners.reserve(mesh.positions.size());
     for (const Eigen::Vector3f& position : mesh.positions) {
@@ -93,30 +93,30 @@ class RayRaster::OnFace {
 
   const RayGrid& grid_;
   CellRays rays_;
-  const Part& part_;
+  const DrawItem& item_;
   Pose X_FV_;
   double near_;
   FaceDrawing<CellRays> drawing_;
 };
 
-void RayRaster::draw(const Part& part, int number, const Pose& X_WL, RaySights& sights) const {
+void RayRaster::draw(const DrawItem& item, int number, const Pose& X_WL, RaySights& sights) const {
   for (std::size_t face = 0; face < grids_.size(); ++face) {
-    OnFace drawing(*this, face, part, X_WL);
-    if (drawing.mayBeSeen()) drawing.draw(SightRecorder(part, number, face, sights));
+    OnFace drawing(*this, face, item, X_WL);
+    if (drawing.mayBeSeen()) drawing.draw(SightRecorder(item, number, face, sights));
   }
 }
 
-void RayRaster::visitCovered(const Part& part, const Pose& X_WL,
+void RayRaster::visitCovered(const DrawItem& item, const Pose& X_WL,
                              const std::function<void(int ray)>& visit) const {
   for (std::size_t face = 0; face < grids_.size(); ++face) {
-    OnFace drawing(*this, face, part, X_WL);
+    OnFace drawing(*this, face, item, X_WL);
     if (!drawing.mayBeSeen()) continue;
     const std::vector<int>& rays = grids_[face].rays;
     drawing.draw(
         [&](std::size_t at, const Lanes& covered, const Lanes&, const FaceDrawing<CellRays>& here) {
           const int bits = cv::v_signmask(covered);
           for (std::size_t i = 0; i < kLaneCount; ++i) {
-            if ((bits >> i & 1) == 0 || (part.has_holes && here.isHole(at + i))) continue;
+            if ((bits >> i & 1) == 0 || (item.has_holes && here.isHole(at + i))) continue;
             visit(rays[at + i]);
           }
         });

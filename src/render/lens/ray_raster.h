@@ -16,7 +16,7 @@ namespace synthetic_dataset::render {
 
 /// A triangle that a ray sees.
 struct SeenTriangle {
-  int part = 0;             ///< its number in the draw list
+  int item = 0;             ///< its number in the draw list
   std::uint32_t first = 0;  ///< of its three indices, that of the first one in Mesh::indices
   bool is_front = true;
   int row = -1;  ///< of the picture, at whose time it is seen; -1 where all rows have one time
@@ -28,7 +28,7 @@ struct RaySights {
   std::vector<std::vector<int>> triangles;         ///< likewise, their index below; -1 for nothing
   std::vector<SeenTriangle> seen;
 
-  /// Of grids whose rays see nothing yet.
+  /// Starts with rays that see nothing.
   explicit RaySights(const std::vector<RayGrid>& grids);
   explicit RaySights(const std::vector<RowRayGrid>& grids);
 
@@ -40,27 +40,27 @@ struct RaySights {
 /// rays' places alone.
 class RayRaster {
  public:
-  /// A ray's place on a triangle of a part, for whoever knows where its texture has holes.
+  /// A ray's place on a triangle of an item, for whoever knows where its texture has holes.
   struct Place {
     std::array<Eigen::Vector3f, 3> corners_F;  ///< in the face's frame
     std::array<std::uint32_t, 3> vertices;     ///< of the mesh
     Intrinsics intrinsics;                     ///< of the face, in cells
     float column, row;                         ///< [cell]
   };
-  using IsHole = std::function<bool(const Part&, const Place&)>;
+  using IsHole = std::function<bool(const DrawItem&, const Place&)>;
 
   /// The references have to outlive this.
   /// @param grids  of each of the lens's faces
-  /// @param is_hole  of parts with holes, whether one is there
+  /// @param is_hole  of items with holes, whether one is there
   RayRaster(const View& view, const LensMap& lens, const std::vector<RayGrid>& grids,
             const IsHole& is_hole)
       : view_(view), lens_(lens), grids_(grids), is_hole_(is_hole) {}
 
-  /// Draws a part over what was drawn before.
-  void draw(const Part& part, int number, const Pose& X_WL, RaySights& sights) const;
+  /// Draws an item over what was drawn before.
+  void draw(const DrawItem& item, int number, const Pose& X_WL, RaySights& sights) const;
 
-  /// Calls visit(index) for each ray that would see the part if it were alone; maybe several times.
-  void visitCovered(const Part& part, const Pose& X_WL,
+  /// Calls visit(index) for each ray that would see the item if it were alone; maybe several times.
+  void visitCovered(const DrawItem& item, const Pose& X_WL,
                     const std::function<void(int ray)>& visit) const;
 
  private:

@@ -20,7 +20,7 @@ class RaySide {
     along_v_ = lanes(sign * along.y());
   }
 
-  /// Of points [cell]: of those on the side itself too.
+  /// Whether points [cell] are inside; those on the side itself are.
   [[nodiscard]] Lanes inside(const Lanes& u, const Lanes& v) const {
     return along_u_ * (v - v_) >= (u - u_) * along_v_;
   }

@@ -10,8 +10,8 @@ bool isSame(const Pose& one, const Pose& other) { return one.matrix() == other.m
 
 }  // namespace
 
-RowPoses::RowPoses(const RollingView& view, const DrawList& parts, const LinkSelection& drawn)
-    : parts_(parts), row_count_(view.camera.height()) {
+RowPoses::RowPoses(const RollingView& view, const DrawList& draw_list, const LinkSelection& drawn)
+    : draw_list_(draw_list), row_count_(view.camera.height()) {
   const std::vector<RollingMoment>& moments = view.moments;
   const RollingMoment& first = moments.front();
   const auto stands = [&](const auto& pose_in) {
@@ -38,8 +38,8 @@ RowPoses::RowPoses(const RollingView& view, const DrawList& parts, const LinkSel
   }
 }
 
-Pose RowPoses::X_CV(int part, int row) const {
-  const Part& here = parts_.parts()[static_cast<std::size_t>(part) - 1];
+Pose RowPoses::X_CV(int item, int row) const {
+  const DrawItem& here = draw_list_.items()[static_cast<std::size_t>(item) - 1];
   return X_CL(here.link, row) * here.X_LV;
 }
 

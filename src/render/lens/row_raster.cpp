@@ -62,21 +62,21 @@ double farthestFromLine(const Bounds& bounds, const std::vector<Pose>& poses) {
 
 }  // namespace
 
-/// Draws a part on a face, some rows after the other.
+/// Draws an item on a face, some rows after the other.
 ///
 /// Where a vertex is at the times of the first and the last of them says which rows a triangle may
 /// be seen in; in each of these it is drawn where it is then.
 class RowRaster::OnRows {
  public:
-  OnRows(const RowRaster& raster, std::size_t face, const Part& part, int number)
+  OnRows(const RowRaster& raster, std::size_t face, const DrawItem& item, int number)
       : poses_(raster.poses_),
         rows_(raster.grids_[face]),
         rays_(rows_.grid),
-        part_(part),
+        item_(item),
         number_(number),
         X_FC_(raster.lens_.faces[face].X_CF.inverse()),
         near_(raster.lens_.faces[face].camera.near()),
-        drawing_(raster.lens_.faces[face], rays_, part, raster.is_hole_) {}
+        drawing_(raster.lens_.faces[face], rays_, item, raster.is_hole_) {}
 
   void draw(SightRecorder& see) {
     constexpr int kRows = 24;
@@ -106,13 +106,13 @@ class RowRaster::OnRows {
     for (int row = first; row < end; ++row) X_FV_.push_back(X_FC_ * poses_.X_CV(number_, row));
   }
 
-  /// Whether some of the part's bounds may be on these rows; finds how far ways may bend, too.
+  /// Whether some of the item's bounds may be on these rows; finds how far ways may bend, too.
   [[nodiscard]] bool mayBeSeen() {
-    if (part_.bounds_V.isEmpty()) return false;
+    if (item_.bounds_V.isEmpty()) return false;
     const Intrinsics& k = rows_.grid.intrinsics;
     std::array<bool, 5> beside = {true, true, true, true, true};
     double nearest = std::numeric_limits<double>::infinity();
-    const auto corners = cornersOf(part_.bounds_V);
+    const auto corners = cornersOf(item_.bounds_V);
     for (const Pose* pose : {&X_FV_.front(), &X_FV_.back()}) {
       for (const Eigen::Vector3d& corner : corners) {
         nearest = std::min(nearest, (*pose * corner).z());
@@ -120,7 +120,7 @@ class RowRaster::OnRows {
     }
     const Pose& before = X_FV_.front();
     const Pose& after = X_FV_.back();
-    bend_ = farthestFromLine(part_.bounds_V, X_FV_);
+    bend_ = farthestFromLine(item_.bounds_V, X_FV_);
     constexpr double kLeast = 0.5;  // [cell]
     margin_ = static_cast<float>(kLeast + 2.0 * std::max(k.fx, k.fy) * bend_ /
                                               std::max(nearest - bend_, near_));
@@ -141,7 +141,7 @@ class RowRaster::OnRows {
   }
 
   void drawTriangles(SightRecorder& see) {
-    const world::Mesh& mesh = *part_.shape;
+    const world::Mesh& mesh = *item_.shape;
     ways_.clear();
     ways_.reserve(mesh.positions.size());
     for (const Eigen::Vector3f& position : mesh.positions) {
@@ -186,7 +186,7 @@ class RowRaster::OnRows {
   }
 
   void drawTriangle(std::uint32_t first, const RowRayGrid::Bounds& around, SightRecorder& see) {
-    const world::Mesh& mesh = *part_.shape;
+    const world::Mesh& mesh = *item_.shape;
     const auto corner = [&](const Pose& X_FV, std::uint32_t i) {
       return drawing_.cornerAt(X_FV * mesh.positions[mesh.indices[first + i]].cast<double>());
     };
@@ -205,13 +205,13 @@ class RowRaster::OnRows {
   const RowPoses& poses_;
   const RowRayGrid& rows_;
   RowRays rays_;
-  const Part& part_;
+  const DrawItem& item_;
   int number_;
   Pose X_FC_;
   double near_;
   FaceDrawing<RowRays> drawing_;
 
-  // Of the rows that are drawn.
+  // The rows that are drawn.
   int first_row_ = 0;
   RowRayGrid::Bounds bounds_{};
   std::vector<Pose> X_FV_;  ///< of each
@@ -220,10 +220,10 @@ class RowRaster::OnRows {
   std::vector<Way> ways_;
 };
 
-void RowRaster::draw(const Part& part, int number, RaySights& sights) const {
+void RowRaster::draw(const DrawItem& item, int number, RaySights& sights) const {
   for (std::size_t face = 0; face < grids_.size(); ++face) {
-    SightRecorder see(part, number, face, sights);
-    OnRows(*this, face, part, number).draw(see);
+    SightRecorder see(item, number, face, sights);
+    OnRows(*this, face, item, number).draw(see);
   }
 }
 

@@ -16,13 +16,13 @@ class RowRaster {
  public:
   /// The references have to outlive this.
   /// @param grids  of each of the lens's faces
-  /// @param is_hole  of parts with holes, whether one is there
+  /// @param is_hole  of items with holes, whether one is there
   RowRaster(const RowPoses& poses, const LensMap& lens, const std::vector<RowRayGrid>& grids,
             const RayRaster::IsHole& is_hole)
       : poses_(poses), lens_(lens), grids_(grids), is_hole_(is_hole) {}
 
-  /// Draws a part over what was drawn before, as RayRaster does.
-  void draw(const Part& part, int number, RaySights& sights) const;
+  /// Draws an item over what was drawn before, as RayRaster does.
+  void draw(const DrawItem& item, int number, RaySights& sights) const;
 
  private:
   class OnRows;

@@ -37,7 +37,7 @@ Lanes arcCosine(const Lanes& cosine) {
   return cv::v_select(cosine < lanes(0.0F), lanes(static_cast<float>(M_PI)) - angle, angle);
 }
 
-/// Of each pixel of a square: the direction of its slice, and how far out its steps begin.
+/// The direction of the slice of each pixel of a square, and how far out its steps begin.
 struct Pattern {
   Pattern() {
     // A square of which each row and column has numbers from all of the range.

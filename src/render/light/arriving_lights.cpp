@@ -23,11 +23,11 @@ Lanes withinCone(const LightInView& light, const Lanes& cosine) {
 
 }  // namespace
 
-ArrivingLights::ArrivingLights(const Surroundings& surroundings)
-    : surroundings_(surroundings), lookups_(surroundings.lights.size()) {
+ArrivingLights::ArrivingLights(const LightingContext& context)
+    : context_(context), lookups_(context.lights.size()) {
   for (std::size_t i = 0; i < lookups_.size(); ++i) {
-    const bool from_point = surroundings.lights[i].type != world::LightType::kDirectional;
-    for (const CastShadow& shadow : surroundings.shadows[i]) {
+    const bool from_point = context.lights[i].type != world::LightType::kDirectional;
+    for (const CastShadow& shadow : context.shadows[i]) {
       maps_.push_back(shadow.map.assemble(shadow.isSoft()));
       lookups_[i].emplace_back(shadow, maps_.back(), from_point);
     }
@@ -35,7 +35,7 @@ ArrivingLights::ArrivingLights(const Surroundings& surroundings)
 }
 
 Arriving ArrivingLights::at(std::size_t index, const Lanes3& position_C) const {
-  const LightInView& light = surroundings_.lights[index];
+  const LightInView& light = context_.lights[index];
   if (light.type == world::LightType::kDirectional) {
     return {lanes(-light.direction_C), lanes(0.0F), lanes(1.0F)};
   }
@@ -77,7 +77,7 @@ Lanes ArrivingLights::passing(std::size_t light, const Lanes3& position_C, const
 }
 
 Lanes ArrivingLights::fogginess(const Lanes& distance) const {
-  const world::Fog& fog = *surroundings_.fog;
+  const world::Fog& fog = *context_.fog;
   const Lanes one = lanes(1.0F);
   if (fog.type == world::FogType::kLinear) {
     const auto end = static_cast<float>(fog.end);

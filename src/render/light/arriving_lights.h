@@ -2,14 +2,35 @@
 
 #include <cstddef>
 #include <list>
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "render/light/surroundings.h"
+#include <Eigen/Core>
+
+#include "render/light/environment_light.h"
+#include "render/light/light_setup.h"
 #include "render/pixels/lanes.h"
 #include "render/shadows/map_depths.h"
 #include "render/shadows/shadow_lookup.h"
+#include "world/description.h"
 
 namespace synthetic_dataset::render {
+
+/// What all surfaces of a picture have in common.
+struct LightingContext {
+  std::vector<LightInView> lights;
+  std::vector<std::vector<CastShadow>> shadows;  ///< of each light: none, one, or those of a cube
+  Eigen::Vector3f ambient;                       ///< linear; in Gazebo Classic's worlds encoded
+  Eigen::Vector3f up_C;
+  float exposure;
+  std::optional<world::Fog> fog;
+  world::Simulator simulator = world::Simulator::kGz;  ///< whose light it is
+
+  /// In the place of the ambient light; null for none.
+  std::shared_ptr<const EnvironmentLight> environment = nullptr;
+  Eigen::Matrix3f R_GC = Eigen::Matrix3f::Identity();  ///< for it
+};
 
 /// Light and where it comes from.
 struct Arriving {
@@ -21,8 +42,8 @@ struct Arriving {
 /// What arrives of a picture's lights at four points at once, in whichever way surfaces answer.
 class ArrivingLights {
  public:
-  /// @param surroundings  have to outlive this
-  explicit ArrivingLights(const Surroundings& surroundings);
+  /// @param context  have to outlive this
+  explicit ArrivingLights(const LightingContext& context);
 
   [[nodiscard]] std::size_t count() const { return lookups_.size(); }
 
@@ -39,7 +60,7 @@ class ArrivingLights {
   [[nodiscard]] Lanes fogginess(const Lanes& distance) const;
 
  private:
-  const Surroundings& surroundings_;
+  const LightingContext& context_;
   std::list<MapDepths::Assembled> maps_;            ///< which the lookups refer to
   std::vector<std::vector<ShadowLookup>> lookups_;  ///< of each light
 };

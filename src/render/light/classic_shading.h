@@ -5,28 +5,27 @@
 #include <Eigen/Core>
 
 #include "render/light/arriving_lights.h"
-#include "render/light/surroundings.h"
 #include "render/pixels/lanes.h"
 
 namespace synthetic_dataset::render {
 
-/// Surfaces of Gazebo Classic's at four points that are seen, in the camera's optical frame.
+/// Gazebo Classic's surfaces at four visible points, in the camera's optical frame.
 /// Colours are sRGB-encoded.
 struct ClassicLanes {
   Lanes3 position_C;
-  Lanes3 face;     ///< its normal, towards the camera
-  Lanes3 normal;   ///< as a normal map bends it; of backs, that of their fronts
-  Lanes3 picture;  ///< of its texture; white where it has none
-  Lanes3 ambient;  ///< of the light from everywhere
-  Lanes open;      ///< the share of that which arrives
-  Lanes3 own;      ///< what it sends whatever the light: emissive
+  Lanes3 face;               ///< its normal, towards the camera
+  Lanes3 normal;             ///< as a normal map bends it; of backs, that of their fronts
+  Lanes3 albedo;             ///< the colour of its texture; white where it has none
+  Lanes3 ambient;            ///< its colour under ambient light
+  Lanes ambient_visibility;  ///< the share of the ambient light that arrives
+  Lanes3 emissive;           ///< what it sends whatever the light: emissive
   Lanes3 diffuse;
   Lanes3 specular;
   Lanes shininess;  ///< Blinn-Phong's exponent; where it is 0 there is no highlight
-  Lanes3 glow;      ///< of a picture of its own
+  Lanes3 glow;      ///< from an emissive texture
 };
 
-/// How light makes surfaces seen in Gazebo Classic's worlds, as lighting.glsl has it for what one
+/// The lighting model of Gazebo Classic's worlds, as lighting.glsl has it for surfaces that one
 /// can see through. OGRE 1 lights each pixel (RTShaderLib, SGXLib_PerPixelLighting.glsl):
 ///
 ///     (emissive + ambient x scene's ambient + sum of diffuse x light x n.l x fall-off) x picture
@@ -37,10 +36,10 @@ struct ClassicLanes {
 /// picture's pixels, as they are encoded; what exceeds 1 is cut off.
 class ClassicShading {
  public:
-  /// @param surroundings  have to outlive this
-  explicit ClassicShading(const Surroundings& surroundings);
+  /// @param context  have to outlive this
+  explicit ClassicShading(const LightingContext& context);
 
-  /// What the camera sees of surfaces, sRGB-encoded, before it is exposed.
+  /// The surfaces' colours in the picture, sRGB-encoded, before exposure.
   [[nodiscard]] Lanes3 seen(const ClassicLanes& surface) const;
 
  private:
@@ -49,10 +48,10 @@ class ClassicShading {
     Lanes3 specular;
   };
 
-  [[nodiscard]] Lanes3 everywhere(const ClassicLanes& surface) const;
+  [[nodiscard]] Lanes3 ambientLight(const ClassicLanes& surface) const;
   void add(std::size_t light, const ClassicLanes& surface, Sums& sums) const;
 
-  const Surroundings& surroundings_;
+  const LightingContext& context_;
   ArrivingLights lights_;
 };
 

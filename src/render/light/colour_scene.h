@@ -4,7 +4,7 @@
 
 #include "render/parts/draw_list.h"
 #include "render/render_options.h"
-#include "render/shadows/caster_poses.h"
+#include "render/shadows/held_casters.h"
 #include "render/shadows/shadow_projection.h"
 #include "render/view.h"
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kRows = 32;  // of normals for which it is found
 
-/// Of a panorama with so many rows, from the middle up [rad].
+/// The elevation of a panorama's row above the horizon [rad].
 double elevationOf(double row, int rows) { return M_PI * (0.5 - row / rows); }
 
 Eigen::Vector3f directionAt(int row, int column, const cv::Size& size) {

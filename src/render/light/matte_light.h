@@ -12,7 +12,7 @@ namespace synthetic_dataset::render {
 /// do for skies, but a sun in a panorama would light what is turned away from it.
 class MatteLight {
  public:
-  /// Of the rows of a panorama from one on to before another, as if the others were black.
+  /// The light of a panorama's rows from one on to before another, as if the others were black.
   /// @param panorama  CV_32FC4: equirectangular; red, green, blue and any, linear; a multiple of
   ///     four columns
   MatteLight(const cv::Mat& panorama, int first_row, int end_row);
@@ -23,7 +23,7 @@ class MatteLight {
   [[nodiscard]] Lanes3 arriving(const Lanes3& normals) const;
   [[nodiscard]] Eigen::Vector3f arriving(const Eigen::Vector3f& normal) const;
 
-  /// That of both together, each multiplied.
+  /// The weighted sum of both.
   [[nodiscard]] static MatteLight sum(const MatteLight& first, const Eigen::Vector3f& of_first,
                                       const MatteLight& second, const Eigen::Vector3f& of_second);
 

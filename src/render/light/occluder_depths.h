@@ -17,7 +17,7 @@ struct FourPixels {
   std::array<int, kLaneCount> v;
 };
 
-/// Those at some offsets from four in a row.
+/// Four pixels at offsets from four in a row.
 [[nodiscard]] inline FourPixels beside(int u, int v, const Lanes& du, const Lanes& dv) {
   FourPixels four;
   cv::v_store(four.u.data(), cv::v_round(du) + cv::v_int32x4(u, u + 1, u + 2, u + 3));
@@ -43,7 +43,7 @@ class OccluderDepths {
                        cv::BORDER_REPLICATE);
   }
 
-  /// Of four pixels in a row, up to kMargin beside those that are known.
+  /// The depths of four pixels in a row, up to kMargin beside those that are known.
   [[nodiscard]] Lanes four(int u, int v) const {
     return cv::v_load(depths_.ptr<float>(v - place_.y + kMargin, u - place_.x + kMargin));
   }
@@ -59,7 +59,7 @@ class OccluderDepths {
     return ray;
   }
 
-  /// Of four pixels anywhere; 0 beside those that are known.
+  /// The depths of any four pixels; 0 beside those that are known.
   [[nodiscard]] Lanes at(const FourPixels& four) const {
     return {at(four.u[0], four.v[0]), at(four.u[1], four.v[1]), at(four.u[2], four.v[2]),
             at(four.u[3], four.v[3])};
@@ -81,7 +81,7 @@ class OccluderDepths {
     return (raysAt(there) - rays) * cv::v_load(side.data());
   }
 
-  /// Of four pixels anywhere; of those beside the known ones, that of the nearest known.
+  /// The rays of any four pixels; beside the known ones, that of the nearest known.
   [[nodiscard]] Lanes3 raysAt(const FourPixels& four) const {
     const auto& [u, v] = four;
     if (rays_.empty()) {

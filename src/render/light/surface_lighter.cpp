@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "render/parts/material_setup.h"
+#include "render/parts/surface_drawing.h"
 #include "render/pixels/lane_images.h"
 #include "render/pixels/srgb.h"
 
@@ -14,7 +14,7 @@ namespace synthetic_dataset::render {
 namespace {
 
 GeometryImages widened(const GeometryImages& images) {
-  return {render::widened(images.parts), render::widened(images.depth), {}};
+  return {render::widened(images.items), render::widened(images.depth), {}};
 }
 
 SurfaceImages widened(const SurfaceImages& images) {
@@ -30,12 +30,12 @@ bool isNone(const std::uint8_t* wanted) {
   return four == 0;
 }
 
-/// What `wanted` has of each of four parts: three numbers and one more.
+/// What `wanted` has of each of four items: three numbers and one more.
 template <class Wanted>
-PixelLanes ofParts(const std::vector<PartLight>& parts, const int* four, const Wanted& wanted) {
+PixelLanes ofItems(const std::vector<ItemLight>& items, const int* four, const Wanted& wanted) {
   std::array<Lanes, kLaneCount> each;
   for (std::size_t i = 0; i < each.size(); ++i) {
-    const auto [three, one] = wanted(parts[static_cast<std::size_t>(four[i])]);
+    const auto [three, one] = wanted(items[static_cast<std::size_t>(four[i])]);
     each[i] = {three.x(), three.y(), three.z(), one};
   }
   PixelLanes result;
@@ -46,11 +46,11 @@ PixelLanes ofParts(const std::vector<PartLight>& parts, const int* four, const W
 
 }  // namespace
 
-std::vector<PartLight> partLights(const std::vector<Part>& parts, world::Simulator simulator) {
-  std::vector<PartLight> lights = {PartLight()};
-  for (const Part& part : parts) {
-    const world::Material& material = *part.material;
-    PartLight light;
+std::vector<ItemLight> partLights(const std::vector<DrawItem>& items, world::Simulator simulator) {
+  std::vector<ItemLight> lights = {ItemLight()};
+  for (const DrawItem& item : items) {
+    const world::Material& material = *item.material;
+    ItemLight light;
     if (simulator == world::Simulator::kClassic) {
       light.classic = classicLight(material);
     } else {
@@ -62,10 +62,10 @@ std::vector<PartLight> partLights(const std::vector<Part>& parts, world::Simulat
   return lights;
 }
 
-/// Of the images.
+/// A row of the images.
 struct SurfaceLighter::Row {
   Row(const GeometryImages& geometry, const SurfaceImages& surfaces, int row, cv::Mat& lit)
-      : parts(geometry.parts.ptr<int>(row)),
+      : items(geometry.items.ptr<int>(row)),
         depths(geometry.depth.ptr<float>(row)),
         base_roughness(surfaces.base_roughness.ptr<std::uint16_t>(row)),
         normal_metalness(surfaces.normal_metalness.ptr<std::uint16_t>(row)),
@@ -73,7 +73,7 @@ struct SurfaceLighter::Row {
         glows(surfaces.glows.empty() ? nullptr : surfaces.glows.ptr<std::uint16_t>(row)),
         light(lit.ptr<std::uint16_t>(row)) {}
 
-  const int* parts;
+  const int* items;
   const float* depths;
   const std::uint16_t* base_roughness;
   const std::uint16_t* normal_metalness;
@@ -89,14 +89,14 @@ struct SurfaceLighter::Row {
   }
 };
 
-SurfaceLighter::SurfaceLighter(const Surroundings& surroundings,
-                               const std::vector<PartLight>& parts, const Intrinsics& intrinsics,
-                               const Eigen::Vector3f& nothing, const cv::Mat& rays)
-    : parts_(parts), intrinsics_(intrinsics), nothing_(nothing), rays_(rays) {
-  if (surroundings.simulator == world::Simulator::kClassic) {
-    classic_.emplace(surroundings);
+SurfaceLighter::SurfaceLighter(const LightingContext& context, const std::vector<ItemLight>& items,
+                               const Intrinsics& intrinsics, const Eigen::Vector3f& nothing,
+                               const cv::Mat& rays)
+    : items_(items), intrinsics_(intrinsics), nothing_(nothing), rays_(rays) {
+  if (context.simulator == world::Simulator::kClassic) {
+    classic_.emplace(context);
   } else {
-    shading_.emplace(surroundings);
+    shading_.emplace(context);
   }
 }
 
@@ -108,7 +108,7 @@ cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImage
   const cv::Mat which = render::widened(wanted);
   const cv::Mat how_open = render::widened(open);
   const cv::Mat along = rays_.empty() ? rays_ : render::widened(rays_(place));
-  cv::Mat light(what.parts.size(), CV_16UC4);
+  cv::Mat light(what.items.size(), CV_16UC4);
   for (const cv::Rect& region : regions) {
     const cv::Rect pixels = region - place.tl();
     for (int v = pixels.y; v < pixels.y + pixels.height; ++v) {
@@ -124,14 +124,14 @@ cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImage
       }
     }
   }
-  return light.colRange(0, geometry.parts.cols);
+  return light.colRange(0, geometry.items.cols);
 }
 
 /// @param column  of the images
 /// @param u  the same in the picture
 void SurfaceLighter::lightFour(const Row& row, int column, float u) const {
-  const cv::v_int32x4 parts = cv::v_load(row.parts + column);
-  const cv::v_int32x4 is_nothing = parts == cv::v_setzero_s32();
+  const cv::v_int32x4 items = cv::v_load(row.items + column);
+  const cv::v_int32x4 is_nothing = items == cv::v_setzero_s32();
   std::uint16_t* to = row.light + 4 * column;
   const Lanes3 nothing = lanes(nothing_);
   if (cv::v_check_all(is_nothing)) {
@@ -159,7 +159,7 @@ Lanes3 SurfaceLighter::positionsAt(const Row& row, int column, float u) const {
 SurfaceLanes SurfaceLighter::surfacesAt(const Row& row, int column, float u) const {
   const PixelLanes base = loadHalves(row.base_roughness + 4 * column);
   const PixelLanes normal = loadHalves(row.normal_metalness + 4 * column);
-  const PixelLanes part = ofParts(parts_, row.parts + column, [](const PartLight& light) {
+  const PixelLanes item = ofItems(items_, row.items + column, [](const ItemLight& light) {
     return std::pair<const Eigen::Vector3f&, float>(light.emissive, light.reflectance);
   });
   SurfaceLanes surface;
@@ -170,40 +170,41 @@ SurfaceLanes SurfaceLighter::surfacesAt(const Row& row, int column, float u) con
   surface.base = base.xyz;
   surface.roughness = base.w;
   surface.metalness = normal.w;
-  surface.reflectance = part.w;
-  surface.open = row.openAt(column);
-  surface.is_lit = part.w >= lanes(0.0F);
-  surface.glow = part.xyz;
+  surface.reflectance = item.w;
+  surface.ambient_visibility = row.openAt(column);
+  surface.is_lit = item.w >= lanes(0.0F);
+  surface.glow = item.xyz;
   if (row.glows != nullptr) surface.glow = surface.glow * loadHalves(row.glows + 4 * column).xyz;
   return surface;
 }
 
 ClassicLanes SurfaceLighter::classicAt(const Row& row, int column, float u) const {
-  const int* const parts = row.parts + column;
-  const auto of = [&](const auto& wanted) { return ofParts(parts_, parts, wanted); };
+  const int* const items = row.items + column;
+  const auto of = [&](const auto& wanted) { return ofItems(items_, items, wanted); };
   using Four = std::pair<const Eigen::Vector3f&, float>;
   const PixelLanes ambient =
-      of([](const PartLight& light) { return Four(light.classic.ambient, 0.0F); });
-  const PixelLanes own = of([](const PartLight& light) { return Four(light.classic.own, 0.0F); });
+      of([](const ItemLight& light) { return Four(light.classic.ambient, 0.0F); });
+  const PixelLanes emissive =
+      of([](const ItemLight& light) { return Four(light.classic.emissive, 0.0F); });
   const PixelLanes diffuse =
-      of([](const PartLight& light) { return Four(light.classic.diffuse, 0.0F); });
+      of([](const ItemLight& light) { return Four(light.classic.diffuse, 0.0F); });
   const PixelLanes specular = of(
-      [](const PartLight& light) { return Four(light.classic.specular, light.classic.shininess); });
+      [](const ItemLight& light) { return Four(light.classic.specular, light.classic.shininess); });
   ClassicLanes surface;
   surface.position_C = positionsAt(row, column, u);
   surface.normal = normalized(loadHalves(row.normal_metalness + 4 * column).xyz);
   surface.face =
       row.faces == nullptr ? surface.normal : normalized(loadHalves(row.faces + 4 * column).xyz);
-  surface.picture = loadHalves(row.base_roughness + 4 * column).xyz;
+  surface.albedo = loadHalves(row.base_roughness + 4 * column).xyz;
   surface.ambient = ambient.xyz;
-  surface.open = row.openAt(column);
-  surface.own = own.xyz;
+  surface.ambient_visibility = row.openAt(column);
+  surface.emissive = emissive.xyz;
   surface.diffuse = diffuse.xyz;
   surface.specular = specular.xyz;
   surface.shininess = specular.w;
   surface.glow = lanes(0.0F, 0.0F, 0.0F);
   if (row.glows == nullptr) return surface;
-  const PixelLanes glow = of([](const PartLight& light) { return Four(light.classic.glow, 0.0F); });
+  const PixelLanes glow = of([](const ItemLight& light) { return Four(light.classic.glow, 0.0F); });
   surface.glow = glow.xyz * loadHalves(row.glows + 4 * column).xyz;
   return surface;
 }

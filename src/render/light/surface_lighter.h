@@ -6,17 +6,17 @@
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
+#include "render/light/arriving_lights.h"
 #include "render/light/classic_shading.h"
 #include "render/light/surface_shading.h"
-#include "render/light/surroundings.h"
 #include "render/parts/draw_list.h"
-#include "render/parts/part_light.h"
+#include "render/parts/item_surface.h"
 
 namespace synthetic_dataset::render {
 
-/// By the number that parts have in GeometryImages.
-[[nodiscard]] std::vector<PartLight> partLights(const std::vector<Part>& parts,
+/// By the number that items have in GeometryImages.
+[[nodiscard]] std::vector<ItemLight> partLights(const std::vector<DrawItem>& items,
                                                 world::Simulator simulator);
 
 /// Lights pixels whose surfaces OpenGL has drawn, each once, however many small triangles share it.
@@ -28,7 +28,7 @@ class SurfaceLighter {
   /// @param nothing  the light where no surface is
   /// @param rays  CV_32FC3 of the picture: what pixels look along, in whose lengths depths are;
   ///     empty for those of a pinhole
-  SurfaceLighter(const Surroundings& surroundings, const std::vector<PartLight>& parts,
+  SurfaceLighter(const LightingContext& context, const std::vector<ItemLight>& items,
                  const Intrinsics& intrinsics, const Eigen::Vector3f& nothing,
                  const cv::Mat& rays = {});
 
@@ -53,7 +53,7 @@ class SurfaceLighter {
 
   std::optional<SurfaceShading> shading_;
   std::optional<ClassicShading> classic_;  ///< the other's place in Gazebo Classic's worlds
-  const std::vector<PartLight>& parts_;
+  const std::vector<ItemLight>& items_;
   Intrinsics intrinsics_;
   Eigen::Vector3f nothing_;
   cv::Mat rays_;

@@ -12,18 +12,22 @@ Lanes3 fresnel(const Lanes3& f0, const Lanes& cosine) {
   return f0 + (lanes(1.0F, 1.0F, 1.0F) - f0) * (x2 * x2 * x);
 }
 
-/// The share of the light from everywhere that arrives in the end, with what surfaces of the same
-/// colour send one another (Jimenez et al. 2016, a fit to path-traced scenes).
-Lanes reaching(const Lanes& open, const Lanes& albedo) {
+/// The share of the ambient light that arrives, with interreflection between surfaces of the same
+/// colour (Jimenez et al. 2016, a fit to path-traced scenes).
+Lanes reaching(const Lanes& ambient_visibility, const Lanes& albedo) {
   const Lanes a = lanes(2.0404F) * albedo - lanes(0.3324F);
   const Lanes b = lanes(-4.7951F) * albedo + lanes(0.6417F);
   const Lanes c = lanes(2.7552F) * albedo + lanes(0.6903F);
-  return cv::v_min(cv::v_max(open, ((open * a + b) * open + c) * open), lanes(1.0F));
+  return cv::v_min(
+      cv::v_max(ambient_visibility,
+                ((ambient_visibility * a + b) * ambient_visibility + c) * ambient_visibility),
+      lanes(1.0F));
 }
 
-Lanes3 reaching(const Lanes& open, const Lanes3& albedo) {
-  if (cv::v_check_all(open == lanes(1.0F))) return lanes(1.0F, 1.0F, 1.0F);
-  return {reaching(open, albedo.x), reaching(open, albedo.y), reaching(open, albedo.z)};
+Lanes3 reaching(const Lanes& ambient_visibility, const Lanes3& albedo) {
+  if (cv::v_check_all(ambient_visibility == lanes(1.0F))) return lanes(1.0F, 1.0F, 1.0F);
+  return {reaching(ambient_visibility, albedo.x), reaching(ambient_visibility, albedo.y),
+          reaching(ambient_visibility, albedo.z)};
 }
 
 /// Linear up to 0.8, then bending towards 1 so that bright surfaces keep their drawing.
@@ -38,25 +42,25 @@ Lanes shoulder(const Lanes& linear) {
 
 }  // namespace
 
-SurfaceShading::SurfaceShading(const Surroundings& surroundings)
-    : surroundings_(surroundings), lights_(surroundings) {
-  if (!surroundings.fog) return;
-  fog_light_ = surroundings.exposure * linearFromSrgb(surroundings.fog->colour);
+SurfaceShading::SurfaceShading(const LightingContext& context)
+    : context_(context), lights_(context) {
+  if (!context.fog) return;
+  fog_light_ = context.exposure * linearFromSrgb(context.fog->colour);
 }
 
 Lanes3 SurfaceShading::seen(const SurfaceLanes& surface) const {
-  const Lanes exposure = lanes(surroundings_.exposure);
+  const Lanes exposure = lanes(context_.exposure);
   Lanes3 light = lit(surface) * exposure;
   light = {shoulder(light.x), shoulder(light.y), shoulder(light.z)};
   light = select(surface.is_lit, light, surface.base * exposure);
-  if (surroundings_.fog) {
+  if (context_.fog) {
     light = mix(light, lanes(fog_light_), lights_.fogginess(length(surface.position_C)));
   }
   const Lanes one = lanes(1.0F);
   return {cv::v_min(light.x, one), cv::v_min(light.y, one), cv::v_min(light.z, one)};
 }
 
-/// The light that a surface sends to the eye.
+/// The light that a surface emits and reflects to the camera.
 Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
   const Lanes one = lanes(1.0F);
   Response response;
@@ -67,43 +71,45 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
   response.alpha = cv::v_max(surface.roughness * surface.roughness, lanes(0.01F));
   response.n_dot_v = cv::v_max(dot(surface.normal, response.to_eye), lanes(1e-3F));
 
-  Lanes3 sum = everywhere(surface, response) + surface.glow;
-  for (std::size_t i = 0; i < lights_.count(); ++i) sum = sum + sent(i, surface, response);
+  Lanes3 sum = ambient(surface, response) + surface.glow;
+  for (std::size_t i = 0; i < lights_.count(); ++i) sum = sum + reflected(i, surface, response);
   return sum;
 }
 
-/// What of the light from everywhere a surface sends to the eye.
-Lanes3 SurfaceShading::everywhere(const SurfaceLanes& surface, const Response& response) const {
+/// Ambient light that a surface reflects to the camera.
+Lanes3 SurfaceShading::ambient(const SurfaceLanes& surface, const Response& response) const {
   const Lanes one = lanes(1.0F);
-  const Lanes3 matte = response.matte * reaching(surface.open, surface.base);
-  if (surroundings_.environment != nullptr) {
-    return fromAround(*surroundings_.environment, surface, response, matte);
+  const Lanes3 matte = response.matte * reaching(surface.ambient_visibility, surface.base);
+  if (context_.environment != nullptr) {
+    return imageBasedLight(*context_.environment, surface, response, matte);
   }
-  const Lanes3 reflected = fresnel(response.f0, response.n_dot_v) *
-                           mix(one, lanes(0.4F), surface.roughness) * surface.open;
+  const Lanes3 mirrored = fresnel(response.f0, response.n_dot_v) *
+                          mix(one, lanes(0.4F), surface.roughness) * surface.ambient_visibility;
   const Lanes half = lanes(0.5F);
-  const Lanes sky = half + half * dot(surface.normal, lanes(surroundings_.up_C));
-  const Lanes3 around = lanes(surroundings_.ambient) * mix(lanes(kAmbientFromBelow), one, sky);
-  return around * (matte + reflected);
+  const Lanes sky = half + half * dot(surface.normal, lanes(context_.up_C));
+  const Lanes3 around = lanes(context_.ambient) * mix(lanes(kAmbientFromBelow), one, sky);
+  return around * (matte + mirrored);
 }
 
-/// What of the light of all that lies around the world a surface sends to the eye.
+/// Light of the environment that a surface reflects to the camera.
 /// @param matte  the share of it that is scattered
-Lanes3 SurfaceShading::fromAround(const EnvironmentLight& environment, const SurfaceLanes& surface,
-                                  const Response& response, const Lanes3& matte) const {
+Lanes3 SurfaceShading::imageBasedLight(const EnvironmentLight& environment,
+                                       const SurfaceLanes& surface, const Response& response,
+                                       const Lanes3& matte) const {
   const auto inWorld = [this](const Lanes3& direction_C) {
-    return rotated(surroundings_.R_GC, direction_C);
+    return rotated(context_.R_GC, direction_C);
   };
-  const Lanes3 mirrored = mirroredShare(response.f0, surface.roughness, response.n_dot_v) *
-                          mirroredOpenness(surface.open, surface.roughness, response.n_dot_v);
+  const Lanes3 mirrored =
+      mirroredShare(response.f0, surface.roughness, response.n_dot_v) *
+      mirroredOpenness(surface.ambient_visibility, surface.roughness, response.n_dot_v);
   const Lanes3 direction = mirroredDirection(surface.normal, response.to_eye, surface.roughness);
   return environment.arriving(inWorld(surface.normal)) * matte +
          environment.mirrored(inWorld(direction), surface.roughness) * mirrored;
 }
 
-/// What of one light a surface sends to the eye.
-Lanes3 SurfaceShading::sent(std::size_t light, const SurfaceLanes& surface,
-                            const Response& response) const {
+/// One light source's light that a surface reflects to the camera.
+Lanes3 SurfaceShading::reflected(std::size_t light, const SurfaceLanes& surface,
+                                 const Response& response) const {
   const Lanes zero = lanes(0.0F);
   const Arriving coming = lights_.at(light, surface.position_C);
   const Lanes n_dot_l = dot(surface.normal, coming.to_light);
@@ -125,8 +131,7 @@ Lanes3 SurfaceShading::sent(std::size_t light, const SurfaceLanes& surface,
   const Lanes shine = lanes(0.5F) * a2 / (bell * bell * rough);
   const Lanes3 answer = response.matte + fresnel(response.f0, v_dot_h) * shine;
   // Where it does not face the light, the answer may be infinite.
-  return select(faces,
-                lanes(surroundings_.lights[light].intensity) * coming.falling * answer * passing,
+  return select(faces, lanes(context_.lights[light].intensity) * coming.falling * answer * passing,
                 {zero, zero, zero});
 }
 

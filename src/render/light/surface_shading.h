@@ -5,12 +5,11 @@
 #include <Eigen/Core>
 
 #include "render/light/arriving_lights.h"
-#include "render/light/surroundings.h"
 #include "render/pixels/lanes.h"
 
 namespace synthetic_dataset::render {
 
-/// Surfaces at four points that are seen, in the camera's optical frame.
+/// Surfaces at four visible points, in the camera's optical frame.
 struct SurfaceLanes {
   Lanes3 position_C;
   Lanes3 face;    ///< its normal, towards the camera
@@ -20,27 +19,27 @@ struct SurfaceLanes {
   Lanes roughness;
   Lanes metalness;
   Lanes3 glow;
-  Lanes open;    ///< the share of the light from everywhere that arrives
-  Lanes is_lit;  ///< 0 where light leaves it as it is
+  Lanes ambient_visibility;  ///< the share of the ambient light that arrives
+  Lanes is_lit;              ///< 0 where light leaves it as it is
 };
 
-/// Of the ambient light of gz-sim's worlds, the share that reaches surfaces that face downwards.
+/// The share of gz-sim's ambient light that reaches surfaces facing downwards.
 inline constexpr float kAmbientFromBelow = 0.55F;
 
-/// How light makes surfaces seen in gz-sim's worlds, as lighting.glsl has it, which lights what one
+/// The lighting model of gz-sim's worlds, as lighting.glsl has it, which lights what one
 /// can see through: Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and
 /// the height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
 /// light. All lighting is linear.
 class SurfaceShading {
  public:
-  /// @param surroundings  have to outlive this
-  explicit SurfaceShading(const Surroundings& surroundings);
+  /// @param context  have to outlive this
+  explicit SurfaceShading(const LightingContext& context);
 
-  /// What the camera sees of surfaces, as bright as a picture can be.
+  /// The surfaces' light in the picture, at most 1.
   [[nodiscard]] Lanes3 seen(const SurfaceLanes& surface) const;
 
  private:
-  /// What the surface does with light, wherever that comes from.
+  /// How the surface reflects any light.
   struct Response {
     Lanes3 to_eye;
     Lanes3 f0;
@@ -49,14 +48,15 @@ class SurfaceShading {
     Lanes n_dot_v;
   };
 
-  [[nodiscard]] Lanes3 everywhere(const SurfaceLanes& surface, const Response& response) const;
-  [[nodiscard]] Lanes3 fromAround(const EnvironmentLight& environment, const SurfaceLanes& surface,
-                                  const Response& response, const Lanes3& matte) const;
+  [[nodiscard]] Lanes3 ambient(const SurfaceLanes& surface, const Response& response) const;
+  [[nodiscard]] Lanes3 imageBasedLight(const EnvironmentLight& environment,
+                                       const SurfaceLanes& surface, const Response& response,
+                                       const Lanes3& matte) const;
   [[nodiscard]] Lanes3 lit(const SurfaceLanes& surface) const;
-  [[nodiscard]] Lanes3 sent(std::size_t light, const SurfaceLanes& surface,
-                            const Response& response) const;
+  [[nodiscard]] Lanes3 reflected(std::size_t light, const SurfaceLanes& surface,
+                                 const Response& response) const;
 
-  const Surroundings& surroundings_;
+  const LightingContext& context_;
   ArrivingLights lights_;
   Eigen::Vector3f fog_light_{0.0F, 0.0F, 0.0F};  ///< exposed
 };

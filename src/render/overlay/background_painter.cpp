@@ -1,16 +1,26 @@
 #include "render/overlay/background_painter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
 #include "render/gl/picture_upload.h"
-#include "render/gl/texture_units.h"
-#include "render/overlay/backdrop_fitting.h"
+#include "render/gl/shader_program.h"
 #include "render/overlay/shader_macros.h"
+#include "render/pixels/light_picture.h"
 #include "render/shaders.h"
 
 namespace synthetic_dataset::render {
 namespace {
+
+int share(int length, int numerator, int denominator) {
+  const double exact = static_cast<double>(length) * numerator / denominator;
+  return std::max(1, static_cast<int>(std::lround(exact)));
+}
 
 using Projection = world::BackgroundPicture::Projection;
 
@@ -36,6 +46,21 @@ cv::Size sizeThroughLens(const cv::Size& picture, const cv::Size& image) {
 }
 
 }  // namespace
+
+cv::Rect partFilling(const cv::Size& picture, const cv::Size& image) {
+  const cv::Size part(std::min(picture.width, share(picture.height, image.width, image.height)),
+                      std::min(picture.height, share(picture.width, image.height, image.width)));
+  return {cv::Point((picture.width - part.width) / 2, (picture.height - part.height) / 2), part};
+}
+
+cv::Mat scaledTo(const cv::Size& size, const cv::Mat& picture) {
+  if (picture.size() == size) return picture;
+  const bool shrinks = size.width < picture.cols || size.height < picture.rows;
+  cv::Mat light;
+  cv::resize(toLight(picture, PixelMeaning::kColour), light, size, 0.0, 0.0,
+             shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return fromLight(light, PixelMeaning::kColour);
+}
 
 void BackgroundPainter::setPicture(const std::optional<world::BackgroundPicture>& picture) {
   const bool is_same = picture && picture_ && picture->picture == picture_->picture;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
 
 #include "render/gl/gl_object.h"
@@ -15,6 +16,14 @@
 #include "world/look.h"
 
 namespace synthetic_dataset::render {
+
+/// The largest part in the middle of a picture that has an image's proportions, to a pixel.
+[[nodiscard]] cv::Rect partFilling(const cv::Size& picture, const cv::Size& image);
+
+/// A picture of another size: means of light where it gets smaller; the pixels as they are where it
+/// has that size.
+/// @param picture  CV_8UC4, sRGB-encoded, or CV_32FC4, linear light; opaque
+[[nodiscard]] cv::Mat scaledTo(const cv::Size& size, const cv::Mat& picture);
 
 /// Paints a picture where nothing is drawn: one that fills the image, or a panorama.
 class BackgroundPainter {
@@ -42,7 +51,7 @@ class BackgroundPainter {
   [[nodiscard]] const ShaderProgram& prepareBackdropThroughLens(const View& face,
                                                                 const View& whole);
 
-  /// Of its programs.
+  /// The macros of its programs.
   [[nodiscard]] std::string macros() const;
 
   void bindBackdrop(const cv::Size& image, const cv::Size& size);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "render/light/surface_shading.h"
-#include "render/overlay/sky_program.h"
+#include "render/overlay/sky_painter.h"
 #include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {

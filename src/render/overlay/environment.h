@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "render/light/environment_light.h"
-#include "render/overlay/sky_panorama.h"
+#include "render/overlay/sky_painter.h"
 #include "world/description.h"
 #include "world/look.h"
 

@@ -4,10 +4,9 @@
 #include <set>
 #include <string>
 
-#include "render/gl/texture_units.h"
+#include "render/gl/shader_program.h"
 #include "render/light/light_setup.h"
-#include "render/parts/material_setup.h"
-#include "render/parts/part_light.h"
+#include "render/parts/item_surface.h"
 #include "render/parts/surface_drawing.h"
 #include "render/pixels/encoded_light.h"
 #include "render/pixels/srgb.h"
@@ -18,24 +17,24 @@ namespace {
 
 constexpr SurfaceFeatures kAllFeatures = ~SurfaceFeatures{0};
 
-std::string macrosOf(const DrawList& parts, const std::vector<world::Light>& lights,
+std::string macrosOf(const DrawList& draw_list, const std::vector<world::Light>& lights,
                      LightDetail detail) {
-  return (parts.isClassic() ? "#define CLASSIC\n" : "") + lightMacros(lights, detail);
+  return (draw_list.isClassic() ? "#define CLASSIC\n" : "") + lightMacros(lights, detail);
 }
 
 }  // namespace
 
-OverlayPainter::OverlayPainter(const GlFunctions& gl, const DrawList& parts,
+OverlayPainter::OverlayPainter(const GlFunctions& gl, const DrawList& draw_list,
                                const world::Description& description, LightDetail detail)
     : gl_(gl),
-      parts_(parts),
+      draw_list_(draw_list),
       lights_(description.lights),
       ambient_(description.ambient),
       fog_(description.fog),
       glass_programs_(gl, shaders::kMeshVertex, shaders::kGlassFragment, kAllFeatures,
-                      macrosOf(parts, description.lights, detail)),
-      background_painter_(gl, parts.isClassic()) {
-  if (description.sky) sky_.emplace(gl, *description.sky, lights_, parts.isClassic());
+                      macrosOf(draw_list, description.lights, detail)),
+      background_painter_(gl, draw_list.isClassic()) {
+  if (description.sky) sky_.emplace(gl, *description.sky, lights_, draw_list.isClassic());
 }
 
 void OverlayPainter::setLook(const world::Look& look) {
@@ -46,9 +45,9 @@ void OverlayPainter::setLook(const world::Look& look) {
 }
 
 bool OverlayPainter::hasGlass(const LinkSelection& drawn) const {
-  const std::vector<Part>& parts = parts_.parts();
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const Part& part) { return part.transparent && drawn[part.link]; });
+  const std::vector<DrawItem>& items = draw_list_.items();
+  return std::any_of(items.begin(), items.end(),
+                     [&](const DrawItem& item) { return item.transparent && drawn[item.link]; });
 }
 
 void OverlayPainter::paint(const ColourScene& scene, const ShadowPainter& shadows, bool see_through,
@@ -72,19 +71,19 @@ void OverlayPainter::drawSeenThrough(const ColourScene& scene) {
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   const Pose X_CW = scene.view.X_WC.inverse();
   std::set<const ShaderProgram*> prepared;
-  for (const Part* part : parts_.transparentParts(X_CW, scene.X_WL, scene.drawn)) {
-    const ShaderProgram& program = glass_programs_.get(part->features | featuresOf(scene));
+  for (const DrawItem* item : draw_list_.transparentItems(X_CW, scene.X_WL, scene.drawn)) {
+    const ShaderProgram& program = glass_programs_.get(item->features | featuresOf(scene));
     if (prepared.insert(&program).second) setSurroundings(program, scene);
-    setMaterial(gl_, program, *part, parts_.simulator());
-    setLight(program, *part->material);
-    drawSurface(gl_, program, *part, scene.view, scene.X_WL[part->link]);
+    setMaterial(gl_, program, *item, draw_list_.simulator());
+    setLight(program, *item->material);
+    drawSurface(gl_, program, *item, scene.view, scene.X_WL[item->link]);
   }
   gl_.Disable(GL_BLEND);
 }
 
-/// Tells a program what of a part's light is the same all over it.
+/// Tells a program what of an item's light is the same all over it.
 void OverlayPainter::setLight(const ShaderProgram& program, const world::Material& material) const {
-  if (!parts_.isClassic()) {
+  if (!draw_list_.isClassic()) {
     program.set("emissive", linearFromSrgb(material.emissive));
     program.set("reflectance", reflectance(material));
     return;
@@ -115,7 +114,7 @@ void OverlayPainter::setSurroundings(const ShaderProgram& program, const ColourS
 void OverlayPainter::setFog(const ShaderProgram& program) const {
   if (!fog_) return;
   program.set("fog_type", static_cast<int>(fog_->type));
-  program.set("fog_colour", parts_.isClassic() ? fog_->colour : linearFromSrgb(fog_->colour));
+  program.set("fog_colour", draw_list_.isClassic() ? fog_->colour : linearFromSrgb(fog_->colour));
   program.set(
       "fog_extent",
       Eigen::Vector3f(Eigen::Vector3d(fog_->start, fog_->end, fog_->density).cast<float>()));

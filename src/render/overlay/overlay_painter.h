@@ -16,15 +16,15 @@
 namespace synthetic_dataset::render {
 
 /// Draws what is behind and before the surfaces of a picture that one cannot see through, in the
-/// bound OverlayTarget.
+/// bound framebuffer.
 class OverlayPainter {
  public:
-  /// @param parts  has to outlive this
+  /// @param draw_list  has to outlive this
   /// @param detail  the most that scenes ask for
-  OverlayPainter(const GlFunctions& gl, const DrawList& parts,
+  OverlayPainter(const GlFunctions& gl, const DrawList& draw_list,
                  const world::Description& description, LightDetail detail);
 
-  /// Lights and surroundings from now on; the parts' materials are read from them.
+  /// Lights and surroundings from now on; the items' materials are read from them.
   void setLook(const world::Look& look);
 
   /// Whether more than one colour is behind all surfaces.
@@ -46,7 +46,7 @@ class OverlayPainter {
   [[nodiscard]] SurfaceFeatures featuresOf(const ColourScene& scene) const;
 
   const GlFunctions& gl_;
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   std::vector<world::Light> lights_;
   Eigen::Vector3f ambient_;  ///< sRGB-encoded
   std::optional<world::Fog> fog_;

@@ -9,7 +9,7 @@ namespace synthetic_dataset::render {
 /// A box along the axes of its frame; empty until something is in it.
 using Bounds = Eigen::AlignedBox3d;
 
-/// Of bounds that are not empty.
+/// The corners of bounds that are not empty.
 [[nodiscard]] inline std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds) {
   constexpr int kCorners = 8;
   std::vector<Eigen::Vector3d> corners;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/parts/part_light.h"
+#include "render/parts/item_surface.h"
 #include "world/mesh/closed_surface.h"
 
 namespace synthetic_dataset::render {
@@ -42,10 +42,10 @@ SurfaceFeatures alphaFeatures(const world::Material& material, bool opaque) {
 
 }  // namespace
 
-void extend(Bounds& bounds, const Part& part, const Pose& X_WL) {
-  if (part.bounds_V.isEmpty()) return;
-  const Pose X_WV = X_WL * part.X_LV;
-  for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) bounds.extend(X_WV * corner);
+void extend(Bounds& bounds, const DrawItem& item, const Pose& X_WL) {
+  if (item.bounds_V.isEmpty()) return;
+  const Pose X_WV = X_WL * item.X_LV;
+  for (const Eigen::Vector3d& corner : cornersOf(item.bounds_V)) bounds.extend(X_WV * corner);
 }
 
 DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>& links,
@@ -59,32 +59,32 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
       for (const world::Surface& surface : visual.surfaces) {
         const world::Material* material = &surface.material;
         for (; material != nullptr; material = material->overlay.get()) {
-          Part part = makePart(surface.mesh, *material);
-          part.link = link;
-          part.identifier = static_cast<std::uint32_t>(links[link].object + 1);
-          part.stands_still = links[link].role == world::Role::kStatic;
-          place(visual, surface, part);
-          part.seen_through_in_labels = isSeenThroughInLabels(part);
-          features_ |= part.features;
-          parts_.push_back(std::move(part));
+          DrawItem item = makeItem(surface.mesh, *material);
+          item.link = link;
+          item.identifier = static_cast<std::uint32_t>(links[link].object + 1);
+          item.stands_still = links[link].role == world::Role::kStatic;
+          place(visual, surface, item);
+          item.seen_through_in_labels = isSeenThroughInLabels(item);
+          features_ |= item.features;
+          items_.push_back(std::move(item));
         }
       }
     }
   }
 }
 
-bool DrawList::isSeenThroughInLabels(const Part& part) const {
-  if (!part.transparent || glass_ == GlassInLabels::kSolid) return false;
-  return glass_ == GlassInLabels::kClear || part.identifier == 0;
+bool DrawList::isSeenThroughInLabels(const DrawItem& item) const {
+  if (!item.transparent || glass_ == GlassInLabels::kSolid) return false;
+  return glass_ == GlassInLabels::kClear || item.identifier == 0;
 }
 
-void DrawList::place(const world::Visual& visual, const world::Surface& surface, Part& part) {
-  part.X_LV = visual.X_LV;
-  part.casts_shadow = visual.casts_shadow && !part.transparent && !isLargeAndFlat(part.bounds_V);
+void DrawList::place(const world::Visual& visual, const world::Surface& surface, DrawItem& item) {
+  item.X_LV = visual.X_LV;
+  item.casts_shadow = visual.casts_shadow && !item.transparent && !isLargeAndFlat(item.bounds_V);
   // What stands still casts its shadow but once.
-  part.casts_by_front =
-      part.casts_shadow && !part.stands_still && !part.has_holes && isSurfaceOfBodies(surface.mesh);
-  if (!part.stands_still || part.transparent) part.hull_V = &hullOf(*surface.mesh);
+  item.casts_by_front =
+      item.casts_shadow && !item.stands_still && !item.has_holes && isSurfaceOfBodies(surface.mesh);
+  if (!item.stands_still || item.transparent) item.hull_V = &hullOf(*surface.mesh);
 }
 
 const BoundingHull& DrawList::hullOf(const world::Mesh& mesh) {
@@ -99,40 +99,40 @@ bool DrawList::isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh)
   return found->second;
 }
 
-Part DrawList::makePart(const std::shared_ptr<const world::Mesh>& mesh,
-                        const world::Material& material) {
-  Part part;
-  part.mesh = &meshes_.get(mesh);
-  part.shape = mesh.get();
-  part.given = part.material = &material;
-  part.bounds_V = boundsOf(*mesh);
-  dress(part);
-  part.double_sided = material.double_sided;
-  part.has_holes = (part.features & feature::kHoles) != 0;
-  part.transparent =
-      material.diffuse.w() < 1.0F || (part.features & feature::kGlass) != 0 || seenThrough(*mesh);
-  return part;
+DrawItem DrawList::makeItem(const std::shared_ptr<const world::Mesh>& mesh,
+                            const world::Material& material) {
+  DrawItem item;
+  item.mesh = &meshes_.get(mesh);
+  item.shape = mesh.get();
+  item.given = item.material = &material;
+  item.bounds_V = boundsOf(*mesh);
+  dress(item);
+  item.double_sided = material.double_sided;
+  item.has_holes = (item.features & feature::kHoles) != 0;
+  item.transparent =
+      material.diffuse.w() < 1.0F || (item.features & feature::kGlass) != 0 || seenThrough(*mesh);
+  return item;
 }
 
-/// Finds what a part's material asks for.
-void DrawList::dress(Part& part) {
-  const world::Material& material = *part.material;
-  part.features = 0;
-  part.textures = {};
+/// Finds what an item's material asks for.
+void DrawList::dress(DrawItem& item) {
+  const world::Material& material = *item.material;
+  item.features = 0;
+  item.textures = {};
   const auto use = [&](const std::shared_ptr<const world::Texture>& texture, PixelMeaning meaning,
                        SurfaceFeatures feature, GLuint& name) {
     if (!texture) return;
     name = textures_.get(texture, meaning).texture.name();
-    part.features |= feature;
+    item.features |= feature;
   };
   const PixelMeaning colours = meaningOfColours(simulator_);
-  PartTextures& names = part.textures;
+  ItemTextures& names = item.textures;
   use(material.texture, colours, feature::kTextured, names.diffuse);
   if (material.texture) {
     const auto& uploaded = textures_.get(material.texture, colours);
-    part.features |= alphaFeatures(material, uploaded.opaque);
+    item.features |= alphaFeatures(material, uploaded.opaque);
   }
-  if (hasColours(*part.shape)) part.features |= feature::kTinted;
+  if (hasColours(*item.shape)) item.features |= feature::kTinted;
   if (material.lit) {
     use(material.normal_map, PixelMeaning::kData, feature::kNormalMap, names.normal);
     if (!isClassic() || hasGlowOfItsOwn(material)) {
@@ -142,18 +142,18 @@ void DrawList::dress(Part& part) {
     use(material.roughness_map, PixelMeaning::kData, feature::kRoughnessMap, names.roughness);
     use(material.metalness_map, PixelMeaning::kData, feature::kMetalnessMap, names.metalness);
   } else {
-    part.features |= feature::kUnlit;
+    item.features |= feature::kUnlit;
   }
 }
 
 void DrawList::setMaterials(const std::map<const world::Material*, world::Material>& materials) {
   varied_ = materials;
   features_ = 0;
-  for (Part& part : parts_) {
-    const auto varied = varied_.find(part.given);
-    part.material = varied != varied_.end() ? &varied->second : part.given;
-    dress(part);
-    features_ |= part.features;
+  for (DrawItem& item : items_) {
+    const auto varied = varied_.find(item.given);
+    item.material = varied != varied_.end() ? &varied->second : item.given;
+    dress(item);
+    features_ |= item.features;
   }
   textures_.forgetUnused();
 }
@@ -161,9 +161,9 @@ void DrawList::setMaterials(const std::map<const world::Material*, world::Materi
 Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection& casting) const {
   Bounds standing;
   Bounds moving;
-  for (const Part& part : parts_) {
-    if (!part.casts_shadow || !casting[part.link]) continue;
-    extend(part.stands_still ? standing : moving, part, X_WL[part.link]);
+  for (const DrawItem& item : items_) {
+    if (!item.casts_shadow || !casting[item.link]) continue;
+    extend(item.stands_still ? standing : moving, item, X_WL[item.link]);
   }
   if (moving.isEmpty()) return standing;
   // In steps, so that shadow maps fit from picture to picture.
@@ -175,44 +175,46 @@ Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection
 
 LinkSelection DrawList::standing(const LinkSelection& links) const {
   LinkSelection selected(links.size(), false);
-  for (const Part& part : parts_) {
-    if (part.stands_still) selected[part.link] = links[part.link];
+  for (const DrawItem& item : items_) {
+    if (item.stands_still) selected[item.link] = links[item.link];
   }
   return selected;
 }
 
 bool DrawList::hasGlassInLabels(const LinkSelection& drawn) const {
-  return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
-    return drawn[part.link] && part.transparent && !part.seen_through_in_labels;
+  return std::any_of(items_.begin(), items_.end(), [&](const DrawItem& item) {
+    return drawn[item.link] && item.transparent && !item.seen_through_in_labels;
   });
 }
 
-std::vector<const Part*> DrawList::solidParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
-                                              const LinkSelection& drawn, bool stands_still) const {
-  return sorted(X_CW, X_WL, drawn, 1.0, [&](const Part& part) {
-    return !part.transparent && part.stands_still == stands_still;
+std::vector<const DrawItem*> DrawList::solidItems(const Pose& X_CW, const std::vector<Pose>& X_WL,
+                                                  const LinkSelection& drawn,
+                                                  bool stands_still) const {
+  return sorted(X_CW, X_WL, drawn, 1.0, [&](const DrawItem& item) {
+    return !item.transparent && item.stands_still == stands_still;
   });
 }
 
-std::vector<const Part*> DrawList::transparentParts(const Pose& X_CW, const std::vector<Pose>& X_WL,
-                                                    const LinkSelection& drawn) const {
-  return sorted(X_CW, X_WL, drawn, -1.0, [](const Part& part) { return part.transparent; });
+std::vector<const DrawItem*> DrawList::transparentItems(const Pose& X_CW,
+                                                        const std::vector<Pose>& X_WL,
+                                                        const LinkSelection& drawn) const {
+  return sorted(X_CW, X_WL, drawn, -1.0, [](const DrawItem& item) { return item.transparent; });
 }
 
-std::vector<const Part*> DrawList::sorted(const Pose& X_CW, const std::vector<Pose>& X_WL,
-                                          const LinkSelection& drawn, double sign,
-                                          const std::function<bool(const Part&)>& wanted) const {
-  std::vector<std::pair<double, const Part*>> parts;
-  for (const Part& part : parts_) {
-    if (!drawn[part.link] || !wanted(part) || part.bounds_V.isEmpty()) continue;
-    const Eigen::Vector3d centre = X_CW * X_WL[part.link] * part.X_LV * part.bounds_V.center();
-    parts.emplace_back(sign * centre.z(), &part);
+std::vector<const DrawItem*> DrawList::sorted(
+    const Pose& X_CW, const std::vector<Pose>& X_WL, const LinkSelection& drawn, double sign,
+    const std::function<bool(const DrawItem&)>& wanted) const {
+  std::vector<std::pair<double, const DrawItem*>> items;
+  for (const DrawItem& item : items_) {
+    if (!drawn[item.link] || !wanted(item) || item.bounds_V.isEmpty()) continue;
+    const Eigen::Vector3d centre = X_CW * X_WL[item.link] * item.X_LV * item.bounds_V.center();
+    items.emplace_back(sign * centre.z(), &item);
   }
-  std::stable_sort(parts.begin(), parts.end(),
+  std::stable_sort(items.begin(), items.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<const Part*> result;
-  result.reserve(parts.size());
-  for (const auto& entry : parts) result.push_back(entry.second);
+  std::vector<const DrawItem*> result;
+  result.reserve(items.size());
+  for (const auto& entry : items) result.push_back(entry.second);
   return result;
 }
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "render/gl/texture_units.h"
+#include "render/gl/shader_program.h"
 
 namespace synthetic_dataset::render {
 namespace {

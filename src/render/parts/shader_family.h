@@ -1,12 +1,31 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 
 #include "render/gl/shader_program.h"
-#include "render/parts/surface_features.h"
 
 namespace synthetic_dataset::render {
+
+/// What a surface asks of the shaders: a set of bits. Each set has a program of its own, so that a
+/// plain surface does not pay for what others have.
+using SurfaceFeatures = std::uint32_t;
+
+namespace feature {
+inline constexpr SurfaceFeatures kTextured = 1U << 0;  ///< a picture times the diffuse colour
+inline constexpr SurfaceFeatures kHoles = 1U << 1;     ///< where the picture's alpha is small
+inline constexpr SurfaceFeatures kGlass = 1U << 2;     ///< the picture's alpha is opacity
+inline constexpr SurfaceFeatures kTinted = 1U << 3;    ///< vertices have colours
+inline constexpr SurfaceFeatures kUnlit = 1U << 4;     ///< its own colour, whatever the lights
+inline constexpr SurfaceFeatures kNormalMap = 1U << 5;
+inline constexpr SurfaceFeatures kRoughnessMap = 1U << 6;
+inline constexpr SurfaceFeatures kMetalnessMap = 1U << 7;
+inline constexpr SurfaceFeatures kEmissiveMap = 1U << 8;
+inline constexpr SurfaceFeatures kFog = 1U << 9;         ///< the world's, so all surfaces have it
+inline constexpr SurfaceFeatures kShadows = 1U << 10;    ///< some light casts them in this picture
+inline constexpr SurfaceFeatures kNearLimit = 1U << 11;  ///< the view has one
+}  // namespace feature
 
 /// Programs made of the same two sources, one for each set of features that is drawn: a feature is
 /// a macro in the sources. A program is compiled when it is first asked for.

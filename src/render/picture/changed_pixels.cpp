@@ -80,17 +80,17 @@ cv::Mat ChangedPixels::withEdges(const cv::Mat& pixels, const PossibleChanges& r
 
 void ChangedPixels::markMoving(const SeenGeometry& seen, cv::Mat& pixels) const {
   std::vector<std::uint8_t> moves = {0};
-  for (const Part& part : parts_.parts()) moves.push_back(part.stands_still ? 0 : 255);
+  for (const DrawItem& item : draw_list_.items()) moves.push_back(item.stands_still ? 0 : 255);
   for (int row = 0; row < seen.place.height; ++row) {
-    const int* parts = seen.images.parts.ptr<int>(row);
+    const int* items = seen.images.items.ptr<int>(row);
     auto* marked = pixels.ptr<std::uint8_t>(seen.place.y + row, seen.place.x);
     for (int column = 0; column < seen.place.width; ++column) {
-      if (moves[static_cast<std::size_t>(parts[column])] != 0) marked[column] = 255;
+      if (moves[static_cast<std::size_t>(items[column])] != 0) marked[column] = 255;
     }
   }
 }
 
-/// Those that are near to what is marked.
+/// Marks the pixels near marked ones.
 void ChangedPixels::markNear(const SeenGeometry& seen, cv::Mat& pixels) {
   cv::Mat marked = pixels(seen.place);
   cv::Mat distances;
@@ -111,7 +111,7 @@ void ChangedPixels::markShaded(const cv::Mat& candidates, const SeenGeometry& se
   const Eigen::Matrix4f from_point = from_camera.cast<float>();
   for (int row = 0; row < seen.place.height; ++row) {
     const int v = seen.place.y + row;
-    const int* parts = seen.images.parts.ptr<int>(row);
+    const int* items = seen.images.items.ptr<int>(row);
     const float* depths = seen.images.depth.ptr<float>(row);
     const auto* is_candidate = candidates.ptr<std::uint8_t>(v, seen.place.x);
     auto* marked = pixels.ptr<std::uint8_t>(v, seen.place.x);
@@ -123,7 +123,7 @@ void ChangedPixels::markShaded(const cv::Mat& candidates, const SeenGeometry& se
       int open = 0;  // a bit for each pixel that may be in another shadow
       for (int i = 0; i < count; ++i) {
         const int u = column + i;
-        const bool is_open = is_candidate[u] != 0 && marked[u] == 0 && parts[u] != 0;
+        const bool is_open = is_candidate[u] != 0 && marked[u] == 0 && items[u] != 0;
         open |= static_cast<int>(is_open) << i;
       }
       if (open == 0) continue;

@@ -4,7 +4,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/parts/draw_list.h"
 #include "render/picture/possible_changes.h"
 #include "render/shadows/changed_texels.h"
@@ -33,7 +33,7 @@ struct SeenGeometry {
 class ChangedPixels {
  public:
   /// The references have to outlive it.
-  ChangedPixels(const DrawList& parts, const View& view) : parts_(parts), view_(view) {}
+  ChangedPixels(const DrawList& draw_list, const View& view) : draw_list_(draw_list), view_(view) {}
 
   /// @param regions  outside of which there is nothing to be found
   /// @param seen  the pixels of these regions at least
@@ -44,7 +44,7 @@ class ChangedPixels {
   [[nodiscard]] cv::Mat find(const PossibleChanges& regions, const SeenGeometry& seen,
                              const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const;
 
-  /// Those that differ because others do.
+  /// The pixels that differ because pixels beside them do.
   /// @param pixels  that differ by what their centres see; not written to
   [[nodiscard]] static cv::Mat withEdges(const cv::Mat& pixels, const PossibleChanges& regions,
                                          const cv::Mat& edges);
@@ -55,7 +55,7 @@ class ChangedPixels {
   void markShaded(const cv::Mat& candidates, const SeenGeometry& seen, const ChangedTexels& texels,
                   cv::Mat& pixels) const;
 
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   const View& view_;
 };
 

@@ -9,7 +9,7 @@
 #include "render/edges/edge_pixels.h"
 #include "render/lens/lens_edges.h"
 #include "render/lens/lens_surfaces.h"
-#include "render/parts/part_groups.h"
+#include "render/parts/item_groups.h"
 #include "render/picture/changed_pixels.h"
 #include "render/pixels/pixel_bands.h"
 #include "render/pixels/srgb.h"
@@ -64,7 +64,7 @@ cv::Mat lightOf(const UnlitLens& picture, const SurfaceImages& surfaces) {
 }
 
 /// @param edges  gets the pixels of smoothed edges, if not null
-cv::Mat finishedThroughLens(const UnlitLens& picture, const DrawList& parts, cv::Mat* edges) {
+cv::Mat finishedThroughLens(const UnlitLens& picture, const DrawList& draw_list, cv::Mat* edges) {
   cv::Mat result = picture.elsewhere.clone();
   if (picture.regions.empty()) return result;
   const LensSight& sight = *picture.sight;
@@ -76,11 +76,11 @@ cv::Mat finishedThroughLens(const UnlitLens& picture, const DrawList& parts, cv:
     encodeSrgb(light(region - picture.place.tl()), picture.pixels(region), pixels);
   }
   if (picture.smooth) {
-    const GeometryImages geometry{sight.parts(picture.place), sight.distance(picture.place),
+    const GeometryImages geometry{sight.items(picture.place), sight.distance(picture.place),
                                   surfaces.vertexNormals()};
     const EdgePixels found(geometry, picture.place, picture.regions, picture.pixels,
                            picture.scene.view.camera.intrinsics(), sight.lens->rays);
-    smoothEdges(parts, picture.scene, sight, {geometry, light, picture.place}, found, result);
+    smoothEdges(items, picture.scene, sight, {geometry, light, picture.place}, found, result);
     if (edges != nullptr) *edges = found.mask(result.size());
   }
   result.setTo(cv::Scalar::all(0), sight.lens->face < 0);
@@ -98,7 +98,7 @@ bool LensPainter::Key::operator==(const Key& other) const {
 namespace {
 
 Occluders occludersOf(const LensSight& sight, const CameraModel& camera) {
-  const cv::Size size = sight.parts.size();
+  const cv::Size size = sight.items.size();
   return {sight.distance, {cv::Point(), size}, size, camera.intrinsics(), sight.lens->rays};
 }
 
@@ -115,7 +115,7 @@ UnlitLens gather(const PictureCrew& crew, const ColourScene& scene,
   if (picture.regions.empty()) return picture;
   picture.smooth = smooth;
   picture.planes = crew.geometry_painter.planes();
-  picture.is_classic = crew.parts.isClassic();
+  picture.is_classic = crew.draw_list.isClassic();
   // Edges take their light from the pixels around them.
   picture.wanted = smooth ? withPixelsAround(pixels) : pixels;
   picture.wanted_regions = bandsOf(picture.wanted);
@@ -143,22 +143,22 @@ void addLit(UnlitPixels lights, const cv::Rect& rows, const ColourScene& scene,
   const LensSight& sight = *picture.sight;
   const bool is_full = scene.detail == LightDetail::kFull;
   const cv::Rect place = picture.place & (is_full ? grown(rows, kOcclusionSmoothing) : rows);
-  lights.seen = {{sight.parts(place), sight.distance(place), {}}, {}, place, sight.lens->rays};
+  lights.seen = {{sight.items(place), sight.distance(place), {}}, {}, place, sight.lens->rays};
   if (is_full) lights.seen.occluders = occludersOf(sight, scene.view.camera);
   picture.lit.push_back(std::move(lights));
 }
 
 }  // namespace
 
-/// That of what never moves, or null while it is not known whether it will be needed again.
+/// The picture of what never moves; null until it is known to be needed again.
 const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensSight& sight,
                                            const LinkSelection& casting, bool smooth) {
   constexpr std::size_t kMost = 8;
   if (!crew_.keeps) return nullptr;
   Key key{sight.lens,
           scene.view.X_WC.matrix(),
-          crew_.parts.standing(scene.drawn),
-          crew_.parts.standing(casting),
+          crew_.draw_list.standing(scene.drawn),
+          crew_.draw_list.standing(casting),
           {},
           scene.exposure,
           scene.detail,
@@ -177,14 +177,14 @@ const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensS
   Kept& here = kept_.front();
   if (!here.pixels.empty()) return &here;
   crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
-  const LinkSelection drawn = crew_.parts.standing(scene.drawn);
+  const LinkSelection drawn = crew_.draw_list.standing(scene.drawn);
   const ColourScene alone{scene.view,     scene.X_WL, drawn,       scene.shadows,
                           scene.exposure, nullptr,    scene.detail};
   const auto seen = eye_.look(scene.view, scene.X_WL, drawn, Glass::kSeenThrough);
-  const cv::Size size = seen->parts.size();
+  const cv::Size size = seen->items.size();
   UnlitLens picture = gather(crew_, alone, seen, smooth, allPixels(size));
   addLit(lightsOf(crew_, alone), {cv::Point(), size}, alone, picture);
-  here.pixels = finishedThroughLens(picture, crew_.parts, &here.edges);
+  here.pixels = finishedThroughLens(picture, crew_.draw_list, &here.edges);
   return &here;
 }
 
@@ -195,12 +195,12 @@ cv::Mat LensPainter::possibleSurfaces(const ColourScene& scene,
   const cv::Rect image(0, 0, scene.view.camera.width(), scene.view.camera.height());
   cv::Mat pixels = cv::Mat::zeros(image.size(), CV_8UC1);
   const Pose X_CW = scene.view.X_WC.inverse();
-  const auto is_chosen = [&](const Part& part) {
-    return scene.drawn[part.link] && !part.stands_still;
+  const auto is_chosen = [&](const DrawItem& item) {
+    return scene.drawn[item.link] && !item.stands_still;
   };
   std::vector<std::vector<Eigen::Vector3d>> hulls =
-      hullsOfGroups(crew_.parts.parts(), scene.X_WL, 0.0, is_chosen);
-  const auto later = hullsOfGroups(crew_.parts.parts(), X_WL_too, 0.0, is_chosen);
+      hullsOfGroups(crew_.draw_list.items(), scene.X_WL, 0.0, is_chosen);
+  const auto later = hullsOfGroups(crew_.draw_list.items(), X_WL_too, 0.0, is_chosen);
   for (std::size_t i = 0; i < hulls.size(); ++i) {
     std::vector<Eigen::Vector3d>& hull = hulls[i];
     hull.insert(hull.end(), later[i].begin(), later[i].end());
@@ -228,7 +228,7 @@ PossibleChanges changesOf(const cv::Size& size) {
 
 SeenGeometry seenBy(const LensSight& sight, const ColourScene& scene) {
   SeenGeometry seen{
-      {sight.parts, sight.distance, {}}, {cv::Point(), sight.parts.size()}, sight.lens->rays};
+      {sight.items, sight.distance, {}}, {cv::Point(), sight.items.size()}, sight.lens->rays};
   if (scene.detail == LightDetail::kFull) {
     seen.reaches = occlusionReaches(occludersOf(sight, scene.view.camera));
   }
@@ -241,7 +241,7 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
                                   bool smooth, const std::vector<cv::Rect>& regions) {
   smooth = smooth && crew_.smooths;
   const auto sight = eye_.look(scene.view, scene.X_WL, scene.drawn, Glass::kSeenThrough);
-  const cv::Size size = sight->parts.size();
+  const cv::Size size = sight->items.size();
   cv::Mat wanted = allPixels(size);
   if (!regions.empty()) {
     wanted.setTo(0);
@@ -255,7 +255,7 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
   } else {
     PossibleChanges possible = changesOf(size);
     if (!before->edges.empty()) possible.surfaces = possibleSurfaces(scene, scene.X_WL);
-    pixels = wanted & ChangedPixels(crew_.parts, scene.view)
+    pixels = wanted & ChangedPixels(crew_.draw_list, scene.view)
                           .find(possible, seenBy(*sight, scene),
                                 crew_.shadow_painter.changedTexels(scene.shadows), before->edges);
   }
@@ -269,7 +269,7 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
     }
   }
   return [this, picture = std::move(picture)] {
-    return finishedThroughLens(picture, crew_.parts, nullptr);
+    return finishedThroughLens(picture, crew_.draw_list, nullptr);
   };
 }
 
@@ -303,13 +303,14 @@ std::vector<LensPainter::Band> LensPainter::bandsOfRows(const ColourScene& scene
     if (hasDistortion(rows.camera)) continue;
     band.moving =
         castersOnto(grown(band.rows, 2) & cv::Rect(0, 0, rows.camera.width(), rows.camera.height()),
-                    crew_.parts.parts(), band.view, band.middle.X_WL, scene.drawn, casting,
+                    crew_.draw_list.items(), band.view, band.middle.X_WL, scene.drawn, casting,
                     crew_.lights, scene.shadows);
   }
   std::vector<const std::vector<Pose>*> poses;
   for (const Band& band : bands) poses.push_back(&band.middle.X_WL);
   constexpr double kHeld = 1.0;  // [texel]
-  std::vector<CasterPoses> held = heldForShadows(crew_.parts.parts(), poses, scene.shadows, kHeld);
+  std::vector<CasterPoses> held =
+      heldForShadows(crew_.draw_list.items(), poses, scene.shadows, kHeld);
   for (std::size_t i = 0; i < bands.size(); ++i) bands[i].casters = std::move(held[i]);
   return bands;
 }
@@ -317,9 +318,9 @@ std::vector<LensPainter::Band> LensPainter::bandsOfRows(const ColourScene& scene
 PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingView& rows,
                                         const LinkSelection& casting, bool smooth) {
   smooth = smooth && crew_.smooths;
-  const auto poses = std::make_shared<const RowPoses>(rows, crew_.parts, scene.drawn);
+  const auto poses = std::make_shared<const RowPoses>(rows, crew_.draw_list, scene.drawn);
   const auto sight = eye_.lookInRows(scene.view, scene.X_WL, scene.drawn, poses);
-  const cv::Size size = sight->parts.size();
+  const cv::Size size = sight->items.size();
   const Kept* before = poses->cameraStands() ? kept(scene, *sight, casting, smooth) : nullptr;
   const std::vector<Band> bands = bandsOfRows(scene, rows, casting);
   std::vector<UnlitPixels> lights;
@@ -327,7 +328,8 @@ PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingV
   cv::Mat pixels;
   if (before != nullptr) {
     // What is near to what moves may be in another band.
-    pixels = ChangedPixels(crew_.parts, scene.view).find(possible, seenBy(*sight, scene), {}, {});
+    pixels =
+        ChangedPixels(crew_.draw_list, scene.view).find(possible, seenBy(*sight, scene), {}, {});
   }
   for (const Band& band : bands) {
     const ColourScene here = band.scene(scene);
@@ -335,8 +337,8 @@ PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingV
     lights.push_back(lightsOf(crew_, here));
     if (before == nullptr) continue;
     const SeenGeometry seen{
-        {sight->parts(band.rows), sight->distance(band.rows), {}}, band.rows, sight->lens->rays};
-    pixels |= ChangedPixels(crew_.parts, here.view)
+        {sight->items(band.rows), sight->distance(band.rows), {}}, band.rows, sight->lens->rays};
+    pixels |= ChangedPixels(crew_.draw_list, here.view)
                   .find(possible, seen, crew_.shadow_painter.changedTexels(here.shadows), {});
     if (before->edges.empty()) continue;
     ColourScene begin{here.view, band.begin.X_WL, here.drawn, here.shadows};
@@ -351,7 +353,7 @@ PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingV
   }
   if (before != nullptr) picture.elsewhere = before->pixels;
   return [this, picture = std::move(picture)] {
-    return finishedThroughLens(picture, crew_.parts, nullptr);
+    return finishedThroughLens(picture, crew_.draw_list, nullptr);
   };
 }
 

@@ -9,7 +9,7 @@
 #include "render/lens/lens_eye.h"
 #include "render/pending_picture.h"
 #include "render/picture/picture_painter.h"
-#include "render/rolling_view.h"
+#include "render/view.h"
 
 namespace synthetic_dataset::render {
 

@@ -1,6 +1,7 @@
 #include "render/picture/light_painter.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include <opencv2/core.hpp>
@@ -9,15 +10,14 @@
 #include "render/pixels/encoded_light.h"
 #include "render/pixels/lane_images.h"
 #include "render/pixels/srgb.h"
-#include "render/sensor/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
 
 bool showsNothing(const SeenSurfaces& seen, const std::vector<cv::Rect>& regions) {
   return std::any_of(regions.begin(), regions.end(), [&](const cv::Rect& region) {
-    const cv::Mat parts = seen.geometry.parts(region - seen.place.tl());
-    return cv::countNonZero(parts) < static_cast<int>(parts.total());
+    const cv::Mat items = seen.geometry.items(region - seen.place.tl());
+    return cv::countNonZero(items) < static_cast<int>(items.total());
   });
 }
 
@@ -43,30 +43,30 @@ cv::Mat laidOver(const cv::Mat& surfaces, const cv::Mat& overlay) {
 
 cv::Mat UnlitPixels::light() const {
   if (regions.empty()) return {};
-  const SurfaceLighter lighter(surroundings, *parts, intrinsics, nothing, seen.rays);
+  const SurfaceLighter lighter(context, *items, intrinsics, nothing, seen.rays);
   const cv::Mat which = wanted(seen.place);
   cv::Mat open;
   if (seen.occluders) open = openness(*seen.occluders, seen.geometry.normals, seen.place, which);
   cv::Mat result = lighter.light(seen.geometry, seen.surfaces, seen.place, regions, which, open);
   if (!overlay.empty()) result = laidOver(result, overlay);
-  if (surroundings.simulator == world::Simulator::kClassic) {
+  if (context.simulator == world::Simulator::kClassic) {
     std::vector<cv::Rect> pixels;
     for (const cv::Rect& region : regions) pixels.push_back(region - seen.place.tl());
-    exposeEncoded(result, surroundings.exposure, pixels);
+    exposeEncoded(result, context.exposure, pixels);
   }
   return result;
 }
 
-LightPainter::LightPainter(const GlFunctions& gl, const DrawList& parts,
+LightPainter::LightPainter(const GlFunctions& gl, const DrawList& draw_list,
                            const world::Description& description, LightDetail detail)
-    : parts_(parts),
+    : draw_list_(draw_list),
       lights_(description.lights),
       simulator_(description.simulator),
       ambient_(description.ambient),
       background_(description.background),
       fog_(description.fog),
       environment_(gl, description),
-      overlay_painter_(gl, parts, description, detail) {
+      overlay_painter_(gl, draw_list, description, detail) {
   checkLightCount(lights_);
   findPartLights();
 }
@@ -81,7 +81,8 @@ void LightPainter::setLook(const world::Look& look) {
 }
 
 void LightPainter::findPartLights() {
-  part_lights_ = std::make_shared<std::vector<PartLight>>(partLights(parts_.parts(), simulator_));
+  item_lights_ =
+      std::make_shared<std::vector<ItemLight>>(partLights(draw_list_.items(), simulator_));
 }
 
 /// The background's light, as that of surfaces is found.
@@ -92,16 +93,18 @@ Eigen::Vector3f LightPainter::nothing(float exposure) const {
 }
 
 UnlitPixels LightPainter::paint(const ColourScene& scene, const SeenSurfaces& seen,
-                                const ShadowPainter& shadows, const OverlayTarget& target,
+                                const ShadowPainter& shadows, const Framebuffer& target,
                                 bool see_through, const std::vector<cv::Rect>& regions,
                                 const cv::Mat& wanted) {
   const bool has_background = overlay_painter_.hasBackground();
   UnlitPixels result = surfacesAlone(scene, seen, shadows, regions, wanted);
   see_through = see_through && overlay_painter_.hasGlass(scene.drawn);
   if (see_through || (has_background && showsNothing(seen, regions))) {
-    target.begin(seen.place);
+    constexpr std::array<float, 4> kAllPasses = {0.0F, 0.0F, 0.0F, 1.0F};
+    target.bind(target.size(), seen.place);
+    target.clear(0, kAllPasses);
     overlay_painter_.paint(scene, shadows, see_through, regions);
-    result.overlay = target.read(seen.place);
+    result.overlay = target.read(0, seen.place);
   }
   return result;
 }
@@ -114,21 +117,21 @@ UnlitPixels LightPainter::surfacesAlone(const ColourScene& scene, const SeenSurf
           regions,
           wanted,
           scene.view.camera.intrinsics(),
-          surroundings(scene, shadows),
-          part_lights_,
+          context(scene, shadows),
+          item_lights_,
           nothing(scene.exposure),
           {}};
 }
 
-Surroundings LightPainter::surroundings(const ColourScene& scene, const ShadowPainter& shadows) {
+LightingContext LightPainter::context(const ColourScene& scene, const ShadowPainter& shadows) {
   const bool is_classic = simulator_ == world::Simulator::kClassic;
-  Surroundings result{lightsIn(scene.view, lights_),
-                      {},
-                      is_classic ? ambient_ : linearFromSrgb(ambient_),
-                      upIn(scene.view),
-                      scene.exposure,
-                      fog_,
-                      simulator_};
+  LightingContext result{lightsIn(scene.view, lights_),
+                         {},
+                         is_classic ? ambient_ : linearFromSrgb(ambient_),
+                         upIn(scene.view),
+                         scene.exposure,
+                         fog_,
+                         simulator_};
   result.shadows.resize(result.lights.size());
   if (scene.detail == LightDetail::kFull) {
     result.environment = environment_.light();

@@ -6,13 +6,13 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
+#include "render/gl/framebuffer.h"
 #include "render/light/ambient_occlusion.h"
 #include "render/light/colour_scene.h"
 #include "render/light/surface_lighter.h"
 #include "render/overlay/environment.h"
 #include "render/overlay/overlay_painter.h"
-#include "render/overlay/overlay_target.h"
 #include "render/shadows/shadow_painter.h"
 
 namespace synthetic_dataset::render {
@@ -37,24 +37,25 @@ struct UnlitPixels {
   std::vector<cv::Rect> regions;  ///< of the picture, around those that are wanted
   cv::Mat wanted;         ///< CV_8UC1 of the picture: not 0 for these; what others hold is not sure
   Intrinsics intrinsics;  ///< of the picture
-  Surroundings surroundings;
-  std::shared_ptr<const std::vector<PartLight>> parts;
+  LightingContext context;
+  std::shared_ptr<const std::vector<ItemLight>> items;
   Eigen::Vector3f nothing;  ///< the light where no surface is, as surfaces' is found
-  cv::Mat overlay;          ///< as OverlayTarget has it; empty for none
+  cv::Mat overlay;          ///< CV_16UC4: red, green, blue, linear, and as alpha how much of the
+                            ///< surfaces' light passes; numbers of 16 bits; empty for none
 
   /// @return CV_16UC4 of the place of `seen`: red, green, blue, 1, linear, numbers of 16 bits
   [[nodiscard]] cv::Mat light() const;
 };
 
-/// Gathers what it takes to find the light of what was drawn into a GeometryBuffer.
+/// Gathers what it takes to find the light of what was drawn into a geometry buffer.
 class LightPainter {
  public:
-  /// @param parts  has to outlive this
+  /// @param draw_list  has to outlive this
   /// @param detail  the most that scenes ask for
-  LightPainter(const GlFunctions& gl, const DrawList& parts, const world::Description& description,
-               LightDetail detail);
+  LightPainter(const GlFunctions& gl, const DrawList& draw_list,
+               const world::Description& description, LightDetail detail);
 
-  /// Lights and surroundings from now on; what the parts look like is read from them.
+  /// Lights and surroundings from now on; what the items look like is read from them.
   void setLook(const world::Look& look);
 
   /// What the light of surfaces is found from; with a picture, the sky or the background's colour
@@ -64,7 +65,7 @@ class LightPainter {
   /// @param regions  of the picture, none of them over another, around the pixels that are wanted
   /// @param wanted  CV_8UC1 of the picture: not 0 for these; of others nothing is sure
   [[nodiscard]] UnlitPixels paint(const ColourScene& scene, const SeenSurfaces& seen,
-                                  const ShadowPainter& shadows, const OverlayTarget& target,
+                                  const ShadowPainter& shadows, const Framebuffer& target,
                                   bool see_through, const std::vector<cv::Rect>& regions,
                                   const cv::Mat& wanted);
 
@@ -86,15 +87,15 @@ class LightPainter {
  private:
   void findPartLights();
   [[nodiscard]] Eigen::Vector3f nothing(float exposure) const;
-  [[nodiscard]] Surroundings surroundings(const ColourScene& scene, const ShadowPainter& shadows);
+  [[nodiscard]] LightingContext context(const ColourScene& scene, const ShadowPainter& shadows);
 
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   std::vector<world::Light> lights_;
   world::Simulator simulator_;
   Eigen::Vector3f ambient_;     ///< sRGB-encoded
   Eigen::Vector3f background_;  ///< sRGB-encoded
   std::optional<world::Fog> fog_;
-  std::shared_ptr<const std::vector<PartLight>> part_lights_;
+  std::shared_ptr<const std::vector<ItemLight>> item_lights_;
   Environment environment_;
   OverlayPainter overlay_painter_;
 };

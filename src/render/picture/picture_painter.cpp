@@ -4,10 +4,11 @@
 #include <utility>
 
 #include "render/edges/edge_pixels.h"
-#include "render/parts/part_groups.h"
+#include "render/parts/item_groups.h"
 #include "render/picture/changed_pixels.h"
 #include "render/picture/possible_changes.h"
 #include "render/pixels/pixel_bands.h"
+#include "render/pixels/srgb.h"
 #include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::render {
@@ -34,6 +35,21 @@ std::vector<double> lensOf(const ColourScene& scene) {
 
 }  // namespace
 
+cv::Mat finished(const UnfinishedPicture& picture, const EdgeSmoother& smoother) {
+  cv::Mat result = picture.elsewhere.clone();
+  const SeenSurfaces& seen = picture.unlit.seen;
+  const cv::Mat light = picture.unlit.light();
+  for (const cv::Rect& region : picture.regions) {
+    cv::Mat pixels = result(region);
+    encodeSrgb(light(region - seen.place.tl()), picture.pixels(region), pixels);
+  }
+  if (picture.edges) {
+    smoother.smooth(*picture.edges, {seen.geometry, light, seen.place}, picture.regions,
+                    picture.pixels, result);
+  }
+  return result;
+}
+
 bool PicturePainter::GeometryKey::operator==(const GeometryKey& other) const {
   return clip_from_camera == other.clip_from_camera && X_WC == other.X_WC && drawn == other.drawn;
 }
@@ -50,8 +66,8 @@ bool PicturePainter::Content::has(const Content& other) const {
 PicturePainter::PicturePainter(const PictureCrew& crew, const cv::Size& size)
     : crew_(crew),
       image_(cv::Point(), size),
-      geometry_(crew.gl, size.width, size.height, crew.geometry_painter.planes()),
-      overlay_(crew.gl, size.width, size.height, geometry_) {}
+      geometry_(makeGeometryBuffer(crew.gl, size, crew.geometry_painter.planes())),
+      overlay_(geometry_, {GL_RGBA16F}) {}
 
 void PicturePainter::forget() {
   forgetContent();
@@ -126,8 +142,8 @@ void PicturePainter::paintShadows(const ColourScene& scene, const LinkSelection&
                                   const cv::Rect& pixels) {
   std::vector<LinkSelection> moving;
   if (pixels != image_) {
-    moving = castersOnto(pixels, crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
-                         crew_.lights, scene.shadows);
+    moving = castersOnto(pixels, crew_.draw_list.items(), scene.view, scene.X_WL, scene.drawn,
+                         casting, crew_.lights, scene.shadows);
   }
   crew_.shadow_painter.paint(scene.shadows, scene.X_WL, casting, moving, scene.casters);
 }
@@ -138,7 +154,7 @@ void PicturePainter::paintShadows(const ColourScene& scene, const LinkSelection&
 cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelection& casting,
                                       const cv::Mat& edges, const cv::Mat& wanted, bool wants_all) {
   const PossibleChanges regions =
-      possibleChanges(crew_.parts.parts(), scene.view, scene.X_WL, scene.drawn, casting,
+      possibleChanges(crew_.draw_list.items(), scene.view, scene.X_WL, scene.drawn, casting,
                       crew_.lights, scene.shadows);
   // What is just beside the wanted pixels may make edges of them.
   cv::Mat possible = regions.all();
@@ -146,7 +162,7 @@ cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelect
   const cv::Rect place = maskBounds(possible);
   if (place.empty()) return possible;
   paintShadows(scene, casting, wants_all ? image_ : place);
-  const ChangedPixels changed(crew_.parts, scene.view);
+  const ChangedPixels changed(crew_.draw_list, scene.view);
   cv::Mat pixels = changed.find(regions, seenAround(place, scene),
                                 crew_.shadow_painter.changedTexels(scene.shadows), edges);
   if (!wants_all) pixels &= wanted;
@@ -159,25 +175,25 @@ GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose
   return read(image_);
 }
 
-/// Of what geometry_ shows. Most of a picture is read as a whole: what labels ask for next.
+/// Reads what geometry_ shows. A picture is mostly read as a whole, as labels ask for it next.
 GeometryImages PicturePainter::read(const cv::Rect& pixels) {
-  if (content_ && content_->pixels != image_) return geometry_.read(pixels);
-  if (images_.parts.empty() && keeps_geometry_) {
+  if (content_ && content_->pixels != image_) return readGeometry(geometry_, pixels);
+  if (images_.items.empty() && keeps_geometry_) {
     readOverKept();
-  } else if (images_.parts.empty()) {
-    if (2 * pixels.area() < image_.area()) return geometry_.read(pixels);
-    images_ = geometry_.read(image_);
+  } else if (images_.items.empty()) {
+    if (2 * pixels.area() < image_.area()) return readGeometry(geometry_, pixels);
+    images_ = readGeometry(geometry_, image_);
   }
-  return {images_.parts(pixels), images_.depth(pixels), {}};
+  return {images_.items(pixels), images_.depth(pixels), {}};
 }
 
 /// What never moves has been read before.
 void PicturePainter::readOverKept() {
-  if (kept_images_.parts.empty()) kept_images_ = kept_geometry_->read(image_);
-  images_ = {kept_images_.parts.clone(), kept_images_.depth.clone(), {}};
+  if (kept_images_.items.empty()) kept_images_ = readGeometry(*kept_geometry_, image_);
+  images_ = {kept_images_.items.clone(), kept_images_.depth.clone(), {}};
   for (const cv::Rect& region : covered_) {
-    const GeometryImages here = geometry_.read(region);
-    here.parts.copyTo(images_.parts(region));
+    const GeometryImages here = readGeometry(geometry_, region);
+    here.items.copyTo(images_.items(region));
     here.depth.copyTo(images_.depth(region));
   }
 }
@@ -198,7 +214,7 @@ std::optional<CoveredPixels> PicturePainter::covered(const View& view,
 
 PicturePainter::LightKey PicturePainter::lightKey(const ColourScene& scene,
                                                   const LinkSelection& casting) const {
-  LightKey key{{}, crew_.parts.standing(casting), scene.exposure, lensOf(scene)};
+  LightKey key{{}, crew_.draw_list.standing(casting), scene.exposure, lensOf(scene)};
   for (const ShadowProjection& shadow : scene.shadows) {
     key.shadows.push_back(shadow.shadow_from_world);
   }
@@ -211,7 +227,7 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
                                   const LinkSelection& drawn, const cv::Rect& pixels) {
   Content content{drawn, {}, pixels};
   for (const Pose& pose : X_WL) content.X_WL.push_back(pose.matrix());
-  GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), crew_.parts.standing(drawn)};
+  GeometryKey key{clipFromCamera(view.camera), view.X_WC.matrix(), crew_.draw_list.standing(drawn)};
   const bool came_before = crew_.keeps && geometry_key_ == key;
   if (came_before && content_ && content_->has(content)) return;
   forgetContent();
@@ -222,17 +238,18 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
     geometry_key_ = std::move(key);
     keeps_geometry_ = false;
     for (KeptPicture& kept : kept_pictures_) kept = {};
-    geometry_.begin();
+    beginGeometry(geometry_);
     crew_.geometry_painter.paint(view, X_WL, drawn, true, {}, pixels);
   }
   // What a first picture would save, OpenGL takes to make shaders for it.
-  bits_ =
-      crew_.keeps && has_drawn_ ? SilhouetteBits(crew_.parts, view, X_WL, drawn) : SilhouetteBits();
+  bits_ = crew_.keeps && has_drawn_ ? SilhouetteBits(crew_.draw_list, view, X_WL, drawn)
+                                    : SilhouetteBits();
   has_drawn_ = true;
   geometry_.bind();
   crew_.geometry_painter.paint(view, X_WL, drawn, false, bits_, pixels);
-  covered_ = regionsOf(crew_.parts.parts(), view, X_WL,
-                       [&](const Part& part) { return drawn[part.link] && !part.stands_still; });
+  covered_ = regionsOf(crew_.draw_list.items(), view, X_WL, [&](const DrawItem& item) {
+    return drawn[item.link] && !item.stands_still;
+  });
   for (cv::Rect& region : covered_) region &= pixels;
   content_ = std::move(content);
   crew_.gl.Flush();  // Mesa's threads begin now, not when somebody asks for what they draw
@@ -249,10 +266,11 @@ void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Po
     covered_.clear();
     return;
   }
-  geometry_.begin();
+  beginGeometry(geometry_);
   crew_.geometry_painter.paint(view, X_WL, drawn, true, {}, image_);
   if (!kept_geometry_) {
-    kept_geometry_.emplace(crew_.gl, image_.width, image_.height, crew_.geometry_painter.planes());
+    kept_geometry_.emplace(
+        makeGeometryBuffer(crew_.gl, image_.size(), crew_.geometry_painter.planes()));
   }
   geometry_.copyTo(*kept_geometry_, image_);
   kept_images_ = {};
@@ -260,7 +278,7 @@ void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Po
   covered_.clear();
 }
 
-/// That of what never moves, or null while it is not known whether it will be needed again.
+/// The picture of what never moves; null until it is known to be needed again.
 const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene& scene,
                                                                const LinkSelection& casting,
                                                                bool smooth) {
@@ -274,7 +292,7 @@ const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene
   if (!kept.pixels.empty()) return &kept;
   drawStandingGeometry(scene.view, scene.X_WL, scene.drawn);
   crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
-  UnfinishedPicture picture = light(scene, crew_.parts.standing(scene.drawn), false, smooth,
+  UnfinishedPicture picture = light(scene, crew_.draw_list.standing(scene.drawn), false, smooth,
                                     cv::Mat(image_.size(), CV_8UC1, cv::Scalar(255)));
   picture.elsewhere = plainPicture(scene.exposure);
   kept.pixels = finished(picture, crew_.edge_smoother);
@@ -304,7 +322,7 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   const cv::Mat known = is_full ? withPixelsAround(wanted, kOcclusionSmoothing) : wanted;
   const std::vector<cv::Rect> bands = bandsOf(known, kCoarseBand);
   const cv::Rect place = is_full ? boundsOf(bands) : boundsOf(lit);
-  SeenSurfaces surfaces{read(place), geometry_.readSurfaces(place, bands), place};
+  SeenSurfaces surfaces{read(place), readSurfaces(geometry_, place, bands), place};
   surfaces.geometry.normals = surfaces.surfaces.vertexNormals();
   if (is_full) surfaces.occluders = occludersAround(place, scene);
   picture.unlit = crew_.light_painter.paint(scene, surfaces, crew_.shadow_painter, overlay_,

@@ -7,23 +7,33 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/edges/edge_smoother.h"
-#include "render/geometry/geometry_buffer.h"
+#include "render/geometry/geometry_images.h"
 #include "render/geometry/geometry_painter.h"
 #include "render/geometry/silhouette_bits.h"
 #include "render/labels/silhouette_painter.h"
-#include "render/overlay/overlay_target.h"
 #include "render/parts/draw_list.h"
 #include "render/picture/changed_pixels.h"
 #include "render/picture/light_painter.h"
-#include "render/picture/unfinished_picture.h"
 #include "render/shadows/shadow_painter.h"
 
 namespace synthetic_dataset::render {
 
+/// What OpenGL has drawn of a picture.
+struct UnfinishedPicture {
+  cv::Mat elsewhere;               ///< CV_8UC3, of the whole picture: what is not in `pixels`
+  cv::Mat pixels;                  ///< CV_8UC1, of the whole picture: 255 for the other pixels
+  std::vector<cv::Rect> regions;   ///< around these
+  UnlitPixels unlit;               ///< them, and those by them where edges are smooth
+  std::optional<EdgeScene> edges;  ///< none where they are not smoothed
+};
+
+/// @return CV_8UC3, blue green red, sRGB-encoded
+[[nodiscard]] cv::Mat finished(const UnfinishedPicture& picture, const EdgeSmoother& smoother);
+
 /// Who takes part in making pictures. The references have to outlive all painters of pictures.
 struct PictureCrew {
   const GlFunctions& gl;
-  const DrawList& parts;
+  const DrawList& draw_list;
   const std::vector<world::Light>& lights;
   GeometryPainter& geometry_painter;
   ShadowPainter& shadow_painter;
@@ -61,7 +71,7 @@ class PicturePainter {
   [[nodiscard]] GeometryImages geometry(const View& view, const std::vector<Pose>& X_WL,
                                         const LinkSelection& drawn);
 
-  /// What of the image links cover, whatever hides them, where what was drawn last tells.
+  /// The pixels that links cover, hidden or not, if the last drawing tells.
   [[nodiscard]] std::optional<CoveredPixels> covered(const View& view,
                                                      const std::vector<Pose>& X_WL,
                                                      const LinkSelection& links) const;
@@ -128,14 +138,14 @@ class PicturePainter {
 
   PictureCrew crew_;
   cv::Rect image_;
-  GeometryBuffer geometry_;
-  OverlayTarget overlay_;
+  Framebuffer geometry_;
+  Framebuffer overlay_;
   GeometryKey geometry_key_;        ///< of geometry_
   SilhouetteBits bits_;             ///< in geometry_
   bool has_drawn_ = false;          ///< at least once
   std::optional<Content> content_;  ///< of geometry_; nothing while that is what never moves
   GeometryImages images_;           ///< of content_; empty until all of it has been read
-  std::optional<GeometryBuffer> kept_geometry_;
+  std::optional<Framebuffer> kept_geometry_;
   GeometryImages kept_images_;                ///< of kept_geometry_; empty until they are read
   bool keeps_geometry_ = false;               ///< kept_geometry_ is that of geometry_key_
   std::vector<cv::Rect> covered_;             ///< where geometry_ may differ from kept_geometry_

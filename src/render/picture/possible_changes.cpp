@@ -8,7 +8,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "render/parts/part_groups.h"
+#include "render/parts/item_groups.h"
 #include "render/pixels/hull_pixels.h"
 
 namespace synthetic_dataset::render {
@@ -19,7 +19,7 @@ using Points = std::vector<Eigen::Vector3d>;
 /// Beyond this many times as far from a light, a shadow is taken to reach everywhere.
 constexpr double kFarthest = 1000.0;
 
-/// What of a thing's way along one axis lies within the receivers: the most that `factor` may be in
+/// How far a thing may move along one axis within the receivers: the largest `factor` in
 /// start + factor * step for any start in [low, high], or infinity.
 double longestWay(double low, double high, double step, double least, double most) {
   if (step > 0.0) return (most - low) / step;
@@ -105,32 +105,32 @@ cv::Mat noPixels(const View& view) {
   return cv::Mat::zeros(view.camera.height(), view.camera.width(), CV_8UC1);
 }
 
-bool castsAndMoves(const Part& part, const LinkSelection& casting) {
-  return casting[part.link] && part.casts_shadow && !part.stands_still;
+bool castsAndMoves(const DrawItem& item, const LinkSelection& casting) {
+  return casting[item.link] && item.casts_shadow && !item.stands_still;
 }
 
-/// Around the parts of each link that casts shadows and moves, by link; empty for all others.
-std::vector<Bounds> movingCasters(const std::vector<Part>& parts, const std::vector<Pose>& X_WL,
+/// Around the items of each link that casts shadows and moves, by link; empty for all others.
+std::vector<Bounds> movingCasters(const std::vector<DrawItem>& items, const std::vector<Pose>& X_WL,
                                   const LinkSelection& casting) {
   std::vector<Bounds> casters(X_WL.size());
-  for (const Part& part : parts) {
-    if (castsAndMoves(part, casting)) extend(casters[part.link], part, X_WL[part.link]);
+  for (const DrawItem& item : items) {
+    if (castsAndMoves(item, casting)) extend(casters[item.link], item, X_WL[item.link]);
   }
   return casters;
 }
 
 }  // namespace
 
-std::vector<LinkSelection> castersOnto(const cv::Rect& pixels, const std::vector<Part>& parts,
+std::vector<LinkSelection> castersOnto(const cv::Rect& pixels, const std::vector<DrawItem>& items,
                                        const View& view, const std::vector<Pose>& X_WL,
                                        const LinkSelection& drawn, const LinkSelection& casting,
                                        const std::vector<world::Light>& lights,
                                        const std::vector<ShadowProjection>& shadows) {
   Bounds receivers;
-  for (const Part& part : parts) {
-    if (drawn[part.link]) extend(receivers, part, X_WL[part.link]);
+  for (const DrawItem& item : items) {
+    if (drawn[item.link]) extend(receivers, item, X_WL[item.link]);
   }
-  const std::vector<Bounds> casters = movingCasters(parts, X_WL, casting);
+  const std::vector<Bounds> casters = movingCasters(items, X_WL, casting);
   std::vector<LinkSelection> selected;
   int selected_of = -1;
   for (const ShadowProjection& shadow : shadows) {
@@ -151,35 +151,36 @@ std::vector<LinkSelection> castersOnto(const cv::Rect& pixels, const std::vector
   return selected;
 }
 
-PossibleChanges possibleChanges(const std::vector<Part>& parts, const View& view,
+PossibleChanges possibleChanges(const std::vector<DrawItem>& items, const View& view,
                                 const std::vector<Pose>& X_WL, const LinkSelection& drawn,
                                 const LinkSelection& casting,
                                 const std::vector<world::Light>& lights,
                                 const std::vector<ShadowProjection>& shadows) {
-  const auto markSeen = [&](const std::function<bool(const Part&)>& is_chosen) {
+  const auto markSeen = [&](const std::function<bool(const DrawItem&)>& is_chosen) {
     cv::Mat pixels = noPixels(view);
-    for (const Points& hull : hullsOfGroups(parts, X_WL, 0.0, is_chosen)) {
+    for (const Points& hull : hullsOfGroups(items, X_WL, 0.0, is_chosen)) {
       markHull(hull, view, pixels);
     }
     return pixels;
   };
   PossibleChanges regions;
-  regions.surfaces = markSeen([&](const Part& part) {
-    return drawn[part.link] && !part.stands_still && !part.transparent;
+  regions.surfaces = markSeen([&](const DrawItem& item) {
+    return drawn[item.link] && !item.stands_still && !item.transparent;
   });
-  regions.glass = markSeen([&](const Part& part) { return drawn[part.link] && part.transparent; });
+  regions.glass =
+      markSeen([&](const DrawItem& item) { return drawn[item.link] && item.transparent; });
   regions.shadows = noPixels(view);
   Bounds receivers;
-  for (const Part& part : parts) {
-    if (drawn[part.link] && part.stands_still) extend(receivers, part, X_WL[part.link]);
+  for (const DrawItem& item : items) {
+    if (drawn[item.link] && item.stands_still) extend(receivers, item, X_WL[item.link]);
   }
   if (receivers.isEmpty()) return regions;
-  const auto moves = [&](const Part& part) { return castsAndMoves(part, casting); };
+  const auto moves = [&](const DrawItem& item) { return castsAndMoves(item, casting); };
   int marked = -1;
   for (const ShadowProjection& shadow : shadows) {
     if (std::exchange(marked, shadow.light) == shadow.light) continue;  // another side of it
     const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
-    for (const Points& caster : hullsOfGroups(parts, X_WL, blurOf(light, shadow), moves)) {
+    for (const Points& caster : hullsOfGroups(items, X_WL, blurOf(light, shadow), moves)) {
       markShadow(caster, light, receivers, view, regions.shadows);
     }
   }

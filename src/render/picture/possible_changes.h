@@ -23,17 +23,17 @@ struct PossibleChanges {
 };
 
 /// @param lights  of the world, to which ShadowProjection::light refers
-[[nodiscard]] PossibleChanges possibleChanges(const std::vector<Part>& parts, const View& view,
+[[nodiscard]] PossibleChanges possibleChanges(const std::vector<DrawItem>& items, const View& view,
                                               const std::vector<Pose>& X_WL,
                                               const LinkSelection& drawn,
                                               const LinkSelection& casting,
                                               const std::vector<world::Light>& lights,
                                               const std::vector<ShadowProjection>& shadows);
 
-/// Of each of the shadows, the links that move and may cast it on some of these pixels.
+/// For each shadow, the links that move and may cast it on some of these pixels.
 /// @param pixels  of the picture
 [[nodiscard]] std::vector<LinkSelection> castersOnto(
-    const cv::Rect& pixels, const std::vector<Part>& parts, const View& view,
+    const cv::Rect& pixels, const std::vector<DrawItem>& items, const View& view,
     const std::vector<Pose>& X_WL, const LinkSelection& drawn, const LinkSelection& casting,
     const std::vector<world::Light>& lights, const std::vector<ShadowProjection>& shadows);
 

@@ -55,7 +55,7 @@ struct Lanes3 {
 
 [[nodiscard]] inline Lanes length(const Lanes3& a) { return cv::v_sqrt(dot(a, a)); }
 
-/// Of unit length; nothing stays nothing.
+/// Unit vectors; zero vectors stay zero.
 [[nodiscard]] inline Lanes3 normalized(const Lanes3& a) {
   return a * (lanes(1.0F) / cv::v_max(length(a), lanes(1e-12F)));
 }
@@ -151,7 +151,7 @@ struct PixelLanes {
   return {{fromHalf(x), fromHalf(y), fromHalf(z)}, fromHalf(w)};
 }
 
-/// Of numbers from 0 to 65504: the nearest, of two as near the even one.
+/// The nearest half floats, ties to even, of numbers from 0 to 65504.
 [[nodiscard]] inline cv::v_uint32x4 halfFrom(const Lanes& numbers) {
   const cv::v_uint32x4 bits = cv::v_reinterpret_as_u32(numbers);
   const cv::v_uint32x4 rebased = bits - cv::v_setall_u32((127U - 15U) << 23U);

@@ -6,7 +6,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -19,7 +19,7 @@ bool isLight(PixelMeaning meaning, int channel) {
   return meaning == PixelMeaning::kColour && channel != kAlpha;
 }
 
-/// Of each byte in each channel.
+/// The light of each byte value in each channel.
 cv::Mat makeTable(PixelMeaning meaning) {
   cv::Mat table(1, 256, CV_16UC4);
   for (int i = 0; i < table.cols; ++i) {

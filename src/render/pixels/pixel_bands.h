@@ -6,11 +6,11 @@
 
 namespace synthetic_dataset::render {
 
-/// Of what is gone through pixel by pixel [px]. Finer bands hold fewer pixels in vain, and take
+/// Height of bands that are processed pixel by pixel [px]. Finer bands waste fewer pixels, but take
 /// their time each.
 inline constexpr int kFineBand = 8;
 
-/// Of what takes longer to begin with than to do [px].
+/// Height of bands whose set-up takes longer than their work [px].
 inline constexpr int kCoarseBand = 64;
 
 /// Rectangles, none of them over another, that hold all pixels that are not 0, and few others.

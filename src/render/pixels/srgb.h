@@ -1,9 +1,21 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
 namespace synthetic_dataset::render {
+
+/// sRGB's transfer function (IEC 61966-2-1): the light of an encoded value, both 0 .. 1.
+[[nodiscard]] float linearFromSrgb(float encoded);
+
+/// The light of each encoded value of 8 bits.
+[[nodiscard]] const std::array<float, 256>& linearFromSrgb();
+
+/// The nearest sRGB-encoded value of a light; beyond 0 .. 1 it is clipped.
+[[nodiscard]] std::uint8_t srgbFromLinear(float linear);
 
 /// Linear light from sRGB-encoded red, green and blue.
 [[nodiscard]] Eigen::Vector3f linearFromSrgb(const Eigen::Vector3f& encoded);

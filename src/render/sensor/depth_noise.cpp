@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 
-#include "base/random/random_normal.h"
+#include "base/random/random_seed.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -25,7 +25,7 @@ class DepthView {
 
   [[nodiscard]] double depthAt(int u, int v) const { return depth_(v, u); }
 
-  /// Of something before the camera [px].
+  /// The disparity of a point at this depth [px].
   [[nodiscard]] double disparity(double depth) const { return focal_baseline_ / depth; }
 
   /// The depth that a disparity stands for once it is rounded; 0 for none.
@@ -34,7 +34,7 @@ class DepthView {
     return disparity > 0.0 ? focal_baseline_ / disparity : 0.0;
   }
 
-  /// Of a depth's error in pixels of disparity: z = fb/d.
+  /// The depth error per pixel of disparity error: z = fb/d.
   [[nodiscard]] double depthPerPixel(double depth) const { return depth * depth / focal_baseline_; }
 
   /// Between the ray and the normal of the surface that a pixel shows [rad].

@@ -4,7 +4,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "render/sensor/depth_noise_options.h"
+#include "render/sensor/sensor_options.h"
 #include "synthetic_dataset/camera_model.h"
 
 /// What depth cameras measure. Both models take the picture for a rectified one of the camera's

@@ -6,7 +6,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {

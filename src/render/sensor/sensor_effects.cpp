@@ -5,8 +5,8 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "base/random/random_normal.h"
-#include "render/sensor/srgb.h"
+#include "base/random/random_seed.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 namespace synthetic_dataset::render {
 
 /// What lens and sensor do to a picture; nothing by default.
@@ -10,6 +12,19 @@ struct SensorEffects {
   double full_well = 0.0;  ///< electrons of a white pixel, whose number is random; 0: no shot noise
   double noise_mean = 0.0;    ///< of a Gaussian added to the values of pixels, of the full scale
   double noise_stddev = 0.0;  ///< of a Gaussian added to the values of pixels, of the full scale
+};
+
+enum class DepthModel { kExact, kStructuredLight, kStereo };
+
+/// How a depth camera measures; exactly by default.
+struct DepthNoise {
+  DepthModel model = DepthModel::kExact;
+  double baseline = 0.0;         ///< from the camera to its projector, or to the second camera [m]
+  double disparity_step = 0.0;   ///< that disparities are rounded to [px]; 0: they are not
+  double disparity_noise = 0.0;  ///< standard deviation of a stereo camera's disparities [px]
+  double greatest_angle = 0.0;   ///< between ray and normal at which light still returns [rad]
+  double min_depth = 0.0;        ///< [m]
+  double max_depth = std::numeric_limits<double>::infinity();  ///< [m]
 };
 
 }  // namespace synthetic_dataset::render

@@ -5,10 +5,10 @@
 #include "material.glsl"
 #include "near.glsl"
 
-uniform uint part;
+uniform uint item;
 
-// The part and the bits of its depth: a plane costs a fragment more than what is in it.
-layout(location = 0) out uvec2 part_depth;
+// The item and the bits of its depth: a plane costs a fragment more than what is in it.
+layout(location = 0) out uvec2 item_depth;
 layout(location = 1) out vec4 base_roughness;
 layout(location = 2) out vec4 normal_metalness;
 layout(location = 3) out vec4 face;
@@ -18,7 +18,7 @@ void main() {
   float opacity;
   Surface surface = surfaceHere(opacity);
   discardTooNear();
-  part_depth = uvec2(part, floatBitsToUint(surface.position_C.z));
+  item_depth = uvec2(item, floatBitsToUint(surface.position_C.z));
   base_roughness = vec4(surface.base, surface.roughness);
   normal_metalness = vec4(surface.normal, surface.metalness);
   face = vec4(surface.face, 0.0);

@@ -42,17 +42,17 @@ bool areWithin(double texels, const ShadowProjection& shadow,
 
 }  // namespace
 
-std::vector<CasterPoses> heldForShadows(const std::vector<Part>& parts,
+std::vector<CasterPoses> heldForShadows(const std::vector<DrawItem>& items,
                                         const std::vector<const std::vector<Pose>*>& X_WL,
                                         const std::vector<ShadowProjection>& shadows,
                                         double texels) {
   std::vector<CasterPoses> held;
   for (const std::vector<Pose>* poses : X_WL) held.emplace_back(shadows.size(), *poses);
   std::vector<std::vector<Eigen::Vector3d>> corners(X_WL.empty() ? 0 : X_WL.front()->size());
-  for (const Part& part : parts) {
-    if (!part.casts_shadow || part.stands_still || part.bounds_V.isEmpty()) continue;
-    for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
-      corners[part.link].push_back(part.X_LV * corner);
+  for (const DrawItem& item : items) {
+    if (!item.casts_shadow || item.stands_still || item.bounds_V.isEmpty()) continue;
+    for (const Eigen::Vector3d& corner : cornersOf(item.bounds_V)) {
+      corners[item.link].push_back(item.X_LV * corner);
     }
   }
   for (std::size_t link = 0; link < corners.size(); ++link) {

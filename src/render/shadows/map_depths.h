@@ -17,7 +17,7 @@ struct MapPiece {
 
 /// The depths of a shadow map as they were for one picture, for whoever finishes it, in any thread.
 ///
-/// Of what never moves all pictures have the same, and what moves is small. It is put onto one
+/// What never moves is the same in all pictures, and what moves is small. It is put onto one
 /// common map, the same from picture to picture, so that what a processor looks up stays in its
 /// cache, and waiting pictures take little memory.
 class MapDepths {

@@ -21,7 +21,7 @@ struct CastShadow {
   [[nodiscard]] bool isSoft() const { return !softness.isZero(); }
 };
 
-/// What of one light arrives in spite of what stands in its way.
+/// Looks up the share of a light that is not shadowed.
 class ShadowLookup {
  public:
   /// @param depths  of the map; have to outlive this

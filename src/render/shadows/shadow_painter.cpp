@@ -9,7 +9,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "render/parts/part_groups.h"
+#include "render/parts/item_groups.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
 #include "render/shadows/shadow_raster.h"
@@ -27,16 +27,16 @@ bool isParallel(const ShadowProjection& shadow) {
   return shadow.shadow_from_world.row(3).head<3>().isZero();
 }
 
-/// Where a part is, as a map's light shines: all of it before the light's plane, none of it in the
+/// Where an item is, as a map's light shines: all of it before the light's plane, none of it in the
 /// map, or neither.
 enum class InLight { kBefore, kNot, kPartly };
 
-InLight placeOf(const Part& part, const Pose& X_WL, const ShadowProjection& shadow) {
+InLight placeOf(const DrawItem& item, const Pose& X_WL, const ShadowProjection& shadow) {
   constexpr double kNearest = 1e-3;  // [m]
-  const Eigen::Matrix4d map_from_part = shadow.shadow_from_world * (X_WL * part.X_LV).matrix();
+  const Eigen::Matrix4d map_from_part = shadow.shadow_from_world * (X_WL * item.X_LV).matrix();
   bool is_before = true;
   std::array<bool, 5> is_beyond = {true, true, true, true, true};  // the light, four sides
-  for (const Eigen::Vector3d& corner : cornersOf(part.bounds_V)) {
+  for (const Eigen::Vector3d& corner : cornersOf(item.bounds_V)) {
     const Eigen::Vector4d at = map_from_part * corner.homogeneous();
     is_before = is_before && at.w() > kNearest;
     const std::array<bool, 5> beyond = {at.w() < 0.0, at.x() < -at.w(), at.x() > at.w(),
@@ -51,8 +51,8 @@ InLight placeOf(const Part& part, const Pose& X_WL, const ShadowProjection& shad
 
 /// Whether triangles that turn away from the light cast no shadow. So a point light shines out of a
 /// closed body around it, such as its bulb. A spot light does not, as in OGRE.
-bool castsByFront(const Part& part, const ShadowProjection& shadow) {
-  return part.casts_by_front && (isParallel(shadow) || shadow.is_side);
+bool castsByFront(const DrawItem& item, const ShadowProjection& shadow) {
+  return item.casts_by_front && (isParallel(shadow) || shadow.is_side);
 }
 
 /// Columns and rows of a map from its clip coordinates.
@@ -116,7 +116,7 @@ void markCells(const cv::Mat& texels, const cv::Point& first, const cv::Rect& pl
   }
 }
 
-/// Those around a caster's shadow, and a few more.
+/// The texels around a caster's shadow, and a few more.
 /// @param whole  all texels of the map
 cv::Rect texelsOf(const std::vector<Eigen::Vector3d>& caster, const ShadowProjection& shadow,
                   const cv::Rect& whole) {
@@ -142,20 +142,20 @@ void grow(cv::Mat& cells, const cv::Size& by) {
     return;
   }
   const cv::Size round(2 * by.width + 1, 2 * by.height + 1);
-  cv::dilate(cells, cells, cv::getStructuringElement(cv::MORPH_RECT, round));
+  cv::dilate(cells, cells, cv::getStructuringElement(cv::MORPH_RECT, window));
 }
 
 }  // namespace
 
-ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& parts,
+ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& draw_list,
                              const ShadowLayout& layout)
     : gl_(gl),
-      parts_(parts),
+      draw_list_(draw_list),
       programs_(gl, shaders::kShadowVertex, shaders::kShadowFragment, feature::kHoles),
       maps_(gl, layout.map_size, layout.maps),
       sides_(gl, layout.side_size, layout.sides),
-      has_glass_(std::any_of(parts.parts().begin(), parts.parts().end(),
-                             [](const Part& part) { return part.transparent; })) {
+      has_glass_(std::any_of(draw_list.items().begin(), draw_list.items().end(),
+                             [](const DrawItem& item) { return item.transparent; })) {
   for (int map = 0; map < layout.maps; ++map) layers_.push_back({&maps_, map});
   for (int side = 0; side < layout.sides; ++side) layers_.push_back({&sides_, side});
 }
@@ -229,10 +229,10 @@ void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector
 /// Whether what moves need not be drawn with OpenGL.
 bool ShadowPainter::isCastByRaster(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                    const LinkSelection& casting) const {
-  const std::vector<Part>& parts = parts_.parts();
-  return !has_glass_ && std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
-    if (!part.casts_shadow || part.stands_still || !casting[part.link]) return false;
-    return part.has_holes || placeOf(part, X_WL[part.link], shadow) == InLight::kPartly;
+  const std::vector<DrawItem>& items = draw_list_.items();
+  return !has_glass_ && std::none_of(items.begin(), items.end(), [&](const DrawItem& item) {
+    if (!item.casts_shadow || item.stands_still || !casting[item.link]) return false;
+    return item.has_holes || placeOf(item, X_WL[item.link], shadow) == InLight::kPartly;
   });
 }
 
@@ -242,17 +242,17 @@ std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
   const int size = layerOf(shadow).size();
   const Eigen::Matrix4d map_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
   std::vector<MapPiece> pieces;
-  for (const Part& part : parts_.parts()) {
-    if (!part.casts_shadow || !casting[part.link] || part.stands_still) continue;
-    if (placeOf(part, X_WL[part.link], shadow) == InLight::kNot) continue;
-    const Eigen::Matrix4d map_from_mesh = map_from_world * (X_WL[part.link] * part.X_LV).matrix();
-    const bool fronts_alone = castsByFront(part, shadow);
-    const auto [known, is_new] = casts_.try_emplace({shadow.map, &part});
+  for (const DrawItem& item : draw_list_.items()) {
+    if (!item.casts_shadow || !casting[item.link] || item.stands_still) continue;
+    if (placeOf(item, X_WL[item.link], shadow) == InLight::kNot) continue;
+    const Eigen::Matrix4d map_from_mesh = map_from_world * (X_WL[item.link] * item.X_LV).matrix();
+    const bool fronts_alone = castsByFront(item, shadow);
+    const auto [known, is_new] = casts_.try_emplace({shadow.map, &item});
     Cast& cast = known->second;
     if (is_new || cast.map_from_mesh != map_from_mesh || cast.fronts_alone != fronts_alone) {
       const Eigen::Projective3f map_from_vertex(map_from_mesh.cast<float>());
       cast = {map_from_mesh, fronts_alone,
-              castPiece(*part.shape, map_from_vertex, size, fronts_alone)};
+              castPiece(*item.shape, map_from_vertex, size, fronts_alone)};
     }
     if (cast.piece) pieces.push_back(*cast.piece);
   }
@@ -291,11 +291,11 @@ ChangedTexels ShadowPainter::changedIn(const ShadowProjection& shadow) const {
   cv::Mat differing;
   for (const MapPiece& piece : layer.moving) {
     cv::compare(piece.depths, layer.standing->depths()(piece.texels), differing, cv::CMP_LT);
-    const cv::Rect round = grown(cellsOf(piece.texels), cell_reach);
-    cv::Mat cells = cv::Mat::zeros(round.size(), CV_8UC1);
-    markCells(differing, piece.texels.tl(), round, cells);
+    const cv::Rect bounds = grown(cellsOf(piece.texels), cell_reach);
+    cv::Mat cells = cv::Mat::zeros(bounds.size(), CV_8UC1);
+    markCells(differing, piece.texels.tl(), bounds, cells);
     grow(cells, cell_reach);
-    cv::Mat target = changed.cells(round - changed.place.tl());
+    cv::Mat target = changed.cells(bounds - changed.place.tl());
     target |= cells;
   }
   return changed;
@@ -316,13 +316,13 @@ std::shared_ptr<MapDepths::Standing> ShadowPainter::Layer::readAll() const {
   return std::make_shared<MapDepths::Standing>(maps->read(number, maps->whole()));
 }
 
-/// Those within the bounds of moving casters, and a few more.
+/// The texels within the bounds of moving casters, and a few more.
 std::vector<cv::Rect> ShadowPainter::texelsOfMoving(const ShadowProjection& shadow,
                                                     const std::vector<Pose>& X_WL,
                                                     const LinkSelection& casting) const {
   std::vector<cv::Rect> all;
-  const auto casters = hullsOfGroups(parts_.parts(), X_WL, 0.0, [&](const Part& part) {
-    return part.casts_shadow && casting[part.link] && !part.stands_still;
+  const auto casters = hullsOfGroups(draw_list_.items(), X_WL, 0.0, [&](const DrawItem& item) {
+    return item.casts_shadow && casting[item.link] && !item.stands_still;
   });
   for (const std::vector<Eigen::Vector3d>& caster : casters) {
     const cv::Rect texels = texelsOf(caster, shadow, layerOf(shadow).maps->whole());
@@ -333,21 +333,21 @@ std::vector<cv::Rect> ShadowPainter::texelsOfMoving(const ShadowProjection& shad
 
 void ShadowPainter::draw(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                          const LinkSelection& casting, Casters casters) {
-  for (const Part& part : parts_.parts()) {
-    if (!part.casts_shadow || !casting[part.link]) continue;
-    if (casters != Casters::kAll && part.stands_still != (casters == Casters::kStanding)) continue;
+  for (const DrawItem& item : draw_list_.items()) {
+    if (!item.casts_shadow || !casting[item.link]) continue;
+    if (casters != Casters::kAll && item.stands_still != (casters == Casters::kStanding)) continue;
     const Eigen::Matrix4d shadow_from_mesh =
-        shadow.shadow_from_world * (X_WL[part.link] * part.X_LV).matrix();
-    const ShaderProgram& program = programs_.get(part.features);
+        shadow.shadow_from_world * (X_WL[item.link] * item.X_LV).matrix();
+    const ShaderProgram& program = programs_.get(item.features);
     program.use();
     program.set("shadow_from_mesh", Eigen::Matrix4f(shadow_from_mesh.cast<float>()));
-    bindHoles(gl_, program, part);
-    if (castsByFront(part, shadow)) {
+    bindHoles(gl_, program, item);
+    if (castsByFront(item, shadow)) {
       gl_.Enable(GL_CULL_FACE);
     } else {
       gl_.Disable(GL_CULL_FACE);
     }
-    part.mesh->draw();
+    item.mesh->draw();
   }
 }
 

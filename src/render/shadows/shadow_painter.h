@@ -10,8 +10,8 @@
 
 #include "render/parts/draw_list.h"
 #include "render/parts/shader_family.h"
-#include "render/shadows/caster_poses.h"
 #include "render/shadows/changed_texels.h"
+#include "render/shadows/held_casters.h"
 #include "render/shadows/map_depths.h"
 #include "render/shadows/shadow_maps.h"
 #include "render/shadows/shadow_projection.h"
@@ -24,8 +24,8 @@ namespace synthetic_dataset::render {
 /// top of it: depths are the least ones whatever the order, so a map's pixels do not tell.
 class ShadowPainter {
  public:
-  /// @param parts  have to outlive this
-  ShadowPainter(const GlFunctions& gl, const DrawList& parts, const ShadowLayout& layout);
+  /// @param draw_list  have to outlive this
+  ShadowPainter(const GlFunctions& gl, const DrawList& draw_list, const ShadowLayout& layout);
 
   /// @param moving  of each shadow, the links that are of interest among those that cast it and
   ///     move; empty for all
@@ -71,7 +71,7 @@ class ShadowPainter {
     [[nodiscard]] std::shared_ptr<MapDepths::Standing> readAll() const;
   };
 
-  /// What a part was cast as last, in some map. The same again is the same piece.
+  /// What an item was cast as last, in some map. The same again is the same piece.
   struct Cast {
     Eigen::Matrix4d map_from_mesh;
     bool fronts_alone = false;
@@ -102,13 +102,13 @@ class ShadowPainter {
             const LinkSelection& casting, Casters casters);
 
   const GlFunctions& gl_;
-  const DrawList& parts_;
+  const DrawList& draw_list_;
   ShaderFamily programs_;
   ShadowMaps maps_;
   ShadowMaps sides_;
   bool has_glass_;  ///< which OpenGL lights
   std::vector<Layer> layers_;
-  std::map<std::pair<int, const Part*>, Cast> casts_;  ///< by map and part
+  std::map<std::pair<int, const DrawItem*>, Cast> casts_;  ///< by map and part
 };
 
 }  // namespace synthetic_dataset::render

@@ -136,7 +136,7 @@ class PieceRaster {
   }
 
  private:
-  /// Of the plane of a triangle.
+  /// The depths of a triangle's plane.
   struct Depths {
     const Eigen::Vector3f& corner;
     Eigen::Vector2f slope;  ///< a texel along columns and rows
@@ -203,7 +203,7 @@ class PieceRaster {
     cv::v_store(at, cv::v_select(covered, cv::v_min(depth, before), before));
   }
 
-  /// Of depth, a texel along columns and rows.
+  /// The slope of the depth per texel along columns and rows.
   static Eigen::Vector2f slopeOf(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                                  const Eigen::Vector3f& c) {
     const Eigen::Vector3f ab = b - a;

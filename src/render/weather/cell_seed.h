@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "base/random/mixed_bits.h"
+#include "base/random/random_seed.h"
 
 namespace synthetic_dataset::render {
 

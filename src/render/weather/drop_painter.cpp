@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "render/weather/lens_aperture.h"
+#include "render/weather/weather.h"
 
 namespace synthetic_dataset::render {
 namespace {

@@ -7,9 +7,9 @@
 #include <Eigen/Core>
 
 #include "base/random/random_source.h"
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 #include "render/weather/cell_seed.h"
-#include "render/weather/lens_aperture.h"
+#include "render/weather/weather.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -31,7 +31,7 @@ double meanArea() {
          (2.0 * std::log(kLargestSpeck / kSmallestSpeck));
 }
 
-/// Those in a square of the glass; with a larger share, more besides the same ones.
+/// The specks in a square of the glass. A larger share adds specks to the same ones.
 std::vector<Speck> specksIn(const Eigen::Vector2i& cell, const LensDust& dust) {
   base::RandomSource random(cellSeed(dust.seed, cell));
   const double expected = dust.share * kGlassCell * kGlassCell / meanArea();

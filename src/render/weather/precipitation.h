@@ -26,8 +26,8 @@ class Precipitation {
   /// @param rate  of melted snow [mm/h], > 0
   [[nodiscard]] static Precipitation snow(double rate);
 
-  /// Those in a cube of the global frame, the largest first. With a smaller `least`, the same ones
-  /// and more.
+  /// The drops in a cube of the global frame, the largest first. A smaller `least` gives the same
+  /// ones and more.
   /// @param cell  the cube's least corner [m]; its sides are 1 m long
   /// @param least  the diameter of the smallest [m]
   /// @param seed  the same seed has the same drops in a cell

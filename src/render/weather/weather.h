@@ -22,4 +22,7 @@ struct Weather {
   }
 };
 
+/// The aperture of all lenses, which makes near things out of focus [m].
+inline constexpr double kLensAperture = 2e-3;
+
 }  // namespace synthetic_dataset::render

@@ -51,7 +51,7 @@ class EdgeSink : public SceneSink {
   [[nodiscard]] bool wants(std::int64_t /*scene*/) const override { return true; }
   void finish(RunEnd /*end*/) override {}
 
-  [[nodiscard]] std::vector<output::Warning> add(const FinishedScene& finished) override {
+  [[nodiscard]] std::vector<base::Warning> add(const FinishedScene& finished) override {
     const Scene& scene = finished.scene;
     seen_.edges.push_back(findEdges(scene, {reach_, X_FC_, toSeconds(kProbe)}));
     for (const label::Alignment& each : label::alignmentsOf(scene, scene.image)) {
@@ -79,22 +79,22 @@ MotionSetup setUp(const Value& parameters, Reporter& reporter) {
   InputCache inputs(on_stage);
   Parameters root(list.entries.front().settings);
   config::Config config = config::readConfig(root);
-  base::Diagnostics found;
-  found.add(base::Severity::kError, root.errors());
+  base::Diagnostics diagnostics;
+  diagnostics.add(base::Severity::kError, root.errors());
   if (config.cameras.size() > 1) {
-    found.error("cameras", "found " + std::to_string(config.cameras.size()) +
-                               "; align takes the settings of one camera");
+    diagnostics.error("cameras", "found " + std::to_string(config.cameras.size()) +
+                                     "; align takes the settings of one camera");
   }
   if (!config.isTwin()) {
-    found.error("camera/image_topic", "is missing; it names the pictures that are aligned");
+    diagnostics.error("camera/image_topic", "is missing; it names the pictures that are aligned");
   }
-  found.throwIfAny();
+  diagnostics.throwIfAny();
   MotionSetup setup = setUpMotion(list.entries.front(), std::move(config), inputs, on_stage);
-  setup.found.throwIfAny();
+  setup.diagnostics.throwIfAny();
   return setup;
 }
 
-/// So many of a list, evenly spread.
+/// `count` entries of a list, evenly spread.
 std::vector<Stamp> spread(const std::vector<Stamp>& all, std::size_t count) {
   std::vector<Stamp> some;
   const std::size_t taken = std::min(count, all.size());
@@ -112,7 +112,7 @@ class Aligner {
         time_offset_(setup_.config.cameras.front().time_offset),
         focal_scale_(setup_.config.cameras.front().focal_scale) {
     setup_.config.twin.min_alignment = 0.0;
-    setup_.config.twin.output = scene::TwinOutput::kReal;
+    setup_.config.twin.output = scene::RecordedImageOutput::kReal;
     setup_.surfaces.reset();  // an edge of what hides an object says nothing of the camera
   }
 
@@ -168,7 +168,7 @@ class Aligner {
     Reporter silent;
     MotionRun run(setup_, no_splits, sink.requirements());
     ScenePipeline pipeline(sink, silent, count);
-    // Of the times, those at which TF is not known are left out.
+    // Times at which TF is not known are left out.
     const std::vector<Stamp>& there = setup_.timeline.stamps;
     const WorkPlan probed(count, 1, [&](std::int64_t scene) {
       const auto next = static_cast<std::size_t>(scene) + 1;

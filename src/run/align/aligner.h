@@ -33,7 +33,7 @@ struct AlignOptions {
 /// camera and time such that outlines come to lie on them; again and again, with edges looked for
 /// ever nearer.
 ///
-/// The score itself is no function for an optimiser with gradients: it is counted in whole pixels
+/// The score itself does not suit an optimiser with gradients: it is counted in whole pixels
 /// and has its slopes only near its maximum. What is solved instead is linear in seven or eight
 /// unknowns.
 /// @param parameters  a run's settings, of one camera with an image_topic and one motion

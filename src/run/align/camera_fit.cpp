@@ -36,7 +36,7 @@ struct Normal {
   }
 };
 
-/// Of an edge that is so far from the outline after the change.
+/// The weight of an edge at a distance from the outline after the change.
 double weightOf(double rest, double scale) {
   const double share = 1.0 + rest * rest / (scale * scale);
   return 1.0 / (share * share);

@@ -94,7 +94,7 @@ bool isOwn(const cv::Mat_<float>& depth, const cv::Point& inside, const cv::Poin
   return depth(outside) == 0.0F || depth(outside) >= depth(inside);
 }
 
-/// Of an object's visible mask.
+/// Adds the outline of an object's visible mask.
 void addOutline(const Mask& mask, const cv::Mat_<float>& depth, std::vector<OutlinePoint>& points) {
   if (mask.empty()) return;
   cv::Mat numbers;
@@ -136,7 +136,7 @@ std::optional<Eigen::Matrix<double, 2, 6>> changeOfPixel(const CameraModel& came
   Eigen::Matrix<double, 2, 6> change;
   for (int i = 0; i < 6; ++i) {
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i % 3);
-    // Of the camera; the point moves the other way.
+    // The camera moves so; the point moves the other way.
     const Eigen::Vector3d moved = i < 3 ? Eigen::Vector3d(-axis) : Eigen::Vector3d(p_F.cross(axis));
     const auto after = camera.project(X_CF * Eigen::Vector3d(p_F + kSmall * moved));
     const auto before = camera.project(X_CF * Eigen::Vector3d(p_F - kSmall * moved));

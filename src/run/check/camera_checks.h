@@ -20,4 +20,10 @@ namespace synthetic_dataset::run {
 [[nodiscard]] std::vector<Finding> checkLights(const MotionSetup& motion, const NamedRays& rays,
                                                const std::vector<const Scene*>& scenes);
 
+/// Objects that are seen in none of a motion's scenes, or in next to none, and why not.
+/// @param rays  of the motion's world
+/// @param scenes  of this motion, with silhouettes, visible masks and visibility
+[[nodiscard]] std::vector<Finding> checkVisibility(const MotionSetup& motion, const NamedRays& rays,
+                                                   const std::vector<const Scene*>& scenes);
+
 }  // namespace synthetic_dataset::run

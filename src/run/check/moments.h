@@ -18,7 +18,7 @@ struct Moment {
 /// Indices evenly spread over a sequence, the first and the last among them.
 [[nodiscard]] std::vector<std::size_t> evenlySpread(std::size_t count, std::size_t most);
 
-/// Of a recording, some hundred times all over it. Of placed scenes, those that were made.
+/// Some hundred times all over a recording, or the placed scenes that were made.
 /// @param scenes  that were made of this motion
 [[nodiscard]] std::vector<Moment> momentsOf(const MotionSetup& motion,
                                             const std::vector<const Scene*>& scenes);

@@ -83,7 +83,7 @@ bool standsStill(const MotionSetup& motion, motion::FrameId frame,
          });
 }
 
-/// What is static on purpose is no mistake; what is published again and again should move.
+/// Static on purpose is right; what is published again and again should move.
 void checkStandingStill(const MotionSetup& motion, const std::vector<FollowedFrame>& frames,
                         std::vector<Finding>& findings) {
   const auto& stamps = motion.timeline.stamps;

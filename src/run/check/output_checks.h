@@ -15,7 +15,7 @@ constexpr const char* kEarlierDataset = "earlier dataset";
 /// replaces it without asking (`if_exists: overwrite`).
 [[nodiscard]] std::optional<output::EarlierRun> earlierRunOf(const RunSetup& setup);
 
-/// That the run would be refused for that dataset's sake.
+/// Says so if the run would be refused because of an earlier dataset.
 [[nodiscard]] std::optional<Finding> checkEarlierRun(
     const RunSetup& setup, const std::optional<output::EarlierRun>& earlier);
 

@@ -2,23 +2,92 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "output/preflight.h"
+#include "output/scene_contents.h"
 #include "run/check/camera_checks.h"
-#include "run/check/check_sink.h"
 #include "run/check/moments.h"
 #include "run/check/motion_checks.h"
 #include "run/check/named_rays.h"
 #include "run/check/output_checks.h"
+#include "run/check/scene_statistics.h"
 #include "run/check/standing_checks.h"
-#include "run/check/visibility_checks.h"
 #include "run/scene_loop.h"
+#include "run/scene_sink.h"
+#include "run/setup/run_setup.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::run {
 namespace {
+
+/// Keeps some scenes of a run, with all that is needed to judge them, and writes nothing.
+class CheckSink : public SceneSink {
+ public:
+  /// @param setup  has to outlive this
+  /// @param instants  whose scenes are made
+  CheckSink(const RunSetup& setup, std::set<std::int64_t> instants);
+
+  /// What the run's writers want, and masks.
+  [[nodiscard]] Requirements requirements() const override;
+  void begin(const DatasetInfo& /*dataset*/) override {}
+  [[nodiscard]] bool wants(std::int64_t scene) const override;
+
+  /// Has the writers turn the scene into files, of which the bytes are counted.
+  [[nodiscard]] std::vector<base::Warning> add(const FinishedScene& finished) override;
+  void finish(RunEnd /*end*/) override {}
+
+  [[nodiscard]] const std::vector<FinishedScene>& scenes() const { return scenes_; }
+  [[nodiscard]] const SceneStatistics& statistics() const { return statistics_; }
+
+  /// The size of all scenes' files [byte].
+  [[nodiscard]] std::int64_t bytes() const { return bytes_; }
+
+  /// How long the writers took [s], of each scene.
+  [[nodiscard]] const std::vector<double>& writingTimes() const { return writing_times_; }
+
+ private:
+  const RunSetup& setup_;
+  std::set<std::int64_t> instants_;
+  std::vector<FinishedScene> scenes_;
+  SceneStatistics statistics_;
+  std::int64_t bytes_ = 0;
+  std::vector<double> writing_times_;
+};
+
+CheckSink::CheckSink(const RunSetup& setup, std::set<std::int64_t> instants)
+    : setup_(setup), instants_(std::move(instants)), statistics_(setup.config.labels) {}
+
+Requirements CheckSink::requirements() const {
+  Requirements all = setup_.writers->requirements();
+  all.silhouettes = all.visible_masks = all.visibility = true;
+  return all;
+}
+
+bool CheckSink::wants(std::int64_t scene) const {
+  return instants_.count(scene / static_cast<std::int64_t>(setup_.config.cameras.size())) != 0;
+}
+
+std::vector<base::Warning> CheckSink::add(const FinishedScene& finished) {
+  const auto begin = std::chrono::steady_clock::now();
+  const output::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
+  const output::StoreOptions& options = setup_.config.output;
+  for (const output::SceneContent& content :
+       output::encodeScene(written.files.files, {options.png_compression, options.jpeg_quality})) {
+    // Files with the same pixels are links to one.
+    bytes_ += static_cast<std::int64_t>(content.bytes().size());
+  }
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  writing_times_.push_back(time.count());
+  scenes_.push_back(finished);
+  statistics_.add(finished.scene);
+  std::vector<base::Warning> warnings;
+  for (const std::string& warning : written.warnings) warnings.push_back({warning});
+  return warnings;
+}
 
 /// Passes reports on, and measures how long the times of a run take: the loop asks before each.
 class Stopwatch : public Reporter {
@@ -124,18 +193,18 @@ std::vector<Finding> checkScenes(const MotionSetup& motion,
 
 /// What was found at set-up: what is odd, and all else that the user is warned of.
 std::vector<Finding> setupFindings(const RunSetup& setup) {
-  std::vector<Finding> findings = setup.odd;
-  for (const base::Diagnostic& each : setup.found.all()) {
+  std::vector<Finding> findings = setup.findings;
+  for (const base::Diagnostic& each : setup.diagnostics.all()) {
     if (each.severity != base::Severity::kWarning) continue;
-    const bool is_known = std::any_of(setup.odd.begin(), setup.odd.end(), [&](const Finding& odd) {
-      return odd.message() == each.message();
-    });
+    const bool is_known =
+        std::any_of(setup.findings.begin(), setup.findings.end(),
+                    [&](const Finding& finding) { return finding.message() == each.message(); });
     if (!is_known) findings.push_back({"warning", each.where, each.what, ""});
   }
   return findings;
 }
 
-/// That a run could write there; what it makes for a moment, it takes away again.
+/// Checks that a run could write there. Files that this takes are removed again.
 void requireFolder(const std::string& folder) {
   if (folder.empty()) return;  // each writer has one of its own
   output::FolderProbe probe;

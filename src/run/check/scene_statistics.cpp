@@ -17,7 +17,7 @@ struct Brightness {
   double lowest = 0.0;   ///< that 98 % are not below
 };
 
-/// Of some thousand pixels all over the picture.
+/// The brightness of some thousand pixels all over the picture.
 Brightness brightnessOf(const cv::Mat& image) {
   constexpr int kSteps = 64;
   std::array<std::int64_t, 256> histogram{};

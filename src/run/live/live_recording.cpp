@@ -31,7 +31,7 @@ Value frameValue(const RecordedFrame& frame, Stamp start, bool looks_like_robot)
   return map;
 }
 
-/// Those that are listed, in their order.
+/// The frames that are listed, in their order.
 std::vector<const RecordedFrame*> listedFrames(const std::vector<RecordedFrame>& all) {
   std::vector<const RecordedFrame*> listed;
   for (const RecordedFrame& frame : all) {
@@ -41,7 +41,7 @@ std::vector<const RecordedFrame*> listedFrames(const std::vector<RecordedFrame>&
   return listed;
 }
 
-/// Those of robots first, then those that go farthest.
+/// The ways of robots first, then the longest ones.
 Value waysValue(const std::vector<const RecordedFrame*>& frames,
                 const std::set<std::string>& robots) {
   std::vector<const RecordedFrame*> with_way;

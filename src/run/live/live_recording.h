@@ -15,8 +15,8 @@ struct LiveRecording {
 };
 
 /// For programs. Times are counted from the recording's start [s]; ways are points [x, y] [m].
-/// Of a recording with thousands of frames the static ones are left out, and then the last ones:
-/// how many, it says.
+/// In a recording with thousands of frames the static ones are left out, then the last ones;
+/// their number is given.
 [[nodiscard]] Value::Map recordingValue(const LiveRecording& recording);
 
 }  // namespace synthetic_dataset::run

@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include "run/live/live_map.h"
 #include "run/live/live_recording.h"
 #include "run/live/live_scene.h"
 #include "run/live/live_setup.h"
@@ -58,7 +57,7 @@ class LiveRun {
   [[nodiscard]] std::vector<LiveDraw> draws(std::size_t count, std::int64_t instant = 0,
                                             const std::string& camera = "");
 
-  /// Of the settings' bags, whatever else is wrong with the settings; of several motions the first.
+  /// Reads the first motion's bags, whatever else is wrong with the settings.
   /// @throws ErrorList with what is wrong with the bags
   [[nodiscard]] const LiveRecording& recording();
 

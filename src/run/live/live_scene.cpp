@@ -90,7 +90,7 @@ Value cameraValue(const Scene& scene) {
 
 Value drawsValue(const LiveDraw& draw) {
   Value::Map draws;
-  for (const output::DrawFacts& each : draw.draws) draws[each.name] = each.value;
+  for (const base::DrawFacts& each : draw.draws) draws[each.name] = each.value;
   return draws;
 }
 

@@ -4,7 +4,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "output/manifest/scene_facts.h"
+#include "base/scene_facts.h"
 #include "synthetic_dataset/scene.h"
 #include "synthetic_dataset/value.h"
 
@@ -19,8 +19,8 @@ struct LiveScene {
 
 /// A picture with some draws of the randomisation.
 struct LiveDraw {
-  cv::Mat picture;                       ///< CV_8UC3
-  std::vector<output::DrawFacts> draws;  ///< what was drawn for it
+  cv::Mat picture;                     ///< CV_8UC3
+  std::vector<base::DrawFacts> draws;  ///< what was drawn for it
 };
 
 /// What was drawn, by its full name.

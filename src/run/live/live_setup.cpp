@@ -93,11 +93,11 @@ LiveProblem problemOf(const Finding& finding) {
 LiveSetup describeSetup(const RunSetup& run) {
   LiveSetup live;
   live.ready = true;
-  for (const Finding& each : run.odd) live.problems.push_back(problemOf(each));
-  for (const base::Diagnostic& each : run.found.all()) {
-    const bool is_known = std::any_of(run.odd.begin(), run.odd.end(), [&](const Finding& odd) {
-      return odd.message() == each.message();
-    });
+  for (const Finding& each : run.findings) live.problems.push_back(problemOf(each));
+  for (const base::Diagnostic& each : run.diagnostics.all()) {
+    const bool is_known =
+        std::any_of(run.findings.begin(), run.findings.end(),
+                    [&](const Finding& finding) { return finding.message() == each.message(); });
     if (is_known) continue;
     live.problems.push_back(each.where.empty()
                                 ? problemOf(each.severity, each.what)

@@ -28,7 +28,7 @@ struct LiveSetup {
   bool ready = false;  ///< whether a run could begin
   std::vector<LiveProblem> problems;
 
-  // Of a run that could begin:
+  // For a run that could begin:
   std::vector<Stamp> stamps;         ///< of its instants
   std::vector<std::string> cameras;  ///< their names
   std::vector<std::string> objects;

@@ -26,7 +26,7 @@ class OneSceneSink : public SceneSink {
   [[nodiscard]] Requirements requirements() const override { return requirements_; }
   void begin(const DatasetInfo& /*dataset*/) override {}
   [[nodiscard]] bool wants(std::int64_t scene) const override { return scene == index_; }
-  [[nodiscard]] std::vector<output::Warning> add(const FinishedScene& finished) override {
+  [[nodiscard]] std::vector<base::Warning> add(const FinishedScene& finished) override {
     scene_ = finished.scene;
     scene_->setTransforms({});  // they need the run
     draws_ = finished.facts.draws;
@@ -38,13 +38,13 @@ class OneSceneSink : public SceneSink {
   [[nodiscard]] const std::optional<Scene>& scene() const { return scene_; }
 
   /// What was drawn for it.
-  [[nodiscard]] const std::vector<output::DrawFacts>& draws() const { return draws_; }
+  [[nodiscard]] const std::vector<base::DrawFacts>& draws() const { return draws_; }
 
  private:
   std::int64_t index_;
   Requirements requirements_;
   std::optional<Scene> scene_;
-  std::vector<output::DrawFacts> draws_;
+  std::vector<base::DrawFacts> draws_;
 };
 
 }  // namespace synthetic_dataset::run

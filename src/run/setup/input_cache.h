@@ -15,8 +15,8 @@
 namespace synthetic_dataset::run {
 
 /// What a run is set up from and takes long to read: worlds with meshes and pictures, recordings,
-/// digests. A second run that is set up with the same cache reads what is still as it was no more,
-/// and gets what it would have read.
+/// digests. A second run that is set up with the same cache does not read again what has not
+/// changed, and gets what it would have read.
 class InputCache {
  public:
   /// @param on_stage  called when a step begins that may take long

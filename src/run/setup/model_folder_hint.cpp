@@ -17,7 +17,7 @@ bool isFolder(const fs::path& path) {
 
 /// The folders in a folder, in alphabetical order.
 std::vector<fs::path> foldersIn(const fs::path& folder) {
-  constexpr std::size_t kMost = 500;  // a larger one is no workspace
+  constexpr std::size_t kMost = 500;  // a larger one is not a workspace
   std::vector<fs::path> folders;
   std::error_code error;
   fs::directory_iterator entry(folder, error);

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "base/seconds.h"
-#include "motion/placement_motion.h"
+#include "motion/placed_frames.h"
 #include "run/setup/input_cache.h"
 #include "run/setup/recording_setup.h"
 #include "run/setup/scene_plan.h"
-#include "run/setup/size_checks.h"
+#include "run/setup/setup_notes.h"
 #include "run/setup/world_setup.h"
 #include "scene/link_groups.h"
 #include "scene/stereo_pairs.h"
@@ -57,7 +57,7 @@ class MotionBuilder {
 
  private:
   [[nodiscard]] const config::Config& config() const { return setup_.config; }
-  [[nodiscard]] base::Diagnostics& found() { return setup_.found; }
+  [[nodiscard]] base::Diagnostics& diagnostics() { return setup_.diagnostics; }
 
   /// Objects that do not take part have a frame that no other one has.
   void leaveOutOthers() {
@@ -73,7 +73,7 @@ class MotionBuilder {
   /// Runs a step that makes a part; none when it failed, with the errors noted.
   template <class Make>
   auto attempt(Make make) -> decltype(make()) {
-    auto made = found().attempt(make);
+    auto made = diagnostics().attempt(make);
     return made ? std::move(*made) : nullptr;
   }
 
@@ -96,7 +96,7 @@ class MotionBuilder {
     for (const scene::ObjectOptions& each : config().objects) {
       if (!each.takes_part) continue;
       if (setup_.frames->isPlaced(each.frame) || each.frame == config().global_frame) {
-        found().error(
+        diagnostics().error(
             each.name + "/frame",
             "found '" + each.frame +
                 "', which is not its own; each object that is placed needs a frame of its "
@@ -113,9 +113,9 @@ class MotionBuilder {
     setup_.frames->report(usedFrames(), notes);
     const bool has_errors = found().hasErrors();
     for (const base::Diagnostic& note : notes.all()) {
-      if (has_errors) found().error("bag_file", note.message());
+      if (has_errors) diagnostics().error("bag_file", note.message());
     }
-    found().merge(notes);
+    diagnostics().merge(notes);
   }
 
   [[nodiscard]] std::vector<motion::FrameId> usedFrames() const {
@@ -143,7 +143,8 @@ class MotionBuilder {
   void loadWorld() {
     if (config().world.file.empty()) return;
     for (const scene::ObjectOptions& object : config().objects) {
-      if (!found().attempt([&] { setup_.variants.emplace_back(object, config().randomization); })) {
+      if (!diagnostics().attempt(
+              [&] { setup_.variants.emplace_back(object, config().randomization); })) {
         setup_.variants.emplace_back(object, randomize::Randomization{});
       }
     }
@@ -183,9 +184,9 @@ class MotionBuilder {
     for (std::size_t i = 0; i < config().objects.size(); ++i) {
       const scene::ObjectOptions& object = config().objects[i];
       const auto note = [&](const std::string& parameter, const std::string& instead) {
-        found().warning(object.name + "/" + parameter,
-                        "the same points are taken for all models of randomize/objects; " +
-                            instead + " would find them on each");
+        diagnostics().warning(object.name + "/" + parameter,
+                              "the same points are taken for all models of randomize/objects; " +
+                                  instead + " would find them on each");
       };
       if (!setup_.variants[i].hasSeveralModels()) continue;
       if (!object.bounding_shape_O.empty()) note("bounding_shape", "model_box");
@@ -202,10 +203,10 @@ class MotionBuilder {
       if (two_sources || no_source) continue;  // reported already
       if (!setup_.frames || (!sensors_ && camera.sensor)) {
         // What it needs besides is reported; its calibration may be wrong, too.
-        (void)found().attempt([&] { scene::checkInfoFile(camera); });
+        (void)diagnostics().attempt([&] { scene::checkInfoFile(camera); });
         continue;
       }
-      auto rig = found().attempt([&] {
+      auto rig = diagnostics().attempt([&] {
         return scene::makeCameraRig(camera, config().motion.bag_files,
                                     sensors_ ? *sensors_ : kNoSensors,
                                     setup_.world ? setup_.world->links() : kNoLinks,
@@ -241,7 +242,7 @@ class MotionBuilder {
 
   void findSurfaces() {
     if (!config().twin.isMeasured()) {
-      found().note(
+      diagnostics().note(
           "twin",
           "neither depth_topic nor cloud_topic is set: nothing measures what stands in front "
           "of the objects, and all of their pixels are labelled as if nothing did that "
@@ -259,8 +260,8 @@ class MotionBuilder {
   void checkPictures() {
     if (!setup_.pictures) return;
     checkOpenTimes();
-    found().add(base::Severity::kError,
-                setup_.pictures->problems(setup_.timeline.stamps, setup_.cameras));
+    diagnostics().add(base::Severity::kError,
+                      setup_.pictures->problems(setup_.timeline.stamps, setup_.cameras));
     if (setup_.surfaces && !setup_.timeline.stamps.empty()) {
       setup_.surfaces->check(setup_.timeline.stamps, found());
     }
@@ -276,14 +277,14 @@ class MotionBuilder {
     for (std::size_t i = 0; i < setup_.cameras.size(); ++i) {
       const Duration open = scene::openTime(setup_.cameras[i].shutter);
       if (open <= shortest) continue;
-      found().error(config().cameras[i].group + "/effects",
-                    "found exposure_time + readout_time of " + fixed(toSeconds(open), 4) +
-                        " s; it should be at most the " + fixed(toSeconds(shortest), 4) +
-                        " s between two recorded pictures");
+      diagnostics().error(config().cameras[i].group + "/effects",
+                          "found exposure_time + readout_time of " + fixed(toSeconds(open), 4) +
+                              " s; it should be at most the " + fixed(toSeconds(shortest), 4) +
+                              " s between two recorded pictures");
     }
   }
 
-  /// Of the boxes around an object's variants, in its frame.
+  /// The centres of the boxes around an object's variants, in its frame.
   [[nodiscard]] std::vector<Eigen::Vector3d> middlesOf(std::size_t object) const {
     std::vector<Eigen::Vector3d> middles;
     if (!setup_.shapes) return middles;  // what is wrong is noted
@@ -303,9 +304,9 @@ class MotionBuilder {
       if (other.frame == frame) owner = "the camera " + other.name;
     }
     if (owner.empty()) return false;
-    found().error(camera.group + "/frame_id",
-                  "found '" + frame + "', which is also the frame of " + owner +
-                      "; a camera that is put somewhere needs a frame of its own");
+    diagnostics().error(camera.group + "/frame_id",
+                        "found '" + frame + "', which is also the frame of " + owner +
+                            "; a camera that is put somewhere needs a frame of its own");
     return true;
   }
 
@@ -313,7 +314,7 @@ class MotionBuilder {
   void checkShutter(const scene::CameraOptions& camera, const scene::CameraRig& rig) {
     const Duration period = shortestPeriod(config());
     if (scene::openTime(rig.shutter) <= period) return;
-    found().error(
+    diagnostics().error(
         camera.group + "/effects",
         "found exposure_time + readout_time of " +
             fixed(toSeconds(scene::openTime(rig.shutter)), 4) + " s; it should be at most the " +
@@ -330,22 +331,22 @@ class MotionBuilder {
     const double across = model.intrinsics().cx + 0.5 - 0.5 * model.width();
     const double down = model.intrinsics().cy + 0.5 - 0.5 * model.height();
     if (std::abs(across) <= kFar * model.width() && std::abs(down) <= kFar * model.height()) return;
-    found().warning(camera.group, "the principal point (" + fixed(model.intrinsics().cx, 1) + ", " +
-                                      fixed(model.intrinsics().cy, 1) +
-                                      ") is far from the middle of an image of " +
-                                      std::to_string(model.width()) + " x " +
-                                      std::to_string(model.height()) +
-                                      " (is the calibration that of another resolution?)");
+    diagnostics().warning(camera.group, "the principal point (" + fixed(model.intrinsics().cx, 1) +
+                                            ", " + fixed(model.intrinsics().cy, 1) +
+                                            ") is far from the middle of an image of " +
+                                            std::to_string(model.width()) + " x " +
+                                            std::to_string(model.height()) +
+                                            " (is the calibration that of another resolution?)");
   }
 
   void noteBlindLens(const scene::CameraOptions& camera, const scene::CameraRig& rig) {
     constexpr double kLittle = 0.25;  // a fisheye's circle in a wide image fills more than this
     const double share = scene::seenShare(rig.model);
     if (share >= kLittle) return;
-    found().warning(camera.group,
-                    "its lens sees something in only " + fixed(100.0 * share, 0) +
-                        " % of the image; the rest is black (are the distortion's numbers "
-                        "right?)");
+    diagnostics().warning(camera.group,
+                          "its lens sees something in only " + fixed(100.0 * share, 0) +
+                              " % of the image; the rest is black (are the distortion's numbers "
+                              "right?)");
   }
 
   void arrangeScenes() {
@@ -365,14 +366,14 @@ class MotionBuilder {
   void planScenes() {
     if (!setup_.frames || config().objects.empty()) return;
     if (config().isTwin() && !setup_.pictures) return;  // reported already
-    auto timeline = found().attempt([&] {
+    auto timeline = diagnostics().attempt([&] {
       std::optional<std::vector<Stamp>> stamps;
       if (setup_.pictures) stamps = setup_.pictures->stamps();
       return run::planScenes(*setup_.frames, config(), setup_.cameras, setup_.driven_links,
                              std::move(stamps));
     });
     if (!timeline) return;
-    found().merge(timeline->found);
+    diagnostics().merge(timeline->diagnostics);
     setup_.timeline = std::move(*timeline);
   }
 

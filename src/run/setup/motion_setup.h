@@ -49,7 +49,7 @@ struct MotionSetup {
 
   std::set<std::string> inputs;    ///< files of the world and of its models
   std::set<std::string> included;  ///< others that these are described in: model.sdf, ...
-  base::Diagnostics found;         ///< where something is wrong, what needs it is not there
+  base::Diagnostics diagnostics;   ///< where something is wrong, what needs it is not there
 
   /// How many times it gives to the run.
   [[nodiscard]] std::int64_t instantCount() const {

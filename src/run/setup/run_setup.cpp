@@ -12,13 +12,12 @@
 #include "run/check/motion_checks.h"
 #include "run/setup/dataset_description.h"
 #include "run/setup/input_cache.h"
-#include "run/setup/motion_errors.h"
-#include "run/setup/relative_paths.h"
 #include "run/setup/run_record.h"
 #include "run/setup/scene_plan.h"
 #include "run/setup/scene_shares.h"
+#include "run/setup/setup_errors.h"
 #include "run/setup/setup_notes.h"
-#include "run/setup/split_gap.h"
+#include "run/setup/split_plan.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -37,7 +36,7 @@ class Builder {
   RunSetup build() {
     for (config::MotionEntry& entry : list_.entries) addMotion(entry);
     setup_.config = setup_.motions.front().config;
-    found().add(base::Severity::kError, list_.errors);
+    diagnostics().add(base::Severity::kError, list_.errors);
     checkSameCameras();
     checkSameDistractors();
     checkSameWorldClasses();
@@ -63,7 +62,7 @@ class Builder {
 
  private:
   [[nodiscard]] const config::Config& config() const { return setup_.config; }
-  [[nodiscard]] base::Diagnostics& found() { return setup_.found; }
+  [[nodiscard]] base::Diagnostics& diagnostics() { return setup_.diagnostics; }
 
   void addMotion(const config::MotionEntry& entry) {
     roots_.emplace_back(entry.settings);
@@ -80,7 +79,7 @@ class Builder {
       if (motion.timeline.stamps.empty()) return;  // reported already
       sharing.push_back({motion.entry.group, motion.entry.weight, motion.instantCount()});
     }
-    const auto counts = found().attempt([&] { return sharesOf(sharing, list_.scenes); });
+    const auto counts = diagnostics().attempt([&] { return sharesOf(sharing, list_.scenes); });
     if (!counts) return;
     for (std::size_t i = 0; i < counts->size(); ++i) {
       MotionSetup& motion = setup_.motions[i];
@@ -110,9 +109,10 @@ class Builder {
     const MotionSetup& first = setup_.motions.front();
     for (const MotionSetup& motion : setup_.motions) {
       if (namesOf(motion) == namesOf(first)) continue;
-      found().error(motion.entry.group + "/cameras",
-                    "found " + namesOf(motion) + "; " + first.entry.group + " has " +
-                        namesOf(first) + ", and all motions should have cameras of the same names");
+      diagnostics().error(motion.entry.group + "/cameras",
+                          "found " + namesOf(motion) + "; " + first.entry.group + " has " +
+                              namesOf(first) +
+                              ", and all motions should have cameras of the same names");
     }
   }
 
@@ -124,9 +124,9 @@ class Builder {
     if (std::none_of(setup_.motions.begin(), setup_.motions.end(), hasSome)) return;
     for (const MotionSetup& motion : setup_.motions) {
       if (!motion.entry.says("randomize/distractors")) continue;
-      found().error(motion.entry.group + "/randomize/distractors",
-                    "distractors with a class are objects of the whole "
-                    "dataset; their settings should stand beside motions");
+      diagnostics().error(motion.entry.group + "/randomize/distractors",
+                          "distractors with a class are objects of the whole "
+                          "dataset; their settings should stand beside motions");
     }
   }
 
@@ -139,7 +139,7 @@ class Builder {
     };
     for (const MotionSetup& motion : setup_.motions) {
       if (namesOf(motion) == namesOf(setup_.motions.front())) continue;
-      found().error(
+      diagnostics().error(
           motion.entry.group + "/world_classes",
           "found other classes than the first motion has; all should have the same names");
     }
@@ -149,8 +149,9 @@ class Builder {
     const std::set<std::int64_t>& only = config().only_scenes;
     const std::int64_t count = setup_.instantCount();
     if (count == 0 || only.empty() || *only.rbegin() < count) return;
-    found().error("only_scenes", "found " + std::to_string(*only.rbegin()) +
-                                     "; this run's scenes are 0 to " + std::to_string(count - 1));
+    diagnostics().error("only_scenes", "found " + std::to_string(*only.rbegin()) +
+                                           "; this run's scenes are 0 to " +
+                                           std::to_string(count - 1));
   }
 
   void planSplits() {
@@ -160,7 +161,7 @@ class Builder {
       parts.push_back({motion.instantCount(), motion.entry.split,
                        i < blocks_.size() ? blocks_[i] : std::vector<std::int64_t>()});
     }
-    const auto plan = found().attempt([&] {
+    const auto plan = diagnostics().attempt([&] {
       return SplitPlan(config().split, static_cast<std::uint64_t>(config().seed), parts);
     });
     if (plan) setup_.splits = std::make_unique<SplitPlan>(*plan);
@@ -174,10 +175,11 @@ class Builder {
     };
     const bool any = std::any_of(setup_.motions.begin(), setup_.motions.end(), isDivided);
     if (any && split.by == config::SplitBy::kScenes) {
-      found().warning("split/by",
-                      "scenes of a recording are drawn one by one, so those of val and test have "
-                      "neighbours in time in train that look alike, and results on them are too "
-                      "good; `by: blocks` with a `gap` keeps them apart");
+      diagnostics().warning(
+          "split/by",
+          "scenes of a recording are drawn one by one, so those of val and test have "
+          "neighbours in time in train that look alike, and results on them are too "
+          "good; `by: blocks` with a `gap` keeps them apart");
     }
     if (split.gap <= 0.0 || split.by != config::SplitBy::kBlocks) return;
     for (MotionSetup& motion : setup_.motions) {
@@ -185,7 +187,8 @@ class Builder {
       if (isDivided(motion)) blocks_.back() = leaveOutGaps(split, motion.timeline);
     }
     if (!any) {
-      found().warning("split/gap", "no recording is divided into splits, so it has no effect");
+      diagnostics().warning("split/gap",
+                            "no recording is divided into splits, so it has no effect");
     }
   }
 
@@ -209,7 +212,7 @@ class Builder {
       if (known != models->end()) return known->second;
       return models->emplace(object, of_worlds.model(object)).first->second;
     });
-    auto made = found().attempt([&] {
+    auto made = diagnostics().attempt([&] {
       return std::make_unique<output::WriterHost>(config().writers, info, plugin_xml_files_);
     });
     if (made) setup_.writers = std::move(*made);
@@ -221,10 +224,10 @@ class Builder {
     for (const std::string& frame : setup_.writers->requirements().frames) {
       if (motion.isCameraFrame(frame)) continue;
       if (motion.frames->find(frame)) {
-        motion.found.attempt(
+        motion.diagnostics.attempt(
             [&] { leaveOutScenesWithout(frame, *motion.frames, motion.timeline); });
       } else {
-        motion.found.error(
+        motion.diagnostics.error(
             "", "a writer asks for the frame '" + frame + "': " + motion.frames->lacks(frame));
       }
     }
@@ -244,7 +247,7 @@ class Builder {
                               root.maybe<Value>(name)->is<Value::Map>();
         if (!is_group) continue;
         root.ignore(name);
-        found().note(name, "its settings are not used, as `writers` does not name it");
+        diagnostics().note(name, "its settings are not used, as `writers` does not name it");
       }
     }
   }
@@ -280,7 +283,7 @@ class Builder {
     // Writers that could not be loaded have not read theirs: nothing can be said to be unknown.
     if (setup_.writers) addErrors(unknownParameters(list_.entries, roots_));
     for (std::size_t i = 0; i < roots_.size(); ++i) {
-      of_motions[i].messages = setup_.motions[i].found.messages(base::Severity::kError);
+      of_motions[i].messages = setup_.motions[i].diagnostics.messages(base::Severity::kError);
     }
     addErrors(mergedErrors(of_motions));
     all.merge(found());
@@ -300,7 +303,7 @@ class Builder {
     run.settings = usedSettings(parameters_, config(), unused, defaults);
     run.software = softwareVersions();
     const std::set<std::string> inputs = inputsOf(setup_.motions);
-    for (const MotionSetup& motion : setup_.motions) found().merge(motion.found);
+    for (const MotionSetup& motion : setup_.motions) diagnostics().merge(motion.diagnostics);
     on_stage_("taking the checksums of " + std::to_string(inputs.size()) + " input files");
     findOdd();
     run.inputs = inputs_.describe(inputs);
@@ -313,7 +316,7 @@ class Builder {
                  &motion::Timeline::left_out_split);
     countLeftOut("scene left out: a transform is not known at its time",
                  &motion::Timeline::left_out_unknown);
-    for (const base::Diagnostic& each : found().all()) {
+    for (const base::Diagnostic& each : diagnostics().all()) {
       if (each.severity == base::Severity::kWarning)
         run.warnings.push_back({each.message(), "", each.count});
     }
@@ -324,15 +327,15 @@ class Builder {
     for (const MotionSetup& motion : setup_.motions) {
       std::vector<Finding> findings = joinAlike(checkSetup(motion));
       nameMotion(motion, setup_.motions.size(), findings);
-      for (const Finding& each : findings) found().warning(each.about, each.what());
-      setup_.odd.insert(setup_.odd.end(), findings.begin(), findings.end());
+      for (const Finding& each : findings) diagnostics().warning(each.about, each.what());
+      setup_.findings.insert(setup_.findings.end(), findings.begin(), findings.end());
     }
   }
 
   void countLeftOut(const std::string& kind, std::int64_t motion::Timeline::*count) {
     std::int64_t all = 0;
     for (const MotionSetup& motion : setup_.motions) all += motion.timeline.*count;
-    if (all > 0) found().warning("", kind, all);
+    if (all > 0) diagnostics().warning("", kind, all);
   }
 
   static void addOnce(std::vector<std::string>& texts, const std::string& text) {

@@ -26,8 +26,8 @@ struct RunSetup {
   std::unique_ptr<SplitPlan> splits;
   std::unique_ptr<output::WriterHost> writers;
   output::RunDescription description;       ///< for the manifest; with the warnings
-  base::Diagnostics found;                  ///< warnings and notes
-  std::vector<Finding> odd;                 ///< what is odd, which `found` warns of, too
+  base::Diagnostics diagnostics;            ///< warnings and notes
+  std::vector<Finding> findings;            ///< what is odd, which `diagnostics` warns of, too
   std::vector<std::string> defaults_taken;  ///< "parameter: value"
 
   /// The times of all motions together.

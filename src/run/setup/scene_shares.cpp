@@ -11,7 +11,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// As many of `total` as the weights give each, all of it given away.
+/// Divides `total` by the weights, without a rest.
 std::vector<std::int64_t> apportion(const std::vector<double>& shares, std::int64_t total) {
   std::vector<std::int64_t> counts;
   for (const double share : shares) {

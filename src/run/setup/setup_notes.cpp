@@ -1,8 +1,11 @@
 #include "run/setup/setup_notes.h"
 
 #include <algorithm>
+#include <string>
 
 #include "label/pixel_labeller.h"
+#include "scene/object_shapes.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -11,7 +14,7 @@ void noteEmptySplits(RunSetup& setup) {
   if (setup.instantCount() == 0) return;
   for (const SplitInfo& split : setup.splits->splits(setup.config.cameras.size())) {
     if (split.scene_count > 0) continue;
-    setup.found.warning("split/" + split.name, "no scene falls into it");
+    setup.diagnostics.warning("split/" + split.name, "no scene falls into it");
   }
 }
 
@@ -20,18 +23,20 @@ void noteSubtraction(RunSetup& setup) {
   const label::MaskOptions& masks = setup.config.masks;
   if (masks.method == label::MaskMethod::kExact || masks.method_is_given) return;
   if (!setup.writers->requirements().visible_masks) return;
-  setup.found.warning("",
-                      "masks are found by background subtraction since background_subtractor is "
-                      "set; masks/method: exact gives exact ones");
+  setup.diagnostics.warning(
+      "",
+      "masks are found by background subtraction since background_subtractor is "
+      "set; masks/method: exact gives exact ones");
 }
 
 /// What hides an object is found by those writers alone that ask for it.
 void noteUnseen(RunSetup& setup) {
   const config::Config& config = setup.config;
   if (label::looksAtPixels(setup.writers->requirements(), config.masks, config.labels)) return;
-  setup.found.note("",
-                   "no writer of this run asks which pixels show an object: one that something "
-                   "hides is labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
+  setup.diagnostics.note(
+      "",
+      "no writer of this run asks which pixels show an object: one that something "
+      "hides is labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
 }
 
 /// Noise of a picture that no format of this run has is a mistake.
@@ -39,8 +44,8 @@ void noteUnusedDepthNoise(RunSetup& setup) {
   if (setup.writers->requirements().depth) return;
   for (const scene::CameraOptions& camera : setup.config.cameras) {
     if (camera.depth_noise.model == render::DepthModel::kExact) continue;
-    setup.found.warning(camera.group + "/depth_noise",
-                        "no format of this run writes depth, so it has no effect");
+    setup.diagnostics.warning(camera.group + "/depth_noise",
+                              "no format of this run writes depth, so it has no effect");
   }
 }
 
@@ -54,11 +59,23 @@ void noteIdleShutters(RunSetup& setup) {
   for (const scene::CameraOptions& camera : setup.config.cameras) {
     const scene::Shutter& shutter = camera.shutter;
     if (shutter.exposure_time.count() == 0 && shutter.readout_time.count() == 0) continue;
-    setup.found.warning(
+    setup.diagnostics.warning(
         camera.group + "/effects",
         "exposure_time and readout_time have no effect, as what is placed stands still");
   }
 }
+
+/// Nobody means to be so many times off.
+constexpr double kStrange = 4.0;
+
+double diagonal(const Cuboid& box) { return box.size().norm(); }
+
+/// How far a point is from a box [m].
+double distanceTo(const Cuboid& box, const Eigen::Vector3d& point) {
+  return (point - point.cwiseMax(box.low).cwiseMin(box.high)).norm();
+}
+
+std::string metres(double length) { return fixed(length, 3) + " m"; }
 
 }  // namespace
 
@@ -69,6 +86,35 @@ void noteWhatMaySurprise(RunSetup& setup) {
   noteSubtraction(setup);
   noteUnseen(setup);
   noteUnusedDepthNoise(setup);
+}
+
+void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O,
+                base::Diagnostics& diagnostics) {
+  const double model = diagonal(box_O);
+  if (!object.bounding_shape_O.empty()) {
+    const Cuboid given = scene::boxAround(object.bounding_shape_O);
+    const double reach = diagonal(given);
+    if (reach > kStrange * model || model > kStrange * reach) {
+      diagnostics.warning(object.name + "/bounding_shape",
+                          "its points reach over " + metres(reach) + ", the model over " +
+                              metres(model) + " (are they in metres?)");
+    } else if (distanceTo(box_O, given.centre()) > model) {
+      diagnostics.warning(object.name + "/bounding_shape",
+                          "its middle is " + metres(distanceTo(box_O, given.centre())) +
+                              " away from the model (are its points in the frame of the object?)");
+    }
+  }
+  double farthest = 0.0;
+  for (const Eigen::Vector3d& point : object.keypoints_O) {
+    farthest = std::max(farthest, distanceTo(box_O, point));
+  }
+  constexpr double kOutside = 0.25;  // of the model's size; an antenna's tip may be left out of it
+  if (farthest > kOutside * model) {
+    diagnostics.warning(object.name + "/keypoints",
+                        "one is " + metres(farthest) + " away from the model, which reaches over " +
+                            metres(model) +
+                            " (are they in metres, and in the frame of the object?)");
+  }
 }
 
 }  // namespace synthetic_dataset::run

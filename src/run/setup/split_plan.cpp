@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "base/random/random_seed.h"
+#include "base/seconds.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::run {
@@ -96,6 +99,29 @@ std::vector<SplitInfo> SplitPlan::splits(std::size_t camera_count) const {
     splits.push_back({names_[i], count * static_cast<std::int64_t>(camera_count)});
   }
   return splits;
+}
+
+std::vector<std::int64_t> leaveOutGaps(const config::SplitConfig& config,
+                                       motion::Timeline& timeline) {
+  const Duration gap = base::fromSeconds(config.gap);
+  const motion::Timeline all = timeline;
+  timeline.stamps.clear();
+  timeline.jitter.clear();
+  std::vector<std::int64_t> counts;
+  std::optional<Stamp> last;  // of the blocks before
+  std::size_t i = 0;
+  for (const std::int64_t end : blockEnds(config, static_cast<std::int64_t>(all.stamps.size()))) {
+    const std::size_t first = timeline.stamps.size();
+    for (; i < static_cast<std::size_t>(end); ++i) {
+      if (last && all.stamps[i] - *last < gap) continue;
+      timeline.stamps.push_back(all.stamps[i]);
+      if (!all.jitter.empty()) timeline.jitter.push_back(all.jitter[i]);
+    }
+    counts.push_back(static_cast<std::int64_t>(timeline.stamps.size() - first));
+    if (!timeline.stamps.empty()) last = timeline.stamps.back();
+  }
+  timeline.left_out_split = static_cast<std::int64_t>(all.stamps.size() - timeline.stamps.size());
+  return counts;
 }
 
 }  // namespace synthetic_dataset::run

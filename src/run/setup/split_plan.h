@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/config.h"
+#include "motion/timeline.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset::run {
@@ -50,5 +51,11 @@ class SplitPlan {
   std::vector<std::string> names_;
   std::vector<std::uint8_t> split_of_;  ///< of each time, a place in names_; empty without splits
 };
+
+/// Leaves out the first times of each block that are nearer than the gap to the last time of the
+/// block before it, so that no scene has a neighbour in another split that looks like it.
+/// @return how many times each of the shares' blocks has now
+[[nodiscard]] std::vector<std::int64_t> leaveOutGaps(const config::SplitConfig& config,
+                                                     motion::Timeline& timeline);
 
 }  // namespace synthetic_dataset::run

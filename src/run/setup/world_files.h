@@ -14,7 +14,7 @@
 #include "base/stages.h"
 #include "config/config.h"
 #include "run/setup/file_stamps.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 #include "world/files/resource_finder.h"
 #include "world/world_loader.h"
 

@@ -60,18 +60,18 @@ std::vector<world::Model> loadDistractors(const config::Config& config, WorldFil
 class WorldBuilder {
  public:
   WorldBuilder(const config::Config& config, const std::vector<scene::ObjectVariants>& variants,
-               const motion::FrameSource* frames, WorldFiles& files, base::Diagnostics& found,
+               const motion::FrameSource* frames, WorldFiles& files, base::Diagnostics& diagnostics,
                const base::OnStage& on_stage)
       : config_(config),
         variants_(variants),
         frames_(frames),
         files_(files),
-        found_(found),
+        diagnostics_(diagnostics),
         on_stage_(on_stage) {}
 
   WorldSetup build() {
-    auto description = found_.attempt([&] { return files_.world(); });
-    found_.add(base::Severity::kError, files_.refusals());
+    auto description = diagnostics_.attempt([&] { return files_.world(); });
+    diagnostics_.add(base::Severity::kError, files_.refusals());
     if (!description) return std::move(setup_);
     model_names_ = modelNames(*description);
     setup_.sensors = description->cameras;
@@ -81,26 +81,26 @@ class WorldBuilder {
       const scene::ObjectOptions& object = config_.objects[i];
       if (!object.is_distractor) addObject(object, variants_[i].all(), *description);
     }
-    auto distractors = found_.attempt([&] { return loadDistractors(config_, files_); });
-    found_.add(base::Severity::kError, files_.refusals());
-    found_.add(base::Severity::kWarning, files_.modelNotes());
-    found_.add(base::Severity::kWarning, files_.packageNotes());
+    auto distractors = diagnostics_.attempt([&] { return loadDistractors(config_, files_); });
+    diagnostics_.add(base::Severity::kError, files_.refusals());
+    diagnostics_.add(base::Severity::kWarning, files_.modelNotes());
+    diagnostics_.add(base::Severity::kWarning, files_.packageNotes());
     for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
     for (const auto& file : files_.included()) setup_.included.insert(file.string());
     const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
     setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
     if (!distractors || lacks_objects_) return std::move(setup_);
     on_stage_("making the world's bodies");
-    auto world = found_.attempt([&] {
+    auto world = diagnostics_.attempt([&] {
       return std::make_unique<world::World>(std::move(*description), std::move(objects_),
                                             config_.physics, std::move(*distractors));
     });
     if (!world) return std::move(setup_);
     setup_.world = std::move(*world);
     const world::Description& loaded = setup_.world->description();
-    found_.add(base::Severity::kWarning, loaded.notes);
-    found_.add(base::Severity::kWarning,
-               render::shadowNotes(loaded.lights, config_.rendering.light));
+    diagnostics_.add(base::Severity::kWarning, loaded.notes);
+    diagnostics_.add(base::Severity::kWarning,
+                     render::shadowNotes(loaded.lights, config_.rendering.light));
     return std::move(setup_);
   }
 
@@ -116,10 +116,10 @@ class WorldBuilder {
     }
     if (!in_world && !variants.front().model) {
       lacks_objects_ = true;
-      found_.error(object.name + "/model",
-                   "found none, and the world '" + config_.world.file + "' has no model '" +
-                       object.name + "' (it has " + model_names_ +
-                       "); it should name a model file, or the world have that model");
+      diagnostics_.error(object.name + "/model",
+                         "found none, and the world '" + config_.world.file + "' has no model '" +
+                             object.name + "' (it has " + model_names_ +
+                             "); it should name a model file, or the world have that model");
       return;
     }
     std::vector<world::MovingModel> moving;
@@ -127,10 +127,10 @@ class WorldBuilder {
       const auto key = std::make_pair(variant.model, object.model_arguments);
       if (variant.model && broken_models_.count(key) != 0) continue;
       const bool is_loaded =
-          !variant.model || found_.attempt([&] { (void)modelOf(variant, object); });
+          !variant.model || diagnostics_.attempt([&] { (void)modelOf(variant, object); });
       if (!is_loaded) broken_models_.insert(key);
       if (is_loaded &&
-          found_.attempt([&] { moving.push_back(makeVariant(variant, object, in_world)); })) {
+          diagnostics_.attempt([&] { moving.push_back(makeVariant(variant, object, in_world)); })) {
         continue;
       }
       lacks_objects_ = true;
@@ -172,7 +172,7 @@ class WorldBuilder {
     std::vector<std::size_t> links;
     for (const scene::DrivenLink& each : driven) links.push_back(each.link);
     const bool is_first = setup_.driven_links.back().size() == 1;
-    if (is_first) found_.merge(articulation.found);
+    if (is_first) diagnostics_.merge(articulation.diagnostics);
     return {std::move(articulation.model), std::move(links)};
   }
 
@@ -180,7 +180,7 @@ class WorldBuilder {
   const std::vector<scene::ObjectVariants>& variants_;
   const motion::FrameSource* frames_;
   WorldFiles& files_;
-  base::Diagnostics& found_;
+  base::Diagnostics& diagnostics_;
   const base::OnStage& on_stage_;
   std::string model_names_;  ///< of the world, objects included
   std::vector<world::MovingObject> objects_;
@@ -195,8 +195,8 @@ class WorldBuilder {
 WorldSetup setUpWorld(const config::Config& config,
                       const std::vector<scene::ObjectVariants>& variants,
                       const motion::FrameSource* frames, WorldFiles& files,
-                      base::Diagnostics& found, const base::OnStage& on_stage) {
-  return WorldBuilder(config, variants, frames, files, found, on_stage).build();
+                      base::Diagnostics& diagnostics, const base::OnStage& on_stage) {
+  return WorldBuilder(config, variants, frames, files, diagnostics, on_stage).build();
 }
 
 }  // namespace synthetic_dataset::run

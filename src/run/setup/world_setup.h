@@ -22,7 +22,7 @@ struct WorldSetup {
   std::unique_ptr<world::World> world;                        ///< nothing where something is wrong
   std::vector<std::vector<scene::DrivenLinks>> driven_links;  ///< of each object's variants
 
-  /// Of the world and of the objects' models; nothing where the world cannot be read.
+  /// The sensors of the world and of the objects' models; nothing where the world cannot be read.
   std::optional<std::vector<world::CameraSensor>> sensors;
 
   std::set<std::string> inputs;    ///< the files that were found by what names them
@@ -36,10 +36,10 @@ struct WorldSetup {
 /// @param frames  which links follow frames of their own; none, which is an error already: no link
 ///     is driven
 /// @param files  of the world that config names
-/// @param found  takes all that is wrong, was left out or replaced, or may be good to know
+/// @param diagnostics  takes all that is wrong, was left out or replaced, or may be good to know
 [[nodiscard]] WorldSetup setUpWorld(const config::Config& config,
                                     const std::vector<scene::ObjectVariants>& variants,
                                     const motion::FrameSource* frames, WorldFiles& files,
-                                    base::Diagnostics& found, const base::OnStage& on_stage);
+                                    base::Diagnostics& diagnostics, const base::OnStage& on_stage);
 
 }  // namespace synthetic_dataset::run

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "scene/calibration/calibration_options.h"
 #include "scene/calibration/camera_info.h"
+#include "scene/camera_options.h"
 
 namespace synthetic_dataset::scene {
 

@@ -16,7 +16,7 @@ namespace synthetic_dataset::scene {
 [[nodiscard]] Value::Map withUsualNames(const Value::Map& map,
                                         const std::map<std::string, std::string>& names);
 
-/// Those that ROS has, for withUsualNames().
+/// ROS's names, for withUsualNames().
 [[nodiscard]] const std::map<std::string, std::string>& rosNames();
 
 /// A number of pixels, as a whole number if it is one.

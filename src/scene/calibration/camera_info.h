@@ -28,7 +28,7 @@ struct CameraInfoNumbers {
   int roi_height = 0;
 };
 
-/// What of a calibration is drawn.
+/// How a calibration is used.
 struct CalibrationUse {
   bool rectified = false;  ///< the rectified camera: rotation and projection matrix, no distortion
   double near = 0.05;      ///< [m]

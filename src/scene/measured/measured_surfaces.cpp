@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "motion/recorded_camera_info.h"
-#include "motion/recorded_clouds.h"
-#include "motion/recorded_depths.h"
-#include "motion/time_text.h"
+#include "motion/bag/ros_time.h"
+#include "motion/recorded/recorded_camera_info.h"
+#include "motion/recorded/recorded_ranges.h"
 #include "scene/calibration/camera_info.h"
+#include "scene/camera_poses.h"
 #include "scene/measured/range_image.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
@@ -109,7 +109,7 @@ struct MeasuredSurfaces::Impl {
     for (std::size_t i = 0; i < rigs.size(); ++i) picture_frames.push_back(pictures.frame(i));
   }
 
-  void readDepths(const TwinOptions& twin, const std::vector<std::string>& bag_files,
+  void readDepths(const RecordedImageOptions& twin, const std::vector<std::string>& bag_files,
                   Duration clock) {
     try {
       depths.emplace(bag_files, *twin.depth_topic);
@@ -126,7 +126,7 @@ struct MeasuredSurfaces::Impl {
     checkFrames(depth_times, kDepthSetting, named);
   }
 
-  void readClouds(const TwinOptions& twin, const std::vector<std::string>& bag_files) {
+  void readClouds(const RecordedImageOptions& twin, const std::vector<std::string>& bag_files) {
     try {
       clouds.emplace(bag_files, *twin.cloud_topic);
     } catch (const Error& error) {
@@ -140,7 +140,7 @@ struct MeasuredSurfaces::Impl {
   }
 
   /// With a calibration of its own, else as a picture's camera that it is.
-  void findDepthViews(const TwinOptions& twin, const std::vector<std::string>& bag_files) {
+  void findDepthViews(const RecordedImageOptions& twin, const std::vector<std::string>& bag_files) {
     const std::string topic = twin.depth_info_topic.value_or(infoTopicOf(*twin.depth_topic));
     std::optional<motion::RecordedCameraInfo> info;
     std::string missing;
@@ -208,7 +208,7 @@ struct MeasuredSurfaces::Impl {
                                            std::size_t camera, const world::World& world,
                                            Stamp time) const {
     const CameraRig& rig = cameras[camera];
-    if (isFrameOf(camera, frame)) return framePose(rig, world, frames, time, measured - time);
+    if (isFrameOf(camera, frame)) return cameraPose(rig, world, frames, time, measured - time).X_GF;
     const auto found = frames.find(frame);
     return found ? frames.pose(*found, measured) : std::nullopt;
   }
@@ -259,7 +259,7 @@ struct MeasuredSurfaces::Impl {
   Measurements cloud_times;
 };
 
-MeasuredSurfaces::MeasuredSurfaces(const TwinOptions& twin,
+MeasuredSurfaces::MeasuredSurfaces(const RecordedImageOptions& twin,
                                    const std::vector<std::string>& bag_files,
                                    const std::vector<CameraRig>& cameras,
                                    const CameraPictures& pictures,
@@ -275,7 +275,8 @@ MeasuredSurfaces::MeasuredSurfaces(const TwinOptions& twin,
 
 MeasuredSurfaces::~MeasuredSurfaces() = default;
 
-void MeasuredSurfaces::check(const std::vector<Stamp>& times, base::Diagnostics& found) const {
+void MeasuredSurfaces::check(const std::vector<Stamp>& times,
+                             base::Diagnostics& diagnostics) const {
   const auto checkOne = [&](const Measurements& all, const std::string& setting,
                             const std::string& noun) {
     std::vector<Duration> distances;
@@ -287,12 +288,12 @@ void MeasuredSurfaces::check(const std::vector<Stamp>& times, base::Diagnostics&
     const std::string within =
         " within " + fixed(1e3 * toSeconds(all.longest), 0) + " ms (twin/depth_time)";
     if (static_cast<std::size_t>(lost) == times.size()) {
-      found.error(setting, "no " + noun + " is" + within + " of a picture; the nearest are " +
-                               fixed(1e3 * toSeconds(distances[distances.size() / 2]), 0) +
-                               " ms away (median)");
+      diagnostics.error(setting, "no " + noun + " is" + within + " of a picture; the nearest are " +
+                                     fixed(1e3 * toSeconds(distances[distances.size() / 2]), 0) +
+                                     " ms away (median)");
     } else {
-      found.warning(setting, "scene without a " + noun + within + ": nothing hides its objects",
-                    lost);
+      diagnostics.warning(setting,
+                          "scene without a " + noun + within + ": nothing hides its objects", lost);
     }
   };
   if (impl_->depths) checkOne(impl_->depth_times, "twin/depth_topic", "depth image");

@@ -11,7 +11,7 @@
 #include "motion/frame_source.h"
 #include "scene/camera_pictures.h"
 #include "scene/camera_rig.h"
-#include "scene/twin_options.h"
+#include "scene/recorded_image_options.h"
 #include "synthetic_dataset/pose.h"
 #include "world/world.h"
 
@@ -29,13 +29,13 @@ class MeasuredSurfaces {
   /// @param frames  has to outlive this
   /// @throws ErrorList naming the settings, when something cannot be read, or nobody knows where it
   ///     was measured
-  MeasuredSurfaces(const TwinOptions& twin, const std::vector<std::string>& bag_files,
+  MeasuredSurfaces(const RecordedImageOptions& twin, const std::vector<std::string>& bag_files,
                    const std::vector<CameraRig>& cameras, const CameraPictures& pictures,
                    const motion::FrameSource& frames);
   ~MeasuredSurfaces();
 
   /// Counts the scenes of which nothing was measured; an error where that are all.
-  void check(const std::vector<Stamp>& times, base::Diagnostics& found) const;
+  void check(const std::vector<Stamp>& times, base::Diagnostics& diagnostics) const;
 
   /// What was measured of what a camera sees at a time, at which the world stands.
   /// @param X_GC  of the picture's optical frame

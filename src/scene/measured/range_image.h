@@ -20,7 +20,7 @@ class DepthLens {
 
   [[nodiscard]] const CameraModel& camera() const { return camera_; }
 
-  /// Of a pixel with the depth 1, row by row; z is 0 where the lens sees nothing at a depth.
+  /// Each pixel's ray at depth 1, row by row; z is 0 where the lens sees nothing at a depth.
   [[nodiscard]] const std::vector<Eigen::Vector3d>& rays() const { return rays_; }
 
  private:
@@ -28,14 +28,14 @@ class DepthLens {
   std::vector<Eigen::Vector3d> rays_;
 };
 
-/// Of a depth image. Each of its pixels is drawn as large as it is in the camera's image, so that
+/// Draws a depth image. Each of its pixels is as large as it is in the camera's image, so that
 /// surfaces have no holes whatever the two images' sizes.
 /// @param depth  CV_32FC1 of the lens's size: z [m], 0 where nothing was measured
 /// @param X_CD  of the depth camera in the other one's frame
 [[nodiscard]] cv::Mat rangesOfDepth(const cv::Mat& depth, const DepthLens& lens, const Pose& X_CD,
                                     const CameraModel& camera);
 
-/// Of a cloud. Each point is drawn as a rectangle that reaches half-way to its neighbours on all
+/// Draws a cloud. Each point is a rectangle that reaches half-way to its neighbours on all
 /// four sides, but not much farther than half of the cloud's usual spacing (the median, across and
 /// along): no more than that where there is no neighbour. So surfaces close, holes stay open.
 /// @param points_C  [m]

@@ -35,18 +35,19 @@ void Findings::addError(const std::string& message) { addOnce(errors, message); 
 
 void Findings::addNote(const std::string& message) { addOnce(notes, message); }
 
-void Findings::addNote(const Place& place, const std::string& remark) {
-  add(place.prefix(), remark, "", "", noted_, notes);
+void Findings::addNote(const SourceLocation& location, const std::string& remark) {
+  add(location.prefix(), remark, "", "", noted_, notes);
 }
 
-void Findings::addMissing(const Place& place, const std::string& thing) {
-  if (base::isAboutPipe(thing)) return addError(place.prefix() + thing);  // it is there, and wrong
+void Findings::addMissing(const SourceLocation& location, const std::string& thing) {
+  if (base::isAboutPipe(thing))
+    return addError(location.prefix() + thing);  // it is there, and wrong
   const bool is_error = on_missing_asset == OnMissingAsset::kError;
-  add(place.prefix(), thing, "wanted ", is_error ? "" : " (left out)", missing_,
+  add(location.prefix(), thing, "wanted ", is_error ? "" : " (left out)", missing_,
       is_error ? errors : notes);
 }
 
-void Findings::addMissing(const std::string& thing) { addMissing(Place(), thing); }
+void Findings::addMissing(const std::string& thing) { addMissing(SourceLocation(), thing); }
 
 /// Where it was looked for is said once of all files that were looked for there.
 std::string Findings::shortened(const std::string& thing) {
@@ -61,20 +62,20 @@ std::string Findings::shortened(const std::string& thing) {
   return thing;
 }
 
-void Findings::add(const std::string& place, const std::string& text, const char* times,
+void Findings::add(const std::string& location, const std::string& text, const char* times,
                    const std::string& end, Remarks& known, std::vector<std::string>& list) {
   const auto [entry, is_new] = known.try_emplace(text);
   Remark& remark = entry->second;
-  if (!remark.places.insert(place).second) return;
+  if (!remark.locations.insert(location).second) return;
   if (is_new) {
-    remark.message = place + shortened(text);
+    remark.message = location + shortened(text);
     remark.index = list.size();
     list.push_back(remark.message + end);
     return;
   }
-  const std::string model = modelOf(place);
+  const std::string model = modelOf(location);
   if (!model.empty() && model != modelOf(remark.message)) addOnce(remark.models, model);
-  std::string count = std::to_string(remark.places.size()) + " times";
+  std::string count = std::to_string(remark.locations.size()) + " times";
   const std::size_t named = std::min(remark.models.size(), kMostModels);
   for (std::size_t i = 0; i < named; ++i) {
     count += (i == 0 ? ", also in " : ", ") + remark.models[i];

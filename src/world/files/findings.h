@@ -8,47 +8,47 @@
 #include <vector>
 
 #include "synthetic_dataset/errors.h"
-#include "world/load_options.h"
+#include "world/world_options.h"
 
 namespace synthetic_dataset::world {
 
 /// Where in which file something stands, for messages: "world.sdf: line 12: model
 /// 'shelf': link 'body'".
-class Place {
+class SourceLocation {
  public:
-  Place() = default;  ///< of what is in no file
-  explicit Place(std::string file) : file_(std::move(file)) {}
+  SourceLocation() = default;  ///< of what is in no file
+  explicit SourceLocation(std::string file) : file_(std::move(file)) {}
 
-  /// The place of an element below this one.
-  [[nodiscard]] Place in(const std::string& kind, const std::string& name) const {
-    Place inner = *this;
+  /// The location of an element below this one.
+  [[nodiscard]] SourceLocation in(const std::string& kind, const std::string& name) const {
+    SourceLocation inner = *this;
     inner.path_ += kind + " '" + name + "': ";
     return inner;
   }
 
-  /// The place of an element of which there is but one: "scene: fog: ".
-  [[nodiscard]] Place in(const std::string& kind) const {
-    Place inner = *this;
+  /// The location of an element of which there is but one: "scene: fog: ".
+  [[nodiscard]] SourceLocation in(const std::string& kind) const {
+    SourceLocation inner = *this;
     inner.path_ += kind + ": ";
     return inner;
   }
 
   /// The same path in another file, for the elements of an included one; an empty name changes
   /// nothing.
-  [[nodiscard]] Place inFile(const std::string& file) const {
-    Place other = *this;
+  [[nodiscard]] SourceLocation inFile(const std::string& file) const {
+    SourceLocation other = *this;
     if (!file.empty()) other.file_ = file;
     return other;
   }
 
-  /// The same place with the line that a message names; 0 for none.
-  [[nodiscard]] Place atLine(int line) const {
-    Place other = *this;
+  /// The same location with the line that a message names; 0 for none.
+  [[nodiscard]] SourceLocation atLine(int line) const {
+    SourceLocation other = *this;
     other.line_ = line;
     return other;
   }
 
-  /// "world.sdf: line 12: model 'shelf': ", for what is said of it.
+  /// "world.sdf: line 12: model 'shelf': ", to begin a message.
   [[nodiscard]] std::string prefix() const {
     const std::string line = line_ > 0 ? "line " + std::to_string(line_) + ": " : "";
     return (file_.empty() ? "" : file_ + ": ") + line + path_;
@@ -86,12 +86,12 @@ struct Findings {
 
   /// The same remark on several places is listed once, with the first of them and how often it
   /// holds.
-  void addNote(const Place& place, const std::string& remark);
+  void addNote(const SourceLocation& location, const std::string& remark);
 
   /// Something that cannot be had: an error, or a note that it is left out. What is missing in
   /// several places ("mesh 'x.dae': no such file; looked in ...") is listed once, with how often it
   /// is wanted, and where it was looked for is not repeated for the next file.
-  void addMissing(const Place& place, const std::string& thing);
+  void addMissing(const SourceLocation& location, const std::string& thing);
   void addMissing(const std::string& thing);
 
   /// @throws ErrorList with all errors, if there are any; MissingAssets if files are missing
@@ -102,13 +102,13 @@ struct Findings {
   struct Remark {
     std::string message;    ///< with the place where it was found first
     std::size_t index = 0;  ///< in the list
-    std::set<std::string> places;
+    std::set<std::string> locations;
     std::vector<std::string> models;  ///< for which it holds, too: "model 'b'"
   };
 
   using Remarks = std::map<std::string, Remark>;
 
-  void add(const std::string& place, const std::string& text, const char* times,
+  void add(const std::string& location, const std::string& text, const char* times,
            const std::string& end, Remarks& known, std::vector<std::string>& list);
   [[nodiscard]] std::string shortened(const std::string& thing);
 

@@ -18,7 +18,7 @@ struct FuelUri {
   std::string path;     ///< of a file within the model; empty for the model itself
 };
 
-/// @return nothing for what is no URI of such a server
+/// @return nothing unless it is a URI of such a server
 [[nodiscard]] std::optional<FuelUri> parseFuelUri(const std::string& uri);
 
 /// The folders in which Gazebo's tools keep what they have downloaded: those of GZ_FUEL_CACHE_PATH

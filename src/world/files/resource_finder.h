@@ -91,10 +91,10 @@ class ResourceFinder {
  private:
   struct Candidates;
 
-  /// Of a URI as it stands.
+  /// The candidates for a URI as it stands.
   [[nodiscard]] Candidates candidates(const std::string& uri,
                                       const std::filesystem::path& folder) const;
-  /// Those in exported folders, which are looked into last.
+  /// Candidates in exported folders, which are searched last.
   [[nodiscard]] Candidates exportedCandidates(const std::string& uri) const;
 
   static void addModel(const std::string& rest, const std::vector<std::string>& folders,

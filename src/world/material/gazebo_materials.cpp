@@ -7,7 +7,7 @@
 
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
-#include "world/material/shininess.h"
+#include "world/material/material_conversions.h"
 
 namespace synthetic_dataset::world {
 namespace {

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "synthetic_dataset/errors.h"
+#include "world/material/material_conversions.h"
 #include "world/material/ogre_properties.h"
-#include "world/material/shininess.h"
 
 namespace synthetic_dataset::world {
 namespace {
@@ -48,7 +48,7 @@ const OgreObject& basePassOf(const std::vector<const OgreObject*>& passes) {
   return *passes.front();
 }
 
-/// Of a list of frames the first; of `base.png 4 2.5` the file base_0.png.
+/// The first frame of a list; for `base.png 4 2.5`, the file base_0.png.
 std::string firstFrame(const OgreProperty& animation) {
   if (animation.values.empty()) return "";
   const std::string& name = animation.values.front();
@@ -142,7 +142,7 @@ class Reader {
   }
 
  private:
-  /// Of one pass by itself.
+  /// Reads one pass by itself.
   Reader(const OgreObject& pass, const Names& aliases) : passes_{&pass}, aliases_(aliases) {}
 
   void readOverlays() {
@@ -279,7 +279,7 @@ class Reader {
     }
   }
 
-  /// Of shader programs nobody knows what they do with a second picture.
+  /// It is unknown what a shader program does with a second picture.
   void setFactor(const OgreObject& diffuse, const OgreObject& unit) {
     const bool same_coordinates =
         wordOf(diffuse, "tex_coord_set") == wordOf(unit, "tex_coord_set") && modulates(diffuse);

@@ -14,9 +14,9 @@ struct OgreMaterial {
 };
 
 /// The material that an OGRE 1.x script describes: that of the first technique without a scheme.
-/// Of several passes the last that covers what is behind it counts; what it leaves open the others
-/// say. Passes after it that are blended with it by alpha, and have a picture, are its overlays. Of
-/// several pictures the first that is neither a reflection nor named for another use is the diffuse
+/// The last of several passes that covers what is behind it counts; what it leaves open the others
+/// say. Passes after it that are blended with it by alpha, and have a picture, are its overlays. The
+/// first of several pictures that is neither a reflection nor named for another use is the diffuse
 /// one; another after it that modulates it is its factor. Shader programs are not run: the names of
 /// their samplers say what pictures are for, and without a picture a colour that is given to them
 /// is the diffuse one.

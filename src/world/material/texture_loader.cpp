@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a picture without a file: no path begins like it.
+/// The key of a picture without a file; no path begins like it.
 std::string embeddedKey(const EmbeddedPicture& picture) {
   return "embedded " + std::to_string(reinterpret_cast<std::uintptr_t>(&picture));
 }

@@ -40,7 +40,7 @@ std::vector<Index> placesOf(const std::vector<Eigen::Vector3f>& positions) {
 
 using Triangle = std::array<Index, 3>;
 
-/// Those with three different corners.
+/// The triangles with three different corners.
 std::vector<Triangle> trianglesOf(const Mesh& mesh, const std::vector<Index>& places) {
   std::vector<Triangle> triangles;
   triangles.reserve(mesh.indices.size() / 3);

@@ -21,7 +21,7 @@ struct ColladaText {
 /// - an `<image>` that names no picture, for which it refuses the whole file;
 /// - blanks around a text, and comments, over which it stumbles.
 ///
-/// Of a node's transformations, Gazebo takes a `<matrix>` alone where there is one
+/// Gazebo applies only the `<matrix>` of a node that has one
 /// (ColladaLoader::LoadNodeTransform); COLLADA has all of them. The others are taken out.
 /// @throws Error with the line if it is not XML, or has no COLLADA in it
 [[nodiscard]] ColladaText prepareCollada(const std::filesystem::path& file);

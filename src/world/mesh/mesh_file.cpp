@@ -12,17 +12,16 @@
 #include <utility>
 #include <variant>
 
-#include <Eigen/Geometry>
-
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <Eigen/Geometry>
 #include <assimp/Importer.hpp>
 
 #include "base/input_file.h"
 #include "base/sandbox/sandboxed_process.h"
 #include "synthetic_dataset/errors.h"
-#include "world/material/colour_encoding.h"
+#include "world/material/material_conversions.h"
 #include "world/mesh/assimp_conversions.h"
 #include "world/mesh/assimp_gaps.h"
 #include "world/mesh/collada_repair.h"

@@ -33,7 +33,7 @@ EmbeddedPictures gather(const MeshFile& file) {
   return pictures;
 }
 
-// They count from 1; 0 is no embedded picture.
+// They count from 1; 0 means that it is not embedded.
 std::uint64_t numberOf(const Embedded& picture, const EmbeddedPictures& pictures) {
   if (!picture) return 0;
   const auto found = std::find(pictures.begin(), pictures.end(), picture);

@@ -1,19 +1,53 @@
 #include "world/mesh/mesh_loader.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <filesystem>
 #include <locale>
+#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
+#include "base/input_file.h"
+#include "base/sandbox/sandboxed_batch.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
-#include "world/mesh/mesh_batch.h"
+#include "world/mesh/mesh_file.h"
+#include "world/mesh/mesh_file_bytes.h"
 
 namespace synthetic_dataset::world {
 namespace {
+
+/// Reads many mesh files at once, as many side by side as the machine has cores. Processes of their
+/// own cost more than the reading of a small file does; here some files share one.
+/// @return those that could be read, by path; of the others readMeshFile says what is wrong
+std::map<std::string, MeshFile> readMeshFiles(const std::vector<std::filesystem::path>& files) {
+  std::vector<base::SandboxedWork> pieces;
+  for (const auto& file : files) {
+    pieces.push_back({[&file] { return toBytes(importMeshFile(file)); },
+                      meshSandboxLimits(file).processor_time});
+  }
+  const std::vector<std::optional<std::string>> contents =
+      base::runAllSandboxed(pieces, base::SandboxLimits().memory);
+  std::map<std::string, MeshFile> result;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!contents[i]) continue;
+    try {
+      MeshFile content = meshFileOf(*contents[i]);
+      for (const std::filesystem::path& each : content.files) base::InputWatch::note(each);
+      result.emplace(files[i].string(), std::move(content));
+    } catch (const Error&) {
+      continue;  // it is read by itself then
+    }
+  }
+  return result;
+}
 
 constexpr float kLargestExtent = 1e6F;  // [m]
 
@@ -123,7 +157,7 @@ std::vector<MeshPiece> makePieces(const MeshFile& file, const MeshRequest& reque
   return pieces;
 }
 
-/// Of the materials that its parts have.
+/// The pictures of the materials that its parts have.
 std::vector<TextureReference> picturesOf(const MeshFile& file) {
   std::set<std::size_t> materials;
   for (const MeshPart& part : file.parts) materials.insert(part.material);

@@ -14,8 +14,7 @@
 #include <assimp/pbrmaterial.h>
 #endif
 
-#include "world/material/colour_encoding.h"
-#include "world/material/shininess.h"
+#include "world/material/material_conversions.h"
 
 namespace synthetic_dataset::world {
 namespace {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Of a line with a name [byte].
+/// The longest line with a name [byte].
 constexpr std::size_t kLongestStatement = 4096;
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }

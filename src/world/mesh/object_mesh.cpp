@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "world/material/colour_encoding.h"
+#include "world/material/material_conversions.h"
 #include "world/mesh/farthest_pair.h"
 #include "world/mesh/mesh_normals.h"
 

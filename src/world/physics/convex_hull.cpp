@@ -11,7 +11,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Of the distance between the hull's centre and its nearest face: what an inset may take.
+/// The largest inset, as a share of the distance between the hull's centre and its nearest face.
 constexpr double kLargestInset = 0.25;
 
 /// Directions spread evenly over the sphere (a Fibonacci lattice; Gonzalez 2010, "Measurement of

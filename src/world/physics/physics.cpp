@@ -29,8 +29,8 @@ constexpr double kJumpSpeed = 100.0;  // [m/s]
 constexpr double kJumpSpin = 100.0;   // [rad/s]
 constexpr double kStillSpeed = 1e-6;  // [m/s], [rad/s]: noise of an object that stands
 
-/// Of a prop's smallest half size: the sphere that is swept along its path in a step that moves it
-/// farther than that, so that small fast props do not pass through thin walls.
+/// Share of a prop's smallest half size: the sphere that is swept along its path in a step that
+/// moves it farther than that, so that small fast props do not pass through thin walls.
 constexpr double kSweptShare = 0.5;
 
 struct Velocity {

@@ -9,7 +9,7 @@
 #include "base/input_file.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/resource_finder.h"
-#include "world/sdf/sdf_version.h"
+#include "world/sdf/sdf_file.h"
 
 namespace synthetic_dataset::world {
 namespace {

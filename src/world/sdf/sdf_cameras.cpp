@@ -26,16 +26,17 @@ Intrinsics fromFieldOfView(const CameraImage& image) {
 /// Reads the `<camera>` of a sensor.
 class CameraReader {
  public:
-  CameraReader(const Element& camera, const Place& place, SdfReading& reading)
-      : camera_(camera), place_(place), reading_(reading) {
+  CameraReader(const Element& camera, const SourceLocation& location, SdfReading& reading)
+      : camera_(camera), location_(location), reading_(reading) {
     image_.width = static_cast<int>(number(camera.child("image"), "width", image_.width));
     image_.height = static_cast<int>(number(camera.child("image"), "height", image_.height));
     image_.field_of_view = number(camera, "horizontal_fov", image_.field_of_view);
   }
 
   [[nodiscard]] CameraModel model(bool wide_angle) const {
-    const Lens lens = wide_angle ? wideAngleLens(image_, camera_, place_, reading_)
-                                 : Lens{intrinsics(), brownDistortion(camera_, place_, reading_)};
+    const Lens lens = wide_angle
+                          ? wideAngleLens(image_, camera_, location_, reading_)
+                          : Lens{intrinsics(), brownDistortion(camera_, location_, reading_)};
     return CameraModel(image_.width, image_.height, lens.intrinsics, clip("near", 0.1, 0.05),
                        clip("far", 100.0, 1000.0), lens.distortion);
   }
@@ -53,7 +54,7 @@ class CameraReader {
 
  private:
   [[nodiscard]] double number(const Element& parent, const char* name, double fallback) const {
-    return readNumber(parent, name, fallback, place_, reading_);
+    return readNumber(parent, name, fallback, location_, reading_);
   }
 
   /// @param usual  SDF's where a <clip> leaves it out [m]
@@ -72,7 +73,7 @@ class CameraReader {
   }
 
   const Element& camera_;
-  const Place& place_;
+  const SourceLocation& location_;
   SdfReading& reading_;
   CameraImage image_;
 };
@@ -85,18 +86,18 @@ bool isPinhole(const std::string& type) {
 }  // namespace
 
 std::optional<CameraSensor> readCamera(const Element& sensor, const std::string& name,
-                                       const Pose& X_WL, const Pose& X_LS, const Place& place,
-                                       SdfReading& reading) {
+                                       const Pose& X_WL, const Pose& X_LS,
+                                       const SourceLocation& location, SdfReading& reading) {
   const std::string type = readText(sensor, "type");
   const bool wide_angle = type == "wideanglecamera" || type == "wide_angle_camera";
   const Element camera = sensor.child("camera");
   if (!camera || !(wide_angle || isPinhole(type))) return std::nullopt;
   try {
-    const CameraReader reader(camera, place, reading);
-    const Pose X_LC = X_LS * readPose(camera, place, reading).pose * opticalInBody();
+    const CameraReader reader(camera, location, reading);
+    const Pose X_LC = X_LS * readPose(camera, location, reading).pose * opticalInBody();
     return CameraSensor{name, X_WL * X_LC, reader.model(wide_angle), reader.noise(), "", X_LC};
   } catch (const Error& error) {
-    reading.findings.addNote(place, std::string(error.what()) + "; the camera is left out");
+    reading.findings.addNote(location, std::string(error.what()) + "; the camera is left out");
   }
   return std::nullopt;
 }

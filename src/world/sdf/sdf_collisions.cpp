@@ -34,33 +34,34 @@ struct ShapeMaker {
 };
 
 /// Gazebo, too, takes a friction below 0 for none given.
-double atLeastZero(double value, double fallback, const char* name, const Place& place,
+double atLeastZero(double value, double fallback, const char* name, const SourceLocation& location,
                    SdfReading& reading) {
   if (value >= 0.0) return value;
-  reading.findings.addNote(place, std::string(name) + ": found " + shortText(value) +
-                                      "; it has to be 0 or more; " + takenInstead(fallback));
+  reading.findings.addNote(location, std::string(name) + ": found " + shortText(value) +
+                                         "; it has to be 0 or more; " + takenInstead(fallback));
   return fallback;
 }
 
-void readSurface(const Element& collision, const Place& place, SdfReading& reading, Collision& to) {
+void readSurface(const Element& collision, const SourceLocation& location, SdfReading& reading,
+                 Collision& to) {
   const Element surface = collision.child("surface");
   const Element ode = surface.child("friction").child("ode");
-  to.friction = atLeastZero(readNumber(ode, "mu", to.friction, place, reading), to.friction,
-                            "friction mu", place, reading);
+  to.friction = atLeastZero(readNumber(ode, "mu", to.friction, location, reading), to.friction,
+                            "friction mu", location, reading);
   const double bounce = readNumber(surface.child("bounce"), "restitution_coefficient",
-                                   to.restitution, place, reading);
-  to.restitution =
-      std::min(1.0, atLeastZero(bounce, to.restitution, "restitution_coefficient", place, reading));
+                                   to.restitution, location, reading);
+  to.restitution = std::min(
+      1.0, atLeastZero(bounce, to.restitution, "restitution_coefficient", location, reading));
 }
 
 }  // namespace
 
 std::optional<Collision> readCollision(const Element& collision, const Eigen::Vector3d& scale,
-                                       const Place& place, SdfReading& reading) {
+                                       const SourceLocation& location, SdfReading& reading) {
   Collision result;
   result.name = collision.attribute("name");
-  readSurface(collision, place, reading, result);
-  const std::optional<Geometry> geometry = readGeometry(collision, scale, place, reading);
+  readSurface(collision, location, reading, result);
+  const std::optional<Geometry> geometry = readGeometry(collision, scale, location, reading);
   if (!geometry) return std::nullopt;
   if (reading.survey != nullptr) {
     surveyMesh(*geometry, false, *reading.survey);
@@ -69,18 +70,18 @@ std::optional<Collision> readCollision(const Element& collision, const Eigen::Ve
   try {
     result.shape = std::visit(ShapeMaker{reading}, *geometry);
   } catch (const Error& error) {
-    reading.missing(place, error.what());
+    reading.missing(location, error.what());
     return std::nullopt;
   }
   return result;
 }
 
-void noteHulls(const Element& link, const Place& place, SdfReading& reading) {
+void noteHulls(const Element& link, const SourceLocation& location, SdfReading& reading) {
   for (const Element& collision : link.children("collision")) {
     for (const char* kind : {"polyline", "heightmap", "image"}) {
       if (!collision.child("geometry").has(kind)) continue;
       reading.findings.addNote(
-          placeOf(collision, place),
+          locationOf(collision, location),
           std::string("a ") + kind + "; while it moves, its convex hull collides");
     }
   }

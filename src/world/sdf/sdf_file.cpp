@@ -1,5 +1,6 @@
 #include "world/sdf/sdf_file.h"
 
+#include <cstdlib>
 #include <utility>
 
 #include "base/input_file.h"
@@ -77,6 +78,22 @@ std::unique_ptr<SdfFile> parsed(const fs::path& name, std::string text) {
 }
 
 }  // namespace
+
+bool isSdfVersion(const std::string& text) {
+  const std::size_t point = text.find('.');
+  const auto isNumber = [](const std::string& digits) {
+    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos;
+  };
+  return isNumber(text.substr(0, point)) &&
+         (point == std::string::npos || isNumber(text.substr(point + 1)));
+}
+
+SdfVersion parseSdfVersion(const char* text) {
+  if (text == nullptr) return {0, 0};
+  char* end = nullptr;
+  const long major = std::strtol(text, &end, 10);
+  return {major, *end == '.' ? std::strtol(end + 1, nullptr, 10) : 0};
+}
 
 const SdfFile& SdfFiles::read(const fs::path& file) {
   return keep(file.string(), file, [&] { return base::readInput(file); });

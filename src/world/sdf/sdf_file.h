@@ -6,13 +6,24 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include <tinyxml2.h>
 
-#include "world/sdf/sdf_version.h"
-
 namespace synthetic_dataset::world {
+
+/// SDF's version: 1 and 6 of "1.6".
+using SdfVersion = std::pair<long, long>;
+
+/// The newest version whose elements this program knows.
+inline constexpr SdfVersion kNewestSdfVersion{1, 12};
+
+/// Whether a text is a version: "1.6".
+[[nodiscard]] bool isSdfVersion(const std::string& text);
+
+/// @param text  may be null: 0, 0
+[[nodiscard]] SdfVersion parseSdfVersion(const char* text);
 
 /// A parsed file of SDF or URDF.
 struct SdfFile {
@@ -30,7 +41,8 @@ struct SdfFile {
 /// Parses each file once.
 class SdfFiles {
  public:
-  /// @throws Error if it is no regular file, no XML even when repaired, or neither SDF nor URDF:
+  /// @throws Error if it is not a regular file, not XML even when repaired, or neither SDF nor
+  /// URDF:
   ///     "world.sdf: line 2: cannot be read as XML (...)"
   [[nodiscard]] const SdfFile& read(const std::filesystem::path& file);
 

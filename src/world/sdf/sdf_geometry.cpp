@@ -14,9 +14,9 @@ namespace {
 /// Reads one geometry. What is wrong with it is thrown as an Error, and costs its owner alone.
 class GeometryReader {
  public:
-  GeometryReader(const Element& geometry, const Eigen::Vector3d& scale, const Place& place,
-                 SdfReading& reading)
-      : geometry_(geometry), scale_(scale), place_(place), reading_(reading) {}
+  GeometryReader(const Element& geometry, const Eigen::Vector3d& scale,
+                 const SourceLocation& location, SdfReading& reading)
+      : geometry_(geometry), scale_(scale), location_(location), reading_(reading) {}
 
   std::optional<Geometry> read() {
     if (const Element box = geometry_.child("box")) return readBox(box);
@@ -26,18 +26,19 @@ class GeometryReader {
     if (const Element ellipsoid = geometry_.child("ellipsoid")) return readEllipsoid(ellipsoid);
     if (const Element plane = geometry_.child("plane")) return readPlane(plane);
     if (const Element mesh = geometry_.child("mesh")) return readMesh(mesh);
-    if (geometry_.has("polyline")) return readPolylines(geometry_, scale_, place_, reading_);
+    if (geometry_.has("polyline")) return readPolylines(geometry_, scale_, location_, reading_);
     if (const Element map = geometry_.child("heightmap")) {
-      return readHeightmap(map, scale_, place_, reading_);
+      return readHeightmap(map, scale_, location_, reading_);
     }
-    if (const Element image = geometry_.child("image")) return readWallMap(image, place_, reading_);
+    if (const Element image = geometry_.child("image"))
+      return readWallMap(image, location_, reading_);
     noteUnknown();
     return std::nullopt;
   }
 
  private:
   double number(const Element& element, const char* name, double fallback) {
-    return readNumber(element, name, fallback, place_, reading_);
+    return readNumber(element, name, fallback, location_, reading_);
   }
 
   Eigen::Vector3d scaled(const std::string& name, const Eigen::Vector3d& sizes) {
@@ -56,7 +57,7 @@ class GeometryReader {
   }
 
   Geometry readBox(const Element& box) {
-    return BoxShape{scaled("box size", readVector(box, "size", {1, 1, 1}, place_, reading_))};
+    return BoxShape{scaled("box size", readVector(box, "size", {1, 1, 1}, location_, reading_))};
   }
 
   Geometry readSphere(const Element& sphere) {
@@ -76,11 +77,11 @@ class GeometryReader {
 
   Geometry readEllipsoid(const Element& ellipsoid) {
     return Ellipsoid{
-        scaled("ellipsoid radii", readVector(ellipsoid, "radii", {1, 1, 1}, place_, reading_))};
+        scaled("ellipsoid radii", readVector(ellipsoid, "radii", {1, 1, 1}, location_, reading_))};
   }
 
   Geometry readPlane(const Element& plane) {
-    const Eigen::Vector3d normal = readVector(plane, "normal", {0, 0, 1}, place_, reading_);
+    const Eigen::Vector3d normal = readVector(plane, "normal", {0, 0, 1}, location_, reading_);
     requireSize("length of the plane's normal", normal.norm());
     std::vector<double> size = numbersIn(plane.value("size").value_or("1 1"));
     if (size.size() != 2) throw Error("plane size: two numbers are needed");
@@ -92,16 +93,16 @@ class GeometryReader {
   double planeSize(double value) {
     constexpr double kEndless = 1e5;  // [m]
     if (!std::isfinite(value) || value <= kEndless) return requireSize("plane size", value);
-    reading_.findings.addNote(place_, "its plane is drawn 100 km wide");
+    reading_.findings.addNote(location_, "its plane is drawn 100 km wide");
     return kEndless;
   }
 
   std::optional<Geometry> readMesh(const Element& mesh) {
     MeshRequest request;
-    const Eigen::Vector3d scale = readVector(mesh, "scale", {1, 1, 1}, place_, reading_);
+    const Eigen::Vector3d scale = readVector(mesh, "scale", {1, 1, 1}, location_, reading_);
     request.scale = scale.cwiseProduct(scale_);
     request.submesh = readText(mesh.child("submesh"), "name");
-    request.centre_submesh = readBool(mesh.child("submesh"), "center", false, place_, reading_);
+    request.centre_submesh = readBool(mesh.child("submesh"), "center", false, location_, reading_);
     constexpr double kLargestScale = 1e6;
     if (request.scale.prod() == 0.0 || request.scale.cwiseAbs().maxCoeff() > kLargestScale) {
       throw Error("mesh scale: found " + shortText(request.scale.x()) + " " +
@@ -110,7 +111,7 @@ class GeometryReader {
     }
     // SDF 1.0 says `filename`.
     const char* name = mesh.value("uri") ? "uri" : "filename";
-    const auto file = findFile("mesh", readText(mesh, name), mesh, place_, reading_);
+    const auto file = findFile("mesh", readText(mesh, name), mesh, location_, reading_);
     if (!file) return std::nullopt;
     request.file = *file;
     return request;
@@ -119,25 +120,25 @@ class GeometryReader {
   void noteUnknown() {
     const Element kind = geometry_.firstChild();
     if (!kind || kind.name() == "empty") return;
-    reading_.findings.addNote(place_, "its geometry, a '" + kind.name() + "', is left out");
+    reading_.findings.addNote(location_, "its geometry, a '" + kind.name() + "', is left out");
   }
 
   const Element& geometry_;
   const Eigen::Vector3d& scale_;
-  const Place& place_;
+  const SourceLocation& location_;
   SdfReading& reading_;
 };
 
 }  // namespace
 
 std::optional<Geometry> readGeometry(const Element& owner, const Eigen::Vector3d& scale,
-                                     const Place& place, SdfReading& reading) {
+                                     const SourceLocation& location, SdfReading& reading) {
   const Element geometry = owner.child("geometry");
   if (!geometry) return std::nullopt;
   try {
-    return GeometryReader(geometry, scale, place, reading).read();
+    return GeometryReader(geometry, scale, location, reading).read();
   } catch (const Error& error) {
-    reading.findings.addNote(place, std::string(error.what()) + "; it is left out");
+    reading.findings.addNote(location, std::string(error.what()) + "; it is left out");
     return std::nullopt;
   }
 }

@@ -35,11 +35,12 @@ using Geometry = std::variant<BoxShape, SphereShape, CylinderShape, PlanePatch, 
 
 /// @param owner  of the `<geometry>`
 /// @param scale  how much larger than the file says, by axis: of a saved world's `<state>`
-/// @param place  the owner's
+/// @param location  the owner's
 /// @return nothing for one that cannot be understood, for a kind that is left out (both noted),
 ///     for one whose file is missing (reported), and for none at all
 [[nodiscard]] std::optional<Geometry> readGeometry(const Element& owner,
-                                                   const Eigen::Vector3d& scale, const Place& place,
+                                                   const Eigen::Vector3d& scale,
+                                                   const SourceLocation& location,
                                                    SdfReading& reading);
 
 /// Lists the mesh of a geometry, if it is one.

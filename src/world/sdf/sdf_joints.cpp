@@ -9,7 +9,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Nothing for what is no link, as the world.
+/// Nothing unless it is a link; the world is not.
 std::optional<std::size_t> findLink(const std::vector<Link>& links, const std::string& name) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (links[i].name == name) return i;
@@ -67,7 +67,7 @@ class JointReader {
 
   void noteUnknown(const Element& joint, const std::string& name) {
     if (source_.has_gaps) return;
-    reading_.findings.addNote(placeOf(joint, source_.place),
+    reading_.findings.addNote(locationOf(joint, source_.location),
                               "found '" + name +
                                   "', which is no link of the model; "
                                   "the joint is left out");

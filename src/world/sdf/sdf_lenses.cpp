@@ -32,10 +32,10 @@ struct Mapping {
   [[nodiscard]] double radius(double angle) const { return c2 * apply(angle / c2); }
 };
 
-Mapping customMapping(const Element& lens, const Place& place, SdfReading& reading) {
+Mapping customMapping(const Element& lens, const SourceLocation& location, SdfReading& reading) {
   const Element element = lens.child("custom_function");
   const auto number = [&](const char* name, double fallback) {
-    return readNumber(element, name, fallback, place, reading);
+    return readNumber(element, name, fallback, location, reading);
   };
   Mapping mapping;
   mapping.c1 = number("c1", 1.0);
@@ -48,7 +48,7 @@ Mapping customMapping(const Element& lens, const Place& place, SdfReading& readi
 }
 
 /// https://en.wikipedia.org/wiki/Fisheye_lens#Mapping_function
-Mapping mappingOf(const Element& lens, const Place& place, SdfReading& reading) {
+Mapping mappingOf(const Element& lens, const SourceLocation& location, SdfReading& reading) {
   const std::string named = readText(lens, "type");
   const std::string type = named.empty() ? "stereographic" : named;
   if (type == "gnomonical") return {1.0, 1.0, 0.0, 1.0, "tan"};
@@ -56,7 +56,7 @@ Mapping mappingOf(const Element& lens, const Place& place, SdfReading& reading) 
   if (type == "equidistant") return {1.0, 1.0, 0.0, 1.0, "id"};
   if (type == "equisolid_angle") return {2.0, 2.0, 0.0, 1.0, "sin"};
   if (type == "orthographic") return {1.0, 1.0, 0.0, 1.0, "sin"};
-  if (type == "custom") return customMapping(lens, place, reading);
+  if (type == "custom") return customMapping(lens, location, reading);
   throw Error("lens/type: found '" + type +
               "'; it should be gnomonical, stereographic, equidistant, equisolid_angle, "
               "orthographic or custom");
@@ -138,10 +138,13 @@ Distortion distortionOf(const Mapping& mapping, double cutoff, double focal_leng
 
 }  // namespace
 
-Distortion brownDistortion(const Element& camera, const Place& place, SdfReading& reading) {
+Distortion brownDistortion(const Element& camera, const SourceLocation& location,
+                           SdfReading& reading) {
   const Element element = camera.child("distortion");
   if (!element) return {};
-  const auto k = [&](const char* name) { return readNumber(element, name, 0.0, place, reading); };
+  const auto k = [&](const char* name) {
+    return readNumber(element, name, 0.0, location, reading);
+  };
   Distortion distortion;
   distortion.coefficients = {k("k1"), k("k2"), k("p1"), k("p2"), k("k3")};
   const auto& c = distortion.coefficients;
@@ -155,18 +158,18 @@ Distortion brownDistortion(const Element& camera, const Place& place, SdfReading
   return distortion;
 }
 
-Lens wideAngleLens(const CameraImage& image, const Element& camera, const Place& place,
+Lens wideAngleLens(const CameraImage& image, const Element& camera, const SourceLocation& location,
                    SdfReading& reading) {
   constexpr double kDefaultCutoff = 1.5707;  // SDF's
   const Element lens = camera.child("lens");
-  const Mapping mapping = mappingOf(lens, place, reading);
+  const Mapping mapping = mappingOf(lens, location, reading);
   checkMapping(mapping);
   const double width = image.width;
   const double height = image.height;
-  const bool is_scaled = readBool(lens, "scale_to_hfov", true, place, reading);
+  const bool is_scaled = readBool(lens, "scale_to_hfov", true, location, reading);
   const double scale = scaleOf(mapping, is_scaled, image.field_of_view);
   const double focal_length = 0.5 * width * mapping.c1 * scale / mapping.c2;
-  const double cutoff = readNumber(lens, "cutoff_angle", kDefaultCutoff, place, reading);
+  const double cutoff = readNumber(lens, "cutoff_angle", kDefaultCutoff, location, reading);
   return {{focal_length, focal_length, 0.5 * (width - 1.0), 0.5 * (height - 1.0)},
           distortionOf(mapping, cutoff, focal_length, 0.5 * std::hypot(width, height))};
 }

@@ -29,7 +29,7 @@ class UnsupportedLens : public Error {
 /// a negative k1, by stretching it; this is left out, so that pictures agree with the camera's
 /// calibration.
 /// @throws UnsupportedLens where the distortion's centre is not the image's
-[[nodiscard]] Distortion brownDistortion(const Element& camera, const Place& place,
+[[nodiscard]] Distortion brownDistortion(const Element& camera, const SourceLocation& location,
                                          SdfReading& reading);
 
 /// The lens of a <sensor type="wideanglecamera">: r = c1 f fun(theta / c2 + c3), r being 1 at half
@@ -37,6 +37,6 @@ class UnsupportedLens : public Error {
 /// with coefficients that are fitted to within 0.05 px over all that the image shows.
 /// @throws UnsupportedLens where no fit is that good, or r is not 0 on the axis
 [[nodiscard]] Lens wideAngleLens(const CameraImage& image, const Element& camera,
-                                 const Place& place, SdfReading& reading);
+                                 const SourceLocation& location, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

@@ -8,8 +8,8 @@ namespace synthetic_dataset::world {
 
 /// @param light  a `<light>`
 /// @param name  scoped: "model::link::light"
-/// @param place  the light's
+/// @param location  the light's
 [[nodiscard]] Light readLight(const Element& light, const std::string& name, const Pose& X_WL,
-                              const Place& place, SdfReading& reading);
+                              const SourceLocation& location, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

@@ -1,22 +1,68 @@
 #include "world/sdf/sdf_models.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
+
 #include "world/sdf/gz_plugins.h"
 #include "world/sdf/sdf_cameras.h"
 #include "world/sdf/sdf_collisions.h"
-#include "world/sdf/sdf_inertia.h"
 #include "world/sdf/sdf_joints.h"
 #include "world/sdf/sdf_lights.h"
+#include "world/sdf/sdf_reading.h"
 #include "world/sdf/sdf_values.h"
 #include "world/sdf/sdf_visuals.h"
 
 namespace synthetic_dataset::world {
 namespace {
+
+/// Whether the principal moments are those of a solid: each above 0, and none larger than the other
+/// two together (but for rounding).
+bool isSolid(const Eigen::Matrix3d& moments) {
+  if (!moments.allFinite()) return false;
+  const Eigen::Vector3d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
+  constexpr double kRounding = 1e-6;
+  return principal(0) > 0.0 && principal(2) <= (principal(0) + principal(1)) * (1.0 + kRounding);
+}
+
+/// SDF 1.0 has attributes, and 1 where the file says nothing.
+Eigen::Matrix3d readMoments(const Element& inertia, const SourceLocation& location,
+                            SdfReading& reading) {
+  const auto at = [&](const char* name, double fallback) {
+    return readNumber(inertia, name, fallback, location, reading);
+  };
+  const double xy = at("ixy", 0.0);
+  const double xz = at("ixz", 0.0);
+  const double yz = at("iyz", 0.0);
+  Eigen::Matrix3d moments;
+  moments << at("ixx", 1.0), xy, xz, xy, at("iyy", 1.0), yz, xz, yz, at("izz", 1.0);
+  return moments;
+}
+
+/// The file's inertia if it is one that a solid body can have; another is noted.
+/// @param location  the link's
+std::optional<Inertia> readInertia(const Element& link, const SourceLocation& location,
+                                   SdfReading& reading) {
+  const Element element = link.child("inertial");
+  // The newest files may have it worked out from the collision shapes, which is done without one.
+  if (!element || element.attribute("auto") == "true") return std::nullopt;
+  const Pose X_LI = readPose(element, location, reading).pose;
+  const Eigen::Matrix3d moments_I = readMoments(element.child("inertia"), location, reading);
+  Inertia inertia;
+  inertia.mass = readNumber(element, "mass", 1.0, location, reading);
+  inertia.centre_of_mass_L = X_LI.translation();
+  inertia.moments_L = X_LI.linear() * moments_I * X_LI.linear().transpose();
+  if (inertia.mass > 0.0 && isSolid(inertia.moments_L)) return inertia;
+  reading.findings.addNote(
+      location, "its <inertial> is not that of a solid body; its collision shapes count");
+  return std::nullopt;
+}
 
 /// Gathers a model and the models nested in it.
 class ModelReader {
@@ -40,7 +86,7 @@ class ModelReader {
       if (inner.kind != ModelSource::Kind::kModel && inner.kind != ModelSource::Kind::kUrdf)
         continue;
       const Pose X_MI =
-          X_MN * source.frames.resolve(placed(inner, reading_), "", inner.place, reading_);
+          X_MN * source.frames.resolve(placed(inner, reading_), "", inner.location, reading_);
       const std::string inner_prefix = inner.merges ? prefix : prefix + inner.name + "::";
       read(inner, X_MI, inner_prefix, is_static || inner.is_static);
       stands_ = stands_ || inner.is_static;
@@ -65,7 +111,7 @@ class ModelReader {
 
   void readLink(const Element& from, ModelSource& source, const Pose& X_MN,
                 const std::string& prefix, bool is_static) {
-    const Place here = placeOf(from, source.place);
+    const SourceLocation here = locationOf(from, source.location);
     Link link;
     link.name = uniqueName(prefix + from.attribute("name"), here);
     const Pose X_NL = source.frames.resolve(readPose(from, here, reading_), "", here, reading_);
@@ -76,18 +122,18 @@ class ModelReader {
     if (!is_static) link.inertia = readInertia(from, here, reading_);
     const LinkContext context{link, X_NL, source.frames};
     for (const Element& each : from.children("visual")) {
-      const Place place = placeOf(each, here);
-      auto visual = readVisual(each, scale_, place, reading_);
+      const SourceLocation location = locationOf(each, here);
+      auto visual = readVisual(each, scale_, location, reading_);
       if (!visual) continue;
       if (const auto label = readLabel(each)) link.label = label;
-      visual->X_LV = poseIn(context, each, place);
+      visual->X_LV = poseIn(context, each, location);
       link.visuals.push_back(std::move(*visual));
     }
     for (const Element& each : from.children("collision")) {
-      const Place place = placeOf(each, here);
-      auto collision = readCollision(each, scale_, place, reading_);
+      const SourceLocation location = locationOf(each, here);
+      auto collision = readCollision(each, scale_, location, reading_);
       if (!collision) continue;
-      collision->X_LC = poseIn(context, each, place);
+      collision->X_LC = poseIn(context, each, location);
       link.collisions.push_back(std::move(*collision));
     }
     if (!is_static) noteHulls(from, here, reading_);
@@ -95,16 +141,17 @@ class ModelReader {
     contents.model.links.push_back(std::move(link));
   }
 
-  void readAttached(const Element& from, const LinkContext& context, const Place& place) {
+  void readAttached(const Element& from, const LinkContext& context,
+                    const SourceLocation& location) {
     const std::string scope = contents.model.name + "::" + context.link.name + "::";
     const Pose X_WL = contents.model.X_WM * context.link.X_ML;
     for (const Element& light : from.children("light")) {
-      const Place here = placeOf(light, place);
+      const SourceLocation here = locationOf(light, location);
       contents.lights.push_back(readLight(light, scope + light.attribute("name"),
                                           X_WL * poseIn(context, light, here), here, reading_));
     }
     for (const Element& sensor : from.children("sensor")) {
-      const Place here = placeOf(sensor, place);
+      const SourceLocation here = locationOf(sensor, location);
       auto camera = readCamera(sensor, scope + sensor.attribute("name"), X_WL,
                                poseIn(context, sensor, here), here, reading_);
       if (!camera) continue;
@@ -114,16 +161,16 @@ class ModelReader {
   }
 
   /// The pose of what is in a link, in that link; it may be given in any frame of the model.
-  Pose poseIn(const LinkContext& context, const Element& element, const Place& place) {
-    const RelativePose pose = readPose(element, place, reading_);
+  Pose poseIn(const LinkContext& context, const Element& element, const SourceLocation& location) {
+    const RelativePose pose = readPose(element, location, reading_);
     if (pose.frame.empty()) return pose.pose;
     if (!context.frames.knows(pose.frame) && pose.frame != "__model__") {
       reading_.findings.addNote(
-          place, "its pose is relative to '" + pose.frame +
-                     "', which is not known in its model; the link's frame is taken");
+          location, "its pose is relative to '" + pose.frame +
+                        "', which is not known in its model; the link's frame is taken");
       return pose.pose;
     }
-    return context.X_NL.inverse() * context.frames.resolve(pose, "", place, reading_);
+    return context.X_NL.inverse() * context.frames.resolve(pose, "", location, reading_);
   }
 
   /// A saved world's state says where links are, too.
@@ -144,12 +191,12 @@ class ModelReader {
     }
   }
 
-  std::string uniqueName(const std::string& name, const Place& place) {
+  std::string uniqueName(const std::string& name, const SourceLocation& location) {
     std::string unique = name;
     for (int i = 1; !names_.insert(unique).second; ++i) unique = name + "_" + std::to_string(i);
     if (unique != name) {
       reading_.findings.addNote(
-          place, "a link before it has its name; it is called '" + unique + "' here");
+          location, "a link before it has its name; it is called '" + unique + "' here");
     }
     return unique;
   }

@@ -16,7 +16,7 @@
 namespace synthetic_dataset::world {
 
 /// @return the value
-/// @throws Error if it is no length: above 0 and at most 1e7 m
+/// @throws Error if it is not a length: above 0 and at most 1e7 m
 double requireSize(const std::string& name, double value);
 
 /// The file that a URI means in an element's file, or nothing where there is none (reported).
@@ -24,22 +24,24 @@ double requireSize(const std::string& name, double value);
 [[nodiscard]] std::optional<std::filesystem::path> findFile(const std::string& kind,
                                                             const std::string& uri,
                                                             const Element& element,
-                                                            const Place& place,
+                                                            const SourceLocation& location,
                                                             SdfReading& reading);
 
 /// All `<polyline>` of a `<geometry>`, which make one shape of the first one's height.
-/// @throws Error for what is no polyline
+/// @throws Error if it is not a polyline
 [[nodiscard]] Extrusion readPolylines(const Element& geometry, const Eigen::Vector3d& scale,
-                                      const Place& place, SdfReading& reading);
+                                      const SourceLocation& location, SdfReading& reading);
 
 /// @throws Error for sizes that are none
 [[nodiscard]] std::optional<Heightmap> readHeightmap(const Element& element,
                                                      const Eigen::Vector3d& scale,
-                                                     const Place& place, SdfReading& reading);
+                                                     const SourceLocation& location,
+                                                     SdfReading& reading);
 
 /// @param element  an `<image>`
 /// @throws Error for sizes that are none
-[[nodiscard]] std::optional<WallMap> readWallMap(const Element& element, const Place& place,
+[[nodiscard]] std::optional<WallMap> readWallMap(const Element& element,
+                                                 const SourceLocation& location,
                                                  SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

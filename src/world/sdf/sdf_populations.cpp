@@ -36,20 +36,20 @@ Eigen::Vector3d evenly(std::size_t index) {
 }
 
 /// A whole number of at least 1; nothing, with a note, where it is none.
-std::optional<std::size_t> readCount(const Element& parent, const char* name, const Place& place,
-                                     SdfReading& reading) {
-  const double count = readNumber(parent, name, 0.0, place, reading);
+std::optional<std::size_t> readCount(const Element& parent, const char* name,
+                                     const SourceLocation& location, SdfReading& reading) {
+  const double count = readNumber(parent, name, 0.0, location, reading);
   if (count >= 1.0 && count <= kMostModels) return static_cast<std::size_t>(count);
-  reading.findings.addNote(place, std::string(name) + ": found " + shortText(count) +
-                                      "; it should be 1 to 10000; the population is left out");
+  reading.findings.addNote(location, std::string(name) + ": found " + shortText(count) +
+                                         "; it should be 1 to 10000; the population is left out");
   return std::nullopt;
 }
 
 /// Where the models of a population are.
 class PopulationReader {
  public:
-  PopulationReader(const Element& population, const Place& place, SdfReading& reading)
-      : population_(population), place_(place), reading_(reading) {}
+  PopulationReader(const Element& population, const SourceLocation& location, SdfReading& reading)
+      : population_(population), location_(location), reading_(reading) {}
 
   /// In the world; none, with a note, where it does not say.
   std::vector<Eigen::Vector3d> positions() {
@@ -58,10 +58,10 @@ class PopulationReader {
     std::vector<Eigen::Vector3d> offsets;
     if (type == "grid") {
       offsets = gridOf(distribution);
-    } else if (const auto count = readCount(population_, "model_count", place_, reading_)) {
+    } else if (const auto count = readCount(population_, "model_count", location_, reading_)) {
       offsets = regionOf(type, *count);
     }
-    const Pose X_WP = readPose(population_, place_, reading_).pose;
+    const Pose X_WP = readPose(population_, location_, reading_).pose;
     for (Eigen::Vector3d& each : offsets)
       each = X_WP.linear() * each + corner_ + X_WP.translation();
     return offsets;
@@ -70,8 +70,8 @@ class PopulationReader {
  private:
   /// The pose is the middle of the rows and columns.
   std::vector<Eigen::Vector3d> gridOf(const Element& distribution) {
-    const auto rows = readCount(distribution, "rows", place_, reading_);
-    const auto columns = readCount(distribution, "cols", place_, reading_);
+    const auto rows = readCount(distribution, "rows", location_, reading_);
+    const auto columns = readCount(distribution, "cols", location_, reading_);
     if (!rows || !columns) return {};
     if (static_cast<double>(*rows) * static_cast<double>(*columns) > kMostModels) {
       note("of " + std::to_string(*rows) + " x " + std::to_string(*columns) +
@@ -79,7 +79,7 @@ class PopulationReader {
       return {};
     }
     const Eigen::Vector3d step =
-        readVector(distribution, "step", Eigen::Vector3d::Zero(), place_, reading_);
+        readVector(distribution, "step", Eigen::Vector3d::Zero(), location_, reading_);
     corner_ = -0.5 * Eigen::Vector3d(step.x() * static_cast<double>(*columns - 1),
                                      step.y() * static_cast<double>(*rows - 1), 0.0);
     std::vector<Eigen::Vector3d> offsets;
@@ -104,7 +104,8 @@ class PopulationReader {
   /// The pose is its middle.
   std::vector<Eigen::Vector3d> boxOf(const Element& box, const std::string& type,
                                      std::size_t count) {
-    const Eigen::Vector3d size = readVector(box, "size", Eigen::Vector3d::Zero(), place_, reading_);
+    const Eigen::Vector3d size =
+        readVector(box, "size", Eigen::Vector3d::Zero(), location_, reading_);
     if (!(size.minCoeff() > 0.0)) {
       note("has a box without a volume");
       return {};
@@ -127,8 +128,8 @@ class PopulationReader {
   /// that more are near to it.
   std::vector<Eigen::Vector3d> cylinderOf(const Element& cylinder, const std::string& type,
                                           std::size_t count) {
-    const double radius = readNumber(cylinder, "radius", 0.0, place_, reading_);
-    const double length = readNumber(cylinder, "length", 0.0, place_, reading_);
+    const double radius = readNumber(cylinder, "radius", 0.0, location_, reading_);
+    const double length = readNumber(cylinder, "length", 0.0, location_, reading_);
     if (!(radius > 0.0 && length > 0.0)) {
       note("has a cylinder without a volume");
       return {};
@@ -163,28 +164,28 @@ class PopulationReader {
   }
 
   void note(const std::string& what) {
-    reading_.findings.addNote(place_, "the population " + what + "; it is left out");
+    reading_.findings.addNote(location_, "the population " + what + "; it is left out");
   }
 
   const Element& population_;
-  const Place& place_;
+  const SourceLocation& location_;
   SdfReading& reading_;
   Eigen::Vector3d corner_ = Eigen::Vector3d::Zero();  ///< of the region, before the pose
 };
 
 }  // namespace
 
-std::vector<ModelSource> readPopulation(const Element& population, const Place& outer,
+std::vector<ModelSource> readPopulation(const Element& population, const SourceLocation& outer,
                                         SdfIncludes& includes, SdfReading& reading) {
-  const Place place = placeOf(population, outer);
+  const SourceLocation location = locationOf(population, outer);
   const Element model = population.child("model");
   if (!model) {
-    reading.findings.addNote(place, "has no <model>; the population is left out");
+    reading.findings.addNote(location, "has no <model>; the population is left out");
     return {};
   }
   std::vector<ModelSource> models;
-  for (const Eigen::Vector3d& p_W : PopulationReader(population, place, reading).positions()) {
-    ModelSource source = includes.modelOf(model, place);
+  for (const Eigen::Vector3d& p_W : PopulationReader(population, location, reading).positions()) {
+    ModelSource source = includes.modelOf(model, location);
     source.name += "_clone_" + std::to_string(models.size());
     source.pose = {};
     source.pose.pose.translation() = p_W;

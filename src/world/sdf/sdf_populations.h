@@ -13,8 +13,9 @@ namespace synthetic_dataset::world {
 /// where its distribution puts them, as Gazebo Classic does (Population.cc). What Gazebo draws at
 /// random is drawn by the population's name here, the same in all runs; what it spreads evenly by
 /// k-means follows a sequence of low discrepancy.
-/// @param outer  the place of the world
-[[nodiscard]] std::vector<ModelSource> readPopulation(const Element& population, const Place& outer,
+/// @param outer  the location of the world
+[[nodiscard]] std::vector<ModelSource> readPopulation(const Element& population,
+                                                      const SourceLocation& outer,
                                                       SdfIncludes& includes, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

@@ -44,18 +44,21 @@ struct SdfReading {
 
   /// A file that an element names is missing or unreadable, and the element is left out: an error,
   /// or a note where the user would rather have the rest.
-  void missing(const Place& place, const std::string& thing) { findings.addMissing(place, thing); }
+  void missing(const SourceLocation& location, const std::string& thing) {
+    findings.addMissing(location, thing);
+  }
 };
 
-/// The place of an element below another, by its `name`.
-[[nodiscard]] inline Place placeOf(const Element& element, const Place& outer,
-                                   const std::string& name) {
-  const Place there = outer.inFile(element.file().path.string()).atLine(element.line());
+/// The location of an element below another, by its `name`.
+[[nodiscard]] inline SourceLocation locationOf(const Element& element, const SourceLocation& outer,
+                                               const std::string& name) {
+  const SourceLocation there = outer.inFile(element.file().path.string()).atLine(element.line());
   return name.empty() ? there.in(element.name()) : there.in(element.name(), name);
 }
 
-[[nodiscard]] inline Place placeOf(const Element& element, const Place& outer) {
-  return placeOf(element, outer, element.attribute("name"));
+[[nodiscard]] inline SourceLocation locationOf(const Element& element,
+                                               const SourceLocation& outer) {
+  return locationOf(element, outer, element.attribute("name"));
 }
 
 }  // namespace synthetic_dataset::world

@@ -15,14 +15,14 @@
 namespace synthetic_dataset::world {
 namespace {
 
-std::vector<Eigen::Vector3d> readPoints(const Element& road, const Place& place,
+std::vector<Eigen::Vector3d> readPoints(const Element& road, const SourceLocation& location,
                                         SdfReading& reading) {
   std::vector<Eigen::Vector3d> points;
   for (const Element& point : road.children("point")) {
     const std::vector<double> v = numbersIn(point.text());
     if (v.size() < 3) {
       reading.findings.addNote(
-          place.atLine(point.line()),
+          location.atLine(point.line()),
           "point: found '" + point.text() + "'; three numbers are needed; it is left out");
     } else {
       points.emplace_back(v[0], v[1], v[2]);
@@ -64,28 +64,28 @@ std::shared_ptr<const Mesh> stripOf(const std::vector<Eigen::Vector3d>& points, 
   return mesh;
 }
 
-Material materialOf(const Element& road, const Place& place, SdfReading& reading) {
-  if (auto material = readSdfMaterial(road, place, reading)) return *material;
+Material materialOf(const Element& road, const SourceLocation& location, SdfReading& reading) {
+  if (auto material = readSdfMaterial(road, location, reading)) return *material;
   return gazeboMaterial("Gazebo/Road", reading.meshes.textures()).value_or(defaultMaterial());
 }
 
 }  // namespace
 
-Model readRoad(const Element& road, const Place& place, SdfReading& reading) {
+Model readRoad(const Element& road, const SourceLocation& location, SdfReading& reading) {
   Model model;
   model.name = road.attribute("name");
   model.is_static = true;
-  const std::vector<Eigen::Vector3d> points = readPoints(road, place, reading);
-  const double width = readNumber(road, "width", 1.0, place, reading);
+  const std::vector<Eigen::Vector3d> points = readPoints(road, location, reading);
+  const double width = readNumber(road, "width", 1.0, location, reading);
   if (points.size() < 2 || !(width > 0.0)) {
-    reading.findings.addNote(place,
+    reading.findings.addNote(location,
                              "a width above 0 and two points or more are needed; it is left out");
     return model;
   }
   Visual visual;
   visual.name = "road";
   visual.casts_shadow = false;
-  visual.surfaces.push_back({stripOf(points, width), materialOf(road, place, reading)});
+  visual.surfaces.push_back({stripOf(points, width), materialOf(road, location, reading)});
   Link link;
   link.name = "link";
   link.visuals.push_back(std::move(visual));

@@ -28,6 +28,7 @@ struct SavedState {
   std::set<std::string> deleted;  ///< names of models and lights
 };
 
-[[nodiscard]] SavedState readState(const Element& world, const Place& place, SdfReading& reading);
+[[nodiscard]] SavedState readState(const Element& world, const SourceLocation& location,
+                                   SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

@@ -21,10 +21,10 @@ std::string quoted(const std::string& text) {
 }
 
 void noteReplaced(const Element& parent, const char* name, const std::string& found,
-                  const std::string& needed, const std::string& taken, const Place& place,
-                  SdfReading& reading) {
+                  const std::string& needed, const std::string& taken,
+                  const SourceLocation& location, SdfReading& reading) {
   reading.findings.addNote(
-      place.atLine(parent.lineOf(name)),
+      location.atLine(parent.lineOf(name)),
       std::string(name) + ": found " + quoted(found) + "; " + needed + "; " + taken);
 }
 
@@ -85,18 +85,19 @@ std::string shortText(double value) {
 
 std::string takenInstead(double fallback) { return shortText(fallback) + " is taken"; }
 
-double readNumber(const Element& parent, const char* name, double fallback, const Place& place,
-                  SdfReading& reading) {
+double readNumber(const Element& parent, const char* name, double fallback,
+                  const SourceLocation& location, SdfReading& reading) {
   const std::optional<std::string> text = parent.value(name);
   if (!text || text->empty()) return fallback;
   const std::vector<double> values = numbersIn(*text);
   if (!values.empty() && std::isfinite(values.front())) return values.front();
-  noteReplaced(parent, name, *text, "a number is needed", takenInstead(fallback), place, reading);
+  noteReplaced(parent, name, *text, "a number is needed", takenInstead(fallback), location,
+               reading);
   return fallback;
 }
 
-bool readBool(const Element& parent, const char* name, bool fallback, const Place& place,
-              SdfReading& reading) {
+bool readBool(const Element& parent, const char* name, bool fallback,
+              const SourceLocation& location, SdfReading& reading) {
   const std::optional<std::string> found = parent.value(name);
   if (!found || found->empty()) return fallback;
   std::string text = *found;
@@ -105,7 +106,7 @@ bool readBool(const Element& parent, const char* name, bool fallback, const Plac
   if (isTrue(text)) return true;
   if (text == "false" || text == "0") return false;
   noteReplaced(parent, name, *found, "true or false is needed",
-               std::string(fallback ? "true" : "false") + " is taken", place, reading);
+               std::string(fallback ? "true" : "false") + " is taken", location, reading);
   return fallback;
 }
 
@@ -115,7 +116,7 @@ std::string readText(const Element& parent, const char* name) {
 }
 
 Eigen::Vector3d readVector(const Element& parent, const char* name, const Eigen::Vector3d& fallback,
-                           const Place& place, SdfReading& reading) {
+                           const SourceLocation& location, SdfReading& reading) {
   const std::optional<std::string> text = parent.value(name);
   if (!text || text->empty()) return fallback;
   const std::vector<double> v = numbersIn(*text);
@@ -123,29 +124,30 @@ Eigen::Vector3d readVector(const Element& parent, const char* name, const Eigen:
   noteReplaced(
       parent, name, *text, "three numbers are needed",
       shortText(fallback.x()) + " " + shortText(fallback.y()) + " " + takenInstead(fallback.z()),
-      place, reading);
+      location, reading);
   return fallback;
 }
 
 std::optional<Eigen::Vector4f> readColour(const Element& parent, const char* name,
-                                          const Place& place, SdfReading& reading) {
+                                          const SourceLocation& location, SdfReading& reading) {
   const std::optional<std::string> text = parent.value(name);
   if (!text || text->empty()) return std::nullopt;
   const std::vector<double> v = numbersIn(*text);
   if (v.size() < 3 || !allFinite(v)) {
     noteReplaced(parent, name, *text, "red, green, blue and alpha from 0 to 1 are needed",
-                 "it is left out", place, reading);
+                 "it is left out", location, reading);
     return std::nullopt;
   }
   const Eigen::Vector4d colour(v[0], v[1], v[2], v.size() > 3 ? v[3] : 1.0);
   const Eigen::Vector4d clamped = colour.cwiseMax(0.0).cwiseMin(1.0);
   if (clamped != colour) {
-    noteReplaced(parent, name, *text, "colours are 0 to 1", "it is brought there", place, reading);
+    noteReplaced(parent, name, *text, "colours are 0 to 1", "it is brought there", location,
+                 reading);
   }
   return clamped.cast<float>();
 }
 
-RelativePose readPose(const Element& parent, const Place& place, SdfReading& reading) {
+RelativePose readPose(const Element& parent, const SourceLocation& location, SdfReading& reading) {
   RelativePose result;
   const Element element = poseElement(parent);
   if (!element) return result;
@@ -159,14 +161,14 @@ RelativePose readPose(const Element& parent, const Place& place, SdfReading& rea
   const char* name = parent.has("pose") ? "pose" : "origin";
   if (!isWithinReach(values)) {
     noteReplaced(parent, name, text, "finite numbers up to 1e7 are needed", "0 0 0 0 0 0 is taken",
-                 place, reading);
+                 location, reading);
     return result;
   }
   const std::size_t needed = element.attribute("rotation_format") == "quat_xyzw" ? 7 : 6;
   if (values.size() != needed) {
     noteReplaced(parent, name, text, std::to_string(needed) + " numbers are needed",
                  values.size() > needed ? "the first ones count" : "the others are taken for 0",
-                 place, reading);
+                 location, reading);
   }
   result.pose = poseOf(values, element);
   return result;

@@ -13,14 +13,14 @@
 namespace synthetic_dataset::world {
 namespace {
 
-MissingPicture missingPictureIn(const Place& place, SdfReading& reading) {
-  return [&](const std::string& message) { reading.missing(place, message); };
+MissingPicture missingPictureIn(const SourceLocation& location, SdfReading& reading) {
+  return [&](const std::string& message) { reading.missing(location, message); };
 }
 
 /// The triangles of each kind of geometry, in the given material or, without one, in their own.
 struct SurfaceMaker {
   const std::optional<Material>& material;
-  const Place& place;
+  const SourceLocation& location;
   SdfReading& reading;
 
   std::vector<Surface> one(std::shared_ptr<const Mesh> mesh) const {
@@ -49,24 +49,24 @@ struct SurfaceMaker {
     return one(planeMesh(plane.normal, plane.size));
   }
   std::vector<Surface> operator()(const MeshRequest& request) const {
-    return meshSurfaces(request, material, place, reading);
+    return meshSurfaces(request, material, location, reading);
   }
   std::vector<Surface> operator()(const Extrusion& extrusion) const {
     return one(extrudedMesh(extrusion));
   }
   std::vector<Surface> operator()(const Heightmap& heightmap) const {
     return heightmapSurfaces(heightmap, material.value_or(defaultMaterial()),
-                             reading.meshes.textures(), missingPictureIn(place, reading));
+                             reading.meshes.textures(), missingPictureIn(location, reading));
   }
   std::vector<Surface> operator()(const WallMap& map) const { return one(wallMesh(map)); }
 };
 
-float readTransparency(const Element& visual, const Place& place, SdfReading& reading) {
-  const double found = readNumber(visual, "transparency", 0.0, place, reading);
+float readTransparency(const Element& visual, const SourceLocation& location, SdfReading& reading) {
+  const double found = readNumber(visual, "transparency", 0.0, location, reading);
   const double transparency = std::clamp(found, 0.0, 1.0);
   if (found != transparency) {
-    reading.findings.addNote(place, "transparency: found " + shortText(found) +
-                                        "; it should be 0 to 1; " + takenInstead(transparency));
+    reading.findings.addNote(location, "transparency: found " + shortText(found) +
+                                           "; it should be 0 to 1; " + takenInstead(transparency));
   }
   return static_cast<float>(transparency);
 }
@@ -74,9 +74,9 @@ float readTransparency(const Element& visual, const Place& place, SdfReading& re
 }  // namespace
 
 std::vector<Surface> meshSurfaces(const MeshRequest& request,
-                                  const std::optional<Material>& material, const Place& place,
-                                  SdfReading& reading) {
-  const MissingPicture missing = missingPictureIn(place, reading);
+                                  const std::optional<Material>& material,
+                                  const SourceLocation& location, SdfReading& reading) {
+  const MissingPicture missing = missingPictureIn(location, reading);
   std::vector<Surface> surfaces;
   for (const MeshPiece& piece : reading.meshes.pieces(request)) {
     surfaces.push_back(
@@ -87,23 +87,23 @@ std::vector<Surface> meshSurfaces(const MeshRequest& request,
 }
 
 std::optional<Visual> readVisual(const Element& visual, const Eigen::Vector3d& scale,
-                                 const Place& place, SdfReading& reading) {
+                                 const SourceLocation& location, SdfReading& reading) {
   Visual result;
   result.name = visual.attribute("name");
-  result.casts_shadow = readBool(visual, "cast_shadows", true, place, reading);
-  const float transparency = readTransparency(visual, place, reading);
+  result.casts_shadow = readBool(visual, "cast_shadows", true, location, reading);
+  const float transparency = readTransparency(visual, location, reading);
   if (transparency >= 1.0F) return std::nullopt;
-  const std::optional<Geometry> geometry = readGeometry(visual, scale, place, reading);
+  const std::optional<Geometry> geometry = readGeometry(visual, scale, location, reading);
   if (!geometry) return std::nullopt;
-  const std::optional<Material> material = readSdfMaterial(visual, place, reading);
+  const std::optional<Material> material = readSdfMaterial(visual, location, reading);
   if (reading.survey != nullptr) {
     surveyMesh(*geometry, !material, *reading.survey);
     return std::nullopt;
   }
   try {
-    result.surfaces = std::visit(SurfaceMaker{material, place, reading}, *geometry);
+    result.surfaces = std::visit(SurfaceMaker{material, location, reading}, *geometry);
   } catch (const Error& error) {
-    reading.missing(place, error.what());
+    reading.missing(location, error.what());
   }
   for (Surface& surface : result.surfaces) surface.material.diffuse.w() *= 1.0F - transparency;
   if (result.surfaces.empty()) return std::nullopt;

@@ -8,17 +8,18 @@
 namespace synthetic_dataset::world {
 
 /// A mesh's triangles in the given material or, without one, in its own.
-/// @param place  of what is drawn, for pictures that are missing (reported)
+/// @param location  of what is drawn, for pictures that are missing (reported)
 /// @throws Error if the mesh cannot be read
 [[nodiscard]] std::vector<Surface> meshSurfaces(const MeshRequest& request,
                                                 const std::optional<Material>& material,
-                                                const Place& place, SdfReading& reading);
+                                                const SourceLocation& location,
+                                                SdfReading& reading);
 
 /// @param visual  its pose is read by the caller, who knows the frames
 /// @param scale  how much larger than the file says, by axis
-/// @param place  the visual's
+/// @param location  the visual's
 /// @return nothing where there is nothing to be seen, and in a survey
 [[nodiscard]] std::optional<Visual> readVisual(const Element& visual, const Eigen::Vector3d& scale,
-                                               const Place& place, SdfReading& reading);
+                                               const SourceLocation& location, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

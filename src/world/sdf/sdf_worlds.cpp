@@ -1,31 +1,94 @@
 #include "world/sdf/sdf_worlds.h"
 
+#include <filesystem>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "world/sdf/sdf_actors.h"
+#include "synthetic_dataset/errors.h"
 #include "world/sdf/sdf_includes.h"
 #include "world/sdf/sdf_lights.h"
 #include "world/sdf/sdf_models.h"
+#include "world/sdf/sdf_picture_geometry.h"
 #include "world/sdf/sdf_populations.h"
+#include "world/sdf/sdf_reading.h"
 #include "world/sdf/sdf_roads.h"
 #include "world/sdf/sdf_scene.h"
 #include "world/sdf/sdf_state.h"
 #include "world/sdf/sdf_values.h"
+#include "world/sdf/sdf_visuals.h"
 
 namespace synthetic_dataset::world {
 namespace {
+
+/// The animation of a name, else the first one.
+Element animationNamed(const Element& actor, const std::string& name) {
+  for (const Element& animation : actor.children("animation")) {
+    if (animation.attribute("name") == name) return animation;
+  }
+  return actor.child("animation");
+}
+
+Pose startOf(const Element& trajectory, const Pose& X_WA, const SourceLocation& location,
+             SdfReading& reading) {
+  const Element waypoint = trajectory.child("waypoint");
+  return hasPose(waypoint) ? readPose(waypoint, location, reading).pose : X_WA;
+}
+
+std::optional<std::filesystem::path> fileOf(const Element& element, const SourceLocation& location,
+                                            SdfReading& reading) {
+  return findFile("mesh", readText(element, "filename"), element, location, reading);
+}
+
+/// An `<actor>` as a model that stands: its skin in the first pose of the animation that its
+/// trajectory begins with, at the trajectory's first waypoint, as Gazebo shows it at time 0.
+/// Without a trajectory it is where its own pose is.
+/// @param actor  an `<actor>`
+/// @param X_WA  its own pose
+/// @param location  the actor's
+Model readActor(const Element& actor, const std::string& name, const Pose& X_WA,
+                const SourceLocation& location, SdfReading& reading) {
+  const Element trajectory = actor.child("script").child("trajectory");
+  const Element skin = actor.child("skin");
+  Model model;
+  model.name = name;
+  model.is_static = true;
+  model.X_WM = startOf(trajectory, X_WA, location, reading);
+  const auto file = fileOf(skin, location, reading);
+  if (!file) return model;
+  const Element animation = animationNamed(actor, trajectory.attribute("type"));
+  MeshRequest request;
+  request.file = *file;
+  request.scale.setConstant(readNumber(skin, "scale", 1.0, location, reading));
+  request.animation = animation ? fileOf(animation, location, reading) : std::nullopt;
+  if (reading.survey != nullptr) return model;
+  Visual visual;
+  visual.name = "skin";
+  try {
+    visual.surfaces = meshSurfaces(request, std::nullopt, location, reading);
+  } catch (const Error& error) {
+    reading.missing(location, error.what());
+  }
+  Link link;
+  link.name = "link";
+  if (!visual.surfaces.empty()) link.visuals.push_back(std::move(visual));
+  model.links.push_back(std::move(link));
+  return model;
+}
 
 using Kind = ModelSource::Kind;
 
 /// Reads what stands in a world.
 class WorldReader {
  public:
-  WorldReader(const Element& world, const Place& place, SdfReading& reading)
-      : world_(world), place_(place), reading_(reading), saved_(readState(world, place, reading)) {}
+  WorldReader(const Element& world, const SourceLocation& location, SdfReading& reading)
+      : world_(world),
+        location_(location),
+        reading_(reading),
+        saved_(readState(world, location, reading)) {}
 
   Description read() {
     readGlobals();
@@ -33,14 +96,14 @@ class WorldReader {
     for (const Element& each : saved_.inserted) gatherOne(each);
     // A world that was saved has the models themselves in its state.
     for (const Element& each : world_.children("population")) {
-      for (ModelSource& source : readPopulation(each, place_, includes_, reading_)) {
+      for (ModelSource& source : readPopulation(each, location_, includes_, reading_)) {
         addSource(std::move(source));
       }
     }
     for (ModelSource& source : sources_) addFrames(source);
     for (ModelSource& source : sources_) readSource(source);
     for (const Element& road : world_.children("road")) {
-      description_.models.push_back(readRoad(road, placeOf(road, place_), reading_));
+      description_.models.push_back(readRoad(road, locationOf(road, location_), reading_));
     }
     return std::move(description_);
   }
@@ -49,12 +112,12 @@ class WorldReader {
   void readGlobals() {
     // Up to SDF 1.5, gravity was of <physics>.
     const Element owner = world_.has("gravity") ? world_ : world_.child("physics");
-    description_.gravity = readVector(owner, "gravity", description_.gravity, place_, reading_);
+    description_.gravity = readVector(owner, "gravity", description_.gravity, location_, reading_);
     const Element scene = world_.child("scene");
-    readScene(scene, place_.in("scene"), reading_, description_);
-    has_shadows_ = hasShadows(scene, place_.in("scene"), reading_);
+    readScene(scene, location_.in("scene"), reading_, description_);
+    has_shadows_ = hasShadows(scene, location_.in("scene"), reading_);
     for (const Element& frame : world_.children("frame")) {
-      const Place here = placeOf(frame, place_);
+      const SourceLocation here = locationOf(frame, location_);
       frames_.add(frame.attribute("name"), readPose(frame, here, reading_),
                   frame.attribute("attached_to"), here);
     }
@@ -66,15 +129,15 @@ class WorldReader {
 
   void gatherOne(const Element& element) {
     const std::string name = element.name();
-    if (name == "model") addSource(includes_.modelOf(element, place_));
-    if (name == "include") addSource(includes_.followed(element, place_));
+    if (name == "model") addSource(includes_.modelOf(element, location_));
+    if (name == "include") addSource(includes_.followed(element, location_));
     if (name != "light" && name != "actor") return;
     ModelSource source;
     source.kind = name == "light" ? Kind::kLight : Kind::kActor;
     source.element = element;
     source.name = element.attribute("name");
-    source.place = placeOf(element, place_);
-    source.pose = readPose(element, source.place, reading_);
+    source.location = locationOf(element, location_);
+    source.pose = readPose(element, source.location, reading_);
     addSource(std::move(source));
   }
 
@@ -93,30 +156,30 @@ class WorldReader {
     }
     if (unique != source.name) {
       reading_.findings.addNote(
-          source.place, "something before it has its name; it is called '" + unique + "' here");
+          source.location, "something before it has its name; it is called '" + unique + "' here");
     }
     return unique;
   }
 
   void addFrames(ModelSource& source) {
     fillFrames(source, reading_);
-    frames_.add(source.name, placed(source, reading_), "", source.place);
+    frames_.add(source.name, placed(source, reading_), "", source.location);
     frames_.addInner(source.name, source.name + "::", source.frames, reading_);
   }
 
   void readSource(ModelSource& source) {
     // Not by name: a model and a light may have the same.
-    const Pose X_WM = frames_.resolve(placed(source, reading_), "", source.place, reading_);
+    const Pose X_WM = frames_.resolve(placed(source, reading_), "", source.location, reading_);
     if (source.kind == Kind::kModel || source.kind == Kind::kUrdf) readModelSource(source, X_WM);
     if (source.kind == Kind::kLight) {
       const auto saved = saved_.lights.find(source.name);
       addLight(readLight(source.element, source.name,
-                         saved == saved_.lights.end() ? X_WM : saved->second, source.place,
+                         saved == saved_.lights.end() ? X_WM : saved->second, source.location,
                          reading_));
     }
     if (source.kind == Kind::kActor) {
       description_.models.push_back(
-          readActor(source.element, source.name, X_WM, source.place, reading_));
+          readActor(source.element, source.name, X_WM, source.location, reading_));
     }
   }
 
@@ -137,7 +200,7 @@ class WorldReader {
   }
 
   const Element& world_;
-  const Place& place_;
+  const SourceLocation& location_;
   SdfReading& reading_;
   SavedState saved_;
   SdfIncludes includes_{reading_};
@@ -152,8 +215,8 @@ class WorldReader {
 }  // namespace
 
 Description readWorld(const Element& world, SdfReading& reading) {
-  const Place place(world.file().path.string());
-  return WorldReader(world, place, reading).read();
+  const SourceLocation location(world.file().path.string());
+  return WorldReader(world, location, reading).read();
 }
 
 }  // namespace synthetic_dataset::world

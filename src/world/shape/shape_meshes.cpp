@@ -1,14 +1,110 @@
 #include "world/shape/shape_meshes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "world/shape/gazebo_wrapping.h"
+#include "world/description.h"
 
 namespace synthetic_dataset::world {
 namespace {
+
+// Where Gazebo puts pictures on its round shapes (gazebo/common/MeshManager.cc, CreateSphere and
+// CreateCylinder, which gz-sim has taken over).
+
+/// A point of a surface in its picture.
+struct PicturePoint {
+  enum class Column {
+    kTurns,  ///< u counts turns; where it jumps by a whole one, the picture's edges meet
+    kFixed,  ///< u, for whatever triangle
+    kAny,    ///< of a pole, where all columns of the picture meet
+  };
+
+  float u;
+  float v;
+  Column column = Column::kTurns;
+};
+
+/// Turns from one axis towards another, 0 to 1.
+float turns(float along, float across) {
+  const auto turn = static_cast<float>(std::atan2(across, along) / (2.0 * M_PI));
+  return turn < 0.0F ? turn + 1.0F : turn;
+}
+
+using Column = PicturePoint::Column;
+using Corners = std::array<PicturePoint, 3>;
+
+/// The corners of a triangle on one sheet of the picture: each within half a turn of its middle.
+void joinTurns(Corners& corners, const PicturePoint& middle) {
+  float sum = 0.0F;
+  int count = 0;
+  for (PicturePoint& corner : corners) {
+    if (corner.column != Column::kTurns) continue;
+    corner.u += std::round(middle.u - corner.u);
+    sum += corner.u;
+    ++count;
+  }
+  for (PicturePoint& corner : corners) {
+    if (corner.column == Column::kAny) corner.u = sum / static_cast<float>(std::max(count, 1));
+  }
+}
+
+/// A sphere about the origin: the picture goes around the y axis, from z to x, its upper edge at
+/// +y.
+PicturePoint aroundY(const Eigen::Vector3f& position, const Eigen::Vector3f& /*normal*/) {
+  const float across = std::hypot(position.x(), position.z());
+  const float v = static_cast<float>(std::atan2(across, position.y()) / M_PI);
+  constexpr float kPole = 1e-5F;  // of the radius
+  const bool is_pole = across < kPole * position.norm();
+  return {turns(position.z(), position.x()), v, is_pole ? Column::kAny : Column::kTurns};
+}
+
+/// A cylinder about the z axis: the picture goes around it from y to x, its upper edge *below*.
+/// On the upper cap it is drawn together to a fan whose middle is its first pixel; on the lower one
+/// so is its first row.
+PicturePoint aroundCylinder(const Eigen::Vector3f& position, const Eigen::Vector3f& normal) {
+  if (position.head<2>().isZero()) return {0.0F, 0.0F, Column::kFixed};
+  const bool is_below = normal.z() < 0.0F || (normal.z() == 0.0F && position.z() < 0.0F);
+  return {turns(position.y(), position.x()), is_below ? 0.0F : 1.0F};
+}
+
+/// Gives a mesh the texture coordinates of `wrapping`. Triangles stay where they are; vertices at
+/// which the picture's edges meet are doubled.
+void wrapAsGazebo(Mesh& mesh, PicturePoint (*wrapping)(const Eigen::Vector3f& position,
+                                                       const Eigen::Vector3f& normal)) {
+  Mesh wrapped;
+  std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> vertices;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const std::uint32_t* const triangle = &mesh.indices[i];
+    Corners corners{};
+    Eigen::Vector3f position(0, 0, 0);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      corners[k] = wrapping(mesh.positions[triangle[k]], mesh.normals[triangle[k]]);
+      position += mesh.positions[triangle[k]] / 3.0F;
+    }
+    joinTurns(corners, wrapping(position, mesh.normals[triangle[0]]));
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto [vertex, is_new] =
+          vertices.try_emplace(std::make_tuple(triangle[k], corners[k].u, corners[k].v),
+                               static_cast<std::uint32_t>(wrapped.positions.size()));
+      if (is_new) {
+        wrapped.positions.push_back(mesh.positions[triangle[k]]);
+        wrapped.normals.push_back(mesh.normals[triangle[k]]);
+        wrapped.texture_coordinates.emplace_back(corners[k].u, corners[k].v);
+      }
+      wrapped.indices.push_back(vertex->second);
+    }
+  }
+  mesh = std::move(wrapped);
+}
 
 /// A chord of n segments lies up to 1 - cos(pi / n) of the radius below its arc; on a sphere the
 /// chords along meridians and parallels add up: 2 * 0.095 %.

@@ -6,8 +6,6 @@
 
 #include <urdf_parser/urdf_parser.h>
 
-#include "world/urdf/urdf_console.h"
-
 namespace synthetic_dataset::world {
 namespace {
 
@@ -102,6 +100,16 @@ bool isTree(const urdf::ModelInterface& robot, const std::string& name, Findings
 }
 
 }  // namespace
+
+UrdfConsole::UrdfConsole() : handler_(console_bridge::getOutputHandler()) {
+  console_bridge::useOutputHandler(this);
+}
+
+UrdfConsole::~UrdfConsole() { console_bridge::useOutputHandler(handler_); }
+
+void UrdfConsole::log(const std::string& text, console_bridge::LogLevel level, const char*, int) {
+  if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) errors_.push_back(text);
+}
 
 UrdfDocument readUrdf(const ModelText& model, Findings& findings) {
   std::optional<UrdfText> prepared = prepareUrdf(model, findings);

@@ -83,7 +83,7 @@ struct GeometryReader {
 struct SurfaceMaker {
   const std::optional<Material>& gazebo_material;
   const std::optional<Material>& urdf_material;
-  const Place& place;
+  const SourceLocation& location;
   UrdfReading& reading;
 
   std::vector<Surface> shape(ShapeKind kind, const Eigen::Vector3d& size) const {
@@ -115,7 +115,7 @@ struct SurfaceMaker {
       return *urdf_material;
     }
     return reading.meshes.material(request, piece.material, [&](const std::string& message) {
-      reading.findings.addMissing(place, message);
+      reading.findings.addMissing(location, message);
     });
   }
 };
@@ -153,19 +153,19 @@ Material toMaterial(const urdf::Material& from, UrdfReading& reading) {
 
 }  // namespace
 
-Pose toPose(const urdf::Pose& pose, const Place& place, UrdfReading& reading) {
+Pose toPose(const urdf::Pose& pose, const SourceLocation& location, UrdfReading& reading) {
   const Eigen::Vector3d position(pose.position.x, pose.position.y, pose.position.z);
   const Eigen::Quaterniond rotation(pose.rotation.w, pose.rotation.x, pose.rotation.y,
                                     pose.rotation.z);
   if (position.allFinite() && rotation.coeffs().allFinite()) return makePose(position, rotation);
-  reading.findings.addError(place.message("its <origin> has a number that is not finite"));
+  reading.findings.addError(location.message("its <origin> has a number that is not finite"));
   return Pose::Identity();
 }
 
 std::optional<Visual> readUrdfVisual(const urdf::Visual& visual, const std::string& name,
                                      const std::optional<Material>& gazebo_material,
-                                     const Place& place, UrdfReading& reading) {
-  const Place here = place.in("visual", name);
+                                     const SourceLocation& location, UrdfReading& reading) {
+  const SourceLocation here = location.in("visual", name);
   Visual result;
   result.name = name;
   result.X_LV = toPose(visual.origin, here, reading);
@@ -183,9 +183,9 @@ std::optional<Visual> readUrdfVisual(const urdf::Visual& visual, const std::stri
 }
 
 std::optional<Collision> readUrdfCollision(const urdf::Collision& collision,
-                                           const std::string& name, const Place& place,
+                                           const std::string& name, const SourceLocation& location,
                                            UrdfReading& reading) {
-  const Place here = place.in("collision", name);
+  const SourceLocation here = location.in("collision", name);
   Collision result;
   result.name = name;
   result.X_LC = toPose(collision.origin, here, reading);

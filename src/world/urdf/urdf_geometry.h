@@ -27,23 +27,26 @@ struct UrdfReading {
 };
 
 /// A pose of the file; one that is not finite is an error.
-[[nodiscard]] Pose toPose(const urdf::Pose& pose, const Place& place, UrdfReading& reading);
+[[nodiscard]] Pose toPose(const urdf::Pose& pose, const SourceLocation& location,
+                          UrdfReading& reading);
 
 /// @param gazebo_material  the link's for Gazebo, or nothing: as Gazebo shows it, it takes the
 ///     place of all others. URDF's own material is for what has none, as in rviz: a mesh file's
 ///     materials stand.
-/// @param place  the link's
+/// @param location  the link's
 /// @return nothing for an error, which is reported, and for a visual whose URDF's colour is wholly
 ///     transparent
 [[nodiscard]] std::optional<Visual> readUrdfVisual(const urdf::Visual& visual,
                                                    const std::string& name,
                                                    const std::optional<Material>& gazebo_material,
-                                                   const Place& place, UrdfReading& reading);
+                                                   const SourceLocation& location,
+                                                   UrdfReading& reading);
 
-/// @param place  the link's
+/// @param location  the link's
 /// @return nothing for an error, which is reported
 [[nodiscard]] std::optional<Collision> readUrdfCollision(const urdf::Collision& collision,
                                                          const std::string& name,
-                                                         const Place& place, UrdfReading& reading);
+                                                         const SourceLocation& location,
+                                                         UrdfReading& reading);
 
 }  // namespace synthetic_dataset::world

@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/random/text_choice.h"
+#include "base/random/weighted_index.h"
 
 namespace synthetic_dataset::base {
 namespace distribution_test {

@@ -75,12 +75,12 @@ output::RunDescription VerificationTest::description(const Value::Map& parameter
   return run;
 }
 
-output::SceneFacts VerificationTest::factsOf(const Scene& scene) const {
-  output::SceneFacts facts = output::sceneFacts(scene);
+base::SceneFacts VerificationTest::factsOf(const Scene& scene) const {
+  base::SceneFacts facts = base::sceneFacts(scene);
   facts.draws = {{"floor", R"("dark \"oak\"")"}, {"sun/colour", "[1, 0.5, 1e-05]"}, {"x", "-2.5"}};
   facts.warnings = warnings_;
   for (const SceneObject& object : scene.objects) {
-    output::ObjectFacts of_object = output::objectFacts(object);
+    base::ObjectFacts of_object = base::objectFacts(object);
     of_object.silhouette_pixels = object.pixels.silhouette();
     of_object.visible_pixels = object.pixels.visible();
     of_object.visibility = object.visibility();

@@ -45,16 +45,16 @@ class VerificationTest : public PluginTest {
   [[nodiscard]] std::string path(const std::string& name) const { return folder() + name; }
   [[nodiscard]] std::string read(const std::string& name) const;
 
-  std::vector<std::string> remarks_;       ///< of the last problems()
-  VerificationCounts counts_;              ///< of the last problems()
-  std::vector<output::Warning> warnings_;  ///< that each scene written gets
+  std::vector<std::string> remarks_;     ///< of the last problems()
+  VerificationCounts counts_;            ///< of the last problems()
+  std::vector<base::Warning> warnings_;  ///< that each scene written gets
 
  private:
   /// Every run has a motion; one that the test has not named is of all scenes.
   void nameMotion(std::size_t scenes);
   [[nodiscard]] output::RunDescription description(const Value::Map& parameters,
                                                    std::size_t scenes) const;
-  [[nodiscard]] output::SceneFacts factsOf(const Scene& scene) const;
+  [[nodiscard]] base::SceneFacts factsOf(const Scene& scene) const;
   void commit(output::DatasetStore& store, const std::vector<Scene>& scenes) const;
 };
 

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "base/json_text.h"
-#include "base/json_value.h"
 #include "base/yaml_text/yaml_rendering.h"
 #include "support/temporary_folder.h"
 #include "support/tiny_run.h"

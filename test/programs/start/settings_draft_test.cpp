@@ -144,7 +144,7 @@ TEST_F(SettingsDraftTest, FollowOdometryWhereThereIsNoTf) {
               AllOf(HasSubstr("frame: \"base_footprint\""), HasSubstr("global_frame: \"odom\""),
                     HasSubstr("pose_topics: [\"/odom\"]")));
   const run::RunSetup setup = run::setUpRun(Value(settings(draft)), {test::pluginXml()});
-  EXPECT_THAT(setup.found.messages(base::Severity::kWarning), IsEmpty());
+  EXPECT_THAT(setup.diagnostics.messages(base::Severity::kWarning), IsEmpty());
 }
 
 TEST_F(SettingsDraftTest, SayHowPosesWithoutAFrameAreRead) {

@@ -15,7 +15,7 @@ const Intrinsics kIntrinsics = {100.0, 100.0, 75.0, 20.0};
 /// Of a wall that faces the camera, in spots of two parts.
 GeometryImages spots(const cv::Size& size) {
   GeometryImages images;
-  images.parts = cv::Mat(size, CV_32SC1, cv::Scalar(1));
+  images.items = cv::Mat(size, CV_32SC1, cv::Scalar(1));
   images.depth = cv::Mat(size, CV_32FC1, cv::Scalar(2.0));
   constexpr int kMinusOne = 0xBC00;  // of 16 bits
   images.normals = cv::Mat(size, CV_16UC4, cv::Scalar(0, 0, kMinusOne, 0));
@@ -23,17 +23,17 @@ GeometryImages spots(const cv::Size& size) {
   for (int i = 0; i < 40; ++i) {
     const cv::Point spot(static_cast<int>(random() % static_cast<unsigned>(size.width)),
                          static_cast<int>(random() % static_cast<unsigned>(size.height)));
-    images.parts(cv::Rect(spot, cv::Size(3, 2)) & cv::Rect({}, size)).setTo(2);
+    images.items(cv::Rect(spot, cv::Size(3, 2)) & cv::Rect({}, size)).setTo(2);
   }
   return images;
 }
 
 /// Whether a pixel sees another part than one of its four neighbours.
-bool isEdge(const cv::Mat& parts, const cv::Point& pixel) {
+bool isEdge(const cv::Mat& items, const cv::Point& pixel) {
   for (const cv::Point& step : {cv::Point(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
     const cv::Point other = pixel + step;
-    if (!cv::Rect({}, parts.size()).contains(other)) continue;
-    if (parts.at<int>(other) != parts.at<int>(pixel)) return true;
+    if (!cv::Rect({}, items.size()).contains(other)) continue;
+    if (items.at<int>(other) != items.at<int>(pixel)) return true;
   }
   return false;
 }
@@ -52,7 +52,7 @@ TEST_P(EdgePixelsOfWidth, AreThoseWantedWhoseNeighboursSeeAnotherSurface) {
   for (int v = region.y; v < region.br().y; ++v) {
     for (int u = region.x; u < region.br().x; ++u) {
       if (wanted.at<std::uint8_t>(v, u) == 0) continue;
-      if (isEdge(images.parts, cv::Point(u, v) - place.tl())) expected.emplace_back(u, v);
+      if (isEdge(images.items, cv::Point(u, v) - place.tl())) expected.emplace_back(u, v);
     }
   }
   ASSERT_FALSE(expected.empty());

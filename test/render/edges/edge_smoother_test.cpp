@@ -8,8 +8,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "render/pixels/srgb.h"
 #include "render/renderer.h"
-#include "render/sensor/srgb.h"
 #include "support/box_world.h"
 #include "support/random_poses.h"
 #include "world/shape/shape_meshes.h"

@@ -27,10 +27,10 @@ Pose at(double x, double y, double z) {
 /// The bits that the objects of a stage, of one link each, set.
 std::vector<int> bitsOf(const Stage& stage) {
   const OsmesaContext context;
-  const DrawList parts(context.gl(), stage.links(), world::Simulator::kGz);
-  const SilhouetteBits bits(parts, kView, stage.poses(), stage.all());
+  const DrawList draw_list(context.gl(), stage.links(), world::Simulator::kGz);
+  const SilhouetteBits bits(items, kView, stage.poses(), stage.all());
   std::vector<int> result;
-  for (const Part& part : parts.parts()) result.push_back(bits.of(part));
+  for (const DrawItem& item : draw_list.items()) result.push_back(bits.of(item));
   return result;
 }
 

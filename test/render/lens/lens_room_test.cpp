@@ -5,8 +5,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "render/lens_cases.h"
+#include "render/pixels/srgb.h"
 #include "render/renderer.h"
-#include "render/sensor/srgb.h"
 #include "support/box_world.h"
 
 namespace synthetic_dataset::render {

@@ -45,7 +45,7 @@ void addLight(const LightInView& light, const Point& p, Vector3d& diffuse, Vecto
               std::pow(n_dot_h, p.shininess) * share;
 }
 
-Vector3d seen(const Surroundings& all, const Point& p) {
+Vector3d seen(const LightingContext& all, const Point& p) {
   Vector3d diffuse = p.around;
   Vector3d specular = Vector3d::Zero();
   for (const LightInView& light : all.lights) addLight(light, p, diffuse, specular);
@@ -62,7 +62,7 @@ class ClassicLight : public testing::Test {
   }
   Eigen::Vector3f colour() { return vector(0, 1).cast<float>(); }
 
-  void add(Surroundings& all, world::LightType type) {
+  void add(LightingContext& all, world::LightType type) {
     all.lights.push_back({type,
                           vector(-3.0, 3.0).cast<float>(),
                           vector(-1.0, 1.0).normalized().cast<float>(),
@@ -97,7 +97,7 @@ ClassicLanes lanesOf(const Point& p) {
           lanes(0.0F, 0.0F, 0.0F)};
 }
 
-Surroundings surroundings() {
+LightingContext context() {
   return {{}, {}, {1, 1, 1}, {0, -1, 0}, 1.0F, std::nullopt, world::Simulator::kClassic};
 }
 
@@ -110,7 +110,7 @@ TEST_F(ClassicLight, OfEachKindIsThatOfOgresFormulas) {
   for (const auto type :
        {world::LightType::kDirectional, world::LightType::kPoint, world::LightType::kSpot}) {
     for (int i = 0; i < 5; ++i) {
-      Surroundings all = surroundings();
+      LightingContext all = context();
       add(all, type);
       add(all, type);
       const ClassicShading shading(all);
@@ -123,7 +123,7 @@ TEST_F(ClassicLight, OfEachKindIsThatOfOgresFormulas) {
 }
 
 TEST_F(ClassicLight, IsMixedWithTheFogsColourAsItIsEncoded) {
-  Surroundings all = surroundings();
+  LightingContext all = context();
   add(all, world::LightType::kDirectional);
   const Point p = point();
   const Vector3d clear = found(ClassicShading(all), p);
@@ -134,7 +134,7 @@ TEST_F(ClassicLight, IsMixedWithTheFogsColourAsItIsEncoded) {
 }
 
 TEST_F(ClassicLight, BeyondWhiteIsKeptWhereTheExposureIsShort) {
-  Surroundings all = surroundings();
+  LightingContext all = context();
   Point p = point();
   p.around = {1.5, 0.5, 3.0};
   p.picture.setOnes();

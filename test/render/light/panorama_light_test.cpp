@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace panorama_light_test {

@@ -60,7 +60,7 @@ Vector3d sent(const LightInView& light, const Point& p, const Vector3d& to_eye) 
   return arriving.cwiseProduct(p.base * (1.0 - p.metalness) + specular) * n_dot_l;
 }
 
-Vector3d seen(const Surroundings& all, const Point& p) {
+Vector3d seen(const LightingContext& all, const Point& p) {
   const Vector3d to_eye = -p.position.normalized();
   const double n_dot_v = std::max(p.normal.dot(to_eye), 1e-3);
   const Vector3d f0 =
@@ -116,7 +116,7 @@ class SurfaceLight : public testing::Test {
             number(0.0, 1.0), number(0.0, 1.0) < 0.9};
   }
 
-  void expectSame(const Surroundings& all) {
+  void expectSame(const LightingContext& all) {
     const SurfaceShading shading(all);
     for (int i = 0; i < 500; ++i) {
       const Point p = point();
@@ -132,12 +132,12 @@ class SurfaceLight : public testing::Test {
     }
   }
 
-  Surroundings plain() {
+  LightingContext plain() {
     return {{},   {},           {0.3F, 0.4F, 0.5F},   {0.0F, -1.0F, 0.0F},
             0.9F, std::nullopt, world::Simulator::kGz};
   }
 
-  void add(Surroundings& all, world::LightType type) {
+  void add(LightingContext& all, world::LightType type) {
     all.lights.push_back(light(type));
     all.shadows.emplace_back();
   }
@@ -150,7 +150,7 @@ TEST_F(SurfaceLight, OfEachKindIsThatOfTheFormulas) {
   for (const auto type :
        {world::LightType::kDirectional, world::LightType::kPoint, world::LightType::kSpot}) {
     for (int i = 0; i < 5; ++i) {
-      Surroundings all = plain();
+      LightingContext all = plain();
       add(all, type);
       add(all, type);
       expectSame(all);
@@ -162,11 +162,11 @@ TEST_F(SurfaceLight, IsAmbientWithoutLights) { expectSame(plain()); }
 
 /// The formulas have a pole where light comes through a surface from straight behind it.
 TEST_F(SurfaceLight, FromBehindIsNone) {
-  Surroundings all = plain();
+  LightingContext all = plain();
   add(all, world::LightType::kDirectional);
   all.lights[0].direction_C = {0.0F, 0.0F, -1.0F};  // into the camera
   const SurfaceShading shading(all);
-  Surroundings dark = plain();
+  LightingContext dark = plain();
   const SurfaceShading without(dark);
   // The second one faces it, so that all four are worked out.
   const SurfaceLanes surfaces{lanes(0.0F, 0.0F, 2.0F),
@@ -185,7 +185,7 @@ TEST_F(SurfaceLight, FromBehindIsNone) {
 TEST_F(SurfaceLight, FadesInFog) {
   for (const auto type : {world::FogType::kLinear, world::FogType::kExponential,
                           world::FogType::kSquaredExponential}) {
-    Surroundings all = plain();
+    LightingContext all = plain();
     add(all, world::LightType::kDirectional);
     all.fog = world::Fog{type, {0.8F, 0.7F, 0.6F}, 1.0, 5.0, 0.3};
     expectSame(all);

@@ -8,9 +8,9 @@
 #include <opencv2/core.hpp>
 
 #include "render/lens_cases.h"
-#include "render/overlay/backdrop_fitting.h"
+#include "render/overlay/background_painter.h"
 #include "render/picture_taking.h"
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {

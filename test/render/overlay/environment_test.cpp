@@ -11,8 +11,8 @@
 #include <opencv2/core.hpp>
 
 #include "render/picture_taking.h"
+#include "render/pixels/srgb.h"
 #include "render/renderer.h"
-#include "render/sensor/srgb.h"
 #include "support/box_world.h"
 #include "world/shape/shape_meshes.h"
 

@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "render/light/light_setup.h"
-#include "render/overlay/sky_program.h"
+#include "render/overlay/sky_painter.h"
 #include "render/picture_taking.h"
 #include "render/renderer.h"
 

@@ -151,7 +151,7 @@ TEST_P(KeptPictures, HaveTheRowsOfWholePictures) {
       return cv::Rect(0, 50 * (time % 4) + 12, 320, 50) & image;
     };
     std::vector<cv::Mat> bands;
-    std::vector<cv::Mat> parts;
+    std::vector<cv::Mat> items;
     {
       Renderer renderer(description, stage.links(), options);
       for (int time = 0; time < 8; ++time) {
@@ -160,7 +160,7 @@ TEST_P(KeptPictures, HaveTheRowsOfWholePictures) {
         pass.regions = {rowsAt(time)};
         bands.push_back(renderer.colour(view, stage.poses(), pass)(rowsAt(time)).clone());
         if (time % 3 == 0) {
-          parts.push_back(renderer.labels(view, stage.poses(), {stage.all()}).ids.clone());
+          items.push_back(renderer.labels(view, stage.poses(), {stage.all()}).ids.clone());
         }
       }
     }
@@ -172,7 +172,7 @@ TEST_P(KeptPictures, HaveTheRowsOfWholePictures) {
       EXPECT_EQ(cv::norm(bands[at], whole(rowsAt(time)), cv::NORM_INF), 0.0) << time;
       if (time % 3 != 0) continue;
       const LabelImages labels = renderer.labels(view, stage.poses(), {stage.all()});
-      EXPECT_EQ(cv::norm(parts[at / 3], labels.ids, cv::NORM_INF), 0.0) << time;
+      EXPECT_EQ(cv::norm(items[at / 3], labels.ids, cv::NORM_INF), 0.0) << time;
     }
   }
 }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "render/sensor/srgb.h"
+#include "render/pixels/srgb.h"
 
 namespace synthetic_dataset::render {
 namespace mipmaps_test {

@@ -15,8 +15,8 @@ Pose at(double x) { return makePose({x, 0, 0}, Eigen::Quaterniond::Identity()); 
 
 /// Where a ball casts at some times at which it is at some places.
 std::vector<double> heldAt(const std::vector<double>& places) {
-  Part part;
-  part.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2));
+  DrawItem item;
+  item.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2));
   ShadowProjection shadow;
   shadow.texel = kTexel;
   std::vector<std::vector<Pose>> poses;
@@ -24,7 +24,7 @@ std::vector<double> heldAt(const std::vector<double>& places) {
   std::vector<const std::vector<Pose>*> pointers;
   for (const auto& each : poses) pointers.push_back(&each);
   std::vector<double> held;
-  for (const auto& each : heldForShadows({part}, pointers, {shadow}, 1.0)) {
+  for (const auto& each : heldForShadows({item}, pointers, {shadow}, 1.0)) {
     held.push_back(each[0][0].translation().x());
   }
   return held;
@@ -41,8 +41,8 @@ TEST(HeldCasters, AreWhereTheyAreIfTheyMoveByMoreThanATexel) {
 }
 
 TEST(HeldCasters, CountTurnsByWhatIsFarthestFromTheAxis) {
-  Part part;
-  part.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2));
+  DrawItem item;
+  item.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2));
   ShadowProjection shadow;
   shadow.texel = kTexel;
   const auto turned = [](double angle) {
@@ -52,21 +52,21 @@ TEST(HeldCasters, CountTurnsByWhatIsFarthestFromTheAxis) {
   const std::vector<Pose> first = turned(0.0);
   const std::vector<Pose> little = turned(0.01);  // 3 mm at the corners
   const std::vector<Pose> far = turned(0.1);      // 28 mm
-  const auto held = heldForShadows({part}, {&first, &little, &far}, {shadow}, 1.0);
+  const auto held = heldForShadows({item}, {&first, &little, &far}, {shadow}, 1.0);
   EXPECT_EQ(held[0][0][0].matrix(), held[1][0][0].matrix());
   EXPECT_EQ(held[2][0][0].matrix(), far[0].matrix());
 }
 
 TEST(HeldCasters, StayForLongerInCoarserMaps) {
-  Part part;
-  part.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2));
+  DrawItem item;
+  item.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2));
   ShadowProjection fine;
   fine.texel = kTexel;
   ShadowProjection coarse;
   coarse.texel = 4.0 * kTexel;
   const std::vector<Pose> first = {at(0.0)};
   const std::vector<Pose> second = {at(0.015)};
-  const auto held = heldForShadows({part}, {&first, &second}, {fine, coarse}, 1.0);
+  const auto held = heldForShadows({item}, {&first, &second}, {fine, coarse}, 1.0);
   EXPECT_EQ(held[1][0][0].matrix(), second[0].matrix());
   EXPECT_EQ(held[0][1][0].matrix(), held[1][1][0].matrix());
 }
@@ -80,11 +80,11 @@ TEST(HeldCasters, AreNeverAWholeTexelAwayWhereTheyGoBackAndForth) {
 /// What is held at two times, with a caster that moves by a vector.
 std::vector<Pose> heldWithMove(const ShadowProjection& shadow, const Eigen::Vector3d& from,
                                const Eigen::Vector3d& move) {
-  Part part;
-  part.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.1), Eigen::Vector3d::Constant(0.1));
+  DrawItem item;
+  item.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.1), Eigen::Vector3d::Constant(0.1));
   const std::vector<Pose> first = {makePose(from, Eigen::Quaterniond::Identity())};
   const std::vector<Pose> second = {makePose(from + move, Eigen::Quaterniond::Identity())};
-  const auto held = heldForShadows({part}, {&first, &second}, {shadow}, 1.0);
+  const auto held = heldForShadows({item}, {&first, &second}, {shadow}, 1.0);
   return {held[0][0][0], held[1][0][0]};
 }
 

@@ -10,8 +10,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-Place placeIn(const std::string& model) {
-  return Place("a.world").in("model", model).in("link", "l").in("visual", "v");
+SourceLocation placeIn(const std::string& model) {
+  return SourceLocation("a.world").in("model", model).in("link", "l").in("visual", "v");
 }
 
 std::string thing(const std::string& mesh) {

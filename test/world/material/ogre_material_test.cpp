@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "support/error_messages.h"
-#include "world/material/shininess.h"
+#include "world/material/material_conversions.h"
 
 namespace synthetic_dataset::world {
 namespace ogre_material_test {

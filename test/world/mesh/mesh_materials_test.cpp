@@ -2,7 +2,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "world/material/shininess.h"
+#include "world/material/material_conversions.h"
 #include "world/mesh/assimp_gaps.h"
 #include "world/mesh/mesh_loader.h"
 #include "world/sdf/sdf_loader_support.h"

@@ -18,11 +18,11 @@ namespace physics_test {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-const World::ObjectMotion kNoObjects = [](int, Stamp) { return Pose::Identity(); };
+const World::ObjectPoseAt kNoObjects = [](int, Stamp) { return Pose::Identity(); };
 
 /// The pose of the link `index` after a time.
 Pose poseAfter(World& world, std::size_t index, Stamp time,
-               const World::ObjectMotion& motion = kNoObjects) {
+               const World::ObjectPoseAt& motion = kNoObjects) {
   world.advanceTo(Stamp(0), motion);
   world.advanceTo(time, motion);
   return world.linkPoses()[index];

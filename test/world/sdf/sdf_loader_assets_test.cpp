@@ -173,9 +173,9 @@ class FuelCache : public testing::Test {
   ~FuelCache() override { unsetenv("GZ_FUEL_CACHE_PATH"); }
 
   void writeModel(const std::string& version, const std::string& text) const {
-    const std::string place = "fuel/fuel.gazebosim.org/openrobotics/models/big crate/" + version;
-    folder_.write(place + "/model.config", "<model><sdf version='1.6'>model.sdf</sdf></model>");
-    folder_.write(place + "/model.sdf", text);
+    const std::string location = "fuel/fuel.gazebosim.org/openrobotics/models/big crate/" + version;
+    folder_.write(location + "/model.config", "<model><sdf version='1.6'>model.sdf</sdf></model>");
+    folder_.write(location + "/model.sdf", text);
   }
 
   TemporaryFolder folder_;

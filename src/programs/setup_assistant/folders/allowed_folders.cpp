@@ -7,7 +7,7 @@
 
 #include "output/files/file_name_rules.h"
 #include "programs/setup_assistant/web/http_message.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {

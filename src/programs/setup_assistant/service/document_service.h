@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "programs/setup_assistant/document/settings_document.h"
-#include "run/setup/ros_packages.h"
+#include "run/setup/package_index.h"
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::programs {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "programs/setup_assistant/service/request_body.h"
-#include "run/live/live_map.h"
 #include "run/live/live_scene.h"
 #include "run/live/live_world.h"
 #include "run/live/object_portrait.h"

@@ -1,6 +1,6 @@
 #include "programs/setup_assistant/service/request_body.h"
 
-#include "base/json_value.h"
+#include "base/json_text.h"
 #include "base/yaml_scalar.h"
 
 namespace synthetic_dataset::programs {

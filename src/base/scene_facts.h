@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "base/diagnostics.h"
+#include "synthetic_dataset/box.h"
+#include "synthetic_dataset/camera_model.h"
+#include "synthetic_dataset/cuboid.h"
+#include "synthetic_dataset/mask.h"
+#include "synthetic_dataset/pose.h"
+#include "synthetic_dataset/scene.h"
+
+namespace synthetic_dataset::base {
+
+/// One of an object's keypoints as the camera has it.
+struct KeypointFacts {
+  Eigen::Vector3d p_O = Eigen::Vector3d::Zero();  ///< [m]
+  std::optional<Eigen::Vector2d> pixel = {};
+  std::optional<KeypointState> state = {};
+};
+
+/// What hides objects that recorded pictures show (label::ObjectCover).
+struct CoverFacts {
+  double unmeasured = 0.0;  ///< the share of their pixels at which nothing was measured, 0 .. 1
+  double covered = 0.0;     ///< the share of their pixels that something unknown hides, 0 .. 1
+};
+
+/// What was measured of an object in a scene; what nobody asked for is nothing. The members are
+/// those of SceneObject.
+struct ObjectFacts {
+  std::optional<Pose> X_GO = Pose::Identity();
+  std::optional<double> distance = 0.0;  ///< [m]; nothing without a pose
+  bool in_view = false;
+  bool dropped = false;
+  std::optional<Box> loose_box = {};
+  std::optional<Box> silhouette_box = {};
+  std::optional<Box> visible_box = {};
+  std::optional<std::int64_t> silhouette_pixels = {};
+  std::optional<std::int64_t> visible_pixels = {};
+  std::optional<double> visibility = {};
+  std::optional<double> truncation = {};
+
+  /// Intersection over union of its visible mask by background subtraction with the exact one.
+  std::optional<double> mask_agreement = {};
+
+  /// How well its outline meets the edges of a recorded picture, 0 .. 1 (label::Alignment).
+  std::optional<double> alignment = {};
+  std::optional<CoverFacts> cover = {};  ///< of a recorded picture; nothing without any pixel
+
+  Cuboid cuboid_O = {};
+  std::vector<Eigen::Vector3d> bounding_shape_O = {};
+  std::vector<KeypointFacts> keypoints = {};
+  std::optional<std::int64_t> silhouette_in_image = {};  ///< [px]
+  std::optional<Mask> silhouette = {};
+  std::optional<Mask> visible_mask = {};
+};
+
+/// What is known of one of a scene's pictures without its pixels.
+struct PictureFacts {
+  std::string name;         ///< as in Scene: "image", "depth"; "image.jpg" stands for its JPEG file
+  std::string digest = "";  ///< SHA-256 of its pixels, row by row; of a file's bytes
+  std::vector<float> cells = {};  ///< of depth: its cells, each with sum, least and greatest [m]
+};
+
+/// Two things that are inside one another.
+struct ContactFacts {
+  std::string first;
+  std::string second;
+  double depth = 0.0;  ///< [m]
+};
+
+/// What was drawn for a scene of an entry of the settings that is random.
+struct DrawFacts {
+  std::string name;   ///< the entry's full name, such as "lights/sun/intensity"; once in a scene
+  std::string value;  ///< JSON: a number, a list of numbers or a text in quotes
+};
+
+/// What is known of a scene beside its files.
+struct SceneFacts {
+  std::int64_t index = 0;
+  Stamp stamp{0};
+  std::int64_t instant = 0;  ///< index of its time among the run's times
+  std::string camera = "camera";
+  int width = 1;   ///< of the image [px], > 0
+  int height = 1;  ///< of the image [px], > 0
+  std::string split = "";
+  std::uint64_t seed = 0;  ///< of all that is random in it
+  Pose X_GC = Pose::Identity();
+  std::vector<ObjectFacts> objects = {};
+  std::vector<ContactFacts> contacts = {};
+  std::vector<DrawFacts> draws = {};
+  std::vector<Warning> warnings = {};
+  std::optional<double> alignment = {};  ///< that of all outlines together
+  std::optional<CoverFacts> cover = {};  ///< that of all objects together
+
+  std::optional<CameraModel> camera_model = {};
+  std::map<std::string, Pose> frames = {};        ///< X_GF of frames that writers ask for
+  std::map<std::string, cv::Mat> pictures = {};   ///< that were drawn, by their names in Scene
+  std::map<std::string, cv::Mat> link_maps = {};  ///< "world_map" and "part_map", as in Scene
+  std::vector<PictureFacts> known_pictures = {};  ///< where it was read from a manifest
+};
+
+/// What a scene knows of an object, but for `mask_agreement`.
+[[nodiscard]] ObjectFacts objectFacts(const SceneObject& object);
+
+/// What every scene knows of itself, without its objects.
+[[nodiscard]] SceneFacts sceneFacts(const Scene& scene);
+
+}  // namespace synthetic_dataset::base

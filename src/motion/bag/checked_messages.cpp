@@ -1,0 +1,117 @@
+#include "motion/bag/checked_messages.h"
+
+#include <cstdint>
+#include <string>
+
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::motion {
+namespace {
+
+/// A list's length is the number that comes next.
+/// @param least  bytes that an entry has at least
+/// @return how many entries it has
+std::uint32_t checkList(ros::serialization::IStream& stream, std::uint32_t least,
+                        const std::string& name) {
+  std::uint32_t count = 0;
+  stream.next(count);
+  if (count <= stream.getLength() / least) return count;
+  throw Error("its list of " + name + " is said to have " + std::to_string(count) +
+              " entries, more than its bytes can hold");
+}
+
+/// Moves behind a list of texts.
+void passTexts(ros::serialization::IStream& stream, const std::string& name) {
+  const std::uint32_t count = checkList(stream, sizeof(std::uint32_t), name);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::uint32_t length = 0;
+    stream.next(length);
+    stream.advance(length);
+  }
+}
+
+/// Moves behind a list of entries of a fixed size.
+void passList(ros::serialization::IStream& stream, std::uint32_t size, const std::string& name) {
+  stream.advance(checkList(stream, size, name) * size);
+}
+
+}  // namespace
+
+void checkTransforms(ros::serialization::IStream stream) {
+  // Two names' lengths, a sequence number, a time, seven numbers.
+  constexpr std::uint32_t kLeast = 4 + 4 + 4 + 8 + 7 * 8;
+  static_cast<void>(checkList(stream, kLeast, "transforms"));
+}
+
+void checkCalibration(ros::serialization::IStream stream) {
+  std_msgs::Header header;
+  std::uint32_t height = 0;
+  std::uint32_t width = 0;
+  std::string model;
+  stream.next(header);
+  stream.next(height);
+  stream.next(width);
+  stream.next(model);
+  static_cast<void>(checkList(stream, sizeof(double), "distortion coefficients"));
+}
+
+void checkGrid(ros::serialization::IStream stream) {
+  std_msgs::Header header;
+  nav_msgs::MapMetaData description;
+  stream.next(header);
+  stream.next(description);
+  static_cast<void>(checkList(stream, sizeof(std::int8_t), "cells"));
+}
+
+void checkJoints(ros::serialization::IStream stream) {
+  std_msgs::Header header;
+  stream.next(header);
+  passTexts(stream, "joints");
+  passList(stream, sizeof(double), "positions");
+  passList(stream, sizeof(double), "velocities");
+  passList(stream, sizeof(double), "efforts");
+}
+
+void checkImage(ros::serialization::IStream stream) {
+  std_msgs::Header header;
+  std::string encoding;
+  std::uint8_t is_bigendian = 0;
+  stream.next(header);
+  stream.advance(2 * sizeof(std::uint32_t));  // height and width
+  stream.next(encoding);
+  stream.next(is_bigendian);
+  stream.advance(sizeof(std::uint32_t));  // step
+  static_cast<void>(checkList(stream, sizeof(std::uint8_t), "pixels"));
+}
+
+void checkImageFile(ros::serialization::IStream stream) {
+  std_msgs::Header header;
+  std::string format;
+  stream.next(header);
+  stream.next(format);
+  static_cast<void>(checkList(stream, sizeof(std::uint8_t), "bytes"));
+}
+
+void checkCloud(ros::serialization::IStream stream) {
+  // A name's length, an offset, a type, a count.
+  constexpr std::uint32_t kLeast = 4 + 4 + 1 + 4;
+  std_msgs::Header header;
+  stream.next(header);
+  stream.advance(2 * sizeof(std::uint32_t));  // height and width
+  const std::uint32_t count = checkList(stream, kLeast, "fields");
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::uint32_t length = 0;
+    stream.next(length);
+    stream.advance(length);
+    stream.advance(kLeast - sizeof length);
+  }
+  stream.advance(1 + 2 * sizeof(std::uint32_t));  // byte order, steps
+  static_cast<void>(checkList(stream, sizeof(std::uint8_t), "bytes"));
+}
+
+void checkStates(ros::serialization::IStream stream) {
+  passTexts(stream, "names");
+  passList(stream, 7 * sizeof(double), "poses");
+}
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rosbag/message_instance.h>
+
+#include "motion/bag/topic_search.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::motion {
+
+/// Where the messages of a topic are in bags that count as one recording, by the stamps of their
+/// headers.
+class MessageIndex {
+ public:
+  /// Looks at a message, and says which stamp it has.
+  using Look = std::function<Stamp(const rosbag::MessageInstance& message)>;
+
+  /// Looks at all messages of the topic, in the order in which they were recorded.
+  /// @param bag_files  bags that can be read
+  /// @param noun  what a message is, for messages to the user: "picture"
+  /// @throws Error when no bag has such a topic, it has messages of another type, its messages have
+  ///     no stamps, or their time goes back
+  MessageIndex(const std::vector<std::string>& bag_files, const std::string& topic,
+               const std::string& noun, TopicSearch search, const Look& look);
+  ~MessageIndex();
+  MessageIndex(MessageIndex&&) noexcept;
+  MessageIndex& operator=(MessageIndex&&) noexcept;
+
+  /// How many were left out since they have the stamp of another one.
+  [[nodiscard]] std::int64_t repeatedCount() const;
+
+  /// What was noted of each message that was looked at, as the messages are here: by their stamps,
+  /// of equal ones the first that was recorded.
+  template <class Noted>
+  [[nodiscard]] std::vector<Noted> inOrder(std::vector<Noted> looked_at) const {
+    std::vector<Noted> ordered;
+    for (const std::size_t index : order()) ordered.push_back(std::move(looked_at[index]));
+    return ordered;
+  }
+
+  /// Shows a message again, in any thread.
+  /// @throws Error naming the bag that cannot be read any more
+  void read(std::size_t index,
+            const std::function<void(const rosbag::MessageInstance& message)>& see) const;
+
+ private:
+  /// Which of the messages that were looked at is here.
+  [[nodiscard]] const std::vector<std::size_t>& order() const;
+
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,110 @@
+#include "motion/recorded/recorded_pictures.h"
+
+#include <optional>
+#include <utility>
+
+#include <rosbag/message_instance.h>
+
+#include "base/image/picture_decoder.h"
+#include "motion/bag/checked_messages.h"
+#include "motion/bag/message_index.h"
+#include "motion/bag/ros_time.h"
+#include "motion/bag/topic_search.h"
+#include "motion/frame_names.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::motion {
+namespace {
+
+/// A file's image size; errors begin with its format.
+base::PictureSize sizeOf(const PictureFile& file, const std::string& topic) {
+  try {
+    return base::checkPicture(file.bytes, topic);
+  } catch (const Error& error) {
+    throw Error("of format '" + file.format + "' " + error.what());
+  }
+}
+
+}  // namespace
+
+FramedPicture framedPicture(const rosbag::MessageInstance& message) {
+  if (const auto raw = message.instantiate<RecordedImage>()) {
+    sensor_msgs::Image& image = raw->message;
+    return {toStamp(image.header.stamp), withoutLeadingSlashes(image.header.frame_id),
+            base::RawPicture{image.width, image.height, image.encoding, image.is_bigendian != 0,
+                             image.step, std::move(image.data)}};
+  }
+  const auto file = message.instantiate<RecordedImageFile>();
+  if (!file) throw Error("a message of '" + message.getTopic() + "' is no picture");
+  return {toStamp(file->message.header.stamp), withoutLeadingSlashes(file->message.header.frame_id),
+          PictureFile{file->message.format, std::move(file->message.data)}};
+}
+
+PictureHead headOf(
+    const FramedPicture& framed,
+    const std::function<std::optional<std::string>(const base::RawPicture&)>& problem_of,
+    const std::function<base::PictureSize(const PictureFile&)>& size_of) {
+  PictureHead head{framed.stamp, framed.frame};
+  if (const auto* raw = std::get_if<base::RawPicture>(&framed.picture)) {
+    head.problem = problem_of(*raw).value_or("");
+    if (!head.problem.empty()) return head;
+    head.width = raw->width;
+    head.height = raw->height;
+    return head;
+  }
+  try {
+    const base::PictureSize size = size_of(std::get<PictureFile>(framed.picture));
+    head.width = static_cast<std::uint32_t>(size.width);
+    head.height = static_cast<std::uint32_t>(size.height);
+  } catch (const Error& error) {
+    head.problem = error.what();
+  }
+  return head;
+}
+
+struct RecordedPictures::Impl {
+  std::string topic;
+  std::vector<PictureHead> heads;
+  std::optional<MessageIndex> messages;  ///< of heads
+};
+
+RecordedPictures::RecordedPictures(const std::vector<std::string>& bag_files,
+                                   const std::string& topic)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->topic = topic;
+  std::vector<PictureHead> looked_at;
+  impl_->messages.emplace(
+      bag_files, topic, "picture",
+      TopicSearch::of<sensor_msgs::Image, sensor_msgs::CompressedImage>(topic),
+      [&](const rosbag::MessageInstance& message) {
+        const FramedPicture picture = framedPicture(message);
+        looked_at.push_back(headOf(picture, base::pictureProblem,
+                                   [&](const PictureFile& file) { return sizeOf(file, topic); }));
+        return picture.stamp;
+      });
+  impl_->heads = impl_->messages->inOrder(std::move(looked_at));
+}
+
+RecordedPictures::~RecordedPictures() = default;
+RecordedPictures::RecordedPictures(RecordedPictures&&) noexcept = default;
+RecordedPictures& RecordedPictures::operator=(RecordedPictures&&) noexcept = default;
+
+const std::string& RecordedPictures::topic() const { return impl_->topic; }
+
+const std::vector<PictureHead>& RecordedPictures::heads() const { return impl_->heads; }
+
+std::int64_t RecordedPictures::repeatedCount() const { return impl_->messages->repeatedCount(); }
+
+RecordedPicture RecordedPictures::read(std::size_t index) const {
+  RecordedPicture picture;
+  impl_->messages->read(index, [&](const rosbag::MessageInstance& message) {
+    picture = framedPicture(message).picture;
+  });
+  return picture;
+}
+
+std::string pictureName(const std::string& topic, Stamp stamp) {
+  return "the picture of '" + topic + "' at " + secondsText(stamp);
+}
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <rosbag/message_instance.h>
+
+#include "base/image/picture_size.h"
+#include "base/image/raw_picture.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::motion {
+
+/// A picture as a file: sensor_msgs/CompressedImage.
+struct PictureFile {
+  std::string format;  ///< as the message has it: "jpeg", "rgb8; jpeg compressed bgr8"
+  std::vector<std::uint8_t> bytes;
+};
+
+using RecordedPicture = std::variant<base::RawPicture, PictureFile>;
+
+/// What is known of a picture without keeping its pixels.
+struct PictureHead {
+  Stamp stamp{0};            ///< that its message's header has
+  std::string frame = {};    ///< likewise, without leading slashes
+  std::uint32_t width = 0;   ///< [px]; 0 where there is a problem
+  std::uint32_t height = 0;  ///< [px]; 0 where there is a problem
+  std::string problem = {};  ///< why it cannot be read: "has the encoding 'x', which ..."
+};
+
+/// The pictures of a topic of type sensor_msgs/Image or sensor_msgs/CompressedImage, in bags that
+/// count as one recording.
+class RecordedPictures {
+ public:
+  /// Reads all messages of the topic, and keeps where they are.
+  /// @param bag_files  bags that can be read
+  /// @throws Error when no bag has such a topic, it has messages of another type, its messages have
+  ///     no stamps, or their time goes back
+  RecordedPictures(const std::vector<std::string>& bag_files, const std::string& topic);
+  ~RecordedPictures();
+  RecordedPictures(RecordedPictures&&) noexcept;
+  RecordedPictures& operator=(RecordedPictures&&) noexcept;
+
+  [[nodiscard]] const std::string& topic() const;
+
+  /// All pictures in order of stamp, the first recorded one of equal stamps; at least one.
+  [[nodiscard]] const std::vector<PictureHead>& heads() const;
+
+  /// How many were left out since they have the stamp of another one.
+  [[nodiscard]] std::int64_t repeatedCount() const;
+
+  /// A picture of heads(), in any thread.
+  /// @throws Error naming the bag that cannot be read any more
+  [[nodiscard]] RecordedPicture read(std::size_t index) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// "the picture of '/camera/image_raw' at 12.340000000 s", for messages.
+[[nodiscard]] std::string pictureName(const std::string& topic, Stamp stamp);
+
+/// A message's picture, with what its header has.
+struct FramedPicture {
+  Stamp stamp{0};
+  std::string frame;  ///< without leading slashes
+  RecordedPicture picture;
+};
+
+/// Reads a sensor_msgs/Image or a sensor_msgs/CompressedImage.
+/// @throws Error for any other message
+[[nodiscard]] FramedPicture framedPicture(const rosbag::MessageInstance& message);
+
+/// What is known of a picture without decoding it.
+/// @param problem_of  why a raw picture cannot be read, if so
+/// @param size_of  looks at a picture that is a file; throws Error where it cannot be read
+[[nodiscard]] PictureHead headOf(
+    const FramedPicture& framed,
+    const std::function<std::optional<std::string>(const base::RawPicture&)>& problem_of,
+    const std::function<base::PictureSize(const PictureFile&)>& size_of);
+
+}  // namespace synthetic_dataset::motion

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include "run/reporter.h"
+#include "synthetic_dataset/value.h"
+
+namespace synthetic_dataset::programs {
+
+/// Whether settings, or those of one of their `motions`, want a map of the running system:
+/// `placement/map_topic` without `bag_file`.
+[[nodiscard]] bool wantsTopicMap(const Value& settings);
+
+/// Waits for each such map and adds it as `placement/received_map`.
+/// @param settings  that want one
+/// @param node  subscribes for as long as it takes
+/// @param reporter  gets what is waited for
+/// @throws Error when no map comes, with what there is instead
+void takeTopicMap(Value& settings, ros::NodeHandle& node, run::Reporter& reporter);
+
+}  // namespace synthetic_dataset::programs

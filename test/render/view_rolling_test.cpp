@@ -1,0 +1,200 @@
+/// Pictures whose rows are taken one after the other, against a picture for each row.
+
+#include "render/view.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include "render/lens_cases.h"
+#include "render/renderer.h"
+#include "support/box_world.h"
+#include "world/shape/shape_meshes.h"
+
+namespace synthetic_dataset::render {
+namespace rolling_view_test {
+
+using test::coloured;
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 240;
+
+Pose turned(double x, double y, double z, double angle) {
+  return makePose({x, y, z}, Eigen::Quaterniond(
+                                 Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized())));
+}
+
+/// How the camera moves, and through which lens it looks.
+struct Case {
+  const char* name;
+  bool rides;
+  Distortion distortion;
+};
+
+/// A wall, a floor and a box that stand, and a ball, a box and a wheel that move and turn fast.
+class RollingPicture : public testing::TestWithParam<Case> {
+ protected:
+  RollingPicture() : description(test::dark()) {
+    stage.addBox({8, 6, 0.2}, turned(0, 0, 6, 0), -1, coloured(0.8F, 0.8F, 0.7F));
+    stage.addBox({8, 0.2, 8}, turned(0, 1.2, 3, 0), -1, coloured(0.4F, 0.5F, 0.4F));
+    stage.addBox({0.5, 2.4, 0.5}, turned(-0.8, 0, 4, 0.3), -1, coloured(0.3F, 0.3F, 0.9F));
+    stage.addMesh(world::sphereMesh(0.4), {}, 0, coloured(0.9F, 0.2F, 0.2F));
+    stage.addBox({0.7, 0.7, 0.7}, {}, 1, coloured(0.9F, 0.9F, 0.1F));
+    stage.addBox({1.6, 0.1, 0.1}, {}, 2, coloured(0.1F, 0.9F, 0.9F));
+  }
+
+  void shineSun() {
+    world::Light sun;
+    sun.casts_shadow = true;
+    sun.direction_L = Eigen::Vector3d(0.3, 1, 0.4).normalized();
+    description.lights = {sun};
+    description.ambient = {0.3F, 0.3F, 0.3F};
+  }
+
+  /// @param share  of the readout
+  [[nodiscard]] RollingMoment momentAt(double share) const {
+    RollingMoment moment{share * kHeight - 0.5, Pose::Identity(), stage.poses()};
+    if (GetParam().rides) {
+      moment.X_WC =
+          makePose({0.3 * share, 0.05 * share, 0.1 * share},
+                   Eigen::Quaterniond(Eigen::AngleAxisd(0.05 * share, Eigen::Vector3d::UnitY())));
+    }
+    moment.X_WL[3] = turned(-0.2 + 0.8 * share, -0.3, 2.5, 0);
+    moment.X_WL[4] = turned(0.9 - 0.5 * share, 0.6, 3, share);
+    moment.X_WL[5] = turned(0.6, -0.7, 3, 2.5 * share);
+    return moment;
+  }
+
+  [[nodiscard]] RollingView view() const {
+    RollingView result{CameraModel(kWidth, kHeight, {260.0, 260.0, 159.5, 119.5}, 0.05, 100.0,
+                                   GetParam().distortion),
+                       {},
+                       8};
+    for (int i = 0; i <= 8; ++i) result.moments.push_back(momentAt(i / 8.0));
+    return result;
+  }
+
+  [[nodiscard]] ColourPass pass(Sampling sampling) const {
+    return {stage.all(), stage.all(), sampling};
+  }
+
+  /// How many pixels of a picture differ by more than one grey level from those of a picture that
+  /// is wholly of their row's time.
+  [[nodiscard]] int unlikeTheirRows(Renderer& renderer, const RollingView& rolling,
+                                    Sampling sampling, const cv::Mat& picture) const {
+    int different = 0;
+    for (int row = 0; row < kHeight; ++row) {
+      const RollingMoment now = rolling.at(row);
+      ColourPass of_row = pass(sampling);
+      of_row.regions = {cv::Rect(0, row, kWidth, 1)};
+      const cv::Mat expected = renderer.colour({rolling.camera, now.X_WC}, now.X_WL, of_row);
+      cv::Mat difference;
+      cv::absdiff(picture.row(row), expected.row(row), difference);
+      for (int u = 0; u < kWidth; ++u) {
+        const auto& pixel = difference.at<cv::Vec3b>(0, u);
+        different += std::max({pixel[0], pixel[1], pixel[2]}) > 1 ? 1 : 0;
+      }
+    }
+    return different;
+  }
+
+  world::Description description;
+  test::Stage stage;
+};
+
+TEST_P(RollingPicture, ShowsInEachRowWhatAPictureOfItsTimeShows) {
+  Renderer renderer(description, stage.links(), {});
+  const RollingView rolling = view();
+  for (const Sampling sampling : {Sampling::kCentre, Sampling::kSmooth}) {
+    const cv::Mat picture = renderer.draw(rolling, pass(sampling))();
+    test::keep(picture, std::string("rolling_") + GetParam().name);
+    // An edge takes its light from pixels above and below, which are of other times.
+    const bool is_smooth = sampling == Sampling::kSmooth;
+    EXPECT_LT(unlikeTheirRows(renderer, rolling, sampling, picture),
+              kWidth * kHeight * (is_smooth ? 3 : 1) / 1000)
+        << is_smooth;
+  }
+}
+
+TEST_P(RollingPicture, ShowsInEachRowWhatTurnsBackAtOnce) {
+  Renderer renderer(description, stage.links(), {});
+  RollingView rolling = view();
+  for (std::size_t i = 0; i < rolling.moments.size(); ++i) {
+    rolling.moments[i].X_WL[3] = turned(-0.1, i % 2 == 0 ? -0.35 : 0.05, 2.5, 0);
+  }
+  const cv::Mat picture = renderer.draw(rolling, pass(Sampling::kCentre))();
+  test::keep(picture, std::string("rolling_back_") + GetParam().name);
+  EXPECT_LT(unlikeTheirRows(renderer, rolling, Sampling::kCentre, picture),
+            kWidth * kHeight / 1000);
+}
+
+TEST_P(RollingPicture, IsThatOfWhichNothingWasKept) {
+  shineSun();
+  for (const LightDetail light : {LightDetail::kSimple, LightDetail::kFull}) {
+    RenderOptions options;
+    options.light = light;
+    std::vector<cv::Mat> kept;
+    {
+      Renderer renderer(description, stage.links(), options);
+      for (int i = 0; i < 3; ++i) {
+        kept.push_back(renderer.draw(view(), pass(Sampling::kSmooth))());
+        if (i == 0) (void)renderer.labels({view().camera, {}}, stage.poses(), {stage.all()});
+      }
+    }
+    options.reuse = false;
+    Renderer renderer(description, stage.links(), options);
+    const cv::Mat expected = renderer.draw(view(), pass(Sampling::kSmooth))();
+    for (const cv::Mat& picture : kept) {
+      EXPECT_EQ(cv::norm(picture, expected, cv::NORM_INF), 0.0);
+    }
+  }
+}
+
+TEST_P(RollingPicture, ExposuresHaveThePicturesOfTheirMoments) {
+  shineSun();
+  Renderer renderer(description, stage.links(), {});
+  std::vector<RollingMoment> moments;
+  for (int i = 0; i < 4; ++i) moments.push_back(momentAt(0.001 * i));
+  std::vector<PendingPicture> pictures;
+  renderer.drawExposure(view().camera, moments, pass(Sampling::kSmooth),
+                        [&](PendingPicture picture) { pictures.push_back(std::move(picture)); });
+  ASSERT_EQ(pictures.size(), moments.size());
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const cv::Mat expected =
+        renderer.colour({view().camera, moments[i].X_WC}, moments[i].X_WL, pass(Sampling::kSmooth));
+    cv::Mat difference;
+    cv::absdiff(pictures[i](), expected, difference);
+    cv::Mat differs;
+    cv::inRange(difference, cv::Scalar::all(0), cv::Scalar::all(1), differs);
+    // The rims of shadows follow the texels of their maps, which lie elsewhere.
+    EXPECT_LT(kWidth * kHeight - cv::countNonZero(differs), kWidth * kHeight / 50);
+    EXPECT_LT(cv::mean(difference.reshape(1))[0], 0.2);
+  }
+}
+
+TEST_P(RollingPicture, HasItsRowsUnderASkyInBands) {
+  description.sky = world::Sky();
+  Renderer renderer(description, stage.links(), {});
+  const RollingView rolling = view();
+  const cv::Mat picture = renderer.draw(rolling, pass(Sampling::kSmooth))();
+  const cv::Rect rows = rolling.rowsOf(3);
+  const RollingMoment middle = rolling.at(rows.y + 0.5 * (rows.height - 1));
+  const cv::Mat expected =
+      renderer.colour({rolling.camera, middle.X_WC}, middle.X_WL, pass(Sampling::kSmooth));
+  EXPECT_EQ(cv::norm(picture(rows), expected(rows), cv::NORM_INF), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cameras, RollingPicture,
+    testing::Values(Case{"stands", false, {}}, Case{"rides", true, {}},
+                    Case{"stands_plumb_bob", false, test::kPlumbBob.camera.distortion()},
+                    Case{"rides_plumb_bob", true, test::kPlumbBob.camera.distortion()}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace rolling_view_test
+}  // namespace synthetic_dataset::render
