@@ -141,7 +141,7 @@ void grow(cv::Mat& cells, const cv::Size& by) {
     cells.setTo(255);
     return;
   }
-  const cv::Size round(2 * by.width + 1, 2 * by.height + 1);
+  const cv::Size window(2 * by.width + 1, 2 * by.height + 1);
   cv::dilate(cells, cells, cv::getStructuringElement(cv::MORPH_RECT, window));
 }
 
