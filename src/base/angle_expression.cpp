@@ -8,7 +8,7 @@
 namespace synthetic_dataset::base {
 namespace {
 
-constexpr int kDeepestNesting = 32;
+constexpr int kDeepestBrackets = 32;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
@@ -74,7 +74,7 @@ class Expression {
   }
 
   double withSign() {
-    if (++depth_ > kDeepestNesting) fail();
+    if (++depth_ > kDeepestBrackets) fail();
     double value = 0.0;
     if (take("-")) {
       value = -withSign();

@@ -8,7 +8,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-constexpr std::size_t kMostNamed = 10;
+constexpr std::size_t kMostNamedObjects = 10;
 
 std::string whyNot(const RunSummary::Object& object) {
   if (object.scenes_in_view == 0) return "never in view";
@@ -62,7 +62,7 @@ std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& co
   for (const auto& [reason, names] : unlabelled) {
     messages.push_back((names.size() == 1 ? "object " + names.front() + " has"
                                           : std::to_string(names.size()) + " objects (" +
-                                                base::listed(names, kMostNamed) + ") have") +
+                                                base::listed(names, kMostNamedObjects) + ") have") +
                        " a label " + where + ": " + reason);
   }
   return messages;

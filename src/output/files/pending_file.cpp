@@ -19,7 +19,7 @@
 namespace synthetic_dataset::output {
 namespace {
 
-constexpr std::size_t kLongestName = 255;  // NAME_MAX [bytes]
+constexpr std::size_t kLongestPendingName = 255;  // NAME_MAX [bytes]
 
 [[noreturn]] void failToWrite(const std::string& path, const std::string& reason) {
   throw Error("cannot write '" + path + "': " + reason);
@@ -124,10 +124,11 @@ std::string temporaryPath(const std::string& path) {
   const std::size_t name_begin = path.rfind('/') + 1;  // 0 where there is none
   const std::string name = path.substr(name_begin);
   std::string end = ".tmp";
-  if (1 + name.size() + end.size() > kLongestName) {
+  if (1 + name.size() + end.size() > kLongestPendingName) {
     end = "." + Fingerprint(name).text() + end;
   }
-  return path.substr(0, name_begin) + "." + name.substr(0, kLongestName - 1 - end.size()) + end;
+  return path.substr(0, name_begin) + "." + name.substr(0, kLongestPendingName - 1 - end.size()) +
+         end;
 }
 
 PendingFile::PendingFile(std::string path)

@@ -30,7 +30,7 @@ std::optional<std::string> stateText(const std::optional<KeypointState>& state) 
   return std::nullopt;
 }
 
-std::optional<KeypointState> stateOf(const std::string& text) {
+std::optional<KeypointState> keypointStateOf(const std::string& text) {
   for (const auto& [each, name] : kStates) {
     if (text == name) return each;
   }
@@ -194,7 +194,7 @@ void readKeypoints(const SqliteDatabase& database, SceneFacts& scene) {
     KeypointFacts facts;
     facts.p_O = {rows.real(1), rows.real(2), rows.real(3)};
     if (!rows.isNull(4)) facts.pixel = Eigen::Vector2d(rows.real(4), rows.real(5));
-    facts.state = stateOf(rows.text(6));
+    facts.state = keypointStateOf(rows.text(6));
     scene.objects[index].keypoints.push_back(facts);
   }
 }

@@ -47,7 +47,7 @@ void send(int pipe, Kind kind, const std::string& text) {
   bytes += text;
   std::size_t sent = 0;
   while (sent < bytes.size()) {
-    const ssize_t count = write(pipe, bytes.data() + sent, bytes.size() - sent);
+    const ssize_t count = ::write(pipe, bytes.data() + sent, bytes.size() - sent);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return;  // nobody reads any more: a signal is on its way
     sent += static_cast<std::size_t>(count);

@@ -23,7 +23,7 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_alw
 
 void print(std::string_view message) {
   while (!message.empty() && !g_is_silent) {
-    const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+    const ssize_t written = ::write(STDERR_FILENO, message.data(), message.size());
     if (written <= 0) return;  // nobody reads any more
     message.remove_prefix(static_cast<std::size_t>(written));
   }

@@ -19,7 +19,7 @@ constexpr double kWidestFace = 1.05;  // [rad]
 
 constexpr double kDensity = 2.0;    // face pixels in a row for a pixel of the picture
 constexpr double kFinest = 4.0;     // at most this many times the lens's focal length
-constexpr int kMargin = 8;          // [px] drawn beyond what is looked at, for filters
+constexpr int kFilterMargin = 8;    // [px] drawn beyond what is looked at, for filters
 constexpr int kLargestTile = 4096;  // [px]
 
 /// A plane that is drawn, and which of its places the picture's pixels look at.
@@ -203,10 +203,11 @@ Tiles addTiles(const Plane& plane, const CameraModel& camera, std::vector<LensFa
   tiles.first_face = static_cast<int>(faces.size());
   for (int row = 0; row < tiles.down.count; ++row) {
     for (int column = 0; column < tiles.across.count; ++column) {
-      const double left = tiles.across.first + column * tiles.across.length - kMargin;
-      const double top = tiles.down.first + row * tiles.down.length - kMargin;
-      const CameraModel tile(tiles.across.length + 2 * kMargin, tiles.down.length + 2 * kMargin,
-                             {f, f, -left, -top}, nearOf(plane, camera), camera.far());
+      const double left = tiles.across.first + column * tiles.across.length - kFilterMargin;
+      const double top = tiles.down.first + row * tiles.down.length - kFilterMargin;
+      const CameraModel tile(tiles.across.length + 2 * kFilterMargin,
+                             tiles.down.length + 2 * kMargin, {f, f, -left, -top},
+                             nearOf(plane, camera), camera.far());
       faces.push_back({tile, plane.X_CF, nearLimitOf(plane, camera)});
     }
   }

@@ -78,7 +78,7 @@ cv::Rect neededOf(const LensMap& map, std::size_t face, const cv::Rect& region) 
     }
   }
   if (low.x > high.x) return {};
-  const cv::Rect round(
+  const cv::Rect bounds(
       cv::Point(static_cast<int>(low.x) - kRoom, static_cast<int>(low.y) - kRoom),
       cv::Point(static_cast<int>(high.x) + kRoom + 1, static_cast<int>(high.y) + kRoom + 1));
   return bounds & cv::Rect(0, 0, f.camera.width(), f.camera.height());

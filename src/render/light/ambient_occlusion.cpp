@@ -22,7 +22,7 @@ constexpr int kPattern = 4;      // pixels of a square's side that differ in the
 constexpr float kFarthestShare = 1.0F / 10.0F;  // of the picture's longer side: no way is longer
 constexpr float kFading = 0.615F;               // of the radius, over which what is far away fades
 constexpr float kFlat = 0.02F;  // the sine of the angle over a surface up to which it is flat
-constexpr int kMargin = OccluderDepths::kMargin;
+constexpr int kOccluderMargin = OccluderDepths::kMargin;
 
 float farthest(const cv::Size& image) {
   return std::max(4.0F, kFarthestShare * static_cast<float>(std::max(image.width, image.height)));
@@ -191,13 +191,13 @@ class HorizonFinder {
   float farthest_;
 };
 
-/// What reaches all pixels of a place, and kMargin around it.
+/// What reaches all pixels of a place, and kOccluderMargin around it.
 class ReachingLight {
  public:
   explicit ReachingLight(const cv::Rect& place)
       : place_(place),
-        open_(place.height + 2 * kMargin, place.width + 2 * kMargin + kLaneCount, CV_32FC1,
-              cv::Scalar(0.0)),
+        open_(place.height + 2 * kOccluderMargin, place.width + 2 * kOccluderMargin + kLaneCount,
+              CV_32FC1, cv::Scalar(0.0)),
         whole_(open_.clone()) {}
 
   void set(int u, int v, const Reaching& four) {
@@ -227,10 +227,10 @@ class ReachingLight {
 
  private:
   [[nodiscard]] float* at(cv::Mat& image, int u, int v) const {
-    return image.ptr<float>(v - place_.y + kMargin, u - place_.x + kMargin);
+    return image.ptr<float>(v - place_.y + kOccluderMargin, u - place_.x + kOccluderMargin);
   }
   [[nodiscard]] const float* at(const cv::Mat& image, int u, int v) const {
-    return image.ptr<float>(v - place_.y + kMargin, u - place_.x + kMargin);
+    return image.ptr<float>(v - place_.y + kOccluderMargin, u - place_.x + kOccluderMargin);
   }
 
   cv::Rect place_;

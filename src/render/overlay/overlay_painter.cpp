@@ -89,7 +89,7 @@ void OverlayPainter::setLight(const ShaderProgram& program, const world::Materia
     return;
   }
   const ClassicLight light = classicLight(material);
-  program.set("around", Eigen::Vector3f(light.ambient.cwiseProduct(ambient_) + light.own));
+  program.set("around", Eigen::Vector3f(light.ambient.cwiseProduct(ambient_) + light.emissive));
   program.set("diffuse_colour", light.diffuse);
   program.set("specular_colour", light.specular);
   program.set("shininess", light.shininess);

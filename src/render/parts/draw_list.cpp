@@ -12,7 +12,7 @@ namespace {
 /// A flat thing of this size is ground: as a caster it would only stretch the shadow map.
 constexpr double kLargestFlatCaster = 20.0;  // [m]
 
-Bounds boundsOf(const world::Mesh& mesh) {
+Bounds meshBounds(const world::Mesh& mesh) {
   Bounds bounds;
   for (const Eigen::Vector3f& position : mesh.positions) bounds.extend(position.cast<double>());
   return bounds;
@@ -105,7 +105,7 @@ DrawItem DrawList::makeItem(const std::shared_ptr<const world::Mesh>& mesh,
   item.mesh = &meshes_.get(mesh);
   item.shape = mesh.get();
   item.given = item.material = &material;
-  item.bounds_V = boundsOf(*mesh);
+  item.bounds_V = meshBounds(*mesh);
   dress(item);
   item.double_sided = material.double_sided;
   item.has_holes = (item.features & feature::kHoles) != 0;

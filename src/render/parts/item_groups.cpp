@@ -12,7 +12,7 @@ namespace {
 /// with their corners.
 constexpr std::size_t kMostHulls = 4;
 
-Bounds grown(const Bounds& bounds, double margin) {
+Bounds withMargin(const Bounds& bounds, double margin) {
   const Eigen::Vector3d beside = Eigen::Vector3d::Constant(margin);
   return {bounds.min() - beside, bounds.max() + beside};
 }
@@ -23,14 +23,14 @@ std::vector<Eigen::Vector3d> cornersWith(const std::vector<const DrawItem*>& ite
   if (items.size() > kMostHulls) {
     Bounds bounds;
     for (const DrawItem* item : items) extend(bounds, *item, X_WL[item->link]);
-    return cornersOf(grown(bounds, margin));
+    return cornersOf(withMargin(bounds, margin));
   }
   std::vector<Eigen::Vector3d> corners;
   for (const DrawItem* item : items) {
     const Pose X_WV = X_WL[item->link] * item->X_LV;
-    const std::vector<Eigen::Vector3d> of_part = item->hull_V != nullptr
-                                                     ? item->hull_V->cornersWith(margin)
-                                                     : cornersOf(grown(item->bounds_V, margin));
+    const std::vector<Eigen::Vector3d> of_part =
+        item->hull_V != nullptr ? item->hull_V->cornersWith(margin)
+                                : cornersOf(withMargin(item->bounds_V, margin));
     for (const Eigen::Vector3d& corner : of_part) corners.push_back(X_WV * corner);
   }
   return corners;

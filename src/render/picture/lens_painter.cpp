@@ -80,7 +80,7 @@ cv::Mat finishedThroughLens(const UnlitLens& picture, const DrawList& draw_list,
                                   surfaces.vertexNormals()};
     const EdgePixels found(geometry, picture.place, picture.regions, picture.pixels,
                            picture.scene.view.camera.intrinsics(), sight.lens->rays);
-    smoothEdges(items, picture.scene, sight, {geometry, light, picture.place}, found, result);
+    smoothEdges(draw_list, picture.scene, sight, {geometry, light, picture.place}, found, result);
     if (edges != nullptr) *edges = found.mask(result.size());
   }
   result.setTo(cv::Scalar::all(0), sight.lens->face < 0);

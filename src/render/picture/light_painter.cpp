@@ -23,8 +23,8 @@ bool showsNothing(const SeenSurfaces& seen, const std::vector<cv::Rect>& regions
 
 /// @param surfaces, overlay  CV_16UC4; of the second, alpha is how much of the first passes
 cv::Mat laidOver(const cv::Mat& surfaces, const cv::Mat& overlay) {
-  const cv::Mat light = widened(surfaces);
-  const cv::Mat before = widened(overlay);
+  const cv::Mat light = render::widened(surfaces);
+  const cv::Mat before = render::widened(overlay);
   cv::Mat result(light.size(), CV_16UC4);
   for (int v = 0; v < light.rows; ++v) {
     const auto* below = light.ptr<std::uint16_t>(v);

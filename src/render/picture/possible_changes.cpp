@@ -27,7 +27,7 @@ double longestWay(double low, double high, double step, double least, double mos
   return std::numeric_limits<double>::infinity();
 }
 
-Bounds boundsOf(const Points& points) {
+Bounds pointBounds(const Points& points) {
   Bounds bounds;
   for (const Eigen::Vector3d& point : points) bounds.extend(point);
   return bounds;
@@ -36,7 +36,7 @@ Bounds boundsOf(const Points& points) {
 /// The hull of a body and its shadow in parallel light, as far as something receives it.
 Points parallelShadow(const Points& corners, const Eigen::Vector3d& direction,
                       const Bounds& receivers) {
-  const Bounds caster = boundsOf(corners);
+  const Bounds caster = pointBounds(corners);
   double way = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     way = std::min(way, longestWay(caster.min()[axis], caster.max()[axis], direction[axis],
@@ -52,7 +52,7 @@ Points parallelShadow(const Points& corners, const Eigen::Vector3d& direction,
 /// The same in the light of a point; nothing where it may be anywhere.
 std::optional<Points> pointShadow(const Points& corners, const Eigen::Vector3d& light, double range,
                                   const Bounds& receivers) {
-  const Bounds caster = boundsOf(corners);
+  const Bounds caster = pointBounds(corners);
   double times = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     // Rays from the light through the body go on along an axis by `times` at the most.

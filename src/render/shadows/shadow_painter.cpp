@@ -17,7 +17,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-cv::Rect grown(const cv::Rect& rectangle, const cv::Size& by) {
+cv::Rect widenedBy(const cv::Rect& rectangle, const cv::Size& by) {
   return {rectangle.x - by.width, rectangle.y - by.height, rectangle.width + 2 * by.width,
           rectangle.height + 2 * by.height};
 }
@@ -131,7 +131,7 @@ cv::Rect texelsOf(const std::vector<Eigen::Vector3d>& caster, const ShadowProjec
   const Eigen::Vector2i low = texels.min().cwiseMax(0.0).cwiseMin(size).array().floor().cast<int>();
   const Eigen::Vector2i high = texels.max().cwiseMax(0.0).cwiseMin(size).array().ceil().cast<int>();
   const cv::Rect exact(cv::Point(low.x(), low.y()), cv::Point(high.x(), high.y()));
-  return grown(exact, {kSlack, kSlack}) & whole;
+  return widenedBy(exact, {kSlack, kSlack}) & whole;
 }
 
 /// Grown on all sides; where that is far, all of it, which takes less time.
@@ -141,7 +141,7 @@ void grow(cv::Mat& cells, const cv::Size& by) {
     cells.setTo(255);
     return;
   }
-  const cv::Size round(2 * by.width + 1, 2 * by.height + 1);
+  const cv::Size window(2 * by.width + 1, 2 * by.height + 1);
   cv::dilate(cells, cells, cv::getStructuringElement(cv::MORPH_RECT, window));
 }
 
@@ -280,18 +280,18 @@ ChangedTexels ShadowPainter::changedIn(const ShadowProjection& shadow) const {
   const cv::Size cell_reach((reach.width + kCell - 1) / kCell, (reach.height + kCell - 1) / kCell);
   // Surfaces beside the map may be raised onto it.
   if (!layer.is_kept) {
-    changed.place = grown(cellsOf(layer.maps->whole()), cell_reach);
+    changed.place = widenedBy(cellsOf(layer.maps->whole()), cell_reach);
     changed.cells = cv::Mat(changed.place.size(), CV_8UC1, cv::Scalar(255));
     return changed;
   }
   for (const MapPiece& piece : layer.moving) {
-    changed.place |= grown(cellsOf(piece.texels), cell_reach);
+    changed.place |= widenedBy(cellsOf(piece.texels), cell_reach);
   }
   changed.cells = cv::Mat::zeros(changed.place.size(), CV_8UC1);
   cv::Mat differing;
   for (const MapPiece& piece : layer.moving) {
     cv::compare(piece.depths, layer.standing->depths()(piece.texels), differing, cv::CMP_LT);
-    const cv::Rect bounds = grown(cellsOf(piece.texels), cell_reach);
+    const cv::Rect bounds = widenedBy(cellsOf(piece.texels), cell_reach);
     cv::Mat cells = cv::Mat::zeros(bounds.size(), CV_8UC1);
     markCells(differing, piece.texels.tl(), bounds, cells);
     grow(cells, cell_reach);

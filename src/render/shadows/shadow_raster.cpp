@@ -13,19 +13,19 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr float kFarthest = 1.0F;
-constexpr float kSteps = 256.0F;  // of a texel, to which corners are rounded
+constexpr float kFarthestDepth = 1.0F;
+constexpr float kTexelSteps = 256.0F;  // of a texel, to which corners are rounded
 
 /// A corner in the map: column and row, so that texels' centres are whole numbers; depth.
 using Corners = std::vector<Eigen::Vector3f>;
 
 /// To the nearest step, half of one away from 0.
 float rounded(float texels) {
-  const float steps = texels * kSteps;
+  const float steps = texels * kTexelSteps;
   // Beyond, numbers of single precision are whole.
   constexpr float kWhole = 0x1p23F;
   if (!(std::abs(steps) < kWhole)) return texels;
-  return static_cast<float>(static_cast<int>(steps + std::copysign(0.5F, steps))) / kSteps;
+  return static_cast<float>(static_cast<int>(steps + std::copysign(0.5F, steps))) / kTexelSteps;
 }
 
 Corners cornersOf(const world::Mesh& mesh, const Eigen::Projective3f& map_from_mesh) {
@@ -62,8 +62,8 @@ cv::Rect texelsOf(const Corners& corners, int size) {
 }
 
 /// One side of a triangle: not below 0 on the triangle's own side of it.
-struct Side {
-  Side(const Eigen::Vector3f& from, const Eigen::Vector3f& to)
+struct TexelSide {
+  TexelSide(const Eigen::Vector3f& from, const Eigen::Vector3f& to)
       : along_column(from.y() - to.y()),
         along_row(to.x() - from.x()),
         constant(
@@ -88,8 +88,8 @@ class SmallSide {
  public:
   /// @param first  the texel that is looked at first; near the triangle
   SmallSide(const Eigen::Vector3f& from, const Eigen::Vector3f& to, const cv::Point& first) {
-    const auto steps = [](float texels) { return static_cast<int>(texels * kSteps); };
-    constexpr int kTexel = static_cast<int>(kSteps);
+    const auto steps = [](float texels) { return static_cast<int>(texels * kTexelSteps); };
+    constexpr int kTexel = static_cast<int>(kTexelSteps);
     const int column = steps(from.x() - static_cast<float>(first.x));
     const int row = steps(from.y() - static_cast<float>(first.y));
     const int along_column = steps(from.y() - to.y());
@@ -126,8 +126,8 @@ class PieceRaster {
     const Eigen::Vector3f high = a.cwiseMax(b).cwiseMax(c);
     const cv::Rect texels = texelsBetween(low, high, size_);
     if (texels.empty()) return;
-    const Depths depths{a, slopeOf(a, b, c), std::clamp(low.z(), 0.0F, kFarthest),
-                        std::clamp(high.z(), 0.0F, kFarthest)};
+    const Depths depths{a, slopeOf(a, b, c), std::clamp(low.z(), 0.0F, kFarthestDepth),
+                        std::clamp(high.z(), 0.0F, kFarthestDepth)};
     if (high.x() - low.x() <= kSmall && high.y() - low.y() <= kSmall) {
       drawSmall(a, b, c, texels, depths);
     } else {
@@ -180,7 +180,7 @@ class PieceRaster {
 
   void drawLarge(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c,
                  const cv::Rect& texels, const Depths& depths) {
-    const std::array<Side, 3> sides = {Side(a, b), Side(b, c), Side(c, a)};
+    const std::array<TexelSide, 3> sides = {TexelSide(a, b), TexelSide(b, c), TexelSide(c, a)};
     const Lanes zero = lanes(0.0F);
     for (int row = texels.y; row < texels.y + texels.height; ++row) {
       std::array<float, 3> first{};
@@ -225,7 +225,7 @@ std::optional<MapPiece> castPiece(const world::Mesh& mesh, const Eigen::Projecti
   piece.texels = texelsOf(corners, size);
   if (piece.texels.empty()) return std::nullopt;
   const cv::Mat roomy(piece.texels.height, piece.texels.width + kLaneCount, CV_32FC1,
-                      cv::Scalar(kFarthest));
+                      cv::Scalar(kFarthestDepth));
   piece.depths = roomy.colRange(0, piece.texels.width);
   PieceRaster raster(piece, size);
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

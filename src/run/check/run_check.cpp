@@ -90,9 +90,9 @@ std::vector<base::Warning> CheckSink::add(const FinishedScene& finished) {
 }
 
 /// Passes reports on, and measures how long the times of a run take: the loop asks before each.
-class Stopwatch : public Reporter {
+class CheckWatch : public Reporter {
  public:
-  explicit Stopwatch(Reporter& user) : user_(user) {}
+  explicit CheckWatch(Reporter& user) : user_(user) {}
 
   void info(const std::string& message) override { user_.info(message); }
   void warning(const std::string& message) override { user_.warning(message); }
@@ -223,7 +223,7 @@ RunCheck checkRun(RunSetup setup, Reporter& reporter) {
   RunCheck check{std::move(setup), {}, {}, {}};
   requireFolder(check.setup.config.output.folder);
   CheckSink sink(check.setup, chosenInstants(check.setup));
-  Stopwatch stopwatch(reporter);
+  CheckWatch stopwatch(reporter);
   SceneLoop(check.setup, sink, stopwatch).run();
   check.scenes = sink.scenes();
   check.figures = figuresOf(check.setup, sink, stopwatch.times());

@@ -111,7 +111,7 @@ class MotionBuilder {
     if (!setup_.frames) return;
     base::Diagnostics notes;
     setup_.frames->report(usedFrames(), notes);
-    const bool has_errors = found().hasErrors();
+    const bool has_errors = diagnostics().hasErrors();
     for (const base::Diagnostic& note : notes.all()) {
       if (has_errors) diagnostics().error("bag_file", note.message());
     }
@@ -148,8 +148,9 @@ class MotionBuilder {
         setup_.variants.emplace_back(object, randomize::Randomization{});
       }
     }
-    WorldSetup world = setUpWorld(config(), setup_.variants, setup_.frames.get(),
-                                  inputs_.worlds.filesFor(config().world), found(), on_stage_);
+    WorldSetup world =
+        setUpWorld(config(), setup_.variants, setup_.frames.get(),
+                   inputs_.worlds.filesFor(config().world), diagnostics(), on_stage_);
     sensors_ = std::move(world.sensors);
     setup_.driven_links = std::move(world.driven_links);
     setup_.inputs = std::move(world.inputs);
@@ -157,8 +158,8 @@ class MotionBuilder {
     setup_.world = std::move(world.world);
     if (!setup_.world) return;
     const std::vector<world::LinkInstance>& links = setup_.world->links();
-    setup_.world_classes = scene::worldClassNumbers(config().world_classes, links, found());
-    setup_.parts = scene::partNumbers(config().objects, links, found());
+    setup_.world_classes = scene::worldClassNumbers(config().world_classes, links, diagnostics());
+    setup_.parts = scene::partNumbers(config().objects, links, diagnostics());
     noteSharedShapes();
     setup_.shapes = attempt([&] {
       return std::make_unique<scene::ObjectShapes>(config().objects, setup_.variants,
@@ -174,7 +175,7 @@ class MotionBuilder {
       const scene::ObjectOptions& object = config().objects[i];
       const bool varies = setup_.variants[i].all().size() > 1;  // and what is given with it
       if (object.takes_part && !object.is_distractor && !varies) {
-        checkSizes(object, setup_.shapes->boxesAtRest(i).front(), found());
+        checkSizes(object, setup_.shapes->boxesAtRest(i).front(), diagnostics());
       }
     }
   }
@@ -210,7 +211,7 @@ class MotionBuilder {
         return scene::makeCameraRig(camera, config().motion.bag_files,
                                     sensors_ ? *sensors_ : kNoSensors,
                                     setup_.world ? setup_.world->links() : kNoLinks,
-                                    config().objects, *setup_.frames, found());
+                                    config().objects, *setup_.frames, diagnostics());
       });
       if (!rig) continue;
       if (rig->sampled && isTaken(rig->frame, camera)) continue;
@@ -221,8 +222,8 @@ class MotionBuilder {
       noteFarAxis(camera, *rig);
       setup_.cameras.push_back(std::move(*rig));
     }
-    if (setup_.frames) scene::placeStereoPairs(setup_.cameras, *setup_.frames, found());
-    scene::notePictureFrames(setup_.cameras, found());
+    if (setup_.frames) scene::placeStereoPairs(setup_.cameras, *setup_.frames, diagnostics());
+    scene::notePictureFrames(setup_.cameras, diagnostics());
   }
 
   /// Scenes of recorded pictures are at their times, whatever the setting of the rate.
@@ -233,7 +234,7 @@ class MotionBuilder {
     on_stage_("looking through the recorded pictures");
     setup_.pictures = attempt([&] {
       return std::make_unique<scene::CameraPictures>(config().cameras, config().twin,
-                                                     config().motion.bag_files, found());
+                                                     config().motion.bag_files, diagnostics());
     });
     if (!setup_.pictures) return;
     setup_.config.motion.rate = setup_.pictures->rate().value_or(config().motion.rate);
@@ -263,7 +264,7 @@ class MotionBuilder {
     diagnostics().add(base::Severity::kError,
                       setup_.pictures->problems(setup_.timeline.stamps, setup_.cameras));
     if (setup_.surfaces && !setup_.timeline.stamps.empty()) {
-      setup_.surfaces->check(setup_.timeline.stamps, found());
+      setup_.surfaces->check(setup_.timeline.stamps, diagnostics());
     }
   }
 
@@ -354,12 +355,12 @@ class MotionBuilder {
     on_stage_("arranging the scenes");
     setup_.variation = attempt([&] {
       return std::make_unique<scene::SceneVariation>(config(), setup_.cameras, setup_.variants,
-                                                     *setup_.world, found());
+                                                     *setup_.world, diagnostics());
     });
     setup_.arranger = attempt([&] {
       return std::make_unique<scene::SceneArranger>(config(), setup_.cameras, setup_.variants,
                                                     *setup_.shapes, *setup_.world, *setup_.frames,
-                                                    found());
+                                                    diagnostics());
     });
   }
 

@@ -286,7 +286,7 @@ class Builder {
       of_motions[i].messages = setup_.motions[i].diagnostics.messages(base::Severity::kError);
     }
     addErrors(mergedErrors(of_motions));
-    all.merge(found());
+    all.merge(diagnostics());
     if (!all.hasErrors()) return;
     throw ErrorList(explainRelativePaths(all.messages(base::Severity::kError), parameters_));
   }

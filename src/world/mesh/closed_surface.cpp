@@ -38,15 +38,15 @@ std::vector<Index> placesOf(const std::vector<Eigen::Vector3f>& positions) {
   return places;
 }
 
-using Triangle = std::array<Index, 3>;
+using TriangleIndices = std::array<Index, 3>;
 
 /// The triangles with three different corners.
-std::vector<Triangle> trianglesOf(const Mesh& mesh, const std::vector<Index>& places) {
-  std::vector<Triangle> triangles;
+std::vector<TriangleIndices> trianglesOf(const Mesh& mesh, const std::vector<Index>& places) {
+  std::vector<TriangleIndices> triangles;
   triangles.reserve(mesh.indices.size() / 3);
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Triangle corners = {places[mesh.indices[i]], places[mesh.indices[i + 1]],
-                              places[mesh.indices[i + 2]]};
+    const TriangleIndices corners = {places[mesh.indices[i]], places[mesh.indices[i + 1]],
+                                     places[mesh.indices[i + 2]]};
     const bool is_line =
         corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
     if (!is_line) triangles.push_back(corners);
@@ -61,7 +61,7 @@ struct Edge {
   Index triangle = 0;
 };
 
-std::vector<Edge> edgesOf(const std::vector<Triangle>& triangles) {
+std::vector<Edge> edgesOf(const std::vector<TriangleIndices>& triangles) {
   std::vector<Edge> edges;
   edges.reserve(3 * triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -101,7 +101,7 @@ class Pieces {
 };
 
 /// The pieces, where each edge is one of two triangles that wind alike; else nothing.
-std::optional<Pieces> closedPieces(const std::vector<Triangle>& triangles) {
+std::optional<Pieces> closedPieces(const std::vector<TriangleIndices>& triangles) {
   const std::vector<Edge> edges = edgesOf(triangles);
   Pieces pieces(triangles.size());
   for (std::size_t i = 0; i < edges.size(); i += 2) {
@@ -114,7 +114,7 @@ std::optional<Pieces> closedPieces(const std::vector<Triangle>& triangles) {
 }
 
 /// Whether triangles face outwards, piece by piece.
-bool encloseVolume(const std::vector<Triangle>& triangles, Pieces& pieces,
+bool encloseVolume(const std::vector<TriangleIndices>& triangles, Pieces& pieces,
                    const std::vector<Eigen::Vector3f>& positions) {
   std::vector<double> volumes(triangles.size(), 0.0);  // times six
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -137,7 +137,7 @@ bool isSurfaceOfBodies(const Mesh& mesh) {
       std::all_of(mesh.positions.begin(), mesh.positions.end(),
                   [](const Eigen::Vector3f& position) { return position.allFinite(); });
   if (!are_finite) return false;
-  const std::vector<Triangle> triangles = trianglesOf(mesh, placesOf(mesh.positions));
+  const std::vector<TriangleIndices> triangles = trianglesOf(mesh, placesOf(mesh.positions));
   std::optional<Pieces> pieces = closedPieces(triangles);
   return pieces && !triangles.empty() && encloseVolume(triangles, *pieces, mesh.positions);
 }

@@ -11,9 +11,9 @@
 namespace synthetic_dataset::world {
 namespace {
 
-using Colour = Eigen::Vector3f;  ///< linear red, green, blue
+using Rgb = Eigen::Vector3f;  ///< linear red, green, blue
 
-Colour decoded(const Colour& encoded) { return encoded.unaryExpr(&linearComponent); }
+Rgb decoded(const Rgb& encoded) { return encoded.unaryExpr(&linearComponent); }
 
 /// The pixel of a repeating picture that a place is on.
 int texel(float place, int count) {
@@ -58,7 +58,7 @@ class SurfaceVertices {
     ObjectModel::Vertex result;
     result.position = X_OV_ * mesh_.positions[index].cast<double>();
     result.normal = (X_OV_.linear() * normals_[index].cast<double>()).normalized();
-    Colour colour = decoded(material_.diffuse.head<3>());
+    Rgb colour = decoded(material_.diffuse.head<3>());
     if (mesh_.colours.size() == mesh_.positions.size()) {
       colour = colour.cwiseProduct(decoded(mesh_.colours[index].head<3>()));
     }
@@ -74,8 +74,7 @@ class SurfaceVertices {
 
   /// The picture's colour a little inside of the triangle: at the corner itself, a picture that is
   /// shown once would show its other side's.
-  [[nodiscard]] std::optional<Colour> pictureColour(std::size_t triangle,
-                                                    std::size_t corner) const {
+  [[nodiscard]] std::optional<Rgb> pictureColour(std::size_t triangle, std::size_t corner) const {
     if (!material_.texture || mesh_.texture_coordinates.size() != mesh_.positions.size()) {
       return std::nullopt;
     }
@@ -91,7 +90,7 @@ class SurfaceVertices {
     const cv::Mat& pixels = material_.texture->pixels;
     const auto& pixel =
         pixels.at<cv::Vec4b>(texel(place.y(), pixels.rows), texel(place.x(), pixels.cols));
-    return decoded(Colour(pixel[2], pixel[1], pixel[0]) / 255.0F);
+    return decoded(Rgb(pixel[2], pixel[1], pixel[0]) / 255.0F);
   }
 
   const Mesh& mesh_;
