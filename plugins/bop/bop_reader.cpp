@@ -1,16 +1,18 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/bop/bop_values.h"
+#include "plugins/bop/bop_options.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_document.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/cuboid.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::bop {
 namespace {
@@ -139,35 +141,34 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-/// @param edge  between pixels
-double wholeEdge(double edge) { return std::round(edge + 0.5) - 0.5; }
-
-ExpectedLabels expectedOf(const MeasuredScene& scene) {
-  ExpectedLabels expected;
-  for (const MeasuredObject& object : scene.objects) {
-    if (object.silhouette_pixels.value_or(0) == 0 || object.truncation.value_or(1.0) >= 1.0) {
-      continue;
+/// Depth in whole numbers of 16 bits.
+std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraModel& /*camera*/,
+                                       const DatasetInfo& dataset) {
+  constexpr double kMetres = 1e-3;  // in a millimetre
+  constexpr double kGreatest = 65535.0;
+  Parameters parameters(Value(scene.settings));
+  const double scale = readBopOptions(parameters, dataset).depth_scale;
+  std::vector<DecodedPicture> pictures;
+  for (const fs::path& file : scene.files) {
+    if (file.parent_path().filename() != "depth") continue;
+    DecodedPicture depth;
+    depth.name = "depth";
+    depth.stored = readPicture(file, cv::IMREAD_UNCHANGED);
+    if (depth.stored.type() != CV_16UC1) {
+      throw Error("'" + file.string() + "': it should have one channel of 16 bits");
     }
-    ExpectedLabel label{object.name, asJsonHasIt(object.class_name)};
-    if (object.isSeen() && object.silhouette_box) {
-      const Box& box = *object.silhouette_box;
-      const double left = wholeEdge(box.left);
-      const double top = wholeEdge(box.top);
-      label.box = Box{left, top, left + std::round(box.width()), top + std::round(box.height())};
-    }
-    label.setVisibleMask(scene, object);
-    label.X_CO = object.X_CO;
-    expected.labels.push_back(std::move(label));
+    const double unit = kMetres * scale;
+    depth.stored.convertTo(depth.pixels, CV_32F, unit);
+    depth.stored_as = scale == 1.0 ? "depth.0.001" : scale == 0.1 ? "depth.0.0001" : "";
+    depth.numbers = {unit, 0.5 * unit, kGreatest * unit};
+    depth.files = {file};
+    pictures.push_back(std::move(depth));
   }
-  return expected;
-}
-
-Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
-  return expectedOf;
+  return pictures;
 }
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Bop", true, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/Bop", true, readScene, picturesOf}; }
 
 }  // namespace synthetic_dataset::formats::bop

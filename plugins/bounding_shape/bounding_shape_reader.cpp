@@ -1,6 +1,5 @@
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/bounding_shape/bounding_shape_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "synthetic_dataset/errors.h"
@@ -28,23 +27,10 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-ExpectedLabels expectedOf(const MeasuredScene& scene) {
-  ExpectedLabels expected;
-  for (const MeasuredObject& object : scene.objects) {
-    if (object.dropped) continue;
-    expected.labels.push_back({object.name, "", joined(wordsOf(object.id))});
-  }
-  return expected;
-}
-
-Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
-  return expectedOf;
-}
-
 }  // namespace
 
 Format format() {
-  return {"synthetic_dataset/BoundingShape", false, readScene, expectation, valueCheck};
+  return {"synthetic_dataset/BoundingShape", false, readScene};
 }
 
 }  // namespace synthetic_dataset::formats::bounding_shape

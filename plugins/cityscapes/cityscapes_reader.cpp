@@ -5,11 +5,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/cityscapes/cityscapes_options.h"
-#include "plugins/cityscapes/cityscapes_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::cityscapes {
@@ -52,31 +50,10 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& classes) {
-  std::map<int, CityscapesLabel> labels;  // by class
-  for (const CityscapesLabel& label : readCityscapesOptions(parameters, classes, {}).labels) {
-    labels[label.class_id] = label;
-  }
-  return [labels](const MeasuredScene& scene) {
-    ExpectedLabels expected;
-    std::map<int, int> counts;  // by label
-    for (const MeasuredObject& object : scene.objects) {
-      const auto of_class = labels.find(object.class_id);
-      if (!object.labelled() || of_class == labels.end()) continue;
-      const auto& [name, id, class_id] = of_class->second;
-      if (counts[id]++ >= kCityscapesInstances || !object.visible_box) continue;
-      ExpectedLabel label{object.name, asJsonHasIt(name)};
-      label.setVisibleMask(scene, object);
-      expected.labels.push_back(std::move(label));
-    }
-    return expected;
-  };
-}
-
 }  // namespace
 
 Format format() {
-  return {"synthetic_dataset/Cityscapes", true, readScene, expectation, valueCheck};
+  return {"synthetic_dataset/Cityscapes", true, readScene};
 }
 
 }  // namespace synthetic_dataset::formats::cityscapes

@@ -10,11 +10,9 @@
 #include "plugins/coco/coco_index.h"
 #include "plugins/coco/coco_options.h"
 #include "plugins/coco/coco_rle.h"
-#include "plugins/coco/coco_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::coco {
@@ -133,29 +131,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
-  return [options = readCocoOptions(parameters)](const MeasuredScene& scene) {
-    ExpectedLabels expected;
-    for (const MeasuredObject& object : scene.objects) {
-      const auto box = scene.box(object, options.box);
-      if (!object.labelled() || !object.visible_box || !box) continue;
-      ExpectedLabel label{object.name, asJsonHasIt(object.class_name), asJsonHasIt(object.name)};
-      label.box = box;
-      label.box_tolerance = kRounding;
-      label.setVisibleMask(scene, object);
-      if (options
-              .as_polygons) {  // along pixels' edges: they enclose as much as the mask has pixels
-        label.polygon_bounds = std::exchange(label.mask_bounds, std::nullopt);
-        label.polygon_area = std::exchange(label.mask_pixels, std::nullopt);
-      }
-      expected.labels.push_back(std::move(label));
-    }
-    return expected;
-  };
-}
-
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Coco", true, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/Coco", true, readScene}; }
 
 }  // namespace synthetic_dataset::formats::coco

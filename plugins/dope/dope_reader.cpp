@@ -3,10 +3,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/dope/dope_options.h"
-#include "plugins/dope/dope_values.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/json_text.h"
 
 namespace synthetic_dataset::formats::dope {
 namespace {
@@ -68,24 +66,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
-  return [options = readDopeOptions(parameters)](const MeasuredScene& scene) {
-    ExpectedLabels expected;
-    for (const MeasuredObject& object : scene.objects) {
-      if (!object.labelled()) continue;
-      ExpectedLabel label{object.name, asJsonHasIt(object.class_name), asJsonHasIt(object.name)};
-      label.box = scene.box(object, options.box);
-      label.box_tolerance = kRounding;
-      label.X_CO = object.X_CO;
-      label.may_lack = object.is_warned_of;
-      expected.labels.push_back(std::move(label));
-    }
-    return expected;
-  };
-}
-
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Dope", false, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/Dope", false, readScene}; }
 
 }  // namespace synthetic_dataset::formats::dope

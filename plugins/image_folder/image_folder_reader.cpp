@@ -1,19 +1,21 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/image_folder/image_folder_options.h"
-#include "plugins/image_folder/image_folder_values.h"
 #include "plugins/image_folder/line_index.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/cuboid_lines.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/errors.h"
 
@@ -105,27 +107,62 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
-  return [options = readImageFolderOptions(parameters)](const MeasuredScene& scene) {
-    ExpectedLabels expected;
-    for (const MeasuredObject& object : scene.objects) {
-      const auto box = scene.box(object, options.box);
-      if (!object.labelled() || !box) continue;
-      ExpectedLabel label{object.name, asJsonHasIt(object.class_name), asJsonHasIt(object.name)};
-      label.box = box;
-      label.box_tolerance = kRounding;
-      if (options.masks) label.setVisibleMask(scene, object);
-      label.X_CO = object.X_CO;
-      expected.labels.push_back(std::move(label));
+/// Normals whose colours of 8 bits these are, as far as they say.
+cv::Mat normalsOf(const cv::Mat_<cv::Vec3b>& colours) {
+  const auto coordinate = [](uchar byte) { return static_cast<float>(byte) / 127.5F - 1.0F; };
+  cv::Mat_<cv::Vec3f> normals(colours.size());
+  std::transform(colours.begin(), colours.end(), normals.begin(), [&](const cv::Vec3b& c) {
+    return c == cv::Vec3b() ? cv::Vec3f()
+                            : cv::Vec3f(coordinate(c[2]), coordinate(c[1]), coordinate(c[0]));
+  });
+  return normals;
+}
+
+cv::Mat flowOf(const fs::path& u_file, const fs::path& v_file) {
+  const std::vector<cv::Mat> parts = {readPicture(u_file, cv::IMREAD_UNCHANGED),
+                                      readPicture(v_file, cv::IMREAD_UNCHANGED)};
+  if (parts[0].size() != parts[1].size() || parts[0].type() != CV_32FC1 ||
+      parts[1].type() != CV_32FC1) {
+    throw Error("'" + u_file.string() + "': it and '" + v_file.string() +
+                "' should be of 32 bits and a size");
+  }
+  cv::Mat both;
+  cv::merge(parts, both);
+  return both;
+}
+
+std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraModel& /*camera*/,
+                                       const DatasetInfo& /*dataset*/) {
+  const auto fileOf = [&](const std::string& end) -> std::optional<fs::path> {
+    const std::string name = scene.name + end;
+    for (const fs::path& file : scene.files) {
+      const std::string path = file.string();
+      if (path.size() > name.size() &&
+          path.compare(path.size() - name.size(), name.size(), name) == 0) {
+        return file;
+      }
     }
-    return expected;
+    return std::nullopt;
   };
+  std::vector<DecodedPicture> pictures;
+  if (const auto file = fileOf(".normals.png")) {
+    const cv::Mat colours = readPicture(*file, cv::IMREAD_UNCHANGED);
+    if (colours.type() != CV_8UC3) throw Error("'" + file->string() + "': it should have colours");
+    pictures.push_back({"normals", normalsOf(colours), "normals.colours", colours, {}, {*file}});
+  }
+  const auto u_file = fileOf(".flow_u.tiff");
+  const auto v_file = fileOf(".flow_v.tiff");
+  if (u_file && v_file) {
+    const cv::Mat flow = flowOf(*u_file, *v_file);
+    pictures.push_back({"optical_flow", flow, "optical_flow", flow, {}, {*u_file, *v_file}});
+  }
+  return pictures;
 }
 
 }  // namespace
 
 Format format() {
-  return {"synthetic_dataset/ImageFolder", true, readScene, expectation, valueCheck};
+  return {"synthetic_dataset/ImageFolder", true, readScene, picturesOf};
 }
 
 }  // namespace synthetic_dataset::formats::image_folder

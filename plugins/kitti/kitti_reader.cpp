@@ -1,7 +1,12 @@
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/kitti/kitti_expectation.h"
-#include "plugins/kitti/kitti_values.h"
+#include "plugins/kitti/kitti_options.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
@@ -36,14 +41,59 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& classes) {
-  return [options = readKittiOptions(parameters, classes)](const MeasuredScene& scene) {
-    return expectedKittiLabels(options, scene);
-  };
+/// x ahead, y left, z up [m], and a reflectance.
+std::array<float, 4> pointAt(const std::string& bytes, std::size_t at) {
+  std::array<float, 4> point{};
+  std::memcpy(point.data(), bytes.data() + at, sizeof point);
+  return point;
+}
+
+/// The depth image of which a scan has a point for each pixel that has a depth, row by row.
+DecodedPicture depthOf(const fs::path& scan, const CameraModel& camera) {
+  constexpr double kTolerance = 0.01;       // [px]
+  constexpr double kSinglePrecision = 1e-5;  // [m], that a ray's length may cost of a depth
+  DecodedPicture picture;
+  picture.name = "depth";
+  if (camera.isPinhole()) picture.stored_as = picture.name;
+  picture.numbers.rounding = kSinglePrecision;
+  picture.files = {scan};
+  cv::Mat depth(camera.height(), camera.width(), CV_32FC1, cv::Scalar(0));
+  const std::string bytes = readText(scan);
+  constexpr std::size_t kBytesOfAPoint = 4 * sizeof(float);
+  if (bytes.size() % kBytesOfAPoint != 0) {
+    throw Error("'" + scan.string() + "': it ends within a point");
+  }
+  int next = 0;  // pixel, row by row
+  for (std::size_t at = 0; at < bytes.size(); at += kBytesOfAPoint) {
+    const auto [x, y, z, reflectance] = pointAt(bytes, at);
+    const auto pixel = camera.project({-y, -z, x});
+    const int u = pixel ? static_cast<int>(std::lround(pixel->x())) : -1;
+    const int v = pixel ? static_cast<int>(std::lround(pixel->y())) : -1;
+    const bool is_at_centre =
+        pixel && std::abs(pixel->x() - u) <= kTolerance && std::abs(pixel->y() - v) <= kTolerance;
+    const bool is_in_image = u >= 0 && v >= 0 && u < depth.cols && v < depth.rows;
+    if (!is_at_centre || !is_in_image || v * depth.cols + u < next || reflectance != 0.0F) {
+      throw Error("'" + scan.string() + "': point " + std::to_string(at / kBytesOfAPoint) +
+                  " is not that of the next pixel's centre, with a reflectance of 0");
+    }
+    depth.at<float>(v, u) = x;
+    next = v * depth.cols + u + 1;
+  }
+  picture.stored = picture.pixels = depth;
+  return picture;
+}
+
+std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraModel& camera,
+                                       const DatasetInfo& /*dataset*/) {
+  std::vector<DecodedPicture> pictures;
+  for (const fs::path& file : scene.files) {
+    if (file.extension() == ".bin") pictures.push_back(depthOf(file, camera));
+  }
+  return pictures;
 }
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Kitti", false, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/Kitti", false, readScene, picturesOf}; }
 
 }  // namespace synthetic_dataset::formats::kitti

@@ -4,8 +4,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/kitti/kitti_expectation.h"
-#include "plugins/kitti_tracking/kitti_tracking_values.h"
+#include "plugins/kitti/kitti_options.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
@@ -50,16 +49,10 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& classes) {
-  return [options = readKittiOptions(parameters, classes)](const MeasuredScene& scene) {
-    return expectedKittiLabels(options, scene);
-  };
-}
-
 }  // namespace
 
 Format format() {
-  return {"synthetic_dataset/KittiTracking", true, readScene, expectation, valueCheck};
+  return {"synthetic_dataset/KittiTracking", true, readScene};
 }
 
 }  // namespace synthetic_dataset::formats::kitti_tracking

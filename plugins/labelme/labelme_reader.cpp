@@ -8,11 +8,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/labelme/labelme_options.h"
-#include "plugins/labelme/labelme_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::labelme {
@@ -52,30 +50,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   });
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
-  return [options = readLabelMeOptions(parameters)](const MeasuredScene& scene) {
-    ExpectedLabels expected;
-    for (const MeasuredObject& object : scene.objects) {
-      if (!object.labelled() || !object.visible_box) continue;
-      ExpectedLabel label{object.name, asJsonHasIt(object.class_name), asJsonHasIt(object.name)};
-      if (options.as_rectangles) {
-        label.box = scene.box(object, options.box);
-        label.box_tolerance = kRounding;
-        if (!label.box) continue;
-      } else {
-        const Box& box = *object.visible_box;
-        label.polygon_bounds =
-            Box{box.left + 0.5, box.top + 0.5, box.right - 0.5, box.bottom - 0.5};
-        label.polygon_tolerance = kRounding;
-      }
-      expected.labels.push_back(std::move(label));
-    }
-    return expected;
-  };
-}
-
 }  // namespace
 
-Format format() { return {"synthetic_dataset/LabelMe", false, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/LabelMe", false, readScene}; }
 
 }  // namespace synthetic_dataset::formats::labelme

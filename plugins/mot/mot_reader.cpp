@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/mot/mot_options.h"
-#include "plugins/mot/mot_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/sequence_files.h"
@@ -53,22 +51,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& classes) {
-  return [options = readMotOptions(parameters, classes)](const MeasuredScene& scene) {
-    ExpectedLabels expected;
-    for (const MeasuredObject& object : scene.objects) {
-      if (!object.isSeen() || options.class_ids.count(object.class_id) == 0) continue;
-      ExpectedLabel label{object.name, motName(options, object.class_id)};
-      label.box = scene.box(object, options.box);
-      label.box_tolerance = std::pow(10.0, -kMotDecimals);
-      if (label.box) expected.labels.push_back(std::move(label));
-    }
-    return expected;
-  };
-}
-
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Mot", true, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/Mot", true, readScene}; }
 
 }  // namespace synthetic_dataset::formats::mot

@@ -5,12 +5,10 @@
 
 #include "plugins/nuscenes/nuscenes_index.h"
 #include "plugins/nuscenes/nuscenes_options.h"
-#include "plugins/nuscenes/nuscenes_values.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
-#include "plugins/readback/json_text.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::nuscenes {
@@ -99,22 +97,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
-  return [options = readNuScenesOptions(parameters)](const MeasuredScene& scene) {
-    ExpectedLabels expected;
-    for (const MeasuredObject& object : scene.objects) {
-      if (!object.labelled()) continue;
-      ExpectedLabel label{object.name, asJsonHasIt(object.class_name)};
-      label.box = scene.box(object, options.box);
-      label.box_tolerance = kRounding;
-      if (label.box) expected.labels.push_back(std::move(label));
-    }
-    return expected;
-  };
-}
-
 }  // namespace
 
-Format format() { return {"synthetic_dataset/NuScenes", true, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/NuScenes", true, readScene}; }
 
 }  // namespace synthetic_dataset::formats::nuscenes

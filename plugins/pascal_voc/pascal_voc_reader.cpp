@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -7,7 +6,6 @@
 
 #include "plugins/pascal_voc/pascal_voc_options.h"
 #include "plugins/pascal_voc/pascal_voc_pictures.h"
-#include "plugins/pascal_voc/pascal_voc_values.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "synthetic_dataset/errors.h"
@@ -100,33 +98,10 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
-  return [options = readPascalVocOptions(parameters)](const MeasuredScene& scene) {
-    ExpectedLabels expected;
-    expected.has_masks_apart = options.segmentation && options.void_border == 0;
-    for (const MeasuredObject& object : scene.objects) {
-      const auto box = scene.box(object, options.box);
-      if (!object.labelled() || !box) continue;
-      ExpectedLabel label{object.name, vocName(object.class_name)};
-      // Whole pixels, the box's edges in them.
-      label.box = Box{std::floor(box->left + 0.5) - 0.5, std::floor(box->top + 0.5) - 0.5,
-                      std::ceil(box->right + 0.5) - 0.5, std::ceil(box->bottom + 0.5) - 0.5};
-      expected.labels.push_back(label);
-      if (expected.has_masks_apart && expected.labels.size() <= kMostVocIndices &&
-          object.visible_box) {
-        ExpectedLabel mask{object.name, label.class_name};
-        mask.setVisibleMask(scene, object);
-        expected.masks.push_back(std::move(mask));
-      }
-    }
-    return expected;
-  };
-}
-
 }  // namespace
 
 Format format() {
-  return {"synthetic_dataset/PascalVoc", false, readScene, expectation, valueCheck};
+  return {"synthetic_dataset/PascalVoc", false, readScene};
 }
 
 }  // namespace synthetic_dataset::formats::pascal_voc

@@ -3,7 +3,6 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/pvnet/pvnet_values.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
@@ -85,25 +84,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-ExpectedLabels expectedOf(const MeasuredScene& scene) {
-  ExpectedLabels expected;
-  for (const MeasuredObject& object : scene.objects) {
-    if (!object.labelled()) continue;
-    ExpectedLabel label{object.name, "", safeFileName(object.name)};
-    label.setVisibleMask(scene, object);
-    label.X_CO = object.X_CO;
-    label.may_lack = object.is_warned_of;
-    expected.labels.push_back(std::move(label));
-  }
-  return expected;
-}
-
-Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
-  return expectedOf;
-}
-
 }  // namespace
 
-Format format() { return {"synthetic_dataset/PvNet", true, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/PvNet", true, readScene}; }
 
 }  // namespace synthetic_dataset::formats::pvnet

@@ -1,21 +1,37 @@
 #pragma once
 
-#include <functional>
-#include <memory>
+#include <filesystem>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "plugins/readback/drawn_label.h"
-#include "plugins/readback/expected_labels.h"
-#include "plugins/readback/found_files.h"
 #include "plugins/readback/written_scene.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset::formats {
 
-/// The labels that a writer's files should have of a scene, as its measures say.
-using Expectation = std::function<ExpectedLabels(const MeasuredScene& scene)>;
+/// What numbers of a file can say of a depth.
+struct DepthNumbers {
+  double unit = 1.0;      ///< what 1 is [m]
+  double rounding = 0.0;  ///< how far a pixel's depth may be off [m]
+  double greatest = std::numeric_limits<double>::infinity();  ///< [m]
+};
+
+/// One of a scene's pictures that files hold in another form than it has in Scene.
+struct DecodedPicture {
+  std::string name;       ///< in Scene: "depth"
+  cv::Mat pixels;         ///< as Scene has them, as far as the files say
+  std::string stored_as;  ///< the manifest's name of what is stored; empty: it has no digest of it
+  cv::Mat stored;         ///< pixels of that digest, as the files have them
+  DepthNumbers numbers = {};  ///< what `stored` can say of a depth
+
+  /// The files that hold this picture and nothing else.
+  std::vector<std::filesystem::path> files;
+};
 
 /// What programs know of a format beside its writer. Each folder of a format has a namespace of its
 /// name with a function `Format format()` in it, from which CMake makes the list of all.
@@ -29,15 +45,10 @@ struct Format {
   /// @throws Error naming the file that is missing or not as the format has it
   LabelledPicture (*read)(const WrittenScene& scene) = nullptr;
 
-  /// @param parameters  the writer's, which it has accepted
-  Expectation (*expectation)(Parameters& parameters,
-                             const std::vector<ClassInfo>& classes) = nullptr;
-
-  /// Holds all values of the files against the truth; null where nobody has said what they should
-  /// be.
-  /// @param parameters  the writer's, which it has accepted
-  std::unique_ptr<ValueCheck> (*values)(Parameters& parameters,
-                                        const DatasetInfo& dataset) = nullptr;
+  /// Pictures of a scene that its files hold in another form; null where the format has none.
+  /// @throws Error as `read` does
+  std::vector<DecodedPicture> (*pictures)(const WrittenScene& scene, const CameraModel& camera,
+                                          const DatasetInfo& dataset) = nullptr;
 };
 
 /// The name of each format's folder, under which users know it ("pascal_voc"), and its writer's

@@ -10,7 +10,6 @@
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/ros_bag/bag_scene.h"
-#include "plugins/ros_bag/ros_bag_values.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::ros_bag {
@@ -152,23 +151,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-ExpectedLabels expectedOf(const MeasuredScene& scene) {
-  ExpectedLabels expected;
-  for (const MeasuredObject& object : scene.objects) {
-    if (!object.labelled()) continue;
-    ExpectedLabel label{object.name, object.class_name, object.name};
-    label.setVisibleMask(scene, object);
-    expected.labels.push_back(std::move(label));
-  }
-  return expected;
-}
-
-Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
-  return expectedOf;
-}
-
 }  // namespace
 
-Format format() { return {"synthetic_dataset/RosBag", true, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/RosBag", true, readScene}; }
 
 }  // namespace synthetic_dataset::formats::ros_bag

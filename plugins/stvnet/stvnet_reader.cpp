@@ -4,7 +4,6 @@
 #include "plugins/readback/format.h"
 #include "plugins/shared/pixel_origin.h"
 #include "plugins/stvnet/stvnet_folder.h"
-#include "plugins/stvnet/stvnet_values.h"
 
 namespace synthetic_dataset::formats::stvnet {
 namespace {
@@ -49,25 +48,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-ExpectedLabels expectedOf(const MeasuredScene& scene) {
-  ExpectedLabels expected;
-  for (const MeasuredObject& object : scene.objects) {
-    if (!object.in_view || object.dropped) continue;
-    ExpectedLabel label{object.name, "", stvNetFolder(object.name)};
-    label.mask_bounds = scene.wholeSilhouette(object);
-    if (label.mask_bounds) label.mask_pixels = object.silhouette_pixels;
-    label.may_lack = object.is_warned_of;
-    expected.labels.push_back(std::move(label));
-  }
-  return expected;
-}
-
-Expectation expectation(Parameters& /*parameters*/, const std::vector<ClassInfo>& /*classes*/) {
-  return expectedOf;
-}
-
 }  // namespace
 
-Format format() { return {"synthetic_dataset/StvNet", false, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/StvNet", false, readScene}; }
 
 }  // namespace synthetic_dataset::formats::stvnet

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include <nlohmann/json.hpp>
@@ -7,9 +6,7 @@
 
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
-#include "plugins/readback/json_text.h"
 #include "plugins/ultralytics/ultralytics_options.h"
-#include "plugins/ultralytics/ultralytics_values.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::ultralytics {
@@ -109,45 +106,10 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-/// What is left of a mask's bounds by the outline in it.
-std::optional<Box> outlineBounds(const std::optional<Box>& bounds) {
-  if (!bounds) return std::nullopt;
-  return Box{bounds->left + kOutlineMargin, bounds->top + kOutlineMargin,
-             bounds->right - kOutlineMargin, bounds->bottom - kOutlineMargin};
-}
-
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
-  return [options = readUltralyticsOptions(parameters)](const MeasuredScene& scene) {
-    // Half of the last decimal is lost in each of two numbers.
-    const double tolerance =
-        std::pow(10.0, -kFractionDecimals) * std::max(scene.size.width, scene.size.height);
-    ExpectedLabels expected;
-    for (const MeasuredObject& object : scene.objects) {
-      if (!object.labelled()) continue;
-      ExpectedLabel label{object.name, asJsonHasIt(object.class_name)};
-      if (options.hasBoxes()) {
-        label.box = scene.box(object, options.box);
-        label.box_tolerance = tolerance;
-        if (!label.box) continue;
-      } else if (!options.is_whole && !object.visible_box) {
-        continue;
-      }
-      label.may_lack = options.is_whole && !scene.has_exact_masks;  // the world may hide all of it
-      if (options.task == "segment") {
-        label.polygon_bounds =
-            outlineBounds(options.is_whole ? scene.wholeSilhouette(object) : object.visible_box);
-        label.polygon_tolerance = tolerance;
-      }
-      expected.labels.push_back(std::move(label));
-    }
-    return expected;
-  };
-}
-
 }  // namespace
 
 Format format() {
-  return {"synthetic_dataset/UltralyticsYolo", true, readScene, expectation, valueCheck};
+  return {"synthetic_dataset/UltralyticsYolo", true, readScene};
 }
 
 }  // namespace synthetic_dataset::formats::ultralytics

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,7 +6,6 @@
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/yolo/yolo_options.h"
-#include "plugins/yolo/yolo_values.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::yolo {
@@ -52,34 +48,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-/// How far an edge may be off [px].
-double toleranceOf(const Box& box, const cv::Size& image) {
-  // Half of the last decimal is lost in each of two numbers. Where a box is huge, little is left of
-  // an edge in the centre and the size that are written.
-  constexpr double kRelativeRounding = 4.0 * std::numeric_limits<double>::epsilon();
-  return std::pow(10.0, -kYoloDecimals) * std::max(image.width, image.height) +
-         kRelativeRounding *
-             (std::abs(box.left) + std::abs(box.top) + std::abs(box.right) + std::abs(box.bottom));
-}
-
-Expectation expectation(Parameters& parameters, const std::vector<ClassInfo>& /*classes*/) {
-  return [options = readYoloOptions(parameters)](const MeasuredScene& scene) {
-    ExpectedLabels expected;
-    for (const MeasuredObject& object : scene.objects) {
-      if (!object.in_view || object.dropped || !object.loose_box) continue;
-      ExpectedLabel label{object.name, joined(wordsOf(yoloClass(object, options)))};
-      label.box = yoloBox(*object.loose_box, options, scene.size.width, scene.size.height);
-      if (!label.box) continue;
-      label.box = options.origin.back(*label.box);
-      label.box_tolerance = toleranceOf(*label.box, scene.size);
-      expected.labels.push_back(std::move(label));
-    }
-    return expected;
-  };
-}
-
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Yolo", false, readScene, expectation, valueCheck}; }
+Format format() { return {"synthetic_dataset/Yolo", false, readScene}; }
 
 }  // namespace synthetic_dataset::formats::yolo

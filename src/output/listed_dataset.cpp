@@ -1,8 +1,10 @@
 #include "output/listed_dataset.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "output/files/pending_file.h"
+#include "output/manifest/manifest.h"
 #include "output/manifest/manifest_paths.h"
 #include "output/manifest/truth_tables.h"
 #include "synthetic_dataset/errors.h"
@@ -127,7 +129,7 @@ void ListedDataset::addMeasures(SceneFacts& scene) const {
   for (warnings.start(scene.index); warnings.step();) {
     scene.warnings.push_back({warnings.text(0), warnings.text(1), warnings.integer(2)});
   }
-  if (content_.has_truth) readTruth(database_, scene);
+  if (content_.is_current) readTruth(database_, scene);
 }
 
 void ListedDataset::forEachFileOf(const std::optional<std::int64_t>& scene,
@@ -136,6 +138,25 @@ void ListedDataset::forEachFileOf(const std::optional<std::int64_t>& scene,
                        "SELECT path, writer, scene, bytes, digest, linked_to FROM file WHERE scene "
                        "IS ? ORDER BY writer, path");
   for (rows.start(scene); rows.step();) visit(fileAt(rows));
+}
+
+std::vector<SceneFiles::Record> ListedDataset::recordsOf(std::size_t writer,
+                                                         std::int64_t scene) const {
+  SqliteStatement rows(
+      database_, "SELECT text FROM record WHERE writer = ? AND scene = ? ORDER BY sequence");
+  std::vector<SceneFiles::Record> records;
+  for (rows.start(static_cast<std::int64_t>(writer), scene); rows.step();) {
+    const std::string text = rows.text(0);
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    records.push_back({writer, text.substr(0, end), text.substr(std::min(end + 1, text.size()))});
+  }
+  return records;
+}
+
+void ListedDataset::forEachRecord(
+    std::size_t writer, const std::string& channel,
+    const std::function<void(std::int64_t, const std::string&)>& visit) const {
+  forEachRecordOf(database_, writer, channel, visit);
 }
 
 }  // namespace synthetic_dataset::output

@@ -9,6 +9,7 @@
 #include "output/manifest/manifest_content.h"
 #include "output/manifest/picture_facts.h"
 #include "output/manifest/sqlite.h"
+#include "output/store_types.h"
 
 namespace synthetic_dataset::output {
 
@@ -48,6 +49,14 @@ class ListedDataset {
   /// names.
   void forEachFileOf(const std::optional<std::int64_t>& scene,
                      const std::function<void(const ListedFile&)>& visit) const;
+
+  /// What a writer has kept of a scene, in its order.
+  [[nodiscard]] std::vector<SceneFiles::Record> recordsOf(std::size_t writer,
+                                                          std::int64_t scene) const;
+
+  /// The same of all scenes, of one channel.
+  void forEachRecord(std::size_t writer, const std::string& channel,
+                     const std::function<void(std::int64_t, const std::string&)>& visit) const;
 
  private:
   void addMeasures(SceneFacts& scene) const;

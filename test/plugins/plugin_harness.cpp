@@ -17,7 +17,7 @@ output::WriterHost& PluginTest::load(const Value::Map& parameters) {
   parameters_ = Parameters(parameters, "w");
   host_ = std::make_unique<output::WriterHost>(
       std::vector<output::WriterOptions>{{"w", type_, folder(), parameters_}}, dataset_,
-      std::vector<std::string>{test::pluginXml()});
+      std::vector<std::string>{test::pluginXml(), test::examplePluginXml()});
   return *host_;
 }
 

@@ -29,9 +29,8 @@ std::string versionOf(const SqliteDatabase& database) {
   return version;
 }
 
-bool hasTruth(const SqliteDatabase& database) {
-  const std::string version = versionOf(database);
-  return version == kManifestVersion || version == kVersionWithAllPoses;
+bool isCurrent(const SqliteDatabase& database) {
+  return versionOf(database) == kManifestVersion;
 }
 
 void checkWholeness(const SqliteDatabase& database) {
@@ -44,7 +43,7 @@ void checkWholeness(const SqliteDatabase& database) {
   }
   // A table that is gone is damage, too, even where nobody asks for it now.
   std::vector<std::string> tables = truthTablesOfScenes();
-  if (!hasTruth(database)) tables.clear();
+  if (!isCurrent(database)) tables.clear();
   for (const char* table :
        {"run", "setting", "software", "input", "writer", "class", "motion", "camera", "object",
         "scene", "scene_object", "contact", "draw", "file", "record", "warning"}) {
@@ -138,9 +137,8 @@ ManifestContent readWithoutFiles(const SqliteDatabase& database, const std::stri
   ManifestContent content;
   readRun(database, content);
   readDescription(database, content.run);
-  content.is_current = versionOf(database) == kManifestVersion;
-  content.has_truth = hasTruth(database);
-  if (content.has_truth) readTruth(database, content.run);
+  content.is_current = isCurrent(database);
+  if (content.is_current) readTruth(database, content.run);
   content.writers = readWriters(database, folder);
   return content;
 }

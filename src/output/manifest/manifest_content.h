@@ -15,8 +15,7 @@ namespace synthetic_dataset::output {
 /// What an earlier run's manifest says, read at once.
 struct ManifestContent {
   bool complete = false;
-  bool is_current = false;       ///< whether its tables are those of this software
-  bool has_truth = false;        ///< whether it has what labels are held against
+  bool is_current = false;       ///< whether its tables are those of this software, with the truth
   std::int64_t scene_count = 0;  ///< that are there
   std::optional<Shard> shard;
   RunDescription run;

@@ -35,18 +35,24 @@ bool Manifest::isSceneFile(std::size_t writer, const std::string& path) const {
   return find.step();
 }
 
-void Manifest::forEachRecord(
-    std::size_t writer, const std::string& channel,
-    const std::function<void(std::int64_t, const std::string&)>& visit) const {
+void forEachRecordOf(const SqliteDatabase& database, std::size_t writer,
+                     const std::string& channel,
+                     const std::function<void(std::int64_t, const std::string&)>& visit) {
   const std::string heading = channel + '\n';
   SqliteStatement records(
-      database_, "SELECT scene, text FROM record WHERE writer = ? ORDER BY scene, sequence");
+      database, "SELECT scene, text FROM record WHERE writer = ? ORDER BY scene, sequence");
   records.start(static_cast<std::int64_t>(writer));
   while (records.step()) {
     const std::string text = records.text(1);
     if (text.compare(0, heading.size(), heading) != 0) continue;
     visit(records.integer(0), text.substr(heading.size()));
   }
+}
+
+void Manifest::forEachRecord(
+    std::size_t writer, const std::string& channel,
+    const std::function<void(std::int64_t, const std::string&)>& visit) const {
+  forEachRecordOf(database_, writer, channel, visit);
 }
 
 std::map<std::int64_t, SceneState> Manifest::sceneStates() const {

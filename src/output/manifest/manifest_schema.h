@@ -18,12 +18,10 @@ namespace synthetic_dataset::output {
 /// The version of the manifest's tables; docs/manifest.md describes them.
 constexpr const char* kManifestVersion = "7";
 
-/// The versions before, which are read as well. In all of them objects that are not in the scene
-/// have a pose: where they would be, or 100 km below the world. The second one lacks the truth that
-/// labels are held against, and the third one constraints, too.
-constexpr const char* kVersionWithAllPoses = "6";
-constexpr const char* kVersionWithoutTruth = "5";
-constexpr const char* kUncheckedVersion = "4";
+/// That of release 0.1.0, which is read as well. Objects that are not in the scene have a pose in
+/// it: where they would be, or 100 km below the world. It lacks constraints, and the truth that
+/// labels follow from.
+constexpr const char* kVersionOfFirstRelease = "4";
 
 /// @throws Error with the versions, where the software does not read this one
 void requireKnownVersion(const std::string& version);

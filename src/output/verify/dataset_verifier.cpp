@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "output/file_checks.h"
 #include "output/files/file_name_rules.h"
@@ -38,8 +40,9 @@ std::string stateProblem(const output::ManifestContent& content) {
 /// Verifies one folder with all its manifests.
 class Verification {
  public:
-  Verification(const std::string& folder, VerificationDepth depth, VerificationListener& listener)
-      : folder_(folder), depth_(depth), listener_(listener) {}
+  Verification(const std::string& folder, VerificationDepth depth, WriterLoader* loader,
+               VerificationListener& listener)
+      : folder_(folder), depth_(depth), loader_(loader), listener_(listener) {}
 
   VerificationCounts run() {
     const std::vector<std::string> manifests = manifestsIn(folder_);
@@ -89,7 +92,7 @@ class Verification {
   }
 
   void verifyScenes(const ListedDataset& dataset) {
-    SceneVerifier verifier(dataset, depth_, listener_, counts_);
+    SceneVerifier verifier(dataset, depth_, loader_, listener_, counts_);
     verifier.verifyDatasetFiles();
     const std::int64_t count = dataset.content().scene_count;
     std::int64_t done = 0;
@@ -158,18 +161,36 @@ class Verification {
 
   std::string folder_;
   VerificationDepth depth_;
+  WriterLoader* loader_;
   VerificationListener& listener_;
   std::vector<std::unique_ptr<ListedDataset>> datasets_;
   VerificationCounts counts_;
 };
 
+VerificationCounts verified(const std::string& folder, VerificationDepth depth,
+                            WriterLoader* loader, VerificationListener& listener) {
+  std::string absolute = output::absolutePath(folder);
+  if (absolute.size() > 1 && absolute.back() == '/') absolute.pop_back();
+  return Verification(absolute, depth, loader, listener).run();
+}
+
 }  // namespace
 
 VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
                                  VerificationListener& listener) {
-  std::string absolute = output::absolutePath(folder);
-  if (absolute.size() > 1 && absolute.back() == '/') absolute.pop_back();
-  return Verification(absolute, depth, listener).run();
+  if (depth == VerificationDepth::kSizes) return verified(folder, depth, nullptr, listener);
+  std::unique_ptr<WriterLoader> writers;
+  try {
+    writers = std::make_unique<WriterLoader>(std::vector<std::string>());
+  } catch (const std::exception& error) {
+    listener.remark(std::string("labels are not checked: ") + error.what());
+  }
+  return verified(folder, depth, writers.get(), listener);
+}
+
+VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
+                                 VerificationListener& listener, WriterLoader& writers) {
+  return verified(folder, depth, &writers, listener);
 }
 
 }  // namespace synthetic_dataset::output

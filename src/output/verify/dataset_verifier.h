@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "output/writers/writer_loader.h"
+
 namespace synthetic_dataset::output {
 
 /// Hears what is found while a dataset is verified, line by line.
@@ -33,9 +35,16 @@ struct VerificationCounts {
 };
 
 /// Checks a dataset against its manifest, or those of its shards: the manifest itself, every file,
-/// and every label that the package's formats have. Only one scene is held at a time.
+/// and every value in them, by running the writers again. Only one scene is held at a time. Where
+/// there are no writers, as the workspace is not sourced, a remark says that labels are not
+/// checked.
 /// @param folder  of the manifest
 [[nodiscard]] VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
                                                VerificationListener& listener);
+
+/// The same with writers that are at hand.
+[[nodiscard]] VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
+                                               VerificationListener& listener,
+                                               WriterLoader& writers);
 
 }  // namespace synthetic_dataset::output

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <locale>
+#include <optional>
 #include <sstream>
 
 #include <opencv2/core.hpp>
@@ -13,16 +16,15 @@ namespace synthetic_dataset::output {
 namespace {
 
 using formats::DrawnLabel;
-using formats::ExpectedLabel;
 
 /// A label with what is measured on it once.
-struct FoundLabel {
+struct MeasuredLabel {
   const DrawnLabel* label = nullptr;
   std::optional<Box> mask_bounds;
   std::int64_t mask_pixels = 0;
   std::optional<Box> polygon_bounds;
   double polygon_area = 0.0;  ///< [px^2]
-  bool is_taken = false;      ///< an expected one is found to be this
+  bool is_taken = false;      ///< a right one is found to be this
 };
 
 /// Twice the area that a closed polygon goes round, negative for one that turns the other way
@@ -35,7 +37,7 @@ double turnedArea(const std::vector<cv::Point2d>& polygon) {
   return sum;
 }
 
-void measurePolygons(FoundLabel& found) {
+void measurePolygons(MeasuredLabel& found) {
   for (const auto& polygon : found.label->polygons) {
     found.polygon_area += 0.5 * std::abs(turnedArea(polygon));
     for (const cv::Point2d& point : polygon) {
@@ -47,8 +49,8 @@ void measurePolygons(FoundLabel& found) {
   }
 }
 
-FoundLabel measured(const DrawnLabel& label) {
-  FoundLabel found;
+MeasuredLabel measured(const DrawnLabel& label) {
+  MeasuredLabel found;
   found.label = &label;
   if (!label.mask.empty()) {
     found.mask_pixels = cv::countNonZero(label.mask);
@@ -89,9 +91,12 @@ std::string text(const std::vector<std::string>& names) {
   return list;
 }
 
-bool areNear(const std::optional<Box>& a, const Box& b, double tolerance) {
-  return a && std::abs(a->left - b.left) <= tolerance && std::abs(a->top - b.top) <= tolerance &&
-         std::abs(a->right - b.right) <= tolerance && std::abs(a->bottom - b.bottom) <= tolerance;
+bool areNear(const std::optional<Box>& a, const std::optional<Box>& b) {
+  constexpr double kTolerance = 1e-3;  // less than any format's decimals leave of an edge [px]
+  if (!a || !b) return a.has_value() == b.has_value();
+  return std::abs(a->left - b->left) <= kTolerance && std::abs(a->top - b->top) <= kTolerance &&
+         std::abs(a->right - b->right) <= kTolerance &&
+         std::abs(a->bottom - b->bottom) <= kTolerance;
 }
 
 bool areNear(const Pose& a, const Pose& b) {
@@ -107,63 +112,109 @@ std::string difference(const std::string& what, const std::string& found,
 }
 
 /// Whether a label says itself that it is another object's, or another class's.
-bool isOfAnother(const FoundLabel& found, const ExpectedLabel& expected) {
-  const auto& classes = found.label->class_names;
-  const std::string& name = found.label->object_name;
-  return (!classes.empty() && !expected.class_name.empty() &&
-          std::find(classes.begin(), classes.end(), expected.class_name) == classes.end()) ||
-         (!name.empty() && !expected.object_name.empty() && name != expected.object_name);
+bool isOfAnother(const MeasuredLabel& found, const MeasuredLabel& right) {
+  return found.label->class_names != right.label->class_names ||
+         found.label->object_name != right.label->object_name;
 }
 
-/// How a label differs from an expected one of the same class; empty: it does not.
-std::string differenceBetween(const FoundLabel& found, const ExpectedLabel& expected) {
-  const DrawnLabel& label = *found.label;
-  if (expected.box && !areNear(label.box, *expected.box, expected.box_tolerance)) {
-    return difference("box", text(label.box), text(expected.box));
+/// How a label differs from the right one; empty: it does not.
+std::string differenceBetween(const MeasuredLabel& found, const MeasuredLabel& right) {
+  constexpr double kTolerance = 1e-3;  // [px^2]
+  if (!areNear(found.label->box, right.label->box)) {
+    return difference("box", text(found.label->box), text(right.label->box));
   }
-  if (expected.mask_bounds && !areNear(found.mask_bounds, *expected.mask_bounds, 0.0)) {
-    return difference("mask within", text(found.mask_bounds), text(expected.mask_bounds));
+  if (!areNear(found.mask_bounds, right.mask_bounds)) {
+    return difference("mask within", text(found.mask_bounds), text(right.mask_bounds));
   }
-  if (expected.mask_pixels && found.mask_pixels != *expected.mask_pixels) {
+  if (found.mask_pixels != right.mask_pixels) {
     return difference("mask of", std::to_string(found.mask_pixels) + " pixels",
-                      std::to_string(*expected.mask_pixels));
+                      std::to_string(right.mask_pixels));
   }
-  if (expected.polygon_bounds &&
-      !areNear(found.polygon_bounds, *expected.polygon_bounds, expected.polygon_tolerance)) {
-    return difference("polygon within", text(found.polygon_bounds), text(expected.polygon_bounds));
+  if (!areNear(found.polygon_bounds, right.polygon_bounds)) {
+    return difference("polygon within", text(found.polygon_bounds), text(right.polygon_bounds));
   }
-  if (expected.polygon_area && found.polygon_area != *expected.polygon_area) {
-    return difference("polygon round", std::to_string(found.polygon_area) + " pixels",
-                      std::to_string(*expected.polygon_area));
+  if (std::abs(found.polygon_area - right.polygon_area) > kTolerance) {
+    return difference("polygon around", std::to_string(found.polygon_area) + " pixels",
+                      std::to_string(right.polygon_area));
   }
-  if (expected.X_CO && label.X_CO && !areNear(*label.X_CO, *expected.X_CO)) {
-    return difference("pose", text(*label.X_CO), text(*expected.X_CO));
+  const std::optional<Pose>& X_CO = found.label->X_CO;
+  const std::optional<Pose>& right_X_CO = right.label->X_CO;
+  if (X_CO && right_X_CO && !areNear(*X_CO, *right_X_CO)) {
+    return difference("pose", text(*X_CO), text(*right_X_CO));
   }
   return "";
 }
 
-std::string nameOf(const ExpectedLabel& expected) {
-  return "object '" + expected.object + "'" +
-         (expected.class_name.empty() ? "" : " (" + expected.class_name + ")");
+/// Intersection over union.
+double overlapOf(const Box& a, const Box& b) {
+  const std::optional<Box> both = intersection(a, b);
+  if (!both) return 0.0;
+  const auto areaOf = [](const Box& box) { return box.width() * box.height(); };
+  return areaOf(*both) / std::max(areaOf(a) + areaOf(b) - areaOf(*both), 1e-9);
 }
 
-std::string nameOf(const FoundLabel& found) {
+/// Where a label is on the image.
+std::optional<Box> extentOf(const MeasuredLabel& label) {
+  return label.label->box     ? label.label->box
+         : label.mask_bounds ? label.mask_bounds
+                             : label.polygon_bounds;
+}
+
+/// How well a label fits to an object, 0 .. 1.
+double fitOf(const MeasuredLabel& label, const ObjectFacts& object, const SceneFacts& facts) {
+  const std::optional<Pose>& X_CO = label.label->X_CO;
+  if (X_CO && object.X_GO) return areNear(*X_CO, facts.X_GC.inverse() * *object.X_GO) ? 1.0 : 0.0;
+  const std::optional<Box> extent = extentOf(label);
+  double fit = 0.0;
+  const Box image{-0.5, -0.5, facts.width - 0.5, facts.height - 0.5};
+  for (const auto& box : {object.visible_box, object.silhouette_box, object.loose_box}) {
+    const std::optional<Box> seen = box ? intersection(*box, image) : std::nullopt;
+    if (extent && seen) fit = std::max(fit, overlapOf(*extent, *seen));
+  }
+  return fit;
+}
+
+/// The object whose label a right one is, by where it is; else what it says itself.
+std::string nameOf(const MeasuredLabel& right, const SceneFacts& facts,
+                   const RunDescription& run) {
+  constexpr double kLeast = 0.5;
+  const RunDescription::Object* object = nullptr;
+  double best = kLeast;
+  for (std::size_t i = 0; i < std::min(facts.objects.size(), run.objects.size()); ++i) {
+    const bool is_named = run.objects[i].name == right.label->object_name;
+    const double fit = is_named ? 2.0 : fitOf(right, facts.objects[i], facts);
+    if (fit <= best) continue;
+    best = fit;
+    object = &run.objects[i];
+  }
+  const std::string name = object != nullptr ? object->name : right.label->object_name;
+  std::string class_name;
+  for (const auto& each : run.classes) {
+    if (object != nullptr && each.id == object->class_id) class_name = each.name;
+  }
+  const auto& said = right.label->class_names;
+  if (!said.empty()) class_name = said.front();
+  return (name.empty() ? "a label" : "object '" + name + "'") +
+         (class_name.empty() ? "" : " (" + class_name + ")");
+}
+
+std::string nameOf(const MeasuredLabel& found) {
   const DrawnLabel& label = *found.label;
   std::string name = "a label";
   if (!label.class_names.empty()) name += " of class " + text(label.class_names);
   if (!label.object_name.empty()) name += " of object '" + label.object_name + "'";
-  if (label.box) name += " at " + text(label.box);
-  if (!label.box && found.mask_bounds) name += " with a mask within " + text(found.mask_bounds);
+  if (const auto extent = extentOf(found)) name += " at " + text(extent);
   return name;
 }
 
-/// Gives each expected label one that is found. First those that agree in everything; what is left
+/// Gives each right label one that is found. First those that agree in everything; what is left
 /// over then is a problem: by pairs of the same object or class, and one by one.
-void match(std::vector<FoundLabel> found, const std::vector<ExpectedLabel>& expected,
+void match(std::vector<MeasuredLabel>& found, const std::vector<MeasuredLabel>& right,
+           const std::function<std::string(const MeasuredLabel&)>& nameOfRight,
            std::vector<std::string>& problems) {
-  std::vector<const ExpectedLabel*> open;
-  for (const ExpectedLabel& each : expected) {
-    const auto same = std::find_if(found.begin(), found.end(), [&](const FoundLabel& label) {
+  std::vector<const MeasuredLabel*> open;
+  for (const MeasuredLabel& each : right) {
+    const auto same = std::find_if(found.begin(), found.end(), [&](const MeasuredLabel& label) {
       return !label.is_taken && !isOfAnother(label, each) && differenceBetween(label, each).empty();
     });
     if (same == found.end()) {
@@ -172,18 +223,18 @@ void match(std::vector<FoundLabel> found, const std::vector<ExpectedLabel>& expe
       same->is_taken = true;
     }
   }
-  for (const ExpectedLabel* each : open) {
-    const auto similar = std::find_if(found.begin(), found.end(), [&](const FoundLabel& label) {
+  for (const MeasuredLabel* each : open) {
+    const auto similar = std::find_if(found.begin(), found.end(), [&](const MeasuredLabel& label) {
       return !label.is_taken && !isOfAnother(label, *each);
     });
     if (similar != found.end()) {
       similar->is_taken = true;
-      problems.push_back(nameOf(*each) + ": " + differenceBetween(*similar, *each));
-    } else if (!each->may_lack) {
-      problems.push_back(nameOf(*each) + ": has no label; it should have one");
+      problems.push_back(nameOfRight(*each) + ": " + differenceBetween(*similar, *each));
+    } else {
+      problems.push_back(nameOfRight(*each) + ": has no label; it should have one");
     }
   }
-  for (const FoundLabel& label : found) {
+  for (const MeasuredLabel& label : found) {
     if (!label.is_taken)
       problems.push_back("found " + nameOf(label) + " that no object should have");
   }
@@ -191,19 +242,17 @@ void match(std::vector<FoundLabel> found, const std::vector<ExpectedLabel>& expe
 
 }  // namespace
 
-std::vector<std::string> labelProblems(const formats::LabelledPicture& picture,
-                                       const formats::ExpectedLabels& expected) {
-  std::vector<FoundLabel> labels;
-  std::vector<FoundLabel> masks;
-  for (const DrawnLabel& each : picture.labels) {
-    // A mask apart says nothing but where it is.
-    const bool is_mask =
-        each.class_names.empty() && each.object_name.empty() && !each.box && !each.mask.empty();
-    (is_mask ? masks : labels).push_back(measured(each));
-  }
+std::vector<std::string> labelProblems(const formats::LabelledPicture& found,
+                                       const formats::LabelledPicture& right,
+                                       const SceneFacts& facts, const RunDescription& run) {
+  std::vector<MeasuredLabel> found_labels;
+  std::vector<MeasuredLabel> right_labels;
+  for (const DrawnLabel& each : found.labels) found_labels.push_back(measured(each));
+  for (const DrawnLabel& each : right.labels) right_labels.push_back(measured(each));
   std::vector<std::string> problems;
-  match(std::move(labels), expected.labels, problems);
-  if (expected.has_masks_apart) match(std::move(masks), expected.masks, problems);
+  match(
+      found_labels, right_labels,
+      [&](const MeasuredLabel& label) { return nameOf(label, facts, run); }, problems);
   return problems;
 }
 

@@ -3,14 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "output/manifest/picture_facts.h"
+#include "output/manifest/run_description.h"
 #include "plugins/readback/drawn_label.h"
-#include "plugins/readback/expected_labels.h"
 
 namespace synthetic_dataset::output {
 
-/// What is wrong with the labels that a format's files have of a scene, a line each: one that
-/// differs from what the measures say, one that should not be there, one that lacks.
-[[nodiscard]] std::vector<std::string> labelProblems(const formats::LabelledPicture& picture,
-                                                     const formats::ExpectedLabels& expected);
+/// How the labels that a format's files have of a scene differ from those of the right files, in
+/// words: a line for each that is wrong, one that should not be there, one that is missing.
+/// @param facts, run  what the manifest has of the scene and of its objects, to name them
+[[nodiscard]] std::vector<std::string> labelProblems(const formats::LabelledPicture& found,
+                                                     const formats::LabelledPicture& right,
+                                                     const SceneFacts& facts,
+                                                     const RunDescription& run);
 
 }  // namespace synthetic_dataset::output

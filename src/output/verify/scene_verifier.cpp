@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "output/files/digest.h"
-#include "output/files/file_name_rules.h"
+#include "base/yaml_value.h"
 #include "output/manifest/manifest_paths.h"
+#include "output/verify/dataset_comparison.h"
 #include "output/verify/label_checks.h"
+#include "output/verify/right_files.h"
+#include "output/writer_settings.h"
 #include "plugins/readback/files.h"
+#include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::output {
@@ -27,77 +33,127 @@ std::string text(const cv::Size& size) {
 }
 
 /// As Scene::name: with the camera's folder where there are several.
-std::string sceneName(const output::SceneFacts& scene, std::size_t camera_count) {
+std::string sceneName(const SceneFacts& scene, std::size_t camera_count) {
   return (camera_count > 1 ? scene.camera + "/" : "") + sceneNumber(scene.instant);
 }
 
+std::map<std::string, Value> settingsOf(const RunDescription& run) {
+  std::map<std::string, Value> settings;
+  for (const auto& [name, setting] : run.settings) {
+    settings[name] = base::parseYaml(setting.value, "setting '" + name + "'");
+  }
+  return settings;
+}
+
+/// What a writer has kept of all scenes.
+class ListedRecords : public SceneRecords {
+ public:
+  ListedRecords(const ListedDataset& dataset, std::size_t writer)
+      : dataset_(dataset), writer_(writer) {}
+
+  void forEach(const std::string& channel,
+               const std::function<void(std::int64_t scene_index, const std::string& record)>&
+                   visit) const override {
+    dataset_.forEachRecord(writer_, channel, visit);
+  }
+
+ private:
+  const ListedDataset& dataset_;
+  std::size_t writer_;
+};
+
 }  // namespace
 
-SceneVerifier::SceneVerifier(const output::ListedDataset& dataset, VerificationDepth depth,
-                             VerificationListener& listener, VerificationCounts& counts)
+SceneVerifier::SceneVerifier(const ListedDataset& dataset, VerificationDepth depth,
+                             WriterLoader* loader, VerificationListener& listener,
+                             VerificationCounts& counts)
     : dataset_(dataset),
       depth_(depth),
       listener_(listener),
       counts_(counts),
-      measured_(dataset.content().run),
-      true_(dataset.content().run) {
-  const output::ManifestContent& content = dataset.content();
+      true_(dataset.content().run),
+      labels_(dataset.content().writers.size()) {
+  if (depth_ != VerificationDepth::kLabels) return;
+  const ManifestContent& content = dataset.content();
+  const bool has_dataset_files = content.complete && !content.shard;
+  const std::map<std::string, Value> settings = settingsOf(content.run);
   std::string unread;
-  for (const output::StoreWriter& writer : content.writers) {
-    labels_.push_back(labelsOf(writer));
-    if (labels_.back().format == nullptr && formats::formatOf(writer.type) != nullptr) {
-      unread += (unread.empty() ? "'" : ", '") + writer.name + "'";
-    }
+  for (std::size_t i = 0; i < labels_.size(); ++i) {
+    const StoreWriter& writer = content.writers[i];
+    Labels& labels = labels_[i];
+    labels.settings = writerSettings(settings, writer.name);
+    labels.format = formats::formatOf(writer.type);
+    labels.can_be_read = labels.format != nullptr &&
+                         (has_dataset_files || !labels.format->needs_dataset_files);
+    if (labels.format == nullptr || labels.can_be_read) continue;
+    unread += (unread.empty() ? "'" : ", '") + writer.name + "'";
   }
-  if (!content.has_truth && depth_ == VerificationDepth::kLabels) {
-    listener_.remark("'" + dataset.manifest() + "': its format version is an earlier one: boxes, " +
-                     "masks and poses are checked, and no other values of labels");
+  if (!content.is_current) {
+    remark("it is one of release 0.1.0, which does not say what labels should be: it is checked " 
+           "that files are as they were written, and that labels can be read");
+  } else if (loader != nullptr) {
+    loadWriters(*loader);
   }
-  if (unread.empty() || depth_ != VerificationDepth::kLabels || content.scene_count == 0) return;
-  listener_.remark("'" + dataset.manifest() + "': the labels of " + unread +
-                   " are not checked: they need files that only a whole, complete dataset has");
+  if (unread.empty() || content.scene_count == 0) return;
+  remark("the labels of " + unread + " are checked as the manifest keeps them, and not counted: " +
+         "their files are those of a whole, complete dataset");
 }
 
-SceneVerifier::Labels SceneVerifier::labelsOf(const output::StoreWriter& writer) const {
-  const output::ManifestContent& content = dataset_.content();
-  const formats::Format* format = formats::formatOf(writer.type);
-  const bool has_dataset_files = content.complete && !content.shard;
-  if (format == nullptr || (format->needs_dataset_files && !has_dataset_files)) return {};
-  Parameters parameters = measured_.parametersOf(writer);
-  Labels labels;
-  labels.format = format;
-  labels.expected = format->expectation(parameters, measured_.classes());
-  labels.settings = measured_.settingsOf(writer);
+void SceneVerifier::loadWriters(WriterLoader& loader) {
+  const ManifestContent& content = dataset_.content();
   // A camera that cannot be is named among the manifest's rows.
   const bool has_cameras =
       std::all_of(content.run.cameras.begin(), content.run.cameras.end(),
                   [](const RunDescription::Camera& each) { return each.model.has_value(); });
-  if (format->values != nullptr && content.has_truth && has_cameras) {
-    labels.values = format->values(parameters, true_.dataset());
+  for (std::size_t i = 0; has_cameras && i < labels_.size(); ++i) {
+    const StoreWriter& writer = content.writers[i];
+    Parameters parameters(labels_[i].settings, writer.name);
+    try {
+      auto ready = std::make_unique<ReadyWriter>(
+          loader, WriterOptions{writer.name, writer.type, writer.output_folder, parameters},
+          true_.dataset());
+      if (!parameters.errors().empty()) throw Error(parameters.errors().front());
+      labels_[i].writer = std::move(ready);
+    } catch (const std::exception& error) {
+      remark("the labels of '" + writer.name + "' are not checked, as its writer cannot be run: " +
+             error.what());
+    }
   }
-  return labels;
+}
+
+void SceneVerifier::remark(const std::string& what) {
+  listener_.remark("'" + dataset_.manifest() + "': " + what);
+}
+
+void SceneVerifier::report(std::size_t writer, const std::string& problem) {
+  labels_[writer].is_right = false;
+  listener_.problem(problem);
+}
+
+std::string SceneVerifier::originOf(const SceneFacts& scene, std::size_t writer) const {
+  return "scene " + std::to_string(scene.index) + ", writer '" +
+         dataset_.content().writers[writer].name + "': ";
 }
 
 void SceneVerifier::verifyDatasetFiles() {
   // Before the end they may be announced and not be there yet.
   if (!dataset_.content().complete) return;
-  dataset_.forEachFileOf(std::nullopt, [&](const output::ListedFile& file) {
+  dataset_.forEachFileOf(std::nullopt, [&](const ListedFile& file) {
     WrittenFiles files;
     verifyFile(file, files);
     if (files.are_whole || depth_ != VerificationDepth::kLabels) return;
     Labels& labels = labels_.at(file.writer);
     labels.is_right = false;
-    if (labels.format == nullptr || !labels.format->needs_dataset_files) return;
-    labels.format = nullptr;
-    listener_.remark("'" + dataset_.manifest() + "': the labels of '" +
-                     dataset_.content().writers[file.writer].name +
-                     "' are not checked: a file that they need is not as it was written");
+    if (!labels.can_be_read || !labels.format->needs_dataset_files) return;
+    labels.can_be_read = false;
+    remark("the labels of '" + dataset_.content().writers[file.writer].name +
+           "' are not checked: a file that they need is not as it was written");
   });
 }
 
-void SceneVerifier::verifyFile(const output::ListedFile& file, WrittenFiles& of_writer) {
+void SceneVerifier::verifyFile(const ListedFile& file, WrittenFiles& of_writer) {
   ++counts_.files;
-  const std::string path_problem = output::pathProblem(file, dataset_);
+  const std::string path_problem = pathProblem(file, dataset_);
   if (!path_problem.empty()) {
     listener_.problem("'" + dataset_.manifest() + "': the listed path '" + file.path + "' " +
                       path_problem);
@@ -105,10 +161,10 @@ void SceneVerifier::verifyFile(const output::ListedFile& file, WrittenFiles& of_
     return;
   }
   const std::string& folder = dataset_.folder();
-  const std::string path = output::absoluteFrom(folder, file.path);
-  const output::FileFinding finding = output::checkFile(
-      path, file.linked_to ? output::absoluteFrom(folder, *file.linked_to) : "", file,
-      depth_ == VerificationDepth::kSizes ? output::FileCheck::kSize : output::FileCheck::kContent);
+  const std::string path = absoluteFrom(folder, file.path);
+  const FileFinding finding = checkFile(
+      path, file.linked_to ? absoluteFrom(folder, *file.linked_to) : "", file,
+      depth_ == VerificationDepth::kSizes ? FileCheck::kSize : FileCheck::kContent);
   if (!finding.problem.empty()) {
     listener_.problem("'" + path + "' " + finding.problem);
     of_writer.are_whole = false;
@@ -118,121 +174,275 @@ void SceneVerifier::verifyFile(const output::ListedFile& file, WrittenFiles& of_
   of_writer.paths.push_back(path);
 }
 
-void SceneVerifier::verifyScene(const output::SceneFacts& scene) {
+void SceneVerifier::verifyScene(const SceneFacts& scene) {
   ++counts_.scenes;
   const auto& writers = dataset_.content().writers;
   std::vector<WrittenFiles> files(writers.size());
-  dataset_.forEachFileOf(scene.index, [&](const output::ListedFile& file) {
+  dataset_.forEachFileOf(scene.index, [&](const ListedFile& file) {
     if (file.writer < files.size()) verifyFile(file, files[file.writer]);
   });
   if (depth_ != VerificationDepth::kLabels) return;
-  const cv::Size size(scene.width, scene.height);
+  std::vector<std::size_t> compared;
   for (std::size_t i = 0; i < writers.size(); ++i) {
     if (!files[i].are_whole) labels_[i].is_right = false;
     if (!files[i].are_readable) continue;
-    const std::string origin =
-        "scene " + std::to_string(scene.index) + ", writer '" + writers[i].name + "': ";
     try {
-      verifyPictures(writers[i], files[i], size);
-      if (labels_[i].format != nullptr) verifyLabels(origin, scene, i, files[i]);
+      const bool have_its_size = verifyPictures(writers[i], files[i], scene);
+      // Formats with a folder for each object have none of a scene without labels.
+      if (labels_[i].can_be_read && !files[i].paths.empty()) {
+        const formats::LabelledPicture picture =
+            labels_[i].format->read(writtenScene(scene, i, files[i]));
+        counts_.labels += static_cast<std::int64_t>(picture.labels.size());
+      }
+      const bool is_known = labels_[i].writer != nullptr && files[i].are_whole;
+      if (is_known && have_its_size) compared.push_back(i);
     } catch (const std::exception& error) {
-      labels_[i].is_right = false;
-      listener_.problem(origin + error.what());
+      report(i, originOf(scene, i) + error.what());
     }
   }
+  verifyValues(scene, files, compared);
 }
 
-void SceneVerifier::verifyPictures(const output::StoreWriter& writer, const WrittenFiles& files,
-                                   const cv::Size& size) {
+/// @return  whether they have their camera's size
+bool SceneVerifier::verifyPictures(const StoreWriter& writer, const WrittenFiles& files,
+                                   const SceneFacts& scene) {
+  const cv::Size size(scene.width, scene.height);
   const bool is_ours = writer.type.rfind("synthetic_dataset/", 0) == 0;
+  bool have_its_size = true;
   for (std::size_t i = 0; i < files.paths.size(); ++i) {
     if (!isPicture(files.paths[i]) || files.listed[i].linked_to) continue;
     const cv::Mat picture = formats::readPicture(files.paths[i], cv::IMREAD_UNCHANGED);
-    if (is_ours && picture.size() != size) {
-      listener_.problem("'" + files.paths[i] + "' is a picture of " + text(picture.size()) +
-                        " pixels; it should be of its camera's " + text(size));
+    if (!is_ours || picture.size() == size) continue;
+    have_its_size = false;
+    listener_.problem("'" + files.paths[i] + "' is a picture of " + text(picture.size()) +
+                      " pixels; it should be of its camera's " + text(size));
+  }
+  return have_its_size;
+}
+
+formats::WrittenScene SceneVerifier::writtenScene(const SceneFacts& scene, std::size_t writer,
+                                                  const WrittenFiles& files) const {
+  const std::vector<RunDescription::Camera>& cameras = dataset_.content().run.cameras;
+  const auto camera = std::find_if(cameras.begin(), cameras.end(),
+                                   [&](const auto& each) { return each.name == scene.camera; });
+  return {dataset_.content().writers[writer].output_folder,
+          sceneName(scene, cameras.size()),
+          static_cast<std::size_t>(camera - cameras.begin()),
+          scene.stamp,
+          {files.paths.begin(), files.paths.end()},
+          kept_,
+          labels_[writer].settings};
+}
+
+void SceneVerifier::verifyValues(const SceneFacts& facts, const std::vector<WrittenFiles>& files,
+                                 const std::vector<std::size_t>& writers) {
+  const auto guarded = [&](const auto& work) {
+    for (const std::size_t writer : writers) {
+      try {
+        work(writer);
+      } catch (const std::exception& error) {
+        report(writer, originOf(facts, writer) + error.what());
+      }
+    }
+  };
+  if (!facts.camera_model) {
+    guarded([](std::size_t /*writer*/) {
+      throw Error("the manifest does not say with which camera it was made");
+    });
+    return;
+  }
+  Scene scene = true_.scene(facts);
+  ScenePictures pictures(facts);
+  pictures.give(scene, ScenePictures::Filling::kNothing);
+  std::vector<FoundScene> found(labels_.size());
+  guarded([&](std::size_t writer) {
+    found[writer] = foundScene(facts, writer, files[writer]);
+    takePictures(facts, scene, writer, files[writer], pictures, found[writer]);
+  });
+  pictures.give(scene, ScenePictures::Filling::kNothing);
+  Scene other = scene;
+  pictures.give(other, ScenePictures::Filling::kSomething);
+  guarded([&](std::size_t writer) {
+    RewrittenScene right;
+    labels_[writer].writer->writeScene(scene, writer, right.result);
+    if (dependsOnUnknown(writer, pictures)) {
+      right.other.emplace();
+      labels_[writer].writer->writeScene(other, writer, *right.other);
+    }
+    compare(facts, writer, files[writer], found[writer], right);
+  });
+}
+
+FoundScene SceneVerifier::foundScene(const SceneFacts& facts, std::size_t writer,
+                                     const WrittenFiles& files) const {
+  FoundScene found;
+  const StoreWriter& of = dataset_.content().writers[writer];
+  found.folder = of.output_folder;
+  found.files = {files.paths.begin(), files.paths.end()};
+  found.records = dataset_.recordsOf(writer, facts.index);
+  const std::string of_writer = "writer '" + of.name + "': ";
+  for (const Warning& each : facts.warnings) {
+    if (each.kind.rfind(of_writer, 0) == 0) found.warnings.push_back(each.kind);
+  }
+  return found;
+}
+
+/// Finds the files that hold the scene's own pictures, by what the writer hands on.
+void SceneVerifier::takePictures(const SceneFacts& facts, const Scene& scene, std::size_t writer,
+                                 const WrittenFiles& files, ScenePictures& pictures,
+                                 FoundScene& found) {
+  const auto tell = [&](const std::string& path, const std::string& problem) {
+    found.checked.insert(path);
+    if (problem.empty()) return;
+    report(writer, originOf(facts, writer) + pathBelow(found.folder, path) + ": " + problem);
+  };
+  ReadyWriter::SceneResult written;
+  labels_[writer].writer->writeScene(scene, writer, written);
+  for (const OutputFile& each : written.files.files) {
+    const auto picture = each.palette.empty() ? ScenePictures::nameOf(each.pixels, scene)
+                                              : std::optional<std::string>();
+    if (picture && found.files.count(each.path) > 0) {
+      tell(each.path, pictures.take(*picture, each.path));
+    }
+  }
+  const formats::Format* format = labels_[writer].format;
+  if (format == nullptr || format->pictures == nullptr) return;
+  for (const formats::DecodedPicture& each : format->pictures(
+           writtenScene(facts, writer, files), scene.camera, true_.dataset())) {
+    const std::string problem = pictures.take(each);
+    for (const std::filesystem::path& file : each.files) {
+      tell(file.string(), &file == &each.files.front() ? problem : "");
     }
   }
 }
 
-void SceneVerifier::verifyLabels(const std::string& origin, const output::SceneFacts& scene,
-                                 std::size_t writer, const WrittenFiles& files) {
-  const output::StoreWriter& of = dataset_.content().writers[writer];
-  const std::vector<output::RunDescription::Camera>& cameras = dataset_.content().run.cameras;
-  const auto camera = std::find_if(cameras.begin(), cameras.end(),
-                                   [&](const auto& each) { return each.name == scene.camera; });
-  const formats::WrittenScene written{of.output_folder,
-                                      sceneName(scene, cameras.size()),
-                                      static_cast<std::size_t>(camera - cameras.begin()),
-                                      scene.stamp,
-                                      {files.paths.begin(), files.paths.end()},
-                                      kept_,
-                                      labels_[writer].settings};
-  const formats::ExpectedLabels expected = labels_[writer].expected(measured_.scene(scene, of));
-  formats::LabelledPicture picture;
-  // Formats with a folder for each object have none of a scene without labels.
-  if (!written.files.empty()) picture = labels_[writer].format->read(written);
-  counts_.labels += static_cast<std::int64_t>(picture.labels.size());
-  const std::vector<std::string> problems = labelProblems(picture, expected);
-  for (const std::string& problem : problems) {
-    labels_[writer].is_right = false;
-    listener_.problem(origin + problem);
-  }
-  // The rest of what is wrong with a wrong label would be found once more in other words.
-  if (problems.empty() && files.are_whole) verifyValues(origin, scene, writer, files);
+bool SceneVerifier::dependsOnUnknown(std::size_t writer, const ScenePictures& pictures) const {
+  const Requirements& needs = labels_[writer].writer->requirements();
+  return !pictures.isKnown("image") || (needs.depth && !pictures.isKnown("depth")) ||
+         (needs.normals && !pictures.isKnown("normals")) ||
+         (needs.optical_flow && !pictures.isKnown("optical_flow"));
 }
 
-formats::FoundFiles SceneVerifier::foundFiles(std::size_t writer,
-                                              const std::vector<std::string>& paths) const {
-  const std::string& folder = dataset_.content().writers[writer].output_folder;
-  std::vector<std::string> names;
-  for (const std::string& path : paths) {
-    names.push_back(liesWithin(path, folder) ? path.substr(folder.size()) : path);
-  }
-  return {folder, names, digestOfPixels, [](const std::string& bytes) { return digestOf(bytes); },
-          kept_};
-}
-
-void SceneVerifier::verifyValues(const std::string& origin, const output::SceneFacts& scene,
-                                 std::size_t writer, const WrittenFiles& files) {
+void SceneVerifier::compare(const SceneFacts& facts, std::size_t writer, const WrittenFiles& files,
+                            const FoundScene& found, const RewrittenScene& right) {
+  formats::Differences differences;
+  const std::string unknown = compareScene(found, right, differences);
   Labels& labels = labels_[writer];
-  if (labels.values == nullptr) return;
-  if (!scene.camera_model) {
-    labels.is_right = false;
-    listener_.problem(origin + "the manifest does not say with which camera it was made");
-    return;
+  if (!unknown.empty() && !std::exchange(labels.has_unknown_files, true)) {
+    remark("'" + unknown + "' of '" + dataset_.content().writers[writer].name +
+           "', and files like it, are checked by their sizes and SHA-256 alone: they are made of "
+           "pictures that no file of the dataset holds unchanged");
   }
-  formats::FoundFiles found = foundFiles(writer, files.paths);
-  labels.values->checkScene(true_.scene(scene, dataset_.content().writers[writer]), found);
-  for (const std::string& problem : found.problems()) {
-    labels.is_right = false;
-    listener_.problem(origin + problem);
+  if (differences.empty()) return;
+  std::vector<std::string> lines = wrongLabels(facts, writer, files, right.result.files);
+  if (lines.empty()) lines = differences.lines();
+  for (const std::string& line : lines) report(writer, originOf(facts, writer) + line);
+}
+
+std::vector<std::string> SceneVerifier::wrongLabels(const SceneFacts& facts, std::size_t writer,
+                                                    const WrittenFiles& files,
+                                                    const SceneFiles& right) const {
+  const Labels& labels = labels_[writer];
+  if (!labels.can_be_read) return {};
+  try {
+    RightFiles place(*labels.writer);
+    place.addScene(right);
+    if (labels.format->needs_dataset_files) {
+      place.addDataset(RecordsOfScene(facts.index, right.records));
+    }
+    const formats::WrittenScene found = writtenScene(facts, writer, files);
+    formats::WrittenScene of_right = found;
+    of_right.folder = place.folder();
+    of_right.files = place.filesOf(right);
+    of_right.kept = std::make_shared<formats::KeptFiles>();
+    const auto read = [&](const formats::WrittenScene& scene) {
+      return scene.files.empty() ? formats::LabelledPicture() : labels.format->read(scene);
+    };
+    return labelProblems(read(found), read(of_right), facts, dataset_.content().run);
+  } catch (const std::exception&) {
+    return {};  // the values that differ are named as they stand in the files
   }
 }
 
 void SceneVerifier::verifyDatasetValues() {
-  const output::ManifestContent& content = dataset_.content();
+  const ManifestContent& content = dataset_.content();
   if (depth_ != VerificationDepth::kLabels || !content.complete || content.shard) return;
   std::vector<std::vector<std::string>> paths(content.writers.size());
-  dataset_.forEachFileOf(std::nullopt, [&](const output::ListedFile& file) {
+  dataset_.forEachFileOf(std::nullopt, [&](const ListedFile& file) {
     if (file.writer < paths.size() && pathProblem(file, dataset_).empty()) {
       paths[file.writer].push_back(absoluteFrom(dataset_.folder(), file.path));
     }
   });
   for (std::size_t i = 0; i < paths.size(); ++i) {
     // What is wrong with a scene is wrong with the whole, too, and is reported already.
-    if (labels_[i].format == nullptr || labels_[i].values == nullptr || !labels_[i].is_right) {
-      continue;
-    }
-    const std::string origin = "writer '" + content.writers[i].name + "': ";
+    if (labels_[i].writer == nullptr || !labels_[i].is_right) continue;
     try {
-      formats::FoundFiles found = foundFiles(i, paths[i]);
-      labels_[i].values->checkDataset(found);
-      for (const std::string& problem : found.problems()) listener_.problem(origin + problem);
+      compareDatasetFiles(i, paths[i]);
     } catch (const std::exception& error) {
-      listener_.problem(origin + error.what());
+      listener_.problem("writer '" + content.writers[i].name + "': " + error.what());
     }
   }
+}
+
+void SceneVerifier::compareDatasetFiles(std::size_t writer,
+                                        const std::vector<std::string>& paths) {
+  const ReadyWriter& ready = *labels_[writer].writer;
+  const StoreWriter& of = dataset_.content().writers[writer];
+  const std::string origin = "writer '" + of.name + "': ";
+  const ListedRecords records(dataset_, writer);
+  const DifferingFiles differing =
+      differingDatasetFiles(ready, records, {paths.begin(), paths.end()});
+  for (const std::string& problem : differing.problems) listener_.problem(origin + problem);
+  for (const std::string& file : differing.not_compared) {
+    remark("'" + pathBelow(of.output_folder, file) + "' of '" + of.name +
+           "' is checked by its size and SHA-256 alone: it is too large to be made once more");
+  }
+  if (differing.files.empty()) return;
+  RightFiles right(ready);
+  right.addDataset(records);
+  formats::Differences differences;
+  for (const std::string& file : differing.files) {
+    if (differing.by_name.count(file) > 0) continue;
+    compareDatasetFile(file, right.placeOf(file).string(), pathBelow(of.output_folder, file),
+                       differences);
+  }
+  if (differences.empty() && differing.by_name.empty()) return;
+  if (reportWrongLabels(writer, right)) return;
+  for (const std::string& line : differences.lines()) listener_.problem(origin + line);
+  for (const std::string& file : differing.by_name) {
+    remark("'" + pathBelow(of.output_folder, file) + "' of '" + of.name +
+           "' has other bytes than its writer makes, and the same labels");
+  }
+}
+
+/// Looks for the scenes whose labels the files of the dataset as a whole have wrong.
+bool SceneVerifier::reportWrongLabels(std::size_t writer, RightFiles& right) {
+  constexpr int kMost = 10;  // scenes
+  const Labels& labels = labels_[writer];
+  if (!labels.can_be_read || !labels.format->needs_dataset_files) return false;
+  const auto kept = std::make_shared<formats::KeptFiles>();
+  int count = 0;
+  dataset_.forEachScene([&](const SceneFacts& facts) {
+    if (count >= kMost) return;
+    WrittenFiles files;
+    dataset_.forEachFileOf(facts.index, [&](const ListedFile& file) {
+      if (file.writer == writer) files.paths.push_back(absoluteFrom(dataset_.folder(), file.path));
+    });
+    if (files.paths.empty()) return;
+    const formats::WrittenScene found = writtenScene(facts, writer, files);
+    formats::WrittenScene of_right = found;
+    of_right.folder = right.folder();
+    of_right.kept = kept;
+    for (std::filesystem::path& path : of_right.files) {
+      right.addRight(path.string());
+      path = right.placeOf(path.string());
+    }
+    const std::vector<std::string> problems = labelProblems(
+        labels.format->read(found), labels.format->read(of_right), facts, dataset_.content().run);
+    count += problems.empty() ? 0 : 1;
+    for (const std::string& each : problems) report(writer, originOf(facts, writer) + each);
+  });
+  return count > 0;
 }
 
 }  // namespace synthetic_dataset::output

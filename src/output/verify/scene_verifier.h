@@ -1,33 +1,37 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
-
-#include <opencv2/core/types.hpp>
 
 #include "output/file_checks.h"
 #include "output/listed_dataset.h"
 #include "output/verify/dataset_verifier.h"
-#include "output/verify/measured_scenes.h"
+#include "output/verify/right_files.h"
+#include "output/verify/scene_comparison.h"
+#include "output/verify/scene_pictures.h"
 #include "output/verify/true_scenes.h"
+#include "output/writers/ready_writer.h"
 #include "plugins/readback/format.h"
 
 namespace synthetic_dataset::output {
 
-/// Verifies a dataset's files and labels scene by scene.
+/// Verifies a dataset's files and labels scene by scene: each writer is given once more what it was
+/// given by the run, as the manifest and the pictures have it, and what it makes of that is held
+/// against the files.
 class SceneVerifier {
  public:
   /// All arguments outlive it. The counts are added to.
-  SceneVerifier(const output::ListedDataset& dataset, VerificationDepth depth,
+  /// @param loader  of the writers; null: labels are not checked
+  SceneVerifier(const ListedDataset& dataset, VerificationDepth depth, WriterLoader* loader,
                 VerificationListener& listener, VerificationCounts& counts);
 
   /// The files of the dataset as a whole.
   void verifyDatasetFiles();
 
-  void verifyScene(const output::SceneFacts& scene);
+  void verifyScene(const SceneFacts& scene);
 
   /// What the files of the dataset as a whole hold, after all scenes.
   void verifyDatasetValues();
@@ -35,7 +39,7 @@ class SceneVerifier {
  private:
   /// What one writer made of a scene, or of the dataset as a whole.
   struct WrittenFiles {
-    std::vector<output::ListedFile> listed;
+    std::vector<ListedFile> listed;
     std::vector<std::string> paths;  ///< absolute
     bool are_readable = true;
     bool are_whole = true;  ///< as they were written
@@ -43,29 +47,44 @@ class SceneVerifier {
 
   /// What is known of a writer's labels.
   struct Labels {
-    const formats::Format* format = nullptr;  ///< null: nothing that can be checked
-    formats::Expectation expected;
-    Value::Map settings;                          ///< the writer's
-    std::unique_ptr<formats::ValueCheck> values;  ///< null: nobody knows what they should be
-    bool is_right = true;                         ///< nothing wrong has been found yet
+    const formats::Format* format = nullptr;  ///< null: none of this package's
+    bool can_be_read = false;                 ///< by the format, from the files that are there
+    Value::Map settings;                      ///< the writer's
+    std::unique_ptr<ReadyWriter> writer;      ///< null: nobody knows what is right
+    bool is_right = true;                     ///< nothing wrong has been found yet
+    bool has_unknown_files = false;           ///< it is said which files nobody can know
   };
 
-  [[nodiscard]] Labels labelsOf(const output::StoreWriter& writer) const;
-  void verifyFile(const output::ListedFile& file, WrittenFiles& of_writer);
-  void verifyPictures(const output::StoreWriter& writer, const WrittenFiles& files,
-                      const cv::Size& size);
-  void verifyLabels(const std::string& origin, const output::SceneFacts& scene, std::size_t writer,
-                    const WrittenFiles& files);
-  void verifyValues(const std::string& origin, const output::SceneFacts& scene, std::size_t writer,
-                    const WrittenFiles& files);
-  [[nodiscard]] formats::FoundFiles foundFiles(std::size_t writer,
-                                               const std::vector<std::string>& paths) const;
+  void loadWriters(WriterLoader& loader);
+  void remark(const std::string& what);
+  void report(std::size_t writer, const std::string& problem);
+  [[nodiscard]] std::string originOf(const SceneFacts& scene, std::size_t writer) const;
 
-  const output::ListedDataset& dataset_;
+  void verifyFile(const ListedFile& file, WrittenFiles& of_writer);
+  bool verifyPictures(const StoreWriter& writer, const WrittenFiles& files,
+                      const SceneFacts& scene);
+  [[nodiscard]] formats::WrittenScene writtenScene(const SceneFacts& scene, std::size_t writer,
+                                                   const WrittenFiles& files) const;
+
+  void verifyValues(const SceneFacts& facts, const std::vector<WrittenFiles>& files,
+                    const std::vector<std::size_t>& writers);
+  [[nodiscard]] FoundScene foundScene(const SceneFacts& facts, std::size_t writer,
+                                      const WrittenFiles& files) const;
+  void takePictures(const SceneFacts& facts, const Scene& scene, std::size_t writer,
+                    const WrittenFiles& files, ScenePictures& pictures, FoundScene& found);
+  [[nodiscard]] bool dependsOnUnknown(std::size_t writer, const ScenePictures& pictures) const;
+  void compare(const SceneFacts& facts, std::size_t writer, const WrittenFiles& files,
+               const FoundScene& found, const RewrittenScene& right);
+  [[nodiscard]] std::vector<std::string> wrongLabels(const SceneFacts& facts, std::size_t writer,
+                                                     const WrittenFiles& files,
+                                                     const SceneFiles& right) const;
+  void compareDatasetFiles(std::size_t writer, const std::vector<std::string>& paths);
+  bool reportWrongLabels(std::size_t writer, RightFiles& right);
+
+  const ListedDataset& dataset_;
   VerificationDepth depth_;
   VerificationListener& listener_;
   VerificationCounts& counts_;
-  const MeasuredScenes measured_;
   const TrueScenes true_;
   std::vector<Labels> labels_;  ///< of each writer
   std::shared_ptr<formats::KeptFiles> kept_ = std::make_shared<formats::KeptFiles>();

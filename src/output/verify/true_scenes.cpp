@@ -64,6 +64,17 @@ cv::Mat instanceMapOf(const Scene& scene) {
   return map;
 }
 
+/// The classes of what is seen, by their indices from 1.
+cv::Mat classMapOf(const Scene& scene, const cv::Mat& instances, const DatasetInfo& dataset) {
+  cv::Mat map(instances.size(), CV_16UC1, cv::Scalar(0));
+  for (const SceneObject& object : scene.objects) {
+    const double number = static_cast<double>(dataset.classIndex(object.class_id)) + 1.0;
+    const Mask& mask = object.visible_mask();
+    if (!mask.empty()) map(mask.bounds()).setTo(number, mask.pixels());
+  }
+  return map;
+}
+
 /// A map of links' classes or parts; 0 all over where none of them is seen.
 cv::Mat linkMapOf(const SceneFacts& facts, const std::string& name) {
   const auto known = facts.link_maps.find(name);
@@ -91,7 +102,6 @@ TrueScenes::TrueScenes(const RunDescription& run) {
     object.keypoint_count = each.keypoint_names.size();
     object.skeleton = each.skeleton;
     object.part_names = each.part_names;
-    has_parts_ = has_parts_ || !each.part_names.empty();
     object.model_varies = each.model_varies;
     class_texts_.push_back(classTextOf(run, object));
     dataset_.objects.push_back(std::move(object));
@@ -116,9 +126,8 @@ TrueScenes::TrueScenes(const RunDescription& run) {
   });
 }
 
-formats::TrueScene TrueScenes::scene(const SceneFacts& facts, const StoreWriter& writer) const {
-  formats::TrueScene truth(facts.camera_model.value());
-  Scene& scene = truth.scene;
+Scene TrueScenes::scene(const SceneFacts& facts) const {
+  Scene scene(facts.camera_model.value());
   scene.index = facts.index;
   scene.instant = facts.instant;
   const auto camera =
@@ -144,9 +153,13 @@ formats::TrueScene TrueScenes::scene(const SceneFacts& facts, const StoreWriter&
     has_masks = has_masks && object.visible_mask.isKnown();
     scene.objects.push_back(std::move(object));
   }
-  if (has_masks) scene.instance_map = instanceMapOf(scene);
-  if (!dataset_.world_classes.empty()) scene.world_map = linkMapOf(facts, "world_map");
-  if (has_parts_) scene.part_map = linkMapOf(facts, "part_map");
+  if (has_masks) {
+    const cv::Mat instances = instanceMapOf(scene);
+    scene.class_map = classMapOf(scene, instances, dataset_);
+    scene.instance_map = instances;
+  }
+  scene.world_map = linkMapOf(facts, "world_map");
+  scene.part_map = linkMapOf(facts, "part_map");
   scene.setTransforms([frames = facts.frames, global = dataset_.global_frame](
                           const std::string& target, const std::string& source) -> Pose {
     const auto inGlobal = [&](const std::string& frame) -> Pose {
@@ -157,17 +170,7 @@ formats::TrueScene TrueScenes::scene(const SceneFacts& facts, const StoreWriter&
     };
     return inGlobal(target).inverse() * inGlobal(source);
   });
-  for (const PictureFacts& each : facts.known_pictures) {
-    truth.digests[each.name] = each.digest;
-    if (each.name == "depth") truth.depth_cells = each.cells;
-  }
-  const std::string of_writer = "writer '" + writer.name + "': ";
-  for (const Warning& each : facts.warnings) {
-    if (each.kind.rfind(of_writer, 0) == 0) {
-      truth.warned_of.insert(each.kind.substr(of_writer.size()));
-    }
-  }
-  return truth;
+  return scene;
 }
 
 }  // namespace synthetic_dataset::output

@@ -1,10 +1,5 @@
 #include "output/writers/writer_host.h"
 
-#include <unistd.h>
-
-#include <atomic>
-#include <cstdio>
-#include <cstdlib>
 #include <set>
 #include <string>
 #include <utility>
@@ -17,69 +12,6 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// While it lives, a writer is at work. A plugin that ends the program meanwhile, by `exit`, is
-/// named on the standard error, and the exit code is 1: a run that has not come to its end must not
-/// look like one that has.
-class WriterAtWork {
- public:
-  /// @param name  of the writer; it outlives this
-  explicit WriterAtWork(const std::string& name);
-  ~WriterAtWork();
-  WriterAtWork(const WriterAtWork&) = delete;
-  WriterAtWork& operator=(const WriterAtWork&) = delete;
-};
-
-/// Whoever calls `exit` leaves nothing else that knows.
-std::atomic<const std::string*> writer_at_work{nullptr};
-
-void refuseExit() {
-  const std::string* writer = writer_at_work.load();
-  if (writer == nullptr) return;  // the program comes to its own end
-  std::fprintf(stderr,
-               "writer '%s': its plugin has ended the program by a call of exit(); the dataset is "
-               "unfinished, and the same command goes on with it\n",
-               writer->c_str());
-  std::fflush(nullptr);
-  _exit(EXIT_FAILURE);
-}
-
-void watchExits() {
-  static const bool is_watching = [] {
-    return std::atexit(refuseExit) == 0 && std::at_quick_exit(refuseExit) == 0;
-  }();
-  (void)is_watching;
-}
-
-WriterAtWork::WriterAtWork(const std::string& name) {
-  watchExits();
-  writer_at_work = &name;
-}
-
-WriterAtWork::~WriterAtWork() { writer_at_work = nullptr; }
-
-struct ReadyWriter {
-  std::string type;
-  WriterParameters parameters;
-  WriterLoader::Instance instance;
-  Requirements requirements;
-};
-
-ReadyWriter makeReady(WriterLoader& loader, const WriterOptions& choice,
-                      const DatasetInfo& dataset) {
-  WriterLoader::Instance instance;
-  try {
-    instance = loader.create(choice.type);
-  } catch (const Error& error) {
-    throw Error("writer '" + choice.name + "': " + error.what());
-  }
-  WriterParameters parameters(choice.parameters, choice.name, choice.output_folder);
-  const WriterAtWork at_work(choice.name);
-  // These name the writer themselves when they fail.
-  instance->initialize(parameters, dataset);
-  Requirements requirements = instance->requirements();
-  return {choice.type, std::move(parameters), std::move(instance), std::move(requirements)};
-}
-
 constexpr bool Requirements::*kFlags[] = {
     &Requirements::silhouettes,     &Requirements::visible_masks, &Requirements::visibility,
     &Requirements::keypoint_states, &Requirements::class_map,     &Requirements::world_map,
@@ -90,7 +22,7 @@ Requirements merged(const std::vector<ReadyWriter>& writers) {
   Requirements all;
   std::set<std::string> frames;
   for (const ReadyWriter& writer : writers) {
-    const Requirements& own = writer.requirements;
+    const Requirements& own = writer.requirements();
     for (const auto flag : kFlags) all.*flag = all.*flag || own.*flag;
     frames.insert(own.frames.begin(), own.frames.end());
   }
@@ -114,7 +46,7 @@ WriterHost::WriterHost(const std::vector<WriterOptions>& choices, const DatasetI
   std::vector<std::string> errors;
   for (const WriterOptions& choice : choices) {
     try {
-      impl_->writers.push_back(makeReady(impl_->loader, choice, dataset));
+      impl_->writers.emplace_back(impl_->loader, choice, dataset);
     } catch (const Error& error) {
       errors.emplace_back(error.what());
     }
@@ -133,10 +65,10 @@ std::vector<output::StoreWriter> WriterHost::storeWriters() const {
   std::vector<output::StoreWriter> writers;
   for (const ReadyWriter& ready : impl_->writers) {
     output::StoreWriter writer;
-    writer.name = ready.parameters.writerName();
-    writer.type = ready.type;
-    writer.output_folder = ready.parameters.outputFolder();
-    for (const std::string& path : ready.parameters.files()) {
+    writer.name = ready.parameters().writerName();
+    writer.type = ready.type();
+    writer.output_folder = ready.parameters().outputFolder();
+    for (const std::string& path : ready.parameters().files()) {
       writer.user_files.push_back(output::absolutePath(path));
     }
     writers.push_back(std::move(writer));
@@ -147,11 +79,8 @@ std::vector<output::StoreWriter> WriterHost::storeWriters() const {
 WriterHost::SceneResult WriterHost::writeScene(const Scene& scene) const {
   SceneResult result;
   for (std::size_t i = 0; i < impl_->writers.size(); ++i) {
-    const ReadyWriter& writer = impl_->writers[i];
-    GatheringSceneOutput output(i, writer.parameters, result.files, result.warnings);
     try {
-      const WriterAtWork at_work(writer.parameters.writerName());
-      writer.instance->writeScene(scene, output);
+      impl_->writers[i].writeScene(scene, i, result);
     } catch (const Error& error) {
       throw Error("scene " + scene.name + ": " + error.what());
     }
@@ -162,9 +91,8 @@ WriterHost::SceneResult WriterHost::writeScene(const Scene& scene) const {
 void WriterHost::finalize(output::DatasetStore& store) const {
   for (std::size_t i = 0; i < impl_->writers.size(); ++i) {
     const ReadyWriter& writer = impl_->writers[i];
-    StoringDatasetOutput output(i, writer.parameters, store);
-    const WriterAtWork at_work(writer.parameters.writerName());
-    writer.instance->finalize(*store.records(i), output);
+    StoringDatasetOutput output(i, writer.parameters(), store);
+    writer.finalize(*store.records(i), output);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "output/dataset_store.h"
 #include "output/output_options.h"
+#include "output/writers/ready_writer.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset::output {
@@ -14,12 +15,7 @@ namespace synthetic_dataset::output {
 class WriterHost {
  public:
   /// What a scene becomes in every format.
-  struct SceneResult {
-    output::SceneFiles files;
-
-    /// "writer 'stvnet': alpha: a keypoint is behind the camera"
-    std::vector<std::string> warnings;
-  };
+  using SceneResult = ReadyWriter::SceneResult;
 
   /// Loads, initialises and checks every writer; errors about parameters are noted in the
   /// parameters themselves.

@@ -7,8 +7,6 @@ namespace synthetic_dataset::output {
 namespace label_checks_test {
 
 using formats::DrawnLabel;
-using formats::ExpectedLabel;
-using formats::ExpectedLabels;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -19,51 +17,49 @@ DrawnLabel found(const std::string& class_name, const Box& box) {
   return label;
 }
 
-ExpectedLabel expected(const std::string& class_name, const Box& box) {
-  ExpectedLabel label;
-  label.object = "the " + class_name;
-  label.class_name = class_name;
-  label.box = box;
-  label.box_tolerance = 0.1;
-  return label;
-}
-
+/// Of a scene with an object at each of these boxes.
 std::vector<std::string> problemsOf(const std::vector<DrawnLabel>& labels,
-                                    const std::vector<ExpectedLabel>& right) {
-  ExpectedLabels all;
-  all.labels = right;
-  return labelProblems({{}, labels}, all);
+                                    const std::vector<DrawnLabel>& right) {
+  SceneFacts facts;
+  facts.width = facts.height = 100;
+  RunDescription run;
+  for (const DrawnLabel& each : right) {
+    ObjectFacts object;
+    object.visible_box = each.box;
+    object.X_GO = each.X_CO;
+    facts.objects.push_back(object);
+    run.objects.emplace_back();
+    run.objects.back().name = "the " + each.class_names.front();
+  }
+  return labelProblems({{}, labels}, {{}, right}, facts, run);
 }
 
 TEST(LabelChecks, FindLabelsInAnyOrder) {
   EXPECT_THAT(problemsOf({found("b", {5, 5, 7, 7}), found("a", {1, 2, 3, 4})},
-                         {expected("a", {1, 2, 3, 4.05}), expected("b", {5, 5, 7, 7})}),
+                         {found("a", {1, 2, 3, 4}), found("b", {5, 5, 7, 7})}),
               IsEmpty());
 }
 
 TEST(LabelChecks, TellHowALabelDiffers) {
-  EXPECT_THAT(problemsOf({found("a", {1, 2, 3, 4.2})}, {expected("a", {1, 2, 3, 4})}),
+  EXPECT_THAT(problemsOf({found("a", {1, 2, 3, 4.2})}, {found("a", {1, 2, 3, 4})}),
               ElementsAre("object 'the a' (a): found the box [1, 2, 3, 4.2]; it should be [1, 2, "
                           "3, 4]"));
 }
 
 TEST(LabelChecks, TellOfTwoLabelsOfOneObject) {
   EXPECT_THAT(problemsOf({found("a", {1, 2, 3, 4}), found("a", {1, 2, 3, 4})},
-                         {expected("a", {1, 2, 3, 4})}),
+                         {found("a", {1, 2, 3, 4})}),
               ElementsAre("found a label of class 'a' at [1, 2, 3, 4] that no object should have"));
 }
 
 TEST(LabelChecks, TellOfALackingLabel) {
-  EXPECT_THAT(problemsOf({}, {expected("a", {1, 2, 3, 4})}),
+  EXPECT_THAT(problemsOf({}, {found("a", {1, 2, 3, 4})}),
               ElementsAre("object 'the a' (a): has no label; it should have one"));
-  ExpectedLabel warned = expected("a", {1, 2, 3, 4});
-  warned.may_lack = true;
-  EXPECT_THAT(problemsOf({}, {warned}), IsEmpty());
 }
 
 TEST(LabelChecks, PairLabelsOfOneClassByTheirMeasures) {
   EXPECT_THAT(problemsOf({found("a", {1, 1, 2, 2}), found("a", {5, 5, 7, 7})},
-                         {expected("a", {5, 5, 7, 7}), expected("a", {1, 1, 2.5, 2})}),
+                         {found("a", {5, 5, 7, 7}), found("a", {1, 1, 2.5, 2})}),
               ElementsAre("object 'the a' (a): found the box [1, 1, 2, 2]; it should be [1, 1, "
                           "2.5, 2]"));
 }
@@ -72,9 +68,8 @@ TEST(LabelChecks, CompareMasksPixelByPixel) {
   DrawnLabel label = found("a", {0, 0, 1, 1});
   label.mask = cv::Mat(10, 20, CV_8UC1, cv::Scalar(0));
   label.mask(cv::Rect(3, 4, 5, 2)).setTo(255);
-  ExpectedLabel right = expected("a", {0, 0, 1, 1});
-  right.mask_bounds = Box{2.5, 3.5, 7.5, 5.5};
-  right.mask_pixels = 10;
+  const DrawnLabel right = label;
+  label.mask = label.mask.clone();
   EXPECT_THAT(problemsOf({label}, {right}), IsEmpty());
   label.mask.at<uchar>(4, 5) = 0;
   EXPECT_THAT(problemsOf({label}, {right}),
@@ -91,9 +86,7 @@ TEST(LabelChecks, ComparePolygonsByWhatTheyEnclose) {
   // A square of 4 with a hole of 2 that a seam cuts.
   label.polygons = {
       {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 1}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}, {0, 1}}};
-  ExpectedLabel right = expected("a", {0, 0, 1, 1});
-  right.polygon_area = 12.0;
-  right.polygon_bounds = Box{0, 0, 4, 4};
+  const DrawnLabel right = label;
   EXPECT_THAT(problemsOf({label}, {right}), IsEmpty());
   label.polygons[0][6].y = 2;
   EXPECT_THAT(problemsOf({label}, {right}), testing::SizeIs(1));
@@ -102,8 +95,7 @@ TEST(LabelChecks, ComparePolygonsByWhatTheyEnclose) {
 TEST(LabelChecks, ComparePoses) {
   DrawnLabel label = found("a", {0, 0, 1, 1});
   label.X_CO = makePose({1, 2, 3}, Eigen::Quaterniond::Identity());
-  ExpectedLabel right = expected("a", {0, 0, 1, 1});
-  right.X_CO = label.X_CO;
+  const DrawnLabel right = label;
   EXPECT_THAT(problemsOf({label}, {right}), IsEmpty());
   label.X_CO->translation().x() += 1e-4;
   EXPECT_THAT(problemsOf({label}, {right}),

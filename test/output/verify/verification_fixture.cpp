@@ -7,6 +7,7 @@
 #include "config/settings_text.h"
 #include "output/files/digest.h"
 #include "plugins/model_shapes.h"
+#include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::output {
 namespace {
@@ -24,7 +25,7 @@ class Listener : public VerificationListener {
 }  // namespace
 
 VerificationTest::VerificationTest(const std::string& format)
-    : PluginTest("synthetic_dataset/" + format) {
+    : PluginTest((format.find('/') == std::string::npos ? "synthetic_dataset/" : "") + format) {
   dataset_.classes = {{0, "cup"}, {1, "jug"}};
   for (const std::string name : {"a", "b"}) {
     ObjectInfo info;
@@ -95,7 +96,10 @@ base::SceneFacts VerificationTest::factsOf(const Scene& scene) const {
 
 void VerificationTest::commit(output::DatasetStore& store, const std::vector<Scene>& scenes) const {
   for (const Scene& each : scenes) {
-    store.commitScene(factsOf(each), host_->writeScene(each).files);
+    const output::WriterHost::SceneResult written = host_->writeScene(each);
+    output::SceneFacts facts = factsOf(each);
+    for (const std::string& warning : written.warnings) facts.warnings.push_back({warning});
+    store.commitScene(facts, written.files);
   }
 }
 
@@ -128,8 +132,9 @@ void VerificationTest::writeUnfinished(const std::vector<Scene>& scenes) {
 }
 
 std::vector<std::string> VerificationTest::problems(VerificationDepth depth) {
+  static WriterLoader writers({test::pluginXml(), test::examplePluginXml()});
   Listener listener;
-  counts_ = verifyDataset(folder_.path().string(), depth, listener);
+  counts_ = verifyDataset(folder_.path().string(), depth, listener, writers);
   remarks_ = listener.remarks;
   return listener.problems;
 }

@@ -59,5 +59,49 @@ TEST(TextDifferences, NameTheLine) {
               ElementsAre("file: found 2 lines; it should be 1"));
 }
 
+TEST(TextDifferences, TakeAPunctuationMarkForAWordsEnd) {
+  EXPECT_THAT(differencesOfText("<x>1.25</x>,b", "<x>1.05</x>,b"),
+              ElementsAre("file, line 1: found '1.25'; it should be '1.05'"));
+}
+
+TEST(TextDifferences, AreNoneBetweenTheTwoNamesOfHalfATurn) {
+  EXPECT_THAT(differencesOfText("-3.141593", "3.141593"), IsEmpty());
+  EXPECT_THAT(differencesOfText("-3.131593", "3.131593"), testing::SizeIs(1));
+}
+
+TEST(Differences, PassOverWhatNobodyKnows) {
+  Differences differences;
+  const std::string other = "a 2 z";
+  compareText("a 7 z", "a 1 z", "file", differences, &other);
+  EXPECT_TRUE(differences.empty());
+  compareText("b 7 z", "a 1 z", "file", differences, &other);
+  EXPECT_THAT(differences.lines(), ElementsAre("file, line 1: found 'b'; it should be 'a'"));
+}
+
+TEST(Differences, OfFilesAreLookedForInTheWayOfTheirKind) {
+  const auto differ = [](const std::string& found, const std::string& right,
+                         const std::string& name) {
+    Differences differences;
+    compareContents(found, right, name, differences);
+    return !differences.empty();
+  };
+  EXPECT_FALSE(differ("[1.0000000001]", "[ 1.0 ]", "x.json"));
+  EXPECT_TRUE(differ("{\"a\": 1}\n{\"a\": 2}\n", "{\"a\": 1}\n{\"a\": 3}\n", "x.jsonl"));
+  EXPECT_TRUE(differ(std::string("a\0b", 3), std::string("a\0c", 3), "x.bin"));
+}
+
+TEST(Differences, OfRecordsThatAreNoTextMayBeTheLastDigitsOfNumbers) {
+  const auto record = [](double number) {
+    std::string bytes("id\0", 3);
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+    return bytes + "end";
+  };
+  Differences differences;
+  compareRecords(record(0.30000000000000004), record(0.3), "record", differences);
+  EXPECT_TRUE(differences.empty());
+  compareRecords(record(0.31), record(0.3), "record", differences);
+  EXPECT_FALSE(differences.empty());
+}
+
 }  // namespace differences_test
 }  // namespace synthetic_dataset::formats

@@ -13,6 +13,9 @@ void preparePluginEnvironment(const std::vector<std::string>& packages = {});
 /// The plugin description of this package, as users have it.
 [[nodiscard]] std::string pluginXml();
 
+/// The plugin description of the example of another package's writer (examples/box_table_writer).
+[[nodiscard]] std::string examplePluginXml();
+
 /// The plugin description of the tests' misbehaving writers.
 [[nodiscard]] std::string testPluginXml();
 

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "output/store_types.h"
+#include "output/writers/ready_writer.h"
+
+namespace synthetic_dataset::output {
+
+/// A temporary folder with files that a writer should have made, to be read as its own are.
+class RightFiles {
+ public:
+  /// @param writer  outlives this
+  explicit RightFiles(const ReadyWriter& writer);
+  ~RightFiles();
+  RightFiles(const RightFiles&) = delete;
+  RightFiles& operator=(const RightFiles&) = delete;
+
+  /// Where a file of the writer's lies here.
+  /// @param path  absolute
+  [[nodiscard]] std::filesystem::path placeOf(const std::string& path) const;
+
+  /// Adds the files of a scene.
+  /// @throws Error when they cannot be written
+  void addScene(const SceneFiles& scene);
+
+  /// Adds a file that is right as it is.
+  /// @param path  absolute
+  void addRight(const std::string& path);
+
+  /// Adds the files of the dataset as a whole.
+  void addDataset(const SceneRecords& records);
+
+  /// All files of a scene, in alphabetical order.
+  [[nodiscard]] std::vector<std::filesystem::path> filesOf(const SceneFiles& scene) const;
+
+  [[nodiscard]] std::filesystem::path folder() const { return folder_ / "writer"; }
+
+ private:
+  const ReadyWriter& writer_;
+  std::filesystem::path folder_;
+};
+
+/// The records of one scene.
+class RecordsOfScene : public SceneRecords {
+ public:
+  /// @param records  outlive this
+  RecordsOfScene(std::int64_t scene, const std::vector<SceneFiles::Record>& records)
+      : scene_(scene), records_(records) {}
+
+  void forEach(const std::string& channel,
+               const std::function<void(std::int64_t scene_index, const std::string& record)>&
+                   visit) const override;
+
+ private:
+  std::int64_t scene_;
+  const std::vector<SceneFiles::Record>& records_;
+};
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,138 @@
+#include "output/verify/scene_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "base/image/image_encoder.h"
+#include "output/files/digest.h"
+#include "plugins/readback/files.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+using formats::DepthNumbers;
+
+constexpr const char* kUnknown = "the manifest does not say what is in it";
+
+bool areSamePixels(const cv::Mat& one, const cv::Mat& other) {
+  return one.data == other.data && one.size() == other.size() && one.type() == other.type();
+}
+
+/// Calls visit(square, cell) for each square of which the depths' sum, least and greatest are
+/// known.
+template <class Visit>
+void forEachCell(const cv::Size& size, const std::vector<float>& cells, const Visit& visit) {
+  std::size_t at = 0;
+  for (int top = 0; top < size.height; top += kDepthCell) {
+    for (int left = 0; left < size.width && at + 3 <= cells.size(); left += kDepthCell, at += 3) {
+      visit(cv::Rect(left, top, std::min(kDepthCell, size.width - left),
+                     std::min(kDepthCell, size.height - top)),
+            &cells[at]);
+    }
+  }
+}
+
+/// What is wrong with a depth image of which the sum of each square is known: a wrong depth is seen
+/// that adds more to it than rounding can.
+/// @param depth  of one channel; 0 for no depth
+std::string depthProblem(const cv::Mat& depth, const DepthNumbers& numbers,
+                         const std::vector<float>& cells) {
+  constexpr double kSingle = 1e-6;  // of sums in single precision
+  std::string problem;
+  forEachCell(depth.size(), cells, [&](const cv::Rect& square, const float* cell) {
+    const double right = cell[0];
+    // What is behind the camera or farther than a pixel can say has no depth in the file.
+    if (!problem.empty() || cell[1] < 0.0F || cell[2] > numbers.greatest) return;
+    const double found = numbers.unit * cv::sum(depth(square))[0];
+    const double rounding = numbers.rounding * cv::countNonZero(depth(square));
+    if (std::abs(found - right) <= rounding + kSingle * (1.0 + right)) return;
+    problem = "found depths of " + std::to_string(found) + " m together in the square at " +
+              std::to_string(square.x) + ", " + std::to_string(square.y) + "; it should be " +
+              std::to_string(right);
+  });
+  return problem;
+}
+
+/// Puts what is too far for the file's numbers where the file has nothing, so that a writer finds
+/// that it is too far.
+void addTooFar(cv::Mat& depth, const DepthNumbers& numbers, const std::vector<float>& cells) {
+  forEachCell(depth.size(), cells, [&](const cv::Rect& square, const float* cell) {
+    if (cell[2] <= numbers.greatest) return;
+    cv::Mat_<float> part = depth(square);
+    const auto nothing = std::find(part.begin(), part.end(), 0.0F);
+    if (nothing != part.end()) *nothing = cell[2];
+  });
+}
+
+}  // namespace
+
+void ScenePictures::give(Scene& scene, Filling filling) const {
+  const cv::Size size(scene.camera.width(), scene.camera.height());
+  const auto picture = [&](const char* name, int type, const cv::Scalar& nothing,
+                           const cv::Scalar& something) {
+    const auto known = known_.find(name);
+    if (known != known_.end()) return known->second;
+    return cv::Mat(size, type, filling == Filling::kNothing ? nothing : something);
+  };
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  scene.image = picture("image", CV_8UC3, cv::Scalar::all(0), cv::Scalar(30, 77, 140));
+  scene.depth = picture("depth", CV_32FC1, cv::Scalar(0), cv::Scalar(1));
+  scene.normals = picture("normals", CV_32FC3, cv::Scalar::all(0), cv::Scalar(0, 0, -1));
+  scene.optical_flow =
+      picture("optical_flow", CV_32FC2, cv::Scalar::all(kNone), cv::Scalar(1.5, -2.5));
+}
+
+std::optional<std::string> ScenePictures::nameOf(const cv::Mat& pixels, const Scene& scene) {
+  if (pixels.empty()) return std::nullopt;
+  if (areSamePixels(pixels, scene.image)) return "image";
+  if (areSamePixels(pixels, scene.depth())) return "depth";
+  if (areSamePixels(pixels, scene.normals())) return "normals";
+  if (areSamePixels(pixels, scene.optical_flow())) return "optical_flow";
+  return std::nullopt;
+}
+
+std::string ScenePictures::take(const std::string& picture, const std::string& file) {
+  if (base::imageFormat(file) == base::ImageFormat::kJpeg) {
+    return problemOf(picture + ".jpg", digestOf(formats::readText(file)));
+  }
+  cv::Mat pixels = formats::readPicture(file, cv::IMREAD_UNCHANGED);
+  std::string problem = problemOf(picture, digestOfPixels(pixels));
+  if (problem.empty()) known_.emplace(picture, std::move(pixels));
+  return problem;
+}
+
+std::string ScenePictures::take(const formats::DecodedPicture& picture) {
+  const PictureFacts* depth = factsOf("depth");
+  const bool is_depth = picture.name == "depth";
+  const cv::Size size(facts_.width, facts_.height);
+  if (picture.stored.size() != size || (is_depth && depth == nullptr)) return kUnknown;
+  std::string problem = picture.stored_as.empty()
+                            ? depthProblem(picture.stored, picture.numbers, depth->cells)
+                            : problemOf(picture.stored_as, digestOfPixels(picture.stored));
+  if (!problem.empty() || isKnown(picture.name)) return problem;
+  cv::Mat& pixels = known_[picture.name] = picture.pixels;
+  if (is_depth) addTooFar(pixels, picture.numbers, depth->cells);
+  return "";
+}
+
+const PictureFacts* ScenePictures::factsOf(const std::string& picture) const {
+  for (const PictureFacts& each : facts_.known_pictures) {
+    if (each.name == picture) return &each;
+  }
+  return nullptr;
+}
+
+std::string ScenePictures::problemOf(const std::string& picture, const std::string& digest) const {
+  const PictureFacts* right = factsOf(picture);
+  if (right == nullptr) return kUnknown;
+  if (right->digest == digest) return "";
+  return "its pixels are not those of the scene's " + picture;
+}
+
+}  // namespace synthetic_dataset::output

@@ -1,0 +1,82 @@
+#include "output/writers/ready_writer.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+
+#include "output/writers/writer_outputs.h"
+#include "synthetic_dataset/errors.h"
+
+namespace synthetic_dataset::output {
+namespace {
+
+/// While it lives, a writer is at work. A plugin that ends the program meanwhile, by `exit`, is
+/// named on the standard error, and the exit code is 1: a run that has not come to its end must not
+/// look like one that has.
+class WriterAtWork {
+ public:
+  /// @param name  of the writer; it outlives this
+  explicit WriterAtWork(const std::string& name);
+  ~WriterAtWork();
+  WriterAtWork(const WriterAtWork&) = delete;
+  WriterAtWork& operator=(const WriterAtWork&) = delete;
+};
+
+/// Whoever calls `exit` leaves nothing else that knows.
+std::atomic<const std::string*> writer_at_work{nullptr};
+
+void refuseExit() {
+  const std::string* writer = writer_at_work.load();
+  if (writer == nullptr) return;  // the program comes to its own end
+  std::fprintf(stderr,
+               "writer '%s': its plugin has ended the program by a call of exit(); the dataset is "
+               "unfinished, and the same command goes on with it\n",
+               writer->c_str());
+  std::fflush(nullptr);
+  _exit(EXIT_FAILURE);
+}
+
+void watchExits() {
+  static const bool is_watching = [] {
+    return std::atexit(refuseExit) == 0 && std::at_quick_exit(refuseExit) == 0;
+  }();
+  (void)is_watching;
+}
+
+WriterAtWork::WriterAtWork(const std::string& name) {
+  watchExits();
+  writer_at_work = &name;
+}
+
+WriterAtWork::~WriterAtWork() { writer_at_work = nullptr; }
+
+}  // namespace
+
+ReadyWriter::ReadyWriter(WriterLoader& loader, const WriterOptions& choice,
+                         const DatasetInfo& dataset)
+    : type_(choice.type), parameters_(choice.parameters, choice.name, choice.output_folder) {
+  try {
+    instance_ = loader.create(choice.type);
+  } catch (const Error& error) {
+    throw Error("writer '" + choice.name + "': " + error.what());
+  }
+  const WriterAtWork at_work(choice.name);
+  // These name the writer themselves when they fail.
+  instance_->initialize(parameters_, dataset);
+  requirements_ = instance_->requirements();
+}
+
+void ReadyWriter::writeScene(const Scene& scene, std::size_t index, SceneResult& result) const {
+  GatheringSceneOutput output(index, parameters_, result.files, result.warnings);
+  const WriterAtWork at_work(parameters_.writerName());
+  instance_->writeScene(scene, output);
+}
+
+void ReadyWriter::finalize(const SceneRecords& records, DatasetOutput& output) const {
+  const WriterAtWork at_work(parameters_.writerName());
+  instance_->finalize(records, output);
+}
+
+}  // namespace synthetic_dataset::output
