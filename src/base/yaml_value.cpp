@@ -21,8 +21,8 @@ namespace {
 
 constexpr int kDeepestNesting = 64;
 
-/// How many values and letters a text may grow to by its aliases, which multiply: so many times its
-/// own length, but a short one to this much.
+/// How many values and letters a text may grow to by its aliases, which multiply: this many times
+/// its own length, but a short one to this much.
 constexpr std::size_t kMostGrowth = 16;
 constexpr std::size_t kSmallContent = 1U << 20U;
 

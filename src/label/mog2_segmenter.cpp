@@ -12,7 +12,7 @@ void Mog2Segmenter::train(const cv::Mat& background) {
 
 cv::Mat Mog2Segmenter::segment(const cv::Mat& image, const cv::Rect& region) {
   if (background_.empty()) throw Error("the background subtractor was used before it was trained");
-  constexpr int kTile = 64;  // [px]; smaller ones look at less in vain, but each is a call
+  constexpr int kTile = 64;  // [px]; smaller ones waste fewer pixels, but each takes a call
   constexpr double kLearnNothing = 0.0;
   const cv::Rect whole(cv::Point(), background_.size());
   cv::Mat mask = cv::Mat::zeros(region.size(), CV_8UC1);

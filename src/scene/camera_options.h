@@ -63,7 +63,7 @@ struct CameraOptions {
   std::optional<std::string> on;                    ///< the object that it is mounted on
   std::optional<randomize::CameraSampling> sample;  ///< drawn for each scene instead
   bool rectified = false;
-  double focal_scale = 1.0;  ///< both focal lengths are so many times those of the calibration
+  double focal_scale = 1.0;  ///< factor of both of the calibration's focal lengths
   std::optional<Pose> X_FD;  ///< of the true optical frame (D) in the one that TF has
   StereoFrame stereo_frame = StereoFrame::kAuto;
   std::optional<double> near;  ///< [m]; none: as the world has it of its `sensor`

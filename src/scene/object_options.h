@@ -41,7 +41,7 @@ struct ObjectOptions {
   std::vector<Eigen::Vector3d> keypoints_O;
   std::vector<std::string> keypoint_names;           ///< none: numbers
   std::vector<std::array<std::size_t, 2>> skeleton;  ///< pairs of keypoints, from 0
-  int farthest_points = 0;  ///< so many keypoints are chosen on the model instead; 0: as given
+  int farthest_points = 0;  ///< how many keypoints are chosen on the model instead; 0: as given
   LinkGroups parts;         ///< of its links
   std::vector<Eigen::Vector3d> bounding_shape_O;  ///< none: the model's own box
   std::optional<double>

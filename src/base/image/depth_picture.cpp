@@ -42,7 +42,7 @@ cv::Mat ofMillimetres(const cv::Mat& numbers) {
   return depth;
 }
 
-/// Rows of pixels of which each has so many bytes, in this machine's byte order.
+/// Rows of pixels with this many bytes each, in this machine's byte order.
 cv::Mat rowsOf(const RawPicture& picture, int type) {
   cv::Mat pixels(static_cast<int>(picture.height), static_cast<int>(picture.width), type);
   const std::size_t size = pixels.elemSize();

@@ -15,7 +15,7 @@ namespace {
 
 using Results = std::vector<std::optional<std::string>>;
 
-/// Every so many pieces, from one on: large ones often stand together.
+/// Every n-th piece from one on, as large ones often stand together.
 struct Share {
   const std::vector<SandboxedWork>& pieces;
   std::size_t first;

@@ -31,7 +31,7 @@ constexpr int kError = 2;
 
 constexpr int kPipeSize = 1 << 20;  // [byte]; the kernel's default is a sixteenth of it
 
-/// A child that waits, and uses no processor time, gets so many times its limit.
+/// A child that waits without using processor time gets this many times its limit.
 constexpr unsigned kPatience = 4;
 
 /// How often a child is started anew that waits without using the processor.

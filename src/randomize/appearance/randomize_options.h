@@ -61,7 +61,7 @@ struct ObjectRandomization {
   std::optional<base::TextChoice> model;    ///< absolute paths or URIs, instead of its own; of a
                                             ///< folder that holds models, one of them
   std::optional<base::Distribution> scale;  ///< times the model's size, > 0
-  int sizes = 8;  ///< so many are made of what `scale` draws, unless that is a few values
+  int sizes = 8;  ///< how many sizes are made of what `scale` draws, unless that is a few values
 };
 
 /// What is drawn anew of a camera's sensor and lens; nothing: as `effects` and the calibration have

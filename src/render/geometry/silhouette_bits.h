@@ -12,7 +12,7 @@
 namespace synthetic_dataset::render {
 
 /// Which bit of a stencil buffer each object sets where it is drawn, whatever hides it: so one
-/// drawing of all of them tells the silhouette of each.
+/// drawing of all of them gives the silhouette of each.
 ///
 /// Objects that are apart in the picture share a bit. One without a bit, because there is none left
 /// or because of how it is drawn, is drawn by itself.

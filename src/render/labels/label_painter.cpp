@@ -49,7 +49,7 @@ cv::Mat normalsOf(const LensSight& sight) {
   return normals;
 }
 
-/// What a look through a lens tells of labels.
+/// Labels from a view through a lens.
 LabelImages labelsOf(const LensSight& sight, const DrawList& draw_list, const LabelPass& pass) {
   LabelImages labels =
       labelsOf({sight.items, sight.distance, {}}, draw_list, Intrinsics(), {{}, pass.links});

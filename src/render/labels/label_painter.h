@@ -23,7 +23,7 @@ struct LabelPass {
   bool range = false;    ///< whether LabelImages::range is made
 };
 
-/// What geometry tells of labels.
+/// Labels that follow from geometry.
 /// @param images  of the whole picture
 /// @param pass  without normals
 [[nodiscard]] LabelImages labelsOf(const GeometryImages& images, const DrawList& draw_list,

@@ -199,7 +199,7 @@ void SilhouettePainter::addBesideTheImage(const Subject& subject, const View& vi
   }
 }
 
-/// All that lies beyond the canvas, in so many cells that they reach the bounds.
+/// Adds what lies beyond the canvas, in enough cells to reach the bounds.
 void SilhouettePainter::addFarAway(const Subject& subject, const View& view, const Box& bounds,
                                    Tally& tally) {
   const auto edgeBefore = [](double place) { return std::floor(place + 0.5) - 0.5; };

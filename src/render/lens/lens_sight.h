@@ -17,7 +17,7 @@
 
 namespace synthetic_dataset::render {
 
-/// A triangle of an item, in the frame of whoever looks at it.
+/// A triangle of an item, in the viewer's frame.
 class FacedTriangle {
  public:
   /// @param vertices  of the mesh

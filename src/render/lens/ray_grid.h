@@ -19,7 +19,7 @@ struct PlacedRay {
 /// Rays in the order of the cells in which they meet a plane, so that those that a triangle may
 /// cover lie together, some of them in each row of cells.
 struct RayGrid {
-  /// Beyond the last ray there are so many without a place, for what is worked on side by side.
+  /// The number of rays without a place behind the last one, as lanes are worked on together.
   static constexpr int kSpare = 4;
 
   Intrinsics intrinsics;  ///< of the plane, in cells

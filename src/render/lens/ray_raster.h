@@ -40,7 +40,7 @@ struct RaySights {
 /// rays' places alone.
 class RayRaster {
  public:
-  /// A ray's place on a triangle of an item, for whoever knows where its texture has holes.
+  /// A ray's place on a triangle of an item, to look up holes in its texture.
   struct Place {
     std::array<Eigen::Vector3f, 3> corners_F;  ///< in the face's frame
     std::array<std::uint32_t, 3> vertices;     ///< of the mesh

@@ -15,7 +15,7 @@ struct Occluders {
   cv::Mat rays = {};  ///< as of SeenSurfaces; empty for those of a pinhole
 };
 
-/// A surface's light depends on what is seen up to so many pixels away from it.
+/// How many pixels away what is seen affects a surface's light.
 [[nodiscard]] int occlusionReach(const cv::Size& image);
 
 /// The same of single pixels: what is seen farther away has no part in them.

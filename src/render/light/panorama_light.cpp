@@ -31,7 +31,7 @@ double angleOfShare(double share, double alpha) {
   return 2.0 * std::atan(alpha * std::sqrt(share / (1.0 - share)));
 }
 
-/// The angles from the axis that cut the lobe into so many rings of equal weight; the first is 0,
+/// The angles from the axis that cut the lobe into rings of equal weight; the first is 0,
 /// the last a right angle.
 std::vector<double> ringsOf(double alpha, int count) {
   constexpr int kPlaces = 4096;

@@ -18,7 +18,7 @@ namespace synthetic_dataset::render {
   return wide;
 }
 
-/// At least so many values: from a row's, where as many are left, else with zeros behind the last.
+/// At least this many values of a row, with zeros behind the last one if too few are left.
 /// @param room  for them; has to outlive the result
 template <std::size_t count, class Value>
 [[nodiscard]] const Value* atLeast(const Value* values, int left, std::array<Value, count>& room) {

@@ -23,7 +23,7 @@ inline constexpr int kCoarseBand = 64;
 /// @param distance  how far in columns and rows
 [[nodiscard]] cv::Mat withPixelsAround(const cv::Mat& pixels, int distance = 1);
 
-/// With so many pixels more on each side.
+/// With this many more pixels on each side.
 [[nodiscard]] cv::Rect grown(const cv::Rect& rectangle, int distance);
 
 /// Around all of them; empty for none.

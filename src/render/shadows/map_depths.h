@@ -15,7 +15,7 @@ struct MapPiece {
   cv::Mat depths;  ///< CV_32FC1: of what is nearest to the light, of what moves at least
 };
 
-/// The depths of a shadow map as they were for one picture, for whoever finishes it, in any thread.
+/// The depths of a shadow map as they were for one picture; used to finish it in any thread.
 ///
 /// What never moves is the same in all pictures, and what moves is small. It is put onto one
 /// common map, the same from picture to picture, so that what a processor looks up stays in its

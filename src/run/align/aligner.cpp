@@ -25,7 +25,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// The world is moved on by so much after each scene, so that its optical flow shows how all moves.
+/// How far the world advances after each scene, so that optical flow shows all motion.
 constexpr Duration kProbe = std::chrono::milliseconds(5);
 constexpr double kVagueTime = 0.01;  // [s] beyond this standard deviation the estimate says nothing
 constexpr int kMostRounds = 12;

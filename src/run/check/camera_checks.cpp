@@ -55,7 +55,7 @@ std::optional<std::string> groundAbove(const world::World& world, const Eigen::V
   return std::nullopt;
 }
 
-/// What is so near before most of the lens that there is little else to see.
+/// What covers most of the lens from so near that little else is visible.
 std::optional<std::string> modelBefore(const NamedRays& rays, const Scene& scene) {
   constexpr double kNear = 0.15;  // [m]
   constexpr int kSteps = 5;       // a side of a grid of pixels

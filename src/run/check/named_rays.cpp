@@ -44,7 +44,7 @@ std::set<std::size_t> NamedRays::crossedOddly(const Eigen::Vector3d& p_G,
                                               const Eigen::Vector3d& direction_G) const {
   constexpr double kFar = 1000.0;    // [m]
   constexpr double kPast = 1e-4;     // the surface that was met [m]
-  constexpr int kMostSurfaces = 64;  // so many behind one another do not enclose anything
+  constexpr int kMostSurfaces = 64;  // this many behind one another do not enclose anything
   std::map<std::size_t, int> crossings;
   Eigen::Vector3d from_G = p_G;
   for (int i = 0; i < kMostSurfaces; ++i) {

@@ -25,7 +25,7 @@ namespace synthetic_dataset::run {
 /// The least time that there may be from one scene to the next.
 [[nodiscard]] Duration shortestPeriod(const config::Config& config);
 
-/// Keeps so many of the scenes, evenly spread over a recording, else the first ones.
+/// Keeps this many scenes, evenly spread over a recording, else the first ones.
 /// @param count  at most as many as there are
 void thinOut(motion::Timeline& timeline, std::int64_t count);
 

@@ -65,7 +65,7 @@ void noteIdleShutters(RunSetup& setup) {
   }
 }
 
-/// Nobody means to be so many times off.
+/// A larger factor than this is never meant.
 constexpr double kStrange = 4.0;
 
 double diagonal(const Cuboid& box) { return box.size().norm(); }

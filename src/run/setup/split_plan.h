@@ -11,7 +11,7 @@
 
 namespace synthetic_dataset::run {
 
-/// Behind which time each of the shares' blocks ends, of so many.
+/// The end (exclusive) of each of the shares' blocks of times.
 [[nodiscard]] std::vector<std::int64_t> blockEnds(const config::SplitConfig& config,
                                                   std::int64_t instant_count);
 

@@ -18,7 +18,7 @@ namespace {
 using Errors = std::vector<std::string>;
 using Warnings = std::vector<std::string>;
 
-/// A matrix of so many numbers.
+/// A matrix with this many numbers.
 template <std::size_t kSize>
 std::optional<std::array<double, kSize>> readMatrix(Parameters& root, const std::string& name) {
   const auto numbers = root.maybe<std::vector<double>>(name);

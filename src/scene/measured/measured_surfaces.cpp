@@ -29,7 +29,7 @@ constexpr const char* kInfoSetting = "twin/depth_info_topic: ";
 struct Measurements {
   std::vector<Stamp> times;  ///< ascending
   std::vector<std::string> frames;
-  Duration longest{0};  ///< so near to a scene one has to be
+  Duration longest{0};  ///< largest distance from a scene
 
   /// The one that is nearest to a time, whatever its distance; there is at least one.
   [[nodiscard]] std::size_t nearestTo(Stamp time) const {

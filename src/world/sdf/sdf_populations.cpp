@@ -18,7 +18,7 @@ namespace synthetic_dataset::world {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
-constexpr double kMostModels = 10000.0;
+constexpr double kMostPopulated = 10000.0;
 
 /// Three numbers of 0 .. 1 for each model.
 using Draw = std::function<Eigen::Vector3d(std::size_t index)>;
@@ -39,7 +39,7 @@ Eigen::Vector3d evenly(std::size_t index) {
 std::optional<std::size_t> readCount(const Element& parent, const char* name,
                                      const SourceLocation& location, SdfReading& reading) {
   const double count = readNumber(parent, name, 0.0, location, reading);
-  if (count >= 1.0 && count <= kMostModels) return static_cast<std::size_t>(count);
+  if (count >= 1.0 && count <= kMostPopulated) return static_cast<std::size_t>(count);
   reading.findings.addNote(location, std::string(name) + ": found " + shortText(count) +
                                          "; it should be 1 to 10000; the population is left out");
   return std::nullopt;
@@ -73,7 +73,7 @@ class PopulationReader {
     const auto rows = readCount(distribution, "rows", location_, reading_);
     const auto columns = readCount(distribution, "cols", location_, reading_);
     if (!rows || !columns) return {};
-    if (static_cast<double>(*rows) * static_cast<double>(*columns) > kMostModels) {
+    if (static_cast<double>(*rows) * static_cast<double>(*columns) > kMostPopulated) {
       note("of " + std::to_string(*rows) + " x " + std::to_string(*columns) +
            " models is more than 10000");
       return {};

@@ -8,7 +8,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-bool isBlank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+bool isXmlBlank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 /// The text without its declarations; what they span is blanked, as lines are counted.
 std::string withoutDeclarations(std::string text) {
@@ -67,10 +67,10 @@ class Quoter {
 
   void copyEquals() {
     copy(1);
-    while (at_ < text_.size() && isBlank(text_[at_])) copy(1);
+    while (at_ < text_.size() && isXmlBlank(text_[at_])) copy(1);
     if (at_ == text_.size() || text_[at_] == '"' || text_[at_] == '\'') return;
     result_ += '"';
-    while (at_ < text_.size() && !isBlank(text_[at_]) && text_[at_] != '>' &&
+    while (at_ < text_.size() && !isXmlBlank(text_[at_]) && text_[at_] != '>' &&
            text_.substr(at_, 2) != "/>") {
       copy(1);
     }

@@ -17,7 +17,7 @@ using Eigen::Vector4f;
 
 constexpr int kMostPoints = 1025;  // on a side: two million triangles in all
 
-/// How many points a side of so many pixels has.
+/// The number of points on a side with this many pixels.
 int pointsOf(int pixels, unsigned sampling) {
   const double points = (pixels - 1.0) * std::max(1U, sampling) + 1.0;
   return static_cast<int>(std::min<double>(points, kMostPoints));

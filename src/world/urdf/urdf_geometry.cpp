@@ -31,7 +31,7 @@ fs::path folderFor(const std::string& kind, const std::string& uri, const ModelT
 }
 
 /// Reads one geometry. @throws Error with what is wrong with it
-struct GeometryReader {
+struct UrdfGeometryReader {
   UrdfReading& reading;
 
   UrdfGeometry read(const urdf::Geometry& geometry) const {
@@ -80,7 +80,7 @@ struct GeometryReader {
 };
 
 /// The triangles of each kind of geometry in their materials.
-struct SurfaceMaker {
+struct UrdfSurfaceMaker {
   const std::optional<Material>& gazebo_material;
   const std::optional<Material>& urdf_material;
   const SourceLocation& location;
@@ -120,7 +120,7 @@ struct SurfaceMaker {
   }
 };
 
-struct ShapeMaker {
+struct UrdfShapeMaker {
   UrdfReading& reading;
 
   Shape operator()(const BoxShape& box) const { return box; }
@@ -170,11 +170,12 @@ std::optional<Visual> readUrdfVisual(const urdf::Visual& visual, const std::stri
   result.name = name;
   result.X_LV = toPose(visual.origin, here, reading);
   try {
-    const UrdfGeometry geometry = GeometryReader{reading}.read(*visual.geometry);
+    const UrdfGeometry geometry = UrdfGeometryReader{reading}.read(*visual.geometry);
     std::optional<Material> material;
     if (visual.material && !gazebo_material) material = toMaterial(*visual.material, reading);
     if (material && material->diffuse.w() == 0.0F) return std::nullopt;  // made to be invisible
-    result.surfaces = std::visit(SurfaceMaker{gazebo_material, material, here, reading}, geometry);
+    result.surfaces =
+        std::visit(UrdfSurfaceMaker{gazebo_material, material, here, reading}, geometry);
   } catch (const Error& error) {
     reading.findings.addMissing(here, error.what());
     return std::nullopt;
@@ -191,7 +192,7 @@ std::optional<Collision> readUrdfCollision(const urdf::Collision& collision,
   result.X_LC = toPose(collision.origin, here, reading);
   try {
     result.shape =
-        std::visit(ShapeMaker{reading}, GeometryReader{reading}.read(*collision.geometry));
+        std::visit(UrdfShapeMaker{reading}, UrdfGeometryReader{reading}.read(*collision.geometry));
   } catch (const Error& error) {
     reading.findings.addMissing(here, error.what());
     return std::nullopt;

@@ -28,7 +28,7 @@ Pose at(double x, double y, double z) {
 std::vector<int> bitsOf(const Stage& stage) {
   const OsmesaContext context;
   const DrawList draw_list(context.gl(), stage.links(), world::Simulator::kGz);
-  const SilhouetteBits bits(items, kView, stage.poses(), stage.all());
+  const SilhouetteBits bits(draw_list, kView, stage.poses(), stage.all());
   std::vector<int> result;
   for (const DrawItem& item : draw_list.items()) result.push_back(bits.of(item));
   return result;
