@@ -55,9 +55,8 @@ bool startNode(int argc, char** argv) {
 
 /// All settings, for people or for editors.
 std::string settingsText(bool as_json) {
-  const std::string& document = programs::settingsDocument();
-  if (!as_json) return document;
-  return base::jsonText(programs::settingsSchema(programs::documentedSettings(document))) + "\n";
+  if (!as_json) return programs::settingsDocument();
+  return base::jsonText(programs::settingsSchema()) + "\n";
 }
 
 /// How a run ended, for scripts: the last line on stdout.
@@ -103,7 +102,7 @@ int generateHere(const Value& settings, const programs::CommandLine& command_lin
   return kDone;
 }
 
-/// Whether something is odd is no failure, but scripts may want to know.
+/// Something odd is not a failure, but scripts may want to know.
 int check(const Value& settings, const programs::CommandLine& command_line) {
   const bool is_fine = programs::checkAndPrint(settings, command_line.out.value_or("."), std::cout);
   return is_fine ? kDone : kOdd;

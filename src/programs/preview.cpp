@@ -33,7 +33,7 @@ settings are those of `generate`; the parameter `settings_file` names the file t
 Services: step, step_back, play, pause, reload. Exit codes: 0 ROS shut down, 1 it could not start.
 )";
 
-/// The node's own parameters are no settings of the run.
+/// The node's own parameters are not settings of the run.
 synthetic_dataset::Value readSettings() {
   using synthetic_dataset::Value;
   Value settings =

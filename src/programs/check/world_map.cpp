@@ -68,7 +68,7 @@ Eigen::AlignedBox2d extentOf(const std::vector<Way>& ways,
   return extent;
 }
 
-/// With what is around it of the world, as far as that is no more than as large again.
+/// The extent with what is near it of the static world, as far as a margin around it reaches.
 Eigen::AlignedBox2d withSurroundings(Eigen::AlignedBox2d extent, const world::World& world) {
   const double margin = std::max(3.0, 0.6 * extent.diagonal().norm());
   Eigen::AlignedBox2d most(extent.min() - Eigen::Vector2d(margin, margin),

@@ -64,7 +64,7 @@ class Parser {
     if (startsWith(argument, "-") || sign == std::string::npos) {
       throw Error("found '" + argument + "', which is neither an option nor name:=value");
     }
-    // roslaunch passes every node its name and log file; they are no settings.
+    // roslaunch passes every node its name and log file; they are not settings.
     if (startsWith(argument, "__")) return;
     if (sign == 0) throw Error("found '" + argument + "'; a name should stand before ':='");
     result_.settings.emplace_back(argument.substr(0, sign), argument.substr(sign + 2));

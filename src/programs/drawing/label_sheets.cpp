@@ -82,7 +82,7 @@ std::vector<LabelSheets::Panel> LabelSheets::panelsOf(std::int64_t scene) {
       if (!labels.image.empty()) panels.back().picture = formats::drawLabels(labels);
     } catch (const std::exception& error) {
       if (is_one_) throw;
-      // Of a run that was stopped, formats with files of the dataset as a whole cannot be read.
+      // After a run that was stopped, formats with files of the whole dataset cannot be read.
       const std::string message = "left out '" + writer.name + "': " + error.what();
       if (warned_.insert(message).second) warn_(message);
     }

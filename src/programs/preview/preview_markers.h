@@ -11,7 +11,7 @@
 /// What RViz shows of a preview, in the global frame.
 namespace synthetic_dataset::programs {
 
-/// Of each labelled object its box and its name, its keypoints (green where they are seen) and its
+/// For each labelled object its box and its name, its keypoints (green where they are seen) and its
 /// bounding shape's points; what was shown before goes first.
 /// @param scene  with visibility or visible masks, and with keypoint states
 [[nodiscard]] visualization_msgs::MarkerArray labelMarkers(const Scene& scene,

@@ -30,6 +30,16 @@ function defaultOf(path, options) {
   return typeof value === 'string' ? value : printFlow(value);
 }
 
+export function unitOf(path, options) {
+  const unit = options.unit ?? parameter(path)?.unit;
+  return unit ? h('span', {class: 'unit'}, ` [${unit}]`) : null;
+}
+
+function noteOf(path, source) {
+  if (source === 'included') return 'included';
+  return source !== 'here' && parameter(path)?.required ? 'required' : '';
+}
+
 // `control(props)` makes the element that is labelled; `props` has its id and its descriptions.
 function field(path, options, control) {
   const id = idOf(path);
@@ -47,10 +57,10 @@ function field(path, options, control) {
     role: isGroup ? 'group' : null, 'aria-labelledby': isGroup ? `${id}-label` : null,
   },
   h('div', {class: 'field-head'},
-    h(isGroup ? 'span' : 'label', {class: 'field-label', id: `${id}-label`, for: isGroup ? null : id},
+    h(isGroup ? 'span' : 'label', {class: 'field-label', id: `${id}-label`, 'for': isGroup ? null : id},
       options.label ?? String(path.at(-1)),
-      options.unit && h('span', {class: 'unit'}, ` [${options.unit}]`)),
-    h('span', {class: 'source', title: SOURCES[source]}, {included: 'included', default: parameter(path)?.text?.startsWith('REQUIRED') ? 'required' : ''}[source]),
+      unitOf(path, options)),
+    h('span', {class: 'source', title: SOURCES[source]}, noteOf(path, source)),
     resetButton(path, options)),
   h('div', {class: 'control'}, control(props)),
   h('p', {class: 'hint', id: `${id}-hint`, title: text.length > 150 ? text : null, onclick: unfold}, withCode(text)),
@@ -124,6 +134,7 @@ function valueOfText(text) {
     }
 }
 
+// options.slider: with a slider over the whole range.
 export function numberField(path, options = {}) {
     return field(path, options, (props) => {
       const input = h('input', {
@@ -138,7 +149,8 @@ export function numberField(path, options = {}) {
         onchange: (event) => setFromText(path, event.target.value),
         onkeydown: (event) => stepByKey(event, path, options.step ?? 1),
       });
-      return options.range ? [input, slider(path, options)] : input;
+      const range = options.range ?? (options.slider ? parameter(path)?.range : null);
+      return range ? [input, slider(path, {...options, range})] : input;
     });
 }
 
@@ -174,9 +186,9 @@ function slider(path, {range: [low, high], step, label, fallback}) {
     });
 }
 
-// `choices`: texts, or [value, label] pairs. Few of them are buttons, many a list.
+// `choices`: texts, or [value, label] pairs; null: as documented. Few of them are buttons, many a list.
 export function choiceField(path, choices, options = {}) {
-    const pairs = choices.map((each) => (Array.isArray(each) ? each : [each, String(each)]));
+    const pairs = (choices ?? parameter(path)?.choices ?? []).map((each) => (Array.isArray(each) ? each : [each, String(each)]));
     const value = effective(path) ?? options.fallback ?? parameter(path)?.default;
     const choose = options.choose ?? ((chosen) => set(path, chosen));
     if (pairs.length > 4) {

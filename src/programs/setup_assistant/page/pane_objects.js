@@ -77,7 +77,7 @@ function removeObject(name) {
   change(changes);
 }
 
-// Frames that look like robots and are no objects yet.
+// Frames that look like robots and are not objects yet.
 function found() {
   const free = candidates();
   if (!free.length) return null;
@@ -106,7 +106,6 @@ function object(name) {
           textField([name, 'id'], {label: 'Id'})),
         isPlaced ? numberField([name, 'safety_radius'], {
           label: 'Distance that others keep',
-          unit: 'm',
           range: [0, 3],
           step: 0.05,
           fallback: known ? 'by its size' : ''
@@ -212,12 +211,12 @@ function classes() {
       'Classes, and which objects get labels', [['classes'], ['world_classes'], ['labels']],
       flowField(['classes'], {label: 'Order of the classes'}),
       flowField(['world_classes'], {label: 'Classes of the world'}),
-      numberField(['labels', 'min_visibility'], {label: 'Least visible share', range: [0, 1], step: 0.01, fallback: 0}),
+      numberField(['labels', 'min_visibility'], {label: 'Least visible share', slider: true, step: 0.01, fallback: 0}),
       numberField(
           ['labels', 'min_pixels'],
-          {label: 'Fewest visible pixels', unit: 'px', range: [0, 400], step: 1, fallback: 'one, mostly'}),
+          {label: 'Fewest visible pixels', range: [0, 400], step: 1, fallback: 'one, mostly'}),
       numberField(
-          ['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', unit: 'm', step: 0.005}),
+          ['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', step: 0.005}),
       choiceField(
           ['labels', 'glass'], [['objects', 'of objects'], ['solid', 'all'], ['clear', 'none']],
           {label: 'Glass that hides what is behind it'}));

@@ -91,7 +91,7 @@ function slider() {
       oninput: (event) => show({instant: Number(event.target.value)}),
     }),
     h('button', {type: 'button', class: 'quiet', 'aria-label': 'Later scene', disabled: instant >= instants - 1, onclick: () => show({instant: instant + 1})}, '\u203a'),
-    h('output', {class: 'time-text', for: 'time'}, instants ? `${instant} / ${instants - 1}` : '',
+    h('output', {class: 'time-text', 'for': 'time'}, instants ? `${instant} / ${instants - 1}` : '',
       h('span', {}, Number.isFinite(seconds) ? `${fixed(seconds)} s` : '')));
 }
 
