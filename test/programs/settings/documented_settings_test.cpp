@@ -153,7 +153,7 @@ TEST(SettingsDocument, HasTheDefaultsThatTheReadersHave) {
     }
     ++count;
   }
-  EXPECT_GT(count, 20);
+  EXPECT_GT(count, 15);
 }
 
 TEST(DeclaredSettings, HaveRangesAndChoices) {

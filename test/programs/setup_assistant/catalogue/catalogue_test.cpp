@@ -63,7 +63,8 @@ TEST(FormatList, HasATableWithEverySettingThatAWriterDeclares) {
   const Value list = member(formatList(), "formats");
   for (const Value& format : *list.as<Value::List>()) {
     if (member(format, "name") == Value("kitti_tracking")) continue;
-    for (const Value& option : *member(format, "options").as<Value::List>()) {
+    const Value options = member(format, "options");
+    for (const Value& option : *options.as<Value::List>()) {
       EXPECT_NE(member(option, "text"), Value("")) << format.text();
     }
   }
