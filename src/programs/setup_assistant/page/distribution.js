@@ -19,8 +19,8 @@ function kindOf(value) {
   return 'fixed';
 }
 
-// options: label, range: [low, high] of the sliders where it is not all that may be, start: what it is when turned on, isColour, isAlways: it
-// cannot be off, and is `start` by default.
+// options: label, range: [low, high] of the sliders where it is not all that may be, start: what it is when turned on,
+// isColour, isAlways: it cannot be off, and is `start` by default.
 export function distribution(path, given) {
   const options = {range: parameter(path)?.range, ...given};
   const id = idOf(path);
@@ -47,8 +47,7 @@ export function distribution(path, given) {
             title: options.isAlways ? 'Off: the default' : null,
             onchange: (event) => set(path, event.target.checked ? options.start : undefined),
           }),
-          h('span', {id: `${id}-label`}, options.label,
-            unitOf(path, options))),
+          h('span', {id: `${id}-label`}, options.label, unitOf(path, options))),
         h('select', {
           'aria-label': `${options.label}: kind`,
           disabled: kind === 'off',

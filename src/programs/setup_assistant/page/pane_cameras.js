@@ -261,36 +261,23 @@ function sample(path) {
     choice(
         'shape', 'Position in', [['shell', 'a shell around it'], ['box', 'a box']], isBox ? 'box' : 'shell',
         chooseShape),
-    isBox ? distribution([...where, 'position'], {
-      label: 'Position',
-      range: [-10, 10],
-      start: {uniform: [[-2, -2, 0.5], [2, 2, 2]]},
-      isAlways: true
-    }) :
-            [
-              distribution(
-                  [...where, 'distance'],
-                  {label: 'Distance', range: [0.1, 10], start: {uniform: [1, 3]}, isAlways: true}),
-              distribution([...where, 'elevation'], {
-                label: 'Above the horizon',
-                range: [-1.5, 1.5],
-                start: {uniform: [0.2, 1]},
-                isAlways: true
-              }),
-              distribution([...where, 'azimuth'], {
-                label: 'Direction',
-                range: [-3.1416, 3.1416],
-                start: {uniform: [-3.1416, 3.1416]},
-                isAlways: true
-              }),
-            ],
-    distribution(
-        [...where, 'aim_offset'], {label: 'Looks past it by', range: [-1, 1], start: {normal: [0, 0.2]}}),
-    distribution(
-        [...where, 'roll'],
-        {label: 'About the line of sight', range: [-1, 1], start: {normal: [0, 0.06]}}),
-    h('div', {class: 'pair'},
-      numberField([...where, 'clearance'], {label: 'Distance from everything', step: 0.05}),
+    isBox ?
+        distribution(
+            [...where, 'position'],
+            {label: 'Position', range: [-10, 10], start: {uniform: [[-2, -2, 0.5], [2, 2, 2]]}, isAlways: true}) :
+        [
+          distribution(
+              [...where, 'distance'], {label: 'Distance', range: [0.1, 10], start: {uniform: [1, 3]}, isAlways: true}),
+          distribution(
+              [...where, 'elevation'],
+              {label: 'Above the horizon', range: [-1.5, 1.5], start: {uniform: [0.2, 1]}, isAlways: true}),
+          distribution(
+              [...where, 'azimuth'],
+              {label: 'Direction', range: [-3.1416, 3.1416], start: {uniform: [-3.1416, 3.1416]}, isAlways: true}),
+        ],
+    distribution([...where, 'aim_offset'], {label: 'Looks past it by', range: [-1, 1], start: {normal: [0, 0.2]}}),
+    distribution([...where, 'roll'], {label: 'About the line of sight', range: [-1, 1], start: {normal: [0, 0.06]}}),
+    h('div', {class: 'pair'}, numberField([...where, 'clearance'], {label: 'Distance from everything', step: 0.05}),
       numberField([...where, 'tries'], {label: 'Positions tried', step: 100})),
   ];
 }
@@ -317,7 +304,8 @@ function effects(path) {
   const where = [...path, 'effects'];
   return more(
       'Effects of a real sensor', EFFECTS.map(([each]) => [...where, each]),
-      EFFECTS.map(([name, label, range, step]) => numberField([...where, name], {label, range, step, fallback: 'off'})));
+      EFFECTS.map(
+          ([name, label, range, step]) => numberField([...where, name], {label, range, step, fallback: 'off'})));
 }
 
 function depthNoise(path) {

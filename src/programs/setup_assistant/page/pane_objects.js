@@ -104,18 +104,16 @@ function object(name) {
       h('div', {class: 'field', 'data-path': name}, problemList(problemsAt([name])),
         h('div', {class: 'pair'}, textField([name, 'class'], {label: 'Class', suggestions: classNames()}),
           textField([name, 'id'], {label: 'Id'})),
-        isPlaced ? numberField([name, 'safety_radius'], {
-          label: 'Distance that others keep',
-          range: [0, 3],
-          step: 0.05,
-          fallback: known ? 'by its size' : ''
-        }) :
-                   h('div', {class: 'pair'}, textField([name, 'frame_id'], {
-                       label: `Frame, after ${name}/`,
-                       suggestions: framesBelow(name),
-                       class: effective([name, 'frame']) === undefined ? '' : 'overruled'
-                     }),
-                     textField([name, 'frame'], {label: 'or its whole name', suggestions: frames()})),
+        isPlaced ?
+            numberField(
+                [name, 'safety_radius'],
+                {label: 'Distance that others keep', range: [0, 3], step: 0.05, fallback: known ? 'by its size' : ''}) :
+            h('div', {class: 'pair'}, textField([name, 'frame_id'], {
+                label: `Frame, after ${name}/`,
+                suggestions: framesBelow(name),
+                class: effective([name, 'frame']) === undefined ? '' : 'overruled'
+              }),
+              textField([name, 'frame'], {label: 'or its whole name', suggestions: frames()})),
         known ? h('p', {class: 'facts'}, size(known)) : null)),
     fileField([name, 'model'], 'model', {label: 'Model', placeholder: 'the world\u2019s model of its name'}),
     h('section', {class: 'group'}, h('h2', {}, 'Keypoints'), keypoints(name)),
@@ -215,8 +213,7 @@ function classes() {
       numberField(
           ['labels', 'min_pixels'],
           {label: 'Fewest visible pixels', range: [0, 400], step: 1, fallback: 'one, mostly'}),
-      numberField(
-          ['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', step: 0.005}),
+      numberField(['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', step: 0.005}),
       choiceField(
           ['labels', 'glass'], [['objects', 'of objects'], ['solid', 'all'], ['clear', 'none']],
           {label: 'Glass that hides what is behind it'}));

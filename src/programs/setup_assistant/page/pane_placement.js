@@ -46,13 +46,11 @@ function onMap() {
     fileField(['placement', 'map'], 'yaml,map,any', {label: 'Map of map_server'}),
     textField(['placement', 'map_topic'], {label: 'or a topic', hint: 'Of type nav_msgs/OccupancyGrid, of the bags.'}),
     choiceField(
-        ['placement', 'surface'], [['below', 'On what is below'], ['none', 'At a height']],
-        {label: 'They stand'}),
+        ['placement', 'surface'], [['below', 'On what is below'], ['none', 'At a height']], {label: 'They stand'}),
     surface === 'none' ?
         numberField(['placement', 'height'], {label: 'Height', range: [0, 5], step: 0.1}) :
         [
-          numberField(
-              ['placement', 'highest_surface'], {label: 'Not on what is higher', range: [0, 5], step: 0.1}),
+          numberField(['placement', 'highest_surface'], {label: 'Not on what is higher', range: [0, 5], step: 0.1}),
           numberField(['placement', 'steepest'], {label: 'Steepest surface', slider: true, step: 0.05}),
           numberField(['placement', 'unevenness'], {label: 'Unevenness', range: [0, 0.5], step: 0.01}),
         ],
@@ -74,9 +72,7 @@ function inBox(mode) {
     h('div', {class: 'pair'},
       vectorField(['placement', 'volume', 'min'], ['x', 'y', 'z'], {label: 'Box from', unit: 'm', step: 0.1, hint: ''}),
       vectorField(['placement', 'volume', 'max'], ['x', 'y', 'z'], {label: 'to', unit: 'm', step: 0.1, hint: ''})),
-    choiceField(
-        ['placement', 'orientation'], [['random', 'any'], ['upright', 'upright']],
-        {label: 'Orientation'}),
+    choiceField(['placement', 'orientation'], [['random', 'any'], ['upright', 'upright']], {label: 'Orientation'}),
     mode === 'drop' ?
         numberField(['placement', 'fall_time'], {label: 'Has to rest within', range: [1, 30], step: 0.5}) :
         null,

@@ -48,9 +48,7 @@ function draw() {
         choiceField(['rendering', 'light'], null, {label: 'Light'}),
         choiceField(['rendering', 'samples'], [[1, '1'], [4, '4']], {label: 'Samples at an edge'}),
         numberField(['rendering', 'shadow_map_size'], {label: 'Shadow map', step: 256}),
-        numberField(
-            ['rendering', 'shadow_distance'],
-            {label: 'Sun\u2019s shadows up to', range: [1, 200], step: 1})),
+        numberField(['rendering', 'shadow_distance'], {label: 'Sun\u2019s shadows up to', range: [1, 200], step: 1})),
   ];
 }
 
