@@ -350,8 +350,8 @@ INSTANTIATE_TEST_SUITE_P(
                    "pose_topics: found a group without `topic`"},
         BadSetting{"world:", "pose_topics: [/odom, /odom]\nworld:",
                    "pose_topics: found '/odom' more than once"},
-        BadSetting{"world:", "stretch: -1\nworld:",
-                   "stretch: found -1; it should be 0 to 1000000000"},
+        BadSetting{
+            "world:", "stretch: -1\nworld:", "stretch: found -1; it should be 0 to 1000000000"},
         BadSetting{"world:", "max_tf_gap: -.inf\nworld:",
                    "max_tf_gap: found -inf (a number); it should be a finite number"},
         BadSetting{

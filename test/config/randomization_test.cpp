@@ -254,10 +254,8 @@ TEST(Randomization, ShiftsEachAxisByItselfAndTintsAllChannelsAlike) {
 
 TEST(Randomization, RefusesAProbabilityThatIsNone) {
   const std::string group = "lights/sun";
-  EXPECT_EQ(errorOf(group, "present: 1.5"),
-            "present: found 1.5; it should be 0.0 to 1.0");
-  EXPECT_EQ(errorOf(group, "present: -0.1"),
-            "present: found -0.1; it should be 0.0 to 1.0");
+  EXPECT_EQ(errorOf(group, "present: 1.5"), "present: found 1.5; it should be 0.0 to 1.0");
+  EXPECT_EQ(errorOf(group, "present: -0.1"), "present: found -0.1; it should be 0.0 to 1.0");
   EXPECT_EQ(errorOf(group, "present: .nan").substr(0, 14), "present: found");
   EXPECT_EQ(errorOf(group, "present: maybe").substr(0, 14), "present: found");
 }
