@@ -53,15 +53,25 @@ class Parameters {
   template <class T>
   [[nodiscard]] T optionalBetween(const std::string& name, T fallback, T least, T most);
 
-  /// A text that is one of a few; otherwise an error is noted.
+  /// The same without a default.
+  template <class T>
+  [[nodiscard]] std::optional<T> maybeBetween(const std::string& name, T least, T most);
+
+  /// A text that is one of a few; otherwise an error is noted, and the fallback taken.
   [[nodiscard]] std::string requiredChoice(const std::string& name,
                                            const std::vector<std::string>& choices);
   [[nodiscard]] std::string optionalChoice(const std::string& name,
                                            const std::vector<std::string>& choices,
                                            const std::string& fallback);
+  [[nodiscard]] std::optional<std::string> maybeChoice(const std::string& name,
+                                                       const std::vector<std::string>& choices);
 
   /// The parameters below `name`; an empty group where there are none.
   [[nodiscard]] Parameters group(const std::string& name);
+
+  /// Notes what a parameter is, for forms and references: its `default`, its `choices`, or its
+  /// `range` as [least, most]. The methods above do so by themselves.
+  void declare(const std::string& name, const std::string& fact, Value value);
 
   /// Notes an error about a parameter of this group: "<full name>: <message>".
   void addError(const std::string& name, const std::string& message);
@@ -86,6 +96,9 @@ class Parameters {
 
   [[nodiscard]] const std::vector<std::string>& errors() const;
 
+  /// What was declared of each parameter, by full name.
+  [[nodiscard]] const std::map<std::string, Value::Map>& declarations() const;
+
   /// "name: value" of each default used, in order of reading.
   [[nodiscard]] const std::vector<std::string>& defaultsTaken() const;
 
@@ -97,8 +110,7 @@ class Parameters {
   Parameters(const Value::Map* values, std::string name, std::shared_ptr<Notes> notes);
 
   [[nodiscard]] const Value* find(const std::string& name);
-  void checkChoice(const std::string& name, const std::vector<std::string>& choices,
-                   const std::string& choice);
+  void noteDefault(const std::string& name, const Value& fallback);
 
   std::shared_ptr<const Value> owned_;
   const Value::Map* values_ = nullptr;

@@ -146,6 +146,7 @@ struct Parameters::Notes {
   std::vector<std::string> defaults;
   std::map<std::string, Value> default_values;
   std::map<std::string, std::set<std::string>> known;  // by the group's full name
+  std::map<std::string, Value::Map> declarations;
 };
 
 Parameters::Parameters(Value values, std::string name)
@@ -192,49 +193,67 @@ T Parameters::required(const std::string& name) {
   return maybe<T>(name).value_or(T{});
 }
 
+void Parameters::noteDefault(const std::string& name, const Value& fallback) {
+  declare(name, "default", fallback);
+  if (find(name) != nullptr) return;
+  notes_->defaults.push_back(fullName(name) + ": " + fallback.text());
+  notes_->default_values[fullName(name)] = fallback;
+}
+
 template <class T>
 T Parameters::optional(const std::string& name, const T& fallback) {
-  if (find(name) == nullptr) {
-    notes_->defaults.push_back(fullName(name) + ": " + Value(fallback).text());
-    notes_->default_values[fullName(name)] = Value(fallback);
-    return fallback;
-  }
+  noteDefault(name, fallback);
   return maybe<T>(name).value_or(fallback);
 }
 
 template <class T>
 T Parameters::optionalBetween(const std::string& name, T fallback, T least, T most) {
-  const T number = optional(name, fallback);
-  if (number >= least && number <= most) return number;
-  addError(name, "found " + Value(number).text() + "; it should be " + Value(least).text() +
-                     " to " + Value(most).text());
-  return fallback;
+  noteDefault(name, fallback);
+  return maybeBetween(name, least, most).value_or(fallback);
 }
 
-void Parameters::checkChoice(const std::string& name, const std::vector<std::string>& choices,
-                             const std::string& choice) {
-  if (std::find(choices.begin(), choices.end(), choice) != choices.end()) return;
+template <class T>
+std::optional<T> Parameters::maybeBetween(const std::string& name, T least, T most) {
+  declare(name, "range", Value::List{Value(least), Value(most)});
+  const std::optional<T> number = maybe<T>(name);
+  if (!number || (*number >= least && *number <= most)) return number;
+  addError(name, "found " + Value(*number).text() + "; it should be " + Value(least).text() +
+                     " to " + Value(most).text());
+  return std::nullopt;
+}
+
+std::optional<std::string> Parameters::maybeChoice(const std::string& name,
+                                                   const std::vector<std::string>& choices) {
+  declare(name, "choices", Value::List(choices.begin(), choices.end()));
+  const Value* value = find(name);
+  if (value == nullptr) return std::nullopt;
+  const bool* flag = value->as<bool>();
+  const std::string choice = flag == nullptr ? value->text() : *flag ? "on" : "off";
+  if (std::find(choices.begin(), choices.end(), choice) != choices.end()) return choice;
   std::string all = choices.front();
   for (std::size_t i = 1; i < choices.size(); ++i) {
     all += (i + 1 < choices.size() ? ", " : " or ") + choices[i];
   }
-  addError(name, "found '" + choice + "'; it should be " + all + didYouMean(choice, choices));
+  const std::string is_flag =
+      flag == nullptr
+          ? ""
+          : " (" + value->text() + ", as YAML reads yes, no, on and off without quotes)";
+  addError(name, "found '" + choice + "'" + is_flag + "; it should be " + all +
+                     didYouMean(choice, choices));
+  return std::nullopt;
 }
 
 std::string Parameters::requiredChoice(const std::string& name,
                                        const std::vector<std::string>& choices) {
-  const std::size_t errors_before = errors().size();
-  std::string choice = required<std::string>(name);
-  if (errors().size() == errors_before) checkChoice(name, choices, choice);
-  return choice;
+  if (find(name) == nullptr) (void)required<std::string>(name);
+  return maybeChoice(name, choices).value_or("");
 }
 
 std::string Parameters::optionalChoice(const std::string& name,
                                        const std::vector<std::string>& choices,
                                        const std::string& fallback) {
-  std::string choice = optional(name, fallback);
-  checkChoice(name, choices, choice);
-  return choice;
+  noteDefault(name, fallback);
+  return maybeChoice(name, choices).value_or(fallback);
 }
 
 // The types that the header promises; lists have no printable default.
@@ -265,6 +284,10 @@ template int Parameters::optionalBetween(const std::string&, int, int, int);
 template std::int64_t Parameters::optionalBetween(const std::string&, std::int64_t, std::int64_t,
                                                   std::int64_t);
 template double Parameters::optionalBetween(const std::string&, double, double, double);
+template std::optional<int> Parameters::maybeBetween(const std::string&, int, int);
+template std::optional<std::int64_t> Parameters::maybeBetween(const std::string&, std::int64_t,
+                                                              std::int64_t);
+template std::optional<double> Parameters::maybeBetween(const std::string&, double, double);
 
 Parameters Parameters::group(const std::string& name) {
   const Value* value = find(name);
@@ -281,6 +304,10 @@ Parameters Parameters::group(const std::string& name) {
 
 void Parameters::addError(const std::string& name, const std::string& message) {
   notes_->errors.push_back(fullName(name) + ": " + message);
+}
+
+void Parameters::declare(const std::string& name, const std::string& fact, Value value) {
+  notes_->declarations[fullName(name)][fact] = std::move(value);
 }
 
 void Parameters::ignore(const std::string& name) { notes_->known[name_].insert(name); }
@@ -332,6 +359,10 @@ std::vector<std::string> Parameters::knownElsewhere(const std::string& name) con
 }
 
 const std::vector<std::string>& Parameters::errors() const { return notes_->errors; }
+
+const std::map<std::string, Value::Map>& Parameters::declarations() const {
+  return notes_->declarations;
+}
 
 const std::vector<std::string>& Parameters::defaultsTaken() const { return notes_->defaults; }
 

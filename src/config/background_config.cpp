@@ -1,4 +1,4 @@
-#include "config/background_config.h"
+#include "config/readers.h"
 
 #include <algorithm>
 #include <vector>
@@ -28,20 +28,14 @@ bool isGroup(const std::optional<Value>& background) {
   });
 }
 
-randomize::BackgroundProjection readProjection(Parameters& group) {
-  const auto projection = group.optional<std::string>("projection", "backdrop");
-  if (projection != "backdrop" && projection != "panorama") {
-    group.addError("projection", "found '" + projection + "'; it should be backdrop or panorama");
-  }
-  return projection == "panorama" ? randomize::BackgroundProjection::kPanorama
-                                  : randomize::BackgroundProjection::kBackdrop;
-}
-
 randomize::BackgroundPictures readPictures(Parameters& group) {
   randomize::BackgroundPictures pictures;
   pictures.folder = absolutePath(group.required<std::string>("pictures"));
-  pictures.present = maybeProbability(group, "present");
-  pictures.projection = readProjection(group);
+  pictures.present = group.maybeBetween("present", 0.0, 1.0);
+  pictures.projection = listedChoice<randomize::BackgroundProjection>(
+      group, "projection",
+      {{"backdrop", randomize::BackgroundProjection::kBackdrop},
+       {"panorama", randomize::BackgroundProjection::kPanorama}});
   if (pictures.projection == randomize::BackgroundProjection::kPanorama) {
     pictures.yaw = maybeDistribution(group, "yaw", kTurnRange);
   } else {

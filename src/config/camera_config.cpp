@@ -1,4 +1,4 @@
-#include "config/camera_config.h"
+#include "config/readers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "base/seconds.h"
-#include "config/camera_sampling.h"
 #include "config/checked_values.h"
-#include "config/depth_noise_config.h"
 #include "config/distribution_config.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -66,15 +64,17 @@ scene::CameraAim readAim(Parameters group) {
 }
 
 scene::StereoFrame readStereoFrame(Parameters& group, bool is_rectified) {
-  const std::string frame = group.optionalChoice("stereo_frame", {"auto", "first", "own"}, "auto");
+  const auto frame = listedChoice<scene::StereoFrame>(group, "stereo_frame",
+                                                      {{"auto", scene::StereoFrame::kAuto},
+                                                       {"first", scene::StereoFrame::kFirst},
+                                                       {"own", scene::StereoFrame::kOwn}});
   if (!is_rectified) {
     group.addError("stereo_frame", "found without `rectified: true`, of whose cameras it speaks");
   }
-  if (frame == "auto") return scene::StereoFrame::kAuto;
-  return frame == "own" ? scene::StereoFrame::kOwn : scene::StereoFrame::kFirst;
+  return frame;
 }
 
-/// Of one that is wrong a harmless pose: with none, there would be a second error.
+/// A wrong one becomes a harmless pose: without any, there would be a second error.
 Pose readPose(Parameters& group, const std::string& name) {
   const auto numbers = group.maybe<std::vector<double>>(name);
   if (!numbers) return Pose::Identity();
@@ -97,23 +97,13 @@ Pose readPose(Parameters& group, const std::string& name) {
   return makePose({n[0], n[1], n[2]}, orientation);
 }
 
-/// An effect that most cameras lack: no default is listed for it.
-std::optional<double> maybeBetween(Parameters& group, const std::string& name, double low,
-                                   double high) {
-  const auto value = group.maybe<double>(name);
-  if (!value || (*value >= low && *value <= high)) return value;
-  group.addError(name, "found " + Value(*value).text() + "; it should be " + Value(low).text() +
-                           " to " + Value(high).text());
-  return std::nullopt;
-}
-
 void readEffects(Parameters group, scene::CameraOptions& camera) {
   constexpr double kMostStops = 10.0;
   constexpr double kLongestExposure = 10.0;  // [s]
   constexpr double kWidestBlur = 50.0;       // [px]
   constexpr double kLargestWell = 1e9;       // electrons
   const auto read = [&](const std::string& name, double low, double high) {
-    return maybeBetween(group, name, low, high).value_or(0.0);
+    return group.maybeBetween(name, low, high).value_or(0.0);
   };
   render::SensorEffects& effects = camera.effects;
   scene::Shutter& shutter = camera.shutter;
@@ -136,8 +126,8 @@ void readEffects(Parameters group, scene::CameraOptions& camera) {
   effects.blur = read("blur", 0.0, kWidestBlur);
   effects.vignetting = read("vignetting", 0.0, 1.0);
   effects.full_well = read("full_well", 0.0, kLargestWell);
-  camera.noise_mean = maybeBetween(group, "noise_mean", -1.0, 1.0);
-  camera.noise_stddev = maybeBetween(group, "noise_stddev", 0.0, 1.0);
+  camera.noise_mean = group.maybeBetween("noise_mean", -1.0, 1.0);
+  camera.noise_stddev = group.maybeBetween("noise_stddev", 0.0, 1.0);
 }
 
 /// What is not set is as the world has it of a camera of its own.
@@ -155,14 +145,14 @@ void readRange(Parameters& group, scene::CameraOptions& camera) {
 void readTwin(Parameters& group, scene::CameraOptions& camera) {
   constexpr double kLongestOffset = 10.0;  // [s]
   camera.image_topic = group.maybe<std::string>("image_topic");
-  const auto offset = maybeBetween(group, "time_offset", -kLongestOffset, kLongestOffset);
+  const auto offset = group.maybeBetween("time_offset", -kLongestOffset, kLongestOffset);
   if (offset && !camera.image_topic) {
     group.addError("time_offset", "found without image_topic, of whose pictures it speaks");
   }
   camera.time_offset = base::fromSeconds(offset.value_or(0.0));
   constexpr double kWidest = 0.5;
   constexpr double kNarrowest = 2.0;
-  camera.focal_scale = maybeBetween(group, "focal_scale", kWidest, kNarrowest).value_or(1.0);
+  camera.focal_scale = group.maybeBetween("focal_scale", kWidest, kNarrowest).value_or(1.0);
   if (group.has("correction")) camera.X_FD = readPose(group, "correction");
   if (camera.X_FD && camera.sample) {
     group.addError("correction", "found together with sample, whose cameras stand where it says");

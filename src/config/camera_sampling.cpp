@@ -1,4 +1,4 @@
-#include "config/camera_sampling.h"
+#include "config/readers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,12 +65,7 @@ std::optional<randomize::CameraSampling> readCameraSampling(Parameters camera) {
   readPlace(group, sampling);
   read(group, "aim_offset", kPlaceRange, sampling.aim_offset);
   read(group, "roll", kTurnRange, sampling.roll);
-  sampling.clearance = group.maybe<double>("clearance").value_or(sampling.clearance);
-  if (!(sampling.clearance >= 0.0 && sampling.clearance <= kFarthest)) {
-    group.addError("clearance",
-                   "found " + Value(sampling.clearance).text() + " m; it should be 0 to 1e6");
-    sampling.clearance = 0.0;
-  }
+  sampling.clearance = group.maybeBetween("clearance", 0.0, kFarthest).value_or(sampling.clearance);
   constexpr int kMostTries = 1000000;
   if (group.has("tries")) {
     sampling.tries = group.optionalBetween("tries", sampling.tries, 1, kMostTries);

@@ -63,30 +63,12 @@ void refuseWithout(Parameters& group, const std::vector<std::string>& names,
   }
 }
 
-std::optional<double> maybeProbability(Parameters& group, const std::string& name) {
-  const auto value = group.maybe<double>(name);
-  if (!value || (*value >= 0.0 && *value <= 1.0)) return value;
-  group.addError(name, "found " + Value(*value).text() + "; it should be a probability, 0 to 1");
-  return std::nullopt;
-}
-
 std::optional<std::int64_t> maybeSceneCount(Parameters& group, const std::string& name) {
-  constexpr std::int64_t kMost = 100000000;
-  const auto count = group.maybe<std::int64_t>(name);
-  if (!count || (*count >= 1 && *count <= kMost)) return count;
-  group.addError(name, "found " + std::to_string(*count) +
-                           "; it should be 1 to 100000000, the number of scenes to make");
-  return std::nullopt;
+  return group.maybeBetween<std::int64_t>(name, 1, 100000000);
 }
 
 std::optional<double> maybeSeconds(Parameters& group, const std::string& name) {
-  constexpr double kLongest = 1e9;
-  const auto number = group.maybe<double>(name);
-  if (number && (*number < 0.0 || *number > kLongest)) {
-    group.addError(name, "found " + Value(*number).text() + " s; it should be 0 to 1e9");
-    return std::nullopt;
-  }
-  return number;
+  return group.maybeBetween(name, 0.0, 1e9);
 }
 
 std::vector<std::string> readNames(Parameters& group, const std::string& name,

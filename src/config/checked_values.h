@@ -15,9 +15,6 @@ namespace synthetic_dataset::config {
 [[nodiscard]] double numberAbove(Parameters& group, const std::string& name, double fallback,
                                  double limit);
 
-/// A probability, 0 to 1; nothing where it is not there or wrong, which is noted.
-[[nodiscard]] std::optional<double> maybeProbability(Parameters& group, const std::string& name);
-
 /// How many scenes there are to be, 1 to 100000000: their files' names have eight digits. Nothing
 /// where it is not there or wrong, which is noted.
 [[nodiscard]] std::optional<std::int64_t> maybeSceneCount(Parameters& group,
@@ -52,25 +49,33 @@ void refuseWithout(Parameters& group, const std::vector<std::string>& names,
 /// that <this>", or nothing. Such names are of one line of UTF-8, and may hold anything else.
 [[nodiscard]] std::optional<std::string> nameProblem(const std::string& text);
 
-/// One of some words; left out, the first.
+/// One of some words; nothing where it is left out or wrong, which is noted.
+template <class Choice>
+std::optional<Choice> maybeChoice(Parameters& group, const std::string& name,
+                                  const std::vector<std::pair<std::string, Choice>>& choices) {
+  std::vector<std::string> words;
+  for (const auto& each : choices) words.push_back(each.first);
+  const auto word = group.maybeChoice(name, words);
+  for (const auto& [each, choice] : choices) {
+    if (word == each) return choice;
+  }
+  return std::nullopt;
+}
+
+/// The same; the first where it is left out or wrong.
 template <class Choice>
 Choice choice(Parameters& group, const std::string& name,
               const std::vector<std::pair<std::string, Choice>>& choices) {
-  auto found = group.maybe<Value>(name);
-  if (!found) return choices.front().second;
-  // YAML takes `off` for false.
-  const std::string text = found->is<bool>() ? (*found->as<bool>() ? "on" : "off") : found->text();
-  std::string words;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (choices[i].first == text) return choices[i].second;
-    words += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i].first;
-  }
-  const std::string is_bool = found->is<bool>() ? " (" + found->text() +
-                                                      ", as YAML reads yes, no, on and off without "
-                                                      "quotes)"
-                                                : "";
-  group.addError(name, "found '" + text + "'" + is_bool + "; it should be " + words);
-  return choices.front().second;
+  group.declare(name, "default", choices.front().first);
+  return maybeChoice(group, name, choices).value_or(choices.front().second);
+}
+
+/// The same, and the default is listed among those that were taken.
+template <class Choice>
+Choice listedChoice(Parameters& group, const std::string& name,
+                    const std::vector<std::pair<std::string, Choice>>& choices) {
+  if (!group.has(name)) (void)group.optional(name, choices.front().first);
+  return choice(group, name, choices);
 }
 
 }  // namespace synthetic_dataset::config

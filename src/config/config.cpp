@@ -1,96 +1,17 @@
 #include "config/config.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "base/seconds.h"
-#include "config/camera_config.h"
 #include "config/checked_values.h"
-#include "config/label_config.h"
-#include "config/object_config.h"
-#include "config/output_config.h"
-#include "config/placement_config.h"
-#include "config/randomization.h"
-#include "config/topic_config.h"
-#include "config/twin_config.h"
+#include "config/readers.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
-
-motion::MotionSource readSource(Parameters& root) {
-  const std::string source = root.maybe<std::string>("motion").value_or("bag");
-  if (source != "bag" && source != "placement") {
-    root.addError("motion", "found '" + source + "'; it should be bag or placement" +
-                                didYouMean(source, {"bag", "placement"}));
-  }
-  return source == "placement" ? motion::MotionSource::kPlacement : motion::MotionSource::kBag;
-}
-
-/// `.inf` is any gap.
-std::optional<double> readLongestGap(Parameters& root) {
-  const auto given = root.maybe<Value>("max_tf_gap");
-  const double* number = given ? given->as<double>() : nullptr;
-  if (number != nullptr && std::isinf(*number) && *number > 0.0) return *number;
-  return maybeSeconds(root, "max_tf_gap");
-}
-
-/// The camera in `camera`, or some of those in `cameras`.
-bool hasPictures(Parameters& root) {
-  Parameters camera = root.group("camera");
-  if (camera.has("image_topic")) return true;
-  Parameters cameras = root.group("cameras");
-  const std::vector<std::string> names = cameras.names();
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return cameras.maybe<Value>(name)->is<Value::Map>() && cameras.group(name).has("image_topic");
-  });
-}
-
-motion::MotionOptions readMotion(Parameters& root) {
-  motion::MotionOptions motion;
-  motion.source = readSource(root);
-  const bool is_placed = motion.source == motion::MotionSource::kPlacement;
-  if (is_placed) {
-    motion.bag_files = root.maybe<std::vector<std::string>>("bag_file").value_or(motion.bag_files);
-    if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which reports it
-    motion.scenes = maybeSceneCount(root, "scenes").value_or(1);
-    refuseWithout(root,
-                  {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics"},
-                  "motion: bag");
-  } else {
-    motion.bag_files = root.required<std::vector<std::string>>("bag_file");
-    refuseWithout(root, {"scenes", "placement"}, "motion: placement");
-  }
-  if (isEmptyList(root, "bag_file")) {
-    root.addError("bag_file", "found an empty list; it should name at least one bag");
-  }
-  for (std::string& file : motion.bag_files) file = absolutePath(file);
-  // Scenes at the times of pictures have no rate that anybody sets.
-  if (root.has("simulated_rate") || !hasPictures(root)) {
-    motion.rate = numberAbove(root, "simulated_rate", motion.rate, 0.0);
-  }
-  constexpr double kHighestRate = 1e9;  // a period of one nanosecond
-  if (motion.rate > kHighestRate) {
-    root.addError("simulated_rate", "found " + Value(motion.rate).text() + " Hz; at most 1e9");
-    motion.rate = 30.0;
-  }
-  if (is_placed) return motion;
-  motion.start_offset = maybeSeconds(root, "start_offset").value_or(0.0);
-  motion.duration = maybeSeconds(root, "duration");
-  motion.max_tf_gap = readLongestGap(root);
-  readTopics(root, motion);
-  const auto stretch = root.maybe<std::int64_t>("stretch");
-  if (stretch && *stretch < 0) {
-    root.addError("stretch", "found " + std::to_string(*stretch) +
-                                 "; it should be the number of a part of the recording, from 0");
-  } else if (stretch) {
-    motion.stretch = static_cast<std::size_t>(*stretch);
-  }
-  return motion;
-}
 
 /// Scenes keep their order: physics goes forward only.
 void checkJitter(Parameters& root, const motion::MotionOptions& motion,
@@ -114,25 +35,6 @@ void checkJitter(Parameters& root, const motion::MotionOptions& motion,
                                "`max`");
 }
 
-world::OnMissingAsset readOnMissingAsset(Parameters& group) {
-  const std::string found = group.maybe<std::string>("on_missing_asset").value_or("error");
-  if (found != "error" && found != "warn") {
-    group.addError("on_missing_asset", "found '" + found + "'; it should be error or warn");
-  }
-  return found == "warn" ? world::OnMissingAsset::kWarn : world::OnMissingAsset::kError;
-}
-
-/// Nothing where the world's files decide.
-std::optional<world::Simulator> readSimulator(Parameters& group) {
-  const std::string found = group.maybe<std::string>("simulator").value_or("auto");
-  if (found == "classic") return world::Simulator::kClassic;
-  if (found == "gz") return world::Simulator::kGz;
-  if (found != "auto") {
-    group.addError("simulator", "found '" + found + "'; it should be auto, classic or gz");
-  }
-  return std::nullopt;
-}
-
 /// `world` is a file's name, or a group with `file`, `model_folders`, `on_missing_asset` and
 /// `simulator`.
 WorldConfig readWorld(Parameters& root) {
@@ -146,8 +48,14 @@ WorldConfig readWorld(Parameters& root) {
     world.model_folders =
         group.maybe<std::vector<std::string>>("model_folders").value_or(std::vector<std::string>{});
     for (std::string& folder : world.model_folders) folder = absolutePath(folder);
-    world.loading.on_missing_asset = readOnMissingAsset(group);
-    world.loading.simulator = readSimulator(group);
+    world.loading.on_missing_asset = choice<world::OnMissingAsset>(
+        group, "on_missing_asset",
+        {{"error", world::OnMissingAsset::kError}, {"warn", world::OnMissingAsset::kWarn}});
+    world.loading.simulator =
+        choice<std::optional<world::Simulator>>(group, "simulator",
+                                                {{"auto", std::nullopt},
+                                                 {"classic", world::Simulator::kClassic},
+                                                 {"gz", world::Simulator::kGz}});
   } else if (given || !replaced) {
     world.file = root.required<std::string>("world");
   }

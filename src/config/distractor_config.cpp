@@ -1,24 +1,10 @@
-#include "config/distractor_config.h"
+#include "config/readers.h"
 
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
-#include "config/object_config.h"
-#include "config/placement_config.h"
-#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
-
-randomize::DistractorMode readMode(Parameters& group) {
-  const auto mode = group.optional<std::string>("mode", "fly");
-  if (mode == "stand") return randomize::DistractorMode::kStand;
-  if (mode == "drop") return randomize::DistractorMode::kDrop;
-  if (mode != "fly") {
-    group.addError("mode", "found '" + mode + "'; it should be fly, stand or drop" +
-                               didYouMean(mode, {"fly", "stand", "drop"}));
-  }
-  return randomize::DistractorMode::kFly;
-}
 
 double readFallTime(Parameters& group, randomize::DistractorMode mode, double fallback) {
   if (mode == randomize::DistractorMode::kDrop) {
@@ -53,7 +39,11 @@ std::optional<randomize::DistractorOptions> readDistractors(Parameters randomize
     }
     distractors.textures = readTextures(group);
   }
-  distractors.mode = readMode(group);
+  distractors.mode =
+      listedChoice<randomize::DistractorMode>(group, "mode",
+                                              {{"fly", randomize::DistractorMode::kFly},
+                                               {"stand", randomize::DistractorMode::kStand},
+                                               {"drop", randomize::DistractorMode::kDrop}});
   distractors.fall_time = readFallTime(group, distractors.mode, distractors.fall_time);
   distractors.volume = readVolume(group);
   if (group.has("class")) distractors.label_class = readLabel(group, "class");

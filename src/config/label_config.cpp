@@ -1,4 +1,4 @@
-#include "config/label_config.h"
+#include "config/readers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -11,19 +11,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-constexpr double kLongestGap = 1e9;  // [s], some thirty years
-
 constexpr int kLargestClass = 65534;  // its index + 1 fits into 16 bits of a class map
-
-label::MaskMethod readMethod(Parameters& group, label::MaskMethod fallback) {
-  const auto found = group.maybe<std::string>("method");
-  if (!found) return fallback;
-  if (*found == "mog2") return label::MaskMethod::kMog2;
-  if (*found != "exact") {
-    group.addError("method", "found '" + *found + "'; it should be mog2 or exact");
-  }
-  return label::MaskMethod::kExact;
-}
 
 /// The number that a text is, written as numbers are: not "007".
 std::optional<int> wholeNumber(const std::string& text) {
@@ -122,26 +110,20 @@ label::MaskOptions readMasks(Parameters root) {
   Parameters group = root.group("masks");
   masks.clean = group.optional("clean", masks.clean);
   masks.method_is_given = group.has("method");
-  masks.method = readMethod(group, root.has("background_subtractor") ? label::MaskMethod::kMog2
-                                                                     : label::MaskMethod::kExact);
+  masks.method = maybeChoice<label::MaskMethod>(
+                     group, "method",
+                     {{"exact", label::MaskMethod::kExact}, {"mog2", label::MaskMethod::kMog2}})
+                     .value_or(root.has("background_subtractor") ? label::MaskMethod::kMog2
+                                                                 : label::MaskMethod::kExact);
   return masks;
 }
 
 label::LabelOptions readLabels(Parameters root) {
   label::LabelOptions labels;
   Parameters group = root.group("labels");
-  labels.min_visibility = group.maybe<double>("min_visibility").value_or(0.0);
-  if (!(labels.min_visibility >= 0.0 && labels.min_visibility <= 1.0)) {
-    group.addError("min_visibility", "found " + Value(labels.min_visibility).text() +
-                                         "; it should be a share, 0 to 1");
-    labels.min_visibility = 0.0;
-  }
-  labels.min_pixels = group.maybe<std::int64_t>("min_pixels").value_or(0);
-  if (labels.min_pixels < 0) {
-    group.addError("min_pixels", "found " + std::to_string(labels.min_pixels) +
-                                     "; it should be a number of pixels, 0 or more");
-    labels.min_pixels = 0;
-  }
+  constexpr std::int64_t kMostPixels = 1000000000;
+  labels.min_visibility = group.maybeBetween("min_visibility", 0.0, 1.0).value_or(0.0);
+  labels.min_pixels = group.maybeBetween<std::int64_t>("min_pixels", 0, kMostPixels).value_or(0);
   constexpr double kFarthest = 1.0;  // [m]; more is meant in another unit
   if (group.has("keypoint_tolerance")) {
     labels.keypoint_tolerance =
@@ -155,35 +137,23 @@ SplitConfig readSplit(Parameters root) {
   if (!root.has("split")) return split;
   Parameters group = root.group("split");
   double sum = 0.0;
-  bool is_right = true;
+  const std::size_t errors_before = group.errors().size();
   for (const char* name : {"train", "val", "test"}) {
-    const double share = group.maybe<double>(name).value_or(0.0);
-    if (!(share >= 0.0 && share <= 1.0)) {
-      group.addError(
-          name, "found " + Value(share).text() + "; it should be a share of the scenes, 0 to 1");
-      is_right = false;
-    }
+    const double share = group.maybeBetween(name, 0.0, 1.0).value_or(0.0);
     if (share > 0.0) split.shares.emplace_back(name, share);
     sum += share;
   }
-  if (!is_right) {
+  if (group.errors().size() > errors_before) {
     split.shares.clear();
   } else if (std::abs(sum - 1.0) > 1e-6) {
     root.addError("split", "found shares that add up to " + Value(sum).text() +
                                "; train, val and test should add up to 1");
     split.shares.clear();
   }
-  const std::string by = group.maybe<std::string>("by").value_or("blocks");
-  if (by != "blocks" && by != "scenes") {
-    group.addError("by", "found '" + by + "'; it should be blocks or scenes");
-  }
-  split.by = by == "scenes" ? SplitBy::kScenes : SplitBy::kBlocks;
-  split.gap = group.maybe<double>("gap").value_or(0.0);
-  if (!(split.gap >= 0.0 && split.gap <= kLongestGap)) {
-    group.addError("gap",
-                   "found " + Value(split.gap).text() + "; it should be a time from 0 on [s]");
-    split.gap = 0.0;
-  } else if (split.gap > 0.0 && split.by == SplitBy::kScenes) {
+  split.by =
+      choice<SplitBy>(group, "by", {{"blocks", SplitBy::kBlocks}, {"scenes", SplitBy::kScenes}});
+  split.gap = maybeSeconds(group, "gap").value_or(0.0);
+  if (split.gap > 0.0 && split.by == SplitBy::kScenes) {
     group.addError("gap", "found " + Value(split.gap).text() +
                               " with `by: scenes`; there are gaps between blocks alone");
   }

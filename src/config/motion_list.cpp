@@ -22,7 +22,7 @@ std::string withoutLeadingSlash(const std::string& name) {
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
 }
 
-/// The objects that the run names; what is no list of names is an error of theirs.
+/// The objects that the run names; readObjects() reports anything but a list of names.
 std::set<std::string> objectsOf(const Value::Map& run) {
   std::set<std::string> objects;
   const auto entry = run.find("robot_list");
@@ -123,13 +123,7 @@ class Reader {
   }
 
   static std::optional<std::string> readSplitName(Parameters& group) {
-    const auto split = group.maybe<std::string>("split");
-    if (!split || *split == "train" || *split == "val" || *split == "test") return split;
-    group.addError("split", "found '" + *split +
-                                "'; it should be train, val or test, in which all scenes of this "
-                                "motion are" +
-                                didYouMean(*split, {"train", "val", "test"}));
-    return std::nullopt;
+    return group.maybeChoice("split", {"train", "val", "test"});
   }
 
   void readObjects(Parameters group, MotionEntry& entry) const {

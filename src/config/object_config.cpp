@@ -1,4 +1,4 @@
-#include "config/object_config.h"
+#include "config/readers.h"
 
 #include <algorithm>
 #include <map>
@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "config/checked_values.h"
+#include "config/distribution_config.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
@@ -172,16 +173,6 @@ std::vector<Eigen::Vector3d> readBoundingShape(Parameters& group) {
   return group.required<std::vector<Eigen::Vector3d>>("bounding_shape");
 }
 
-std::optional<double> readSafetyRadius(Parameters& group) {
-  const auto radius = group.maybe<double>("safety_radius");
-  if (radius && !(*radius >= 0.0)) {
-    group.addError("safety_radius", "found " + Value(*radius).text() +
-                                        " m; it should be 0 or more, how far all else stays away");
-    return std::nullopt;
-  }
-  return radius;
-}
-
 bool isXml(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && text[first] == '<';
@@ -246,7 +237,7 @@ scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
   readKeypointNames(group, object);
   readSkeleton(group, object);
   object.bounding_shape_O = readBoundingShape(group);
-  object.safety_radius = readSafetyRadius(group);
+  object.safety_radius = group.maybeBetween("safety_radius", 0.0, kFarthest);
   Parameters parts = group.group("parts");
   for (const std::string& part : parts.names()) {
     object.parts[part] = readNames(parts, part, "links of its model");
@@ -254,7 +245,7 @@ scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
   return object;
 }
 
-/// Of a distractor with a label; its shape is its model's.
+/// A distractor with a label; its shape is its model's.
 scene::ObjectOptions labelledDistractor(int number, const std::string& label_class) {
   scene::ObjectOptions object;
   object.name = object.id = randomize::distractorName(number);

@@ -1,4 +1,4 @@
-#include "config/output_config.h"
+#include "config/readers.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "config/placement_config.h"
+#include "config/readers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,31 +7,9 @@
 
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
-#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
-
-randomize::PlacementMode readMode(Parameters& group) {
-  const auto mode = group.optional<std::string>("mode", "map");
-  if (mode == "volume") return randomize::PlacementMode::kVolume;
-  if (mode == "drop") return randomize::PlacementMode::kDrop;
-  if (mode != "map") {
-    group.addError("mode", "found '" + mode + "'; it should be map, volume or drop" +
-                               didYouMean(mode, {"map", "volume", "drop"}));
-  }
-  return randomize::PlacementMode::kMap;
-}
-
-/// One of two words. @return whether it is the first
-bool readWord(Parameters& group, const std::string& name, const std::string& first,
-              const std::string& second) {
-  const auto word = group.optional<std::string>(name, first);
-  if (word != first && word != second) {
-    group.addError(name, "found '" + word + "'; it should be " + first + " or " + second);
-  }
-  return word != second;
-}
 
 void refuseOthers(Parameters& group, randomize::PlacementMode mode) {
   if (mode == randomize::PlacementMode::kMap) {
@@ -45,35 +23,27 @@ void refuseOthers(Parameters& group, randomize::PlacementMode mode) {
   if (mode != randomize::PlacementMode::kDrop) refuseWithout(group, {"fall_time"}, "mode: drop");
 }
 
-double numberFromZero(Parameters& group, const std::string& name, double fallback, double most,
-                      const std::string& unit = "") {
-  const double number = group.optional(name, fallback);
-  if (number >= 0.0 && number <= most) return number;
-  group.addError(
-      name, "found " + Value(number).text() + "; it should be 0 to " + Value(most).text() + unit);
-  return fallback;
-}
-
-double heightOf(Parameters& group, const std::string& name, double fallback) {
-  const double height = group.optional(name, fallback);
-  if (std::abs(height) <= kFarthest) return height;
-  group.addError(name, "found " + Value(height).text() + " m; it should be -1e6 to 1e6");
-  return fallback;
-}
-
 void readSurface(Parameters& group, randomize::PlacementOptions& placement) {
   constexpr double kSteepest = 1.5;  // [rad] nearly a wall
-  placement.on_surface = readWord(group, "surface", "below", "none");
+  placement.on_surface = listedChoice<bool>(group, "surface", {{"below", true}, {"none", false}});
   if (!placement.on_surface) {
-    placement.height = heightOf(group, "height", placement.height);
+    placement.height = group.optionalBetween("height", placement.height, -kFarthest, kFarthest);
     refuseWithout(group, {"highest_surface", "steepest", "unevenness"}, "surface: below");
     return;
   }
   refuseWithout(group, {"height"}, "surface: none");
   randomize::SurfaceOptions& surface = placement.surface;
-  surface.highest = heightOf(group, "highest_surface", surface.highest);
-  surface.steepest = numberFromZero(group, "steepest", surface.steepest, kSteepest, kAngleUnit);
-  surface.unevenness = numberFromZero(group, "unevenness", surface.unevenness, 1e3);
+  surface.highest =
+      group.optionalBetween("highest_surface", surface.highest, -kFarthest, kFarthest);
+  const double steepest = group.optional("steepest", surface.steepest);
+  group.declare("steepest", "range", Value::List{0.0, kSteepest});
+  if (steepest >= 0.0 && steepest <= kSteepest) {
+    surface.steepest = steepest;
+  } else {
+    group.addError("steepest", "found " + Value(steepest).text() + "; it should be 0.0 to " +
+                                   Value(kSteepest).text() + kAngleUnit);
+  }
+  surface.unevenness = group.optionalBetween("unevenness", surface.unevenness, 0.0, 1e3);
 }
 
 void readMap(Parameters& group, randomize::PlacementOptions& placement) {
@@ -129,12 +99,17 @@ randomize::Volume readVolume(Parameters group) {
 randomize::PlacementOptions readPlacement(Parameters root) {
   randomize::PlacementOptions placement;
   Parameters group = root.group("placement");
-  placement.mode = readMode(group);
+  placement.mode =
+      listedChoice<randomize::PlacementMode>(group, "mode",
+                                             {{"map", randomize::PlacementMode::kMap},
+                                              {"volume", randomize::PlacementMode::kVolume},
+                                              {"drop", randomize::PlacementMode::kDrop}});
   if (placement.mode == randomize::PlacementMode::kMap) {
     readMap(group, placement);
   } else {
     placement.volume = readVolume(group);
-    placement.upright = !readWord(group, "orientation", "random", "upright");
+    placement.upright =
+        listedChoice<bool>(group, "orientation", {{"random", false}, {"upright", true}});
   }
   if (placement.mode == randomize::PlacementMode::kDrop) {
     placement.fall_time =

@@ -1,8 +1,6 @@
-#include "config/randomization.h"
+#include "config/readers.h"
 
-#include "config/background_config.h"
 #include "config/checked_values.h"
-#include "config/distractor_config.h"
 #include "config/distribution_config.h"
 
 namespace synthetic_dataset::config {
@@ -12,7 +10,7 @@ constexpr double kBrightest = 1e6;
 
 randomize::LightRandomization readLight(Parameters group) {
   randomize::LightRandomization light;
-  light.present = maybeProbability(group, "present");
+  light.present = group.maybeBetween("present", 0.0, 1.0);
   light.intensity = maybeDistribution(group, "intensity", {1, 0.0, kBrightest});
   light.colour = maybeDistribution(group, "colour", {3, 0.0, kBrightest});
   light.elevation = maybeDistribution(group, "elevation", kElevationRange);
@@ -36,17 +34,9 @@ std::optional<base::Distribution> readLightCount(
   return count;
 }
 
-bool readForEachVisual(Parameters& group) {
-  const std::string each = group.maybe<std::string>("for_each").value_or("visual");
-  if (each != "visual" && each != "model") {
-    group.addError("for_each", "found '" + each + "'; it should be visual or model");
-  }
-  return each != "model";
-}
-
 randomize::MaterialRandomization readMaterial(Parameters group) {
   randomize::MaterialRandomization material;
-  material.for_each_visual = readForEachVisual(group);
+  material.for_each_visual = choice<bool>(group, "for_each", {{"visual", true}, {"model", false}});
   material.colour = maybeDistribution(group, "colour", {3, 0.0, 1.0});
   material.tint = maybeDistribution(group, "tint", {3, 0.0, 1.0});
   material.roughness = maybeDistribution(group, "roughness", {1, 0.0, 1.0});
@@ -78,7 +68,7 @@ randomize::ObjectRandomization readObject(Parameters group) {
   constexpr double kLargest = 1e3;
   constexpr int kMostSizes = 100;
   randomize::ObjectRandomization object;
-  object.present = maybeProbability(group, "present");
+  object.present = group.maybeBetween("present", 0.0, 1.0);
   object.model = readModels(group);
   object.scale = maybeDistribution(group, "scale", {1, kSmallest, kLargest});
   if (object.scale && object.scale->values().empty()) {
@@ -114,7 +104,7 @@ randomize::WeatherRandomization readWeather(Parameters group) {
   constexpr double kStrongest = 100.0;     // [m/s]
   constexpr double kDustiest = 0.2;        // of the glass
   randomize::WeatherRandomization weather;
-  weather.present = maybeProbability(group, "present");
+  weather.present = group.maybeBetween("present", 0.0, 1.0);
   weather.visibility = maybeDistribution(group, "visibility", {1, kNearest, kFarthest});
   weather.rain = maybeDistribution(group, "rain", {1, 0.0, kHeaviestRain});
   weather.snow = maybeDistribution(group, "snow", {1, 0.0, kHeaviestSnow});

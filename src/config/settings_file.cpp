@@ -117,13 +117,13 @@ bool holdsAny(const Value::Map& group, const std::set<std::string>& names) {
                      [&](const auto& entry) { return names.count(entry.first) != 0; });
 }
 
-/// Whether a group is no group of settings, but says what one of them is drawn from.
+/// Whether a group says what a setting is drawn from, instead of holding settings.
 bool isDistribution(const Value::Map& group) {
   static const std::set<std::string> kKinds = {"uniform", "log_uniform", "normal", "choice"};
   return holdsAny(group, kKinds);
 }
 
-/// Of two distributions the upper one counts alone; but weights or limits may be laid over one.
+/// The upper of two distributions counts alone; but weights or limits may be laid over one.
 bool replaces(const Value::Map& over, const Value::Map& below) {
   static const std::set<std::string> kBeside = {"weights", "min", "max"};
   return isDistribution(over) || (isDistribution(below) && !holdsAny(over, kBeside));

@@ -11,7 +11,7 @@ namespace synthetic_dataset::config {
 [[nodiscard]] std::map<std::string, std::string> flatSettings(const Value& tree);
 
 /// The tree again.
-/// @throws Error for a text that is no value
+/// @throws Error for a text that is not a value
 [[nodiscard]] Value settingsTree(const std::map<std::string, std::string>& flat);
 
 }  // namespace synthetic_dataset::config

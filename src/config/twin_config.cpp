@@ -1,11 +1,10 @@
-#include "config/twin_config.h"
+#include "config/readers.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "base/seconds.h"
-#include "config/camera_config.h"
-#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -45,17 +44,18 @@ void checkRandomization(Parameters& root, const randomize::Randomization& random
 
 /// `both` is two runs, of which each has one of the others.
 scene::RecordedImageOutput readOutput(Parameters& group) {
-  const std::string output = group.maybe<std::string>("output").value_or("real");
-  if (output == "both") {
+  const auto both = std::optional<scene::RecordedImageOutput>();
+  const auto output =
+      choice<std::optional<scene::RecordedImageOutput>>(group, "output",
+                                               {{"real", scene::RecordedImageOutput::kReal},
+                                                {"synthetic", scene::RecordedImageOutput::kSynthetic},
+                                                {"both", both}});
+  if (output == both) {
     group.addError("output",
                    "found both, which makes two datasets of a whole run; beside `motions`, or in "
                    "the settings of one of them, it should be real or synthetic");
-  } else if (output != "real" && output != "synthetic") {
-    group.addError("output", "found '" + output + "'; it should be real, synthetic or both" +
-                                 didYouMean(output, {"real", "synthetic", "both"}));
   }
-  return output == "synthetic" ? scene::RecordedImageOutput::kSynthetic
-                               : scene::RecordedImageOutput::kReal;
+  return output.value_or(scene::RecordedImageOutput::kReal);
 }
 
 /// What measures the surfaces in front of objects.

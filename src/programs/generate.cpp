@@ -54,9 +54,8 @@ bool startNode(int argc, char** argv) {
 
 /// All settings, for people or for editors.
 std::string settingsText(bool as_json) {
-  const std::string& document = programs::settingsDocument();
-  if (!as_json) return document;
-  return base::jsonText(programs::settingsSchema(programs::documentedSettings(document))) + "\n";
+  if (!as_json) return programs::settingsDocument();
+  return base::jsonText(programs::settingsSchema()) + "\n";
 }
 
 /// How a run ended, for scripts: the last line on stdout.

@@ -1,4 +1,4 @@
-#include "config/background_config.h"
+#include "config/readers.h"
 
 #include <filesystem>
 
@@ -86,7 +86,7 @@ TEST(BackgroundConfig, RefusesWhatIsOutOfRange) {
       errorsOf("{pictures: /data, projection: dome}"),
       ElementsAre("background/projection: found 'dome'; it should be backdrop or panorama"));
   EXPECT_THAT(errorsOf("{pictures: /data, present: 2}"),
-              ElementsAre("background/present: found 2.0; it should be a probability, 0 to 1"));
+              ElementsAre("background/present: found 2.0; it should be 0.0 to 1.0"));
   EXPECT_THAT(errorsOf("{pictures: /data, brightness: -1}"),
               ElementsAre("background/brightness: found -1; it should be 0.0 to 1000000.0"));
   EXPECT_THAT(errorsOf("{pictures: /data, projection: panorama, yaw: 90}"),

@@ -1,4 +1,4 @@
-#include "config/camera_config.h"
+#include "config/readers.h"
 
 #include <chrono>
 

@@ -1,4 +1,4 @@
-#include "config/camera_sampling.h"
+#include "config/readers.h"
 
 #include <gmock/gmock.h>
 
@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSampling{"roll: -7", "camera/sample/roll: found -7"},
         BadSampling{"aim_offset: {uniform: [1]}", "camera/sample/aim_offset: found uniform: [1]"},
         BadSampling{"clearance: -0.1",
-                    "camera/sample/clearance: found -0.1 m; it should be 0 to 1e6"},
+                    "camera/sample/clearance: found -0.1; it should be 0.0 to 1000000.0"},
         BadSampling{"tries: 0", "camera/sample/tries: found 0; it should be 1 to 1000000"}));
 
 TEST(ReadCameraSampling, IsOfItsOwnCameraAmongSeveral) {

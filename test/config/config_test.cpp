@@ -328,7 +328,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "simulated_rate: found 0.0; it should be above 0"},
         BadSetting{"world:", "simulated_rate: -5.0\nworld:", "simulated_rate: found -5.0"},
         BadSetting{"world:", "simulated_rate: fast\nworld:", "simulated_rate: found fast (a text)"},
-        BadSetting{"world:", "start_offset: -1\nworld:", "start_offset: found -1.0 s"},
+        BadSetting{"world:", "start_offset: -1\nworld:", "start_offset: found -1.0;"},
         BadSetting{"world:", "motion: plcement\nworld:",
                    "motion: found 'plcement'; it should be bag or placement; did you mean "
                    "'placement'?"},
@@ -350,8 +350,8 @@ INSTANTIATE_TEST_SUITE_P(
                    "pose_topics: found a group without `topic`"},
         BadSetting{"world:", "pose_topics: [/odom, /odom]\nworld:",
                    "pose_topics: found '/odom' more than once"},
-        BadSetting{"world:", "stretch: -1\nworld:",
-                   "stretch: found -1; it should be the number of a part of the recording, from 0"},
+        BadSetting{
+            "world:", "stretch: -1\nworld:", "stretch: found -1; it should be 0 to 1000000000"},
         BadSetting{"world:", "max_tf_gap: -.inf\nworld:",
                    "max_tf_gap: found -inf (a number); it should be a finite number"},
         BadSetting{
@@ -360,12 +360,12 @@ INSTANTIATE_TEST_SUITE_P(
                    "placement: has a meaning with motion: placement alone"},
         BadSetting{"bag_file: /data/run.bag",
                    "motion: placement\nscenes: 0\nplacement: {map: /a.yaml}",
-                   "scenes: found 0; it should be 1 to 100000000, the number of scenes to make"},
+                   "scenes: found 0; it should be 1 to 100000000"},
         BadSetting{"bag_file: /data/run.bag",
                    "motion: placement\nscenes: 100000001\nplacement: {map: /a.yaml}",
                    "scenes: found 100000001"},
         BadSetting{"keypoints: []", "safety_radius: -1\n  keypoints: []",
-                   "alpha/safety_radius: found -1.0 m; it should be 0 or more"},
+                   "alpha/safety_radius: found -1.0; it should be 0.0 to 1000000.0"},
         BadSetting{"robot_list: alpha", "robot_list: [alpha, placement]",
                    "robot_list: found 'placement', which is also a setting"},
         BadSetting{

@@ -1,4 +1,4 @@
-#include "config/depth_noise_config.h"
+#include "config/readers.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "config/distractor_config.h"
+#include "config/readers.h"
 
 #include <gmock/gmock.h>
 

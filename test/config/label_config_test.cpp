@@ -1,4 +1,4 @@
-#include "config/label_config.h"
+#include "config/readers.h"
 
 #include <gmock/gmock.h>
 
@@ -46,7 +46,7 @@ TEST(ReadMasks, RefusesAnotherMethod) {
   Parameters root = settings("masks: {method: magic}");
   (void)readMasks(root);
   EXPECT_THAT(root.errors(),
-              ElementsAre("masks/method: found 'magic'; it should be mog2 or exact"));
+              ElementsAre("masks/method: found 'magic'; it should be exact or mog2"));
 }
 
 TEST(ReadLabels, HasNoThresholdsUnlessTheyAreSet) {

@@ -125,8 +125,7 @@ TEST(ReadMotions, LetsAPlacementHaveAsManyAsAreNeeded) {
 
 TEST(ReadMotions, NamesNumbersOfScenesThatMeanNothing) {
   EXPECT_THAT(errorsOf("[{}]", "scenes: 0"),
-              ElementsAre("scenes: found 0; it should be 1 to 100000000, the number of scenes to "
-                          "make"));
+              ElementsAre("scenes: found 0; it should be 1 to 100000000"));
   EXPECT_THAT(errorsOf("[{}]", "scenes: many"), ElementsAre(HasSubstr("scenes: found ")));
 }
 
@@ -205,8 +204,8 @@ TEST(ReadMotions, NamesANameOfSeveralLines) {
 
 TEST(ReadMotions, NamesASplitThatIsNone) {
   EXPECT_THAT(errorsOf("[{split: tests}]"),
-              ElementsAre("motions/0/split: found 'tests'; it should be train, val or test, in "
-                          "which all scenes of this motion are; did you mean 'test'?"));
+              ElementsAre("motions/0/split: found 'tests'; it should be train, val or test; "
+                          "did you mean 'test'?"));
 }
 
 TEST(ReadMotions, NamesAnObjectThatTheRunDoesNotHave) {

@@ -1,4 +1,4 @@
-#include "config/placement_config.h"
+#include "config/readers.h"
 
 #include <gmock/gmock.h>
 
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadPlacement{"map: /a.yaml, surface: above",
                      "placement/surface: found 'above'; it should be below or none"},
         BadPlacement{"map: /a.yaml, steepest: -0.1",
-                     "placement/steepest: found -0.1; it should be 0 to 1.5"},
+                     "placement/steepest: found -0.1; it should be 0.0 to 1.5"},
         BadPlacement{"map: /a.yaml, steepest: 1.6", "placement/steepest: found 1.6"},
         BadPlacement{"map: /a.yaml, unevenness: -1", "placement/unevenness: found -1.0"},
         BadPlacement{"map: /a.yaml, highest_surface: low", "placement/highest_surface: found low"},

@@ -1,4 +1,4 @@
-#include "config/randomization.h"
+#include "config/readers.h"
 
 #include <cmath>
 #include <filesystem>
@@ -131,8 +131,7 @@ TEST(Randomization, ReadsHowLikelyObjectsAreThere) {
   EXPECT_FALSE(read("{objects: {rover_1: {present: 1}}}").ofObject("rover_2").present);
   EXPECT_FALSE(given.changesLook());
   EXPECT_THAT(errorsOf("{objects: {rover_1: {present: 1.5}}}"),
-              ElementsAre("randomize/objects/rover_1/present: found 1.5; it should be a "
-                          "probability, 0 to 1"));
+              ElementsAre("randomize/objects/rover_1/present: found 1.5; it should be 0.0 to 1.0"));
 }
 
 TEST(Randomization, ReadsWhatObjectsWear) {
@@ -255,10 +254,8 @@ TEST(Randomization, ShiftsEachAxisByItselfAndTintsAllChannelsAlike) {
 
 TEST(Randomization, RefusesAProbabilityThatIsNone) {
   const std::string group = "lights/sun";
-  EXPECT_EQ(errorOf(group, "present: 1.5"),
-            "present: found 1.5; it should be a probability, 0 to 1");
-  EXPECT_EQ(errorOf(group, "present: -0.1"),
-            "present: found -0.1; it should be a probability, 0 to 1");
+  EXPECT_EQ(errorOf(group, "present: 1.5"), "present: found 1.5; it should be 0.0 to 1.0");
+  EXPECT_EQ(errorOf(group, "present: -0.1"), "present: found -0.1; it should be 0.0 to 1.0");
   EXPECT_EQ(errorOf(group, "present: .nan").substr(0, 14), "present: found");
   EXPECT_EQ(errorOf(group, "present: maybe").substr(0, 14), "present: found");
 }

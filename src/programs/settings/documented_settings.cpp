@@ -6,8 +6,11 @@
 #include <sstream>
 #include <utility>
 
+#include "base/json_text.h"
 #include "base/yaml_value.h"
-#include "programs/settings/settings_document.h"
+#include "config/config.h"
+#include "config/settings_text.h"
+#include "programs/setup_assistant/page_files.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
@@ -20,10 +23,12 @@ struct SettingLine {
   bool begins_entry = false;  ///< of a list: "- name: hall"
   std::string name;
   std::string value;
+  std::string unit;
 };
 
 std::optional<SettingLine> settingIn(const std::string& line) {
-  static const std::regex kSetting(R"(( *)(# )?(- )?([a-z_][a-z_0-9]*):( +(.*))?)");
+  static const std::regex kSetting(
+      R"re(( *)(# )?(- )?([a-z_][a-z_0-9]*):(?: +(.*?))?(?:  # \[(.*)\])?)re");
   std::smatch match;
   if (!std::regex_match(line, match, kSetting)) return std::nullopt;
   SettingLine setting;
@@ -31,7 +36,8 @@ std::optional<SettingLine> settingIn(const std::string& line) {
   setting.indentation = match[1].str().size() + (setting.begins_entry ? 2U : 0U);
   setting.is_active = !match[2].matched;
   setting.name = match[4].str();
-  setting.value = match[6].str();
+  setting.value = match[5].str();
+  setting.unit = match[6].str();
   return setting;
 }
 
@@ -40,6 +46,16 @@ std::optional<std::string> commentIn(const std::string& line) {
   const std::size_t begin = line.find_first_not_of(' ');
   if (begin == std::string::npos || line[begin] != '#') return std::nullopt;
   return line.substr(std::min(begin + 2, line.size()));
+}
+
+/// What is not YAML, as the user has to complete it, is a text.
+Value valueOf(const std::string& text, const std::string& path) {
+  if (text.empty()) return {};
+  try {
+    return base::parseSettings(text, path);
+  } catch (const Error&) {
+    return text;
+  }
 }
 
 bool isComplete(const std::string& value) {
@@ -51,13 +67,14 @@ class DocumentReader {
   std::vector<DocumentedSetting> read(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) take(line);
+    for (DocumentedSetting& each : settings_) each.value = valueOf(each.text, each.path);
     return std::move(settings_);
   }
 
  private:
   void take(const std::string& line) {
-    if (!settings_.empty() && !isComplete(settings_.back().value)) {
-      settings_.back().value +=
+    if (!settings_.empty() && !isComplete(settings_.back().text)) {
+      settings_.back().text +=
           " " + line.substr(std::min(line.find_first_not_of(' '), line.size()));
       return;
     }
@@ -84,7 +101,9 @@ class DocumentReader {
     const bool is_known =
         std::any_of(settings_.begin(), settings_.end(),
                     [&](const DocumentedSetting& each) { return each.path == full; });
-    if (!is_known) settings_.push_back({full, descriptionOf(path), line.value, line.is_active});
+    if (!is_known) {
+      settings_.push_back({full, descriptionOf(path), line.unit, line.value, {}, line.is_active});
+    }
     comment_.clear();
     block_ = is_known ? std::nullopt : std::optional(path);
     if (line.value.empty()) above_.emplace_back(line.indentation, line.name);
@@ -123,14 +142,6 @@ Value::Map& nodeOf(Value::Map& root, const std::string& path) {
   return *node;
 }
 
-std::optional<Value> parsed(const std::string& value) {
-  try {
-    return base::parseSettings(value, "the settings' document");
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-}
-
 /// Groups whose names are all known: those in which another one is misspelt.
 void closeGroups(Value::Map& root) {
   for (const char* path :
@@ -147,24 +158,51 @@ std::vector<DocumentedSetting> documentedSettings(const std::string& text) {
   return DocumentReader().read(text);
 }
 
+const std::vector<DocumentedSetting>& documentedSettings() {
+  static const auto kSettings = documentedSettings(settingsDocument());
+  return kSettings;
+}
+
 const std::string& settingsDocument() {
-  static const std::string kText = kSettingsDocument;
+  static const std::string kText = PageFiles().find("params.yaml").value();
   return kText;
 }
 
-Value settingsSchema(const std::vector<DocumentedSetting>& settings) {
+std::map<std::string, Value::Map> declaredSettings() {
+  std::map<std::string, std::string> flat;
+  for (const DocumentedSetting& each : documentedSettings()) {
+    if (!each.value.isNull() && each.path.find('-') == std::string::npos) {
+      flat[each.path] = base::jsonText(each.value);
+    }
+  }
+  std::map<std::string, Value::Map> declared;
+  for (const std::string mode : {"", "map", "volume", "drop"}) {
+    flat["motion"] = mode.empty() ? "bag" : "placement";
+    flat["placement/mode"] = mode;
+    flat["camera/depth_noise/model"] = mode.empty() ? "structured_light" : "stereo";
+    flat["randomize/distractors/mode"] = "drop";
+    Parameters root(config::settingsTree(flat));
+    (void)config::readConfig(root);
+    declared.insert(root.declarations().begin(), root.declarations().end());
+    for (const char* other : {"camera/sample/position", "randomize/distractors/models"}) {
+      flat.erase(other);  // with which some settings have no meaning
+    }
+  }
+  return declared;
+}
+
+Value settingsSchema() {
   Value::Map root = {{"$schema", Value("http://json-schema.org/draft-07/schema#")},
                      {"title", Value("Settings of synthetic_dataset")},
                      {"type", Value("object")}};
-  for (const DocumentedSetting& setting : settings) {
+  for (const DocumentedSetting& setting : documentedSettings()) {
     Value::Map& node = nodeOf(root, setting.path);
     if (!setting.description.empty()) node["description"] = Value(setting.description);
-    const auto value = setting.value.empty() ? std::nullopt : parsed(setting.value);
-    if (!value || value->isNull()) continue;
+    if (setting.value.isNull()) continue;
     if (setting.is_active && !setting.isRequired()) {
-      node["default"] = *value;
+      node["default"] = setting.value;
     } else {
-      node["examples"] = Value(Value::List{*value});
+      node["examples"] = Value(Value::List{setting.value});
     }
   }
   closeGroups(root);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,9 @@ namespace synthetic_dataset::programs {
 struct DocumentedSetting {
   std::string path;         ///< "camera/effects/blur"; entries of a list are "motions/-/name"
   std::string description;  ///< the comment above it, in one line
-  std::string value;        ///< in YAML; empty: a group
+  std::string unit;         ///< what stands in brackets behind its value: "m/s"; or empty
+  std::string text;         ///< its value in YAML; empty: a group
+  Value value;              ///< the same
   bool is_active = false;   ///< not commented out, so that the value is its default or an example
                             ///< of what is required
 
@@ -25,8 +28,15 @@ struct DocumentedSetting {
 /// config/params.yaml as it was when this program was built.
 [[nodiscard]] const std::string& settingsDocument();
 
+/// The settings of config/params.yaml.
+[[nodiscard]] const std::vector<DocumentedSetting>& documentedSettings();
+
+/// What the settings' readers declare of those of config/params.yaml, by path: Parameters has the
+/// facts' names.
+[[nodiscard]] std::map<std::string, Value::Map> declaredSettings();
+
 /// A JSON schema (draft 7) of settings files, for editors: what each setting means, and which names
 /// there are. Names of objects, writers and cameras are free.
-[[nodiscard]] Value settingsSchema(const std::vector<DocumentedSetting>& settings);
+[[nodiscard]] Value settingsSchema();
 
 }  // namespace synthetic_dataset::programs

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "base/json_text.h"
-#include "programs/setup_assistant/catalogue/format_list.h"
-#include "programs/setup_assistant/catalogue/parameter_list.h"
+#include "programs/setup_assistant/catalogue/catalogue.h"
 #include "programs/setup_assistant/folders/file_browser.h"
 #include "programs/setup_assistant/service/request_body.h"
 
@@ -95,7 +94,7 @@ void Assistant::addDocumentRoutes() {
 
 void Assistant::addCatalogueRoutes() {
   get("/api/parameters", [](const HttpRequest&) { return parameterList(); });
-  get("/api/formats", [](const HttpRequest&) { return formatList(formatsDocument()); });
+  get("/api/formats", [this](const HttpRequest&) { return live_->formats(); });
   get("/api/files", [this](const HttpRequest& request) {
     return listFolder(allowed_, request.parameter("folder").value_or(""),
                       wordsBetweenCommas(request.parameter("kind").value_or("")));

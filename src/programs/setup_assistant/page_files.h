@@ -5,8 +5,8 @@
 
 namespace synthetic_dataset::programs {
 
-/// The files of the page: those that are part of the program, or, for its developers, those in a
-/// folder.
+/// The files of the page: those that are part of the program, as are params.yaml and formats.md,
+/// or, for its developers, those in a folder.
 class PageFiles {
  public:
   /// @param folder  empty: those of the program

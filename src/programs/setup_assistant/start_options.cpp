@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/yaml_scalar.h"
-#include "programs/setup_assistant/document/whole_file.h"
+#include "programs/setup_assistant/document/settings_document.h"
 #include "programs/start/settings_draft.h"
 #include "synthetic_dataset/errors.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "config/object_config.h"
+#include "config/readers.h"
 #include "plugins/readback/format.h"
 #include "synthetic_dataset/label_text.h"
 

@@ -34,14 +34,16 @@ TEST(DocumentedSettings, AreReadWhetherTheyStandBehindACommentOrNot) {
       "# A heading.\n\n"
       "# REQUIRED. The bag,\n# or a list.\nbag_file: a.bag\n"
       "# placement:\n  # `map` or not.\n  # mode: map\n"
-      "camera:\n  # [m].\n  near: 0.05\n  # effects:\n    # blur: 0.6\nseed: 0\n");
+      "camera:\n  # Nearest.\n  near: 0.05  # [m]\n  # effects:\n    # blur: 0.6\nseed: 0\n");
   EXPECT_THAT(pathsOf(settings),
               ElementsAre("bag_file", "placement", "placement/mode", "camera", "camera/near",
                           "camera/effects", "camera/effects/blur", "seed"));
   EXPECT_EQ(settings[0].description, "REQUIRED. The bag, or a list.");
   EXPECT_TRUE(settings[0].isRequired() && settings[0].is_active);
   EXPECT_FALSE(settings[2].is_active);
-  EXPECT_EQ(settings[2].value, "map");
+  EXPECT_EQ(settings[2].value, Value("map"));
+  EXPECT_EQ(settings[4].unit, "m");
+  EXPECT_EQ(settings[4].value, Value(0.05));
 }
 
 TEST(DocumentedSettings, OfAListAreThoseOfItsEntries) {
@@ -59,8 +61,7 @@ TEST(DocumentedSettings, ShareTheCommentAboveThem) {
 
 /// A tree with one setting, in a settings file of which it is a part.
 Value with(const DocumentedSetting& setting, const std::string& mode) {
-  const Value value = setting.value.empty() ? Value(Value::Map{})
-                                            : base::parseSettings(setting.value, setting.path);
+  const Value value = setting.text.empty() ? Value(Value::Map{}) : setting.value;
   std::vector<std::string> parts;
   std::istringstream stream(setting.path);
   for (std::string part; std::getline(stream, part, '/');) parts.push_back(part);
@@ -109,18 +110,18 @@ bool isOfOthers(const std::string& path) {
 
 TEST(SettingsDocument, ListsNoSettingThatNobodyReads) {
   std::vector<std::string> unread;
-  for (const DocumentedSetting& each : documentedSettings(settingsDocument())) {
-    if (!isOfOthers(each.path) && !each.value.empty() && !isRead(each)) unread.push_back(each.path);
+  for (const DocumentedSetting& each : documentedSettings()) {
+    if (!isOfOthers(each.path) && !each.text.empty() && !isRead(each)) unread.push_back(each.path);
   }
   EXPECT_THAT(unread, IsEmpty());
 }
 
 TEST(SettingsDocument, ListsEverySettingThatIsReadInAGroupOfIts) {
-  const auto settings = documentedSettings(settingsDocument());
+  const auto& settings = documentedSettings();
   const std::vector<std::string> listed = pathsOf(settings);
   std::set<std::string> missing;
   for (const DocumentedSetting& each : settings) {
-    if (isOfOthers(each.path) || each.value.empty()) continue;
+    if (isOfOthers(each.path) || each.text.empty()) continue;
     for (const std::string mode : {"map", "volume", "drop"}) {
       Parameters root(with(each, mode));
       (void)config::readConfig(root);
@@ -135,8 +136,38 @@ TEST(SettingsDocument, ListsEverySettingThatIsReadInAGroupOfIts) {
   EXPECT_THAT(missing, IsEmpty());
 }
 
+TEST(SettingsDocument, HasTheDefaultsThatTheReadersHave) {
+  const auto declared = declaredSettings();
+  int count = 0;
+  for (const DocumentedSetting& each : documentedSettings()) {
+    const auto found = declared.find(each.path);
+    const bool is_recommended = each.description.find("(default ") != std::string::npos;
+    if (!each.is_active || is_recommended || each.isRequired() || found == declared.end()) continue;
+    const auto fallback = found->second.find("default");
+    if (fallback == found->second.end()) continue;
+    Parameters both(Value::Map{{"documented", each.value}, {"read", fallback->second}});
+    if (fallback->second.is<double>()) {
+      EXPECT_EQ(both.required<double>("documented"), both.required<double>("read")) << each.path;
+    } else if (!each.value.is<Value::List>()) {  // an example beside a default that is a word
+      EXPECT_EQ(each.value, fallback->second) << each.path;
+    }
+    ++count;
+  }
+  EXPECT_GT(count, 15);
+}
+
+TEST(DeclaredSettings, HaveRangesAndChoices) {
+  const auto declared = declaredSettings();
+  EXPECT_EQ(declared.at("camera/effects/blur").at("range"), Value(Value::List{0.0, 50.0}));
+  EXPECT_EQ(declared.at("randomize/weather/dust").at("range"), Value(Value::List{0.0, 0.2}));
+  EXPECT_EQ(declared.at("placement/mode").at("choices"),
+            Value(Value::List{"map", "volume", "drop"}));
+  EXPECT_EQ(declared.at("placement/mode").at("default"), Value("map"));
+  EXPECT_EQ(declared.at("rendering/shadow_map_size").at("default"), Value(2048));
+}
+
 TEST(SettingsSchema, TellsEditorsWhatThereIs) {
-  const Value schema = settingsSchema(documentedSettings(settingsDocument()));
+  const Value schema = settingsSchema();
   const Value read = base::parseYaml(base::jsonText(schema), "schema");
   const auto property = [](const Value& node, const std::string& name) {
     return node.as<Value::Map>()->at("properties").as<Value::Map>()->at(name);
@@ -183,7 +214,7 @@ void findUnknown(const Value& schema, const Value& value, const std::string& pat
 }
 
 std::vector<std::string> unknownIn(const std::string& settings) {
-  const Value schema = settingsSchema(documentedSettings(settingsDocument()));
+  const Value schema = settingsSchema();
   std::vector<std::string> unknown;
   findUnknown(schema, base::parseSettings(settings, "settings"), "", unknown);
   return unknown;

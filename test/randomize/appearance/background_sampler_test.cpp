@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "base/yaml_value.h"
-#include "config/background_config.h"
+#include "config/readers.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "base/yaml_value.h"
-#include "config/randomization.h"
+#include "config/readers.h"
 #include "support/box_world.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"

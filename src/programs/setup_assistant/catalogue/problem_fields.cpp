@@ -1,4 +1,4 @@
-#include "programs/setup_assistant/catalogue/problem_fields.h"
+#include "programs/setup_assistant/catalogue/catalogue.h"
 
 #include <algorithm>
 #include <cctype>
@@ -17,7 +17,7 @@ namespace {
 const std::set<std::string>& documentedPaths() {
   static const std::set<std::string> kPaths = [] {
     std::set<std::string> paths;
-    for (const DocumentedSetting& each : documentedSettings(settingsDocument())) {
+    for (const DocumentedSetting& each : documentedSettings()) {
       paths.insert(each.path);
     }
     return paths;

@@ -1,12 +1,14 @@
 #include "programs/setup_assistant/document/settings_document.h"
 
 #include <filesystem>
+#include <fstream>
 #include <regex>
+#include <system_error>
 #include <utility>
 
 #include "base/input_file.h"
+#include "output/files/pending_file.h"
 #include "programs/setup_assistant/document/settings_names.h"
-#include "programs/setup_assistant/document/whole_file.h"
 #include "programs/setup_assistant/web/http_message.h"
 #include "synthetic_dataset/errors.h"
 
@@ -29,6 +31,22 @@ std::string fileNameOf(const std::string& file) {
 }
 
 }  // namespace
+
+void writeWhole(const std::string& file, const std::string& content) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path target = fs::exists(file, none) ? fs::canonical(file) : fs::absolute(file);
+  const auto write = [&](const std::string& pending_name) {
+    std::ofstream stream(pending_name, std::ios::binary);
+    if (fs::exists(target)) {
+      fs::permissions(pending_name, fs::status(target).permissions(), none);
+    }
+    if (!(stream << content << std::flush)) throw Error("'" + file + "' cannot be written");
+  };
+  auto pending = output::PendingFile::writtenBy(target.string(), write);
+  pending.publish();
+  pending.keep();
+}
 
 SettingsDocument::SettingsDocument(std::string file)
     : file_(std::move(file)), written_(base::readInput(file_)) {

@@ -12,7 +12,7 @@ namespace {
 /// The names directly in each group, by the group's name with a slash behind it.
 std::map<std::string, std::vector<std::string>> namesByGroup() {
   std::map<std::string, std::vector<std::string>> names;
-  for (const DocumentedSetting& each : documentedSettings(settingsDocument())) {
+  for (const DocumentedSetting& each : documentedSettings()) {
     const std::size_t slash = each.path.rfind('/');
     const std::size_t start = slash == std::string::npos ? 0 : slash + 1;
     names[each.path.substr(0, start)].push_back(each.path.substr(start));

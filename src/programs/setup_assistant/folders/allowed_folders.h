@@ -11,7 +11,7 @@ class AllowedFolders {
  public:
   /// @param file  of the settings: its folder is the first one
   /// @param more  named by the user; those of ROS packages and of models are added
-  /// @throws Error where one of `more` is no folder
+  /// @throws Error where one of `more` is not a folder
   AllowedFolders(const std::filesystem::path& file, const std::vector<std::string>& more);
 
   /// The roots, without links.

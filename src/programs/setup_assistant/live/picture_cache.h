@@ -24,7 +24,7 @@ class PictureCache {
   [[nodiscard]] std::shared_ptr<const std::string> find(const std::string& name) const;
 
  private:
-  /// Of this server: browsers keep pictures of an earlier one by their addresses.
+  /// Differs from server to server: browsers keep an earlier one's pictures by their addresses.
   std::string mark_ = std::to_string(std::random_device()());
   mutable std::mutex mutex_;
   std::int64_t next_ = 1;

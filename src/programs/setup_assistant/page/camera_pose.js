@@ -99,7 +99,7 @@ function distanceTo(name) {
   return scene.value?.labels?.objects?.find((each) => each.name === name)?.distance;
 }
 
-// Of what is in the picture's middle.
+// The distance to the object in the picture's middle.
 function lengthAhead(path, position, rpy) {
   const {camera, labels} = scene.value ?? {};
   const [u, v] = [(camera?.width - 1) / 2, (camera?.height - 1) / 2];

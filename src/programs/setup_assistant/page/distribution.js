@@ -1,6 +1,6 @@
 // The editor of a distribution: what is drawn for each scene (docs/randomize.md).
 import {h} from './dom.js';
-import {idOf, problemList, rounded} from './fields.js';
+import {idOf, problemList, rounded, unitOf} from './fields.js';
 import {parseFlow, printFlow} from './flow.js';
 import {keyOf} from './paths.js';
 import {problemsBelow} from './problems.js';
@@ -19,9 +19,10 @@ function kindOf(value) {
   return 'fixed';
 }
 
-// options: label, unit, range: [low, high] of the sliders, start: what it is when turned on, isColour, isAlways: it
-// cannot be off, and is `start` by default.
-export function distribution(path, options) {
+// options: label, range: [low, high] of the sliders where it is not all that may be, start: what it is when turned on,
+// isColour, isAlways: it cannot be off, and is `start` by default.
+export function distribution(path, given) {
+  const options = {range: parameter(path)?.range, ...given};
   const id = idOf(path);
   const value = effective(path) ?? (options.isAlways ? options.start : undefined);
   const kind = kindOf(value);
@@ -46,8 +47,7 @@ export function distribution(path, options) {
             title: options.isAlways ? 'Off: the default' : null,
             onchange: (event) => set(path, event.target.checked ? options.start : undefined),
           }),
-          h('span', {id: `${id}-label`}, options.label,
-            options.unit ? h('span', {class: 'unit'}, ` [${options.unit}]`) : null)),
+          h('span', {id: `${id}-label`}, options.label, unitOf(path, options))),
         h('select', {
           'aria-label': `${options.label}: kind`,
           disabled: kind === 'off',

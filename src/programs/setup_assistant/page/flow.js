@@ -1,7 +1,7 @@
 // Values in one line, as YAML's flow style has them: 0.5, robot, [1, 2], {uniform: [0, 1]}.
 
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/;
-const PLAIN = /^[A-Za-z_/.~$][^,:#\[\]{}&*!|>'"%@`\n]*$/;
+const PLAIN = /^[A-Za-z_/.~$][^,:#[\]{}&*!|>'"%@`\n]*$/;
 
 export function parseFlow(text) {
   const parser = new FlowParser(text);
@@ -11,7 +11,7 @@ export function parseFlow(text) {
   return value;
 }
 
-// Text that is no list, map or number is itself.
+// Text that is not a list, map or number is itself.
 export function parseScalar(text) {
   const trimmed = text.trim();
   if (NUMBER.test(trimmed)) return Number(trimmed);

@@ -172,7 +172,8 @@ function onKey(event) {
   // A field in which something is typed has an undo of its own.
   if (document.activeElement?.isEdited) return;
   event.preventDefault();
-  document.activeElement?.matches?.('input, textarea') && (document.activeElement.isEdited = false);
+  const edited = document.activeElement;
+  if (edited?.matches?.('input, textarea')) edited.isEdited = false;
   if (event.key.toLowerCase() === 'y' || event.shiftKey)
     redo();
   else

@@ -36,10 +36,10 @@ function draw() {
       more(
           'Range of sight, rectified pictures',
           ['near', 'far', 'rectified', 'stereo_frame'].map((each) => [...path, each]),
-          h('div', {class: 'pair'}, numberField([...path, 'near'], {label: 'Nearest', unit: 'm', step: 0.01}),
-            numberField([...path, 'far'], {label: 'Farthest', unit: 'm', step: 10})),
+          h('div', {class: 'pair'}, numberField([...path, 'near'], {label: 'Nearest', step: 0.01}),
+            numberField([...path, 'far'], {label: 'Farthest', step: 10})),
           switchField([...path, 'rectified'], {label: 'Rectified pictures'}),
-          choiceField([...path, 'stereo_frame'], ['auto', 'first', 'own'], {label: 'Frame of a second stereo camera'})),
+          choiceField([...path, 'stereo_frame'], null, {label: 'Frame of a second stereo camera'})),
       effects(path), depthNoise(path), twin(path)),
   ];
 }
@@ -261,39 +261,23 @@ function sample(path) {
     choice(
         'shape', 'Position in', [['shell', 'a shell around it'], ['box', 'a box']], isBox ? 'box' : 'shell',
         chooseShape),
-    isBox ? distribution([...where, 'position'], {
-      label: 'Position',
-      unit: 'm',
-      range: [-10, 10],
-      start: {uniform: [[-2, -2, 0.5], [2, 2, 2]]},
-      isAlways: true
-    }) :
-            [
-              distribution(
-                  [...where, 'distance'],
-                  {label: 'Distance', unit: 'm', range: [0.1, 10], start: {uniform: [1, 3]}, isAlways: true}),
-              distribution([...where, 'elevation'], {
-                label: 'Above the horizon',
-                unit: 'rad',
-                range: [-1.5, 1.5],
-                start: {uniform: [0.2, 1]},
-                isAlways: true
-              }),
-              distribution([...where, 'azimuth'], {
-                label: 'Direction',
-                unit: 'rad',
-                range: [-3.1416, 3.1416],
-                start: {uniform: [-3.1416, 3.1416]},
-                isAlways: true
-              }),
-            ],
-    distribution(
-        [...where, 'aim_offset'], {label: 'Looks past it by', unit: 'm', range: [-1, 1], start: {normal: [0, 0.2]}}),
-    distribution(
-        [...where, 'roll'],
-        {label: 'About the line of sight', unit: 'rad', range: [-1, 1], start: {normal: [0, 0.06]}}),
-    h('div', {class: 'pair'},
-      numberField([...where, 'clearance'], {label: 'Distance from everything', unit: 'm', step: 0.05}),
+    isBox ?
+        distribution(
+            [...where, 'position'],
+            {label: 'Position', range: [-10, 10], start: {uniform: [[-2, -2, 0.5], [2, 2, 2]]}, isAlways: true}) :
+        [
+          distribution(
+              [...where, 'distance'], {label: 'Distance', range: [0.1, 10], start: {uniform: [1, 3]}, isAlways: true}),
+          distribution(
+              [...where, 'elevation'],
+              {label: 'Above the horizon', range: [-1.5, 1.5], start: {uniform: [0.2, 1]}, isAlways: true}),
+          distribution(
+              [...where, 'azimuth'],
+              {label: 'Direction', range: [-3.1416, 3.1416], start: {uniform: [-3.1416, 3.1416]}, isAlways: true}),
+        ],
+    distribution([...where, 'aim_offset'], {label: 'Looks past it by', range: [-1, 1], start: {normal: [0, 0.2]}}),
+    distribution([...where, 'roll'], {label: 'About the line of sight', range: [-1, 1], start: {normal: [0, 0.06]}}),
+    h('div', {class: 'pair'}, numberField([...where, 'clearance'], {label: 'Distance from everything', step: 0.05}),
       numberField([...where, 'tries'], {label: 'Positions tried', step: 100})),
   ];
 }
@@ -304,24 +288,24 @@ function fromAbove() {
 }
 
 const EFFECTS = [
-  ['exposure', 'Brighter by', 'stops', [-3, 3], 0.1],
-  ['blur', 'Blur', 'px', [0, 5], 0.1],
-  ['vignetting', 'Darker corners', '', [0, 1], 0.05],
-  ['noise_stddev', 'Noise', '', [0, 0.1], 0.001],
-  ['noise_mean', 'Its mean', '', [-0.1, 0.1], 0.001],
-  ['full_well', 'Electrons of a white pixel', '', null, 1000],
-  ['exposure_time', 'Shutter is open', 's', [0, 0.1], 0.001],
-  ['motion_samples', 'Pictures averaged over that', '', [2, 32], 1],
-  ['readout_time', 'First row to last', 's', [0, 0.1], 0.001],
-  ['readout_bands', 'Bands of rows', '', [2, 480], 1],
+  ['exposure', 'Brighter by', [-3, 3], 0.1],
+  ['blur', 'Blur', [0, 5], 0.1],
+  ['vignetting', 'Darker corners', [0, 1], 0.05],
+  ['noise_stddev', 'Noise', [0, 0.1], 0.001],
+  ['noise_mean', 'Its mean', [-0.1, 0.1], 0.001],
+  ['full_well', 'Electrons of a white pixel', null, 1000],
+  ['exposure_time', 'Shutter is open', [0, 0.1], 0.001],
+  ['motion_samples', 'Pictures averaged over that', [2, 32], 1],
+  ['readout_time', 'First row to last', [0, 0.1], 0.001],
+  ['readout_bands', 'Bands of rows', [2, 480], 1],
 ];
 
 function effects(path) {
   const where = [...path, 'effects'];
   return more(
       'Effects of a real sensor', EFFECTS.map(([each]) => [...where, each]),
-      EFFECTS.map(([name, label, unit, range,
-                    step]) => numberField([...where, name], {label, unit, range, step, fallback: 'off'})));
+      EFFECTS.map(
+          ([name, label, range, step]) => numberField([...where, name], {label, range, step, fallback: 'off'})));
 }
 
 function depthNoise(path) {
@@ -347,10 +331,10 @@ function twin(path) {
   return more(
       'Recorded pictures', [[...path, 'image_topic'], ['twin']],
       textField([...path, 'image_topic'], {label: 'Topic with its pictures'}),
-      numberField([...path, 'time_offset'], {label: 'Added to their stamps', unit: 's', step: 0.001}),
+      numberField([...path, 'time_offset'], {label: 'Added to their stamps', step: 0.001}),
       flowField([...path, 'correction'], {label: 'Correction of its pose'}),
-      choiceField(['twin', 'output'], ['real', 'synthetic', 'both'], {label: 'Images are'}),
+      choiceField(['twin', 'output'], null, {label: 'Images are'}),
       numberField(['twin', 'every'], {label: 'Every n-th picture', step: 1}),
       numberField(
-          ['twin', 'min_alignment'], {label: 'Least agreement of labels with edges', range: [0, 1], step: 0.05}));
+          ['twin', 'min_alignment'], {label: 'Least agreement of labels with edges', slider: true, step: 0.05}));
 }

@@ -1,5 +1,5 @@
 import {h} from './dom.js';
-import {flowField, problemList, textField} from './fields.js';
+import {choiceField, flowField, problemList, switchField, textField} from './fields.js';
 import {freeName} from './paths.js';
 import {problemsAt, problemsBelow} from './problems.js';
 import {answer, change, effective} from './store.js';
@@ -34,7 +34,7 @@ function draw() {
             (each) =>
                 h('li', {key: `strange ${each.name}`, class: 'format chosen'},
                   h('div', {class: 'format-head'}, h('strong', {}, String(each.type)),
-                    h('span', {class: 'problems'}, 'is no format of the installed plugins')))),
+                    h('span', {class: 'problems'}, 'is not a format of the installed plugins')))),
         ...value.formats.map(format),
       ]),
   ];
@@ -89,6 +89,9 @@ function options(writer, {options: list = []}) {
         list.length ? null : flowField([name], {label: 'Its settings', hint: 'docs/formats.md has them.'})));
 }
 
-function field(name, {name: option, default: fallback, text}) {
-  return textField([name, option], {label: option, hint: text, fallback: fallback || undefined});
+function field(name, {name: option, default: fallback, choices, text}) {
+  const path = [name, option];
+  const options = {label: option, hint: text, fallback};
+  if (choices) return choiceField(path, choices, options);
+  return typeof fallback === 'boolean' ? switchField(path, options) : textField(path, options);
 }

@@ -77,7 +77,7 @@ function removeObject(name) {
   change(changes);
 }
 
-// Frames that look like robots and are no objects yet.
+// Frames that look like robots and are not objects yet.
 function found() {
   const free = candidates();
   if (!free.length) return null;
@@ -104,19 +104,16 @@ function object(name) {
       h('div', {class: 'field', 'data-path': name}, problemList(problemsAt([name])),
         h('div', {class: 'pair'}, textField([name, 'class'], {label: 'Class', suggestions: classNames()}),
           textField([name, 'id'], {label: 'Id'})),
-        isPlaced ? numberField([name, 'safety_radius'], {
-          label: 'Distance that others keep',
-          unit: 'm',
-          range: [0, 3],
-          step: 0.05,
-          fallback: known ? 'by its size' : ''
-        }) :
-                   h('div', {class: 'pair'}, textField([name, 'frame_id'], {
-                       label: `Frame, after ${name}/`,
-                       suggestions: framesBelow(name),
-                       class: effective([name, 'frame']) === undefined ? '' : 'overruled'
-                     }),
-                     textField([name, 'frame'], {label: 'or its whole name', suggestions: frames()})),
+        isPlaced ?
+            numberField(
+                [name, 'safety_radius'],
+                {label: 'Distance that others keep', range: [0, 3], step: 0.05, fallback: known ? 'by its size' : ''}) :
+            h('div', {class: 'pair'}, textField([name, 'frame_id'], {
+                label: `Frame, after ${name}/`,
+                suggestions: framesBelow(name),
+                class: effective([name, 'frame']) === undefined ? '' : 'overruled'
+              }),
+              textField([name, 'frame'], {label: 'or its whole name', suggestions: frames()})),
         known ? h('p', {class: 'facts'}, size(known)) : null)),
     fileField([name, 'model'], 'model', {label: 'Model', placeholder: 'the world\u2019s model of its name'}),
     h('section', {class: 'group'}, h('h2', {}, 'Keypoints'), keypoints(name)),
@@ -212,12 +209,11 @@ function classes() {
       'Classes, and which objects get labels', [['classes'], ['world_classes'], ['labels']],
       flowField(['classes'], {label: 'Order of the classes'}),
       flowField(['world_classes'], {label: 'Classes of the world'}),
-      numberField(['labels', 'min_visibility'], {label: 'Least visible share', range: [0, 1], step: 0.01, fallback: 0}),
+      numberField(['labels', 'min_visibility'], {label: 'Least visible share', slider: true, step: 0.01, fallback: 0}),
       numberField(
           ['labels', 'min_pixels'],
-          {label: 'Fewest visible pixels', unit: 'px', range: [0, 400], step: 1, fallback: 'one, mostly'}),
-      numberField(
-          ['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', unit: 'm', step: 0.005}),
+          {label: 'Fewest visible pixels', range: [0, 400], step: 1, fallback: 'one, mostly'}),
+      numberField(['labels', 'keypoint_tolerance'], {label: 'Keypoints behind a surface count up to', step: 0.005}),
       choiceField(
           ['labels', 'glass'], [['objects', 'of objects'], ['solid', 'all'], ['clear', 'none']],
           {label: 'Glass that hides what is behind it'}));

@@ -27,8 +27,8 @@ function draw() {
     section('Splits', h('div', {'data-path': 'split', class: 'field'}, problemList(problemsAt(['split'])), split())),
     more(
         'Images', [['image', 'png_compression'], ['image', 'jpeg_quality']],
-        numberField(['image', 'png_compression'], {label: 'PNG compression', range: [0, 9], step: 1}),
-        numberField(['image', 'jpeg_quality'], {label: 'JPEG quality', range: [1, 100], step: 1})),
+        numberField(['image', 'png_compression'], {label: 'PNG compression', slider: true, step: 1}),
+        numberField(['image', 'jpeg_quality'], {label: 'JPEG quality', slider: true, step: 1})),
     more(
         'Masks', [['masks', 'method'], ['background_subtractor']],
         choiceField(
@@ -39,7 +39,7 @@ function draw() {
     more(
         'Processes, parts', [['processes'], ['sync'], ['shard'], ['only_scenes']],
         numberField(['processes'], {label: 'Processes', step: 1}),
-        choiceField(['sync'], ['batch', 'scene', 'off'], {label: 'Waits for the disk'}),
+        choiceField(['sync'], null, {label: 'Waits for the disk'}),
         h('div', {class: 'pair'}, numberField(['shard', 'index'], {label: 'Shard', step: 1}),
           numberField(['shard', 'count'], {label: 'of', step: 1}))),
   ];

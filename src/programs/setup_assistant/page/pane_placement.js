@@ -32,7 +32,7 @@ function draw() {
         'Where',
         choiceField(
             ['placement', 'mode'], [['map', 'On a map'], ['volume', 'In a box'], ['drop', 'Dropped']],
-            {label: 'Objects are put', fallback: 'map'}),
+            {label: 'Objects are put'}),
         mode === 'map' ? onMap() : inBox(mode), from(mode)),
     more(
         'How hard it is tried', [['placement', 'tries']],
@@ -46,15 +46,13 @@ function onMap() {
     fileField(['placement', 'map'], 'yaml,map,any', {label: 'Map of map_server'}),
     textField(['placement', 'map_topic'], {label: 'or a topic', hint: 'Of type nav_msgs/OccupancyGrid, of the bags.'}),
     choiceField(
-        ['placement', 'surface'], [['below', 'On what is below'], ['none', 'At a height']],
-        {label: 'They stand', fallback: 'below'}),
+        ['placement', 'surface'], [['below', 'On what is below'], ['none', 'At a height']], {label: 'They stand'}),
     surface === 'none' ?
-        numberField(['placement', 'height'], {label: 'Height', unit: 'm', range: [0, 5], step: 0.1, fallback: 0}) :
+        numberField(['placement', 'height'], {label: 'Height', range: [0, 5], step: 0.1}) :
         [
-          numberField(
-              ['placement', 'highest_surface'], {label: 'Not on what is higher', unit: 'm', range: [0, 5], step: 0.1}),
-          numberField(['placement', 'steepest'], {label: 'Steepest surface', unit: 'rad', range: [0, 1.5], step: 0.05}),
-          numberField(['placement', 'unevenness'], {label: 'Unevenness', unit: 'm', range: [0, 0.5], step: 0.01}),
+          numberField(['placement', 'highest_surface'], {label: 'Not on what is higher', range: [0, 5], step: 0.1}),
+          numberField(['placement', 'steepest'], {label: 'Steepest surface', slider: true, step: 0.05}),
+          numberField(['placement', 'unevenness'], {label: 'Unevenness', range: [0, 0.5], step: 0.01}),
         ],
   ];
 }
@@ -74,11 +72,9 @@ function inBox(mode) {
     h('div', {class: 'pair'},
       vectorField(['placement', 'volume', 'min'], ['x', 'y', 'z'], {label: 'Box from', unit: 'm', step: 0.1, hint: ''}),
       vectorField(['placement', 'volume', 'max'], ['x', 'y', 'z'], {label: 'to', unit: 'm', step: 0.1, hint: ''})),
-    choiceField(
-        ['placement', 'orientation'], [['random', 'any'], ['upright', 'upright']],
-        {label: 'Orientation', fallback: 'random'}),
+    choiceField(['placement', 'orientation'], [['random', 'any'], ['upright', 'upright']], {label: 'Orientation'}),
     mode === 'drop' ?
-        numberField(['placement', 'fall_time'], {label: 'Has to rest within', unit: 's', range: [1, 30], step: 0.5}) :
+        numberField(['placement', 'fall_time'], {label: 'Has to rest within', range: [1, 30], step: 0.5}) :
         null,
   ];
 }

@@ -6,10 +6,6 @@ import {allProblems, sentence, SEVERITIES} from './problems.js';
 import {store} from './store.js';
 import {goToLine} from './yaml_editor.js';
 
-const checking = {
-  isOn: false
-};
-
 export const problemsPane = {
   id: 'problems',
   title: 'Problems',

@@ -27,20 +27,17 @@ function draw() {
         'Camera',
         distribution(
             root('sensor', 'exposure'),
-            {label: 'Exposure', unit: 'stops', range: [-3, 3], start: {normal: [0, 0.35], min: -0.7, max: 0.7}}),
-        distribution(root('sensor', 'blur'), {label: 'Blur', unit: 'px', range: [0, 5], start: {uniform: [0, 0.8]}}),
+            {label: 'Exposure', range: [-3, 3], start: {normal: [0, 0.35], min: -0.7, max: 0.7}}),
+        distribution(root('sensor', 'blur'), {label: 'Blur', range: [0, 5], start: {uniform: [0, 0.8]}}),
         distribution(root('sensor', 'noise_stddev'), {label: 'Noise', range: [0, 0.1], start: {uniform: [0, 0.015]}}),
         distribution(
-            root('sensor', 'field_of_view'),
-            {label: 'Field of view', unit: 'rad', range: [0.2, 3], start: {uniform: [0.7, 1.4]}})),
+            root('sensor', 'field_of_view'), {label: 'Field of view', range: [0.2, 3], start: {uniform: [0.7, 1.4]}})),
     section('Weather', weather()),
-    effective(['motion']) === 'placement' ?
-        null :
-        section(
-            'Time',
-            distribution(
-                root('time', 'jitter'),
-                {label: 'Later or earlier by', unit: 's', range: [-0.1, 0.1], start: {uniform: [-0.01, 0.01]}})),
+    effective(['motion']) === 'placement' ? null : section('Time', distribution(root('time', 'jitter'), {
+                                                             label: 'Later or earlier by',
+                                                             range: [-0.1, 0.1],
+                                                             start: {uniform: [-0.01, 0.01]}
+                                                           })),
     background(),
     section('Objects', objects()),
     distractors(),
@@ -117,17 +114,13 @@ function lights() {
       distribution(
           at('colour'),
           {label: capital('colour'), range: [0, 1], start: {uniform: [[0.85, 0.8, 0.65], [1, 1, 1]]}, isColour: true}),
-      distribution(at('elevation'), {
-        label: capital('height above the horizon'),
-        unit: 'rad',
-        range: [-1.57, 1.57],
-        start: {uniform: [0.5, 1.35]}
-      }),
       distribution(
-          at('azimuth'),
-          {label: capital('direction'), unit: 'rad', range: [-3.1416, 3.1416], start: {uniform: [-3.1416, 3.1416]}}),
-      distribution(at('shift'), {label: capital('shift'), unit: 'm', range: [-2, 2], start: {normal: [0, 0.2]}}),
-      numberField(at('present'), {label: capital('chance to be on'), range: [0, 1], step: 0.01, fallback: 1}),
+          at('elevation'),
+          {label: capital('height above the horizon'), range: [-1.57, 1.57], start: {uniform: [0.5, 1.35]}}),
+      distribution(
+          at('azimuth'), {label: capital('direction'), range: [-3.1416, 3.1416], start: {uniform: [-3.1416, 3.1416]}}),
+      distribution(at('shift'), {label: capital('shift'), range: [-2, 2], start: {normal: [0, 0.2]}}),
+      numberField(at('present'), {label: capital('chance to be on'), slider: true, step: 0.01, fallback: 1}),
     ];
   });
 }
@@ -136,7 +129,6 @@ function light() {
   return [
     distribution(root('ambient'), {
       label: 'Light that is everywhere',
-      range: [0, 1],
       start: {uniform: [[0.42, 0.42, 0.45], [0.68, 0.68, 0.68]]},
       isColour: true
     }),
@@ -148,20 +140,15 @@ function weather() {
   const at = (entry) => root('weather', entry);
   const isSet = ['visibility', 'rain', 'snow'].some((entry) => effective(at(entry)) !== undefined);
   return [
-    distribution(
-        at('visibility'), {label: 'Visibility in fog', unit: 'm', range: [1, 1000], start: {log_uniform: [20, 500]}}),
-    distribution(at('rain'), {label: 'Rain', unit: 'mm/h', range: [0, 100], start: {log_uniform: [2, 50]}}),
-    distribution(at('snow'), {label: 'Snow, as water', unit: 'mm/h', range: [0, 10], start: {log_uniform: [0.2, 3]}}),
-    distribution(
-        at('dust'),
-        {label: 'Dust on the lens, share', range: [0, 0.2], start: {log_uniform: [0.002, 0.05]}}),
+    distribution(at('visibility'), {label: 'Visibility in fog', range: [1, 1000], start: {log_uniform: [20, 500]}}),
+    distribution(at('rain'), {label: 'Rain', range: [0, 100], start: {log_uniform: [2, 50]}}),
+    distribution(at('snow'), {label: 'Snow, as water', range: [0, 10], start: {log_uniform: [0.2, 3]}}),
+    distribution(at('dust'), {label: 'Dust on the lens, share', start: {log_uniform: [0.002, 0.05]}}),
     isSet ?
         [
-          distribution(
-              at('wind'), {label: 'Wind', unit: 'm/s', range: [-20, 20], start: {normal: [[0, 0, 0], [2, 2, 0]]}}),
-          distribution(
-              at('colour'), {label: 'Colour of the air', range: [0, 1], start: {uniform: [0.6, 0.85]}, isColour: true}),
-          numberField(at('present'), {label: 'Chance of any weather', range: [0, 1], step: 0.01, fallback: 1}),
+          distribution(at('wind'), {label: 'Wind', range: [-20, 20], start: {normal: [[0, 0, 0], [2, 2, 0]]}}),
+          distribution(at('colour'), {label: 'Colour of the air', start: {uniform: [0.6, 0.85]}, isColour: true}),
+          numberField(at('present'), {label: 'Chance of any weather', slider: true, step: 0.01, fallback: 1}),
         ] :
         null,
   ];
@@ -174,17 +161,13 @@ function surfaces() {
     const of = {world: 'World\u2019s', objects: 'Objects\u2019', distractors: 'Clutter\u2019s'}[name] ??
         `${name}\u2019s`;
     return [
+      distribution(at('tint'), {label: `${of} tint`, start: {uniform: [[0.6, 0.6, 0.6], [1, 1, 1]]}, isColour: true}),
       distribution(
-          at('tint'),
-          {label: `${of} tint`, range: [0, 1], start: {uniform: [[0.6, 0.6, 0.6], [1, 1, 1]]}, isColour: true}),
-      distribution(
-          at('colour'),
-          {label: `${of} colour`, range: [0, 1], start: {uniform: [[0.3, 0.3, 0.3], [1, 1, 1]]}, isColour: true}),
-      distribution(at('roughness'), {label: `${of} roughness`, range: [0, 1], start: {uniform: [0.3, 1]}}),
-      distribution(
-          at('metalness'), {label: `${of} metalness`, range: [0, 1], start: {choice: [0, 1], weights: [4, 1]}}),
+          at('colour'), {label: `${of} colour`, start: {uniform: [[0.3, 0.3, 0.3], [1, 1, 1]]}, isColour: true}),
+      distribution(at('roughness'), {label: `${of} roughness`, start: {uniform: [0.3, 1]}}),
+      distribution(at('metalness'), {label: `${of} metalness`, start: {choice: [0, 1], weights: [4, 1]}}),
       fileField(at('textures'), 'folder', {label: `${of} textures`, placeholder: 'a folder, or procedural'}),
-      choiceField(at('for_each'), ['visual', 'model'], {label: 'Drawn for each', fallback: 'visual'}),
+      choiceField(at('for_each'), null, {label: 'Drawn for each'}),
     ];
   });
 }
@@ -198,18 +181,13 @@ function background() {
       isGroup ?
           [
             fileField(root('background', 'pictures'), 'folder', {label: 'A folder of pictures'}),
-            choiceField(
-                root('background', 'projection'), ['backdrop', 'panorama'], {label: 'They are', fallback: 'backdrop'}),
-            numberField(
-                root('background', 'present'), {label: 'Chance of one', range: [0, 1], step: 0.05, fallback: 1}),
+            choiceField(root('background', 'projection'), null, {label: 'They are'}),
+            numberField(root('background', 'present'), {label: 'Chance of one', slider: true, step: 0.05, fallback: 1}),
             distribution(
                 root('background', 'brightness'), {label: 'Brightness', range: [0, 3], start: {uniform: [0.7, 1.2]}}),
-            distribution(root('background', 'colour'), {
-              label: 'Colour without one',
-              range: [0, 1],
-              start: {uniform: [[0.3, 0.3, 0.3], [0.9, 0.9, 0.9]]},
-              isColour: true
-            }),
+            distribution(
+                root('background', 'colour'),
+                {label: 'Colour without one', start: {uniform: [[0.3, 0.3, 0.3], [0.9, 0.9, 0.9]]}, isColour: true}),
             h('p', {class: 'buttons'},
               h('button', {type: 'button', onclick: () => set(root('background'), undefined)}, 'No background')),
           ] :
@@ -235,7 +213,7 @@ function objects() {
     return [
       numberField(at('present'), {
         label: name === 'every' ? 'Chance of every object to be there' : 'Chance to be there',
-        range: [0, 1],
+        slider: true,
         step: 0.01,
         fallback: 1
       }),
@@ -265,16 +243,15 @@ function distractors() {
             onchange: (event) => set(path, event.target.checked ? start : undefined),
           }),
           h('span', {}, 'Things without a label between the objects'))),
-      isOn ?
-          h('div', {}, distribution(at('count'), {label: 'How many', range: [0, 40], start: {uniform: [0, 8]}}),
-            distribution(at('size'), {label: 'Size', unit: 'm', range: [0.01, 2], start: {log_uniform: [0.08, 0.4]}}),
-            choiceField(at('mode'), ['fly', 'stand', 'drop'], {label: 'They', fallback: 'fly'}),
-            h('div', {class: 'pair'},
-              vectorField([...at('volume'), 'min'], ['x', 'y', 'z'], {label: 'Box from', unit: 'm', hint: ''}),
-              vectorField([...at('volume'), 'max'], ['x', 'y', 'z'], {label: 'to', unit: 'm', hint: ''})),
-            fileField(at('textures'), 'folder', {label: 'Their textures', placeholder: 'procedural'}),
-            fileListField(at('models'), 'model', {label: 'Models instead', isList: true}),
-            textField(at('class'), {label: 'Class, if they are to be labelled'}),
-            numberField(at('pool'), {label: 'Different ones in the run', step: 1})) :
-          null);
+      isOn ? h('div', {}, distribution(at('count'), {label: 'How many', range: [0, 40], start: {uniform: [0, 8]}}),
+               distribution(at('size'), {label: 'Size', range: [0.01, 2], start: {log_uniform: [0.08, 0.4]}}),
+               choiceField(at('mode'), null, {label: 'They'}),
+               h('div', {class: 'pair'},
+                 vectorField([...at('volume'), 'min'], ['x', 'y', 'z'], {label: 'Box from', unit: 'm', hint: ''}),
+                 vectorField([...at('volume'), 'max'], ['x', 'y', 'z'], {label: 'to', unit: 'm', hint: ''})),
+               fileField(at('textures'), 'folder', {label: 'Their textures', placeholder: 'procedural'}),
+               fileListField(at('models'), 'model', {label: 'Models instead', isList: true}),
+               textField(at('class'), {label: 'Class, if they are to be labelled'}),
+               numberField(at('pool'), {label: 'Different ones in the run', step: 1})) :
+             null);
 }

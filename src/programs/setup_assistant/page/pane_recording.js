@@ -38,18 +38,18 @@ function draw() {
         recording ? h('p', {class: 'facts'}, facts(recording)) : null, recording ? timeline(recording) : null,
         recording ? waysMap() : null),
     section(
-        'Scenes', numberField(['simulated_rate'], {label: 'Scenes a second', unit: 'Hz', range: [0.5, 30], step: 0.5}),
+        'Scenes', numberField(['simulated_rate'], {label: 'Scenes a second', range: [0.5, 30], step: 0.5}),
         h('div', {class: 'pair'},
           numberField(
               ['start_offset'],
-              {label: 'Left out at the start', unit: 's', range: length ? [0, length] : null, step: 0.1, fallback: 0}),
+              {label: 'Left out at the start', range: length ? [0, length] : null, step: 0.1, fallback: 0}),
           numberField(
               ['duration'],
-              {label: 'Used after that', unit: 's', range: length ? [0.1, length] : null, step: 0.1, fallback: 'all'})),
+              {label: 'Used after that', range: length ? [0.1, length] : null, step: 0.1, fallback: 'all'})),
         textField(['global_frame'], {label: 'Frame of the world', suggestions: [...roots, ...frames]})),
     more(
         'Gaps, stretches, other topics', [['max_tf_gap'], ['stretch'], ['tf_topics'], ['pose_topics']],
-        numberField(['max_tf_gap'], {label: 'Longest gap in TF', unit: 's', step: 0.1, fallback: 'by frame'}),
+        numberField(['max_tf_gap'], {label: 'Longest gap in TF', step: 0.1, fallback: 'by frame'}),
         numberField(['stretch'], {label: 'Stretch', fallback: 'the longest'}),
         flowField(['tf_topics'], {label: 'Topics with TF', fallback: ['/tf', '/tf_static']}),
         flowField(['pose_topics'], {label: 'Other topics with poses', fallback: 'where one has it'})),

@@ -85,7 +85,7 @@ function button(text, onclick, props = {}) {
   return h('button', {type: 'button', class: 'primary', onclick, ...props}, text);
 }
 
-// Of the dataset that the set-up knows, as `earlier` is.
+// About the dataset that the set-up knows, as `earlier` is.
 function folder() {
   return store.setup.figures?.output_folder ?? '';
 }

@@ -29,10 +29,10 @@ function draw() {
               fileListField(['world', 'model_folders'], 'folder', {label: 'Folders with models', isList: true}),
               choiceField(
                   ['world', 'on_missing_asset'], [['error', 'Is an error'], ['warn', 'Is left out']],
-                  {label: 'What is missing', fallback: 'error'}),
+                  {label: 'What is missing'}),
               choiceField(
                   ['world', 'simulator'], [['auto', 'auto'], ['classic', 'Gazebo Classic'], ['gz', 'gz-sim']],
-                  {label: 'Colours and lights as in', fallback: 'auto'}),
+                  {label: 'Colours and lights as in'}),
             ] :
             h('p', {},
               h('button', {type: 'button', onclick: () => set(['world'], {file: effective(['world'])})},
@@ -40,17 +40,15 @@ function draw() {
     contents(),
     more(
         'Physics', ['step', 'contact_tolerance', 'settle'].map((each) => ['physics', each]),
-        numberField(['physics', 'step'], {label: 'Step', unit: 's', step: 0.001}),
-        numberField(['physics', 'contact_tolerance'], {label: 'Overlap that is reported', unit: 'm', step: 0.005}),
-        numberField(['physics', 'settle'], {label: 'Time to come to rest', unit: 's', step: 0.5, fallback: 0})),
+        numberField(['physics', 'step'], {label: 'Step', step: 0.001}),
+        numberField(['physics', 'contact_tolerance'], {label: 'Overlap that is reported', step: 0.005}),
+        numberField(['physics', 'settle'], {label: 'Time to come to rest', step: 0.5, fallback: 0})),
     more(
         'Picture', ['light', 'samples', 'shadow_map_size', 'shadow_distance'].map((each) => ['rendering', each]),
-        choiceField(['rendering', 'light'], ['simple', 'full'], {label: 'Light', fallback: 'simple'}),
+        choiceField(['rendering', 'light'], null, {label: 'Light'}),
         choiceField(['rendering', 'samples'], [[1, '1'], [4, '4']], {label: 'Samples at an edge'}),
-        numberField(['rendering', 'shadow_map_size'], {label: 'Shadow map', unit: 'texels', step: 256}),
-        numberField(
-            ['rendering', 'shadow_distance'],
-            {label: 'Sun\u2019s shadows up to', unit: 'm', range: [1, 200], step: 1})),
+        numberField(['rendering', 'shadow_map_size'], {label: 'Shadow map', step: 256}),
+        numberField(['rendering', 'shadow_distance'], {label: 'Sun\u2019s shadows up to', range: [1, 200], step: 1})),
   ];
 }
 

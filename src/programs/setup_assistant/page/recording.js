@@ -29,7 +29,7 @@ function wayOf(frame) {
   return undefined;
 }
 
-// What looks like robots and is no object yet.
+// What looks like a robot and is not an object yet.
 export function candidates() {
   const {robots = [], frames: all = []} = recording() ?? {};
   const names = objectNames();

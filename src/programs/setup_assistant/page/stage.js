@@ -83,36 +83,58 @@ function slider() {
   const instants = instantCount();
   const instant = currentInstant();
   const seconds = secondsOf(instant);
-  return h('div', {class: 'time'},
-    h('button', {type: 'button', class: 'quiet', 'aria-label': 'Earlier scene', disabled: instant <= 0, onclick: () => show({instant: instant - 1})}, '\u2039'),
-    h('input', {
-      type: 'range', min: 0, max: Math.max(instants - 1, 0), step: 1, value: instant, disabled: instants < 2, id: 'time',
-      'aria-label': 'Scene', 'aria-valuetext': `scene ${instant + 1} of ${instants}`,
-      oninput: (event) => show({instant: Number(event.target.value)}),
-    }),
-    h('button', {type: 'button', class: 'quiet', 'aria-label': 'Later scene', disabled: instant >= instants - 1, onclick: () => show({instant: instant + 1})}, '\u203a'),
-    h('output', {class: 'time-text', for: 'time'}, instants ? `${instant} / ${instants - 1}` : '',
-      h('span', {}, Number.isFinite(seconds) ? `${fixed(seconds)} s` : '')));
+  return h(
+      'div', {class: 'time'},
+      h('button', {
+        type: 'button',
+        class: 'quiet',
+        'aria-label': 'Earlier scene',
+        disabled: instant <= 0,
+        onclick: () => show({instant: instant - 1})
+      },
+        '\u2039'),
+      h('input', {
+        type: 'range',
+        min: 0,
+        max: Math.max(instants - 1, 0),
+        step: 1,
+        value: instant,
+        disabled: instants < 2,
+        id: 'time',
+        'aria-label': 'Scene',
+        'aria-valuetext': `scene ${instant + 1} of ${instants}`,
+        oninput: (event) => show({instant: Number(event.target.value)}),
+      }),
+      h('button', {
+        type: 'button',
+        class: 'quiet',
+        'aria-label': 'Later scene',
+        disabled: instant >= instants - 1,
+        onclick: () => show({instant: instant + 1})
+      },
+        '\u203a'),
+      h('output', {class: 'time-text', 'for': 'time'}, instants ? `${instant} / ${instants - 1}` : '',
+        h('span', {}, Number.isFinite(seconds) ? `${fixed(seconds)} s` : '')));
 }
 
 function switches() {
-    const names = cameraNames();
-    return h(
-        'div', {class: 'switches'},
-        h('div', {class: 'toggles', role: 'group', 'aria-label': 'Labels'},
-          LABELS.map(
-              ([name, label]) =>
-                  h('label', {class: 'toggle'}, h('input', {
-                      type: 'checkbox',
-                      checked: view.shown[name],
-                      onchange: (event) => show({shown: {...view.shown, [name]: event.target.checked}}),
-                    }),
-                    h('span', {}, label)))),
-        h('select', {'aria-label': 'Layer', value: view.layer, onchange: (event) => show({layer: event.target.value})},
-          LAYERS.map(([name, label]) => h('option', {value: name}, label))),
-        names.length > 1 ?
-            h('select',
-              {'aria-label': 'Camera', value: currentCamera(), onchange: (event) => show({camera: event.target.value})},
-              names.map((each) => h('option', {value: each}, each))) :
-            null);
+  const names = cameraNames();
+  return h(
+      'div', {class: 'switches'},
+      h('div', {class: 'toggles', role: 'group', 'aria-label': 'Labels'},
+        LABELS.map(
+            ([name, label]) =>
+                h('label', {class: 'toggle'}, h('input', {
+                    type: 'checkbox',
+                    checked: view.shown[name],
+                    onchange: (event) => show({shown: {...view.shown, [name]: event.target.checked}}),
+                  }),
+                  h('span', {}, label)))),
+      h('select', {'aria-label': 'Layer', value: view.layer, onchange: (event) => show({layer: event.target.value})},
+        LAYERS.map(([name, label]) => h('option', {value: name}, label))),
+      names.length > 1 ?
+          h('select',
+            {'aria-label': 'Camera', value: currentCamera(), onchange: (event) => show({camera: event.target.value})},
+            names.map((each) => h('option', {value: each}, each))) :
+          null);
 }

@@ -31,10 +31,7 @@ export function changed() {
 
 export async function start() {
   const {parameters} = await get('/api/parameters');
-  for (const each of parameters) {
-    // Some values in config/params.yaml only show how one is written.
-    store.parameters.set(each.path, each.example ? {...each, default: undefined} : each);
-  }
+  for (const each of parameters) store.parameters.set(each.path, each);
   await readAll();
   listen({state: takeState, setup: takeSetup, run: takeRun}, (connection) => {
     const isBack = connection === 'live' && store.connection === 'lost';

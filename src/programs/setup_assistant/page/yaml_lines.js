@@ -1,6 +1,6 @@
 // Where a setting is in the text of a settings file.
 
-const ENTRY = /^( *)(?:"([^"]*)"|'([^']*)'|([^\s#:'"\[{][^#:]*?)) *:(?:\s|$)/;
+const ENTRY = /^( *)(?:"([^"]*)"|'([^']*)'|([^\s#:'"[{][^#:]*?)) *:(?:\s|$)/;
 
 // The line, from 1, of the setting or of the nearest group around it that has a line; null without any.
 export function lineOf(text, path) {

@@ -49,7 +49,7 @@ class DocumentService {
 
   [[nodiscard]] std::int64_t revision();
 
-  /// Of the last text that was YAML.
+  /// Those of the last text that was YAML.
   [[nodiscard]] EffectiveSettings effective();
 
  private:

@@ -24,6 +24,9 @@ class LiveService {
 
   [[nodiscard]] Value setup();
 
+  /// All formats; their writers are loaded where a run's are.
+  [[nodiscard]] Value formats();
+
   /// The full check of the run, whose findings are added to what the settings amount to.
   [[nodiscard]] Value check();
 

@@ -1,4 +1,4 @@
-#include "programs/setup_assistant/catalogue/problem_fields.h"
+#include "programs/setup_assistant/catalogue/catalogue.h"
 
 #include <string>
 

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "motion/motion_options.h"
+#include "output/output_options.h"
+#include "randomize/appearance/randomize_options.h"
+#include "randomize/placement/placement_options.h"
+#include "render/sensor/sensor_options.h"
+#include "scene/camera_options.h"
+#include "scene/object_options.h"
+#include "scene/scene_options.h"
+#include "synthetic_dataset/parameters.h"
+
+/// The readers of the groups of settings, in a source file for each. What is wrong is noted in the
+/// parameters, with a harmless value in its place. What a reader asks for declares its settings:
+/// names, defaults, ranges, choices (Parameters::declarations()).
+namespace synthetic_dataset::config {
+
+/// Reads where scenes come from, but for the group `placement`.
+[[nodiscard]] motion::MotionOptions readMotion(Parameters& root);
+
+/// Reads a group's `volume: {min: [x, y, z], max: [x, y, z]}`, without which there is an error.
+[[nodiscard]] randomize::Volume readVolume(Parameters group);
+
+/// Reads the group `placement`.
+[[nodiscard]] randomize::PlacementOptions readPlacement(Parameters root);
+
+/// The camera of the group `camera`, or those of the group `cameras`, in alphabetical order.
+[[nodiscard]] std::vector<scene::CameraOptions> readCameras(Parameters root);
+
+/// What a part of a topic's name says, as image_proc names its topics: image_rect,
+/// image_rect_color/compressed.
+[[nodiscard]] bool isRectifiedTopic(const std::string& topic);
+
+/// Reads a camera's group `sample`, or nothing where there is none.
+/// @param camera  its group
+[[nodiscard]] std::optional<randomize::CameraSampling> readCameraSampling(Parameters camera);
+
+/// Reads a camera's `depth_noise`; exact where it is not there.
+/// @param camera  the group above it
+[[nodiscard]] render::DepthNoise readDepthNoise(Parameters& camera);
+
+/// Reads the group `randomize`, all of which may be left out.
+[[nodiscard]] randomize::Randomization readRandomization(Parameters root);
+
+/// Reads `background` of `randomize`: a colour, or a group with `colour`, `pictures` and what
+/// belongs to these.
+[[nodiscard]] randomize::BackgroundRandomization readBackground(Parameters randomize);
+
+/// Reads the group `distractors` of `randomize`, or nothing where there is none.
+[[nodiscard]] std::optional<randomize::DistractorOptions> readDistractors(Parameters randomize);
+
+/// `twin`: how recorded pictures are labelled. What contradicts them is noted.
+/// @param scenes  with its motion, cameras and randomisation
+[[nodiscard]] scene::RecordedImageOptions readTwinOptions(Parameters root,
+                                                 const scene::SceneOptions& scenes);
+
+/// Whether a group of settings has this name, which no object can have then: its own group would be
+/// called the same.
+[[nodiscard]] bool isSettingGroup(const std::string& name);
+
+/// Reads `robot_list` and the group of each object in it.
+[[nodiscard]] std::vector<scene::ObjectOptions> readObjects(Parameters root);
+
+/// Adds the distractors that are labelled to the objects, in the order of their numbers.
+void addLabelledDistractors(Parameters root,
+                            const std::optional<randomize::DistractorOptions>& distractors,
+                            std::vector<scene::ObjectOptions>& objects);
+
+/// A class's name or an object's id: a text or a number, a word of label files.
+[[nodiscard]] std::string readLabel(Parameters group, const std::string& name);
+
+/// Reads `masks` and `background_subtractor`.
+[[nodiscard]] label::MaskOptions readMasks(Parameters root);
+
+/// Reads `labels`.
+[[nodiscard]] label::LabelOptions readLabels(Parameters root);
+
+/// Reads `split`.
+[[nodiscard]] SplitConfig readSplit(Parameters root);
+
+/// Reads `classes` and gives each object its class's number.
+///
+/// Without `classes`, a class that is a whole number keeps it, and the others take the numbers that
+/// are left, from 0 on, in alphabetical order.
+/// @return all classes in the order of their numbers
+[[nodiscard]] std::vector<ClassConfig> readClasses(Parameters root,
+                                                   std::vector<scene::ObjectOptions>& objects);
+
+/// Reads `world_classes`.
+/// @param classes  of objects, which have other names
+[[nodiscard]] scene::WorldClasses readWorldClasses(Parameters root,
+                                                   const std::vector<ClassConfig>& classes);
+
+/// Reads `output_folder`, `if_exists`, `sync`, `shard` and `image`.
+[[nodiscard]] output::StoreOptions readOutput(Parameters root);
+
+/// Reads `processes`; 1 where there is a shard.
+[[nodiscard]] int readProcesses(Parameters root, bool is_shard);
+
+/// Reads `only_scenes: [17]`, or one number.
+[[nodiscard]] std::set<std::int64_t> readOnlyScenes(Parameters root);
+
+/// Reads `writers`, left out the original's three, and where each puts its files.
+/// @param output_folder  of the run; empty when it has none
+[[nodiscard]] std::vector<output::WriterOptions> readWriters(Parameters root,
+                                                             const std::string& output_folder);
+
+/// The deepest folder that all the writers' folders share, for the manifest.
+[[nodiscard]] std::string commonFolder(const std::vector<output::WriterOptions>& writers);
+
+}  // namespace synthetic_dataset::config
