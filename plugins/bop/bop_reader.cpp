@@ -4,12 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/bop/bop_options.h"
 #include "plugins/readback/camera_drawing.h"
+#include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
-#include "plugins/readback/json_document.h"
 #include "plugins/readback/json_file.h"
 #include "synthetic_dataset/cuboid.h"
 #include "synthetic_dataset/errors.h"
@@ -57,6 +58,14 @@ fs::path imageOf(const WrittenScene& scene) {
   }
   throw Error("'" + scene.folder.string() + "': scene " + scene.name + " has no file in rgb/");
 }
+
+/// A file's content, to be kept from scene to scene.
+struct JsonDocument {
+  explicit JsonDocument(const fs::path& file)
+      : content(readJson(file, [](const Json& json) { return json; })) {}
+
+  Json content;
+};
 
 /// What `read` makes of a file that is kept.
 template <class Read>

@@ -29,8 +29,6 @@ LabelledPicture readScene(const WrittenScene& scene) {
 
 }  // namespace
 
-Format format() {
-  return {"synthetic_dataset/BoundingShape", false, readScene};
-}
+Format format() { return {"synthetic_dataset/BoundingShape", false, readScene}; }
 
 }  // namespace synthetic_dataset::formats::bounding_shape

@@ -52,8 +52,6 @@ LabelledPicture readScene(const WrittenScene& scene) {
 
 }  // namespace
 
-Format format() {
-  return {"synthetic_dataset/Cityscapes", true, readScene};
-}
+Format format() { return {"synthetic_dataset/Cityscapes", true, readScene}; }
 
 }  // namespace synthetic_dataset::formats::cityscapes

@@ -40,11 +40,11 @@ class CocoIndex::Reader {
  public:
   Reader(CocoIndex& index, const CountingBuffer& buffer) : index_(index), buffer_(buffer) {}
 
-  bool null() { return other(nullptr); }
-  bool boolean(bool value) { return other(value); }
+  bool null() { return true; }
+  bool boolean(bool /*value*/) { return true; }
   bool number_integer(std::int64_t value) { return number(value); }
   bool number_unsigned(std::uint64_t value) { return number(static_cast<std::int64_t>(value)); }
-  bool number_float(double value, const std::string& /*text*/) { return other(value); }
+  bool number_float(double /*value*/, const std::string& /*text*/) { return true; }
   template <class Bytes>
   bool binary(Bytes& /*value*/) {
     return true;
@@ -52,12 +52,11 @@ class CocoIndex::Reader {
 
   bool string(std::string& value) {
     if (depth_ == kInEntry && key_ == "file_name") file_name_ = value;
-    return other(value);
+    return true;
   }
 
   bool start_object(std::size_t /*size*/) {
-    if (++depth_ == kMember) begin();
-    if (depth_ == kInEntry) {
+    if (++depth_ == kInEntry) {
       place_.begin = buffer_.count() - 1;
       id_ = image_id_ = std::nullopt;
       file_name_.clear();
@@ -72,27 +71,20 @@ class CocoIndex::Reader {
   }
 
   bool end_object() {
-    if (depth_ == kMember) end();
     if (depth_-- != kInEntry) return true;
     place_.end = buffer_.count();
-    if (list_ == "images") ++index_.image_count_;
-    if (list_ == "annotations") ++index_.annotation_count_;
-    if (list_ == "images" && id_) {
-      index_.image_ids_[file_name_] = *id_;
-      index_.images_[file_name_] = place_;
-    }
+    if (list_ == "images" && id_) index_.image_ids_[file_name_] = *id_;
     if (list_ == "annotations" && image_id_) index_.annotations_[*image_id_].push_back(place_);
     if (list_ == "categories") categories.push_back(place_);
     return true;
   }
 
   bool start_array(std::size_t /*size*/) {
-    if (++depth_ == kMember) begin();
+    ++depth_;
     return true;
   }
 
   bool end_array() {
-    if (depth_ == kMember) end();
     --depth_;
     return true;
   }
@@ -103,33 +95,12 @@ class CocoIndex::Reader {
   }
 
   std::vector<Place> categories;
-  std::map<std::string, Place> members;  ///< those that have no index
 
  private:
-  static constexpr int kMember = 2;   // object, and a list or an object in it
   static constexpr int kInEntry = 3;  // object, list, object
 
-  [[nodiscard]] bool isIndexed() const {
-    return list_ == "images" || list_ == "annotations" || list_ == "categories";
-  }
-
-  void begin() {
-    if (!isIndexed()) members[list_].begin = buffer_.count() - 1;
-  }
-
-  void end() {
-    if (!isIndexed()) members[list_].end = buffer_.count();
-  }
-
-  /// A value that may stand where no entry does.
-  bool other(const json& value) {
-    if (depth_ == 1) index_.rest_[list_] = value;
-    if (depth_ == kMember && isIndexed()) index_.rest_["entries that are no objects"] = value;
-    return true;
-  }
-
   bool number(std::int64_t value) {
-    if (depth_ != kInEntry) return other(value);
+    if (depth_ != kInEntry) return true;
     if (key_ == "id") id_ = value;
     if (key_ == "image_id") image_id_ = value;
     return true;
@@ -154,12 +125,6 @@ CocoIndex::CocoIndex(const std::filesystem::path& file) : file_(file) {
   Reader reader(*this, buffer);
   json::sax_parse(counted, &reader);
   for (const Place& place : reader.categories) categories_.push_back(entryAt(place));
-  for (const auto& [name, place] : reader.members) rest_[name] = entryAt(place);
-}
-
-std::optional<json> CocoIndex::image(const std::string& file_name) const {
-  const auto found = images_.find(file_name);
-  return found == images_.end() ? std::nullopt : std::optional(entryAt(found->second));
 }
 
 std::optional<std::int64_t> CocoIndex::imageId(const std::string& file_name) const {

@@ -23,15 +23,6 @@ class CocoIndex {
   /// @param file_name  as the file has it
   [[nodiscard]] std::optional<std::int64_t> imageId(const std::string& file_name) const;
 
-  /// The entry of an image; nothing where there is none.
-  [[nodiscard]] std::optional<nlohmann::json> image(const std::string& file_name) const;
-
-  [[nodiscard]] std::size_t imageCount() const { return image_count_; }
-  [[nodiscard]] std::size_t annotationCount() const { return annotation_count_; }
-
-  /// All members of the file but `images`, `annotations` and `categories`.
-  [[nodiscard]] const nlohmann::json& rest() const { return rest_; }
-
   /// @throws Error where they are not the JSON that stood there before
   [[nodiscard]] std::vector<nlohmann::json> annotationsOf(std::int64_t image_id) const;
 
@@ -49,10 +40,6 @@ class CocoIndex {
 
   std::filesystem::path file_;
   std::map<std::string, std::int64_t> image_ids_;
-  std::map<std::string, Place> images_;  ///< by `file_name`
-  std::size_t image_count_ = 0;
-  std::size_t annotation_count_ = 0;
-  nlohmann::json rest_ = nlohmann::json::object();
   std::map<std::int64_t, std::vector<Place>> annotations_;  ///< by the image's id
   std::vector<nlohmann::json> categories_;
 };

@@ -2,7 +2,6 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/dope/dope_options.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
 

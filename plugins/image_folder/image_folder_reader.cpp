@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,8 +11,6 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/image_folder/image_folder_options.h"
-#include "plugins/image_folder/line_index.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/cuboid_lines.h"
 #include "plugins/readback/files.h"
@@ -24,6 +24,47 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+/// Where in a file of JSON lines each image's line begins.
+class LineIndex {
+ public:
+  /// @throws Error where a line is no JSON with a `file_name`
+  explicit LineIndex(const std::filesystem::path& file);
+
+  /// @throws Error where there is no line of this `file_name`
+  [[nodiscard]] json line(const std::string& file_name) const;
+
+ private:
+  std::filesystem::path file_;
+  std::map<std::string, std::int64_t> begins_;
+};
+
+LineIndex::LineIndex(const std::filesystem::path& file) : file_(file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw Error("'" + file.string() + "': cannot be read");
+  std::int64_t begin = 0;
+  readingJson(file, [&] {
+    for (std::string text; std::getline(stream, text);) {
+      if (!text.empty()) {
+        begins_.emplace(json::parse(text).at("file_name").get<std::string>(), begin);
+      }
+      begin += static_cast<std::int64_t>(text.size()) + 1;
+    }
+  });
+}
+
+json LineIndex::line(const std::string& file_name) const {
+  const auto found = begins_.find(file_name);
+  if (found == begins_.end()) {
+    throw Error("'" + file_.string() + "': no line of '" + file_name + "'");
+  }
+  std::ifstream stream(file_, std::ios::binary);
+  std::string text;
+  if (!stream.seekg(found->second) || !std::getline(stream, text)) {
+    throw Error("'" + file_.string() + "': cannot be read");
+  }
+  return readingJson(file_, [&] { return json::parse(text); });
+}
 
 CameraModel cameraOf(const json& line) {
   constexpr double kNear = 1e-3;  // the line has no range of sight
@@ -161,8 +202,6 @@ std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraMo
 
 }  // namespace
 
-Format format() {
-  return {"synthetic_dataset/ImageFolder", true, readScene, picturesOf};
-}
+Format format() { return {"synthetic_dataset/ImageFolder", true, readScene, picturesOf}; }
 
 }  // namespace synthetic_dataset::formats::image_folder

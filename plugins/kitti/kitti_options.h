@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "plugins/shared/kitti_columns.h"  // IWYU pragma: export
 #include "synthetic_dataset/box_choice.h"
+#include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
 

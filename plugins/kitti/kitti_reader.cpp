@@ -6,8 +6,6 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/kitti/kitti_options.h"
-#include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/kitti_files.h"
@@ -28,15 +26,7 @@ LabelledPicture readScene(const WrittenScene& scene) {
   for (const std::string& line : readLines(file)) {
     const auto words = wordsOf(line);
     if (words.size() != 15) throw Error("'" + file.string() + "': found the line '" + line + "'");
-    std::vector<double> numbers;
-    for (std::size_t i = 1; i < words.size(); ++i) numbers.push_back(numberOf(words[i], file));
-    DrawnLabel label;
-    label.caption = words[0];
-    label.class_names = {words[0]};
-    label.box = Box{numbers[3] - 0.5, numbers[4] - 0.5, numbers[5] - 0.5, numbers[6] - 0.5};
-    if (words[0] != kDontCare)
-      addCuboid(label, camera, kittiCorners({numbers.begin() + 7, numbers.end()}));
-    picture.labels.push_back(std::move(label));
+    picture.labels.push_back(kittiLabel(words, camera, file));
   }
   return picture;
 }
@@ -50,7 +40,7 @@ std::array<float, 4> pointAt(const std::string& bytes, std::size_t at) {
 
 /// The depth image of which a scan has a point for each pixel that has a depth, row by row.
 DecodedPicture depthOf(const fs::path& scan, const CameraModel& camera) {
-  constexpr double kTolerance = 0.01;       // [px]
+  constexpr double kTolerance = 0.01;        // [px]
   constexpr double kSinglePrecision = 1e-5;  // [m], that a ray's length may cost of a depth
   DecodedPicture picture;
   picture.name = "depth";

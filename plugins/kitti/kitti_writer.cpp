@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -10,11 +8,9 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
-#include "plugins/kitti/kitti_options.h"
-#include "plugins/shared/kitti_columns.h"
+#include "plugins/kitti/kitti_labels.h"
 #include "plugins/shared/pose_formats.h"
-#include "synthetic_dataset/box_choice.h"
-#include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
 namespace {
@@ -84,19 +80,7 @@ class KittiWriter : public LabelWriter {
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     warnOfDistortion(scene.camera, output);
-    std::string labels;
-    bool is_tilted = false;
-    for (const SceneObject& object : scene.objects) {
-      if (object.labelled()) {
-        labels += label(object, scene.camera);
-        is_tilted = is_tilted || kitti::isTilted(*object.X_CO);
-      } else if (options_.dont_care && object.pixels.visible() > 0) {
-        labels += dontCare(object, scene.camera);
-      }
-    }
-    if (is_tilted) {
-      output.addWarning(kitti::kTiltWarning);
-    }
+    std::string labels = kitti::labels(scene, options_, kitti::Benchmark::kObjects, output);
     const std::string number = sixDigits(scene.instant);
     const std::string training = folders_[scene.camera_index] + "training/";
     output.addImage(training + "image_2/" + number + ".png", scene.image);
@@ -141,23 +125,6 @@ class KittiWriter : public LabelWriter {
           imageSet(camera, name),
           [&](std::int64_t /*scene*/, const std::string& number) { list << number << '\n'; });
     });
-  }
-
-  /// An object's line; nothing for one without box in the image.
-  [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
-    const auto box = boxOf(object, options_.box, camera);
-    if (!box) return "";
-    const kitti::Placement placement = kitti::placementOf(object);
-    return options_.types.at(object.class_name) + kitti::columns({object.truncation()}) + " " +
-           std::to_string(kitti::occlusionOf(object.pixels)) + kitti::columns({placement.alpha}) +
-           kitti::boxColumns(*box) + placement.columns + "\n";
-  }
-
-  [[nodiscard]] static std::string dontCare(const SceneObject& object, const CameraModel& camera) {
-    const auto box = boxOf(object, BoxChoice::kVisible, camera);
-    if (!box) return "";
-    return std::string(kDontCare) + " -1 -1 -10" + kitti::boxColumns(*box) +
-           " -1 -1 -1 -1000 -1000 -1000 -10\n";
   }
 
   static constexpr const char* kTrainVal = "trainval";

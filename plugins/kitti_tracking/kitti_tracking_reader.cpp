@@ -4,8 +4,6 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/kitti/kitti_options.h"
-#include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/kitti_files.h"
@@ -35,24 +33,14 @@ LabelledPicture readScene(const WrittenScene& scene) {
       throw Error("'" + file.string() + "': found a line of " + std::to_string(words.size() + 1) +
                   " columns");
     }
-    std::vector<double> numbers;
-    for (std::size_t i = 2; i < words.size(); ++i) numbers.push_back(numberOf(words[i], file));
-    DrawnLabel label;
-    label.caption = words[1] + " " + words[0];
-    label.class_names = {words[1]};
-    label.box = Box{numbers[3] - 0.5, numbers[4] - 0.5, numbers[5] - 0.5, numbers[6] - 0.5};
-    if (words[1] != kDontCare) {
-      addCuboid(label, camera, kittiCorners({numbers.begin() + 7, numbers.end()}));
-    }
-    picture.labels.push_back(std::move(label));
+    picture.labels.push_back(kittiLabel({words.begin() + 1, words.end()}, camera, file));
+    picture.labels.back().caption += " " + words[0];
   }
   return picture;
 }
 
 }  // namespace
 
-Format format() {
-  return {"synthetic_dataset/KittiTracking", true, readScene};
-}
+Format format() { return {"synthetic_dataset/KittiTracking", true, readScene}; }
 
 }  // namespace synthetic_dataset::formats::kitti_tracking

@@ -5,11 +5,9 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
-#include "plugins/kitti/kitti_options.h"
-#include "plugins/shared/kitti_columns.h"
+#include "plugins/kitti/kitti_labels.h"
 #include "plugins/shared/pose_formats.h"
 #include "plugins/shared/sequences.h"
-#include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
@@ -19,14 +17,6 @@ std::string fourDigits(std::size_t number) {
   std::array<char, 24> digits{};
   std::snprintf(digits.data(), digits.size(), "%04zu", number);
   return digits.data();
-}
-
-/// Tracking has whole numbers where the object benchmark has shares: 0 not, 1 partly, 2 largely out
-/// of the image.
-int truncationOf(double share) {
-  constexpr double kNone = 0.01;
-  if (share < kNone) return 0;
-  return share <= 0.5 ? 1 : 2;
 }
 
 }  // namespace
@@ -56,36 +46,8 @@ class KittiTrackingWriter : public LabelWriter {
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     warnOfDistortion(scene.camera, output);
-    std::string labels;
-    bool is_tilted = false;
-    for (const SceneObject& object : scene.objects) {
-      if (object.labelled()) {
-        labels += label(object, scene.camera);
-        is_tilted = is_tilted || kitti::isTilted(*object.X_CO);
-      } else if (options_.dont_care && object.pixels.visible() > 0) {
-        labels += dontCare(object, scene.camera);
-      }
-    }
-    if (is_tilted) output.addWarning(kitti::kTiltWarning);
-    sequences_.addFrame(scene, "png", labels, output);
-  }
-
-  /// An object's line without the frame; nothing for one without box in the image.
-  [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
-    const auto box = boxOf(object, options_.box, camera);
-    if (!box) return "";
-    const kitti::Placement placement = kitti::placementOf(object);
-    return std::to_string(object.instance - 1) + " " + options_.types.at(object.class_name) + " " +
-           std::to_string(truncationOf(object.truncation())) + " " +
-           std::to_string(kitti::occlusionOf(object.pixels)) + kitti::columns({placement.alpha}) +
-           kitti::boxColumns(*box) + placement.columns + "\n";
-  }
-
-  [[nodiscard]] static std::string dontCare(const SceneObject& object, const CameraModel& camera) {
-    const auto box = boxOf(object, BoxChoice::kVisible, camera);
-    if (!box) return "";
-    return std::string("-1 ") + kDontCare + " -1 -1 -10" + kitti::boxColumns(*box) +
-           " -1000 -1000 -1000 -10 -1 -1 -1\n";
+    sequences_.addFrame(
+        scene, "png", kitti::labels(scene, options_, kitti::Benchmark::kTracking, output), output);
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {

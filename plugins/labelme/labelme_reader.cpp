@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "plugins/labelme/labelme_options.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"

@@ -22,8 +22,4 @@ MotOptions readMotOptions(Parameters& parameters, const std::vector<ClassInfo>& 
   return options;
 }
 
-const std::string& motName(const MotOptions& options, int class_id) {
-  return options.names.at(static_cast<std::size_t>(options.class_ids.at(class_id)) - 1);
-}
-
 }  // namespace synthetic_dataset

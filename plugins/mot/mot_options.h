@@ -21,7 +21,4 @@ struct MotOptions {
 [[nodiscard]] MotOptions readMotOptions(Parameters& parameters,
                                         const std::vector<ClassInfo>& classes);
 
-/// What the file has of a name; words are separated by nothing there.
-[[nodiscard]] const std::string& motName(const MotOptions& options, int class_id);
-
 }  // namespace synthetic_dataset

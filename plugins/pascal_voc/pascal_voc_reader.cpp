@@ -100,8 +100,6 @@ LabelledPicture readScene(const WrittenScene& scene) {
 
 }  // namespace
 
-Format format() {
-  return {"synthetic_dataset/PascalVoc", false, readScene};
-}
+Format format() { return {"synthetic_dataset/PascalVoc", false, readScene}; }
 
 }  // namespace synthetic_dataset::formats::pascal_voc

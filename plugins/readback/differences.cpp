@@ -124,8 +124,8 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Whether two numbers, of which nobody knows that they are numbers, are the same but for their last
-/// digits: bytes of other things are tiny or huge numbers.
+/// Whether two numbers, of which nobody knows that they are numbers, are the same but for their
+/// last digits: bytes of other things are tiny or huge numbers.
 bool areTheSameNumber(double one, double other) {
   constexpr double kNothing = 1e-9;
   constexpr double kTiny = 1e-30;

@@ -1,24 +1,20 @@
 #include "plugins/readback/kitti_files.h"
 
+#include <array>
 #include <cmath>
 
+#include "plugins/kitti/kitti_options.h"
+#include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats {
+namespace {
 
-Intrinsics readKittiCamera(const std::filesystem::path& file) {
-  for (const std::string& line : readLines(file)) {
-    const auto words = wordsOf(line);
-    if (words.size() != 13 || words[0] != "P2:") continue;
-    const auto number = [&](std::size_t i) { return numberOf(words[i + 1], file); };
-    return {number(0), number(5), number(2), number(6)};
-  }
-  throw Error("'" + file.string() + "': found no line of 'P2:' and 12 numbers");
-}
-
-/// As the devkit's matlab/computeBox3D.m: the box stands on its location, turned about the camera's
-/// y axis; its length lies along its x.
+/// The corners of a label's 3D box in the camera's frame [m], in the order of Cuboid::corners(). As
+/// the devkit's matlab/computeBox3D.m: the box stands on its location, turned about the camera's y
+/// axis; its length lies along its x.
+/// @param n  the seven columns from height on
 std::array<Eigen::Vector3d, 8> kittiCorners(const std::vector<double>& n) {
   const Eigen::Vector3d size(n[2], n[1], n[0]);  // length, width, height
   const double c = std::cos(n[6]);
@@ -31,6 +27,32 @@ std::array<Eigen::Vector3d, 8> kittiCorners(const std::vector<double>& n) {
     corners[i] = {c * along + s * across + n[3], n[4] - up, c * across - s * along + n[5]};
   }
   return corners;
+}
+
+}  // namespace
+
+Intrinsics readKittiCamera(const std::filesystem::path& file) {
+  for (const std::string& line : readLines(file)) {
+    const auto words = wordsOf(line);
+    if (words.size() != 13 || words[0] != "P2:") continue;
+    const auto number = [&](std::size_t i) { return numberOf(words[i + 1], file); };
+    return {number(0), number(5), number(2), number(6)};
+  }
+  throw Error("'" + file.string() + "': found no line of 'P2:' and 12 numbers");
+}
+
+DrawnLabel kittiLabel(const std::vector<std::string>& words, const Intrinsics& camera,
+                      const std::filesystem::path& file) {
+  std::vector<double> numbers;
+  for (std::size_t i = 1; i < words.size(); ++i) numbers.push_back(numberOf(words[i], file));
+  DrawnLabel label;
+  label.caption = words[0];
+  label.class_names = {words[0]};
+  label.box = Box{numbers[3] - 0.5, numbers[4] - 0.5, numbers[5] - 0.5, numbers[6] - 0.5};
+  if (words[0] != kDontCare) {
+    addCuboid(label, camera, kittiCorners({numbers.begin() + 7, numbers.end()}));
+  }
+  return label;
 }
 
 }  // namespace synthetic_dataset::formats

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include "plugins/readback/drawn_label.h"
 #include "synthetic_dataset/camera_model.h"
 
 /// What readers of KITTI's benchmarks share.
@@ -14,8 +13,10 @@ namespace synthetic_dataset::formats {
 /// The matrix P2 of a calibration file: of the camera that made the images.
 [[nodiscard]] Intrinsics readKittiCamera(const std::filesystem::path& file);
 
-/// The corners of a label's 3D box in the camera's frame [m], in the order of Cuboid::corners().
-/// @param columns  the seven from height on
-[[nodiscard]] std::array<Eigen::Vector3d, 8> kittiCorners(const std::vector<double>& columns);
+/// The label of a line.
+/// @param words  its columns from the type on
+/// @throws Error naming the file and a word that is no number
+[[nodiscard]] DrawnLabel kittiLabel(const std::vector<std::string>& words, const Intrinsics& camera,
+                                    const std::filesystem::path& file);
 
 }  // namespace synthetic_dataset::formats

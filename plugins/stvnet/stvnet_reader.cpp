@@ -3,7 +3,6 @@
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/shared/pixel_origin.h"
-#include "plugins/stvnet/stvnet_folder.h"
 
 namespace synthetic_dataset::formats::stvnet {
 namespace {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -5,11 +6,32 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/shared/pixel_origin.h"
-#include "plugins/stvnet/stvnet_folder.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
+namespace {
+
+bool isControl(char character) {
+  const auto code = static_cast<unsigned char>(character);
+  return code < 0x20U || code == 0x7FU;
+}
+
+/// An object's folder: its name, or where that cannot be a path one that can. A name with slashes
+/// is folders within one another, as it always was.
+std::string stvNetFolder(const std::string& name) {
+  constexpr std::size_t kLongest = 200;  // [byte] of a part, of 255 that there may be
+  bool is_path = std::none_of(name.begin(), name.end(), isControl);
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('/', begin), name.size());
+    const std::size_t length = end - begin;
+    is_path = is_path && length > 0 && length <= kLongest && name[begin] != '.';
+    begin = end + 1;
+  }
+  return is_path && name.size() <= 4 * kLongest ? name : safeFileName(name);
+}
+
+}  // namespace
 
 /// stvNet: for each object a folder with `JPEGImages/N.png` (PNG in spite of its name),
 /// `mask/N.png` and `labels/N.txt`: the id, then each keypoint's place as fractions of the image,

@@ -6,7 +6,6 @@
 
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
-#include "plugins/ultralytics/ultralytics_options.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::ultralytics {
@@ -108,8 +107,6 @@ LabelledPicture readScene(const WrittenScene& scene) {
 
 }  // namespace
 
-Format format() {
-  return {"synthetic_dataset/UltralyticsYolo", true, readScene};
-}
+Format format() { return {"synthetic_dataset/UltralyticsYolo", true, readScene}; }
 
 }  // namespace synthetic_dataset::formats::ultralytics

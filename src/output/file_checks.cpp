@@ -80,7 +80,7 @@ FileFinding checkFile(const std::string& path, const std::string& linked_to, con
   return {contentProblem(path, file), true};
 }
 
-std::string pathProblem(const ListedFile& file, const ListedDataset& dataset) {
+std::string pathProblem(const ListedFile& file, const WrittenDataset& dataset) {
   std::string path;
   try {
     path = absoluteFrom(dataset.folder(), file.path);
@@ -99,19 +99,20 @@ std::string pathProblem(const ListedFile& file, const ListedDataset& dataset) {
 }
 
 StrayFiles strayFiles(const std::string& folder,
-                      const std::vector<const ListedDataset*>& datasets) {
+                      const std::vector<const WrittenDataset*>& datasets) {
   std::set<std::string> companions;
-  for (const ListedDataset* dataset : datasets) {
+  for (const WrittenDataset* dataset : datasets) {
     for (std::string& file : companionsOf(dataset->manifest())) companions.insert(std::move(file));
   }
   const auto isKnown = [&](const std::string& path) {
     return companions.count(path) != 0 ||
            std::any_of(datasets.begin(), datasets.end(),
-                       [&](const ListedDataset* dataset) { return dataset->lists(path); });
+                       [&](const WrittenDataset* dataset) { return dataset->lists(path); });
   };
   const auto isTemporary = [&](const std::string& path) {
-    return std::any_of(datasets.begin(), datasets.end(),
-                       [&](const ListedDataset* dataset) { return dataset->listsTemporary(path); });
+    return std::any_of(datasets.begin(), datasets.end(), [&](const WrittenDataset* dataset) {
+      return dataset->listsTemporary(path);
+    });
   };
   StrayFiles stray;
   std::error_code error;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "output/listed_dataset.h"
+#include "output/written_dataset.h"
 
 /// Whether a dataset's files are those that its manifests list.
 namespace synthetic_dataset::output {
@@ -29,7 +29,7 @@ struct FileFinding {
 
 /// Why a listed path is none that a run of this dataset could have written; empty: nothing is wrong
 /// with it.
-[[nodiscard]] std::string pathProblem(const ListedFile& file, const ListedDataset& dataset);
+[[nodiscard]] std::string pathProblem(const ListedFile& file, const WrittenDataset& dataset);
 
 /// Some files of many.
 struct FewFiles {
@@ -45,6 +45,6 @@ struct StrayFiles {
 
 /// @param datasets  all that share the folder: a whole run, or shards
 [[nodiscard]] StrayFiles strayFiles(const std::string& folder,
-                                    const std::vector<const ListedDataset*>& datasets);
+                                    const std::vector<const WrittenDataset*>& datasets);
 
 }  // namespace synthetic_dataset::output

@@ -2,11 +2,16 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "output/manifest/manifest_content.h"
+#include "output/manifest/picture_facts.h"
 #include "output/manifest/sqlite.h"
+#include "output/store_types.h"
 #include "synthetic_dataset/scene.h"
 #include "synthetic_dataset/value.h"
 
@@ -30,6 +35,16 @@ struct WrittenSceneRow {
   std::string split;             ///< Scene::split
 };
 
+/// A row of the manifest's table `file`, as it stands there.
+struct ListedFile {
+  std::string path;
+  std::size_t writer = 0;
+  std::optional<std::int64_t> scene;  ///< nothing: of the dataset as a whole
+  std::int64_t bytes = 0;
+  std::string digest;
+  std::optional<std::string> linked_to;
+};
+
 /// What all scenes together hold whose files are there.
 struct WrittenCounts {
   std::int64_t scenes = 0;
@@ -38,12 +53,23 @@ struct WrittenCounts {
   std::map<std::string, std::int64_t> labels;  ///< of each class
 };
 
-/// A dataset that a run has written, as its manifest lists it.
+/// A dataset that a run has written, as its manifest lists it. What grows with the number of scenes
+/// is not held as a whole. All methods throw Error where the manifest cannot be read.
 class WrittenDataset {
  public:
-  /// @param folder  of the manifest
-  /// @throws Error when there is none or it cannot be read
+  /// @param folder  of the manifest of a whole run
+  /// @throws Error when there is none
   explicit WrittenDataset(const std::filesystem::path& folder);
+
+  /// @param manifest  its absolute path, of a whole run or a shard; it should have passed
+  ///     `structureProblems`, and is not written to
+  WrittenDataset(const std::string& manifest, SqliteDatabase::Mode mode);
+
+  [[nodiscard]] const std::string& manifest() const { return manifest_; }
+  [[nodiscard]] std::string folder() const { return folder_.string(); }  ///< of the manifest
+
+  /// All but the files. Scenes are counted that are there.
+  [[nodiscard]] const ManifestContent& content() const;
 
   [[nodiscard]] const std::vector<WrittenWriter>& writers() const { return writers_; }
 
@@ -59,7 +85,12 @@ class WrittenDataset {
   [[nodiscard]] WrittenCounts counts() const;
 
   /// Whether a file is one of the dataset's, by whichever of its names.
-  [[nodiscard]] bool lists(const std::filesystem::path& file) const;
+  [[nodiscard]] bool holds(const std::filesystem::path& file) const;
+
+  /// Whether a file is listed, or is the temporary file of a listed one.
+  /// @param path  absolute
+  [[nodiscard]] bool lists(const std::string& path) const;
+  [[nodiscard]] bool listsTemporary(const std::string& path) const;
 
   /// Whether a folder is a writer's, or lies in it.
   [[nodiscard]] bool isInAWriter(const std::filesystem::path& folder) const;
@@ -71,9 +102,29 @@ class WrittenDataset {
   [[nodiscard]] std::vector<std::filesystem::path> files(const WrittenWriter& writer,
                                                          std::int64_t scene) const;
 
+  /// All scenes that are there, in their order.
+  void forEachScene(const std::function<void(const SceneFacts&)>& visit) const;
+
+  /// The files of a scene, or of the dataset as a whole, writer by writer in the order of their
+  /// names.
+  void forEachFileOf(const std::optional<std::int64_t>& scene,
+                     const std::function<void(const ListedFile&)>& visit) const;
+
+  /// What a writer has kept of a scene, in its order.
+  [[nodiscard]] std::vector<SceneFiles::Record> recordsOf(std::size_t writer,
+                                                          std::int64_t scene) const;
+
+  /// The same of all scenes, of one channel.
+  void forEachRecord(std::size_t writer, const std::string& channel,
+                     const std::function<void(std::int64_t, const std::string&)>& visit) const;
+
  private:
+  void addMeasures(SceneFacts& scene) const;
+
+  std::string manifest_;
   std::filesystem::path folder_;
   SqliteDatabase database_;
+  mutable std::optional<ManifestContent> content_;  ///< once it was asked for
   std::vector<WrittenWriter> writers_;
   std::vector<std::string> cameras_;
 };

@@ -91,7 +91,7 @@ std::int64_t sceneIndex(const std::string& text) {
 
 void requireNoneOfTheDataset(const output::WrittenDataset& dataset, const std::string& argument,
                              const std::string& file) {
-  if (!dataset.lists(file)) return;
+  if (!dataset.holds(file)) return;
   throw Error(argument + ": '" + file + "' is a file of the dataset; choose another name");
 }
 

@@ -113,6 +113,11 @@ class InstallSpace(unittest.TestCase):
         self.assertEqual(code, 0, text)
         self.assertIn('boxes (box_table_writer/BoxTable)', text)
 
+    def test_verify_runs_the_writer(self):
+        code, text = self.run_installed('rosrun', 'synthetic_dataset', 'verify', self.dataset)
+        self.assertEqual(code, 0, text)
+        self.assertNotIn('note:', text)
+
     def test_table_has_rows_of_known_objects_and_images(self):
         rows = self.table()
         self.assertGreater(len(rows), 0)

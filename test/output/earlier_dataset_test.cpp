@@ -143,9 +143,9 @@ TEST_F(EarlierDatasetTest, ADamagedManifestIsAnError) {
 TEST_F(EarlierDatasetTest, AnotherVersionsManifestIsAnError) {
   earlierRun();
   (void)query("UPDATE run SET value = '99' WHERE key = 'format_version'");
-  EXPECT_THAT(
-      errors(IfExists::kOverwrite),
-      ElementsAre(HasSubstr("format version is '99', and this release reads 7, and 4 of release 0.1.0")));
+  EXPECT_THAT(errors(IfExists::kOverwrite),
+              ElementsAre(HasSubstr(
+                  "format version is '99', and this release reads 7, and 4 of release 0.1.0")));
 }
 
 TEST_F(EarlierDatasetTest, OfTheVersionBeforeIsRemovedWhenOverwriting) {

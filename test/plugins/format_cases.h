@@ -39,6 +39,7 @@ inline std::vector<FormatCase> formatCases() {
       {"Dope", "Dope"},
       {"Ndds", "Dope", {{"style", "ndds"}, {"box", "loose"}}},
       {"ImageFolder", "ImageFolder", {{"depth", true}, {"masks", true}}},
+      {"ImageFolderJpeg", "ImageFolder", {{"image_format", "jpg"}, {"webdataset", true}}},
       {"Kitti", "Kitti", {{"class_names", Value::Map{{"cup", "Car"}}}}},
       {"KittiVelodyne", "Kitti", {{"velodyne", "depth"}}},
       {"KittiTracking", "KittiTracking", {{"class_names", Value::Map{{"cup", "Car"}}}}},

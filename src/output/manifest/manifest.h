@@ -31,8 +31,7 @@ struct ManifestFile {
 [[nodiscard]] ManifestFile fileOf(const SqliteStatement& row, const std::string& folder);
 
 /// One writer's records of a channel, in scene order.
-void forEachRecordOf(const SqliteDatabase& database, std::size_t writer,
-                     const std::string& channel,
+void forEachRecordOf(const SqliteDatabase& database, std::size_t writer, const std::string& channel,
                      const std::function<void(std::int64_t, const std::string&)>& visit);
 
 /// How far a scene has come. One that is left out has no files, and is complete.

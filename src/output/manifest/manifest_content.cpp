@@ -29,9 +29,7 @@ std::string versionOf(const SqliteDatabase& database) {
   return version;
 }
 
-bool isCurrent(const SqliteDatabase& database) {
-  return versionOf(database) == kManifestVersion;
-}
+bool isCurrent(const SqliteDatabase& database) { return versionOf(database) == kManifestVersion; }
 
 void checkWholeness(const SqliteDatabase& database) {
   std::string finding;

@@ -35,8 +35,7 @@ bool Manifest::isSceneFile(std::size_t writer, const std::string& path) const {
   return find.step();
 }
 
-void forEachRecordOf(const SqliteDatabase& database, std::size_t writer,
-                     const std::string& channel,
+void forEachRecordOf(const SqliteDatabase& database, std::size_t writer, const std::string& channel,
                      const std::function<void(std::int64_t, const std::string&)>& visit) {
   const std::string heading = channel + '\n';
   SqliteStatement records(

@@ -121,8 +121,8 @@ const char* const kManifestTables = R"sql(
 void requireKnownVersion(const std::string& version) {
   if (version == kManifestVersion || version == kVersionOfFirstRelease) return;
   const bool is_between = version == "5" || version == "6";
-  throw Error("its format version is '" + version + "', and this release reads " + kManifestVersion +
-              ", and " + kVersionOfFirstRelease + " of release 0.1.0" +
+  throw Error("its format version is '" + version + "', and this release reads " +
+              kManifestVersion + ", and " + kVersionOfFirstRelease + " of release 0.1.0" +
               (is_between ? "; that one is of a development version between the two: make the "
                             "dataset again"
                           : "; the release that wrote it reads it"));

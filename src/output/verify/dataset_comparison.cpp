@@ -71,7 +71,9 @@ bool haveSameBytes(const std::string& one, const std::string& other) {
 class ComparingDatasetOutput : public DatasetOutput {
  public:
   ComparingDatasetOutput(const ReadyWriter& writer, std::set<std::string> found)
-      : writer_(writer), folder_(absolutePath(writer.parameters().outputFolder())), paths_(folder_),
+      : writer_(writer),
+        folder_(absolutePath(writer.parameters().outputFolder())),
+        paths_(folder_),
         left_(std::move(found)) {}
 
   void addFile(const std::string& path, const Content& content) override {
@@ -151,12 +153,11 @@ DifferingFiles differingDatasetFiles(const ReadyWriter& writer, const SceneRecor
   return output.result();
 }
 
-void compareDatasetFile(const std::string& found, const std::string& right,
-                        const std::string& name, formats::Differences& differences) {
+void compareDatasetFile(const std::string& found, const std::string& right, const std::string& name,
+                        formats::Differences& differences) {
   constexpr std::uintmax_t kMost = 256 << 20;  // to be held [bytes]
   if (fs::file_size(found) + fs::file_size(right) <= kMost) {
-    formats::compareContents(formats::readText(found), formats::readText(right), name,
-                             differences);
+    formats::compareContents(formats::readText(found), formats::readText(right), name, differences);
     return;
   }
   std::ifstream found_lines(found);

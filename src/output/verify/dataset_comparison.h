@@ -26,7 +26,7 @@ struct DifferingFiles {
 
 /// Compares a file with the right one; large ones line by line, so that neither is held.
 /// @param name  for the lines
-void compareDatasetFile(const std::string& found, const std::string& right,
-                        const std::string& name, formats::Differences& differences);
+void compareDatasetFile(const std::string& found, const std::string& right, const std::string& name,
+                        formats::Differences& differences);
 
 }  // namespace synthetic_dataset::output

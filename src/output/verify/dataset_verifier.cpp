@@ -10,9 +10,9 @@
 #include "output/file_checks.h"
 #include "output/files/file_name_rules.h"
 #include "output/files/run_lock.h"
-#include "output/listed_dataset.h"
 #include "output/manifest/manifest_checks.h"
 #include "output/verify/scene_verifier.h"
+#include "output/written_dataset.h"
 
 namespace synthetic_dataset::output {
 namespace {
@@ -81,7 +81,7 @@ class Verification {
     const std::vector<std::string> damage = output::structureProblems(manifest);
     for (const std::string& problem : damage) listener_.problem("'" + manifest + "': " + problem);
     if (!damage.empty()) return;
-    auto dataset = std::make_unique<ListedDataset>(manifest);
+    auto dataset = std::make_unique<WrittenDataset>(manifest, SqliteDatabase::Mode::kReadOnly);
     const output::ManifestContent& content = dataset->content();
     const std::string state = stateProblem(content);
     if (!state.empty()) listener_.problem("'" + manifest + "': " + state);
@@ -91,7 +91,7 @@ class Verification {
     datasets_.push_back(std::move(dataset));
   }
 
-  void verifyScenes(const ListedDataset& dataset) {
+  void verifyScenes(const WrittenDataset& dataset) {
     SceneVerifier verifier(dataset, depth_, loader_, listener_, counts_);
     verifier.verifyDatasetFiles();
     const std::int64_t count = dataset.content().scene_count;
@@ -104,7 +104,7 @@ class Verification {
   }
 
   void findStrayFiles() {
-    std::vector<const ListedDataset*> datasets;
+    std::vector<const WrittenDataset*> datasets;
     std::set<std::string> folders;
     bool is_running = false;
     for (const auto& dataset : datasets_) {
@@ -138,7 +138,7 @@ class Verification {
 
   /// Whether what is in the folder is of one run.
   void checkShards() {
-    const ListedDataset* first = nullptr;
+    const WrittenDataset* first = nullptr;
     std::int64_t count = 0;
     for (const auto& dataset : datasets_) {
       if (!dataset->content().shard) continue;
@@ -163,7 +163,7 @@ class Verification {
   VerificationDepth depth_;
   WriterLoader* loader_;
   VerificationListener& listener_;
-  std::vector<std::unique_ptr<ListedDataset>> datasets_;
+  std::vector<std::unique_ptr<WrittenDataset>> datasets_;
   VerificationCounts counts_;
 };
 

@@ -155,7 +155,7 @@ double overlapOf(const Box& a, const Box& b) {
 
 /// Where a label is on the image.
 std::optional<Box> extentOf(const MeasuredLabel& label) {
-  return label.label->box     ? label.label->box
+  return label.label->box    ? label.label->box
          : label.mask_bounds ? label.mask_bounds
                              : label.polygon_bounds;
 }
@@ -175,8 +175,7 @@ double fitOf(const MeasuredLabel& label, const ObjectFacts& object, const SceneF
 }
 
 /// The object whose label a right one is, by where it is; else what it says itself.
-std::string nameOf(const MeasuredLabel& right, const SceneFacts& facts,
-                   const RunDescription& run) {
+std::string nameOf(const MeasuredLabel& right, const SceneFacts& facts, const RunDescription& run) {
   constexpr double kLeast = 0.5;
   const RunDescription::Object* object = nullptr;
   double best = kLeast;

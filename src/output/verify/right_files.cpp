@@ -100,8 +100,9 @@ void RightFiles::addScene(const SceneFiles& scene) {
   for (const SceneContent& content : encodeScene(scene.files, {})) {
     const std::string_view bytes = content.bytes();
     for (const std::size_t file : content.files) {
-      writeFile(placeOf(scene.files[file].path),
-                [&](std::ostream& stream) { stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size())); });
+      writeFile(placeOf(scene.files[file].path), [&](std::ostream& stream) {
+        stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+      });
     }
   }
 }

@@ -27,7 +27,8 @@ cv::Mat pixelsOf(const OutputFile& file) {
   for (int row = 0; row < colours.rows; ++row) {
     const uchar* indices = file.pixels.ptr<uchar>(row);
     auto* to = colours.ptr<cv::Vec3b>(row);
-    for (int column = 0; column < colours.cols; ++column) to[column] = file.palette[indices[column]];
+    for (int column = 0; column < colours.cols; ++column)
+      to[column] = file.palette[indices[column]];
   }
   return colours;
 }
@@ -93,8 +94,8 @@ void compareAllRecords(const FoundScene& found, const RewrittenScene& right,
     return;
   }
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const std::string where = "the manifest's record " + std::to_string(i) + " of '" +
-                              records[i].channel + "'";
+    const std::string where =
+        "the manifest's record " + std::to_string(i) + " of '" + records[i].channel + "'";
     if (found.records[i].channel != records[i].channel) {
       differences.add(where, "'" + found.records[i].channel + "'", "'" + records[i].channel + "'");
     } else {

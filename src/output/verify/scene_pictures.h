@@ -26,8 +26,7 @@ class ScenePictures {
   void give(Scene& scene, Filling filling) const;
 
   /// The name of a scene's picture that a writer hands on as it is; nothing for other pixels.
-  [[nodiscard]] static std::optional<std::string> nameOf(const cv::Mat& pixels,
-                                                         const Scene& scene);
+  [[nodiscard]] static std::optional<std::string> nameOf(const cv::Mat& pixels, const Scene& scene);
 
   [[nodiscard]] bool isKnown(const std::string& picture) const { return known_.count(picture) > 0; }
 

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "base/yaml_value.h"
 #include "output/manifest/manifest_paths.h"
 #include "output/verify/dataset_comparison.h"
 #include "output/verify/label_checks.h"
 #include "output/verify/right_files.h"
-#include "output/writer_settings.h"
 #include "plugins/readback/files.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
@@ -37,18 +35,10 @@ std::string sceneName(const SceneFacts& scene, std::size_t camera_count) {
   return (camera_count > 1 ? scene.camera + "/" : "") + sceneNumber(scene.instant);
 }
 
-std::map<std::string, Value> settingsOf(const RunDescription& run) {
-  std::map<std::string, Value> settings;
-  for (const auto& [name, setting] : run.settings) {
-    settings[name] = base::parseYaml(setting.value, "setting '" + name + "'");
-  }
-  return settings;
-}
-
 /// What a writer has kept of all scenes.
 class ListedRecords : public SceneRecords {
  public:
-  ListedRecords(const ListedDataset& dataset, std::size_t writer)
+  ListedRecords(const WrittenDataset& dataset, std::size_t writer)
       : dataset_(dataset), writer_(writer) {}
 
   void forEach(const std::string& channel,
@@ -58,13 +48,13 @@ class ListedRecords : public SceneRecords {
   }
 
  private:
-  const ListedDataset& dataset_;
+  const WrittenDataset& dataset_;
   std::size_t writer_;
 };
 
 }  // namespace
 
-SceneVerifier::SceneVerifier(const ListedDataset& dataset, VerificationDepth depth,
+SceneVerifier::SceneVerifier(const WrittenDataset& dataset, VerificationDepth depth,
                              WriterLoader* loader, VerificationListener& listener,
                              VerificationCounts& counts)
     : dataset_(dataset),
@@ -76,21 +66,20 @@ SceneVerifier::SceneVerifier(const ListedDataset& dataset, VerificationDepth dep
   if (depth_ != VerificationDepth::kLabels) return;
   const ManifestContent& content = dataset.content();
   const bool has_dataset_files = content.complete && !content.shard;
-  const std::map<std::string, Value> settings = settingsOf(content.run);
   std::string unread;
   for (std::size_t i = 0; i < labels_.size(); ++i) {
     const StoreWriter& writer = content.writers[i];
     Labels& labels = labels_[i];
-    labels.settings = writerSettings(settings, writer.name);
     labels.format = formats::formatOf(writer.type);
-    labels.can_be_read = labels.format != nullptr &&
-                         (has_dataset_files || !labels.format->needs_dataset_files);
+    labels.can_be_read =
+        labels.format != nullptr && (has_dataset_files || !labels.format->needs_dataset_files);
     if (labels.format == nullptr || labels.can_be_read) continue;
     unread += (unread.empty() ? "'" : ", '") + writer.name + "'";
   }
   if (!content.is_current) {
-    remark("it is one of release 0.1.0, which does not say what labels should be: it is checked " 
-           "that files are as they were written, and that labels can be read");
+    remark(
+        "it is one of release 0.1.0, which does not say what labels should be: it is checked "
+        "that files are as they were written, and that labels can be read");
   } else if (loader != nullptr) {
     loadWriters(*loader);
   }
@@ -107,7 +96,7 @@ void SceneVerifier::loadWriters(WriterLoader& loader) {
                   [](const RunDescription::Camera& each) { return each.model.has_value(); });
   for (std::size_t i = 0; has_cameras && i < labels_.size(); ++i) {
     const StoreWriter& writer = content.writers[i];
-    Parameters parameters(labels_[i].settings, writer.name);
+    Parameters parameters(dataset_.writers()[i].settings, writer.name);
     try {
       auto ready = std::make_unique<ReadyWriter>(
           loader, WriterOptions{writer.name, writer.type, writer.output_folder, parameters},
@@ -115,8 +104,8 @@ void SceneVerifier::loadWriters(WriterLoader& loader) {
       if (!parameters.errors().empty()) throw Error(parameters.errors().front());
       labels_[i].writer = std::move(ready);
     } catch (const std::exception& error) {
-      remark("the labels of '" + writer.name + "' are not checked, as its writer cannot be run: " +
-             error.what());
+      remark("the labels of '" + writer.name +
+             "' are not checked, as its writer cannot be run: " + error.what());
     }
   }
 }
@@ -162,9 +151,9 @@ void SceneVerifier::verifyFile(const ListedFile& file, WrittenFiles& of_writer) 
   }
   const std::string& folder = dataset_.folder();
   const std::string path = absoluteFrom(folder, file.path);
-  const FileFinding finding = checkFile(
-      path, file.linked_to ? absoluteFrom(folder, *file.linked_to) : "", file,
-      depth_ == VerificationDepth::kSizes ? FileCheck::kSize : FileCheck::kContent);
+  const FileFinding finding =
+      checkFile(path, file.linked_to ? absoluteFrom(folder, *file.linked_to) : "", file,
+                depth_ == VerificationDepth::kSizes ? FileCheck::kSize : FileCheck::kContent);
   if (!finding.problem.empty()) {
     listener_.problem("'" + path + "' " + finding.problem);
     of_writer.are_whole = false;
@@ -231,7 +220,7 @@ formats::WrittenScene SceneVerifier::writtenScene(const SceneFacts& scene, std::
           scene.stamp,
           {files.paths.begin(), files.paths.end()},
           kept_,
-          labels_[writer].settings};
+          dataset_.writers()[writer].settings};
 }
 
 void SceneVerifier::verifyValues(const SceneFacts& facts, const std::vector<WrittenFiles>& files,
@@ -260,14 +249,14 @@ void SceneVerifier::verifyValues(const SceneFacts& facts, const std::vector<Writ
     takePictures(facts, scene, writer, files[writer], pictures, found[writer]);
   });
   pictures.give(scene, ScenePictures::Filling::kNothing);
-  Scene other = scene;
-  pictures.give(other, ScenePictures::Filling::kSomething);
+  std::optional<Scene> other;
   guarded([&](std::size_t writer) {
     RewrittenScene right;
     labels_[writer].writer->writeScene(scene, writer, right.result);
     if (dependsOnUnknown(writer, pictures)) {
+      if (!other) pictures.give(other.emplace(scene), ScenePictures::Filling::kSomething);
       right.other.emplace();
-      labels_[writer].writer->writeScene(other, writer, *right.other);
+      labels_[writer].writer->writeScene(*other, writer, *right.other);
     }
     compare(facts, writer, files[writer], found[writer], right);
   });
@@ -307,8 +296,8 @@ void SceneVerifier::takePictures(const SceneFacts& facts, const Scene& scene, st
   }
   const formats::Format* format = labels_[writer].format;
   if (format == nullptr || format->pictures == nullptr) return;
-  for (const formats::DecodedPicture& each : format->pictures(
-           writtenScene(facts, writer, files), scene.camera, true_.dataset())) {
+  for (const formats::DecodedPicture& each :
+       format->pictures(writtenScene(facts, writer, files), scene.camera, true_.dataset())) {
     const std::string problem = pictures.take(each);
     for (const std::filesystem::path& file : each.files) {
       tell(file.string(), &file == &each.files.front() ? problem : "");
@@ -384,8 +373,7 @@ void SceneVerifier::verifyDatasetValues() {
   }
 }
 
-void SceneVerifier::compareDatasetFiles(std::size_t writer,
-                                        const std::vector<std::string>& paths) {
+void SceneVerifier::compareDatasetFiles(std::size_t writer, const std::vector<std::string>& paths) {
   const ReadyWriter& ready = *labels_[writer].writer;
   const StoreWriter& of = dataset_.content().writers[writer];
   const std::string origin = "writer '" + of.name + "': ";

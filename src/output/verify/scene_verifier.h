@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "output/file_checks.h"
-#include "output/listed_dataset.h"
 #include "output/verify/dataset_verifier.h"
 #include "output/verify/right_files.h"
 #include "output/verify/scene_comparison.h"
 #include "output/verify/scene_pictures.h"
 #include "output/verify/true_scenes.h"
 #include "output/writers/ready_writer.h"
+#include "output/written_dataset.h"
 #include "plugins/readback/format.h"
 
 namespace synthetic_dataset::output {
@@ -25,7 +25,7 @@ class SceneVerifier {
  public:
   /// All arguments outlive it. The counts are added to.
   /// @param loader  of the writers; null: labels are not checked
-  SceneVerifier(const ListedDataset& dataset, VerificationDepth depth, WriterLoader* loader,
+  SceneVerifier(const WrittenDataset& dataset, VerificationDepth depth, WriterLoader* loader,
                 VerificationListener& listener, VerificationCounts& counts);
 
   /// The files of the dataset as a whole.
@@ -49,7 +49,6 @@ class SceneVerifier {
   struct Labels {
     const formats::Format* format = nullptr;  ///< null: none of this package's
     bool can_be_read = false;                 ///< by the format, from the files that are there
-    Value::Map settings;                      ///< the writer's
     std::unique_ptr<ReadyWriter> writer;      ///< null: nobody knows what is right
     bool is_right = true;                     ///< nothing wrong has been found yet
     bool has_unknown_files = false;           ///< it is said which files nobody can know
@@ -81,7 +80,7 @@ class SceneVerifier {
   void compareDatasetFiles(std::size_t writer, const std::vector<std::string>& paths);
   bool reportWrongLabels(std::size_t writer, RightFiles& right);
 
-  const ListedDataset& dataset_;
+  const WrittenDataset& dataset_;
   VerificationDepth depth_;
   VerificationListener& listener_;
   VerificationCounts& counts_;

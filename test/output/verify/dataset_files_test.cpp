@@ -129,6 +129,14 @@ TEST_F(VerifyFiles, TellsOfPathsThatLeadOut) {
       Contains(HasSubstr("the listed path '/etc/hostname' is not in the folder of its writer")));
 }
 
+TEST_F(VerifyFiles, RemarksThatLabelsAreNotCheckedWithoutTheirWriter) {
+  change("UPDATE writer SET type = 'gone/Writer'");
+  EXPECT_THAT(problems(), IsEmpty());
+  EXPECT_THAT(
+      remarks_,
+      ElementsAre(HasSubstr("the labels of 'w' are not checked, as its writer cannot be run: ")));
+}
+
 TEST_F(VerifyFiles, StopsWhereARunIsWriting) {
   const output::RunLock lock((folder_ / "manifest.sqlite").string());
   fs::remove(path(label_));

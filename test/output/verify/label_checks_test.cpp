@@ -47,9 +47,9 @@ TEST(LabelChecks, TellHowALabelDiffers) {
 }
 
 TEST(LabelChecks, TellOfTwoLabelsOfOneObject) {
-  EXPECT_THAT(problemsOf({found("a", {1, 2, 3, 4}), found("a", {1, 2, 3, 4})},
-                         {found("a", {1, 2, 3, 4})}),
-              ElementsAre("found a label of class 'a' at [1, 2, 3, 4] that no object should have"));
+  EXPECT_THAT(
+      problemsOf({found("a", {1, 2, 3, 4}), found("a", {1, 2, 3, 4})}, {found("a", {1, 2, 3, 4})}),
+      ElementsAre("found a label of class 'a' at [1, 2, 3, 4] that no object should have"));
 }
 
 TEST(LabelChecks, TellOfALackingLabel) {

@@ -36,10 +36,12 @@ TEST_P(VerifyManifest, TellsOf) {
 
 const Change kStructure[] = {
     {"Version", "UPDATE run SET value = '8' WHERE key = 'format_version'",
-     "it cannot be read: its format version is '8', and this release reads 7, and 4 of release 0.1.0"},
+     "it cannot be read: its format version is '8', and this release reads 7, and 4 of release "
+     "0.1.0"},
     {"AnEarlierVersion",
      "UPDATE run SET value = '3' WHERE key = 'format_version'; DROP TABLE motion",
-     "it cannot be read: its format version is '3', and this release reads 7, and 4 of release 0.1.0"},
+     "it cannot be read: its format version is '3', and this release reads 7, and 4 of release "
+     "0.1.0"},
     {"NoVersion", "DELETE FROM run", "it cannot be read: its format version is ''"},
     {"LackingTable", "DROP TABLE contact", "its tables are not those of version 7"},
     {"LackingDraws", "DROP TABLE draw", "its tables are not those of version 7"},
@@ -254,8 +256,9 @@ INSTANTIATE_TEST_SUITE_P(Measures, VerifyManifest, testing::ValuesIn(kMeasures),
 
 TEST_F(VerifyManifest, SaysWhichReleasesManifestsItReads) {
   change("UPDATE run SET value = '6' WHERE key = 'format_version'");
-  EXPECT_THAT(problems(), ElementsAre(HasSubstr("its format version is '6', and this release reads 7, "
-                                                "and 4 of release 0.1.0")));
+  EXPECT_THAT(problems(),
+              ElementsAre(HasSubstr("its format version is '6', and this release reads 7, "
+                                    "and 4 of release 0.1.0")));
 }
 
 /// A manifest as version 0.1 of this software has written it.

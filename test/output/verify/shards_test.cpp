@@ -25,8 +25,11 @@ class VerifyShard : public VerificationTest {
 TEST_F(VerifyShard, FindsNothingWrong) {
   EXPECT_THAT(problems(), IsEmpty());
   EXPECT_EQ(counts_.scenes, 4);
-  EXPECT_THAT(remarks_, ElementsAre(HasSubstr("the labels of 'w' are checked as the manifest keeps them, and not counted"),
-                                    HasSubstr("1 of 2 shards are here")));
+  EXPECT_THAT(
+      remarks_,
+      ElementsAre(
+          HasSubstr("the labels of 'w' are checked as the manifest keeps them, and not counted"),
+          HasSubstr("1 of 2 shards are here")));
 }
 
 TEST_F(VerifyShard, TellsOfAMissingScene) {

@@ -245,8 +245,7 @@ struct WrongStvNet : WrongLabels {
 TEST_F(WrongStvNet, HaveAnotherMask) {
   write();
   editPicture("a/mask/00000001.png", [](cv::Mat& mask) { mask.at<uchar>(10, 10) = 255; });
-  EXPECT_THAT(problems(),
-              ElementsAre(HasSubstr("found the mask within [9.5, 9.5")));
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("found the mask within [9.5, 9.5")));
 }
 
 struct WrongUltralytics : WrongLabels {
