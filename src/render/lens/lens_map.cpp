@@ -206,7 +206,7 @@ Tiles addTiles(const Plane& plane, const CameraModel& camera, std::vector<LensFa
       const double left = tiles.across.first + column * tiles.across.length - kFilterMargin;
       const double top = tiles.down.first + row * tiles.down.length - kFilterMargin;
       const CameraModel tile(tiles.across.length + 2 * kFilterMargin,
-                             tiles.down.length + 2 * kMargin, {f, f, -left, -top},
+                             tiles.down.length + 2 * kFilterMargin, {f, f, -left, -top},
                              nearOf(plane, camera), camera.far());
       faces.push_back({tile, plane.X_CF, nearLimitOf(plane, camera)});
     }
