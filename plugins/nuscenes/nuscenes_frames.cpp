@@ -7,7 +7,7 @@
 namespace synthetic_dataset::nuscenes {
 namespace {
 
-Json numbersOf(const Placement& placement) {
+Json placementJson(const Placement& placement) {
   const Eigen::Vector3d& p = placement.translation;
   const Quaternion& q = placement.rotation;
   return {p.x(), p.y(), p.z(), q(0), q(1), q(2), q(3)};
@@ -33,7 +33,7 @@ std::string recordOf(const Frame& frame) {
   Json objects = Json::array();
   for (const SeenObject& each : frame.objects) {
     objects.push_back({{"object", each.object},
-                       {"pose", numbersOf(each.X_GB)},
+                       {"pose", placementJson(each.X_GB)},
                        {"size", {each.size.x(), each.size.y(), each.size.z()}},
                        {"visibility", each.visibility},
                        {"pixels", each.pixels},
@@ -44,7 +44,7 @@ std::string recordOf(const Frame& frame) {
                    {"sequence", frame.sequence},
                    {"camera", frame.camera},
                    {"file", frame.file},
-                   {"ego", numbersOf(frame.X_GE)},
+                   {"ego", placementJson(frame.X_GE)},
                    {"objects", std::move(objects)}});
 }
 
