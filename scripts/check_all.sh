@@ -30,7 +30,7 @@ stages=(
   'faults     | ^src/(output|run)/|^test/faults/ | test_faults.sh --trials 10'
   'soak       | ^src/(output|run)/|^test/faults/ | soak.sh 20000'
   'slurm      | ^scripts/slurm/|^test/slurm/|^src/programs/(merge|generate) | test_slurm.sh'
-  'sources    | \.(h|cpp)$ | check_each_source.sh $changed_sources'
+  'sources    | \.(h|cpp)$ | check_each_source.sh $source_time $changed_sources'
   'address    | ^(include|src|plugins|test)/.*\.(h|cpp)$ | sanitize.sh address $sanitizer_time $changed_programs'
   'thread     | -  | sanitize.sh thread'
   'fuzz       | -  | fuzz.sh 20'
@@ -44,7 +44,7 @@ field() {  # STAGE NUMBER
 names=()
 only_changed=false
 base=$(git rev-parse --verify --quiet "${CI_BASE:-}^{commit}" || git rev-list --max-count=21 HEAD | tail -n 1)
-changed_sources='' changed_programs='' tidy_seconds=1200 sanitizer_time=''
+changed_sources='' changed_programs='' tidy_seconds=1200 source_time='' sanitizer_time=''
 case ${1:-} in
   --list)
     for stage in "${stages[@]}"; do field "$stage" 1; done
@@ -56,7 +56,8 @@ case ${1:-} in
       base=$(git rev-list --max-count=21 HEAD | tail -n 1)
     changed=$(git diff --name-only "$base" HEAD)
     changed_sources=$(git diff --name-only --diff-filter=d "$base" HEAD -- '*.cpp')
-    tidy_seconds=150 sanitizer_time='--seconds 600'  # a change of many rooms leaves the rest to the run of all checks
+    # A change of many rooms leaves the rest to the run of all checks.
+    tidy_seconds=150 source_time='--seconds 300' sanitizer_time='--seconds 420'
     # A room's tests are the program of its name; include/ and src/api are tested together.
     changed_programs=$(sed -nE 's:^(src|test)/([^/]+)/.*\.(cpp|h)$:\2:p; s:^plugins/.*:plugins:p; s:^include/.*:api:p' \
       <<<"$changed" | sort -u | while read -r room; do
