@@ -59,7 +59,7 @@ namespace synthetic_dataset::config {
 /// `twin`: how recorded pictures are labelled. What contradicts them is noted.
 /// @param scenes  with its motion, cameras and randomisation
 [[nodiscard]] scene::RecordedImageOptions readTwinOptions(Parameters root,
-                                                 const scene::SceneOptions& scenes);
+                                                          const scene::SceneOptions& scenes);
 
 /// Whether a group of settings has this name, which no object can have then: its own group would be
 /// called the same.

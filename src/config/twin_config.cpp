@@ -45,11 +45,11 @@ void checkRandomization(Parameters& root, const randomize::Randomization& random
 /// `both` is two runs, of which each has one of the others.
 scene::RecordedImageOutput readOutput(Parameters& group) {
   const auto both = std::optional<scene::RecordedImageOutput>();
-  const auto output =
-      choice<std::optional<scene::RecordedImageOutput>>(group, "output",
-                                               {{"real", scene::RecordedImageOutput::kReal},
-                                                {"synthetic", scene::RecordedImageOutput::kSynthetic},
-                                                {"both", both}});
+  const auto output = choice<std::optional<scene::RecordedImageOutput>>(
+      group, "output",
+      {{"real", scene::RecordedImageOutput::kReal},
+       {"synthetic", scene::RecordedImageOutput::kSynthetic},
+       {"both", both}});
   if (output == both) {
     group.addError("output",
                    "found both, which makes two datasets of a whole run; beside `motions`, or in "
