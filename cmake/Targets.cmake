@@ -8,7 +8,7 @@ endfunction()
 option(SYNTHETIC_DATASET_UNITY "Compile several sources as one" ON)
 function(synthetic_dataset_unity target)
   if(SYNTHETIC_DATASET_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
     # Classes of one source that hold types of its unnamed namespace look like a header's.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()

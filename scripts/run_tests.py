@@ -14,6 +14,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -102,6 +103,8 @@ def all_parts(workspace, chosen, with_long, environment, results):
     order = ['test_run', 'test_output', 'test_render', 'test_world']
     programs.sort(key=lambda each: (order.index(each.name) if each.name in order else len(order), each.name))
     for program in programs:
+        if not program.exists():
+            sys.exit(f'{program} is not built: cmake --build {workspace}/build --target tests')
         if not chosen or program.name in chosen:
             parts += parts_of_program(program, tests, environment, results)
     return parts
@@ -153,6 +156,8 @@ def main():
     parser.add_argument('--all', action='store_true', help='also what takes long')
     parser.add_argument('--repeat', type=int, default=1, metavar='N', help='run all of it N times')
     arguments = parser.parse_args()
+    # A shell that runs this in the background has signals ignored that tests send to programs.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     results = arguments.workspace / 'build/test_results'
     shutil.rmtree(results, ignore_errors=True)
     results.mkdir(parents=True)

@@ -26,7 +26,15 @@ build_workspace() {
       -DCMAKE_EXPORT_COMPILE_COMMANDS=ON --make-args cmake_check_build_system) &&
       touch "$workspace/.catkin_workspace_ready"
   } || return
-  cmake --build "$workspace/build" --parallel "$(nproc)" "$@"
+  cmake --build "$workspace/build" --parallel "$(build_jobs)" "$@"
+}
+
+# As many compilers as there are processors, and memory for: sixteen sources compiled as one take up to 1.7 GB.
+build_jobs() {
+  local memory
+  memory=$(awk '/^MemAvailable:/ {print int($2 / 1700000)}' /proc/meminfo)
+  [ "$memory" -ge 1 ] || memory=1
+  echo $((memory < $(nproc) ? memory : $(nproc)))
 }
 
 use_workspace() {

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-constexpr double kBrightest = 1e6;
+constexpr double kBrightestPicture = 1e6;
 constexpr DistributionRange kColourRange{3, 0.0, 1.0};
 
 const std::vector<std::string>& entryNames() {
@@ -41,7 +41,7 @@ randomize::BackgroundPictures readPictures(Parameters& group) {
   } else {
     refuseWithout(group, {"yaw"}, "projection: panorama");
   }
-  pictures.brightness = maybeDistribution(group, "brightness", {1, 0.0, kBrightest});
+  pictures.brightness = maybeDistribution(group, "brightness", {1, 0.0, kBrightestPicture});
   return pictures;
 }
 

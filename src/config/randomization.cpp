@@ -6,13 +6,13 @@
 namespace synthetic_dataset::config {
 namespace {
 
-constexpr double kBrightest = 1e6;
+constexpr double kBrightestLight = 1e6;
 
 randomize::LightRandomization readLight(Parameters group) {
   randomize::LightRandomization light;
   light.present = group.maybeBetween("present", 0.0, 1.0);
-  light.intensity = maybeDistribution(group, "intensity", {1, 0.0, kBrightest});
-  light.colour = maybeDistribution(group, "colour", {3, 0.0, kBrightest});
+  light.intensity = maybeDistribution(group, "intensity", {1, 0.0, kBrightestLight});
+  light.colour = maybeDistribution(group, "colour", {3, 0.0, kBrightestLight});
   light.elevation = maybeDistribution(group, "elevation", kElevationRange);
   light.azimuth = maybeDistribution(group, "azimuth", kTurnRange);
   light.shift = maybeDistribution(group, "shift", kPlaceRange);

@@ -12,20 +12,20 @@
 namespace synthetic_dataset::output {
 namespace {
 
+/// Whoever calls `exit` leaves nothing else that knows.
+std::atomic<const std::string*> writer_at_work{nullptr};
+
 /// While it lives, a writer is at work. A plugin that ends the program meanwhile, by `exit`, is
 /// named on the standard error, and the exit code is 1: a run that has not come to its end must not
 /// look like one that has.
 class WriterAtWork {
  public:
   /// @param name  of the writer; it outlives this
-  explicit WriterAtWork(const std::string& name);
-  ~WriterAtWork();
+  explicit WriterAtWork(const std::string& name) { writer_at_work = &name; }
+  ~WriterAtWork() { writer_at_work = nullptr; }
   WriterAtWork(const WriterAtWork&) = delete;
   WriterAtWork& operator=(const WriterAtWork&) = delete;
 };
-
-/// Whoever calls `exit` leaves nothing else that knows.
-std::atomic<const std::string*> writer_at_work{nullptr};
 
 void refuseExit() {
   const std::string* writer = writer_at_work.load();
@@ -38,19 +38,12 @@ void refuseExit() {
   _exit(EXIT_FAILURE);
 }
 
+/// To be called after each library of writers is loaded: `exit` begins with what was registered
+/// last, and what a library takes down must not come before.
 void watchExits() {
-  static const bool is_watching = [] {
-    return std::atexit(refuseExit) == 0 && std::at_quick_exit(refuseExit) == 0;
-  }();
-  (void)is_watching;
+  (void)std::atexit(refuseExit);
+  (void)std::at_quick_exit(refuseExit);
 }
-
-WriterAtWork::WriterAtWork(const std::string& name) {
-  watchExits();
-  writer_at_work = &name;
-}
-
-WriterAtWork::~WriterAtWork() { writer_at_work = nullptr; }
 
 }  // namespace
 
@@ -62,6 +55,7 @@ ReadyWriter::ReadyWriter(WriterLoader& loader, const WriterOptions& choice,
   } catch (const Error& error) {
     throw Error("writer '" + choice.name + "': " + error.what());
   }
+  watchExits();
   const WriterAtWork at_work(choice.name);
   // These name the writer themselves when they fail.
   instance_->initialize(parameters_, dataset);

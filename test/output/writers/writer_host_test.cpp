@@ -93,7 +93,9 @@ TEST_F(WriterHostTest, GathersFilesRecordsAndWarningsOfAllWriters) {
 }
 
 TEST_F(WriterHostTest, NamesAWriterThatEndsTheProgram) {
-  testing::FLAGS_gtest_death_test_style = "fast";
+  // The program is started again for this test alone: threads and libraries of others have no part
+  // in it.
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
   const WriterHost host = makeHost({choice("bad", {{"fault", "exit"}})});
   EXPECT_EXIT((void)host.writeScene(emptyScene()), testing::ExitedWithCode(1),
               "writer 'bad': its plugin has ended the program by a call of exit");

@@ -24,6 +24,9 @@ constexpr int kNotFound = 127;  // as shells have it
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  // A shell that starts the server in the background has it ignored, and the program would inherit
+  // that.
+  ::signal(SIGINT, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGINT);
   if (::getppid() != parent) ::_exit(kNotFound);  // it has died before that
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
