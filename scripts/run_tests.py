@@ -56,7 +56,8 @@ def long_tests():
     lines = (REPOSITORY / 'test/long_tests.txt').read_text(encoding='utf-8').splitlines()
     names = [line.split('#')[0].strip() for line in lines]
     names = [name for name in names if name]
-    return [name for name in names if '.' in name], {name for name in names if '.' not in name}
+    patterns = [name for name in names if '.' in name or '*' in name]
+    return patterns, set(names) - set(patterns)
 
 
 def count_of(program, tests, environment):
