@@ -40,11 +40,11 @@ class CocoIndex::Reader {
  public:
   Reader(CocoIndex& index, const CountingBuffer& buffer) : index_(index), buffer_(buffer) {}
 
-  bool null() { return true; }
-  bool boolean(bool /*value*/) { return true; }
+  static bool null() { return true; }
+  static bool boolean(bool /*value*/) { return true; }
   bool number_integer(std::int64_t value) { return number(value); }
   bool number_unsigned(std::uint64_t value) { return number(static_cast<std::int64_t>(value)); }
-  bool number_float(double /*value*/, const std::string& /*text*/) { return true; }
+  static bool number_float(double /*value*/, const std::string& /*text*/) { return true; }
   template <class Bytes>
   bool binary(Bytes& /*value*/) {
     return true;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/seconds.h"
+#include "config/checked_values.h"
 
 namespace synthetic_dataset::config {
 namespace {
