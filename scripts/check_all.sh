@@ -2,8 +2,8 @@
 # Runs every check of this repository, and says what each took. What has passed on the same commit is not run
 # again, so a run that was stopped goes on where it was.
 #   ./scripts/check_all.sh [STAGE...]       all by default; --list prints the names
-#   ./scripts/check_all.sh --changed [BASE] what guards every promise, and what guards the parts that
-#                                           differ from the commit BASE; without it, the last twenty commits
+#   ./scripts/check_all.sh --changed        what guards every promise, and what guards the parts that
+#                                           differ from the commit CI_BASE; without it, the last twenty commits
 # Reference data is read from SYNTHETIC_DATASET_REFERENCE, ../shared by default; stages that need it are left
 # out where it is not. Logs lie beside the workspace (scripts/workspace.sh). Exit code 0 only if all pass.
 set -euo pipefail
@@ -43,7 +43,8 @@ field() {  # STAGE NUMBER
 
 names=()
 only_changed=false
-base=$(git rev-parse --verify --quiet "${CI_BASE:-}^{commit}" || git rev-list --max-count=21 HEAD | tail -n 1)
+base=$(git rev-parse --verify --quiet "${CI_BASE:-}^{commit}" || true)
+[ -n "$base" ] && [ "$base" != "$(git rev-parse HEAD)" ] || base=$(git rev-list --first-parent --max-count=21 HEAD | tail -n 1)
 changed_sources='' changed_programs='' tidy_seconds=1200 source_time='' sanitizer_time=''
 case ${1:-} in
   --list)
@@ -51,13 +52,10 @@ case ${1:-} in
     exit 0 ;;
   --changed)
     only_changed=true
-    base=$(git rev-parse --verify --quiet "${2:-}^{commit}" || true)
-    [ -n "$base" ] && [ "$base" != "$(git rev-parse HEAD)" ] ||
-      base=$(git rev-list --max-count=21 HEAD | tail -n 1)
     changed=$(git diff --name-only "$base" HEAD)
     changed_sources=$(git diff --name-only --diff-filter=d "$base" HEAD -- '*.cpp')
     # A change of many rooms leaves the rest to the run of all checks.
-    tidy_seconds=150 source_time='--seconds 300' sanitizer_time='--seconds 420'
+    tidy_seconds=90 source_time='--seconds 300' sanitizer_time='--seconds 420'
     # A room's tests are the program of its name; include/ and src/api are tested together.
     changed_programs=$(sed -nE 's:^(src|test)/([^/]+)/.*\.(cpp|h)$:\2:p; s:^plugins/.*:plugins:p; s:^include/.*:api:p' \
       <<<"$changed" | sort -u | while read -r room; do

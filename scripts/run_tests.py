@@ -96,7 +96,7 @@ def all_parts(workspace, chosen, with_long, environment, results):
     parts = []
     for file in [*REPOSITORY.glob('test/*/*.test'),
                  *workspace.glob('build/synthetic_dataset/test/*/*.test')]:
-        if file.stem not in launch_tests and (not chosen or file.stem in chosen):
+        if file.stem in chosen or (not chosen and file.stem not in launch_tests):
             parts.append(part_of_launch_file(file, results))
     programs = [workspace / 'devel/lib/synthetic_dataset_tests' / f'test_{room.parent.name}'
                 for room in REPOSITORY.glob('test/*/CMakeLists.txt')
@@ -156,7 +156,7 @@ def main():
     parser.add_argument('parts', nargs='*', metavar='PART')
     parser.add_argument('--all', action='store_true', help='also what takes long')
     parser.add_argument('--repeat', type=int, default=1, metavar='N', help='run all of it N times')
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     # A shell that runs this in the background has signals ignored that tests send to programs.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     results = arguments.workspace / 'build/test_results'

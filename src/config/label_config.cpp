@@ -124,10 +124,10 @@ label::LabelOptions readLabels(Parameters root) {
   constexpr std::int64_t kMostPixels = 1000000000;
   labels.min_visibility = group.maybeBetween("min_visibility", 0.0, 1.0).value_or(0.0);
   labels.min_pixels = group.maybeBetween<std::int64_t>("min_pixels", 0, kMostPixels).value_or(0);
-  constexpr double kFarthest = 1.0;  // [m]; more is meant in another unit
+  constexpr double kLargestTolerance = 1.0;  // [m]; more is meant in another unit
   if (group.has("keypoint_tolerance")) {
-    labels.keypoint_tolerance =
-        group.optionalBetween("keypoint_tolerance", labels.keypoint_tolerance, 1e-6, kFarthest);
+    labels.keypoint_tolerance = group.optionalBetween(
+        "keypoint_tolerance", labels.keypoint_tolerance, 1e-6, kLargestTolerance);
   }
   return labels;
 }

@@ -41,7 +41,7 @@ Mog2Segmenter::Subtractor Mog2Segmenter::learned(const cv::Rect& tile) const {
 cv::Mat BackgroundModel::segment(const cv::Mat& alone, const cv::Rect& box) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (picture_) segmenter_.train(std::exchange(picture_, {})());
-  const cv::Mat raw = segmenter_.segment(alone, box);
+  cv::Mat raw = segmenter_.segment(alone, box);
   if (!clean_) return raw;
   // What is around the box distinguishes holes from bays.
   constexpr int kRound = label::kLargestHole + 1;

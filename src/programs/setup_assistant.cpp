@@ -16,8 +16,8 @@
 #include "programs/console/command_line.h"
 #include "programs/console/heap.h"
 #include "programs/console/stop_signals.h"
+#include "programs/embedded/embedded_files.h"
 #include "programs/setup_assistant/assistant.h"
-#include "programs/setup_assistant/page_files.h"
 #include "programs/setup_assistant/start_options.h"
 #include "programs/setup_assistant/web/access_check.h"
 #include "programs/setup_assistant/web/http_server.h"
@@ -48,7 +48,7 @@ int serve(const programs::AssistantOptions& options) {
   const std::string token = programs::makeToken();
   const programs::AccessCheck access(token, options.address, server.port());
   programs::Assistant assistant(std::filesystem::absolute(options.file).lexically_normal().string(),
-                                options.folders, programs::PageFiles(options.page_folder));
+                                options.folders, programs::EmbeddedFiles(options.page_folder));
   server.serve([&](const programs::HttpRequest& request) {
     const auto refused = access.answer(request);
     return refused ? *refused : assistant.answer(request);

@@ -10,7 +10,7 @@ namespace synthetic_dataset::base {
 /// Decoders fill what is missing of one that breaks off with grey, or with whatever the memory
 /// holds.
 /// @return true for files of other formats, whose decoders refuse them
-[[nodiscard]] bool isWhole(const std::vector<std::uint8_t>& file);
+[[nodiscard]] bool isWhole(const std::vector<std::uint8_t>& bytes);
 
 /// A PNG file reduced to the chunks that make its pixels (PNG specification, third edition, section
 /// 11: IHDR, PLTE, tRNS, IDAT, IEND). The decoder prints complaints about the others, colour

@@ -1,9 +1,8 @@
 #include "output/verify/right_files.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <ostream>
@@ -96,7 +95,7 @@ fs::path RightFiles::placeOf(const std::string& path) const {
   return folder_ / "elsewhere" / fs::path(path).relative_path();
 }
 
-void RightFiles::addScene(const SceneFiles& scene) {
+void RightFiles::addScene(const SceneFiles& scene) const {
   for (const SceneContent& content : encodeScene(scene.files, {})) {
     const std::string_view bytes = content.bytes();
     for (const std::size_t file : content.files) {
@@ -107,14 +106,14 @@ void RightFiles::addScene(const SceneFiles& scene) {
   }
 }
 
-void RightFiles::addRight(const std::string& path) {
+void RightFiles::addRight(const std::string& path) const {
   const fs::path place = placeOf(path);
   fs::create_directories(place.parent_path());
   std::error_code is_there;
   fs::create_symlink(path, place, is_there);
 }
 
-void RightFiles::addDataset(const SceneRecords& records) {
+void RightFiles::addDataset(const SceneRecords& records) const {
   WritingDatasetOutput output(writer_, *this);
   writer_.finalize(records, output);
 }

@@ -24,14 +24,14 @@ class RightFiles {
 
   /// Adds the files of a scene.
   /// @throws Error when they cannot be written
-  void addScene(const SceneFiles& scene);
+  void addScene(const SceneFiles& scene) const;
 
   /// Adds a file that is right as it is.
   /// @param path  absolute
-  void addRight(const std::string& path);
+  void addRight(const std::string& path) const;
 
   /// Adds the files of the dataset as a whole.
-  void addDataset(const SceneRecords& records);
+  void addDataset(const SceneRecords& records) const;
 
   /// All files of a scene, in alphabetical order.
   [[nodiscard]] std::vector<std::filesystem::path> filesOf(const SceneFiles& scene) const;

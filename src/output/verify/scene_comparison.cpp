@@ -25,7 +25,7 @@ cv::Mat pixelsOf(const OutputFile& file) {
   if (file.palette.empty()) return file.pixels;
   cv::Mat colours(file.pixels.size(), CV_8UC3);
   for (int row = 0; row < colours.rows; ++row) {
-    const uchar* indices = file.pixels.ptr<uchar>(row);
+    const auto* indices = file.pixels.ptr<uchar>(row);
     auto* to = colours.ptr<cv::Vec3b>(row);
     for (int column = 0; column < colours.cols; ++column)
       to[column] = file.palette[indices[column]];

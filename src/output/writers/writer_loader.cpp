@@ -1,11 +1,11 @@
 #include "output/writers/writer_loader.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <vector>
 
 #include <console_bridge/console.h>
-#include <stdlib.h>
 #include <pluginlib/class_loader.hpp>
 
 #include "base/name_list.h"

@@ -10,7 +10,7 @@
 #include "base/yaml_value.h"
 #include "config/config.h"
 #include "config/settings_text.h"
-#include "programs/setup_assistant/page_files.h"
+#include "programs/embedded/embedded_files.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
@@ -164,7 +164,7 @@ const std::vector<DocumentedSetting>& documentedSettings() {
 }
 
 const std::string& settingsDocument() {
-  static const std::string kText = PageFiles().find("params.yaml").value();
+  static const std::string kText = EmbeddedFiles().find("params.yaml").value();
   return kText;
 }
 

@@ -30,7 +30,7 @@ bool isBelowAddress(const std::string& text, const std::string& start) {
 }  // namespace
 
 Assistant::Assistant(const std::string& file, const std::vector<std::string>& folders,
-                     PageFiles page)
+                     EmbeddedFiles page)
     : allowed_(file, folders),
       page_(std::move(page)),
       document_(file,

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "programs/console/ticker.h"
+#include "programs/embedded/embedded_files.h"
 #include "programs/setup_assistant/folders/allowed_folders.h"
-#include "programs/setup_assistant/page_files.h"
 #include "programs/setup_assistant/service/document_service.h"
 #include "programs/setup_assistant/service/live_service.h"
 #include "programs/setup_assistant/service/result_service.h"
@@ -25,7 +25,7 @@ class Assistant {
   /// @param file  of settings, that is there
   /// @param folders  that the page may look into, too
   /// @param page  its files
-  Assistant(const std::string& file, const std::vector<std::string>& folders, PageFiles page);
+  Assistant(const std::string& file, const std::vector<std::string>& folders, EmbeddedFiles page);
   ~Assistant() { close(); }
   Assistant(const Assistant&) = delete;
   Assistant& operator=(const Assistant&) = delete;
@@ -50,7 +50,7 @@ class Assistant {
   [[nodiscard]] HttpResponse pageFile(const std::string& name) const;
 
   AllowedFolders allowed_;
-  PageFiles page_;
+  EmbeddedFiles page_;
   EventHub events_;
   DocumentService document_;
   std::unique_ptr<LiveService> live_;

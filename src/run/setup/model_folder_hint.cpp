@@ -44,11 +44,11 @@ fs::path placeInModels(const std::string& uri) {
 /// From the nearest on: the world's folder and those above it, the folders in each of these, and
 /// theirs that are called `models`.
 std::vector<fs::path> foldersNear(const fs::path& world_file) {
-  constexpr int kLevels = 3;
+  constexpr int kNearLevels = 3;
   std::vector<fs::path> near;
   std::error_code error;
   fs::path level = fs::absolute(world_file, error).lexically_normal().parent_path();
-  for (int i = 0; i < kLevels && level.has_relative_path(); ++i, level = level.parent_path()) {
+  for (int i = 0; i < kNearLevels && level.has_relative_path(); ++i, level = level.parent_path()) {
     near.push_back(level);
     for (const fs::path& each : foldersIn(level)) {
       near.push_back(each);

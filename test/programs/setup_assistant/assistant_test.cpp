@@ -57,7 +57,7 @@ class OpenAssistant {
   test::TinyRun run;
   std::filesystem::path file = run.folder().write(
       "settings.yaml", "# A small run.\n" + base::blockYaml(run.parameters(), 0, {}) + "\n");
-  Assistant assistant{file.string(), {}, PageFiles()};
+  Assistant assistant{file.string(), {}, EmbeddedFiles()};
 };
 
 int statusOf(OpenAssistant& open, const std::string& method, const std::string& path,

@@ -10,8 +10,8 @@
 
 #include "output/writers/writer_host.h"
 #include "plugins/readback/format.h"
+#include "programs/embedded/embedded_files.h"
 #include "programs/settings/documented_settings.h"
-#include "programs/setup_assistant/page_files.h"
 
 namespace synthetic_dataset::programs {
 namespace {
@@ -120,7 +120,7 @@ Value parameterList() {
 }
 
 Value formatList() {
-  auto tables = tablesOf(PageFiles().find("formats.md").value());
+  auto tables = tablesOf(EmbeddedFiles().find("formats.md").value());
   const std::map<std::string, Value::Map> declared = declaredByWriters();
   Value::List list;
   for (const auto& [name, type] : formats::formatNames()) {

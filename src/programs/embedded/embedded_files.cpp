@@ -1,24 +1,24 @@
-#include "programs/setup_assistant/page_files.h"
+#include "programs/embedded/embedded_files.h"
 
 #include <filesystem>
 #include <map>
 #include <utility>
 
 #include "base/input_file.h"
-#include "programs/setup_assistant/embedded_page.h"
+#include "programs/embedded/embedded_files_content.h"
 
 namespace synthetic_dataset::programs {
 
-PageFiles::PageFiles(std::string folder) : folder_(std::move(folder)) {}
+EmbeddedFiles::EmbeddedFiles(std::string folder) : folder_(std::move(folder)) {}
 
-std::optional<std::string> PageFiles::find(const std::string& name) const {
+std::optional<std::string> EmbeddedFiles::find(const std::string& name) const {
   if (!folder_.empty()) {
     const bool is_name = !name.empty() && name.find('/') == std::string::npos;
     const auto file = std::filesystem::path(folder_) / name;
     if (!is_name || !std::filesystem::is_regular_file(file)) return std::nullopt;
     return base::readInput(file);
   }
-  for (const EmbeddedFile& each : kEmbeddedPage) {
+  for (const EmbeddedFile& each : kEmbeddedFiles) {
     if (each.name == name) return std::string(each.content);
   }
   return std::nullopt;

@@ -5,12 +5,12 @@
 
 namespace synthetic_dataset::programs {
 
-/// The files of the page: those that are part of the program, as are params.yaml and formats.md,
-/// or, for its developers, those in a folder.
-class PageFiles {
+/// The files that are part of the programs: those of the set-up page, params.yaml and formats.md;
+/// or, for the page's developers, those in a folder.
+class EmbeddedFiles {
  public:
   /// @param folder  empty: those of the program
-  explicit PageFiles(std::string folder = "");
+  explicit EmbeddedFiles(std::string folder = "");
 
   /// A file's content by its name; nothing where there is none.
   [[nodiscard]] std::optional<std::string> find(const std::string& name) const;
