@@ -170,7 +170,7 @@ void SceneVerifier::verifyScene(const SceneFacts& scene) {
   dataset_.forEachFileOf(scene.index, [&](const ListedFile& file) {
     if (file.writer < files.size()) verifyFile(file, files[file.writer]);
   });
-  if (depth_ != VerificationDepth::kLabels) return;
+  if (depth_ != VerificationDepth::kLabels || !isSound(scene)) return;
   std::vector<std::size_t> compared;
   for (std::size_t i = 0; i < writers.size(); ++i) {
     if (!files[i].are_whole) labels_[i].is_right = false;
@@ -190,6 +190,19 @@ void SceneVerifier::verifyScene(const SceneFacts& scene) {
     }
   }
   verifyValues(scene, files, compared);
+}
+
+/// Whether a scene's rows fit the run's; the first one that does not is named.
+bool SceneVerifier::isSound(const SceneFacts& scene) {
+  if (!dataset_.content().is_current) return true;
+  const std::string unknown = true_.unknownIn(scene);
+  if (unknown.empty()) return true;
+  if (!std::exchange(has_unsound_scenes_, true)) {
+    listener_.problem(
+        "'" + dataset_.manifest() + "': the labels of scene " + std::to_string(scene.index) +
+        ", and of others like it, cannot be checked: the run does not know " + unknown);
+  }
+  return false;
 }
 
 /// @return  whether they have their camera's size
@@ -214,6 +227,7 @@ formats::WrittenScene SceneVerifier::writtenScene(const SceneFacts& scene, std::
   const std::vector<RunDescription::Camera>& cameras = dataset_.content().run.cameras;
   const auto camera = std::find_if(cameras.begin(), cameras.end(),
                                    [&](const auto& each) { return each.name == scene.camera; });
+  if (camera == cameras.end()) throw Error("the manifest has no camera '" + scene.camera + "'");
   return {dataset_.content().writers[writer].output_folder,
           sceneName(scene, cameras.size()),
           static_cast<std::size_t>(camera - cameras.begin()),

@@ -60,6 +60,7 @@ class SceneVerifier {
   [[nodiscard]] std::string originOf(const SceneFacts& scene, std::size_t writer) const;
 
   void verifyFile(const ListedFile& file, WrittenFiles& of_writer);
+  [[nodiscard]] bool isSound(const SceneFacts& scene);
   bool verifyPictures(const StoreWriter& writer, const WrittenFiles& files,
                       const SceneFacts& scene);
   [[nodiscard]] formats::WrittenScene writtenScene(const SceneFacts& scene, std::size_t writer,
@@ -85,7 +86,8 @@ class SceneVerifier {
   VerificationListener& listener_;
   VerificationCounts& counts_;
   const TrueScenes true_;
-  std::vector<Labels> labels_;  ///< of each writer
+  std::vector<Labels> labels_;       ///< of each writer
+  bool has_unsound_scenes_ = false;  ///< the first one is named
   std::shared_ptr<formats::KeptFiles> kept_ = std::make_shared<formats::KeptFiles>();
 };
 

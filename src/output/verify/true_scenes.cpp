@@ -126,6 +126,29 @@ TrueScenes::TrueScenes(const RunDescription& run) {
   });
 }
 
+std::string TrueScenes::unknownIn(const SceneFacts& facts) const {
+  const auto isNamed = [](const auto& list, const std::string& name) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const auto& each) { return each.name == name; });
+  };
+  if (!isNamed(dataset_.cameras, facts.camera)) return "its camera '" + facts.camera + "'";
+  if (!facts.split.empty() && !isNamed(dataset_.splits, facts.split)) {
+    return "its split '" + facts.split + "'";
+  }
+  if (facts.objects.size() != dataset_.objects.size()) {
+    return "its " + std::to_string(facts.objects.size()) + " objects; there are " +
+           std::to_string(dataset_.objects.size());
+  }
+  for (std::size_t i = 0; i < facts.objects.size(); ++i) {
+    const std::size_t count = facts.objects[i].keypoints.size();
+    if (count != dataset_.objects[i].keypoint_count) {
+      return "the " + std::to_string(count) + " keypoints of '" + dataset_.objects[i].name +
+             "'; it has " + std::to_string(dataset_.objects[i].keypoint_count);
+    }
+  }
+  return "";
+}
+
 Scene TrueScenes::scene(const SceneFacts& facts) const {
   Scene scene(facts.camera_model.value());
   scene.index = facts.index;
@@ -140,7 +163,7 @@ Scene TrueScenes::scene(const SceneFacts& facts) const {
   scene.stamp = facts.stamp;
   scene.X_GC = facts.X_GC;
   bool has_masks = true;
-  for (std::size_t i = 0; i < std::min(facts.objects.size(), dataset_.objects.size()); ++i) {
+  for (std::size_t i = 0; i < facts.objects.size(); ++i) {
     const ObjectInfo& info = dataset_.objects[i];
     SceneObject object;
     object.name = info.name;

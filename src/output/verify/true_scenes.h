@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "output/manifest/picture_facts.h"
 #include "output/manifest/run_description.h"
 #include "synthetic_dataset/label_writer.h"
@@ -13,8 +16,12 @@ class TrueScenes {
 
   [[nodiscard]] const DatasetInfo& dataset() const { return dataset_; }
 
+  /// What in a scene the run knows nothing of, such as a camera: no writer is ever given such a
+  /// scene. Empty for a sound one.
+  [[nodiscard]] std::string unknownIn(const SceneFacts& facts) const;
+
   /// A scene without `image`, `depth`, `normals` and `optical_flow`.
-  /// @param facts  with a camera model
+  /// @param facts  with a camera model, and nothing unknown
   [[nodiscard]] Scene scene(const SceneFacts& facts) const;
 
  private:

@@ -261,6 +261,13 @@ TEST_F(VerifyManifest, SaysWhichReleasesManifestsItReads) {
                                     "and 4 of release 0.1.0")));
 }
 
+TEST_F(VerifyManifest, GivesNoWriterASceneThatTheRunDoesNotKnow) {
+  change("UPDATE scene SET camera = 'rear' WHERE \"index\" > 0");
+  EXPECT_THAT(problems(),
+              Contains(HasSubstr("the labels of scene 1, and of others like it, cannot be "
+                                 "checked: the run does not know its camera 'rear'")));
+}
+
 /// A manifest as version 0.1 of this software has written it.
 class VerifyEarlierManifest : public VerifyManifest {
  protected:

@@ -132,10 +132,9 @@ void VerificationTest::writeUnfinished(const std::vector<Scene>& scenes) {
 }
 
 std::vector<std::string> VerificationTest::problems(VerificationDepth depth) {
-  // Never destroyed: class_loader cannot unload libraries once the program ends, as what it keeps of
-  // them may be gone by then.
-  static WriterLoader& writers =
-      *new WriterLoader({test::pluginXml(), test::examplePluginXml()});
+  // Never destroyed: class_loader cannot unload libraries once the program ends, as what it keeps
+  // of them may be gone by then.
+  static WriterLoader& writers = *new WriterLoader({test::pluginXml(), test::examplePluginXml()});
   Listener listener;
   counts_ = verifyDataset(folder_.path().string(), depth, listener, writers);
   remarks_ = listener.remarks;
