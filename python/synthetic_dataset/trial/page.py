@@ -1,0 +1,92 @@
+"""The page that shows what a network finds in photographs."""
+import base64
+import collections
+import io
+import os
+import pathlib
+
+import jinja2
+import numpy as np
+from PIL import Image
+
+from synthetic_dataset.manifest import DatasetError
+from synthetic_dataset.trial import samples
+
+WIDTH = 480  # of a picture in the page [px]
+SHOWN = 0.5  # of the threshold: from which score on a box is drawn
+
+# What the page says above the pictures: (value, what it is), and sentences.
+Summary = collections.namedtuple('Summary', 'name facts findings')
+
+
+def page_of(summary, sections, threshold, class_names):
+    """The page as HTML, with all its pictures in it."""
+    here = pathlib.Path(__file__).parent
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(str(here)), autoescape=True, trim_blocks=True,
+                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+    style = (here.parent / 'report' / 'page.css').read_text('utf-8') + (here / 'page.css').read_text('utf-8')
+    return environment.get_template('page.html').render(
+        style=style, summary=summary, threshold=threshold,
+        is_labelled=any(each.truth is not None for section in sections for each in section.results),
+        sections=[(section.title, section.note, [_tile(each, threshold, class_names) for each in section.results])
+                  for section in sections])
+
+
+def check_place(file, dataset):
+    """@throws DatasetError where a page would be among the dataset's files, or cannot be"""
+    target = pathlib.Path(file).resolve()
+    if dataset.folder == target.parent or dataset.folder in target.parents:
+        raise DatasetError(f"'{file}': is in the dataset's folder, where `verify` knows all files; choose another")
+    if not target.parent.is_dir():
+        raise DatasetError(f"'{file}': cannot be written: no such folder")
+    if target.is_dir() or not os.access(target.parent, os.W_OK):
+        raise DatasetError(f"'{file}': cannot be written")
+
+
+def write(page, file):
+    """Writes the page. The file is there when it is whole."""
+    target = pathlib.Path(file).resolve()
+    temporary = target.with_name(f'.{target.name}.tmp')
+    try:
+        temporary.write_text(page, 'utf-8')
+        os.replace(temporary, target)
+    except OSError as error:
+        raise DatasetError(f"'{file}': cannot be written: {error.strerror}") from error
+
+
+def _tile(result, threshold, class_names):
+    picture = samples.opened(result.file, WIDTH)
+    boxes = []
+    for at in np.argsort(result.found.scores, kind='stable'):  # the surest is drawn last
+        score = float(result.found.scores[at])
+        if score < SHOWN * threshold:
+            continue
+        kind = 'found' if result.match is None else 'right' if result.match[at] >= 0 else 'wrong'
+        name = class_names[int(result.found.classes[at])]
+        boxes.append(_box(result.found.boxes[at], picture, kind + (' faint' if score < threshold else ''),
+                          f'{score:.2f}', f'{name}, score {score:.3f}'))
+    labels = [] if result.truth is None else [_box(row[1:], picture, 'label', '', 'label') for row in result.truth]
+    return {'file': result.file.name, 'image': _jpeg(picture), 'width': picture.width, 'height': picture.height,
+            'labels': labels, 'boxes': boxes, 'text': _text(result, threshold)}
+
+
+def _box(corners, picture, kind, text, title):
+    left, top, right, bottom = (float(share * side) for share, side in zip(corners, picture.size * 2))
+    size = 15
+    return {'x': left, 'y': top, 'width': right - left, 'height': bottom - top, 'kind': kind, 'text': text,
+            'title': title, 'text_x': min(left + 2, picture.width - 2.4 * size),
+            'text_y': top - 4 if top > 1.3 * size else min(bottom, picture.height - 4) - 4}
+
+
+def _text(result, threshold):
+    counts = int((result.found.scores >= threshold).sum())
+    if result.truth is None:
+        return f'{counts} found'
+    right = int(((result.match >= 0) & (result.found.scores >= threshold)).sum())
+    return f'{right} of {len(result.truth)} found' + (f', {counts - right} wrong' if counts > right else '')
+
+
+def _jpeg(picture):
+    content = io.BytesIO()
+    picture.save(content, format='JPEG', quality=82)
+    return 'data:image/jpeg;base64,' + base64.b64encode(content.getvalue()).decode('ascii')
