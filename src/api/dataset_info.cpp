@@ -56,11 +56,12 @@ void DatasetInfo::refuseVaryingModels(const std::string& file) const {
   for (const ObjectInfo& object : objects) {
     if (!object.model_varies) continue;
     throw Error("found an object, '" + object.name +
-                "', whose model or size differs from scene to scene, and the format has one " +
+                "', whose model, size or shape differs from scene to scene, and the format has "
+                "one " +
                 file +
-                " of it for all images; it should be the same: without model and scale in "
-                "randomize/objects, and with the same model in all motions. COCO, YOLO, KITTI and "
-                "others hold what is seen in each image");
+                " of it for all images; it should be the same: without model, scale and variety: "
+                "same_class in randomize, and with the same model in all motions. COCO, YOLO, "
+                "KITTI and others hold what is seen in each image");
   }
 }
 

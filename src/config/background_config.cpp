@@ -5,6 +5,7 @@
 
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
+#include "randomize/appearance/picture_words.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {
@@ -30,13 +31,19 @@ bool isGroup(const std::optional<Value>& background) {
 
 randomize::BackgroundPictures readPictures(Parameters& group) {
   randomize::BackgroundPictures pictures;
-  pictures.folder = absolutePath(group.required<std::string>("pictures"));
+  const auto from = group.required<std::string>("pictures");
+  pictures.folder = from == randomize::kNatural ? from : absolutePath(from);
   pictures.present = group.maybeBetween("present", 0.0, 1.0);
   pictures.projection = listedChoice<randomize::BackgroundProjection>(
       group, "projection",
       {{"backdrop", randomize::BackgroundProjection::kBackdrop},
        {"panorama", randomize::BackgroundProjection::kPanorama}});
   if (pictures.projection == randomize::BackgroundProjection::kPanorama) {
+    if (from == randomize::kNatural) {
+      group.addError("projection",
+                     "found panorama beside `pictures: natural`; these are pictures as a camera "
+                     "takes them, not such as go all round, so it should be backdrop");
+    }
     pictures.yaw = maybeDistribution(group, "yaw", kTurnRange);
   } else {
     refuseWithout(group, {"yaw"}, "projection: panorama");

@@ -62,7 +62,13 @@ std::optional<randomize::CameraSampling> readCameraSampling(Parameters camera) {
   Parameters group = camera.group("sample");
   randomize::CameraSampling sampling;
   readAim(group, sampling);
+  sampling.is_in_sizes = choice<bool>(group, "unit", {{"metres", false}, {"sizes", true}});
   readPlace(group, sampling);
+  if (sampling.is_in_sizes && (sampling.look_at_point_G || sampling.position_G)) {
+    group.addError("unit",
+                   "found sizes beside a point to look at or a position, which have none; it "
+                   "should be metres, or be left out");
+  }
   read(group, "aim_offset", kPlaceRange, sampling.aim_offset);
   read(group, "roll", kTurnRange, sampling.roll);
   sampling.clearance = group.maybeBetween("clearance", 0.0, kFarthest).value_or(sampling.clearance);

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "randomize/appearance/picture_words.h"
+
 namespace synthetic_dataset::config {
 namespace {
 
@@ -100,6 +102,11 @@ std::string folderPath(const std::string& path) {
   std::string result = absolutePath(path);
   if (!result.empty() && result.back() != '/') result += '/';
   return result;
+}
+
+std::string picturesFrom(const std::string& text) {
+  const bool is_word = text == randomize::kProcedural || text == randomize::kNatural;
+  return is_word ? text : absolutePath(text);
 }
 
 std::string pathOrUri(const std::string& text) {

@@ -42,6 +42,9 @@ void refuseWithout(Parameters& group, const std::vector<std::string>& names,
 /// An absolute path that ends in `/`.
 [[nodiscard]] std::string folderPath(const std::string& path);
 
+/// A folder of pictures made absolute; `procedural` and `natural` as they are.
+[[nodiscard]] std::string picturesFrom(const std::string& text);
+
 /// A path made absolute; a URI as it is.
 [[nodiscard]] std::string pathOrUri(const std::string& text);
 

@@ -16,7 +16,7 @@ double readFallTime(Parameters& group, randomize::DistractorMode mode, double fa
 
 std::string readTextures(Parameters& group) {
   const auto textures = group.optional<std::string>("textures", "procedural");
-  return textures == "procedural" || textures == "none" ? textures : absolutePath(textures);
+  return textures == "none" ? textures : picturesFrom(textures);
 }
 
 }  // namespace

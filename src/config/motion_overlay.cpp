@@ -11,16 +11,6 @@ using Names = std::vector<std::string>;
 
 bool hasKey(const Value::Map& map, const std::string& name) { return map.count(name) != 0; }
 
-Value::Map* groupIn(Value::Map& settings, const std::string& name) {
-  const auto entry = settings.find(name);
-  return entry == settings.end() ? nullptr : entry->second.as<Value::Map>();
-}
-
-const Value::Map* groupIn(const Value::Map& settings, const std::string& name) {
-  const auto entry = settings.find(name);
-  return entry == settings.end() ? nullptr : entry->second.as<Value::Map>();
-}
-
 /// Settings of which one is enough: where there is an own one, those below it are gone.
 void makeWay(Value::Map& below, const Value::Map& own, const Names& alternatives) {
   bool is_there = false;

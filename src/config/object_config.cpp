@@ -220,6 +220,14 @@ scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
   object.class_text = readLabel(group, "class");
   object.class_name = object.class_text;
   object.id = readLabel(group, "id");
+  // More of them are objects of their own by now, where they can be (config/object_count.h).
+  constexpr int kMostCopies = 1000;
+  const int count = group.optionalBetween("count", 1, 1, kMostCopies);
+  if (count > 1) {
+    group.addError("count", "found " + std::to_string(count) +
+                                "; it has a meaning with motion: placement alone: in a recording "
+                                "each object has a frame of its own");
+  }
   object.frame = readFrame(group, name);
   object.link_frames = readLinkFrames(group);
   object.model = group.maybe<std::string>("model");

@@ -42,9 +42,7 @@ randomize::MaterialRandomization readMaterial(Parameters group) {
   material.roughness = maybeDistribution(group, "roughness", {1, 0.0, 1.0});
   material.metalness = maybeDistribution(group, "metalness", {1, 0.0, 1.0});
   material.textures = group.maybe<std::string>("textures");
-  if (material.textures && *material.textures != "procedural") {
-    material.textures = absolutePath(*material.textures);
-  }
+  if (material.textures) material.textures = picturesFrom(*material.textures);
   return material;
 }
 
@@ -63,7 +61,32 @@ std::optional<base::TextChoice> readModels(Parameters& group) {
   return models;
 }
 
-randomize::ObjectRandomization readObject(Parameters group) {
+/// @param usual  of what says nothing else
+std::optional<randomize::VarietyOptions> readVariety(Parameters& group,
+                                                     const randomize::VarietyOptions& usual) {
+  constexpr int kMostVariants = 100;
+  randomize::VarietyOptions options = usual;
+  const bool is_given = group.has("variety");
+  const auto given = choice<randomize::Variety>(group, "variety",
+                                                {{"none", randomize::Variety::kNone},
+                                                 {"same_object", randomize::Variety::kSameObject},
+                                                 {"same_class", randomize::Variety::kSameClass}});
+  if (is_given) options.variety = given;
+  if (options.variety != randomize::Variety::kNone) {
+    options.variants = group.optionalBetween("variants", usual.variants, 1, kMostVariants);
+  } else if (group.has("variants")) {
+    group.addError("variants",
+                   "has a meaning beside variety: same_object or same_class: how many variants "
+                   "are made");
+    group.ignore("variants");
+  }
+  if (!is_given && options.variants == usual.variants) return std::nullopt;
+  return options;
+}
+
+/// @param variety  of objects that say nothing of it
+randomize::ObjectRandomization readObject(Parameters group,
+                                          const randomize::VarietyOptions& variety) {
   constexpr double kSmallest = 1e-3;
   constexpr double kLargest = 1e3;
   constexpr int kMostSizes = 100;
@@ -79,6 +102,7 @@ randomize::ObjectRandomization readObject(Parameters group) {
                    "sizes are made of it");
     group.ignore("sizes");
   }
+  object.variety = readVariety(group, variety);
   return object;
 }
 
@@ -123,19 +147,23 @@ randomize::Randomization readRandomization(Parameters root) {
   randomize::Randomization randomization;
   if (!root.has("randomize")) return randomization;
   Parameters group = root.group("randomize");
+  // Spelt out before settings are read, where it counts (run/setup/transfer_preset.h).
+  (void)group.maybeChoice("preset", {"transfer"});
   Parameters lights = group.group("lights");
   for (const std::string& name : lights.names()) {
     randomization.lights[name] = readLight(lights.group(name));
   }
   randomization.light_count = readLightCount(group, randomization.lights);
+  randomization.variety = readVariety(group, {}).value_or(randomization.variety);
   Parameters objects = group.group("objects");
   for (const std::string& name : objects.names()) {
-    randomization.objects[name] = readObject(objects.group(name));
+    randomization.objects[name] = readObject(objects.group(name), randomization.variety);
   }
   Parameters materials = group.group("materials");
   for (const std::string& name : materials.names()) {
     randomization.materials[name] = readMaterial(materials.group(name));
   }
+  randomization.room = readRoom(group);
   randomization.distractors = readDistractors(group);
   randomization.ambient = maybeDistribution(group, "ambient", {3, 0.0, 1.0});
   randomization.background = readBackground(group);

@@ -53,6 +53,9 @@ namespace synthetic_dataset::config {
 /// belongs to these.
 [[nodiscard]] randomize::BackgroundRandomization readBackground(Parameters randomize);
 
+/// Reads the group `room` of `randomize`, or nothing where there is none.
+[[nodiscard]] std::optional<randomize::RoomOptions> readRoom(Parameters randomize);
+
 /// Reads the group `distractors` of `randomize`, or nothing where there is none.
 [[nodiscard]] std::optional<randomize::DistractorOptions> readDistractors(Parameters randomize);
 

@@ -183,6 +183,16 @@ void overlay(Value::Map& settings, const Value::Map& over) {
   }
 }
 
+Value::Map* groupIn(Value::Map& settings, const std::string& name) {
+  const auto entry = settings.find(name);
+  return entry == settings.end() ? nullptr : entry->second.as<Value::Map>();
+}
+
+const Value::Map* groupIn(const Value::Map& settings, const std::string& name) {
+  const auto entry = settings.find(name);
+  return entry == settings.end() ? nullptr : entry->second.as<Value::Map>();
+}
+
 Value::Map settingOf(const std::string& name, const std::string& text) {
   const std::string origin = name + ":=" + text;
   const Value value = base::parseSettings(text, origin);

@@ -29,6 +29,10 @@ namespace synthetic_dataset::config {
 /// Puts settings over others: groups are merged, all else is replaced, distributions too.
 void overlay(Value::Map& settings, const Value::Map& over);
 
+/// A group of settings; null where there is none of this name.
+[[nodiscard]] Value::Map* groupIn(Value::Map& settings, const std::string& name);
+[[nodiscard]] const Value::Map* groupIn(const Value::Map& settings, const std::string& name);
+
 /// The settings that `name:=text` on the command line stands for.
 /// @param name  a parameter's path, such as `yolo/main_list`
 /// @param text  YAML

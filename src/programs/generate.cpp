@@ -25,8 +25,10 @@
 #include "programs/console/stop_signals.h"
 #include "programs/console/topic_map.h"
 #include "programs/settings/documented_settings.h"
+#include "programs/settings/settings_print.h"
 #include "run/generator.h"
 #include "run/setup/package_index.h"
+#include "run/setup/run_setup.h"
 #include "synthetic_dataset/errors.h"
 
 namespace {
@@ -56,6 +58,13 @@ bool startNode(int argc, char** argv) {
 std::string settingsText(bool as_json) {
   if (!as_json) return programs::settingsDocument();
   return base::jsonText(programs::settingsSchema()) + "\n";
+}
+
+/// The settings of a file, with what short forms in it stand for.
+int printSpelledOut(const Value& settings, bool as_json) {
+  const Value spelled = run::spelledOut(settings);
+  std::cout << (as_json ? base::jsonText(spelled) + "\n" : programs::settingsYaml(spelled));
+  return kDone;
 }
 
 /// How a run ended, for scripts: the last line on stdout.
@@ -124,6 +133,7 @@ int generateOne(const Value& settings, const programs::CommandLine& command_line
 
 int generate(const Value& settings, const programs::CommandLine& command_line,
              run::Reporter& reporter) {
+  if (command_line.wants_settings) return printSpelledOut(settings, command_line.as_json);
   const std::vector<Value> runs = config::twinRuns(settings);
   if (command_line.wants_check) return check(runs.front(), command_line);
   for (const Value& each : runs) {
@@ -163,7 +173,7 @@ int main(int argc, char** argv) {
     std::cout << programs::usage();
     return kDone;
   }
-  if (command_line.wants_settings) {
+  if (command_line.wants_settings && !command_line.config) {
     std::cout << settingsText(command_line.as_json);
     return kDone;
   }

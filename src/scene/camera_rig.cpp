@@ -96,7 +96,7 @@ std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
   });
   if (varies && found->role == world::Role::kObject) {
     throw Error("found '" + sensor.name + "', a camera on '" + sensor.model() +
-                "', whose model or size is drawn in randomize/objects; it should be on something "
+                "', whose model, size or variant is drawn in randomize/objects; it should be on something "
                 "that is always the same, or be put there by mounted_on");
   }
   return static_cast<std::size_t>(found - links.begin());

@@ -16,13 +16,15 @@ void needVisuals(const ObjectOptions& object, const std::string& parameter, cons
                    "' has none; add a visual to the model, or list points here");
 }
 
-/// What the parameters say, in a size.
-label::ObjectShape givenShape(const ObjectOptions& config, int instance, double scale) {
+/// What the parameters say, in a shape and a size.
+label::ObjectShape givenShape(const ObjectOptions& config, int instance, const PointChange& change,
+                              double scale) {
   label::ObjectShape shape{config.name,        config.class_text,       config.class_name,
                            config.id,          config.class_id,         instance,
                            config.keypoints_O, config.bounding_shape_O, {}};
-  for (Eigen::Vector3d& point : shape.keypoints_O) point *= scale;
-  for (Eigen::Vector3d& point : shape.bounding_shape_O) point *= scale;
+  for (auto* points : {&shape.keypoints_O, &shape.bounding_shape_O}) {
+    for (Eigen::Vector3d& point : *points) point = scale * (change ? change(point) : point);
+  }
   return shape;
 }
 
@@ -47,7 +49,8 @@ Cuboid boxAround(const std::vector<Eigen::Vector3d>& points) {
 }
 
 ObjectShapes::ObjectShapes(const std::vector<ObjectOptions>& objects,
-                           const std::vector<ObjectVariants>& variants, const world::World& world)
+                           const std::vector<ObjectVariants>& variants, const world::World& world,
+                           const std::vector<std::vector<PointChange>>& changes_O)
     : world_(world) {
   base::Diagnostics errors;
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -55,7 +58,9 @@ ObjectShapes::ObjectShapes(const std::vector<ObjectOptions>& objects,
     const std::vector<ObjectVariant>& all = variants[i].all();
     Object& object = objects_.emplace_back(all.size());
     for (std::size_t k = 0; k < object.size(); ++k) {
-      object[k].given = givenShape(config, static_cast<int>(i) + 1, all[k].scale);
+      const bool may_differ = i < changes_O.size() && k < changes_O[i].size();
+      object[k].given = givenShape(config, static_cast<int>(i) + 1,
+                                   may_differ ? changes_O[i][k] : PointChange(), all[k].scale);
       object[k].links = label::linksOfVariant(i, k, world.links());
       if (!config.takes_part && !config.is_distractor) {
         leaveOutShape(object[k].given, config);

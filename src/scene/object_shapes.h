@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -15,15 +16,21 @@ namespace synthetic_dataset::scene {
 /// The smallest box along the axes around points, of which there is one at least.
 [[nodiscard]] Cuboid boxAround(const std::vector<Eigen::Vector3d>& points);
 
-/// The objects' keypoints and bounding shapes: as the parameters give them, in the size of the
-/// active variants, or found on these, scene by scene.
+/// Where a point of an object's own model is in a variant of another shape, in the object's frame;
+/// none: where it was.
+using PointChange = std::function<Eigen::Vector3d(const Eigen::Vector3d& p_O)>;
+
+/// The objects' keypoints and bounding shapes: as the parameters give them, in the size and
+/// shape of the active variants, or found on these, scene by scene.
 class ObjectShapes {
  public:
   /// @param variants  of each object
   /// @param world  has to outlive this
+  /// @param changes_O  of each object's variants, or none of any
   /// @throws ErrorList naming the parameters that need a model that can be seen
   ObjectShapes(const std::vector<ObjectOptions>& objects,
-               const std::vector<ObjectVariants>& variants, const world::World& world);
+               const std::vector<ObjectVariants>& variants, const world::World& world,
+               const std::vector<std::vector<PointChange>>& changes_O = {});
 
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
 

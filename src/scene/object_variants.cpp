@@ -45,19 +45,27 @@ ObjectVariants::ObjectVariants(const ObjectOptions& object,
     : entry_("objects/" + object.name) {
   // Nothing of what is not there is made; distractors have models and sizes of their own.
   if (object.takes_part && !object.is_distractor) config_ = randomization.ofObject(object.name);
+  if (!config_.variety) config_.variety.emplace();
   if (config_.model) findModels();
   if (config_.scale) sizes_ = sizesOf(*config_.scale, config_.sizes);
   std::vector<std::optional<std::string>> models(models_.begin(), models_.end());
   if (models.empty()) models.push_back(object.model);
+  std::vector<double> factors;
+  for (const Size& size : sizes_) factors.push_back(size.factor);
+  if (factors.empty()) factors.push_back(1.0);
   for (const auto& model : models) {
-    if (sizes_.empty()) all_.push_back({model});
-    for (const Size& size : sizes_) all_.push_back({model, size.factor});
+    for (const double factor : factors) {
+      for (int number = 0; number < varietyCount(); ++number) {
+        all_.push_back({model, factor, config_.variety->variety, number});
+      }
+    }
   }
   constexpr std::size_t kMost = 1000;
   if (all_.size() <= kMost) return;
   throw Error("randomize/" + entry_ + ": found " + std::to_string(models.size()) + " models in " +
-              std::to_string(std::max<std::size_t>(sizes_.size(), 1)) +
-              " sizes; there should be 1000 of them at most (fewer sizes, or fewer models), as all "
+              std::to_string(factors.size()) + " sizes" +
+              (varietyCount() == 1 ? "" : " and " + std::to_string(varietyCount()) + " variants") +
+              "; there should be 1000 of them at most (fewer sizes, variants or models), as all "
               "are made before the first scene");
 }
 
@@ -74,7 +82,8 @@ void ObjectVariants::findModels() {
 
 std::size_t ObjectVariants::draw(randomize::EntryDraws& draws) const {
   const std::size_t model = drawModel(draws);
-  return model * std::max<std::size_t>(sizes_.size(), 1) + drawSize(draws);
+  const std::size_t size = model * std::max<std::size_t>(sizes_.size(), 1) + drawSize(draws);
+  return size * static_cast<std::size_t>(varietyCount()) + drawNumber(draws);
 }
 
 std::size_t ObjectVariants::drawModel(randomize::EntryDraws& draws) const {
@@ -98,6 +107,15 @@ std::size_t ObjectVariants::drawSize(randomize::EntryDraws& draws) const {
   if (size == sizes_.end()) --size;
   draws.note(entry_ + "/scale", size->factor);
   return static_cast<std::size_t>(size - sizes_.begin());
+}
+
+/// Which of the variants of that model.
+std::size_t ObjectVariants::drawNumber(randomize::EntryDraws& draws) const {
+  if (config_.variety->variety == randomize::Variety::kNone) return 0;
+  const std::size_t number =
+      draws.source(entry_ + "/variant").index(static_cast<std::size_t>(varietyCount()));
+  draws.note(entry_ + "/variant", static_cast<double>(number));
+  return number;
 }
 
 }  // namespace synthetic_dataset::scene

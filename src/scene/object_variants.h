@@ -16,9 +16,12 @@ namespace synthetic_dataset::scene {
 struct ObjectVariant {
   std::optional<std::string> model;  ///< as ObjectConfig::model
   double scale = 1.0;                ///< times the model's size
+  randomize::Variety variety = randomize::Variety::kNone;
+  int number = 0;  ///< of those that are made of the model; 0: the model as it is
 };
 
-/// The models and sizes of which an object has one in each scene, as `randomize/objects` says.
+/// The models, sizes and variants of which an object has one in each scene, as `randomize/objects`
+/// says.
 /// They are made before the first scene, so of a size that is drawn from a range there are some few
 /// all over that range, each as likely as what it stands for.
 class ObjectVariants {
@@ -30,6 +33,11 @@ class ObjectVariants {
   [[nodiscard]] const std::vector<ObjectVariant>& all() const { return all_; }
 
   [[nodiscard]] bool hasSeveralModels() const { return models_.size() > 1; }
+
+  /// How many are made of each model in each size.
+  [[nodiscard]] int varietyCount() const {
+    return config_.variety->variety == randomize::Variety::kNone ? 1 : config_.variety->variants;
+  }
 
   /// Which one is active: an index in all of them.
   [[nodiscard]] std::size_t draw(randomize::EntryDraws& draws) const;
@@ -45,14 +53,15 @@ class ObjectVariants {
   void findModels();
   [[nodiscard]] std::size_t drawModel(randomize::EntryDraws& draws) const;
   [[nodiscard]] std::size_t drawSize(randomize::EntryDraws& draws) const;
+  [[nodiscard]] std::size_t drawNumber(randomize::EntryDraws& draws) const;
 
-  std::string entry_;  ///< "objects/NAME"
-  randomize::ObjectRandomization config_;
+  std::string entry_;                                          ///< "objects/NAME"
+  randomize::ObjectRandomization config_;                      ///< its variety is there
   std::map<std::string, std::vector<std::string>> models_of_;  ///< by what is drawn: it, or the
                                                                ///< models in the folder that it is
   std::vector<std::string> models_;  ///< of all of these, each once; empty: its own alone
   std::vector<Size> sizes_;          ///< ascending; empty: none is drawn
-  std::vector<ObjectVariant> all_;   ///< model by model, of each its sizes
+  std::vector<ObjectVariant> all_;   ///< model by model, of each its sizes, of each its variants
 };
 
 }  // namespace synthetic_dataset::scene

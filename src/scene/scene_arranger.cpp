@@ -163,7 +163,7 @@ std::vector<base::Warning> SceneArranger::placeCameras(std::int64_t instant, Sta
     const Cuboid& box_O = boxes_O_[i][world_.variant(i)];
     const Eigen::Vector3d centre_O = 0.5 * (box_O.low + box_O.high);
     targets.push_back({objects_[i].name, frames_.knownPose(object_frames_[i], stamp) * centre_O,
-                       world_.isPresent(i)});
+                       world_.isPresent(i), (box_O.high - box_O.low).norm()});
   }
   std::vector<base::Warning> warnings;
   for (const SampledCamera& camera : cameras_) {

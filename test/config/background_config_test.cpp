@@ -61,6 +61,20 @@ TEST(BackgroundConfig, ReadsAFolderOfBackdrops) {
   EXPECT_FALSE(pictures->present || pictures->yaw || pictures->brightness);
 }
 
+TEST(BackgroundConfig, TakesNaturalForPicturesThatAreMadeUp) {
+  const auto pictures = read("{pictures: natural, present: 0.5, brightness: 2}").pictures;
+  ASSERT_TRUE(pictures);
+  EXPECT_EQ(pictures->folder, "natural");
+  EXPECT_EQ(read("{pictures: ./natural}").pictures->folder,
+            (std::filesystem::current_path() / "natural").string());
+}
+
+TEST(BackgroundConfig, KnowsNoPanoramasThatAreMadeUp) {
+  EXPECT_THAT(errorsOf("{pictures: natural, projection: panorama}"),
+              ElementsAre(HasSubstr("background/projection: found panorama beside `pictures: "
+                                    "natural`")));
+}
+
 TEST(BackgroundConfig, ReadsAllOfPanoramas) {
   const randomize::BackgroundRandomization given = read(
       "{colour: 0.5, pictures: skies, present: 0.75, projection: panorama, yaw: {uniform: [-3, "

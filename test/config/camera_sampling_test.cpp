@@ -53,6 +53,15 @@ TEST(ReadCameraSampling, LooksAtAnyObjectFromAShellByDefault) {
   EXPECT_EQ(sampling.tries, 1000);
 }
 
+TEST(ReadCameraSampling, ReadsLengthsInSizesOfWhatItLooksAt) {
+  EXPECT_FALSE(Reading("unit: metres").sampling.is_in_sizes);
+  const Reading reading("unit: sizes, distance: {log_uniform: [2, 20]}");
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_TRUE(reading.sampling.is_in_sizes);
+  EXPECT_THAT(Reading("unit: sizes, look_at: [1, 2, 3]").root.errors(),
+              ElementsAre(HasSubstr("camera/sample/unit: found sizes beside a point")));
+}
+
 TEST(ReadCameraSampling, ReadsAShell) {
   const Reading reading(
       "look_at: alpha, distance: {uniform: [2, 4]}, elevation: 0.5, azimuth: {uniform: [-1, 1]}, "

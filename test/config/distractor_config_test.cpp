@@ -35,6 +35,15 @@ TEST(DistractorConfig, NeedsNothingButAVolume) {
   EXPECT_EQ(reading.distractors->volume.high, Eigen::Vector3d(1, 2, 3));
 }
 
+TEST(DistractorConfig, TakesWordsForTexturesThatAreMadeUp) {
+  for (const std::string word : {"natural", "procedural", "none"}) {
+    const Reading reading(
+        "distractors: {volume: {min: [0, 0, 0], max: [1, 1, 1]}, textures: " + word + "}");
+    EXPECT_THAT(reading.root.errors(), IsEmpty());
+    EXPECT_EQ(reading.distractors->textures, word);
+  }
+}
+
 TEST(DistractorConfig, ReadsEverySetting) {
   const Reading reading(
       "distractors: {volume: {min: [0, 0, 0], max: [1, 1, 1]}, pool: 5, count: 3, mode: stand, "

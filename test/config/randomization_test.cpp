@@ -119,6 +119,7 @@ TEST(Randomization, MakesAFolderOfTexturesAbsolute) {
         .materials.at("objects")
         .textures;
   };
+  EXPECT_EQ(texturesOf("natural"), "natural");
   EXPECT_EQ(texturesOf("/data/x/../textures"), "/data/textures");
   EXPECT_EQ(texturesOf("textures"), (std::filesystem::current_path() / "textures").string());
 }

@@ -187,7 +187,7 @@ TEST_F(WornModelsTest, RefusesFormatsWithOneModelOfAnObject) {
       "{name: d, type: synthetic_dataset/Dope}]");
   parameters.erase("yolo");
   parameters.erase("bounding_shape");
-  const std::string found = "found an object, 'bravo', whose model or size differs";
+  const std::string found = "found an object, 'bravo', whose model, size or shape differs";
   EXPECT_THAT(errors(), testing::UnorderedElementsAre(
                             testing::AllOf(HasSubstr(found), HasSubstr("mesh in models/")),
                             testing::AllOf(HasSubstr(found), HasSubstr("model.ply"))));

@@ -105,6 +105,7 @@ std::string usage() {
   return R"(usage: generate --config FILE [NAME:=VALUE ...] [--json | --check [--out DIR]]
        generate [ROS remappings] [--json | --check [--out DIR]]
        generate --settings [--json]
+       generate --config FILE [NAME:=VALUE ...] --settings [--json]
 
 Makes a dataset. With --config, the settings are those of a YAML file, as
 config/params.yaml documents them, and no ROS master is needed; without it, they are
@@ -117,7 +118,8 @@ the node's private parameters.
                world from above) in DIR, or in the current folder
   --json       prints lines for scripts: of a FILE how far the run is, and at the end the result
                (done, stopped or failed), what was made, the warnings and the errors
-  --settings   prints every setting with its default; with --json as a JSON schema
+  --settings   prints every setting with its default; with --json as a JSON schema. Of a FILE: its
+               settings, with what presets and other short forms in it stand for
   --help       prints this
 
   generate --config my.yaml output_folder:=/data/run_7

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/diagnostics.h"
+#include "randomize/appearance/picture_words.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::randomize {
@@ -23,6 +24,10 @@ bool isPanorama(const BackgroundPictures& pictures) {
 
 BackgroundSampler::BackgroundSampler(const BackgroundRandomization& config) : config_(config) {
   if (!config_.pictures) return;
+  if (config_.pictures->folder == kNatural) {
+    natural_.emplace(NaturalUse::kBackground);
+    return;
+  }
   base::namingPlace(entryName(), [&] {
     pictures_.emplace(config_.pictures->folder, PictureKind::kAny);
     if (isPanorama(*config_.pictures)) checkProportions();
@@ -47,20 +52,24 @@ void BackgroundSampler::sample(EntryDraws& draws, world::Look& look) {
   if (const auto colour = draws.vector(config_.colour_name, config_.colour)) {
     look.background = colour->cast<float>();
   }
-  if (!pictures_) return;
+  if (!config_.pictures) return;
   const std::optional<double>& present = config_.pictures->present;
   if (present && !draws.happens("background/present", *present)) return;
   look.background_picture = drawPicture(draws);
+}
+
+std::shared_ptr<const world::Texture> BackgroundSampler::readPicture(base::RandomSource& random) {
+  if (natural_) return natural_->read(random.index(NaturalPool::kSize));
+  return pictures_->read(random.index(pictures_->files().size()));
 }
 
 world::BackgroundPicture BackgroundSampler::drawPicture(EntryDraws& draws) {
   using Projection = world::BackgroundPicture::Projection;
   const BackgroundPictures& config = *config_.pictures;
   base::RandomSource random = draws.source(kEntry);
-  const std::size_t index = random.index(pictures_->files().size());
-  draws.note(kEntry, pictures_->files()[index]);
   world::BackgroundPicture drawn;
-  drawn.picture = base::namingPlace(entryName(), [&] { return pictures_->read(index); });
+  drawn.picture = base::namingPlace(entryName(), [&] { return readPicture(random); });
+  draws.note(kEntry, drawn.picture->file);
   drawn.projection = isPanorama(config) ? Projection::kPanorama : Projection::kBackdrop;
   drawn.yaw = draws.number("background/yaw", config.yaw).value_or(0.0);
   drawn.brightness = draws.number("background/brightness", config.brightness).value_or(1.0);

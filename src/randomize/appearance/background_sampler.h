@@ -1,15 +1,18 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "base/random/random_source.h"
 #include "randomize/appearance/entry_draws.h"
+#include "randomize/appearance/natural_pool.h"
 #include "randomize/appearance/picture_folder.h"
 #include "randomize/appearance/randomize_options.h"
 #include "world/look.h"
 
 namespace synthetic_dataset::randomize {
 
-/// Draws what is seen where nothing is: a colour, or a picture of a folder.
+/// Draws what is seen where nothing is: a colour, or a picture, of a folder or made up.
 class BackgroundSampler {
  public:
   /// @throws ErrorList naming the entry, for a folder without pictures, pictures that cannot be
@@ -21,10 +24,13 @@ class BackgroundSampler {
 
  private:
   void checkProportions() const;
+  [[nodiscard]] std::shared_ptr<const world::Texture> readPicture(base::RandomSource& random);
   [[nodiscard]] world::BackgroundPicture drawPicture(EntryDraws& draws);
 
   BackgroundRandomization config_;
-  std::optional<PictureFolder> pictures_;  ///< none where a colour alone is drawn
+  /// Neither of both where a colour alone is drawn.
+  std::optional<PictureFolder> pictures_;
+  std::optional<NaturalPool> natural_;
 };
 
 }  // namespace synthetic_dataset::randomize

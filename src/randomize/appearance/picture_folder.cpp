@@ -50,10 +50,6 @@ std::vector<std::string> shortened(std::vector<std::string> problems) {
   return problems;
 }
 
-std::size_t memoryOf(const world::Texture& texture) {
-  return texture.pixels.total() * texture.pixels.elemSize();
-}
-
 }  // namespace
 
 std::vector<std::string> picturesIn(const std::string& folder, PictureKind kind) {
@@ -91,33 +87,15 @@ PictureFolder::PictureFolder(const std::string& folder, PictureKind kind)
 
 std::shared_ptr<const world::Texture> PictureFolder::read(std::size_t index) {
   const std::string& file = files_.at(index);
-  auto found = std::find_if(recent_.begin(), recent_.end(),
-                            [&](const auto& texture) { return texture->file == file; });
-  if (found == recent_.end()) {
+  return recent_.get(index, [&] {
     world::Texture texture{file, withFile(file, [&](const Bytes& bytes) {
                              return base::decodePictureOrLight(bytes, file);
                            })};
     if (texture.pixels.depth() == CV_8U) {
       cv::bitwise_or(texture.pixels, cv::Scalar(0, 0, 0, 255), texture.pixels);  // without holes
     }
-    found = recent_.insert(recent_.begin(), std::make_shared<world::Texture>(std::move(texture)));
-  }
-  std::rotate(recent_.begin(), found, found + 1);
-  forgetOldest();
-  return recent_.front();
-}
-
-void PictureFolder::forgetOldest() {
-  constexpr std::size_t kMost = 32;
-  constexpr std::size_t kMemory = 256U << 20U;  // [byte]
-  std::size_t memory = 0;
-  std::size_t kept = 0;
-  for (const auto& texture : recent_) {
-    memory += memoryOf(*texture);
-    if (kept > 0 && (kept == kMost || memory > kMemory)) break;
-    ++kept;
-  }
-  recent_.resize(kept);
+    return texture;
+  });
 }
 
 }  // namespace synthetic_dataset::randomize

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/image/picture_size.h"
+#include "randomize/appearance/recent_textures.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::randomize {
@@ -39,13 +40,9 @@ class PictureFolder {
   [[nodiscard]] std::shared_ptr<const world::Texture> read(std::size_t index);
 
  private:
-  void forgetOldest();
-
   std::vector<std::string> files_;
   std::vector<base::PictureSize> sizes_;
-
-  /// The last ones, so that a few pictures are not decoded again and again.
-  std::vector<std::shared_ptr<const world::Texture>> recent_;
+  RecentTextures recent_;
 };
 
 }  // namespace synthetic_dataset::randomize

@@ -6,6 +6,7 @@
 
 #include "base/random/distribution.h"
 #include "base/random/weighted_index.h"
+#include "randomize/appearance/room.h"
 #include "randomize/placement/placement_options.h"
 
 namespace synthetic_dataset::randomize {
@@ -55,6 +56,18 @@ struct MaterialRandomization {
   std::optional<std::string> textures;          ///< `procedural`, or an absolute folder of pictures
 };
 
+/// What is made of an object's model, so that a network does not learn that one by heart.
+enum class Variety {
+  kNone,
+  kSameObject,  ///< the same thing, worn: its shape and its pattern stay
+  kSameClass,   ///< other things of its kind: in other proportions, colours and patterns
+};
+
+struct VarietyOptions {
+  Variety variety = Variety::kNone;
+  int variants = 12;  ///< how many are made, the model as it is among them
+};
+
 /// What is drawn anew of an object; nothing: as `robot_list` and its group have it.
 struct ObjectRandomization {
   std::optional<double> present;            ///< how likely it is there, 0 .. 1
@@ -62,6 +75,7 @@ struct ObjectRandomization {
                                             ///< folder that holds models, one of them
   std::optional<base::Distribution> scale;  ///< times the model's size, > 0
   int sizes = 8;  ///< how many sizes are made of what `scale` draws, unless that is a few values
+  std::optional<VarietyOptions> variety;  ///< nothing: as Randomization has it
 };
 
 /// What is drawn anew of a camera's sensor and lens; nothing: as `effects` and the calibration have
@@ -108,6 +122,8 @@ struct Randomization {
                                                            ///< model::link::visual; `objects`,
                                                            ///< `world`: all of these
   std::map<std::string, ObjectRandomization> objects;      ///< by their names; `every`: others
+  VarietyOptions variety;                                  ///< of objects that say nothing of it
+  std::optional<RoomOptions> room;                         ///< beside what the world has
   std::optional<randomize::DistractorOptions> distractors;
   SensorRandomization sensor;  ///< of each camera
   WeatherRandomization weather;
@@ -116,12 +132,13 @@ struct Randomization {
   /// earlier.
   std::optional<base::Distribution> time_jitter;
 
-  /// What is drawn of an object.
-  [[nodiscard]] const ObjectRandomization& ofObject(const std::string& name) const {
-    static const ObjectRandomization kNothing;
+  /// What is drawn of an object; its variety is there.
+  [[nodiscard]] ObjectRandomization ofObject(const std::string& name) const {
     auto entry = objects.find(name);
     if (entry == objects.end()) entry = objects.find(kOthers);
-    return entry == objects.end() ? kNothing : entry->second;
+    ObjectRandomization object = entry == objects.end() ? ObjectRandomization{} : entry->second;
+    if (!object.variety) object.variety = variety;
+    return object;
   }
 
   [[nodiscard]] bool changesLook() const {

@@ -6,15 +6,16 @@
 #include <utility>
 
 #include "base/random/random_source.h"
+#include "randomize/appearance/natural_pool.h"
 #include "randomize/appearance/picture_folder.h"
 #include "world/description.h"
 
 namespace synthetic_dataset::randomize {
 
-/// Textures to choose from: a folder's pictures, or patterns made up.
+/// Textures to choose from: a folder's pictures, or such as are made up.
 class TextureSource {
  public:
-  /// @param from  `procedural`, or a folder
+  /// @param from  `procedural` for patterns, `natural` for materials, or a folder
   /// @throws Error as PictureFolder does
   explicit TextureSource(const std::string& from);
 
@@ -24,7 +25,8 @@ class TextureSource {
       base::RandomSource& random);
 
  private:
-  std::optional<PictureFolder> pictures_;  ///< none: patterns are made
+  std::optional<PictureFolder> pictures_;
+  std::optional<NaturalPool> natural_;  ///< neither of both: patterns are made
 };
 
 }  // namespace synthetic_dataset::randomize

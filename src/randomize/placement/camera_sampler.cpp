@@ -22,15 +22,26 @@ constexpr double kVertical = 1e-9;
 /// From nearer there is no telling where ahead is [m].
 constexpr double kNoDirection = 1e-9;
 
-/// The centres of the targets that are present; of all if none is.
-std::vector<Eigen::Vector3d> centresOfPresent(const std::vector<CameraTarget>& targets) {
+/// The targets that are present; all if none is.
+std::vector<CameraTarget> presentOf(const std::vector<CameraTarget>& targets) {
   const bool some = std::any_of(targets.begin(), targets.end(),
                                 [](const CameraTarget& target) { return target.is_present; });
-  std::vector<Eigen::Vector3d> centres;
+  std::vector<CameraTarget> present;
   for (const CameraTarget& target : targets) {
-    if (target.is_present || !some) centres.push_back(target.centre_G);
+    if (target.is_present || !some) present.push_back(target);
   }
-  return centres;
+  return present;
+}
+
+/// All of them together: the middle of their centres, and their mean size.
+CameraTarget middleOf(const std::vector<CameraTarget>& targets) {
+  CameraTarget sum;
+  for (const CameraTarget& target : targets) {
+    sum.centre_G += target.centre_G;
+    sum.size += target.size;
+  }
+  const auto count = static_cast<double>(targets.size());
+  return {"all", sum.centre_G / count, true, sum.size / count};
 }
 
 }  // namespace
@@ -54,46 +65,42 @@ CameraSampler::CameraSampler(CameraSampling config, std::string group, const wor
       surroundings_(surroundings),
       seed_(seed) {}
 
-Eigen::Vector3d CameraSampler::target(base::RandomSource& source,
-                                      const std::vector<CameraTarget>& targets) const {
-  if (config_.look_at_point_G) return *config_.look_at_point_G;
+CameraTarget CameraSampler::target(base::RandomSource& source,
+                                   const std::vector<CameraTarget>& targets) const {
+  if (config_.look_at_point_G) return {"", *config_.look_at_point_G};
   if (config_.look_at == "any") {
-    const std::vector<Eigen::Vector3d> there = centresOfPresent(targets);
+    const std::vector<CameraTarget> there = presentOf(targets);
     return there[source.index(there.size())];
   }
-  if (config_.look_at == "all") {
-    const std::vector<Eigen::Vector3d> there = centresOfPresent(targets);
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& centre : there) sum += centre;
-    return sum / static_cast<double>(there.size());
-  }
-  const auto named = std::find_if(targets.begin(), targets.end(), [&](const CameraTarget& target) {
-    return target.name == config_.look_at;
-  });
-  return named->centre_G;
+  if (config_.look_at == "all") return middleOf(presentOf(targets));
+  return *std::find_if(targets.begin(), targets.end(),
+                       [&](const CameraTarget& target) { return target.name == config_.look_at; });
 }
 
 Eigen::Vector3d CameraSampler::position(base::RandomSource& source,
-                                        const Eigen::Vector3d& target_G) const {
+                                        const CameraTarget& target) const {
   if (config_.position_G) {
     const std::vector<double> place = config_.position_G->draw(source);
     return {place[0], place[1], place[2]};
   }
-  const double distance = config_.distance.drawNumber(source);
+  const double unit = config_.is_in_sizes ? target.size : 1.0;
+  const double distance = unit * config_.distance.drawNumber(source);
   const double elevation = config_.elevation.drawNumber(source);
   const double azimuth = config_.azimuth.drawNumber(source);
-  return target_G + distance * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
-                                               std::cos(elevation) * std::sin(azimuth),
-                                               std::sin(elevation));
+  return target.centre_G + distance * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                                                      std::cos(elevation) * std::sin(azimuth),
+                                                      std::sin(elevation));
 }
 
 CameraSampler::Look CameraSampler::draw(base::RandomSource& source,
                                         const std::vector<CameraTarget>& targets) const {
-  const Eigen::Vector3d target_G = target(source, targets);
+  const CameraTarget at = target(source, targets);
   const std::vector<double> offset = config_.aim_offset.draw(source);
-  const Eigen::Vector3d aim_G = target_G + Eigen::Vector3d(offset[0], offset[1], offset[2]);
-  const Eigen::Vector3d position_G = position(source, target_G);
-  return {target_G, aim_G, position_G,
+  const Eigen::Vector3d position_G = position(source, at);
+  const double unit = config_.is_in_sizes ? (at.centre_G - position_G).norm() : 1.0;
+  const Eigen::Vector3d aim_G =
+      at.centre_G + unit * Eigen::Vector3d(offset[0], offset[1], offset[2]);
+  return {at.centre_G, aim_G, position_G,
           lookingAt(position_G, aim_G, config_.roll.drawNumber(source))};
 }
 

@@ -18,6 +18,7 @@ struct CameraTarget {
   std::string name;
   Eigen::Vector3d centre_G{0, 0, 0};
   bool is_present = true;  ///< what is not is looked at only by its name, or where nothing is
+  double size = 0.0;       ///< the diagonal of its cuboid [m]
 };
 
 /// Where a camera was put.
@@ -57,10 +58,10 @@ class CameraSampler {
                           const std::vector<CameraTarget>& targets) const;
   [[nodiscard]] std::optional<std::string> whyNotFree(const Look& look) const;
   [[nodiscard]] bool seesTarget(const Look& look) const;
-  [[nodiscard]] Eigen::Vector3d target(base::RandomSource& source,
-                                       const std::vector<CameraTarget>& targets) const;
+  [[nodiscard]] CameraTarget target(base::RandomSource& source,
+                                    const std::vector<CameraTarget>& targets) const;
   [[nodiscard]] Eigen::Vector3d position(base::RandomSource& source,
-                                         const Eigen::Vector3d& target_G) const;
+                                         const CameraTarget& target) const;
 
   CameraSampling config_;
   std::string group_;

@@ -85,6 +85,10 @@ struct CameraSampling {
   std::string look_at = "any";
   std::optional<Eigen::Vector3d> look_at_point_G;
 
+  /// Whether lengths are those of what it looks at instead of metres: `distance` times its size
+  /// (the diagonal of its cuboid), `aim_offset` times that distance. A point has no size.
+  bool is_in_sizes = false;
+
   /// Past what it looks at, along the global frame's axes [m].
   base::Distribution aim_offset = base::Distribution::constant({0, 0, 0});
 

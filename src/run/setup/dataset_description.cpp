@@ -2,6 +2,7 @@
 
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "scene/field_of_view.h"
@@ -65,15 +66,16 @@ CameraDescription describeCamera(std::size_t camera, const std::vector<MotionSet
   return description;
 }
 
-/// Whether an object has several models or sizes, in all motions that it takes part in. Of those
-/// that are the world's own, worlds are taken to have the same one.
+/// Whether an object has several models, sizes or shapes, in all motions that it takes part in. Of
+/// those that are the world's own, worlds are taken to have the same one.
 bool modelVaries(std::size_t object, const std::vector<MotionSetup>& motions) {
-  std::set<std::pair<std::string, double>> found;
+  std::set<std::tuple<std::string, double, int>> found;
   for (const MotionSetup& motion : motions) {
     const scene::ObjectOptions& config = motion.config.objects[object];
     if (!config.takes_part || object >= motion.variants.size()) continue;
     for (const scene::ObjectVariant& variant : motion.variants[object].all()) {
-      found.emplace(variant.model.value_or(""), variant.scale);
+      const bool has_own_shape = variant.variety == randomize::Variety::kSameClass;
+      found.emplace(variant.model.value_or(""), variant.scale, has_own_shape ? variant.number : 0);
     }
   }
   return found.size() > 1;

@@ -163,7 +163,7 @@ class MotionBuilder {
     noteSharedShapes();
     setup_.shapes = attempt([&] {
       return std::make_unique<scene::ObjectShapes>(config().objects, setup_.variants,
-                                                   *setup_.world);
+                                                   *setup_.world, world.changes_O);
     });
     noteStrangeSizes();
   }

@@ -7,6 +7,7 @@
 #include "config/settings_text.h"
 #include "output/files/digest.h"
 #include "randomize/appearance/picture_folder.h"
+#include "randomize/appearance/picture_words.h"
 #include "randomize/placement/map_file.h"
 #include "run/setup/credit.h"
 #include "synthetic_dataset/errors.h"
@@ -35,11 +36,12 @@ std::set<std::string> picturesOf(const randomize::Randomization& randomization) 
     for (const std::string& file : randomize::picturesIn(folder, kind)) pictures.insert(file);
   };
   for (const std::string& source : sources) {
-    if (source == "procedural" || source == "none") continue;
+    if (source == "procedural" || source == "none" || source == randomize::kNatural) continue;
     add(source, randomize::PictureKind::kEncoded);
   }
-  if (randomization.background.pictures) {
-    add(randomization.background.pictures->folder, randomize::PictureKind::kAny);
+  const auto& background = randomization.background.pictures;
+  if (background && background->folder != randomize::kNatural) {
+    add(background->folder, randomize::PictureKind::kAny);
   }
   return pictures;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "config/motion_list.h"
+#include "config/object_count.h"
 #include "run/check/motion_checks.h"
 #include "run/setup/dataset_description.h"
 #include "run/setup/input_cache.h"
@@ -18,6 +19,7 @@
 #include "run/setup/setup_errors.h"
 #include "run/setup/setup_notes.h"
 #include "run/setup/split_plan.h"
+#include "run/setup/transfer_preset.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -360,30 +362,51 @@ class Builder {
   RunSetup setup_;
 };
 
+ExpandedPreset withoutShortForms(const Value& parameters, InputCache& inputs) {
+  const auto* settings = parameters.as<Value::Map>();
+  if (settings == nullptr) return {parameters, {}};
+  return expandPreset(Value(config::withCounts(*settings)), inputs);
+}
+
+RunSetup built(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
+               InputCache& inputs, const base::OnStage& on_stage) {
+  const ExpandedPreset spelled = withoutShortForms(parameters, inputs);
+  RunSetup setup = Builder(spelled.settings, plugin_xml_files, inputs, on_stage).build();
+  for (const std::string& note : spelled.notes) {
+    setup.diagnostics.note("randomize/preset", note);
+  }
+  return setup;
+}
+
 }  // namespace
 
 std::int64_t RunSetup::instantCount() const {
   return motions.back().first_instant + motions.back().instantCount();
 }
 
+Value spelledOut(const Value& parameters) {
+  InputCache inputs;
+  return withoutShortForms(parameters, inputs).settings;
+}
+
 RunSetup setUpRun(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
                   const base::OnStage& on_stage) {
   InputCache inputs(on_stage);
-  return Builder(parameters, plugin_xml_files, inputs, on_stage).build();
+  return built(parameters, plugin_xml_files, inputs, on_stage);
 }
 
 RunSetup setUpRun(const Value& parameters, InputCache& inputs,
                   const std::vector<std::string>& plugin_xml_files, const base::OnStage& on_stage) {
   inputs.worlds.beginUse();
   try {
-    RunSetup setup = Builder(parameters, plugin_xml_files, inputs, on_stage).build();
+    RunSetup setup = built(parameters, plugin_xml_files, inputs, on_stage);
     if (inputs.worlds.isAsFresh()) return setup;
   } catch (const Error&) {
     if (inputs.worlds.isAsFresh()) throw;
   }
   // Another set of models has been asked for: there are notes about those of before.
   inputs.worlds.clear();
-  return Builder(parameters, plugin_xml_files, inputs, on_stage).build();
+  return built(parameters, plugin_xml_files, inputs, on_stage);
 }
 
 }  // namespace synthetic_dataset::run

@@ -34,6 +34,10 @@ struct RunSetup {
   [[nodiscard]] std::int64_t instantCount() const;
 };
 
+/// Settings with all that short forms stand for: `count` of objects, presets. A run has these; the
+/// manifest keeps them.
+[[nodiscard]] Value spelledOut(const Value& parameters);
+
 /// Reads parameters, recordings, worlds, cameras and writers. Writes nothing.
 /// @param on_stage  called when a step begins that may take long
 /// @throws ErrorList with all that is wrong

@@ -2,16 +2,21 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "base/diagnostics.h"
 #include "base/seconds.h"
 #include "randomize/appearance/distractor_models.h"
+#include "randomize/appearance/object_variety.h"
+#include "randomize/appearance/room.h"
 #include "render/light/light_setup.h"
 #include "render/shadows/shadow_projection.h"
+#include "world/material/default_paint.h"
 #include "world/mesh/scaled_model.h"
 
 namespace synthetic_dataset::run {
@@ -74,10 +79,13 @@ class WorldBuilder {
     diagnostics_.add(base::Severity::kError, files_.refusals());
     if (!description) return std::move(setup_);
     model_names_ = modelNames(*description);
+    addRoom(*description);
     setup_.sensors = description->cameras;
+    simulator_ = description->simulator;
     on_stage_("reading the objects' models");
     for (std::size_t i = 0; i < config_.objects.size(); ++i) {
       setup_.driven_links.emplace_back();
+      setup_.changes_O.emplace_back();
       const scene::ObjectOptions& object = config_.objects[i];
       if (!object.is_distractor) addObject(object, variants_[i].all(), *description);
     }
@@ -105,6 +113,21 @@ class WorldBuilder {
   }
 
  private:
+  void addRoom(world::Description& description) {
+    const auto& room = config_.randomization.room;
+    if (!room) return;
+    const auto same =
+        std::find_if(description.models.begin(), description.models.end(),
+                     [](const world::Model& model) { return model.name == randomize::kRoomName; });
+    if (same == description.models.end()) {
+      description.models.push_back(randomize::makeRoom(*room));
+    } else {
+      diagnostics_.error("randomize/room",
+                         "the world '" + config_.world.file +
+                             "' has a model 'room'; it should be a world without");
+    }
+  }
+
   void addObject(const scene::ObjectOptions& object,
                  const std::vector<scene::ObjectVariant>& variants,
                  world::Description& surroundings) {
@@ -152,8 +175,14 @@ class WorldBuilder {
   world::MovingModel makeVariant(const scene::ObjectVariant& variant,
                                  const scene::ObjectOptions& object,
                                  const std::optional<world::Model>& in_world) {
-    world::Model model =
-        world::scaled(variant.model ? modelOf(variant, object) : *in_world, variant.scale);
+    const world::Model& own = variant.model ? modelOf(variant, object) : *in_world;
+    const randomize::VariedModel* varied = variantOf(own, variant, object);
+    world::Model model = world::scaled(varied == nullptr ? own : varied->model, variant.scale);
+    if (varied != nullptr) {
+      model.name = own.name;
+      model.X_WM = own.X_WM;
+    }
+    const Pose X_ML = own.links.empty() ? Pose::Identity() : own.links.front().X_ML;
     scene::Articulation articulation;
     if (frames_ != nullptr) {
       articulation = scene::articulate(std::move(model), object, *frames_);
@@ -167,6 +196,14 @@ class WorldBuilder {
           "are in any size; it should be without scale, or have link_frames that TF does not "
           "know, such as 'rigid/{link}'");
     }
+    if (variant.variety == randomize::Variety::kSameClass && variant.number == 1 &&
+        !articulation.driven.empty()) {
+      throw Error("randomize/objects/" + object.name +
+                  "/variety: found same_class, and links of this object follow TF, which leaves "
+                  "them as far apart as they are in any shape; it should be same_object or none, "
+                  "or have link_frames that TF does not know, such as 'rigid/{link}'");
+    }
+    noteChange(varied, X_ML, variant.scale, articulation.model);
     scene::DrivenLinks& driven =
         setup_.driven_links.back().emplace_back(std::move(articulation.driven));
     std::vector<std::size_t> links;
@@ -175,6 +212,47 @@ class WorldBuilder {
     if (is_first) diagnostics_.merge(articulation.diagnostics);
     return {std::move(articulation.model), std::move(links)};
   }
+
+  /// One of the variants of a model; nothing: the model as it is. Objects with the same model share
+  /// its variants.
+  const randomize::VariedModel* variantOf(const world::Model& own,
+                                          const scene::ObjectVariant& variant,
+                                          const scene::ObjectOptions& object) {
+    if (variant.number == 0) return nullptr;
+    const auto key = std::make_tuple(variant.model, variant.model ? "" : object.name,
+                                     object.model_arguments, variant.variety);
+    Varieties& varieties = varieties_[key];
+    if (!varieties.source) {
+      world::Model painted = own;
+      world::paintDefaults(simulator_, painted);
+      varieties.source.emplace(painted, variant.variety, static_cast<std::uint64_t>(config_.seed));
+    }
+    const auto made = varieties.made.find(variant.number);
+    if (made != varieties.made.end()) return &made->second;
+    return &varieties.made.emplace(variant.number, varieties.source->variant(variant.number))
+                .first->second;
+  }
+
+  /// How points that are given in the object's frame follow a variant's shape.
+  /// @param X_ML  of the first link, before the model was moved to the object's frame
+  /// @param moved  the model there, in its size
+  void noteChange(const randomize::VariedModel* varied, const Pose& X_ML, double scale,
+                  const world::Model& moved) {
+    scene::PointChange& change = setup_.changes_O.back().emplace_back();
+    if (varied == nullptr || !varied->shape || moved.links.empty()) return;
+    Pose X_OL = moved.links.front().X_ML;
+    X_OL.translation() /= scale;
+    const Pose X_OM = X_OL * X_ML.inverse();
+    change = [X_OM, shape = *varied->shape](const Eigen::Vector3d& p_O) -> Eigen::Vector3d {
+      return X_OM * shape.moved(X_OM.inverse() * p_O);
+    };
+  }
+
+  /// Variants of a model, by their numbers.
+  struct Varieties {
+    std::optional<randomize::ObjectVariety> source;
+    std::map<int, randomize::VariedModel> made;
+  };
 
   const config::Config& config_;
   const std::vector<scene::ObjectVariants>& variants_;
@@ -187,6 +265,12 @@ class WorldBuilder {
   bool lacks_objects_ = false;
   /// Other objects with such a model, and its other sizes, would have the same errors.
   std::set<std::pair<std::optional<std::string>, world::XacroArguments>> broken_models_;
+  /// By the model, or the object whose model is the world's, and the kind of variety.
+  std::map<std::tuple<std::optional<std::string>, std::string, world::XacroArguments,
+                      randomize::Variety>,
+           Varieties>
+      varieties_;
+  world::Simulator simulator_ = world::Simulator::kClassic;
   WorldSetup setup_;
 };
 

@@ -12,6 +12,7 @@
 #include "motion/frame_source.h"
 #include "run/setup/world_files.h"
 #include "scene/articulation.h"
+#include "scene/object_shapes.h"
 #include "scene/object_variants.h"
 #include "world/world.h"
 
@@ -21,6 +22,7 @@ namespace synthetic_dataset::run {
 struct WorldSetup {
   std::unique_ptr<world::World> world;                        ///< nothing where something is wrong
   std::vector<std::vector<scene::DrivenLinks>> driven_links;  ///< of each object's variants
+  std::vector<std::vector<scene::PointChange>> changes_O;     ///< of each object's variants
 
   /// The sensors of the world and of the objects' models; nothing where the world cannot be read.
   std::optional<std::vector<world::CameraSensor>> sensors;

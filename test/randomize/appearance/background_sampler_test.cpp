@@ -80,6 +80,25 @@ TEST_F(BackgroundSamplerTest, DrawsOneOfThePicturesAndNamesIt) {
   EXPECT_EQ(names.size(), 2U);
 }
 
+TEST_F(BackgroundSamplerTest, MakesPicturesUpAndNamesThem) {
+  BackgroundRandomization config;
+  config.pictures.emplace();
+  config.pictures->folder = "natural";
+  BackgroundSampler backgrounds(config);
+  std::set<std::string> names;
+  for (int scene = 0; scene < 10; ++scene) {
+    const world::Look look = sample(backgrounds, scene);
+    ASSERT_TRUE(look.background_picture);
+    EXPECT_THAT(draws, ElementsAre(Key("background/pictures")));
+    const auto& name = std::get<std::string>(draws.at("background/pictures"));
+    EXPECT_EQ(look.background_picture->picture->file, name);
+    EXPECT_THAT(name, testing::MatchesRegex("natural/[a-z]+/[0-9]+"));
+    EXPECT_EQ(look.background_picture->projection, Projection::kBackdrop);
+    names.insert(name);
+  }
+  EXPECT_GT(names.size(), 7U);
+}
+
 TEST_F(BackgroundSamplerTest, DrawsHowAPanoramaIsTurnedAndHowBrightItIs) {
   add("sky.png", 100);
   BackgroundSampler backgrounds =

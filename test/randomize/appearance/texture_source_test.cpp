@@ -159,5 +159,19 @@ TEST(TextureSource, MakesPatternsUp) {
   EXPECT_THAT(kinds, testing::ElementsAre("checkers", "clouds", "dots", "gradient", "stripes"));
 }
 
+TEST(TextureSource, MakesMaterialsUp) {
+  TextureSource textures("natural");
+  base::RandomSource random(1);
+  base::RandomSource same(1);
+  std::set<std::string> names;
+  for (int i = 0; i < 20; ++i) {
+    const auto [name, texture] = textures.draw(random);
+    EXPECT_EQ(texture->file, name);
+    EXPECT_THAT(name, testing::MatchesRegex("natural/[a-z]+/" + std::to_string(same.index(256))));
+    names.insert(name);
+  }
+  EXPECT_GT(names.size(), 15U);
+}
+
 }  // namespace texture_source_test
 }  // namespace synthetic_dataset::randomize

@@ -130,6 +130,24 @@ TEST_F(CameraSamplerTest, StaysInItsShellAndLooksAtTheTarget) {
   EXPECT_GT(farthest, 3.9);
 }
 
+TEST_F(CameraSamplerTest, SeesObjectsOfAllSizesAlikeWithLengthsInSizes) {
+  targets = {{"mug", {1, 2, 0.5}, true, 0.1}, {"car", {-4, 0, 0.5}, true, 5.0}};
+  config.is_in_sizes = true;
+  config.distance = Distribution::constant({3.0});
+  config.aim_offset = Distribution::constant({0, 0, 0.2});
+  config.azimuth = Distribution::constant({0.5});
+  const auto elevationOfAim = [&](const char* name) {
+    config.look_at = name;
+    const Pose X_GC = sample(0);
+    const CameraTarget& target = targets[name == std::string("car") ? 1 : 0];
+    const double distance = (X_GC.translation() - target.centre_G).norm();
+    EXPECT_NEAR(distance, 3.0 * target.size, 1e-9) << name;
+    EXPECT_TRUE(isAhead(X_GC, target.centre_G + Vector3d(0, 0, 0.2 * distance))) << name;
+    return X_GC.linear().col(2).z();
+  };
+  EXPECT_NEAR(elevationOfAim("mug"), elevationOfAim("car"), 1e-9);
+}
+
 TEST_F(CameraSamplerTest, GoesAllTheWayRoundByDefault) {
   std::vector<int> counts(8, 0);
   for (int scene = 0; scene < 2000; ++scene) {

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "base/random/random_source.h"
+#include "randomize/appearance/natural/canvas.h"
+
+/// Things that stand about in scenes.
+namespace synthetic_dataset::randomize::natural {
+
+/// Where something stands.
+struct Standing {
+  Point foot;         ///< [px]
+  double metre = 10;  ///< [px]
+  Colour haze;
+  int haze_share = 0;  ///< of 256
+  int sun = 1;         ///< the light comes from the left (-1) or the right (1)
+};
+
+/// What things are made of.
+struct Stuffs {
+  std::vector<Tile> crowns;  ///< of trees
+  std::vector<Tile> trunks;
+  std::vector<Tile> plain;    ///< anything
+  std::vector<Tile> printed;  ///< signs and posters
+};
+enum class Whereabouts { kOutdoors, kIndoors };
+[[nodiscard]] Stuffs drawStuffs(base::RandomSource& random,
+                                Whereabouts where = Whereabouts::kOutdoors);
+
+[[nodiscard]] const Tile& oneOf(const std::vector<Tile>& tiles, base::RandomSource& random);
+
+/// A wall with windows.
+[[nodiscard]] Tile drawFacade(base::RandomSource& random);
+
+void addTree(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
+void addBush(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
+void addPole(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
+void addCar(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
+void addFence(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
+
+/// A box, a barrel, a ball or a slab, from 0.3 to 1.5 m.
+void addThing(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
+
+/// The dark place below something.
+void addShadow(Canvas& canvas, const Standing& at, double wide);
+
+/// A polygon of 3 to 9 corners, or with a smooth outline.
+void fillShape(Canvas& canvas, const Point& middle, double radius, const Paint& paint,
+               base::RandomSource& random);
+
+}  // namespace synthetic_dataset::randomize::natural

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <opencv2/core/mat.hpp>
+
+#include "randomize/appearance/variety/model_parts.h"
+#include "randomize/appearance/variety/paint_palette.h"
+#include "randomize/appearance/variety/width_profile.h"
+#include "world/description.h"
+
+namespace synthetic_dataset::randomize {
+
+/// A piece of a surface at one level of the model, as it is painted.
+struct PaintedPart {
+  enum class Pattern {
+    kPlain,    ///< one paint
+    kBanded,   ///< paints that change with the height alone: a cone's stripes
+    kPicture,  ///< anything else
+  };
+
+  Eigen::AlignedBox3f box_M;
+  double share = 0.0;          ///< of the model's surface
+  std::vector<double> paints;  ///< how much of it each paint of the palette has
+  std::size_t paint = 0;       ///< the commonest
+  Pattern pattern = Pattern::kPlain;
+};
+
+/// A picture that surfaces show, with what is known of each texel.
+struct PaintCanvas {
+  struct Texel {
+    Eigen::Vector3f p_M{0.0F, 0.0F, 0.0F};
+    std::int32_t part = kNone;  ///< index of its part, or one of those below
+    std::uint8_t paint = 0;     ///< of the palette
+    bool is_mixed = false;      ///< of two paints, or near their border
+    float shade = 1.0F;         ///< its lightness in those of its paint
+  };
+  static constexpr std::int32_t kNone = -1;       ///< no surface shows it
+  static constexpr std::int32_t kSomewhere = -2;  ///< several places show it
+
+  std::vector<std::size_t> surfaces;  ///< that show it, of the model's parts
+  cv::Mat picture;                    ///< CV_8UC4, as Texture
+  std::vector<Texel> texels;          ///< row by row
+};
+
+/// A model made ready to be painted: its pictures, each texel's place, and its paints. Made once,
+/// for all variants.
+class PaintedModel {
+ public:
+  explicit PaintedModel(const world::Model& model);
+
+  /// It looks as what it was made of does, and has the same triangles; surfaces that had no texture
+  /// of their own have got one where they are large.
+  world::Model model;
+  ModelParts parts;                 ///< of `model`
+  std::vector<HeightLevel> levels;  ///< of `model`
+  std::vector<PaintCanvas> canvases;
+  std::vector<PaintedPart> painted;     ///< parts of the canvases
+  std::vector<std::size_t> untextured;  ///< of the parts' surfaces, those in one colour
+
+  [[nodiscard]] const PaintPalette& palette() const { return *palette_; }
+
+ private:
+  void place(PaintCanvas& canvas, ColourCount& colours);
+  void classify(PaintCanvas& canvas) const;
+  void smoothBorders(PaintCanvas& canvas) const;
+  void findPatterns();
+
+  std::optional<PaintPalette> palette_;
+};
+
+}  // namespace synthetic_dataset::randomize

@@ -1,0 +1,231 @@
+#include "randomize/appearance/variety/variant_paint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "randomize/appearance/variety/hue.h"
+
+namespace synthetic_dataset::randomize {
+namespace {
+
+constexpr float kColourful = 0.25F;  // saturation; below, it is a grey
+
+bool happens(base::RandomSource& random, double probability) { return random.unit() < probability; }
+
+float between(base::RandomSource& random, double low, double high) {
+  return static_cast<float>(random.uniform(low, high));
+}
+
+/// The same paint from another batch, and from other years.
+Eigen::Vector3f slightlyChanged(const Eigen::Vector3f& colour, base::RandomSource& random) {
+  HueColour changed = hueColour(colour);
+  changed.hue += 0.008F * static_cast<float>(random.normal());
+  changed.saturation *= between(random, 0.85, 1.06);
+  changed.value *= between(random, 0.86, 1.08);
+  return ofHue(changed);
+}
+
+/// How far another maker's hue is from this one's, of a whole turn: mostly a little.
+float drawHueShift(base::RandomSource& random) {
+  const double kind = random.unit();
+  const auto normal = static_cast<float>(random.normal());
+  if (kind < 0.75) return 0.022F * normal;
+  if (kind < 0.92) return 0.06F * normal;
+  return between(random, -0.5, 0.5);
+}
+
+/// The paint that another maker has in this one's place.
+Eigen::Vector3f otherMakers(const Eigen::Vector3f& colour, base::RandomSource& random) {
+  HueColour changed = hueColour(colour);
+  const float shift = drawHueShift(random);
+  const float saturation = between(random, 0.78, 1.2);
+  if (changed.saturation > kColourful) {
+    changed.hue += shift;
+    changed.saturation *= saturation;
+    changed.value = std::clamp(changed.value * between(random, 0.78, 1.2), 0.12F, 1.0F);
+    return ofHue(changed);
+  }
+  // A grey stays one, with a tinge, lighter or darker.
+  const float tinge = between(random, -0.03, 0.03);
+  const float value = changed.value > 0.6F ? between(random, 0.8, 1.06) : between(random, 0.6, 1.7);
+  const float grey = std::clamp(changed.value * value, 0.03F, 0.97F);
+  return ofHue({tinge > 0.0F ? 0.1F : 0.6F, changed.saturation + std::abs(tinge), grey});
+}
+
+/// A colour that signals, or that is common on goods.
+Eigen::Vector3f drawAnyColour(base::RandomSource& random) {
+  return ofHue({between(random, 0.0, 1.0), between(random, 0.5, 1.0), between(random, 0.35, 0.95)});
+}
+
+Eigen::Vector3f drawLightGrey(base::RandomSource& random) {
+  return Eigen::Vector3f::Constant(between(random, 0.72, 0.97));
+}
+
+/// Draws how the parts of a model of the same class are painted.
+class ClassPainter {
+ public:
+  ClassPainter(const PaintedModel& model, const VariantPaint& paint, base::RandomSource& random)
+      : model_(model), paint_(paint), random_(random) {}
+
+  PartPaint draw(const PaintedPart& part) {
+    const float height = part.box_M.sizes().z() /
+                         std::max(static_cast<float>(model_.parts.box_M.sizes().z()), 1e-6F);
+    const bool is_large = part.share > 0.08 && height > 0.25F;
+    PartPaint result;
+    // Each has as many draws whatever it is: parts do not depend on one another.
+    base::RandomSource own(random_.bits());
+    switch (part.pattern) {
+      case PaintedPart::Pattern::kBanded:
+        if (is_large) paintBanded(part, own, result);
+        break;
+      case PaintedPart::Pattern::kPlain:
+        paintPlain(part, is_large, own, result);
+        break;
+      case PaintedPart::Pattern::kPicture:
+        paintPicture(part, is_large, own, result);
+        break;
+    }
+    if (is_large && happens(own, 0.3)) {
+      const Eigen::Vector3f under = result.colour.value_or(paint_.colours[part.paint]);
+      result.print.emplace(part.box_M, inkOn(under, own), own);
+    }
+    return result;
+  }
+
+ private:
+  /// Stripes moved, more, fewer or none.
+  void paintBanded(const PaintedPart& part, base::RandomSource& random, PartPaint& result) const {
+    if (happens(random, 0.2)) return;  // as it was, in other colours
+    const std::size_t field = fieldOf(part);
+    result.colour = paint_.colours[field];
+    if (happens(random, 0.06)) result.colour = otherPaint(field, random);
+    if (happens(random, 0.18)) return;  // plain
+    result.bands = drawBands(bandColour(part, field, random), random);
+  }
+
+  void paintPlain(const PaintedPart& part, bool is_large, base::RandomSource& random,
+                  PartPaint& result) const {
+    if (happens(random, 0.25)) result.colour = otherPaint(part.paint, random);
+    if (!is_large || !happens(random, 0.15)) return;
+    if (!result.colour) result.colour = paint_.colours[part.paint];
+    result.bands = drawBands(bandColour(part, part.paint, random), random);
+  }
+
+  void paintPicture(const PaintedPart& part, bool is_large, base::RandomSource& random,
+                    PartPaint& result) const {
+    const double kind = random.unit();
+    if (kind < 0.15) {
+      result.colour = paint_.colours[part.paint];  // without its picture
+      result.detail = between(random, 0.0, 0.25);
+    } else if (kind < 0.35) {
+      result.colour = paint_.colours[part.paint];  // a paler picture
+      result.detail = between(random, 0.4, 0.8);
+    }
+    if (!is_large || !happens(random, 0.08)) return;
+    result.bands = drawBands(bandColour(part, part.paint, random), random);
+  }
+
+  /// The paint between a part's bands: what there is most of, colours before greys.
+  [[nodiscard]] std::size_t fieldOf(const PaintedPart& part) const {
+    std::size_t best = part.paint;
+    double most = 0.0;
+    for (std::size_t i = 0; i < part.paints.size(); ++i) {
+      const float saturation = hueColour(model_.palette().paints()[i].colour).saturation;
+      const double score = part.paints[i] * (0.35 + saturation);
+      if (score > most) {
+        most = score;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  [[nodiscard]] Eigen::Vector3f bandColour(const PaintedPart& part, std::size_t field,
+                                           base::RandomSource& random) const {
+    std::size_t second = field;
+    double most = 0.05;
+    for (std::size_t i = 0; i < part.paints.size(); ++i) {
+      if (i == field || part.paints[i] < most) continue;
+      most = part.paints[i];
+      second = i;
+    }
+    const double kind = random.unit();
+    if (kind < 0.72 && second != field) return paint_.colours[second];
+    if (kind < 0.9) return drawLightGrey(random);
+    if (kind < 0.96) return otherPaint(field, random);
+    return drawAnyColour(random);
+  }
+
+  /// One of the model's other colours, the commoner the likelier.
+  [[nodiscard]] Eigen::Vector3f otherPaint(std::size_t than, base::RandomSource& random) const {
+    const std::vector<Paint>& paints = model_.palette().paints();
+    double all = 0.0;
+    for (std::size_t i = 0; i < paints.size(); ++i) all += i == than ? 0.0 : paints[i].share;
+    double drawn = random.unit() * all;
+    for (std::size_t i = 0; i < paints.size(); ++i) {
+      if (i == than) continue;
+      drawn -= paints[i].share;
+      if (drawn <= 0.0) return paint_.colours[i];
+    }
+    return otherMakers(paint_.colours[than], random);
+  }
+
+  [[nodiscard]] static std::vector<Band> drawBands(const Eigen::Vector3f& colour,
+                                                   base::RandomSource& random) {
+    const double kind = random.unit();
+    const std::size_t count = kind < 0.36 ? 1 : kind < 0.8 ? 2 : kind < 0.93 ? 3 : 4;
+    // Gaps and bands in turn, from a gap at the foot to one at the top, that fill the height.
+    std::vector<float> lengths;
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < 2 * count + 1; ++i) {
+      const bool is_band = i % 2 == 1;
+      const float length = is_band ? between(random, 0.35, 1.0) : between(random, 0.25, 1.0);
+      lengths.push_back(count == 1 && !is_band ? 1.6F * length : length);
+      sum += lengths.back();
+    }
+    std::vector<Band> bands;
+    float at = 0.0F;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      const float next = at + lengths[i] / sum;
+      if (i % 2 == 1) bands.push_back({at, next, colour});
+      at = next;
+    }
+    return bands;
+  }
+
+  [[nodiscard]] static Eigen::Vector3f inkOn(const Eigen::Vector3f& under,
+                                             base::RandomSource& random) {
+    if (happens(random, 0.15)) return drawAnyColour(random);
+    const bool is_light = lightnessOf(under) > 0.5F;
+    const double low = is_light ? 0.03 : 0.75;
+    return Eigen::Vector3f::Constant(between(random, low, low + 0.2));
+  }
+
+  const PaintedModel& model_;
+  const VariantPaint& paint_;
+  base::RandomSource& random_;
+};
+
+}  // namespace
+
+VariantPaint drawPaint(const PaintedModel& model, Variety variety, base::RandomSource& random) {
+  const bool is_class = variety == Variety::kSameClass;
+  VariantPaint paint;
+  for (const Paint& each : model.palette().paints()) {
+    base::RandomSource own(random.bits());
+    paint.colours.push_back(is_class ? otherMakers(each.colour, own)
+                                     : slightlyChanged(each.colour, own));
+  }
+  paint.contrast = is_class ? between(random, 0.6, 1.15) : between(random, 0.9, 1.1);
+  paint.wear = drawWear(random, is_class ? 1.0 : 0.7);
+  paint.roughness = is_class ? between(random, -0.2, 0.3) : between(random, -0.1, 0.2);
+  paint.parts.resize(model.painted.size());
+  if (!is_class) return paint;
+  ClassPainter painter(model, paint, random);
+  std::vector<PartPaint> parts;
+  for (const PaintedPart& part : model.painted) parts.push_back(painter.draw(part));
+  paint.parts = std::move(parts);
+  return paint;
+}
+
+}  // namespace synthetic_dataset::randomize
