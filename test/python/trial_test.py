@@ -201,6 +201,27 @@ class Samples(FolderCase):
         self.assertFalse(np.array_equal(one.sample(1)[0], one.sample(2)[0]))
 
 
+class Progress(unittest.TestCase):
+
+    def said(self, is_terminal):
+        out = io.StringIO()
+        out.isatty = lambda: is_terminal
+        times = iter(range(0, 1000, 20))
+        progress = trial.Progress(out, lambda: next(times))
+        for step in range(1, 6):
+            progress(f'step {step}')
+        progress.end()
+        return out.getvalue()
+
+    def test_is_one_line_of_a_terminal(self):
+        self.assertEqual(self.said(True), ''.join(f'\rstep {step}\033[K' for step in range(1, 6)) + '\n')
+
+    def test_is_the_first_and_the_last_line_and_some_between_elsewhere(self):
+        lines = self.said(False).splitlines()
+        self.assertEqual((lines[0], lines[-1]), ('step 1', 'step 5'))
+        self.assertLess(len(lines), 5)
+
+
 class FakeNetwork:
     """Finds what a function says of each file, at once."""
 

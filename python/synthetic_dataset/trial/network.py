@@ -24,7 +24,7 @@ OF_FOUR_UNTIL = 0.85  # of the time: from then on, pictures are shown as they ar
 FROZEN = 5  # layers that stay as in the weights where there is no GPU, which halves the time of a step
 AVERAGED = 0.995  # how much of the running mean stays in each step, after the first ones
 LEAST_SCORE, MOST_FOUND = 0.001, 300
-SAME = 0.7  # overlap from which on two boxes are one
+SAME = 0.6  # overlap from which on two boxes are one
 PREPARED = 3  # batches that are ready before they are needed
 NO_NETWORK = 'holds no network of Ultralytics (a file such as yolov8n.pt)'
 

@@ -12,7 +12,7 @@ from PIL import Image
 from synthetic_dataset.manifest import DatasetError
 from synthetic_dataset.trial import samples
 
-WIDTH = 480  # of a picture in the page [px]
+WIDTH, HEIGHT = 480, 360  # of a frame for a picture in the page [px]
 SHOWN = 0.5  # of the threshold: from which score on a box is drawn
 
 # What the page says above the pictures: (value, what it is), and sentences.
@@ -72,16 +72,19 @@ def _tile(result, threshold, class_names):
 
 def _box(corners, picture, kind, text, title):
     left, top, right, bottom = (float(share * side) for share, side in zip(corners, picture.size * 2))
-    size = 15
+    # Pictures are shown in frames of one size.
+    size = (12 if kind.endswith('faint') else 15) * max(picture.width / WIDTH, picture.height / HEIGHT)
     return {'x': left, 'y': top, 'width': right - left, 'height': bottom - top, 'kind': kind, 'text': text,
-            'title': title, 'text_x': min(left + 2, picture.width - 2.4 * size),
-            'text_y': top - 4 if top > 1.3 * size else min(bottom, picture.height - 4) - 4}
+            'title': title, 'text_size': size, 'text_x': min(left + 2, picture.width - 2.4 * size),
+            'text_y': top - size / 4 if top > 1.3 * size else min(bottom, picture.height) - size / 2}
 
 
 def _text(result, threshold):
     counts = int((result.found.scores >= threshold).sum())
     if result.truth is None:
         return f'{counts} found'
+    if not len(result.truth):
+        return 'without a label' + (f', {counts} wrong' if counts else '')
     right = int(((result.match >= 0) & (result.found.scores >= threshold)).sum())
     return f'{right} of {len(result.truth)} found' + (f', {counts - right} wrong' if counts > right else '')
 

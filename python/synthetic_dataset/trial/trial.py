@@ -15,24 +15,28 @@ class Progress:
 
     def __init__(self, out=sys.stderr, clock=time.monotonic):
         self._out, self._clock = out, clock
-        self._said = None
-        self._is_open = False
+        self._is_terminal = out.isatty()
+        self._said_at, self._unsaid = None, None
 
     def __call__(self, text):
-        now = self._clock()
-        if self._out.isatty():
+        if self._is_terminal:
             self._out.write(f'\r{text}\033[K')
-            self._is_open = True
-        elif self._said is None or now - self._said >= SECONDS_OF_A_LINE:
-            self._out.write(text + '\n')
-            self._said = now
-        self._out.flush()
+            self._out.flush()
+            self._unsaid = ''
+        elif self._said_at is None or self._clock() - self._said_at >= SECONDS_OF_A_LINE:
+            self._say(text)
+        else:
+            self._unsaid = text
 
     def end(self):
-        """What is printed next begins a line; a line of what comes next is said at once."""
-        if self._is_open:
-            self._out.write('\n')
-        self._is_open, self._said = False, None
+        """Says the last, and begins a line."""
+        if self._unsaid is not None:
+            self._say(self._unsaid)
+        self._said_at = None
+
+    def _say(self, text):
+        print(text, file=self._out, flush=True)
+        self._said_at, self._unsaid = self._clock(), None
 
 
 def run(arguments, make_network, is_stopped, progress):
