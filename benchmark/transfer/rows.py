@@ -45,9 +45,11 @@ ROWS = [
     Row('transfer', 'the preset, with variety: same_class', 'transfer'),
 
     Row('without_room', 'the preset, on backgrounds alone', 'transfer', motions=('pasted', 'fallen')),
-    Row('without_background', 'the preset, on grounds and in rooms alone', 'transfer', motions=('open_ground', 'room')),
+    Row('without_pasted', 'the preset, on grounds and in rooms alone', 'transfer', motions=('open_ground', 'room')),
+    Row('without_background', 'the preset, with a colour instead of pictures behind', 'transfer',
+        randomize(background={'present': 0})),
     Row('without_distractors', 'the preset, nothing but the objects', 'transfer', randomize(distractors={'count': 0})),
-    Row('without_weather', 'the preset in clear air', 'transfer', randomize(weather={'present': 0})),
+    Row('without_weather', 'the preset in clear air', 'transfer', randomize(weather={'present': 0, 'rain': 0})),
     Row('without_sensor', 'the preset with a perfect sensor', 'transfer',
         randomize(sensor={'exposure': 0, 'blur': 0, 'noise_stddev': 0})),
     Row('without_light', 'the preset, with the same light always', 'transfer',
