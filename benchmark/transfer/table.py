@@ -10,9 +10,11 @@ NOT_RUN = 'not run'
 def table(rows, results, train, failures=()):
     """@param failures  (row, what went wrong)"""
     lines = list(HEAD)
-    lines += [_line(row, results, train) for row in rows if results.dataset(row.name)]
+    run = [row for row in rows if any(results.trainings(row.name, part, full, train)
+                                      for part in ('even', 'odd') for full in (False, True))]
+    lines += [_line(row, results, train) for row in run]
     lines += ['', _spread(rows, results, train), '']
-    not_run = [row.name for row in rows if not results.dataset(row.name) and row.name not in dict(failures)]
+    not_run = [row.name for row in rows if row not in run and row.name not in dict(failures)]
     if not_run:
         lines += [f"Not run: {', '.join(not_run)}.", '']
     for row, text in failures:
