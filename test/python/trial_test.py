@@ -397,7 +397,8 @@ class Choice(unittest.TestCase):
         scores = [[0.5 + 0.01 * number] for number in range(12)] + [[0.26], [0.05], [0.31, 0.02], []]
         named = self.names_by_title(self.results(scores), choice.USUAL_THRESHOLD)
         self.assertEqual(named['Most confident'], [str(number) for number in range(11, -1, -1)])
-        self.assertEqual(named['Most doubtful'][:2], ['12', '14'])
+        self.assertEqual(named['Most doubtful'], ['12', '14'])
+        self.assertEqual(named['Nothing found'], ['13', '15'])
 
     def test_shows_errors_where_labels_tell(self):
         label = np.array([[0, 0.0, 0.0, 0.2, 0.2]])

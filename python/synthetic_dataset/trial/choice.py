@@ -6,6 +6,7 @@ import numpy as np
 from synthetic_dataset.trial.precision import best_threshold, matches
 
 MOST_SHOWN = 12  # in a section
+DOUBT = 0.5  # of the threshold: from it on a score is not near it
 USUAL_THRESHOLD = 0.25  # from which score on something counts as found, where no label says what is best
 
 # A photograph with what is found in it, each the row of `truth` that it is or -1; both None without labels.
@@ -28,15 +29,14 @@ def threshold_of(results):
 
 def sections_of(results, threshold):
     """The most confident and the most doubtful first; a photograph is in one section alone."""
-    chosen = [('Most confident', 'The surest find of each comes first.', _confidence),
-              ('Most doubtful', f'Something is found with a score near {threshold:.2f}, from which on it counts.',
-               lambda each: -np.abs(each.found.scores - threshold).min(initial=1))]
+    keys = Keys(threshold)
+    chosen = [('Most confident', 'The surest find of each comes first.', keys.confidence),
+              ('Most doubtful', f'Something is found with a score near {threshold:.2f}, from which on it counts.', keys.doubt)]
     if results and results[0].truth is not None:
-        chosen += [('Confident and wrong', 'Something is found that no label has.', _wrong_confidence(threshold)),
-                   ('Missed', 'Most of the labels are not found.', _missed(threshold))]
+        chosen += [('Confident and wrong', 'Something is found that no label has.', keys.wrong_confidence),
+                   ('Missed', 'Photographs with the most labels that are not found.', keys.missed)]
     else:
-        chosen += [('Nothing found', 'No score is high enough to count.',
-                    lambda each: None if _confidence(each) >= threshold else _confidence(each))]
+        chosen += [('Nothing found', 'No score is high enough to count.', keys.emptiness)]
     left, found = list(results), []
     for title, note, key in chosen:
         ranked = [(key(each), each) for each in left]
@@ -48,20 +48,29 @@ def sections_of(results, threshold):
     return [section for section in found if section.results]
 
 
-def _confidence(result):
-    return result.found.scores.max(initial=0)
+class Keys:
+    """How much a photograph belongs into a section; None: not at all."""
 
+    def __init__(self, threshold):
+        self._threshold = threshold
 
-def _wrong_confidence(threshold):
-    def key(result):
-        score = result.found.scores[result.match < 0].max(initial=0)
-        return score if score >= threshold else None
-    return key
+    def confidence(self, result):
+        return self._highest(result.found.scores)
 
+    def doubt(self, result):
+        distance = np.abs(result.found.scores - self._threshold).min(initial=np.inf)
+        return -distance if distance < DOUBT * self._threshold else None
 
-def _missed(threshold):
-    def key(result):
-        seen = result.match[(result.match >= 0) & (result.found.scores >= threshold)]
-        missed = len(result.truth) - len(seen)
-        return missed if missed else None
-    return key
+    def wrong_confidence(self, result):
+        return self._highest(result.found.scores[result.match < 0])
+
+    def missed(self, result):
+        seen = np.count_nonzero((result.match >= 0) & (result.found.scores >= self._threshold))
+        return len(result.truth) - seen or None
+
+    def emptiness(self, result):
+        return 1 if self.confidence(result) is None else None
+
+    def _highest(self, scores):
+        score = scores.max(initial=0)
+        return score if score >= self._threshold else None

@@ -82,7 +82,7 @@ def _box(corners, picture, kind, text, title):
 def _text(result, threshold):
     counts = int((result.found.scores >= threshold).sum())
     if result.truth is None:
-        return f'{counts} found'
+        return f"{counts or 'nothing'} found"
     if not len(result.truth):
         return 'without a label' + (f', {counts} wrong' if counts else '')
     right = int(((result.match >= 0) & (result.found.scores >= threshold)).sum())
