@@ -152,6 +152,29 @@ TEST(Randomization, ReadsWhatObjectsWear) {
             (std::filesystem::current_path() / "rover.sdf").string());
 }
 
+TEST(Randomization, ReadsTheVarietyOfObjects) {
+  using randomize::Variety;
+  const randomize::Randomization given = read(
+      "{variety: same_class, objects: {every: {present: 0.5}, a: {variety: same_object, variants: "
+      "5}, b: {variants: 3}, c: {variety: none}}}");
+  EXPECT_EQ(given.ofObject("a").variety->variety, Variety::kSameObject);
+  EXPECT_EQ(given.ofObject("a").variety->variants, 5);
+  EXPECT_EQ(given.ofObject("b").variety->variety, Variety::kSameClass);
+  EXPECT_EQ(given.ofObject("b").variety->variants, 3);
+  EXPECT_EQ(given.ofObject("c").variety->variety, Variety::kNone);
+  EXPECT_EQ(given.ofObject("other").variety->variety, Variety::kSameClass) << "of `every`";
+  EXPECT_EQ(given.ofObject("other").variety->variants, 12);
+  EXPECT_EQ(read("{variety: same_object, variants: 4}").ofObject("a").variety->variants, 4);
+  EXPECT_EQ(read("{objects: {a: {present: 1}}}").ofObject("b").variety->variety, Variety::kNone);
+}
+
+TEST(Randomization, NamesVarietiesThatThereAreNot) {
+  EXPECT_THAT(errorOf("objects/a", "variety: same_clas"), HasSubstr("same_object"));
+  EXPECT_THAT(errorOf("objects/a", "variety: same_class, variants: 0"),
+              HasSubstr("variants: found 0; it should be"));
+  EXPECT_THAT(errorOf("objects/a", "variants: 3"), HasSubstr("variants: has a meaning beside"));
+}
+
 TEST(Randomization, NamesWhatObjectsCannotWear) {
   EXPECT_THAT(errorOf("objects/a", "scale: {uniform: [0, 2]}"), HasSubstr("scale: found uniform"));
   EXPECT_THAT(errorOf("objects/a", "scale: {uniform: [1, 2]}, sizes: 0"),

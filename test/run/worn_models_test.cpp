@@ -9,9 +9,12 @@
 #include "all_at_once_run.h"
 #include "base/yaml_value.h"
 #include "output/manifest/sqlite.h"
+#include "randomize/appearance/object_variety.h"
 #include "run/merger.h"
 #include "run_fixture.h"
 #include "support/writers/plugin_environment.h"
+#include "world/files/resource_finder.h"
+#include "world/world_loader.h"
 
 namespace synthetic_dataset::run {
 namespace worn_models_test {
@@ -193,6 +196,80 @@ TEST_F(WornModelsTest, RefusesFormatsWithOneModelOfAnObject) {
                             testing::AllOf(HasSubstr(found), HasSubstr("model.ply"))));
   // One size that is always the same is no reason.
   parameters["randomize"] = yaml("{objects: {bravo: {scale: 1.5}}}");
+  EXPECT_THAT(errors(), testing::IsEmpty());
+}
+
+/// The first visual of a model as an SDF model with a mesh file beside it.
+std::string meshModel(const std::string& obj_file, const world::Model& model) {
+  std::ofstream obj(obj_file);
+  obj.precision(9);  // all digits of a float
+  const world::Visual& visual = model.links.at(0).visuals.at(0);
+  const world::Mesh& mesh = *visual.surfaces.at(0).mesh;
+  for (const Eigen::Vector3f& p : mesh.positions) {
+    obj << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  }
+  for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
+    obj << "f " << mesh.indices[k] + 1 << ' ' << mesh.indices[k + 1] + 1 << ' '
+        << mesh.indices[k + 2] + 1 << '\n';
+  }
+  const double z = visual.X_LV.translation().z();
+  return "<sdf version='1.6'><model name='m'><link name='body'><visual name='v'><pose>0 0 " +
+         std::to_string(z) + " 0 0 0</pose><geometry><mesh><uri>" + obj_file +
+         "</uri></mesh></geometry></visual></link></model></sdf>";
+}
+
+std::map<std::int64_t, int> variantsIn(const std::string& folder) {
+  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                        output::SqliteDatabase::Mode::kReadOnly);
+  output::SqliteStatement row(manifest,
+                              "SELECT scene, value FROM draw WHERE name = 'objects/bravo/variant'");
+  std::map<std::int64_t, int> variants;
+  while (row.step()) {
+    variants[row.integer(0)] = static_cast<int>(*yaml(row.text(1)).as<double>());
+  }
+  return variants;
+}
+
+/// Labels of a variant of another shape are those of a model that has this shape itself.
+TEST_F(WornModelsTest, LabelsOfVariantsAreThoseOfTheirShapes) {
+  const std::string own = write("box.sdf", box(0.4));
+  parameters["bravo"] = yaml("{class: box, id: bravo, model: '" + own + "'}");
+  parameters["randomize"] = yaml("{objects: {bravo: {variety: same_class, variants: 3}}}");
+  const Files varied = filesAnew();
+  const std::map<std::int64_t, int> variants = variantsIn(folder);
+  ASSERT_THAT(variants, SizeIs(8));
+  parameters.erase("randomize");
+  const world::ResourceFinder finder({}, {}, {});
+  const randomize::ObjectVariety variety(world::loadModel(own, "bravo", finder),
+                                         randomize::Variety::kSameClass, 0);
+  std::set<int> compared;
+  for (int number = 0; number < 3; ++number) {
+    const std::string alone_file =
+        write("alone.sdf",
+              meshModel((run.folder() / ("alone" + std::to_string(number) + ".obj")).string(),
+                        variety.variant(number).model));
+    parameters["bravo"] = yaml("{class: box, id: bravo, model: '" + alone_file + "'}");
+    const Files alone = filesAnew();
+    for (const auto& [scene, worn] : variants) {
+      if (worn != number) continue;
+      for (const auto& [name, bytes] : ofScene(scene, alone)) {
+        if (fs::path(name).extension() != ".txt") continue;  // pictures are painted
+        compared.insert(number);
+        EXPECT_TRUE(varied.count(name) == 1 && varied.at(name) == bytes) << name;
+      }
+    }
+  }
+  EXPECT_GE(compared.size(), 2U) << "nearly all are worn in some scene";
+}
+
+TEST_F(WornModelsTest, RefusesOtherShapesWhereAFormatHasOne) {
+  setBravo(write("box.sdf", box(0.4)), 1.0);
+  parameters["writers"] = yaml("[{name: b, type: synthetic_dataset/Bop}]");
+  parameters.erase("yolo");
+  parameters.erase("bounding_shape");
+  parameters["randomize"] = yaml("{variety: same_class}");
+  EXPECT_THAT(errors(), Contains(HasSubstr("whose model, size or shape differs")));
+  parameters["randomize"] = yaml("{variety: same_object}");
   EXPECT_THAT(errors(), testing::IsEmpty());
 }
 

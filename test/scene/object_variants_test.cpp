@@ -157,6 +157,24 @@ TEST_F(ObjectVariantsTest, TellsWhatIsWorn) {
   }
 }
 
+TEST_F(ObjectVariantsTest, AreAllVariantsOfEachModelInEachSize) {
+  entry.model = base::TextChoice{{"a", "b"}, {}};
+  entry.scale = base::Distribution::choice({{2.0}, {0.5}});
+  entry.variety = randomize::VarietyOptions{randomize::Variety::kSameClass, 3};
+  const ObjectVariants variants = make();
+  ASSERT_EQ(variants.all().size(), 12U);
+  EXPECT_EQ(variants.all()[0].number, 0) << "the model as it is";
+  EXPECT_EQ(variants.all()[5].number, 2);
+  EXPECT_EQ(variants.all()[5].scale, 2.0);
+  EXPECT_EQ(variants.all()[5].model, "a");
+  EXPECT_EQ(wornIn(400).size(), 12U);
+  randomize::EntryDraws draws(7, 3);
+  const ObjectVariant& worn = variants.all()[variants.draw(draws)];
+  ASSERT_EQ(draws.values().size(), 3U);
+  EXPECT_EQ(draws.values()[2].name, "objects/rover/variant");
+  EXPECT_THAT(std::get<std::vector<double>>(draws.values()[2].value), ElementsAre(worn.number));
+}
+
 TEST_F(ObjectVariantsTest, OfOneEntryLeavesTheOthersDraws) {
   entry.model = base::TextChoice{{"a", "b", "c"}, {}};
   const std::map<std::size_t, int> models = wornIn(300);

@@ -94,6 +94,8 @@ void ShapeChange::drawFlanges(const std::vector<HeightLevel>& levels, base::Rand
   }
   const double below = levels[levels.size() - 2].top_radius;
   if (last.foot_radius > below) flanges_.push_back({last.low - border, last.high, below, head});
+  // Both together could make a foot narrower than what it carries.
+  if (!flanges_.empty()) own_widths_.assign(own_widths_.size(), 1.0);
 }
 
 /// A factor of how far a point is from the middle.
@@ -111,7 +113,7 @@ void ShapeChange::drawWidths(const ModelParts& parts, base::RandomSource& random
   // What is round stays nearly so.
   const double width = drawFactor(random, 0.78, 1.28);
   width_ = {width * random.uniform(0.97, 1.03), width * random.uniform(0.97, 1.03)};
-  taper_ = random.uniform(-0.22, 0.22);
+  taper_ = random.uniform(-0.22, 0.22) * random.unit();  // mostly little
   bulge_ = random.uniform(-0.1, 0.1);
   const std::vector<bool> stacked = stackedPieces(parts);
   for (std::size_t i = 0; i < stacked.size(); ++i) {

@@ -16,40 +16,83 @@ float between(base::RandomSource& random, double low, double high) {
   return static_cast<float>(random.uniform(low, high));
 }
 
+/// How a paint differs from the model's.
+struct PaintChange {
+  float hue;         ///< of a whole turn, that is added
+  float saturation;  ///< a factor
+  float value;       ///< a factor
+  float grey_value;  ///< a factor, of greys
+  float tinge;       ///< of greys, that is added: above 0 a warm one, below 0 a cold one
+};
+
 /// The same paint from another batch, and from other years.
-Eigen::Vector3f slightlyChanged(const Eigen::Vector3f& colour, base::RandomSource& random) {
-  HueColour changed = hueColour(colour);
-  changed.hue += 0.008F * static_cast<float>(random.normal());
-  changed.saturation *= between(random, 0.85, 1.06);
-  changed.value *= between(random, 0.86, 1.08);
-  return ofHue(changed);
+PaintChange drawSlightChange(base::RandomSource& random) {
+  PaintChange change{};
+  change.hue = 0.008F * static_cast<float>(random.normal());
+  change.saturation = between(random, 0.85, 1.06);
+  change.value = between(random, 0.86, 1.08);
+  change.grey_value = change.value;
+  return change;
 }
 
 /// How far another maker's hue is from this one's, of a whole turn: mostly a little.
 float drawHueShift(base::RandomSource& random) {
   const double kind = random.unit();
   const auto normal = static_cast<float>(random.normal());
-  if (kind < 0.75) return 0.022F * normal;
-  if (kind < 0.92) return 0.06F * normal;
+  if (kind < 0.75) return 0.02F * normal;
+  if (kind < 0.93) return 0.05F * normal;
   return between(random, -0.5, 0.5);
 }
 
 /// The paint that another maker has in this one's place.
-Eigen::Vector3f otherMakers(const Eigen::Vector3f& colour, base::RandomSource& random) {
-  HueColour changed = hueColour(colour);
-  const float shift = drawHueShift(random);
-  const float saturation = between(random, 0.78, 1.2);
-  if (changed.saturation > kColourful) {
-    changed.hue += shift;
-    changed.saturation *= saturation;
-    changed.value = std::clamp(changed.value * between(random, 0.78, 1.2), 0.12F, 1.0F);
-    return ofHue(changed);
+PaintChange drawOtherMakers(base::RandomSource& random) {
+  PaintChange change{};
+  change.hue = drawHueShift(random);
+  change.saturation = between(random, 0.78, 1.2);
+  change.value = between(random, 0.78, 1.2);
+  change.grey_value = between(random, 0.6, 1.7);
+  change.tinge = between(random, -0.03, 0.03);
+  return change;
+}
+
+bool isColourful(const Eigen::Vector3f& colour) {
+  return hueColour(colour).saturation > kColourful;
+}
+
+Eigen::Vector3f changedPaint(const Eigen::Vector3f& colour, const PaintChange& change) {
+  HueColour result = hueColour(colour);
+  if (isColourful(colour)) {
+    result.hue += change.hue;
+    result.saturation *= change.saturation;
+    result.value = std::clamp(result.value * change.value, std::min(result.value, 0.12F), 1.0F);
+    return ofHue(result);
   }
-  // A grey stays one, with a tinge, lighter or darker.
-  const float tinge = between(random, -0.03, 0.03);
-  const float value = changed.value > 0.6F ? between(random, 0.8, 1.06) : between(random, 0.6, 1.7);
-  const float grey = std::clamp(changed.value * value, 0.03F, 0.97F);
-  return ofHue({tinge > 0.0F ? 0.1F : 0.6F, changed.saturation + std::abs(tinge), grey});
+  // A grey stays one; white is white in most makes.
+  const bool is_light = result.value > 0.6F;
+  const float factor = is_light ? std::clamp(change.grey_value, 0.8F, 1.06F) : change.grey_value;
+  const float tinge = result.saturation + std::abs(change.tinge);
+  const float hue = change.tinge == 0.0F ? result.hue : change.tinge > 0.0F ? 0.1F : 0.6F;
+  return ofHue({hue, tinge, std::clamp(result.value * factor, 0.03F, 0.97F)});
+}
+
+/// The change of each paint. Those of nearly the same hue change alike: one is the other's shadow.
+std::vector<PaintChange> drawChanges(const std::vector<Paint>& paints, Variety variety,
+                                     base::RandomSource& random) {
+  constexpr float kSameHue = 0.1F;
+  std::vector<PaintChange> changes;
+  for (std::size_t i = 0; i < paints.size(); ++i) {
+    base::RandomSource own(random.bits());
+    changes.push_back(variety == Variety::kSameClass ? drawOtherMakers(own)
+                                                     : drawSlightChange(own));
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!isColourful(paints[i].colour) || !isColourful(paints[k].colour)) continue;
+      const float off = hueColour(paints[i].colour).hue - hueColour(paints[k].colour).hue;
+      if (std::abs(off - std::round(off)) > kSameHue) continue;
+      changes[i] = changes[k];
+      break;
+    }
+  }
+  return changes;
 }
 
 /// A colour that signals, or that is common on goods.
@@ -167,7 +210,7 @@ class ClassPainter {
       drawn -= paints[i].share;
       if (drawn <= 0.0) return paint_.colours[i];
     }
-    return otherMakers(paint_.colours[than], random);
+    return changedPaint(paint_.colours[than], drawOtherMakers(random));
   }
 
   [[nodiscard]] static std::vector<Band> drawBands(const Eigen::Vector3f& colour,
@@ -211,10 +254,10 @@ class ClassPainter {
 VariantPaint drawPaint(const PaintedModel& model, Variety variety, base::RandomSource& random) {
   const bool is_class = variety == Variety::kSameClass;
   VariantPaint paint;
-  for (const Paint& each : model.palette().paints()) {
-    base::RandomSource own(random.bits());
-    paint.colours.push_back(is_class ? otherMakers(each.colour, own)
-                                     : slightlyChanged(each.colour, own));
+  const std::vector<Paint>& paints = model.palette().paints();
+  const std::vector<PaintChange> changes = drawChanges(paints, variety, random);
+  for (std::size_t i = 0; i < paints.size(); ++i) {
+    paint.colours.push_back(changedPaint(paints[i].colour, changes[i]));
   }
   paint.contrast = is_class ? between(random, 0.6, 1.15) : between(random, 0.9, 1.1);
   paint.wear = drawWear(random, is_class ? 1.0 : 0.7);
