@@ -166,7 +166,7 @@ function surfaces() {
           at('colour'), {label: `${of} colour`, start: {uniform: [[0.3, 0.3, 0.3], [1, 1, 1]]}, isColour: true}),
       distribution(at('roughness'), {label: `${of} roughness`, start: {uniform: [0.3, 1]}}),
       distribution(at('metalness'), {label: `${of} metalness`, start: {choice: [0, 1], weights: [4, 1]}}),
-      fileField(at('textures'), 'folder', {label: `${of} textures`, placeholder: 'a folder, or procedural'}),
+      fileField(at('textures'), 'folder', {label: `${of} textures`, placeholder: 'a folder, procedural or natural'}),
       choiceField(at('for_each'), null, {label: 'Drawn for each'}),
     ];
   });
@@ -180,7 +180,7 @@ function background() {
       'Background',
       isGroup ?
           [
-            fileField(root('background', 'pictures'), 'folder', {label: 'A folder of pictures'}),
+            fileField(root('background', 'pictures'), 'folder', {label: 'A folder of pictures', placeholder: 'a folder, or natural'}),
             choiceField(root('background', 'projection'), null, {label: 'They are'}),
             numberField(root('background', 'present'), {label: 'Chance of one', slider: true, step: 0.05, fallback: 1}),
             distribution(
