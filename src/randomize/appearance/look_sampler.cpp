@@ -8,6 +8,7 @@
 
 #include "base/diagnostics.h"
 #include "base/image/picture_channels.h"
+#include "randomize/appearance/texture_tiling.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
@@ -154,11 +155,14 @@ void LookSampler::findSurfaces(const std::string& target, const MaterialRandomiz
       const std::string name = "materials/" + target + (what == target ? "" : "/" + what);
       const auto [index, is_new] = indices.try_emplace(name, materials_.size());
       if (is_new) {
-        materials_.push_back({name, config, {}, {}, textures, parameter + "/textures"});
+        materials_.push_back({name, config, {}, {}, {}, textures, parameter + "/textures"});
       }
       for (const world::Surface& surface : visual.surfaces) {
         materials_[index->second].surfaces.push_back(&surface);
         materials_[index->second].takes_texture.push_back(takesTexture(surface));
+        materials_[index->second].metres_per_texture.push_back(config.textures == "natural"
+                                                                   ? metresPerTexture(*surface.mesh)
+                                                                   : Eigen::Vector2d::Zero());
       }
     }
   }
@@ -261,12 +265,14 @@ void LookSampler::repaint(const MaterialEntry& entry, EntryDraws& draws, world::
   const auto roughness = draws.number(entry.name + "/roughness", config.roughness);
   const auto metalness = draws.number(entry.name + "/metalness", config.metalness);
   std::shared_ptr<const world::Texture> texture;
+  double tile = 1.0;  // the most that a natural texture covers: a wall is not one large brick [m]
   if (config.textures) {
     base::RandomSource random = draws.source(entry.name + "/textures");
     auto [name, drawn] =
         base::namingPlace(entry.textures_entry, [&] { return entry.textures->draw(random); });
     draws.note(entry.name + "/textures", name);
     texture = std::move(drawn);
+    tile = std::exp2(random.uniform(0.0, 2.0));
   }
   for (std::size_t i = 0; i < entry.surfaces.size(); ++i) {
     const world::Material& given = entry.surfaces[i]->material;
@@ -281,7 +287,11 @@ void LookSampler::repaint(const MaterialEntry& entry, EntryDraws& draws, world::
       varied.shininess = world::shininessOfRoughness(varied.roughness);
     }
     if (metalness) varied.metalness = static_cast<float>(*metalness);
-    if (texture && entry.takes_texture[i]) varied.texture = texture;
+    if (!texture || !entry.takes_texture[i]) continue;
+    varied.texture = texture;
+    if (entry.metres_per_texture[i].isZero()) continue;
+    const Eigen::Array2f tiles = (entry.metres_per_texture[i] / tile).cast<float>();
+    varied.texture_scale = varied.texture_scale.array().abs().max(tiles);
   }
 }
 

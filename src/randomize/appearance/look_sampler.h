@@ -43,9 +43,10 @@ class LookSampler {
     std::string name;  ///< "materials/rover_1/rover_1::base_link::hull"
     MaterialRandomization config;
     std::vector<const world::Surface*> surfaces;
-    std::vector<bool> takes_texture;    ///< of surfaces
-    TextureSource* textures = nullptr;  ///< one of textures_, where they are drawn
-    std::string textures_entry;         ///< "randomize/materials/rover_1/textures"
+    std::vector<bool> takes_texture;                  ///< of surfaces
+    std::vector<Eigen::Vector2d> metres_per_texture;  ///< of surfaces, by metresPerTexture()
+    TextureSource* textures = nullptr;                ///< one of textures_, where they are drawn
+    std::string textures_entry;                       ///< "randomize/materials/rover_1/textures"
   };
 
   void findLights(const Randomization& config, base::Diagnostics& errors);

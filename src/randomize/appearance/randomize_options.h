@@ -6,7 +6,7 @@
 
 #include "base/random/distribution.h"
 #include "base/random/weighted_index.h"
-#include "randomize/appearance/room.h"
+#include "randomize/appearance/room_options.h"
 #include "randomize/placement/placement_options.h"
 
 namespace synthetic_dataset::randomize {

@@ -26,20 +26,20 @@ randomize:
   lights:
     every:
       present: 0.9
-      intensity: {log_uniform: [0.4, 1.6]}
+      intensity: {log_uniform: [0.6, 1.8]}
       # Black bodies of 3000, 4000, 5000, 6500 and 9000 K, of equal brightness: linear.
       colour: {choice: [[1.45, 0.93, 0.42], [1.22, 0.97, 0.67], [1.09, 0.98, 0.85], [0.99, 1.0, 1.03], [0.87, 1.02, 1.27]], weights: [1, 1, 2, 3, 1]}
       elevation: {uniform: [0.2, 1.5]}
       azimuth: {uniform: [-3.14159, 3.14159]}
       shift: {normal: [0.0, 0.15]}
-  ambient: {uniform: [0.25, 0.8]}
-  background: {pictures: natural, brightness: {uniform: [0.6, 1.2]}}
+  ambient: {uniform: [0.4, 0.85]}
+  background: {pictures: natural, brightness: {uniform: [0.8, 1.3]}}
   materials:
     objects: {for_each: model, tint: {uniform: [[0.88, 0.84, 0.84], [1.0, 1.0, 1.0]]}}
   sensor:
-    exposure: {normal: [0.0, 0.4], min: -1.0, max: 0.8}
-    blur: {uniform: [0.0, 1.2]}
-    noise_stddev: {uniform: [0.0, 0.03]}
+    exposure: {normal: [0.1, 0.35], min: -0.7, max: 0.8}
+    blur: {uniform: [0.0, 1.0]}
+    noise_stddev: {uniform: [0.0, 0.025]}
 )";
 
 /// What the settings' own world gets.

@@ -2,49 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <ctime>
 #include <map>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace synthetic_dataset::randomize {
 namespace natural_picture_test {
-
-TEST(NaturalPicture, Sheets) {
-  const char* folder = std::getenv("NATURAL_SHEETS");
-  if (folder == nullptr) return;
-  for (const bool is_texture : {true, false}) {
-    std::map<std::string, std::pair<double, int>> times;
-    for (int k = 0; k < 256; ++k) {
-      base::RandomSource random(static_cast<std::uint64_t>(k) + 1000);
-      const std::clock_t start = std::clock();
-      const NaturalPicture picture =
-          is_texture ? drawNaturalTexture(random, 512) : drawNaturalPicture(random, 640, 480);
-      const double cpu = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-      if (k > 0) {
-        times[picture.kind].first += cpu;
-        ++times[picture.kind].second;
-      }
-      if (k < 80) {
-        cv::imwrite(
-            std::string(folder) + (is_texture ? "/t" : "/b") + std::to_string(100 + k) + ".png",
-            picture.pixels);
-      }
-    }
-    double all = 0.0;
-    for (const auto& [kind, time] : times) {
-      all += time.first / 255;
-      std::printf("%-10s %4d %7.2f ms\n", kind.c_str(), time.second, time.first / time.second);
-    }
-    std::printf("%-10s %4d %7.2f ms\n", "all", 255, all);
-  }
-}
 
 constexpr std::uint64_t kPictures = 60;
 

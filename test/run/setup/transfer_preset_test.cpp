@@ -114,7 +114,7 @@ TEST_F(TransferPresetTest, KeepsACameraThatHasAPlace) {
                    "pinhole.yaml, pose: [0, 0, 1, 0, 0, 0, 1]}");
   const Value::Map result = expanded(settings);
   EXPECT_EQ(at(result, "camera/sample"), Value("nothing"));
-  EXPECT_EQ(at(motion(result, 1), "camera"), Value("nothing"));
+  EXPECT_EQ(at(motion(result, 1), "camera/sample"), Value("nothing"));
 }
 
 TEST_F(TransferPresetTest, LeavesPosesAndCamerasOfARecordingAlone) {

@@ -180,7 +180,9 @@ function background() {
       'Background',
       isGroup ?
           [
-            fileField(root('background', 'pictures'), 'folder', {label: 'A folder of pictures', placeholder: 'a folder, or natural'}),
+            fileField(
+                root('background', 'pictures'), 'folder',
+                {label: 'A folder of pictures', placeholder: 'a folder, or natural'}),
             choiceField(root('background', 'projection'), null, {label: 'They are'}),
             numberField(root('background', 'present'), {label: 'Chance of one', slider: true, step: 0.05, fallback: 1}),
             distribution(

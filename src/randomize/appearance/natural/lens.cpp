@@ -104,7 +104,7 @@ void softenRow(cv::Vec4b* row, int count, int radius, std::vector<cv::Vec4b>& co
 void softenColumns(Canvas& canvas, int radius) {
   const Canvas copy = canvas.clone();
   const int bytes = 4 * canvas.cols;
-  const auto at = [&](int y) { return copy[std::clamp(y, 0, copy.rows - 1)]->val; };
+  const auto at = [&](int y) { return copy.ptr<std::uint8_t>(std::clamp(y, 0, copy.rows - 1)); };
   std::vector<int> sums(static_cast<std::size_t>(bytes), 0);
   for (int y = -radius; y <= radius; ++y) {
     const std::uint8_t* row = at(y);
@@ -114,7 +114,7 @@ void softenColumns(Canvas& canvas, int radius) {
   for (int y = 0; y < canvas.rows; ++y) {
     const std::uint8_t* next = at(y + radius + 1);
     const std::uint8_t* last = at(y - radius);
-    std::uint8_t* row = canvas[y]->val;
+    std::uint8_t* row = canvas.ptr<std::uint8_t>(y);
     int* sum = sums.data();
     for (int i = 0; i < bytes; ++i) {
       row[i] = static_cast<std::uint8_t>((sum[i] * factor + 32768) >> 16);
@@ -141,7 +141,7 @@ void develop(Canvas& canvas, base::RandomSource& random) {
   const int bytes = 4 * canvas.cols;
   std::array<std::vector<std::uint16_t>, 3> rows;
   for (auto& row : rows) row.resize(static_cast<std::size_t>(bytes));
-  spreadRow(canvas[0]->val, bytes, rows[0].data());
+  spreadRow(canvas.ptr<std::uint8_t>(0), bytes, rows[0].data());
   rows[2] = rows[0];
   std::vector<std::uint8_t> smooth(static_cast<std::size_t>(bytes));
   const std::vector<int> across = darkened(canvas.cols, corners);
@@ -151,7 +151,7 @@ void develop(Canvas& canvas, base::RandomSource& random) {
     const auto now = static_cast<std::size_t>(y % 3);
     const std::size_t next = (now + 1) % 3;
     if (y + 1 < canvas.rows) {
-      spreadRow(canvas[y + 1]->val, bytes, rows[next].data());
+      spreadRow(canvas.ptr<std::uint8_t>(y + 1), bytes, rows[next].data());
     } else {
       rows[next] = rows[now];
     }
