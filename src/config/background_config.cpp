@@ -5,7 +5,7 @@
 
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
-#include "randomize/appearance/picture_words.h"
+#include "randomize/appearance/picture_options.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::config {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "randomize/appearance/picture_words.h"
+#include "randomize/appearance/picture_options.h"
 
 namespace synthetic_dataset::config {
 namespace {

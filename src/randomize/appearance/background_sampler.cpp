@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "randomize/appearance/picture_words.h"
+#include "randomize/appearance/picture_options.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::randomize {

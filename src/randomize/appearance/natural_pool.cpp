@@ -6,7 +6,7 @@
 
 #include "base/random/random_source.h"
 #include "randomize/appearance/natural_picture.h"
-#include "randomize/appearance/picture_words.h"
+#include "randomize/appearance/picture_options.h"
 
 namespace synthetic_dataset::randomize {
 namespace {

@@ -1,7 +1,7 @@
 #include "randomize/appearance/texture_source.h"
 
 #include "randomize/appearance/pattern.h"
-#include "randomize/appearance/picture_words.h"
+#include "randomize/appearance/picture_options.h"
 
 namespace synthetic_dataset::randomize {
 

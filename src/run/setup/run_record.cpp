@@ -7,7 +7,7 @@
 #include "config/settings_text.h"
 #include "output/files/digest.h"
 #include "randomize/appearance/picture_folder.h"
-#include "randomize/appearance/picture_words.h"
+#include "randomize/appearance/picture_options.h"
 #include "randomize/placement/map_file.h"
 #include "run/setup/credit.h"
 #include "synthetic_dataset/errors.h"
