@@ -19,6 +19,19 @@ std::string readTextures(Parameters& group) {
   return textures == "none" ? textures : picturesFrom(textures);
 }
 
+std::vector<Eigen::Vector3d> readColours(Parameters& group) {
+  const auto colours =
+      group.maybe<std::vector<Eigen::Vector3d>>("colours").value_or(std::vector<Eigen::Vector3d>{});
+  for (const Eigen::Vector3d& colour : colours) {
+    if (colour.minCoeff() >= 0.0 && colour.maxCoeff() <= 1.0) continue;
+    group.addError("colours",
+                   "found a number that is not 0 to 1; each colour should be [red, green, "
+                   "blue], sRGB-encoded");
+    return {};
+  }
+  return colours;
+}
+
 }  // namespace
 
 std::optional<randomize::DistractorOptions> readDistractors(Parameters randomize) {
@@ -38,6 +51,7 @@ std::optional<randomize::DistractorOptions> readDistractors(Parameters randomize
       distractors.size = *size;
     }
     distractors.textures = readTextures(group);
+    distractors.colours = readColours(group);
   }
   distractors.mode =
       listedChoice<randomize::DistractorMode>(group, "mode",

@@ -30,10 +30,21 @@ Form drawForm(const randomize::DistractorOptions& config, base::RandomSource& ra
   return {world::boxMesh(size), world::BoxShape{size}};
 }
 
-world::Material drawMaterial(std::optional<TextureSource>& textures, base::RandomSource& random) {
+/// One of the given colours, a little lighter or darker.
+Eigen::Vector3f drawColour(const std::vector<Eigen::Vector3d>& colours,
+                           base::RandomSource& random) {
+  const Eigen::Vector3d& colour = colours[random.index(colours.size())];
+  return (colour * random.uniform(0.7, 1.15)).cwiseMin(1.0).cast<float>();
+}
+
+world::Material drawMaterial(const DistractorOptions& config,
+                             std::optional<TextureSource>& textures, base::RandomSource& random) {
+  constexpr double kPlain = 0.3;  // the share of those in given colours
   world::Material material;
   material.diffuse.setOnes();
-  if (textures) {
+  if (!config.colours.empty() && random.unit() < kPlain) {
+    material.diffuse.head<3>() = drawColour(config.colours, random);
+  } else if (textures) {
     material.texture = textures->draw(random).second;
   } else {
     for (int i = 0; i < 3; ++i) material.diffuse[i] = static_cast<float>(random.unit());
@@ -94,7 +105,7 @@ std::vector<world::Model> makeDistractors(
     }
     base::RandomSource random(seed, i, "randomize/distractors/pool");
     const Form form = drawForm(config, random);
-    models.push_back(shapeModel(name, form, drawMaterial(textures, random)));
+    models.push_back(shapeModel(name, form, drawMaterial(config, textures, random)));
   }
   return models;
 }

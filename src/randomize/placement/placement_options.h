@@ -63,9 +63,11 @@ struct DistractorOptions {
   int pool = 24;  ///< different ones, made once for the run
   base::Distribution count = base::Distribution::uniform({0.0}, {8.0});     ///< in a scene
   base::Distribution size = base::Distribution::logUniform({0.08}, {0.4});  ///< of a side [m]
-  std::vector<std::string> models;      ///< URIs or paths of models, or of folders that hold some;
-                                        ///< empty: boxes, balls and cylinders
-  std::string textures = "procedural";  ///< of those; or an absolute folder, or `none`
+  std::vector<std::string> models;       ///< URIs or paths of models, or of folders that hold some;
+                                         ///< empty: boxes, balls and cylinders
+  std::vector<Eigen::Vector3d> colours;  ///< sRGB-encoded, 0 .. 1: some have one of these, and no
+                                         ///< texture
+  std::string textures = "procedural";   ///< of those; or an absolute folder, or `none`
   DistractorMode mode = DistractorMode::kFly;
   double fall_time = 10.0;  ///< [s] in which those that are dropped come to rest, or are left out
   Volume volume;            ///< where they are, or above where, or from where they fall

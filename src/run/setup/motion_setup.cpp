@@ -162,8 +162,8 @@ class MotionBuilder {
     setup_.parts = scene::partNumbers(config().objects, links, diagnostics());
     noteSharedShapes();
     setup_.shapes = attempt([&] {
-      return std::make_unique<scene::ObjectShapes>(config().objects, setup_.variants,
-                                                   *setup_.world, world.changes_O);
+      return std::make_unique<scene::ObjectShapes>(config().objects, setup_.variants, *setup_.world,
+                                                   world.changes_O);
     });
     noteStrangeSizes();
   }

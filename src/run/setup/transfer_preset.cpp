@@ -11,6 +11,7 @@
 #include "base/yaml_value.h"
 #include "config/config.h"
 #include "config/settings_file.h"
+#include "run/setup/model_colours.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::run {
@@ -174,20 +175,42 @@ double sizeOf(const world::Model& model) {
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
+/// What of the objects the surroundings follow.
+struct ObjectLook {
+  double size = 1.0;    ///< of the largest [m]
+  Value::List colours;  ///< that stand out, as settings have them
+};
+
 /// Of all objects whose models can be read; what is wrong with others is said when they are loaded.
-double largestSize(const config::Config& config, InputCache& inputs) {
+ObjectLook lookOfObjects(const config::Config& config, InputCache& inputs) {
   WorldFiles& files = inputs.worlds.filesFor(config.world);
+  ObjectLook look;
   double largest = 0.0;
   for (const scene::ObjectOptions& object : config.objects) {
     if (!object.model) continue;
     try {
       const world::Model& model = files.model(*object.model, object.name, object.model_arguments);
       largest = std::max(largest, sizeOf(model));
+      for (const Eigen::Vector3d& each : strikingColours(model)) {
+        const Value colour(Value::List{each.x(), each.y(), each.z()});
+        const bool is_new =
+            std::find(look.colours.begin(), look.colours.end(), colour) == look.colours.end();
+        if (is_new) look.colours.push_back(colour);
+      }
     } catch (const Error&) {
       continue;
     }
   }
-  return largest > 0.0 ? largest : 1.0;
+  if (largest > 0.0) look.size = largest;
+  return look;
+}
+
+/// Distractors in the objects' own colours: colour alone does not tell an object.
+void paintDistractors(Value::Map& settings, const Value::List& colours) {
+  for (Value& entry : *settings.at("motions").as<Value::List>()) {
+    Value::Map& randomize = *groupIn(*entry.as<Value::Map>(), "randomize");
+    if (!colours.empty()) (*groupIn(randomize, "distractors"))["colours"] = Value(colours);
+  }
 }
 
 /// So that one picture in eight has no object, and about half of several objects are there.
@@ -260,7 +283,9 @@ ExpandedPreset expandPreset(const Value& settings, InputCache& inputs) {
   measured.erase("motions");
   config::overlay(measured, own);
   const config::Config config = config::readConfig(Parameters(Value(measured)));
-  scaleLengths(expanded.at("motions"), largestSize(config, inputs));
+  const ObjectLook look = lookOfObjects(config, inputs);
+  scaleLengths(expanded.at("motions"), look.size);
+  paintDistractors(expanded, look.colours);
   const std::size_t objects = std::max<std::size_t>(config.robotCount(), 1);
   config::overlay(
       expanded,
