@@ -95,9 +95,10 @@ std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
     return link.object == found->object && link.variant > 0;
   });
   if (varies && found->role == world::Role::kObject) {
-    throw Error("found '" + sensor.name + "', a camera on '" + sensor.model() +
-                "', whose model, size or variant is drawn in randomize/objects; it should be on something "
-                "that is always the same, or be put there by mounted_on");
+    throw Error(
+        "found '" + sensor.name + "', a camera on '" + sensor.model() +
+        "', whose model, size or variant is drawn in randomize/objects; it should be on something "
+        "that is always the same, or be put there by mounted_on");
   }
   return static_cast<std::size_t>(found - links.begin());
 }

@@ -277,7 +277,7 @@ TEST_F(PvNet, RefusesAnObjectWhoseModelVaries) {
   EXPECT_THAT(test::messagesOf([&] { load({}); }),
               testing::ElementsAre(AllOf(HasSubstr("'" + dataset_.objects[0].name + "'"),
                                          HasSubstr("one model.ply of it"),
-                                         HasSubstr("model and scale in randomize/objects"))));
+                                         HasSubstr("without model, scale and variety"))));
 }
 
 TEST_F(PvNet, WarnsOfALensThatTheFormatCannotExpress) {

@@ -186,7 +186,8 @@ TEST(NaturalPicture, HasTheColoursOfWhatIsAroundUs) {
       cv::cvtColor(picture, hsv, cv::COLOR_BGR2HSV);
       cv::Mat is_vivid;
       cv::inRange(hsv, cv::Scalar(0, 150, 110), cv::Scalar(180, 255, 255), is_vivid);
-      vivid += static_cast<double>(cv::countNonZero(is_vivid)) / static_cast<double>(picture.total()) / kPictures;
+      vivid += static_cast<double>(cv::countNonZero(is_vivid)) /
+               static_cast<double>(picture.total()) / kPictures;
     }
     const auto spread = [](const std::vector<double>& values) {
       cv::Scalar mean;
