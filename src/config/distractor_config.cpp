@@ -20,7 +20,7 @@ std::string readTextures(Parameters& group) {
 }
 
 std::vector<Eigen::Vector3d> readColours(Parameters& group) {
-  const auto colours =
+  auto colours =
       group.maybe<std::vector<Eigen::Vector3d>>("colours").value_or(std::vector<Eigen::Vector3d>{});
   for (const Eigen::Vector3d& colour : colours) {
     if (colour.minCoeff() >= 0.0 && colour.maxCoeff() <= 1.0) continue;

@@ -47,7 +47,8 @@ CellPlace Cells::at(int x, int y) const {
   const Span& row = along_[static_cast<std::size_t>(moved_y & (side_ - 1))];
   moved_x += shifts_[static_cast<std::size_t>(row.cell)];
   const Span& column = across_[static_cast<std::size_t>(moved_x & (side_ - 1))];
-  return {hashes_[static_cast<std::size_t>(row.cell * columns_ + column.cell)],
+  return {hashes_[static_cast<std::size_t>(row.cell) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(column.cell)],
           std::min(row.border, column.border)};
 }
 

@@ -114,7 +114,7 @@ void softenColumns(Canvas& canvas, int radius) {
   for (int y = 0; y < canvas.rows; ++y) {
     const std::uint8_t* next = at(y + radius + 1);
     const std::uint8_t* last = at(y - radius);
-    std::uint8_t* row = canvas.ptr<std::uint8_t>(y);
+    auto* row = canvas.ptr<std::uint8_t>(y);
     int* sum = sums.data();
     for (int i = 0; i < bytes; ++i) {
       row[i] = static_cast<std::uint8_t>((sum[i] * factor + 32768) >> 16);
@@ -160,7 +160,7 @@ void develop(Canvas& canvas, base::RandomSource& random) {
     cv::Vec4b* pixels = canvas[y];
     const int of_row = 256 - along[static_cast<std::size_t>(y)];
     for (int x = 0; x < canvas.cols; ++x) {
-      const std::uint8_t* value = &smooth[static_cast<std::size_t>(4 * x)];
+      const std::uint8_t* value = &smooth[4 * static_cast<std::size_t>(x)];
       const int shade = of_row - across[static_cast<std::size_t>(x)];
       const int noisy = table.at(x + shift, y) * grain >> 7;
       pixels[x] = {byteOf((curves[0][value[0]] * shade >> 8) + noisy),

@@ -32,7 +32,7 @@ Colour fromHue(double hue, double saturation, double value) {
     double k = offset + hue;
     if (k >= 6.0) k -= 6.0;
     const double share = std::clamp(std::min(k, 4.0 - k), 0.0, 1.0);
-    return static_cast<int>(255.0 * (value - value * saturation * share) + 0.5);
+    return static_cast<int>(std::lround(255.0 * (value - value * saturation * share)));
   };
   return {channel(1.0), channel(3.0), channel(5.0)};
 }

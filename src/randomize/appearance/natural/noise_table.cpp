@@ -46,7 +46,7 @@ void addOctave(Sums& sums, int octave, int wide, int high) {
       const int c = latticeValue(octave, column, next_row);
       const int d = latticeValue(octave, next_column, next_row) - c;
       for (int y = 0; y < high; ++y) {
-        int* sum = &sums[static_cast<std::size_t>((row * high + y) * kNoiseSide + column * wide)];
+        int* sum = sums.data() + (row * high + y) * kNoiseSide + column * wide;
         for (int x = 0; x < wide; ++x) {
           const int share = across[static_cast<std::size_t>(x)];
           const int above = 256 * a + share * b;
@@ -67,7 +67,8 @@ NoiseTable tableOf(const Sums& sums) {
   }
   const auto count = static_cast<std::int64_t>(sums.size());
   const std::int64_t mean = total / count;
-  const double deviation = std::sqrt(static_cast<double>(squares / count - mean * mean));
+  const std::int64_t variance = squares / count - mean * mean;
+  const double deviation = std::sqrt(static_cast<double>(variance));
   constexpr double kDeviation = 42.0;
   const auto factor = static_cast<std::int64_t>(65536.0 * kDeviation / deviation);
   std::vector<std::int8_t> values;

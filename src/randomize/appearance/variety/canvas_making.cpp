@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/image/picture_channels.h"
+#include "randomize/appearance/variety/flat_index.h"
 #include "randomize/appearance/variety/texel_raster.h"
 #include "randomize/appearance/variety/texture_atlas.h"
 
@@ -116,8 +117,8 @@ bool hasOwnTexels(const world::Model& model, const ModelParts& parts, const Text
       }
       forEachTexel(corners, [&](int column, int row, const Eigen::Vector3d& weights) {
         const auto wrapped = [](int index, int count) { return ((index % count) + count) % count; };
-        auto& place = places[static_cast<std::size_t>(wrapped(row, pixels.rows) * pixels.cols +
-                                                      wrapped(column, pixels.cols))];
+        auto& place =
+            places[flatIndex(wrapped(row, pixels.rows), wrapped(column, pixels.cols), pixels.cols)];
         const Eigen::Vector3f here = (p_M * weights).cast<float>();
         if (!place) {
           ++seen;
@@ -220,7 +221,7 @@ void bringColourIn(world::Model& model, const ModelParts& parts, const TextureGr
     pixels = pixels.clone();
     for (int row = 0; row < pixels.rows; ++row) {
       for (int column = 0; column < pixels.cols; ++column) {
-        cv::Vec4b& pixel = pixels.at<cv::Vec4b>(row, column);
+        auto& pixel = pixels.at<cv::Vec4b>(row, column);
         for (int i = 0; i < 3; ++i) {
           pixel[i] =
               cv::saturate_cast<std::uint8_t>(group.diffuse[2 - i] * static_cast<float>(pixel[i]));

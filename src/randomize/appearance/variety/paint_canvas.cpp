@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "randomize/appearance/variety/canvas_making.h"
+#include "randomize/appearance/variety/flat_index.h"
 #include "randomize/appearance/variety/texel_raster.h"
 #include "randomize/appearance/variety/texture_atlas.h"
 
@@ -23,8 +24,8 @@ class ByColour {
  public:
   template <class Make>
   const Result& get(const cv::Vec4b& pixel, const Make& make) {
-    const std::size_t index = static_cast<std::size_t>(((pixel[0] >> 2) << 12) |
-                                                       ((pixel[1] >> 2) << 6) | (pixel[2] >> 2));
+    const auto index = static_cast<std::size_t>(((pixel[0] >> 2) << 12) | ((pixel[1] >> 2) << 6) |
+                                                (pixel[2] >> 2));
     std::optional<Result>& result = results_[index];
     if (!result) {
       const auto middle = [](std::uint8_t value) { return static_cast<float>(value & ~3) + 1.5F; };
@@ -39,8 +40,7 @@ class ByColour {
 
 std::size_t wrappedIndex(int column, int row, const cv::Mat& picture) {
   const auto wrapped = [](int index, int count) { return ((index % count) + count) % count; };
-  return static_cast<std::size_t>(wrapped(row, picture.rows) * picture.cols +
-                                  wrapped(column, picture.cols));
+  return flatIndex(wrapped(row, picture.rows), wrapped(column, picture.cols), picture.cols);
 }
 
 /// Continues what is known of texels a little beyond the triangles' edges.
@@ -53,7 +53,7 @@ void growOutwards(PaintCanvas& canvas) {
     copies.clear();
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {
-        const auto i = static_cast<std::size_t>(row * width + column);
+        const std::size_t i = flatIndex(row, column, width);
         if (canvas.texels[i].part != PaintCanvas::kNone) continue;
         const auto from = [&](bool is_there, std::size_t other) {
           if (!is_there || canvas.texels[other].part == PaintCanvas::kNone) return false;
@@ -151,16 +151,17 @@ void PaintedModel::place(PaintCanvas& canvas, ColourCount& colours) {
       const double texels = 0.5 * std::abs(ab.x() * ac.y() - ab.y() * ac.x());
       constexpr double kMostTexels = 2.0e7;  // a texture that repeats very often
       if (!(texels < kMostTexels)) continue;
+      const auto number = static_cast<std::int32_t>(entry->second);
       forEachTexel(corners, [&](int column, int row, const Eigen::Vector3d& weights) {
         const std::size_t index = wrappedIndex(column, row, picture);
         PaintCanvas::Texel& texel = canvas.texels[index];
-        const cv::Vec4b& pixel = picture.at<cv::Vec4b>(static_cast<int>(index) / picture.cols,
-                                                       static_cast<int>(index) % picture.cols);
+        const auto& pixel = picture.at<cv::Vec4b>(static_cast<int>(index) / picture.cols,
+                                                  static_cast<int>(index) % picture.cols);
         colours.add(colourOf(pixel), area / texels);
         const Eigen::Vector3f p = (p_M * weights).cast<float>();
         if (texel.part == PaintCanvas::kNone) {
           texel.p_M = p;
-          texel.part = static_cast<std::int32_t>(entry->second);
+          texel.part = number;
           ++seen;
         } else if (std::abs(texel.p_M.z() - p.z()) > same) {
           ++shared;
@@ -196,13 +197,13 @@ void PaintedModel::classify(PaintCanvas& canvas) const {
 
 /// Texels at the border of two paints have a bit of both; their shade is that of what is around
 /// them, so that nothing is left of a border that is painted over.
-void PaintedModel::smoothBorders(PaintCanvas& canvas) const {
+void PaintedModel::smoothBorders(PaintCanvas& canvas) {
   constexpr int kNear = 2;    // [px]
   constexpr int kAround = 4;  // [px]
   const int width = canvas.picture.cols;
   const int height = canvas.picture.rows;
   const auto at = [&](int column, int row) -> PaintCanvas::Texel& {
-    return canvas.texels[static_cast<std::size_t>(row * width + column)];
+    return canvas.texels[flatIndex(row, column, width)];
   };
   std::vector<std::pair<int, int>> mixed;
   for (int row = 0; row < height; ++row) {

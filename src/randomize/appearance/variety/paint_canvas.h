@@ -52,7 +52,7 @@ struct PaintCanvas {
 /// for all variants.
 class PaintedModel {
  public:
-  explicit PaintedModel(const world::Model& model);
+  explicit PaintedModel(const world::Model& original);
 
   /// It looks as what it was made of does, and has the same triangles; surfaces that had no texture
   /// of their own have got one where they are large.
@@ -68,7 +68,7 @@ class PaintedModel {
  private:
   void place(PaintCanvas& canvas, ColourCount& colours);
   void classify(PaintCanvas& canvas) const;
-  void smoothBorders(PaintCanvas& canvas) const;
+  static void smoothBorders(PaintCanvas& canvas);
   void findPatterns();
 
   std::optional<PaintPalette> palette_;

@@ -76,7 +76,7 @@ void Print::drawSign(base::RandomSource& random) {
 
 float Print::at(int column, int row) const {
   if (column < 0 || row < 0 || column >= kColumns || row >= kRows) return 0.0F;
-  return static_cast<float>(cells_[static_cast<std::size_t>(row * kColumns + column)]) / 255.0F;
+  return static_cast<float>(cells_[flatIndex(row, column, kColumns)]) / 255.0F;
 }
 
 float Print::inkAt(const Eigen::Vector3f& p_M) const {

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/random/random_source.h"
+#include "randomize/appearance/variety/flat_index.h"
 
 namespace synthetic_dataset::randomize {
 
@@ -28,7 +29,7 @@ class Print {
   void write(base::RandomSource& random);
   void drawSign(base::RandomSource& random);
   [[nodiscard]] std::uint8_t& cell(int column, int row) {
-    return cells_[static_cast<std::size_t>(row * kColumns + column)];
+    return cells_[flatIndex(row, column, kColumns)];
   }
   [[nodiscard]] float at(int column, int row) const;
 
@@ -39,7 +40,7 @@ class Print {
   float width_ = 0.0F;
   float height_ = 0.0F;
   Eigen::Vector3f ink_;
-  std::array<std::uint8_t, kColumns * kRows> cells_{};
+  std::array<std::uint8_t, std::size_t{kColumns} * kRows> cells_{};
 };
 
 }  // namespace synthetic_dataset::randomize

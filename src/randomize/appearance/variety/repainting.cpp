@@ -1,5 +1,7 @@
 #include "randomize/appearance/variety/repainting.h"
 
+#include "randomize/appearance/variety/flat_index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -29,8 +31,8 @@ class ColourChanges {
       : model_(model), paint_(paint), changes_(1U << 18U), is_known_(1U << 18U, 0) {}
 
   Eigen::Vector3f operator()(const cv::Vec4b& pixel) {
-    const std::size_t index = static_cast<std::size_t>(((pixel[0] >> 2) << 12) |
-                                                       ((pixel[1] >> 2) << 6) | (pixel[2] >> 2));
+    const auto index = static_cast<std::size_t>(((pixel[0] >> 2) << 12) | ((pixel[1] >> 2) << 6) |
+                                                (pixel[2] >> 2));
     const auto middle = [](std::uint8_t value) { return static_cast<float>(value & ~3) + 1.5F; };
     if (is_known_[index] == 0) {
       const Eigen::Vector3f colour =
@@ -137,16 +139,17 @@ void scratch(const PaintCanvas& canvas, base::RandomSource& random, cv::Mat& pic
   const bool is_light = random.unit() < 0.6;
   const double depth = random.uniform(0.25, 0.6);
   if (!is_seen) return;
-  double x = static_cast<double>(start % static_cast<std::size_t>(picture.cols));
-  double y = static_cast<double>(start / static_cast<std::size_t>(picture.cols));
+  const std::size_t start_row = start / static_cast<std::size_t>(picture.cols);
+  auto x = static_cast<double>(start % static_cast<std::size_t>(picture.cols));
+  auto y = static_cast<double>(start_row);
   const std::int32_t part = canvas.texels[start].part;
   for (int step = 0; step < length; ++step) {
     const auto column = static_cast<int>(std::lround(x));
     const auto row = static_cast<int>(std::lround(y));
     if (row < 0 || column < 0 || row >= picture.rows || column >= picture.cols) return;
-    const auto index = static_cast<std::size_t>(row * picture.cols + column);
+    const std::size_t index = flatIndex(row, column, picture.cols);
     if (canvas.texels[index].part != part) return;
-    cv::Vec4b& pixel = picture.at<cv::Vec4b>(row, column);
+    auto& pixel = picture.at<cv::Vec4b>(row, column);
     for (int i = 0; i < 3; ++i) {
       const double to = is_light ? 205.0 : 25.0;
       pixel[i] = cv::saturate_cast<std::uint8_t>(pixel[i] + depth * (to - pixel[i]));
@@ -165,7 +168,7 @@ Eigen::Vector3f repainted(const Eigen::Vector3f& colour, const PaintedModel& mod
   const auto as = [&](std::size_t i) {
     return asPaint(colour, paints[i].colour, paint.colours[i], paint.contrast);
   };
-  const Eigen::Vector3f first = as(likeness.first);
+  Eigen::Vector3f first = as(likeness.first);
   if (likeness.share <= 0.0F) return first;
   return first + likeness.share * (as(likeness.second) - first);
 }

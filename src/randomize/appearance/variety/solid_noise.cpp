@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "base/random/random_seed.h"
+#include "randomize/appearance/variety/flat_index.h"
 
 namespace synthetic_dataset::randomize {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 class LatticeNoise {
  public:
   LatticeNoise(int cells, std::uint64_t seed) : cells_(cells) {
-    numbers_.resize(static_cast<std::size_t>(cells * cells * cells));
+    numbers_.resize(flatIndex(cells * cells, 0, cells));
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
       numbers_[i] = static_cast<float>(base::mixedBits(seed + i * base::kCounterStep) >> 40);
     }
@@ -46,7 +47,7 @@ class LatticeNoise {
     return {low % cells_, (low + 1) % cells_, t * t * (3.0F - 2.0F * t)};
   }
   [[nodiscard]] float number(int i, int j, int k) const {
-    return numbers_[static_cast<std::size_t>((k * cells_ + j) * cells_ + i)];
+    return numbers_[flatIndex(k * cells_ + j, i, cells_)];
   }
 
   int cells_;
@@ -88,7 +89,7 @@ SolidNoise::SolidNoise() {
   const std::array<LatticeNoise, 4> octaves = {LatticeNoise(4, 1), LatticeNoise(8, 2),
                                                LatticeNoise(16, 3), LatticeNoise(32, 4)};
   std::vector<float> sums;
-  sums.reserve(static_cast<std::size_t>(kSide * kSide * kSide));
+  sums.reserve(flatIndex(kSide * kSide, 0, kSide));
   constexpr float kStep = 1.0F / kSide;
   for (int k = 0; k < kSide; ++k) {
     for (int j = 0; j < kSide; ++j) {
@@ -122,7 +123,7 @@ float SolidNoise::at(const Eigen::Vector3f& place) const {
     high[axis] = (low[axis] + 1) & kMask;
   }
   const auto row = [&](int j, int k) {
-    const std::size_t first = static_cast<std::size_t>((k * kSide + j) * kSide);
+    const std::size_t first = flatIndex(k * kSide + j, 0, kSide);
     const auto a = static_cast<float>(samples_[first + static_cast<std::size_t>(low[0])]);
     const auto b = static_cast<float>(samples_[first + static_cast<std::size_t>(high[0])]);
     return a + share[0] * (b - a);

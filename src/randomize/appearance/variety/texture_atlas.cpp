@@ -269,7 +269,7 @@ std::optional<UnwrappedSurface> unwrapped(const world::Surface& surface, int sid
     }
     forEachTexel(corners, [&](int column, int row, const Eigen::Vector3d& weights) {
       if (row < 0 || column < 0 || row >= side || column >= side) return;
-      std::uint8_t& is_filled = filled.at<std::uint8_t>(row, column);
+      auto& is_filled = filled.at<std::uint8_t>(row, column);
       ++drawn;
       hidden += is_filled;
       is_filled = 1;
