@@ -58,7 +58,7 @@ void paint(const PaintedModel& painted, const VariantPaint& paint, base::RandomS
 }  // namespace
 
 ObjectVariety::ObjectVariety(const world::Model& model, Variety variety, std::uint64_t seed)
-    : model_(model),
+    : model_(std::make_unique<world::Model>(model)),
       variety_(variety),
       seed_(seed),
       painted_(std::make_unique<PaintedModel>(model)) {}
@@ -67,7 +67,7 @@ ObjectVariety::~ObjectVariety() = default;
 ObjectVariety::ObjectVariety(ObjectVariety&&) noexcept = default;
 
 VariedModel ObjectVariety::variant(int number) const {
-  if (number == 0 || painted_->parts.box_M.isEmpty()) return {model_, std::nullopt};
+  if (number == 0 || painted_->parts.box_M.isEmpty()) return {*model_, std::nullopt};
   base::RandomSource of_paint(seed_, number, "randomize/variety/paint");
   VariedModel result{painted_->model, std::nullopt};
   const VariantPaint drawn = drawPaint(*painted_, variety_, of_paint);

@@ -31,7 +31,7 @@ class ObjectVariety {
   [[nodiscard]] VariedModel variant(int number) const;
 
  private:
-  world::Model model_;
+  std::unique_ptr<const world::Model> model_;
   Variety variety_;
   std::uint64_t seed_;
   std::unique_ptr<PaintedModel> painted_;
