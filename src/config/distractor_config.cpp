@@ -59,7 +59,7 @@ std::optional<randomize::DistractorOptions> readDistractors(Parameters randomize
                                                {"stand", randomize::DistractorMode::kStand},
                                                {"drop", randomize::DistractorMode::kDrop}});
   distractors.fall_time = readFallTime(group, distractors.mode, distractors.fall_time);
-  distractors.volume = readVolume(group);
+  if (group.has("volume")) distractors.volume = readVolume(group);
   if (group.has("class")) distractors.label_class = readLabel(group, "class");
   if (group.has("tries")) {
     distractors.tries = group.optionalBetween("tries", distractors.tries, 1, 1000000);

@@ -13,7 +13,7 @@ namespace {
 
 void refuseOthers(Parameters& group, randomize::PlacementMode mode) {
   if (mode == randomize::PlacementMode::kMap) {
-    refuseWithout(group, {"volume", "orientation"}, "mode: volume or drop");
+    refuseWithout(group, {"volume", "orientation", "rows"}, "mode: volume or drop");
   } else {
     refuseWithout(group,
                   {"map", "map_topic", "received_map", "surface", "height", "highest_surface",
@@ -110,6 +110,7 @@ randomize::PlacementOptions readPlacement(Parameters root) {
     placement.volume = readVolume(group);
     placement.upright =
         listedChoice<bool>(group, "orientation", {{"random", false}, {"upright", true}});
+    placement.rows = group.optionalBetween("rows", placement.rows, 0.0, 1.0);
   }
   if (placement.mode == randomize::PlacementMode::kDrop) {
     placement.fall_time =

@@ -19,17 +19,19 @@ randomize::LightRandomization readLight(Parameters group) {
   return light;
 }
 
-/// How many lights are on; nothing where each light goes its own way.
-std::optional<base::Distribution> readLightCount(
-    Parameters& group, const std::map<std::string, randomize::LightRandomization>& lights) {
-  constexpr double kMost = 1000.0;  // the world's own number is known later
-  const std::string name = "light_count";
+/// How many of lights or objects there are; nothing where each goes its own way.
+/// @param kind  the name of their group
+/// @param result  what each of the two entries says
+template <typename Entry>
+std::optional<base::Distribution> readCount(Parameters& group, const std::string& name,
+                                            const std::string& kind, const std::string& result,
+                                            const std::map<std::string, Entry>& entries) {
+  constexpr double kMost = 1000.0;  // how many there can be is known later
   auto count = maybeDistribution(group, name, {1, 0.0, kMost});
-  for (const auto& [light, entry] : lights) {
+  for (const auto& [own, entry] : entries) {
     if (!count || !entry.present) continue;
-    group.addError(name, "found it beside lights/" + light +
-                             "/present; it should be one of the two, since each says which lights "
-                             "are on");
+    group.addError(name, "found it beside " + kind + "/" + own +
+                             "/present; it should be one of the two, since each says " + result);
   }
   return count;
 }
@@ -153,12 +155,15 @@ randomize::Randomization readRandomization(Parameters root) {
   for (const std::string& name : lights.names()) {
     randomization.lights[name] = readLight(lights.group(name));
   }
-  randomization.light_count = readLightCount(group, randomization.lights);
+  randomization.light_count =
+      readCount(group, "light_count", "lights", "which lights are on", randomization.lights);
   randomization.variety = readVariety(group, {}).value_or(randomization.variety);
   Parameters objects = group.group("objects");
   for (const std::string& name : objects.names()) {
     randomization.objects[name] = readObject(objects.group(name), randomization.variety);
   }
+  randomization.object_count =
+      readCount(group, "object_count", "objects", "which objects are there", randomization.objects);
   Parameters materials = group.group("materials");
   for (const std::string& name : materials.names()) {
     randomization.materials[name] = readMaterial(materials.group(name));

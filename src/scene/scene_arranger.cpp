@@ -148,11 +148,27 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
     if (rig.sampled) continue;
     cameras_G.push_back(cameraPose(rig, world_, frames_, stamp).X_GC.translation());
   }
-  distractors_there_ = distractor_placer_->place(instant, cameras_G);
+  distractors_there_ = distractor_placer_->place(instant, cameras_G, objectBoxes(stamp));
   const std::vector<std::optional<Pose>> X_GM = world_.distractorPoses();
   for (std::size_t i = 0; i < distractor_frames_.size(); ++i) {
     frames_.place(distractor_frames_[i], X_GM[i]);
   }
+}
+
+/// Around the objects as they stand, along the global frame's axes; also around those that are
+/// absent, so that what is put around them does not tell.
+std::vector<Cuboid> SceneArranger::objectBoxes(Stamp stamp) const {
+  std::vector<Cuboid> boxes_G;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (!objects_[i].takes_part) continue;
+    const Pose X_GO = frames_.knownPose(object_frames_[i], stamp);
+    std::vector<Eigen::Vector3d> corners_G;
+    for (const Eigen::Vector3d& corner : boxes_O_[i][world_.variant(i)].corners()) {
+      corners_G.emplace_back(X_GO * corner);
+    }
+    boxes_G.push_back(boxAround(corners_G));
+  }
+  return boxes_G;
 }
 
 std::vector<base::Warning> SceneArranger::placeCameras(std::int64_t instant, Stamp stamp) {

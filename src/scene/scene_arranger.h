@@ -60,6 +60,7 @@ class SceneArranger {
   void setUpPlacer(const SceneOptions& config, const std::vector<ObjectVariants>& variants,
                    base::Diagnostics& diagnostics);
   void setUpCameras(const SceneOptions& config, const std::vector<CameraRig>& cameras);
+  [[nodiscard]] std::vector<Cuboid> objectBoxes(Stamp stamp) const;
   [[nodiscard]] randomize::PlacedObject describe(std::size_t object, const ObjectVariants& variants,
                                                  bool on_map, base::Diagnostics& diagnostics);
 

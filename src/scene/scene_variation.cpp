@@ -1,6 +1,7 @@
 #include "scene/scene_variation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
@@ -62,20 +63,40 @@ SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<Cam
 
 void SceneVariation::choose(std::int64_t instant, world::World& world) {
   randomize::EntryDraws draws(seed_, instant);
-  std::vector<bool> present;
+  std::vector<bool> present = choosePresent(draws);
   std::vector<std::size_t> variants;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const ObjectOptions& object = objects_[i];
     const auto share = config_.ofObject(object.name).present;
-    present.push_back(object.takes_part);
     if (object.takes_part && share) {
-      present.back() = draws.happens("objects/" + object.name + "/present", *share);
+      present[i] = draws.happens("objects/" + object.name + "/present", *share);
     }
     variants.push_back(variants_[i].draw(draws));
   }
   world.setPresent(present);
   world.setVariants(variants);
   chosen_ = draws.values();
+}
+
+/// Those that take part; of them as many as are drawn, whichever they are, where a count is.
+std::vector<bool> SceneVariation::choosePresent(randomize::EntryDraws& draws) const {
+  std::vector<bool> present;
+  std::vector<std::size_t> candidates;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    present.push_back(objects_[i].takes_part);
+    if (objects_[i].takes_part) candidates.push_back(i);
+  }
+  if (!config_.object_count) return present;
+  const std::string entry = "object_count";
+  base::RandomSource counting = draws.source(entry);
+  const auto wanted =
+      static_cast<std::size_t>(std::lround(config_.object_count->drawNumber(counting)));
+  const std::size_t count = std::min(wanted, candidates.size());
+  draws.note(entry, static_cast<double>(count));
+  base::RandomSource shuffling = draws.source(entry + "/objects");
+  const std::vector<std::size_t> order = shuffling.choice(candidates.size(), candidates.size());
+  for (std::size_t i = count; i < order.size(); ++i) present[candidates[order[i]]] = false;
+  return present;
 }
 
 void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,

@@ -43,6 +43,7 @@ class SceneVariation {
   [[nodiscard]] std::vector<base::DrawFacts> draws(std::size_t camera) const;
 
  private:
+  [[nodiscard]] std::vector<bool> choosePresent(randomize::EntryDraws& draws) const;
   [[nodiscard]] render::Weather weather(randomize::EntryDraws& draws) const;
   [[nodiscard]] render::LensDust dust(std::int64_t instant, const std::string& camera,
                                       std::vector<randomize::DrawnValue>& drawn) const;

@@ -31,8 +31,8 @@ TEST(DistractorConfig, NeedsNothingButAVolume) {
   EXPECT_EQ(reading.distractors->pool, 24);
   EXPECT_EQ(reading.distractors->mode, randomize::DistractorMode::kFly);
   EXPECT_EQ(reading.distractors->textures, "procedural");
-  EXPECT_EQ(reading.distractors->volume.low, Eigen::Vector3d(-1, -2, 0));
-  EXPECT_EQ(reading.distractors->volume.high, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(reading.distractors->volume->low, Eigen::Vector3d(-1, -2, 0));
+  EXPECT_EQ(reading.distractors->volume->high, Eigen::Vector3d(1, 2, 3));
 }
 
 TEST(DistractorConfig, TakesWordsForTexturesThatAreMadeUp) {
@@ -71,7 +71,8 @@ TEST(DistractorConfig, TellsWhatIsWrong) {
   const auto errorsOf = [&](const std::string& settings) {
     return Reading("distractors: {" + settings + "}").root.errors();
   };
-  EXPECT_THAT(errorsOf("pool: 3"), Contains(HasSubstr("randomize/distractors/volume: missing")));
+  EXPECT_THAT(errorsOf("volume: {min: [0, 0, 0]}"),
+              Contains(HasSubstr("randomize/distractors/volume/max: required, but missing")));
   EXPECT_THAT(errorsOf(volume + ", mode: hover"),
               Contains(HasSubstr("mode: found 'hover'; it should be fly, stand or drop")));
   EXPECT_THAT(errorsOf(volume + ", pool: 0"), Contains(HasSubstr("pool: found 0")));

@@ -69,6 +69,8 @@ TEST(ReadPlacement, ReadsHowThingsAreTurnedInAVolume) {
   const std::string volume = "placement: {mode: volume, volume: {min: [0, 0, 0], max: [1, 1, 1]}";
   EXPECT_TRUE(Reading(volume + ", orientation: upright}").placement.upright);
   EXPECT_FALSE(Reading(volume + ", orientation: random}").placement.upright);
+  EXPECT_EQ(Reading(volume + "}").placement.rows, 0.0);
+  EXPECT_EQ(Reading(volume + ", rows: 0.25}").placement.rows, 0.25);
 }
 
 TEST(ReadPlacement, ReadsADrop) {
@@ -131,6 +133,10 @@ INSTANTIATE_TEST_SUITE_P(
                      "placement/steepest: has a meaning with surface: below alone"},
         BadPlacement{"map: /a.yaml, volume: {min: [0, 0, 0], max: [1, 1, 1]}",
                      "placement/volume: has a meaning with mode: volume or drop alone"},
+        BadPlacement{"map: /a.yaml, rows: 0.5",
+                     "placement/rows: has a meaning with mode: volume or drop alone"},
+        BadPlacement{std::string(kVolume) + ", rows: 2",
+                     "placement/rows: found 2.0; it should be 0.0 to 1.0"},
         BadPlacement{"map: /a.yaml, orientation: upright",
                      "placement/orientation: has a meaning with mode: volume or drop alone"},
         BadPlacement{"map: /a.yaml, fall_time: 3",

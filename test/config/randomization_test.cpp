@@ -204,6 +204,15 @@ TEST(Randomization, ReadsHowManyLightsAreOn) {
   EXPECT_FALSE(given.light_count);
 }
 
+TEST(Randomization, ReadsHowManyObjectsAreThere) {
+  EXPECT_FALSE(read("{objects: {every: {present: 0.5}}}").object_count);
+  expectRange(read("{object_count: {choice: [0, 3]}}").object_count, 1, 0.0, 3.0);
+  EXPECT_THAT(
+      errorsOf("{object_count: 1, objects: {alpha: {present: 0.5}}}"),
+      ElementsAre("randomize/object_count: found it beside objects/alpha/present; it should "
+                  "be one of the two, since each says which objects are there"));
+}
+
 TEST(Randomization, RefusesACountOfLightsBesideLightsThatAreOnByChance) {
   EXPECT_THAT(errorsOf("{light_count: 1, lights: {sun: {intensity: 2}, every: {present: 0.5}}}"),
               ElementsAre("randomize/light_count: found it beside lights/every/present; it should "

@@ -307,6 +307,20 @@ TEST_F(Variation, AnObjectThatIsAbsentIsNowhere) {
   EXPECT_EQ(met.size(), 2U);
 }
 
+TEST_F(Variation, AsManyObjectsAreThereAsAreDrawn) {
+  randomize("{object_count: {choice: [0, 1, 2]}}");
+  (void)filesAnew();
+  std::set<double> counts;
+  const auto draws = drawsIn(folder);
+  for (const auto& [scene, objects] : objectsIn(folder)) {
+    double there = 0.0;
+    for (const auto& [name, object] : objects) there += object.height ? 1.0 : 0.0;
+    EXPECT_THAT(draws.at(scene).at("object_count"), ElementsAre(there)) << scene;
+    counts.insert(there);
+  }
+  EXPECT_GT(counts.size(), 1U);
+}
+
 TEST_F(Variation, DistractorsWithAClassAreLabelledWhereTheyAre) {
   const std::string distractors =
       "pool: 5, count: {uniform: [1, 4]}, volume: {min: [-1, -1, 0.3], max: [1, 1, 1.5]}";

@@ -122,6 +122,9 @@ struct Randomization {
                                                            ///< model::link::visual; `objects`,
                                                            ///< `world`: all of these
   std::map<std::string, ObjectRandomization> objects;      ///< by their names; `every`: others
+  std::optional<base::Distribution> object_count;          ///< how many of them are there, rounded;
+                                                           ///< nothing: as each one's `present`
+                                                           ///< says
   VarietyOptions variety;                                  ///< of objects that say nothing of it
   std::optional<RoomOptions> room;                         ///< beside what the world has
   std::optional<randomize::DistractorOptions> distractors;

@@ -20,10 +20,21 @@ std::size_t countOf(const std::vector<std::optional<Pose>>& poses) {
       std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return pose.has_value(); }));
 }
 
-SurfaceOptions surfaceOptions(const DistractorOptions& config) {
-  SurfaceOptions options;
-  options.highest = config.volume.high.z();
-  return options;
+/// Around objects, by the size of the largest.
+Volume around(const std::vector<Cuboid>& objects_G) {
+  constexpr double kBeside = 1.5;
+  constexpr double kAbove = 1.0;
+  if (objects_G.empty()) return {};
+  Volume volume{objects_G.front().low, objects_G.front().high};
+  double largest = 0.0;
+  for (const Cuboid& box : objects_G) {
+    volume.low = volume.low.cwiseMin(box.low);
+    volume.high = volume.high.cwiseMax(box.high);
+    largest = std::max(largest, box.size().norm());
+  }
+  volume.low -= largest * Eigen::Vector3d(kBeside, kBeside, 0.0);
+  volume.high += largest * Eigen::Vector3d(kBeside, kBeside, kAbove);
+  return volume;
 }
 
 }  // namespace
@@ -34,8 +45,8 @@ DistractorPlacer::DistractorPlacer(const DistractorOptions& config, std::vector<
     : config_(config),
       boxes_M_(std::move(boxes_M)),
       world_(world),
-      seed_(seed),
-      stand_(surroundings, surfaceOptions(config)) {}
+      surroundings_(surroundings),
+      seed_(seed) {}
 
 /// Which ones are in a scene, in ascending order.
 std::vector<std::size_t> DistractorPlacer::choose(std::int64_t scene) const {
@@ -49,7 +60,9 @@ std::vector<std::size_t> DistractorPlacer::choose(std::int64_t scene) const {
 }
 
 std::vector<int> DistractorPlacer::place(std::int64_t scene,
-                                         const std::vector<Eigen::Vector3d>& cameras_G) {
+                                         const std::vector<Eigen::Vector3d>& cameras_G,
+                                         const std::vector<Cuboid>& objects_G) {
+  volume_ = config_.volume ? *config_.volume : around(objects_G);
   std::vector<std::optional<Pose>> placed(boxes_M_.size());
   std::vector<int> numbers;
   for (const std::size_t i : choose(scene)) {
@@ -104,11 +117,14 @@ bool DistractorPlacer::isNearAny(const std::vector<Eigen::Vector3d>& cameras_G,
 }
 
 PoseOrReason DistractorPlacer::draw(std::size_t distractor, base::RandomSource& source) const {
-  const Eigen::Vector3d position = drawWithin(config_.volume, source);
+  const Eigen::Vector3d position = drawWithin(volume_, source);
   if (config_.mode != DistractorMode::kStand) {
     return makePose(position, Eigen::Quaterniond(source.orientation()));
   }
-  return stand_.at(position.head<2>(), source.angle(), boxes_M_[distractor]);
+  SurfaceOptions surface;
+  surface.highest = volume_.high.z();
+  const StandingPlace stand(surroundings_, surface);
+  return stand.at(position.head<2>(), source.angle(), boxes_M_[distractor]);
 }
 
 }  // namespace synthetic_dataset::randomize

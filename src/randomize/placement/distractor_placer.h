@@ -24,8 +24,11 @@ class DistractorPlacer {
 
   /// Puts a scene's distractors into the world, whose objects are where they will be.
   /// @param cameras_G  which they do not come near to
+  /// @param objects_G  the boxes around the objects; without a volume of their own, distractors are
+  ///                   around these
   /// @return the numbers of those that are there, from 1
-  std::vector<int> place(std::int64_t scene, const std::vector<Eigen::Vector3d>& cameras_G = {});
+  std::vector<int> place(std::int64_t scene, const std::vector<Eigen::Vector3d>& cameras_G = {},
+                         const std::vector<Cuboid>& objects_G = {});
 
  private:
   [[nodiscard]] std::vector<std::size_t> choose(std::int64_t scene) const;
@@ -41,8 +44,9 @@ class DistractorPlacer {
   DistractorOptions config_;
   std::vector<Cuboid> boxes_M_;
   world::World& world_;
+  Surroundings& surroundings_;
   std::uint64_t seed_;
-  StandingPlace stand_;
+  Volume volume_;  ///< of the scene
 };
 
 }  // namespace synthetic_dataset::randomize

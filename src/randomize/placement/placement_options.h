@@ -46,6 +46,8 @@ struct PlacementOptions {
   SurfaceOptions surface;                ///< of kMap
   Volume volume;                         ///< of kVolume and kDrop
   bool upright = false;                  ///< of kVolume and kDrop: turned about the vertical alone
+  double rows = 0.0;                     ///< of kVolume and kDrop: in how many scenes objects
+                                         ///< stand in a row, 0 .. 1
   double fall_time = 10.0;               ///< [s] in which what is dropped has to come to rest
   int tries = 1000;                      ///< for each object in each scene
 };
@@ -70,7 +72,8 @@ struct DistractorOptions {
   std::string textures = "procedural";   ///< of those; or an absolute folder, or `none`
   DistractorMode mode = DistractorMode::kFly;
   double fall_time = 10.0;  ///< [s] in which those that are dropped come to rest, or are left out
-  Volume volume;            ///< where they are, or above where, or from where they fall
+  std::optional<Volume> volume;  ///< where they are, or above where, or from where they fall;
+                                 ///< nothing: around the objects
   std::optional<std::string> label_class;  ///< of all of them, as text; nothing: they have no label
   int tries = 50;  ///< for each; one without a place is left out of the scene
 };

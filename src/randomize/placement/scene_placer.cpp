@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "randomize/placement/object_row.h"
 #include "randomize/placement/random_place.h"
 #include "randomize/placement/standing_place.h"
 #include "synthetic_dataset/errors.h"
@@ -58,10 +59,11 @@ std::vector<std::optional<Pose>> ScenePlacer::place(std::int64_t scene) {
   const auto fall_time =
       std::chrono::duration_cast<Duration>(std::chrono::duration<double>(config_.fall_time));
   const bool drops = config_.mode == PlacementMode::kDrop;
+  const std::optional<ObjectRow> row = drawRow(scene);
   std::string problem;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     world_.restart();
-    auto poses = placeAll(sources, problem);
+    auto poses = placeAll(row, sources, problem);
     if (poses && drops) {
       poses = world_.drop(*poses, fall_time);
       problem = "what was dropped had not come to rest after placement/fall_time of " +
@@ -73,16 +75,36 @@ std::vector<std::optional<Pose>> ScenePlacer::place(std::int64_t scene) {
               std::to_string(kMostAttempts) + " times: " + problem);
 }
 
-std::optional<ScenePlacer::Poses> ScenePlacer::placeAll(std::vector<base::RandomSource>& sources,
+/// Nothing: the scene has no row.
+std::optional<ObjectRow> ScenePlacer::drawRow(std::int64_t scene) const {
+  if (config_.rows <= 0.0) return std::nullopt;
+  base::RandomSource source(seed_, scene, "placement/rows");
+  if (source.unit() >= config_.rows) return std::nullopt;
+  std::size_t count = 0;
+  double widest = 0.0;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (!isInRow(i)) continue;
+    ++count;
+    widest = std::max(widest, roomOf(i).box_O.size().head<2>().maxCoeff());
+  }
+  if (count < 2) return std::nullopt;
+  return ObjectRow(config_.volume, widest, count, source);
+}
+
+/// In the row where that is free; else anywhere.
+std::optional<ScenePlacer::Poses> ScenePlacer::placeAll(const std::optional<ObjectRow>& row,
+                                                        std::vector<base::RandomSource>& sources,
                                                         std::string& problem) const {
   Poses placed;
+  std::size_t number = 0;  // in the row
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!objects_[i].takes_part) {
       placed.emplace_back();
       continue;
     }
     Misses misses;
-    const auto X_GO = findPlace(i, sources[i], placed, misses);
+    auto X_GO = row && isInRow(i) ? row->place(number++, sources[i]) : std::nullopt;
+    if (!X_GO || whyNot(i, *X_GO, placed)) X_GO = findPlace(i, sources[i], placed, misses);
     if (!X_GO) {
       problem = "no place for '" + objects_[i].name + "' among " + std::to_string(config_.tries) +
                 " (placement/tries): " + reasonsText(misses);
@@ -107,6 +129,10 @@ std::optional<Pose> ScenePlacer::findPlace(std::size_t object, base::RandomSourc
     ++misses[*reason];
   }
   return std::nullopt;
+}
+
+bool ScenePlacer::isInRow(std::size_t object) const {
+  return objects_[object].takes_part && world_.isPresent(object);
 }
 
 /// As it is now.

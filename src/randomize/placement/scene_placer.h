@@ -8,6 +8,7 @@
 
 #include "base/random/random_source.h"
 #include "randomize/placement/free_places.h"
+#include "randomize/placement/object_row.h"
 #include "randomize/placement/occupancy_map.h"
 #include "randomize/placement/placement_options.h"
 #include "randomize/placement/standing_place.h"
@@ -34,7 +35,8 @@ struct PlacedObject {
 /// first version did (Hart, Goodman, O'Shea), anywhere in a box, or dropped from there. Nothing is
 /// ever inside anything else.
 ///
-/// What comes out is a function of the seed, the scene and each object's name alone.
+/// What comes out is a function of the seed, the scene and the objects alone; but for rows and what
+/// is in the way, each goes its own way.
 class ScenePlacer {
  public:
   /// @param map  where the mode needs one
@@ -60,9 +62,12 @@ class ScenePlacer {
   [[nodiscard]] Pose drawInVolume(base::RandomSource& source) const;
   [[nodiscard]] std::optional<std::string> whyNot(std::size_t object, const Pose& X_GO,
                                                   const Poses& placed) const;
+  [[nodiscard]] bool isInRow(std::size_t object) const;
+  [[nodiscard]] std::optional<ObjectRow> drawRow(std::int64_t scene) const;
   [[nodiscard]] std::optional<Pose> findPlace(std::size_t object, base::RandomSource& source,
                                               const Poses& placed, Misses& misses) const;
-  [[nodiscard]] std::optional<Poses> placeAll(std::vector<base::RandomSource>& sources,
+  [[nodiscard]] std::optional<Poses> placeAll(const std::optional<ObjectRow>& row,
+                                              std::vector<base::RandomSource>& sources,
                                               std::string& problem) const;
 
   PlacementOptions config_;

@@ -21,7 +21,7 @@ class DistractorPlacerTest : public ::testing::Test {
  protected:
   DistractorPlacerTest() {
     config.count = base::Distribution::constant({6.0});
-    config.volume = {{-2, -2, 0.2}, {2, 2, 1.5}};
+    config.volume = Volume{{-2, -2, 0.2}, {2, 2, 1.5}};
     for (int i = 0; i < 10; ++i) {
       boxes.push_back({"distractor_" + std::to_string(i + 1), {0.2 + 0.05 * i, 0.3, 0.4}});
     }
@@ -92,8 +92,8 @@ TEST_F(DistractorPlacerTest, FlyWithinTheVolumeTurnedAnyhow) {
     static_cast<void>(made.placer->place(scene));
     for (const SolidBox& box : shown(*made.world)) {
       const Vector3d place = box.X_GB.translation();
-      EXPECT_TRUE((place.array() >= config.volume.low.array()).all());
-      EXPECT_TRUE((place.array() <= config.volume.high.array()).all());
+      EXPECT_TRUE((place.array() >= config.volume->low.array()).all());
+      EXPECT_TRUE((place.array() <= config.volume->high.array()).all());
       least_upright = std::min(least_upright, std::abs(box.X_GB.linear()(2, 2)));
     }
   }
@@ -119,7 +119,7 @@ TEST_F(DistractorPlacerTest, StandOnWhatIsBelow) {
 
 TEST_F(DistractorPlacerTest, WhatIsDroppedLiesOnSomething) {
   config.mode = DistractorMode::kDrop;
-  config.volume = {{-1.5, -1.5, 1.2}, {1.5, 1.5, 2.5}};
+  config.volume = Volume{{-1.5, -1.5, 1.2}, {1.5, 1.5, 2.5}};
   standing.push_back({"table", {1.5, 1.5, 0.7}, at(-1.2, -1.2, 0.35)});
   const Placer made = make();
   int count = 0;
@@ -155,7 +155,7 @@ TEST_F(DistractorPlacerTest, WhatIsDroppedLiesOnSomething) {
 TEST_F(DistractorPlacerTest, WhatFallsForEverIsLeftOut) {
   config.mode = DistractorMode::kDrop;
   config.fall_time = 3.0;
-  config.volume = {{20, 20, 1}, {22, 22, 2}};  // beside the floor
+  config.volume = Volume{{20, 20, 1}, {22, 22, 2}};  // beside the floor
   standing.front().size = {10, 10, 0.2};
   standing.front().X_GB = at(0, 0, -0.1);
   const Placer made = make();
@@ -165,7 +165,7 @@ TEST_F(DistractorPlacerTest, WhatFallsForEverIsLeftOut) {
 
 TEST_F(DistractorPlacerTest, FallingMovesNothingElse) {
   config.mode = DistractorMode::kDrop;
-  config.volume = {{0.8, 0.8, 1.5}, {1.2, 1.2, 3.0}};  // above alpha
+  config.volume = Volume{{0.8, 0.8, 1.5}, {1.2, 1.2, 3.0}};  // above alpha
   const Placer made = make();
   const std::vector<Pose> before = made.world->linkPoses();
   EXPECT_THAT(made.placer->place(3), testing::Not(testing::IsEmpty()));
@@ -177,7 +177,7 @@ TEST_F(DistractorPlacerTest, FallingMovesNothingElse) {
 
 TEST_F(DistractorPlacerTest, AsManyAreThereAsAreDrawn) {
   config.count = base::Distribution::choice({{0.0}, {3.4}, {99.0}});
-  config.volume = {{-9, -9, 1}, {9, 9, 4}};
+  config.volume = Volume{{-9, -9, 1}, {9, 9, 4}};
   const Placer made = make();
   std::vector<int> times(11, 0);
   for (std::int64_t scene = 0; scene < 60; ++scene) {
@@ -227,8 +227,26 @@ TEST_F(DistractorPlacerTest, KeepAwayFromCameras) {
   EXPECT_LT(nearest_else, 0.3);
 }
 
+TEST_F(DistractorPlacerTest, WithoutAVolumeAreAroundTheObjects) {
+  config.volume.reset();
+  const Placer made = make();
+  const Cuboid object_G{{4, 5, 0.5}, {5, 6, 1.5}};
+  const double size = object_G.size().norm();
+  const Vector3d low = object_G.low - 1.5 * Vector3d(size, size, 0);
+  const Vector3d high = object_G.high + size * Vector3d(1.5, 1.5, 1);
+  std::size_t count = 0;
+  for (std::int64_t scene = 0; scene < 20; ++scene) {
+    count += made.placer->place(scene, {}, {object_G}).size();
+    for (const SolidBox& box : shown(*made.world)) {
+      EXPECT_TRUE((box.X_GB.translation().array() >= low.array() - 0.5).all());
+      EXPECT_TRUE((box.X_GB.translation().array() <= high.array() + 0.5).all());
+    }
+  }
+  EXPECT_GT(count, 20U);
+}
+
 TEST_F(DistractorPlacerTest, WhatFindsNoPlaceIsLeftOut) {
-  config.volume = {{-0.3, -0.05, 1}, {0.3, 0.05, 1.2}};  // within the wall
+  config.volume = Volume{{-0.3, -0.05, 1}, {0.3, 0.05, 1.2}};  // within the wall
   const Placer made = make();
   EXPECT_TRUE(made.placer->place(0).empty());
   EXPECT_TRUE(shown(*made.world).empty());

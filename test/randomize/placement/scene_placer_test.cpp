@@ -252,6 +252,51 @@ TEST_F(ScenePlacerTest, PutsObjectsAnywhereInTheVolume) {
   EXPECT_LT(chiSquared(octants), atMost(7));
 }
 
+TEST_F(ScenePlacerTest, PutsObjectsInARowAsOftenAsIsAskedFor) {
+  objects.assign(6, {"alpha", {0.6, 0.4, 0.5}});
+  for (std::size_t i = 0; i < objects.size(); ++i) objects[i].name += std::to_string(i);
+  radii.assign(objects.size(), 0.0);
+  useVolume({-20, -20, 3}, {20, 20, 3});
+  config.upright = true;
+  config.rows = 0.25;
+  const Placer placer = make();
+  int rows = 0;
+  constexpr int kScenes = 400;
+  for (int scene = 0; scene < kScenes; ++scene) {
+    const std::vector<Pose> X_GO = placer.place(scene);
+    const Vector2d first = X_GO[0].translation().head<2>();
+    const Vector2d along = X_GO[5].translation().head<2>() - first;
+    const double apart = along.norm() / 5.0;
+    bool is_row = apart > 0.4 && apart < 2.5;
+    for (std::size_t i = 1; i < 5; ++i) {
+      const Vector2d off =
+          X_GO[i].translation().head<2>() - first - static_cast<double>(i) / 5.0 * along;
+      is_row = is_row && off.norm() < 0.5 * apart;
+      is_row = is_row && std::cos(headingOf(X_GO[i]) - headingOf(X_GO[0])) > 0.7;
+    }
+    rows += is_row ? 1 : 0;
+  }
+  EXPECT_GT(rows, 0.75 * 0.25 * kScenes) << "some reach out of the volume";
+  EXPECT_LT(rows, 1.25 * 0.25 * kScenes);
+}
+
+TEST_F(ScenePlacerTest, ClosesTheRowWhereAnObjectIsNotThere) {
+  objects.assign(3, {"alpha", {0.6, 0.4, 0.5}});
+  for (std::size_t i = 0; i < objects.size(); ++i) objects[i].name += std::to_string(i);
+  radii.assign(objects.size(), 0.0);
+  useVolume({-20, -20, 3}, {20, 20, 3});
+  config.rows = 1.0;
+  const Placer placer = make();
+  placer.world->setPresent({true, false, true});
+  int neighbours = 0;
+  for (int scene = 0; scene < 100; ++scene) {
+    const std::vector<Pose> X_GO = placer.place(scene);
+    const double apart = (X_GO[2].translation() - X_GO[0].translation()).norm();
+    neighbours += apart < 3.0 * 0.6 * 1.5 ? 1 : 0;
+  }
+  EXPECT_GT(neighbours, 90) << "but for those at the edge of the volume";
+}
+
 TEST_F(ScenePlacerTest, TurnsObjectsAnyhowInAVolume) {
   useVolume({-1, -1, 3}, {1, 1, 5});
   useOnlyAlpha();

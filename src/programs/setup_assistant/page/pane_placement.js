@@ -73,6 +73,7 @@ function inBox(mode) {
       vectorField(['placement', 'volume', 'min'], ['x', 'y', 'z'], {label: 'Box from', unit: 'm', step: 0.1, hint: ''}),
       vectorField(['placement', 'volume', 'max'], ['x', 'y', 'z'], {label: 'to', unit: 'm', step: 0.1, hint: ''})),
     choiceField(['placement', 'orientation'], [['random', 'any'], ['upright', 'upright']], {label: 'Orientation'}),
+    numberField(['placement', 'rows'], {label: 'Share of scenes with a row', slider: true, step: 0.05, fallback: 0}),
     mode === 'drop' ?
         numberField(['placement', 'fall_time'], {label: 'Has to rest within', range: [1, 30], step: 0.5}) :
         null,
