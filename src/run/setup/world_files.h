@@ -14,6 +14,7 @@
 #include "base/stages.h"
 #include "config/config.h"
 #include "run/setup/file_stamps.h"
+#include "run/setup/model_varieties.h"
 #include "run/setup/package_index.h"
 #include "world/files/resource_finder.h"
 #include "world/world_loader.h"
@@ -38,6 +39,9 @@ class WorldFiles {
   /// @param arguments  of a xacro file
   [[nodiscard]] const world::Model& model(const std::string& model_or_uri, const std::string& name,
                                           const world::XacroArguments& arguments = {});
+
+  /// Variants of the models.
+  [[nodiscard]] ModelVarieties& varieties() { return varieties_; }
 
   /// Whether all files that were read so far are as they were, those that were not there are still
   /// not there, and nothing was wrong with any.
@@ -87,6 +91,7 @@ class WorldFiles {
   world::WorldLoader loader_;
   std::optional<world::Description> world_;
   std::map<Key, world::Model> models_;
+  ModelVarieties varieties_;
   std::vector<Key> read_;   ///< the world, which is first or has no name, and the models
   std::vector<Key> asked_;  ///< of these, in this use
   std::set<std::filesystem::path> included_;

@@ -2,21 +2,17 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "base/diagnostics.h"
 #include "base/seconds.h"
 #include "randomize/appearance/distractor_models.h"
-#include "randomize/appearance/object_variety.h"
 #include "randomize/appearance/room.h"
 #include "render/light/light_setup.h"
 #include "render/shadows/shadow_projection.h"
-#include "world/material/default_paint.h"
 #include "world/mesh/scaled_model.h"
 
 namespace synthetic_dataset::run {
@@ -213,24 +209,13 @@ class WorldBuilder {
     return {std::move(articulation.model), std::move(links)};
   }
 
-  /// One of the variants of a model; nothing: the model as it is. Objects with the same model share
-  /// its variants.
+  /// One of the variants of a model; nothing: the model as it is.
   const randomize::VariedModel* variantOf(const world::Model& own,
                                           const scene::ObjectVariant& variant,
                                           const scene::ObjectOptions& object) {
     if (variant.number == 0) return nullptr;
-    const auto key = std::make_tuple(variant.model, variant.model ? "" : object.name,
-                                     object.model_arguments, variant.variety);
-    Varieties& varieties = varieties_[key];
-    if (!varieties.source) {
-      world::Model painted = own;
-      world::paintDefaults(simulator_, painted);
-      varieties.source.emplace(painted, variant.variety, static_cast<std::uint64_t>(config_.seed));
-    }
-    const auto made = varieties.made.find(variant.number);
-    if (made != varieties.made.end()) return &made->second;
-    return &varieties.made.emplace(variant.number, varieties.source->variant(variant.number))
-                .first->second;
+    return &files_.varieties().variantOf(own, simulator_, variant, object,
+                                         static_cast<std::uint64_t>(config_.seed));
   }
 
   /// How points that are given in the object's frame follow a variant's shape.
@@ -248,12 +233,6 @@ class WorldBuilder {
     };
   }
 
-  /// Variants of a model, by their numbers.
-  struct Varieties {
-    std::optional<randomize::ObjectVariety> source;
-    std::map<int, randomize::VariedModel> made;
-  };
-
   const config::Config& config_;
   const std::vector<scene::ObjectVariants>& variants_;
   const motion::FrameSource* frames_;
@@ -265,11 +244,6 @@ class WorldBuilder {
   bool lacks_objects_ = false;
   /// Other objects with such a model, and its other sizes, would have the same errors.
   std::set<std::pair<std::optional<std::string>, world::XacroArguments>> broken_models_;
-  /// By the model, or the object whose model is the world's, and the kind of variety.
-  std::map<std::tuple<std::optional<std::string>, std::string, world::XacroArguments,
-                      randomize::Variety>,
-           Varieties>
-      varieties_;
   world::Simulator simulator_ = world::Simulator::kClassic;
   WorldSetup setup_;
 };
