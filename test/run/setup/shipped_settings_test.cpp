@@ -10,6 +10,7 @@
 #include "config/settings_file.h"
 #include "run/check/run_check.h"
 #include "run/setup/run_setup.h"
+#include "run/setup/transfer_preset.h"
 #include "support/error_messages.h"
 #include "support/source_folder.h"
 #include "support/writers/plugin_environment.h"
@@ -84,6 +85,8 @@ TEST(ShippedSettings, OfThePresetLeaveTheDarkestSceneVisible) {
   test::preparePluginEnvironment();
   Value::Map settings = shipped("randomize_default.yaml");
   config::overlay(settings, shipped("example.yaml"));
+  InputCache inputs;
+  settings = *expandPreset(Value(settings), inputs).settings.as<Value::Map>();
   settings["randomize"] = leastOf(settings["randomize"]);
   Value::Map& lights = *settings["randomize"].as<Value::Map>()->at("lights").as<Value::Map>();
   (*lights.at("every").as<Value::Map>())["present"] = Value(0.0);  // all off, but for one

@@ -108,6 +108,14 @@ TEST_F(TransferPresetTest, IsOverriddenByWhatStandsBesideIt) {
   }
 }
 
+TEST_F(TransferPresetTest, HasPicturesWithoutObjectsUnlessItIsSaidWhichAreThere) {
+  const Value::Map settings = expanded(ofRover("randomize: {preset: transfer}\n"));
+  EXPECT_EQ(at(settings, "randomize/object_count/choice").text(), "[0, 1]");
+  const Value::Map own =
+      expanded(ofRover("randomize: {preset: transfer, objects: {every: {present: 0.5}}}\n"));
+  EXPECT_EQ(at(own, "randomize/object_count"), Value("nothing"));
+}
+
 TEST_F(TransferPresetTest, KeepsACameraThatHasAPlace) {
   std::string settings = ofRover("randomize: {preset: transfer}\n");
   settings.replace(settings.find("pinhole.yaml}"), 13,
@@ -125,7 +133,17 @@ TEST_F(TransferPresetTest, LeavesPosesAndCamerasOfARecordingAlone) {
   }
   EXPECT_EQ(at(settings, "randomize/objects"), Value("nothing"));
   EXPECT_EQ(at(settings, "randomize/variety"), Value("same_object"));
+  EXPECT_EQ(at(settings, "randomize/object_count"), Value("nothing"));
+  EXPECT_EQ(at(settings, "randomize/distractors/mode"), Value("stand"));
   EXPECT_THAT(notes_, ElementsAre(HasSubstr("a recording")));
+}
+
+TEST_F(TransferPresetTest, PutsNothingInFrontOfWhatIsInRecordedPictures) {
+  const Value::Map settings = expanded(
+      "bag_file: walk.bag\nworld: hall.sdf\nrobot_list: [rover]\nrandomize: {preset: transfer}\n"
+      "camera: {image_topic: /front/image}\n");
+  EXPECT_EQ(at(settings, "randomize/distractors"), Value("nothing"));
+  EXPECT_EQ(at(settings, "randomize/background/pictures"), Value("natural"));
 }
 
 }  // namespace transfer_preset_test

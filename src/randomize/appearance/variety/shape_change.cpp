@@ -83,7 +83,7 @@ ShapeChange::ShapeChange(const ModelParts& parts, const std::vector<HeightLevel>
 /// The lowest level, and the highest, where they are wider than their neighbours. What reaches out
 /// is scaled from where it does, so that nothing tears.
 void ShapeChange::drawFlanges(const std::vector<HeightLevel>& levels, base::RandomSource& random) {
-  const double foot = drawFactor(random, 0.65, 1.6);
+  const double foot = drawFactor(random, 0.65, 2.4);
   const double head = drawFactor(random, 0.65, 1.6);
   if (levels.size() < 2) return;
   const HeightLevel& first = levels.front();
@@ -111,7 +111,7 @@ double ShapeChange::flangeAt(const Eigen::Vector3d& p_M) const {
 
 void ShapeChange::drawWidths(const ModelParts& parts, base::RandomSource& random) {
   // What is round stays nearly so.
-  const double width = drawFactor(random, 0.78, 1.28);
+  const double width = drawFactor(random, 0.75, 1.6);
   width_ = {width * random.uniform(0.97, 1.03), width * random.uniform(0.97, 1.03)};
   taper_ = random.uniform(-0.22, 0.22) * random.unit();  // mostly little
   bulge_ = random.uniform(-0.1, 0.1);

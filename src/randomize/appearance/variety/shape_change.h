@@ -20,8 +20,8 @@ class ShapeChange {
   /// The widest limits of what is drawn, of the model's whole height and width.
   static constexpr double kLowest = 0.75;
   static constexpr double kHighest = 1.35;
-  static constexpr double kNarrowest = 0.55;
-  static constexpr double kWidest = 1.9;
+  static constexpr double kNarrowest = 0.5;
+  static constexpr double kWidest = 2.4;
 
   /// @param levels  of the model
   ShapeChange(const ModelParts& parts, const std::vector<HeightLevel>& levels,
