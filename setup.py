@@ -3,6 +3,6 @@ from setuptools import setup
 
 from catkin_pkg.python_setup import generate_distutils_setup
 
-setup(**generate_distutils_setup(
-    packages=['synthetic_dataset', 'synthetic_dataset.report', 'synthetic_dataset.trial'], package_dir={'': 'python'},
-    package_data={each: ['page.html', 'page.css'] for each in ('synthetic_dataset.report', 'synthetic_dataset.trial')}))
+packages = ['synthetic_dataset', *(f'synthetic_dataset.{each}' for each in ('pages', 'report', 'trial'))]
+setup(**generate_distutils_setup(packages=packages, package_dir={'': 'python'},
+                                 package_data={each: ['*.html', '*.css'] for each in packages}))

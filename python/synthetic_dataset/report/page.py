@@ -1,12 +1,10 @@
 """Puts a page together from a dataset."""
-import html
 import json
-import os
 import pathlib
 
-import jinja2
 import numpy as np
 
+from synthetic_dataset import pages
 from synthetic_dataset.manifest import DatasetError
 from synthetic_dataset.report import charts, tiles
 from synthetic_dataset.report.brightness import Brightness
@@ -41,14 +39,8 @@ def page_of(dataset, log=None):
     neighbours = Neighbours(measures)
     splits = dataset.splits
     counts = measures.counts(splits)
-    here = pathlib.Path(__file__).parent
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(str(here)), autoescape=True,
-                                     trim_blocks=True, lstrip_blocks=True,
-                                     undefined=jinja2.StrictUndefined)
-    environment.filters['thousands'] = '{:,}'.format
-    environment.filters['with_code'] = _with_code
-    return environment.get_template('page.html').render(
-        style=(here / 'page.css').read_text('utf-8'),
+    return pages.rendered(
+        pathlib.Path(__file__).parent,
         name=dataset.folder.name, is_complete=dataset.is_complete,
         facts=_facts(dataset, measures),
         findings=findings(dataset, measures, splits, counts, brightness, neighbours),
@@ -62,13 +54,6 @@ def page_of(dataset, log=None):
         draws=drawn_values(dataset), stages=stages_in(log) if log else [], **_tables(dataset))
 
 
-def _with_code(text):
-    """What stands in backquotes, as code."""
-    parts = [html.escape(part) for part in text.split('`')]
-    marked = [f'<code>{part}</code>' if place % 2 else part for place, part in enumerate(parts)]
-    return ''.join(marked)
-
-
 def write(dataset, file, log=None):
     """Writes the page. The file is there when it is whole, and is none of the dataset's.
 
@@ -79,14 +64,7 @@ def write(dataset, file, log=None):
     for path, in dataset.manifest.rows('SELECT path FROM file'):
         if (dataset.folder / path).name == target.name and (dataset.folder / path) == target:
             raise DatasetError(f"'{file}': is a file of the dataset; choose another name")
-    page = page_of(dataset, log)
-    # Beside it, as a name is moved within one file system alone; verify passes over this name.
-    temporary = target.with_name(f'.{target.name}.tmp')
-    try:
-        temporary.write_text(page, 'utf-8')
-        os.replace(temporary, target)
-    except OSError as error:
-        raise DatasetError(f"'{file}': cannot be written: {error.strerror}") from error
+    pages.write(page_of(dataset, log), file)
 
 
 def _facts(dataset, measures):

@@ -1,10 +1,8 @@
 """Pictures of scenes with their labels, for the page: an image, and what is drawn over it."""
-import base64
-import io
-
 import numpy as np
 from PIL import Image
 
+from synthetic_dataset import pages
 from synthetic_dataset.manifest import DatasetError
 from synthetic_dataset.report import charts
 
@@ -67,7 +65,7 @@ def _points(scene, index):
 def _jpeg(picture):
     picture = picture.convert('RGB')
     picture.thumbnail((WIDTH, WIDTH), Image.BICUBIC)
-    return _data('jpeg', picture, quality=82)
+    return pages.embedded(picture)
 
 
 def _masks(scene, measures, row):
@@ -91,10 +89,4 @@ def _masks(scene, measures, row):
         colour = charts.colours_of(measures)[measures.label_class[label]]
         pixels[mask, :3] = [int(colour[at:at + 2], 16) for at in (1, 3, 5)]
         pixels[mask, 3] = np.where(inside[mask], INSIDE, OUTLINE)
-    return _data('png', Image.fromarray(pixels, 'RGBA').quantize(255, method=Image.FASTOCTREE))
-
-
-def _data(kind, picture, **options):
-    content = io.BytesIO()
-    picture.save(content, format=kind.upper(), **options)
-    return f'data:image/{kind};base64,' + base64.b64encode(content.getvalue()).decode('ascii')
+    return pages.embedded(Image.fromarray(pixels, 'RGBA').quantize(255, method=Image.FASTOCTREE), 'png')

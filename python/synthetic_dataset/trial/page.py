@@ -1,14 +1,11 @@
 """The page that shows what a network finds in photographs."""
-import base64
 import collections
-import io
 import os
 import pathlib
 
-import jinja2
 import numpy as np
-from PIL import Image
 
+from synthetic_dataset import pages
 from synthetic_dataset.manifest import DatasetError
 from synthetic_dataset.trial import samples
 
@@ -21,12 +18,8 @@ Summary = collections.namedtuple('Summary', 'name facts findings')
 
 def page_of(summary, sections, threshold, class_names):
     """The page as HTML, with all its pictures in it."""
-    here = pathlib.Path(__file__).parent
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(str(here)), autoescape=True, trim_blocks=True,
-                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined)
-    style = (here.parent / 'report' / 'page.css').read_text('utf-8') + (here / 'page.css').read_text('utf-8')
-    return environment.get_template('page.html').render(
-        style=style, summary=summary, threshold=threshold,
+    return pages.rendered(
+        pathlib.Path(__file__).parent, **summary._asdict(), threshold=threshold,
         is_labelled=any(each.truth is not None for section in sections for each in section.results),
         sections=[(section.title, section.note, [_tile(each, threshold, class_names) for each in section.results])
                   for section in sections])
@@ -43,17 +36,6 @@ def check_place(file, dataset):
         raise DatasetError(f"'{file}': cannot be written")
 
 
-def write(page, file):
-    """Writes the page. The file is there when it is whole."""
-    target = pathlib.Path(file).resolve()
-    temporary = target.with_name(f'.{target.name}.tmp')
-    try:
-        temporary.write_text(page, 'utf-8')
-        os.replace(temporary, target)
-    except OSError as error:
-        raise DatasetError(f"'{file}': cannot be written: {error.strerror}") from error
-
-
 def _tile(result, threshold, class_names):
     picture = samples.opened(result.file, WIDTH)
     boxes = []
@@ -66,7 +48,7 @@ def _tile(result, threshold, class_names):
         boxes.append(_box(result.found.boxes[at], picture, kind + (' faint' if score < threshold else ''),
                           f'{score:.2f}', f'{name}, score {score:.3f}'))
     labels = [] if result.truth is None else [_box(row[1:], picture, 'label', '', 'label') for row in result.truth]
-    return {'file': result.file.name, 'image': _jpeg(picture), 'width': picture.width, 'height': picture.height,
+    return {'file': result.file.name, 'image': pages.embedded(picture), 'width': picture.width, 'height': picture.height,
             'labels': labels, 'boxes': boxes, 'text': _text(result, threshold)}
 
 
@@ -87,9 +69,3 @@ def _text(result, threshold):
         return 'without a label' + (f', {counts} wrong' if counts else '')
     right = int(((result.match >= 0) & (result.found.scores >= threshold)).sum())
     return f'{right} of {len(result.truth)} found' + (f', {counts - right} wrong' if counts > right else '')
-
-
-def _jpeg(picture):
-    content = io.BytesIO()
-    picture.save(content, format='JPEG', quality=82)
-    return 'data:image/jpeg;base64,' + base64.b64encode(content.getvalue()).decode('ascii')

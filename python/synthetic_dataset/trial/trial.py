@@ -3,7 +3,7 @@ import pathlib
 import sys
 import time
 
-from synthetic_dataset import Dataset, DatasetError
+from synthetic_dataset import Dataset, DatasetError, pages
 from synthetic_dataset.trial import choice, page, photographs, pictures
 from synthetic_dataset.trial.precision import mean_average_precision
 
@@ -70,7 +70,7 @@ def run(arguments, make_network, is_stopped, progress):
     findings = _findings(arguments, dataset, network, real, founds, steps, is_stopped())
     text = page.page_of(page.Summary(dataset.folder.name, facts, findings), choice.sections_of(results, threshold),
                         threshold, _names(dataset, real))
-    page.write(text, arguments.file)
+    pages.write(text, arguments.file)
     print(_result(score, of_own_kind, real, results))
     print(arguments.file)
 
