@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -48,6 +49,38 @@ struct Surface {
   Palette palette{};
   int bump = 16;    ///< how much slopes are seen
   int stains = 20;  ///< how much it is lighter and darker from place to place
+};
+
+/// A number as a tone or a height: the nearest that there is.
+[[nodiscard]] inline std::uint8_t asByte(int number) {
+  return static_cast<std::uint8_t>(std::clamp(number, 0, 255));
+}
+
+/// Calls `set(x, y, tone, height)` with references to the latter two of each pixel.
+template <typename Set>
+void forEachPixel(Surface& surface, const Set& set) {
+  for (int y = 0; y < surface.side; ++y) {
+    for (int x = 0; x < surface.side; ++x) {
+      const std::size_t i = surface.index(x, y);
+      set(x, y, surface.tone[i], surface.height[i]);
+    }
+  }
+}
+
+/// Noise by a surface's pixels, which repeats as that does.
+class SurfaceNoise {
+ public:
+  SurfaceNoise(const Surface& surface, Waves waves)
+      : table_(noise(waves)), step_(surface.noiseStep()) {}
+
+  /// @param further_x, further_y  by how many places of the noise
+  [[nodiscard]] int at(int x, int y, int further_x = 0, int further_y = 0) const {
+    return table_.at(x * step_ + further_x, y * step_ + further_y);
+  }
+
+ private:
+  const NoiseTable& table_;
+  int step_;
 };
 
 /// A surface's pixels: lit from a side, and stained.

@@ -21,52 +21,40 @@ struct Pieces {
 void lay(Surface& surface, const Laying& laying, const Pieces& pieces, Waves waves,
          base::RandomSource& random) {
   const Cells cells(surface, laying, random);
-  const NoiseTable& table = noise(waves);
-  const int step = surface.noiseStep();
+  const SurfaceNoise table(surface, waves);
   const int shift_x = below(random, NoiseTable::kSide);
-  for (int y = 0; y < surface.side; ++y) {
-    for (int x = 0; x < surface.side; ++x) {
-      const CellPlace place = cells.at(x, y);
-      const std::size_t i = surface.index(x, y);
-      if (place.border < 0) {
-        surface.tone[i] = static_cast<std::uint8_t>(30 + table.at(x * step + 99, y * step) / 5);
-        surface.height[i] = static_cast<std::uint8_t>(40 + table.at(x * step, y * step) / 8);
-        continue;
-      }
-      // Each piece shows another part of the noise.
-      const int offset = static_cast<int>(place.hash & 255U);
-      const int rough = table.at(x * step + shift_x + offset, y * step + 2 * offset);
-      const int own = static_cast<int>((place.hash >> 8U) & 255U) - 128;
-      int tone = (pieces.has_two_colours ? 112 : 160) + (own * pieces.spread >> 8) +
-                 (rough * pieces.noise >> 7);
-      tone = pieces.has_two_colours ? std::clamp(tone, 64, 159) : std::clamp(tone, 64, 255);
-      if (pieces.has_two_colours && (place.hash >> 31U) != 0U) tone += 96;
-      surface.tone[i] = static_cast<std::uint8_t>(tone);
-      const int edge = std::min(place.border + 1, pieces.bevel + 1);
-      surface.height[i] =
-          static_cast<std::uint8_t>(std::clamp(40 + pieces.slope * edge + (rough >> 3), 0, 255));
+  forEachPixel(surface, [&](int x, int y, std::uint8_t& tone, std::uint8_t& height) {
+    const CellPlace place = cells.at(x, y);
+    if (place.border < 0) {
+      tone = asByte(30 + table.at(x, y, 99) / 5);
+      height = asByte(40 + table.at(x, y) / 8);
+      return;
     }
-  }
+    // Each piece shows another part of the noise.
+    const int offset = static_cast<int>(place.hash & 255U);
+    const int rough = table.at(x, y, shift_x + offset, 2 * offset);
+    const int own = static_cast<int>((place.hash >> 8U) & 255U) - 128;
+    const int value = (pieces.has_two_colours ? 112 : 160) + (own * pieces.spread >> 8) +
+                      (rough * pieces.noise >> 7);
+    const bool is_second = pieces.has_two_colours && (place.hash >> 31U) != 0U;
+    tone = asByte(std::clamp(value, 64, pieces.has_two_colours ? 159 : 255) + (is_second ? 96 : 0));
+    const int edge = std::min(place.border + 1, pieces.bevel + 1);
+    height = asByte(40 + pieces.slope * edge + (rough >> 3));
+  });
 }
 
 /// Noise alone, about a tone.
 void roughen(Surface& surface, base::RandomSource& random, Waves waves, int tone, int spread) {
-  const NoiseTable& table = noise(waves);
-  const NoiseTable& grain = noise(Waves::kGrain);
-  const int step = surface.noiseStep();
+  const SurfaceNoise table(surface, waves);
+  const SurfaceNoise grain(surface, Waves::kGrain);
   const int shift_x = below(random, NoiseTable::kSide);
   const int shift_y = below(random, NoiseTable::kSide);
-  for (int y = 0; y < surface.side; ++y) {
-    for (int x = 0; x < surface.side; ++x) {
-      const std::size_t i = surface.index(x, y);
-      const int rough = table.at(x * step + shift_x, y * step + shift_y);
-      const int fine = grain.at(x * step + shift_y, y * step + shift_x);
-      surface.tone[i] =
-          static_cast<std::uint8_t>(std::clamp(tone + (rough * spread >> 6) + (fine >> 3), 0, 255));
-      surface.height[i] =
-          static_cast<std::uint8_t>(std::clamp(128 + (rough >> 2) + (fine >> 1), 0, 255));
-    }
-  }
+  forEachPixel(surface, [&](int x, int y, std::uint8_t& own_tone, std::uint8_t& height) {
+    const int rough = table.at(x, y, shift_x, shift_y);
+    const int fine = grain.at(x, y, shift_y, shift_x);
+    own_tone = asByte(tone + (rough * spread >> 6) + (fine >> 3));
+    height = asByte(128 + (rough >> 2) + (fine >> 1));
+  });
 }
 
 }  // namespace
@@ -139,13 +127,11 @@ Surface concrete(base::RandomSource& random, int bits) {
     laying.columns = between(random, 1, 3);
     laying.joint = 1 + surface.side / 256;
     const Cells cells(surface, laying, random);
-    for (int y = 0; y < surface.side; ++y) {
-      for (int x = 0; x < surface.side; ++x) {
-        if (cells.at(x, y).border >= 0) continue;
-        surface.tone[surface.index(x, y)] /= 2;
-        surface.height[surface.index(x, y)] = 20;
-      }
-    }
+    forEachPixel(surface, [&](int x, int y, std::uint8_t& tone, std::uint8_t& height) {
+      if (cells.at(x, y).border >= 0) return;
+      tone /= 2;
+      height = 20;
+    });
   }
   const Hues hues = chance(random, 0.75)  ? Hues::kGrey
                     : chance(random, 0.5) ? Hues::kCream
@@ -181,20 +167,15 @@ Surface plaster(base::RandomSource& random, int bits) {
           between(random, 2, 24));
   addShades(surface.palette, 0, 255, drawAnyColour(random), between(random, 40, 120));
   if (chance(random, 0.25)) {  // paint that has come off in places
-    const NoiseTable& table = noise(Waves::kBroad);
+    const SurfaceNoise table(surface, Waves::kBroad);
     const int shift = below(random, NoiseTable::kSide);
     const int level = between(random, 50, 90);
-    const int step = surface.noiseStep();
     addShades(surface.palette, 0, 63, drawAnyColour(random), 80);
-    for (int y = 0; y < surface.side; ++y) {
-      for (int x = 0; x < surface.side; ++x) {
-        const std::size_t i = surface.index(x, y);
-        const bool is_off = table.at(x * step + shift, y * step) > level;
-        surface.tone[i] = is_off ? static_cast<std::uint8_t>(surface.tone[i] / 4)
-                                 : std::max<std::uint8_t>(surface.tone[i], 64);
-        if (is_off) surface.height[i] = static_cast<std::uint8_t>(surface.height[i] / 2);
-      }
-    }
+    forEachPixel(surface, [&](int x, int y, std::uint8_t& tone, std::uint8_t& height) {
+      const bool is_off = table.at(x, y, shift) > level;
+      tone = is_off ? asByte(tone / 4) : std::max<std::uint8_t>(tone, 64);
+      if (is_off) height /= 2;
+    });
   }
   surface.bump = chance(random, 0.4) ? between(random, 8, 24) : between(random, 1, 6);
   surface.stains = between(random, 5, 50);

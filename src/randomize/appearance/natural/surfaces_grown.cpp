@@ -11,17 +11,13 @@ namespace {
 
 /// Noise below what grows or lies on it.
 void soilUnder(Surface& surface, base::RandomSource& random, int tone) {
-  const NoiseTable& table = noise(Waves::kMedium);
-  const int step = surface.noiseStep();
+  const SurfaceNoise rough(surface, Waves::kMedium);
   const int shift = below(random, NoiseTable::kSide);
-  for (int y = 0; y < surface.side; ++y) {
-    for (int x = 0; x < surface.side; ++x) {
-      const int rough = table.at(x * step + shift, y * step);
-      const std::size_t i = surface.index(x, y);
-      surface.tone[i] = static_cast<std::uint8_t>(std::clamp(tone + rough / 3, 0, 255));
-      surface.height[i] = static_cast<std::uint8_t>(40 + rough / 8);
-    }
-  }
+  forEachPixel(surface, [&](int x, int y, std::uint8_t& own_tone, std::uint8_t& height) {
+    const int value = rough.at(x, y, shift);
+    own_tone = asByte(tone + value / 3);
+    height = asByte(40 + value / 8);
+  });
 }
 
 Hues plantHues(base::RandomSource& random) {
@@ -37,14 +33,13 @@ Surface grass(base::RandomSource& random, int bits) {
   const int longest = surface.side / between(random, 16, 40);
   const int lean = between(random, -60, 60);
   const int count = surface.side * surface.side / between(random, 24, 44);
-  const NoiseTable& clumps = noise(Waves::kBroad);
-  const int step = surface.noiseStep();
+  const SurfaceNoise clumps(surface, Waves::kBroad);
   for (int i = 0; i < count; ++i) {
     const int x = below(random, surface.side);
     const int y = below(random, surface.side);
     const int tilt = lean + between(random, -200, 200);
     const int length = between(random, longest / 3 + 1, longest);
-    const int clump = clumps.at(x * step, y * step);
+    const int clump = clumps.at(x, y);
     const int tone = std::clamp(between(random, 60, 230) + clump / 2, 40, 255);
     for (int j = 0; j < length; ++j) {
       const std::size_t place = surface.index(x + tilt * j / 256, y - j);
@@ -125,23 +120,20 @@ Surface gravel(base::RandomSource& random, int bits) {
 Surface rock(base::RandomSource& random, int bits) {
   Surface surface(bits);
   const NoiseTable& ridges = noise(chance(random, 0.6) ? Waves::kBroad : Waves::kMedium);
-  const NoiseTable& rough = noise(Waves::kMedium);
+  const SurfaceNoise rough(surface, Waves::kMedium);
   const int step = surface.noiseStep();
   const int shift = below(random, NoiseTable::kSide);
   const int warp = between(random, 4, 40);
   const bool has_ridges = chance(random, 0.6);
-  for (int y = 0; y < surface.side; ++y) {
-    for (int x = 0; x < surface.side; ++x) {
-      const int moved_x = x * step + rough.at(x * step, y * step + shift) * warp / 64;
-      const int moved_y = y * step + rough.at(x * step + shift, y * step + 77) * warp / 64;
-      const int value = ridges.at(moved_x + shift, moved_y);
-      const int ridge = has_ridges ? 160 - 2 * std::abs(value) : value;
-      const std::size_t i = surface.index(x, y);
-      const int fine = rough.at(x * step + shift, y * step);
-      surface.tone[i] = static_cast<std::uint8_t>(std::clamp(110 + ridge / 2 + fine / 3, 0, 255));
-      surface.height[i] = static_cast<std::uint8_t>(std::clamp(128 + ridge / 2 + fine / 4, 0, 255));
-    }
-  }
+  forEachPixel(surface, [&](int x, int y, std::uint8_t& tone, std::uint8_t& height) {
+    const int moved_x = x * step + rough.at(x, y, 0, shift) * warp / 64;
+    const int moved_y = y * step + rough.at(x, y, shift, 77) * warp / 64;
+    const int value = ridges.at(moved_x + shift, moved_y);
+    const int ridge = has_ridges ? 160 - 2 * std::abs(value) : value;
+    const int fine = rough.at(x, y, shift);
+    tone = asByte(110 + ridge / 2 + fine / 3);
+    height = asByte(128 + ridge / 2 + fine / 4);
+  });
   const double draw = random.unit();
   const Hues hues = draw < 0.5 ? Hues::kEarth : draw < 0.8 ? Hues::kGrey : Hues::kDry;
   const Colour colour = drawColour(random, hues);
@@ -156,20 +148,14 @@ Surface rock(base::RandomSource& random, int bits) {
 Surface bark(base::RandomSource& random, int bits) {
   Surface surface(bits);
   const NoiseTable& streaks = noise(Waves::kStreaks);
-  const NoiseTable& rough = noise(Waves::kFine);
+  const SurfaceNoise rough(surface, Waves::kFine);
   const int step = surface.noiseStep();
   const int shift = below(random, NoiseTable::kSide);
-  for (int y = 0; y < surface.side; ++y) {
-    for (int x = 0; x < surface.side; ++x) {
-      const int moved = x * step + rough.at(x * step, y * step + 77) / 8;
-      const int streak = streaks.at(y * step, moved + shift);  // along y
-      const int fine = rough.at(x * step + shift, y * step);
-      const int ridge = 120 - 2 * std::abs(streak) + fine / 3;
-      const std::size_t i = surface.index(x, y);
-      surface.tone[i] = static_cast<std::uint8_t>(std::clamp(110 + ridge, 0, 255));
-      surface.height[i] = static_cast<std::uint8_t>(std::clamp(110 + ridge, 0, 255));
-    }
-  }
+  forEachPixel(surface, [&](int x, int y, std::uint8_t& tone, std::uint8_t& height) {
+    const int moved = x * step + rough.at(x, y, 0, 77) / 8;
+    const int streak = streaks.at(y * step, moved + shift);  // along y
+    tone = height = asByte(230 - 2 * std::abs(streak) + rough.at(x, y, shift) / 3);
+  });
   const Colour colour = drawColour(random, chance(random, 0.7) ? Hues::kEarth : Hues::kGrey);
   addRamp(surface.palette, 0, 255, lit(colour, 70), lit(colour, 330));
   surface.bump = between(random, 3, 10);

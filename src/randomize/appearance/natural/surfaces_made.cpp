@@ -104,24 +104,19 @@ Surface wood(base::RandomSource& random, int bits) {
   laying.is_random = true;
   laying.joint = laying.rows == 1 ? 0 : 1;
   const Cells cells(surface, laying, random);
-  const NoiseTable& streaks = noise(Waves::kStreaks);
-  const int step = surface.noiseStep();
+  const SurfaceNoise streaks(surface, Waves::kStreaks);
   const int rings = between(random, 0, 5);
   const int spread = between(random, 20, 120);
-  for (int y = 0; y < surface.side; ++y) {
-    for (int x = 0; x < surface.side; ++x) {
-      const CellPlace place = cells.at(x, y);
-      const std::size_t i = surface.index(x, y);
-      const int offset = static_cast<int>(place.hash & 511U);
-      const int grain = streaks.at(x * step + offset, y * step + offset * 3);
-      const int ring = (grain * rings + 4096) & 127;
-      const int own = static_cast<int>((place.hash >> 16U) & 255U) - 128;
-      const int tone = 140 + grain / 2 + std::abs(ring - 64) - 32 + own * spread / 256;
-      const bool is_joint = place.border < 0 && laying.joint > 0;
-      surface.tone[i] = static_cast<std::uint8_t>(is_joint ? 10 : std::clamp(tone, 0, 255));
-      surface.height[i] = static_cast<std::uint8_t>(is_joint ? 40 : 120 + grain / 4);
-    }
-  }
+  forEachPixel(surface, [&](int x, int y, std::uint8_t& tone, std::uint8_t& height) {
+    const CellPlace place = cells.at(x, y);
+    const int offset = static_cast<int>(place.hash & 511U);
+    const int grain = streaks.at(x, y, offset, offset * 3);
+    const int ring = (grain * rings + 4096) & 127;
+    const int own = static_cast<int>((place.hash >> 16U) & 255U) - 128;
+    const bool is_joint = place.border < 0 && laying.joint > 0;
+    tone = asByte(is_joint ? 10 : 108 + grain / 2 + std::abs(ring - 64) + own * spread / 256);
+    height = asByte(is_joint ? 40 : 120 + grain / 4);
+  });
   const double draw = random.unit();
   const Colour colour = drawColour(random, draw < 0.7    ? Hues::kEarth
                                            : draw < 0.85 ? Hues::kDry
@@ -140,24 +135,18 @@ Surface cloth(base::RandomSource& random, int bits) {
                                      ? drawBands(random, surface.side, tones)
                                      : std::vector<int>(static_cast<std::size_t>(surface.side), 0);
   const int thread = between(random, 1, 3);  // its width is a power of two
-  const NoiseTable& folds = noise(Waves::kBroad);
-  const int step = surface.noiseStep();
+  const SurfaceNoise folds(surface, Waves::kBroad);
   const int shift = below(random, NoiseTable::kSide);
   const int depth = between(random, 0, 3);
-  for (int y = 0; y < surface.side; ++y) {
-    for (int x = 0; x < surface.side; ++x) {
-      const bool is_above = (((x >> thread) + (y >> thread)) & 1) != 0;
-      const int slot =
-          is_above ? across[static_cast<std::size_t>(x)] : along[static_cast<std::size_t>(y)];
-      const int inside = (is_above ? y : x) & ((1 << thread) - 1);
-      const int weave = 2 * inside < (1 << thread) ? 8 : -4;
-      const int fold = folds.at(x * step + shift, y * step);
-      const std::size_t i = surface.index(x, y);
-      surface.tone[i] = static_cast<std::uint8_t>(64 * slot + 28 + weave + (is_above ? 8 : -8));
-      surface.height[i] = static_cast<std::uint8_t>(
-          std::clamp(128 + fold * depth / 2 + (is_above ? 3 : 0), 0, 255));
-    }
-  }
+  forEachPixel(surface, [&](int x, int y, std::uint8_t& tone, std::uint8_t& height) {
+    const bool is_above = (((x >> thread) + (y >> thread)) & 1) != 0;
+    const int slot =
+        is_above ? across[static_cast<std::size_t>(x)] : along[static_cast<std::size_t>(y)];
+    const int inside = (is_above ? y : x) & ((1 << thread) - 1);
+    const int weave = 2 * inside < (1 << thread) ? 8 : -4;
+    tone = asByte(64 * slot + 28 + weave + (is_above ? 8 : -8));
+    height = asByte(128 + folds.at(x, y, shift) * depth / 2 + (is_above ? 3 : 0));
+  });
   for (int slot = 0; slot < 4; ++slot) {
     addShades(surface.palette, 64 * slot, 64 * slot + 63, drawAnyColour(random), 120);
   }
@@ -167,9 +156,8 @@ Surface cloth(base::RandomSource& random, int bits) {
 
 Surface metal(base::RandomSource& random, int bits) {
   Surface surface(bits);
-  const NoiseTable& streaks = noise(Waves::kStreaks);
-  const NoiseTable& patches = noise(Waves::kBroad);
-  const int step = surface.noiseStep();
+  const SurfaceNoise streaks(surface, Waves::kStreaks);
+  const SurfaceNoise patches(surface, Waves::kBroad);
   const int shift = below(random, NoiseTable::kSide);
   const int waves = chance(random, 0.4) ? surface.side >> between(random, 2, 4) : 0;
   const int rust = chance(random, 0.45) ? between(random, 10, 80) : 200;
@@ -178,21 +166,17 @@ Surface metal(base::RandomSource& random, int bits) {
   laying.columns = between(random, 1, 4);
   const bool has_plates = waves == 0 && chance(random, 0.5);
   const Cells cells(surface, laying, random);
-  for (int y = 0; y < surface.side; ++y) {
-    for (int x = 0; x < surface.side; ++x) {
-      const int streak = streaks.at(x * step + shift, y * step);
-      const int patch = patches.at(x * step, y * step + shift) + streak / 4;
-      int height = 100 + streak / 10;
-      if (waves > 0) height += 2 * std::abs((x % waves) * 64 / waves - 32);
-      if (has_plates && cells.at(x, y).border < 0) height = 20;
-      const bool is_rusty = patch > rust;
-      const int tone = is_rusty ? 220 + (patch - rust) / 3 - streak / 3 : 90 + streak / 4;
-      const std::size_t i = surface.index(x, y);
-      surface.tone[i] = static_cast<std::uint8_t>(is_rusty ? std::clamp(tone, 176, 255)
-                                                           : std::clamp(tone, 0, 175));
-      surface.height[i] = static_cast<std::uint8_t>(height + (is_rusty ? streak / 6 : 0));
-    }
-  }
+  forEachPixel(surface, [&](int x, int y, std::uint8_t& tone, std::uint8_t& height) {
+    const int streak = streaks.at(x, y, shift);
+    const int patch = patches.at(x, y, 0, shift) + streak / 4;
+    int above = 100 + streak / 10;
+    if (waves > 0) above += 2 * std::abs((x % waves) * 64 / waves - 32);
+    if (has_plates && cells.at(x, y).border < 0) above = 20;
+    const bool is_rusty = patch > rust;
+    tone = asByte(is_rusty ? std::max(176, 220 + (patch - rust) / 3 - streak / 3)
+                           : std::min(175, 90 + streak / 4));
+    height = asByte(above + (is_rusty ? streak / 6 : 0));
+  });
   const Colour colour =
       chance(random, 0.55) ? drawColour(random, Hues::kGrey) : drawAnyColour(random);
   addShades(surface.palette, 0, 175, colour, 80);
