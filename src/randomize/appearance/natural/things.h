@@ -28,14 +28,27 @@ enum class Whereabouts { kOutdoors, kIndoors };
 
 [[nodiscard]] const Tile& oneOf(const std::vector<Tile>& tiles, base::RandomSource& random);
 
-/// A wall with windows.
-[[nodiscard]] Tile drawFacade(base::RandomSource& random);
+[[nodiscard]] Point drawnTurn(base::RandomSource& random);
 
+/// The paint of something that stands there, from a tile, of which there are `scale` pixels for
+/// each of the canvas, or of one colour.
+[[nodiscard]] Paint standingPaint(const Tile& tile, base::RandomSource& random, double scale,
+                                  const Standing& at);
+[[nodiscard]] Paint colourPaint(const Tile& colour, const Standing& at);
+
+// Grown: things_grown.cpp.
 void addTree(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
 void addBush(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
+
+// Of streets: things_built.cpp.
+
+/// A wall with windows.
+[[nodiscard]] Tile drawFacade(base::RandomSource& random);
 void addPole(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
 void addCar(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
 void addFence(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
+
+// Anywhere: things.cpp.
 
 /// A box, a barrel, a ball or a slab, from 0.3 to 1.5 m.
 void addThing(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random);
