@@ -52,8 +52,8 @@ struct ObjectInfo {
   std::vector<std::string> keypoint_names;  ///< as many: the parameter, else "0", "1", ...
 
   /// Whether there may be scenes in which it has another model than DatasetInfo::model() says, or
-  /// is of another size: of each scene, SceneObject counts. A format that has room for one model
-  /// alone cannot hold such scenes.
+  /// is of another size or shape (variants of `same_class` have other proportions): of each scene,
+  /// SceneObject counts. A format that has room for one model alone cannot hold such scenes.
   bool model_varies = false;
 
   /// Pairs of keypoints to draw lines between, by their indices.
