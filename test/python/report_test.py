@@ -13,10 +13,12 @@ import rosunit
 
 from example_dataset import DatasetCase, REPOSITORY, SCENES, run
 from synthetic_dataset import Dataset
-from synthetic_dataset.report.brightness import Brightness
+from synthetic_dataset.report.brightness import Brightness, detail
 from synthetic_dataset.report.choice import choose
 from synthetic_dataset.report.measures import Measures
 from synthetic_dataset.report.neighbours import Neighbours
+from synthetic_dataset.report.page import page_of
+from synthetic_dataset.report.variety import Variety
 
 
 class Page(html.parser.HTMLParser):
@@ -236,6 +238,33 @@ class Choices(DatasetCase):
         self.assertEqual(reasons['least visible'], [12, 11])
         self.assertEqual(reasons['darkest'], [16, 15])
         self.assertEqual(reasons['smallest label'], [21])
+
+
+class LearntByHeart(DatasetCase):
+
+    def test_is_what_surrounds_labels_alone(self):
+        striped = np.full((480, 640), 90, np.uint8)
+        for x in range(0, 320, 40):
+            striped[:, x:x + 20] = 160
+        striped = Image.fromarray(striped)
+        # A small pixel in two has another tone at its right, of 32 of 63.
+        self.assertAlmostEqual(detail(striped, np.zeros((0, 4))), 16 / 63, delta=0.02)
+        self.assertEqual(detail(striped, np.array([[0, 0, 0.5, 0.75]])), 0)
+        self.assertTrue(np.isnan(detail(striped, np.array([[0, 0, 1, 0.75]]))))
+        noise = np.random.RandomState(0).normal(120, 8, (480, 640)).astype(np.uint8)
+        self.assertEqual(detail(Image.fromarray(noise), np.zeros((0, 4))), 0)
+
+    def test_is_one_look_on_a_plain_ground(self):
+        dataset = Dataset(self.folder)
+        self.assertEqual(Variety(dataset, types.SimpleNamespace(detail=0.03)).looks, {'rover': 2, 'drone': 1},
+                         'two models of the world, and one')
+        for share, looks, is_plain in ((0.03, 1, True), (0.28, 1, False), (0.03, 12, False), (None, 1, False)):
+            variety = Variety(dataset, types.SimpleNamespace(detail=share))
+            variety.looks = {'rover': looks, 'drone': 1}
+            self.assertEqual(variety.is_plain, is_plain)
+        page = Page(page_of(dataset)).text
+        self.assertIn('of what surrounds the labels is not plain', page)
+        self.assertNotIn('preset: transfer', page)
 
 
 class NearEqualScenes(unittest.TestCase):

@@ -1,26 +1,33 @@
-"""How bright a dataset's images are, which the manifest does not say."""
+"""What is in a dataset's images, which the manifest does not say."""
 import numpy as np
 from PIL import Image
 
 from synthetic_dataset.manifest import DatasetError
 
 MOST_IMAGES = 500  # that are read; more would take long and say the same
+SMALL = 64  # the width of the image in which detail is looked for [px]: without noise and the grain of a ground
+PLAIN = 8  # the most by which neighbours of a plain surface differ there, of 255
 
 
 class Brightness:
-    """The mean brightness of images, 0 to 255, of at most MOST_IMAGES scenes spread over all."""
+    """Of at most MOST_IMAGES scenes spread over all: the images' mean brightness, 0 to 255, and how much of what surrounds
+    the labels is not plain, 0 to 1."""
 
     def __init__(self, dataset, measures):
         count = len(measures.scene_index)
         self.rows = np.unique(np.linspace(0, count - 1, min(count, MOST_IMAGES)).astype(int))
-        values, self.unreadable = [], []
+        values, details, self.unreadable = [], [], []
         for row in self.rows:
             try:
-                values.append(_mean(dataset.scene(measures.scene_index[row]).image_file))
+                grey = _grey(dataset.scene(measures.scene_index[row]).image_file)
             except (DatasetError, OSError) as error:
                 values.append(np.nan)
                 self.unreadable.append(str(error))
+                continue
+            values.append(float(np.asarray(grey).mean()))
+            details.append(detail(grey, measures.box[measures.scene == row] / measures.scene_size[row][0]))
         self.values = np.array(values, float)
+        self.detail = float(np.nanmean(details)) if not np.all(np.isnan(details)) else None
 
     def darkest(self, count):
         """Rows of scenes, the darkest first."""
@@ -28,7 +35,23 @@ class Brightness:
         return [int(row) for row in self.rows[order][:count]]
 
 
-def _mean(file):
+def _grey(file):
     with Image.open(file) as picture:
-        picture.draft('L', (picture.width // 4, picture.height // 4))  # JPEG alone: decodes less
-        return float(np.asarray(picture.convert('L')).mean())
+        width = max(SMALL, picture.width // 4)
+        picture.draft('L', (width, width * picture.height // picture.width))  # JPEG alone: decodes less
+        return picture.convert('L')
+
+
+def detail(grey, boxes):
+    """The share of what is outside of the boxes that differs from a neighbour; NaN where boxes fill the image.
+
+    @param boxes  as shares of the image's width
+    """
+    height = max(2, round(grey.height * SMALL / grey.width))
+    small = np.asarray(grey.resize((SMALL, height), Image.BOX)).astype(int)
+    around = np.ones(small.shape, bool)
+    for left, top, right, bottom in np.floor(boxes * SMALL).astype(int):
+        around[top:bottom + 2, left:right + 2] = False
+    differences = np.maximum(np.abs(np.diff(small, axis=0))[:, :-1], np.abs(np.diff(small, axis=1))[:-1])
+    found = differences[around[:-1, :-1]] > PLAIN
+    return float(found.mean()) if len(found) else np.nan

@@ -14,7 +14,7 @@ def share(count, of):
     return f'{count:,} of {of:,} ({100 * count / of:.3g} %)' if of else f'{count:,}'
 
 
-def findings(dataset, measures, splits, counts, brightness, neighbours):
+def findings(dataset, measures, splits, counts, brightness, neighbours, variety):
     found = []
 
     def add(is_problem, text, cure=''):
@@ -27,6 +27,10 @@ def findings(dataset, measures, splits, counts, brightness, neighbours):
     _add_classes(add, measures, splits, counts)
     _add_labels(add, measures)
     _add_pictures(add, brightness)
+    if variety.is_plain and measures.count:
+        add(True, 'One model of each class, and nothing else in view: '
+            f'{100 * variety.detail:.0f} % of what surrounds labels is not plain. A network learns that by heart.',
+            'Add `randomize: {preset: transfer}`.')
     near = {split: count for split, count in neighbours.by_split.items() if count}
     if near:
         text = ', '.join(f'{count:,} of {split}' for split, count in near.items())

@@ -14,6 +14,7 @@ from synthetic_dataset.report.findings import findings
 from synthetic_dataset.report.measures import Measures
 from synthetic_dataset.report.neighbours import Neighbours
 from synthetic_dataset.report.stages import stages_in
+from synthetic_dataset.report.variety import Variety
 
 MOST_CAMERAS, MOST_ANGLES, SHOWN_PAIRS = 4, 6, 3  # that have a chart, that are shown
 
@@ -37,14 +38,15 @@ def page_of(dataset, log=None):
     measures = Measures(dataset)
     brightness = Brightness(dataset, measures)
     neighbours = Neighbours(measures)
+    variety = Variety(dataset, brightness)
     splits = dataset.splits
     counts = measures.counts(splits)
     return pages.rendered(
         pathlib.Path(__file__).parent,
         name=dataset.folder.name, is_complete=dataset.is_complete,
         facts=_facts(dataset, measures),
-        findings=findings(dataset, measures, splits, counts, brightness, neighbours),
-        warnings=_warnings(dataset),
+        findings=findings(dataset, measures, splits, counts, brightness, neighbours, variety),
+        variety=variety, warnings=_warnings(dataset),
         tiles=[tiles.tile(dataset, measures, each.row, each.reason)
                for each in choose(measures, brightness)],
         classes=_classes(measures, counts), splits=_splits(measures, splits),

@@ -16,6 +16,7 @@
 #include "run/check/output_checks.h"
 #include "run/check/scene_statistics.h"
 #include "run/check/standing_checks.h"
+#include "run/check/variety_checks.h"
 #include "run/scene_loop.h"
 #include "run/scene_sink.h"
 #include "run/setup/run_setup.h"
@@ -220,7 +221,7 @@ RunCheck checkRun(const Value& parameters, Reporter& reporter,
 }
 
 RunCheck checkRun(RunSetup setup, Reporter& reporter) {
-  RunCheck check{std::move(setup), {}, {}, {}};
+  RunCheck check{std::move(setup), {}, {}, {}, {}};
   requireFolder(check.setup.config.output.folder);
   CheckSink sink(check.setup, chosenInstants(check.setup));
   CheckWatch stopwatch(reporter);
@@ -234,6 +235,8 @@ RunCheck checkRun(RunSetup setup, Reporter& reporter) {
     append(check.findings, findings);
   }
   append(check.findings, sink.statistics().findings());
+  check.variety = varietyOf(check.setup, check.scenes);
+  if (check.variety) append(check.findings, checkVariety(*check.variety));
   append(check.findings, checkFigures(check.figures));
   const auto earlier = checkEarlierRun(check.setup, earlierRunOf(check.setup));
   if (earlier) check.findings.push_back(*earlier);

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "run/check/finding.h"
 #include "run/check/run_figures.h"
+#include "run/check/variety_checks.h"
 #include "run/reporter.h"
 #include "run/scene_sink.h"
 #include "run/setup/run_setup.h"
@@ -18,6 +19,7 @@ struct RunCheck {
   RunSetup setup;
   std::vector<FinishedScene> scenes;  ///< some of the run's, spread over it
   RunFigures figures;
+  std::optional<SceneVariety> variety;  ///< of these scenes, if they have labels
   std::vector<Finding> findings;
 };
 
