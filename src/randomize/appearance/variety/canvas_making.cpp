@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/image/picture_channels.h"
-#include "randomize/appearance/variety/flat_index.h"
 #include "randomize/appearance/variety/texel_raster.h"
 #include "randomize/appearance/variety/texture_atlas.h"
+#include "randomize/appearance/variety/textured_triangle.h"
 
 namespace synthetic_dataset::randomize {
 namespace {
@@ -102,24 +102,16 @@ bool hasOwnTexels(const world::Model& model, const ModelParts& parts, const Text
     if (!surface.mesh->colours.empty()) return false;
     const std::vector<std::uint32_t>& indices = surface.mesh->indices;
     for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
-      std::array<Eigen::Vector2d, 3> corners;
-      Eigen::Matrix3d p_M;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Eigen::Vector2f place =
-            texturePlace(surface.material, surface.mesh->texture_coordinates[indices[k + c]]);
-        corners[c] = place.cast<double>().cwiseProduct(Eigen::Vector2d(pixels.cols, pixels.rows));
-        p_M.col(static_cast<Eigen::Index>(c)) = part.p_M[indices[k + c]];
-      }
+      const TexturedTriangle triangle(surface, part, k, pixels);
+      const auto& corners = triangle.corners;
       const Eigen::Vector2d size =
           (corners[1] - corners[0]).cwiseAbs().cwiseMax((corners[2] - corners[0]).cwiseAbs());
       if (!(size.x() < kMostRepeats * pixels.cols && size.y() < kMostRepeats * pixels.rows)) {
         return false;
       }
       forEachTexel(corners, [&](int column, int row, const Eigen::Vector3d& weights) {
-        const auto wrapped = [](int index, int count) { return ((index % count) + count) % count; };
-        auto& place =
-            places[flatIndex(wrapped(row, pixels.rows), wrapped(column, pixels.cols), pixels.cols)];
-        const Eigen::Vector3f here = (p_M * weights).cast<float>();
+        auto& place = places[wrappedIndex(column, row, pixels)];
+        const Eigen::Vector3f here = (triangle.p_M * weights).cast<float>();
         if (!place) {
           ++seen;
           place = here;
@@ -143,16 +135,6 @@ bool canBeUnwrapped(const world::Surface& surface) {
   return !material.normal_map && !material.roughness_map && !material.metalness_map &&
          (!material.emissive_map || shinesInItsColours(material)) &&
          (!material.texture || base::isOpaque(material.texture->pixels));
-}
-
-double areaOf(const world::Surface& surface, const SurfacePart& part) {
-  double area = 0.0;
-  const std::vector<std::uint32_t>& indices = surface.mesh->indices;
-  for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
-    const Eigen::Vector3d& a = part.p_M[indices[k]];
-    area += 0.5 * (part.p_M[indices[k + 1]] - a).cross(part.p_M[indices[k + 2]] - a).norm();
-  }
-  return area;
 }
 
 /// As fine as its share of the model wants; of a surface that has a picture, finer.

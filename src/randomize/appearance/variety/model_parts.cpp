@@ -101,4 +101,14 @@ ModelParts::ModelParts(const world::Model& model) : surfaces(surfacesOf(model)) 
   }
 }
 
+double areaOf(const world::Surface& surface, const SurfacePart& part) {
+  double area = 0.0;
+  const std::vector<std::uint32_t>& indices = surface.mesh->indices;
+  for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
+    const Eigen::Vector3d& a = part.p_M[indices[k]];
+    area += 0.5 * (part.p_M[indices[k + 1]] - a).cross(part.p_M[indices[k + 2]] - a).norm();
+  }
+  return area;
+}
+
 }  // namespace synthetic_dataset::randomize

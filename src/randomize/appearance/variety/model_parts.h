@@ -35,6 +35,9 @@ struct ModelParts {
   double area = 0.0;          ///< [m^2]
 };
 
+/// How large a surface is [m^2].
+[[nodiscard]] double areaOf(const world::Surface& surface, const SurfacePart& part);
+
 [[nodiscard]] inline const world::Surface& surfaceOf(const world::Model& model,
                                                      const SurfacePart& part) {
   return model.links[part.link].visuals[part.visual].surfaces[part.surface];

@@ -9,7 +9,7 @@
 #include "randomize/appearance/variety/canvas_making.h"
 #include "randomize/appearance/variety/flat_index.h"
 #include "randomize/appearance/variety/texel_raster.h"
-#include "randomize/appearance/variety/texture_atlas.h"
+#include "randomize/appearance/variety/textured_triangle.h"
 
 namespace synthetic_dataset::randomize {
 namespace {
@@ -37,11 +37,6 @@ class ByColour {
  private:
   std::vector<std::optional<Result>> results_{1U << 18U};
 };
-
-std::size_t wrappedIndex(int column, int row, const cv::Mat& picture) {
-  const auto wrapped = [](int index, int count) { return ((index % count) + count) % count; };
-  return flatIndex(wrapped(row, picture.rows), wrapped(column, picture.cols), picture.cols);
-}
 
 /// Continues what is known of texels a little beyond the triangles' edges.
 void growOutwards(PaintCanvas& canvas) {
@@ -97,14 +92,8 @@ PaintedModel::PaintedModel(const world::Model& original)
   }
   for (PaintCanvas& canvas : canvases) place(canvas, colours);
   for (const std::size_t i : untextured) {
-    double area = 0.0;
-    const std::vector<std::uint32_t>& indices = surfaceOf(model, parts.surfaces[i]).mesh->indices;
-    const std::vector<Eigen::Vector3d>& p = parts.surfaces[i].p_M;
-    for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
-      area +=
-          0.5 * (p[indices[k + 1]] - p[indices[k]]).cross(p[indices[k + 2]] - p[indices[k]]).norm();
-    }
-    colours.add(surfaceOf(model, parts.surfaces[i]).material.diffuse.head<3>(), area);
+    const world::Surface& surface = surfaceOf(model, parts.surfaces[i]);
+    colours.add(surface.material.diffuse.head<3>(), areaOf(surface, parts.surfaces[i]));
   }
   palette_.emplace(colours);
   for (PaintCanvas& canvas : canvases) {
@@ -135,24 +124,18 @@ void PaintedModel::place(PaintCanvas& canvas, ColourCount& colours) {
           numbers.try_emplace({part.piece[indices[k]], levelAt(levels, z)}, painted.size());
       if (is_new) painted.emplace_back();
       PaintedPart& here = painted[entry->second];
-      std::array<Eigen::Vector2d, 3> corners;
-      Eigen::Matrix3d p_M;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Eigen::Vector2f at =
-            texturePlace(surface.material, surface.mesh->texture_coordinates[indices[k + c]]);
-        corners[c] = at.cast<double>().cwiseProduct(Eigen::Vector2d(picture.cols, picture.rows));
-        p_M.col(static_cast<Eigen::Index>(c)) = part.p_M[indices[k + c]];
-        here.box_M.extend(part.p_M[indices[k + c]].cast<float>());
-      }
+      const TexturedTriangle triangle(surface, part, k, picture);
+      const Eigen::Matrix3d& p_M = triangle.p_M;
+      for (std::size_t c = 0; c < 3; ++c) here.box_M.extend(part.p_M[indices[k + c]].cast<float>());
       const double area = 0.5 * (p_M.col(1) - p_M.col(0)).cross(p_M.col(2) - p_M.col(0)).norm();
       here.share += area / std::max(parts.area, 1e-12);
-      const Eigen::Vector2d ab = corners[1] - corners[0];
-      const Eigen::Vector2d ac = corners[2] - corners[0];
+      const Eigen::Vector2d ab = triangle.corners[1] - triangle.corners[0];
+      const Eigen::Vector2d ac = triangle.corners[2] - triangle.corners[0];
       const double texels = 0.5 * std::abs(ab.x() * ac.y() - ab.y() * ac.x());
       constexpr double kMostTexels = 2.0e7;  // a texture that repeats very often
       if (!(texels < kMostTexels)) continue;
       const auto number = static_cast<std::int32_t>(entry->second);
-      forEachTexel(corners, [&](int column, int row, const Eigen::Vector3d& weights) {
+      forEachTexel(triangle.corners, [&](int column, int row, const Eigen::Vector3d& weights) {
         const std::size_t index = wrappedIndex(column, row, picture);
         PaintCanvas::Texel& texel = canvas.texels[index];
         const auto& pixel = picture.at<cv::Vec4b>(static_cast<int>(index) / picture.cols,
