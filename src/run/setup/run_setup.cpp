@@ -362,16 +362,22 @@ class Builder {
   RunSetup setup_;
 };
 
-ExpandedPreset withoutShortForms(const Value& parameters, InputCache& inputs) {
+Value counted(const Value& parameters) {
   const auto* settings = parameters.as<Value::Map>();
-  if (settings == nullptr) return {parameters, {}};
-  return expandPreset(Value(config::withCounts(*settings)), inputs);
+  return settings == nullptr ? parameters : Value(config::withCounts(*settings));
 }
 
 RunSetup built(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
                InputCache& inputs, const base::OnStage& on_stage) {
-  const ExpandedPreset spelled = withoutShortForms(parameters, inputs);
-  RunSetup setup = Builder(spelled.settings, plugin_xml_files, inputs, on_stage).build();
+  const Value given = counted(parameters);
+  const ExpandedPreset spelled = expandPreset(given, inputs);
+  RunSetup setup = [&] {
+    try {
+      return Builder(spelled.settings, plugin_xml_files, inputs, on_stage).build();
+    } catch (const ErrorList& errors) {
+      throw ErrorList(explainPreset(errors.messages(), given, spelled.settings));
+    }
+  }();
   for (const std::string& note : spelled.notes) {
     setup.diagnostics.note("randomize/preset", note);
   }
@@ -386,7 +392,7 @@ std::int64_t RunSetup::instantCount() const {
 
 Value spelledOut(const Value& parameters) {
   InputCache inputs;
-  return withoutShortForms(parameters, inputs).settings;
+  return expandPreset(counted(parameters), inputs).settings;
 }
 
 RunSetup setUpRun(const Value& parameters, const std::vector<std::string>& plugin_xml_files,

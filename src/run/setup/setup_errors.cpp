@@ -52,6 +52,23 @@ std::string shellVariableIn(const std::string& path) {
   return std::regex_search(path, found, kVariable) ? found[1].str() : "";
 }
 
+/// Whether settings have an entry: "randomize/room/size"; of a list, "motions/2".
+bool hasEntry(const Value& settings, const std::string& path) {
+  const std::size_t end = path.find('/');
+  const std::string name = path.substr(0, end);
+  const Value* entry = nullptr;
+  if (const auto* map = settings.as<Value::Map>()) {
+    const auto found = map->find(name);
+    if (found != map->end()) entry = &found->second;
+  } else if (const auto* list = settings.as<Value::List>()) {
+    const bool is_index =
+        !name.empty() && name.size() < 4 &&
+        std::all_of(name.begin(), name.end(), [](char each) { return each >= '0' && each <= '9'; });
+    if (is_index && std::stoul(name) < list->size()) entry = &(*list)[std::stoul(name)];
+  }
+  return entry != nullptr && (end == std::string::npos || hasEntry(*entry, path.substr(end + 1)));
+}
+
 }  // namespace
 
 std::vector<std::string> mergedErrors(const std::vector<MotionErrors>& motions) {
@@ -116,6 +133,19 @@ std::vector<std::string> explainRelativePaths(std::vector<std::string> messages,
       message += "; '" + path + "' starts at the current folder: \"$(dirname)/" + path +
                  "\" would lie beside the settings file";
       break;
+    }
+  }
+  return messages;
+}
+
+std::vector<std::string> explainPreset(std::vector<std::string> messages, const Value& given,
+                                       const Value& spelled) {
+  for (std::string& message : messages) {
+    const std::string path = message.substr(0, message.find(": "));
+    // What is wrong with all motions alike is reported without their group.
+    const bool is_spelled = hasEntry(spelled, path) || hasEntry(spelled, "motions/0/" + path);
+    if (is_spelled && !hasEntry(given, path)) {
+      message += "; `" + path + "` comes from `randomize: {preset: transfer}`";
     }
   }
   return messages;

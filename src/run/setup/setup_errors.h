@@ -35,4 +35,10 @@ struct MotionErrors {
 [[nodiscard]] std::vector<std::string> explainRelativePaths(std::vector<std::string> messages,
                                                             const Value& settings);
 
+/// The messages about entries that the preset has added and the user did not write say so.
+/// @param given  settings without the preset's
+/// @param spelled  with what `randomize: {preset: transfer}` stands for
+[[nodiscard]] std::vector<std::string> explainPreset(std::vector<std::string> messages,
+                                                     const Value& given, const Value& spelled);
+
 }  // namespace synthetic_dataset::run

@@ -110,5 +110,26 @@ TEST_F(UnknownOfMotions, SuggestsWhatWasMeant) {
               ElementsAre("motions/1: faar: unknown parameter; did you mean 'far'?"));
 }
 
+// --- explainPreset ---
+
+TEST(ExplainPreset, SaysSoOfWhatTheUserDidNotWrite) {
+  const Value given = base::parseYaml("{camera: {near: -1}, randomize: {ambient: 9}}", "given");
+  const Value spelled = base::parseYaml(
+      "{camera: {near: -1, sample: {roll: 1}}, randomize: {ambient: 9, variety: none},"
+      " motions: [{randomize: {room: {size: 3}}}, {placement: {}}]}",
+      "spelled");
+  const std::vector<std::string> own = {"camera/near: found -1", "randomize/ambient: found 9",
+                                        "camera/info_file: missing", "no such file"};
+  EXPECT_EQ(explainPreset(own, given, spelled), own);
+  const std::string from = " comes from `randomize: {preset: transfer}`";
+  EXPECT_THAT(explainPreset({"camera/sample/roll: found 1", "motions/1: no place: none is free",
+                             "randomize/room/size: found 3"},
+                            given, spelled),
+              ElementsAre("camera/sample/roll: found 1; `camera/sample/roll`" + from,
+                          "motions/1: no place: none is free; `motions/1`" + from,
+                          "randomize/room/size: found 3; `randomize/room/size`" + from));
+  EXPECT_EQ(explainPreset({"motions/7: wrong"}, given, spelled).front(), "motions/7: wrong");
+}
+
 }  // namespace motion_errors_test
 }  // namespace synthetic_dataset::run
