@@ -60,6 +60,7 @@ class DraftWriter {
     writeWorld();
     writeCamera();
     writeObjects();
+    writeRandomization();
     writeFormats();
     return {out_.str(), gaps_};
   }
@@ -242,6 +243,29 @@ class DraftWriter {
     if (inputs_.contents.descriptions.empty()) return "";
     const std::string file = safeFileName(inputs_.contents.descriptions.front().robot) + ".urdf";
     return "; the recording has one: `inspect --urdf BAG > " + file + "`";
+  }
+
+  /// Recorded pictures can be labelled themselves, which serves a network better.
+  void writeRandomization() {
+    const std::vector<motion::BagTopic>& topics = inputs_.contents.topics;
+    const auto pictures = std::find_if(topics.begin(), topics.end(), [](const auto& topic) {
+      return topic.type == "sensor_msgs/Image" || topic.type == "sensor_msgs/CompressedImage";
+    });
+    // A world of the user's has surfaces of its own.
+    const char* ground = inputs_.world ? "" : ", materials: {world: {textures: natural}}";
+    if (pictures == topics.end()) {
+      out_ << "# Light, paint, backgrounds and sensor that differ from scene to scene: networks "
+              "that "
+              "learn from\n# these find more in photographs (docs/transfer.md).\n"
+              "randomize: {preset: transfer"
+           << ground << "}\n\n";
+      return;
+    }
+    out_ << "# The recording has pictures: `camera: {image_topic: " << pictures->name
+         << "}` labels these (docs/twin.md).\n"
+            "# Where scenes are drawn instead, networks that learn from them find more in "
+            "photographs with this:\n# randomize: {preset: transfer"
+         << ground << "}\n\n";
   }
 
   void writeFormats() {

@@ -129,6 +129,18 @@ TEST_F(SettingsDraftTest, TakeTheRecordedCalibrationAndNameOtherPrefixes) {
   EXPECT_THAT(draft.gaps, IsEmpty());
 }
 
+TEST_F(SettingsDraftTest, MakePicturesForNetworksUnlessThereAreRecordedOnes) {
+  EXPECT_THAT(
+      draftSettings(inputs).text,
+      HasSubstr("\nrandomize: {preset: transfer, materials: {world: {textures: natural}}}\n"));
+  inputs.world = "/hall.world";
+  EXPECT_THAT(draftSettings(inputs).text, HasSubstr("\nrandomize: {preset: transfer}\n"));
+  inputs.contents.topics.push_back({"/eye/image_raw", "sensor_msgs/Image", ""});
+  const SettingsDraft draft = draftSettings(inputs);
+  EXPECT_THAT(draft.text, HasSubstr("`camera: {image_topic: /eye/image_raw}` labels these"));
+  EXPECT_THAT(draft.text, HasSubstr("\n# randomize: {preset: transfer}\n"));
+}
+
 TEST_F(SettingsDraftTest, FollowOdometryWhereThereIsNoTf) {
   test::BagBuilder bag(folder / "b.bag");
   for (int i = 0; i <= 40; ++i) {
