@@ -223,6 +223,17 @@ class Problems(WithPage):
         return any(self.page.all(f'#pane [data-path="{each}"] .problems .error') for each in groups)
 
 
+class Randomisation(WithPage):
+
+    def test_is_the_presets_by_one_click(self):
+        self.page.go('randomisation')
+        switch = '#pane [data-path="randomize/preset"] .switch'
+        self.page.wait(lambda: self.page.all(switch), 'the switch')[0].click()
+        self.page.wait(lambda: 'randomize:\n  preset: transfer\n' in self.page.yaml(), 'the preset')
+        self.page.one(switch).click()
+        self.page.wait(lambda: 'preset' not in self.page.yaml(), 'no preset')
+
+
 class Picture(WithPage):
 
     def test_is_that_of_the_instant_under_the_slider(self):

@@ -20,7 +20,7 @@ const root = (...rest) => ['randomize', ...rest];
 function draw() {
   return [
     draws(),
-    preset(),
+    presets(),
     section('Light', lights(), light()),
     section('Surfaces', surfaces()),
     section(
@@ -66,23 +66,36 @@ function drawsText(draws = {}) {
   return Object.entries(draws).map(([name, value]) => `${name}: ${value}`).join('\n');
 }
 
-function preset() {
-  const includes = [].concat(own(['include']) ?? []);
-  const isIncluded = includes.some((each) => String(each).includes('randomize_default'));
-  const put = (list) => set(['include'], list.length === 0 ? undefined : list.length === 1 ? list[0] : list);
+// A switch for what is not a setting that is true or false.
+function switchFor(path, label, isOn, change, hint) {
   return h(
-      'div', {class: 'field preset', 'data-path': 'include'},
+      'div', {class: 'field', key: path.join('/'), 'data-path': path.join('/')},
       h('label', {class: 'toggle plain'}, h('input', {
           type: 'checkbox',
           class: 'switch',
           role: 'switch',
-          checked: isIncluded,
-          onchange: (event) =>
-              put(event.target.checked ? [...includes, PRESET] :
-                                         includes.filter((each) => !String(each).includes('randomize_default'))),
+          checked: isOn,
+          onchange: (event) => change(event.target.checked),
         }),
-        h('span', {}, 'Begin with the preset that suits any world')),
-      h('p', {class: 'hint'}, 'config/randomize_default.yaml is included; what is set here overrides it.'));
+        h('span', {}, label)),
+      hint ? h('p', {class: 'hint'}, hint) : null);
+}
+
+function presets() {
+  const includes = [].concat(own(['include']) ?? []);
+  const isDefault = (each) => String(each).includes('randomize_default');
+  const put = (list) => set(['include'], list.length === 0 ? undefined : list.length === 1 ? list[0] : list);
+  return [
+    switchFor(
+        root('preset'), 'For networks that are to work on photographs', effective(root('preset')) === 'transfer',
+        (isOn) => set(root('preset'), isOn ? 'transfer' : undefined),
+        'Other light, paint, backgrounds and wear in each scene; without a world also rooms, clutter and cameras. What is ' +
+            'set here overrides it.'),
+    switchFor(
+        ['include'], 'Begin with light, paint and sensor that suit any world', includes.some(isDefault),
+        (isOn) => put(isOn ? [...includes, PRESET] : includes.filter((each) => !isDefault(each))),
+        'config/randomize_default.yaml is included; what is set here overrides it.'),
+  ];
 }
 
 // Entries of groups by name: every light, or one alone.
@@ -236,15 +249,8 @@ function distractors() {
   const start = {volume: {min: [-4, -3, 0.1], max: [4, 3, 2.2]}, count: {uniform: [0, 8]}};
   return section(
       'Clutter',
-      h('div', {class: 'field', 'data-path': path.join('/')},
-        h('label', {class: 'toggle plain'}, h('input', {
-            type: 'checkbox',
-            class: 'switch',
-            role: 'switch',
-            checked: isOn,
-            onchange: (event) => set(path, event.target.checked ? start : undefined),
-          }),
-          h('span', {}, 'Things without a label between the objects'))),
+      switchFor(
+          path, 'Things without a label between the objects', isOn, (value) => set(path, value ? start : undefined)),
       isOn ? h('div', {}, distribution(at('count'), {label: 'How many', range: [0, 40], start: {uniform: [0, 8]}}),
                distribution(at('size'), {label: 'Size', range: [0.01, 2], start: {log_uniform: [0.08, 0.4]}}),
                choiceField(at('mode'), null, {label: 'They'}),
