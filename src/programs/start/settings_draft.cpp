@@ -251,21 +251,17 @@ class DraftWriter {
     const auto pictures = std::find_if(topics.begin(), topics.end(), [](const auto& topic) {
       return topic.type == "sensor_msgs/Image" || topic.type == "sensor_msgs/CompressedImage";
     });
-    // A world of the user's has surfaces of its own.
-    const char* ground = inputs_.world ? "" : ", materials: {world: {textures: natural}}";
     if (pictures == topics.end()) {
       out_ << "# Light, paint, backgrounds and sensor that differ from scene to scene: networks "
               "that "
               "learn from\n# these find more in photographs (docs/transfer.md).\n"
-              "randomize: {preset: transfer"
-           << ground << "}\n\n";
+              "randomize: {preset: transfer}\n\n";
       return;
     }
     out_ << "# The recording has pictures: `camera: {image_topic: " << pictures->name
          << "}` labels these (docs/twin.md).\n"
             "# Where scenes are drawn instead, networks that learn from them find more in "
-            "photographs with this:\n# randomize: {preset: transfer"
-         << ground << "}\n\n";
+            "photographs with this:\n# randomize: {preset: transfer}\n\n";
   }
 
   void writeFormats() {

@@ -130,9 +130,7 @@ TEST_F(SettingsDraftTest, TakeTheRecordedCalibrationAndNameOtherPrefixes) {
 }
 
 TEST_F(SettingsDraftTest, MakePicturesForNetworksUnlessThereAreRecordedOnes) {
-  EXPECT_THAT(
-      draftSettings(inputs).text,
-      HasSubstr("\nrandomize: {preset: transfer, materials: {world: {textures: natural}}}\n"));
+  EXPECT_THAT(draftSettings(inputs).text, HasSubstr("\nrandomize: {preset: transfer}\n"));
   inputs.world = "/hall.world";
   EXPECT_THAT(draftSettings(inputs).text, HasSubstr("\nrandomize: {preset: transfer}\n"));
   inputs.contents.topics.push_back({"/eye/image_raw", "sensor_msgs/Image", ""});
